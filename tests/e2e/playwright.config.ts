@@ -1,0 +1,83 @@
+import { existsSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { defineConfig, devices } from "@playwright/test";
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+const port = Number(process.env["FROND_PORT"] ?? 4179);
+
+/** The site is built with relative addresses; to prove it, it is tried in a folder below the host's root. */
+const address = `http://127.0.0.1:${port}/some/folder/`;
+
+/** `cargo xtask` says where Chromium is; without it, the places where systems put it. */
+const chromium =
+  process.env["FROND_CHROMIUM"] ??
+  ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find((path) =>
+    existsSync(path),
+  );
+
+/** The same in crate/web/webdriver.json, for the tests that wasm-pack runs. */
+const flags = [
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-quic",
+  "--disable-sync",
+  "--no-first-run",
+  // Chromium will not sandbox itself as root, and only this repository's own pages are opened.
+  "--no-sandbox",
+  // No network but the site itself: what is loaded from elsewhere fails, and a test with it.
+  "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1, EXCLUDE localhost",
+];
+
+/** A software GPU, so that both backends are there on any machine and draw the same picture on all. */
+const webgl2 = ["--enable-unsafe-swiftshader", "--use-angle=swiftshader"];
+const webgpu = [
+  "--enable-unsafe-webgpu",
+  "--use-webgpu-adapter=swiftshader",
+  "--enable-features=Vulkan",
+  "--use-vulkan=swiftshader",
+  "--use-angle=swiftshader",
+];
+
+function launch(backend: string[]) {
+  return { args: [...flags, ...backend], ...(chromium === undefined ? {} : { executablePath: chromium }) };
+}
+
+export default defineConfig({
+  testDir: ".",
+  outputDir: "../../target/e2e",
+  snapshotPathTemplate: "../golden/{projectName}/{arg}{ext}",
+  // A software GPU takes every core that it finds.
+  workers: 1,
+  timeout: 60_000,
+  expect: { timeout: 15_000 },
+  forbidOnly: process.env["CI"] !== undefined,
+  reporter: [["list"]],
+  use: {
+    ...devices["Desktop Chrome"],
+    baseURL: address,
+    viewport: { width: 1280, height: 800 },
+    screenshot: "only-on-failure",
+    trace: "retain-on-failure",
+  },
+  projects: [
+    { name: "webgl2", testIgnore: "**/*.phone.spec.ts", use: { launchOptions: launch(webgl2) } },
+    { name: "webgpu", testIgnore: "**/*.phone.spec.ts", use: { launchOptions: launch(webgpu) } },
+    {
+      name: "phone",
+      testMatch: "**/*.phone.spec.ts",
+      use: {
+        launchOptions: launch(webgl2),
+        viewport: { width: 390, height: 844 },
+        deviceScaleFactor: 2,
+        hasTouch: true,
+        isMobile: true,
+      },
+    },
+  ],
+  webServer: {
+    command: `npm exec --offline -- vite preview --base /some/folder/ --host 127.0.0.1 --port ${port} --strictPort`,
+    cwd: root,
+    url: address,
+    reuseExistingServer: false,
+  },
+});

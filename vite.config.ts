@@ -1,0 +1,32 @@
+import { existsSync } from "node:fs";
+import { defineConfig } from "vitest/config";
+
+/** Pages of the site, each of which becomes a file of its own in dist/. */
+const pages = ["index.html", "figures/index.html"].filter((page) => existsSync(page));
+
+export default defineConfig({
+  // Relative addresses: the built site works from any folder of a plain static host.
+  base: "./",
+  // No fallback to index.html: a missing file is a missing file, as on that host.
+  appType: "mpa",
+  publicDir: "www/public",
+  worker: { format: "es" },
+  build: {
+    target: "baseline-widely-available",
+    outDir: "dist",
+    emptyOutDir: true,
+    // The size gate of `cargo xtask test` does this, and fails.
+    reportCompressedSize: false,
+    modulePreload: { polyfill: false },
+    rolldownOptions: { input: pages },
+  },
+  server: {
+    // The wasm package is watched through www/pkg, which `cargo xtask serve` writes anew.
+    watch: { ignored: ["**/target/**", "**/crate/**", "**/dist/**", "**/tests/**"] },
+  },
+  test: {
+    include: ["www/src/**/*.test.{ts,tsx}", "tests/api/**/*.test.ts"],
+    environment: "node",
+    restoreMocks: true,
+  },
+});
