@@ -1,0 +1,73 @@
+import { type Uv, uvAt } from "../state/path";
+import type { Bounds, Locus } from "./api";
+
+export interface Stretch {
+  t0: number;
+  t1: number;
+}
+
+/** The states of `Locus.state`; 255 is a sample that is not decided yet. */
+export const STATE = {
+  connected: 0,
+  touching: 1,
+  disconnected: 2,
+  undecided: 3,
+  none: 4,
+  pending: 255,
+} as const;
+
+export function isBroken(state: number): boolean {
+  return state === STATE.disconnected || state === STATE.none;
+}
+
+/** Stretches of t in which samples, evenly spaced over [0, 1], are broken. Each reaches half a sample to both sides. */
+export function stretches(states: ArrayLike<number>): Stretch[] {
+  const count = states.length;
+  const found: Stretch[] = [];
+  let from = -1;
+  for (let i = 0; i <= count; i++) {
+    const broken = i < count && isBroken(states[i] ?? STATE.pending);
+    if (broken && from < 0) from = i;
+    if (!broken && from >= 0) {
+      const at = (x: number) => Math.min(1, Math.max(0, x / Math.max(1, count - 1)));
+      found.push({ t0: at(from - 0.5), t1: at(i - 0.5) });
+      from = -1;
+    }
+  }
+  return found;
+}
+
+/** The same read off a field: the nearest sample, or the four corners of its cell, may hold the path together. */
+export function breaksAlong(
+  field: Locus & { bounds: Bounds },
+  points: readonly Uv[],
+  samples = 257,
+): Stretch[] {
+  const states = new Uint8Array(samples);
+  for (let i = 0; i < samples; i++) states[i] = stateNear(field, uvAt(points, i / (samples - 1)));
+  return stretches(states);
+}
+
+/** The best state of the corners of the cell that holds a point: a thin isthmus must not read as a break. */
+export function stateNear(field: Locus & { bounds: Bounds }, [u, v]: Uv): number {
+  const { width, height, bounds, state } = field;
+  const x = ((u - bounds.u0) / (bounds.u1 - bounds.u0)) * (width - 1);
+  const y = ((v - bounds.v0) / (bounds.v1 - bounds.v0)) * (height - 1);
+  // Within rounding of a sample that sample alone speaks.
+  const xs = Math.abs(x - Math.round(x)) < 1e-6 ? [Math.round(x)] : [Math.floor(x), Math.ceil(x)];
+  const ys = Math.abs(y - Math.round(y)) < 1e-6 ? [Math.round(y)] : [Math.floor(y), Math.ceil(y)];
+  let best: number = STATE.pending;
+  for (const row of ys) {
+    for (const column of xs) {
+      if (row < 0 || column < 0 || row >= height || column >= width) continue;
+      const s = state[row * width + column] ?? STATE.pending;
+      if (rank(s) < rank(best)) best = s;
+    }
+  }
+  return best;
+}
+
+function rank(state: number): number {
+  if (state === STATE.undecided) return 1.5;
+  return state;
+}

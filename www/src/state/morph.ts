@@ -1,0 +1,75 @@
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import type { Ifs, MapRow, MorphOptions, Pairing } from "../engine/api";
+import { frond } from "../engine/wasm";
+import { pointsOf, type Uv, uvAt } from "./path";
+import { scene } from "./scene";
+
+export { timesOf, uvAt } from "./path";
+
+/** Editing the maps of one end: the stage shows that shape and its parallelograms. */
+export const selection = signal<{ target: "a" | "b"; map: number | null } | null>(null);
+
+// Parts of the scene, so that what hangs on a part is not computed again when only the moment has changed.
+const a = computed(() => scene.value.a.maps);
+const b = computed(() => scene.value.b.maps);
+const mode = computed(() => scene.value.mode);
+const path = computed(() => scene.value.path);
+const correspondence = computed(() => scene.value.correspondence);
+const turns = computed(() => scene.value.turns);
+const t = computed(() => scene.value.t);
+
+let lastPairing: Pairing | null = null;
+
+/** Both ends with the same number of maps. A pair that cannot be made leaves the last good one. */
+export const pairing: ReadonlySignal<Pairing> = computed(() => {
+  const from = a.value;
+  const to = b.value;
+  try {
+    lastPairing = frond.pair({ maps: from }, { maps: to });
+  } catch {
+    const count = Math.min(from.length, to.length);
+    lastPairing ??= { from: from.slice(0, count), to: to.slice(0, count), steps: [] };
+  }
+  return lastPairing;
+});
+
+/** Everything besides (u, v) that the morph hangs on. Lists of the wrong length count as the default. */
+export const morphOptions: ReadonlySignal<MorphOptions> = computed(() => {
+  const count = pairing.value.from.length;
+  const options: MorphOptions = { mode: mode.value };
+  if (correspondence.value.length === count) options.correspondence = correspondence.value;
+  if (turns.value.length === count) options.turns = turns.value;
+  return options;
+});
+
+/** The path from (0,0) to (1,1), both included. */
+export const pathPoints: ReadonlySignal<Uv[]> = computed(() => pointsOf(path.value));
+
+/** The point of the path at the present moment. */
+export const uv: ReadonlySignal<Uv> = computed(() => uvAt(pathPoints.value, t.value));
+
+/** The maps at any (u, v); the first shape's where the morph is not defined. */
+export function mapsAt([u, v]: Uv, options: MorphOptions = morphOptions.value): MapRow[] {
+  const { from, to } = pairing.value;
+  const ends: [Ifs, Ifs] = [{ maps: from }, { maps: to }];
+  try {
+    return frond.interpolate(...ends, { ...options, u, v }).maps;
+  } catch {
+    return from;
+  }
+}
+
+/** The maps at the present moment. */
+export const current: ReadonlySignal<MapRow[]> = computed(() => mapsAt(uv.value));
+
+/** What the stage shows: the morph, or the shape that is being edited. */
+export const shown: ReadonlySignal<MapRow[]> = computed(() => {
+  const editing = selection.value;
+  if (!editing) return current.value;
+  return editing.target === "a" ? a.value : b.value;
+});
+
+/** The elementwise morph at the same moment, for the comparison. */
+export const linear: ReadonlySignal<MapRow[]> = computed(() =>
+  mapsAt(uv.value, { ...morphOptions.value, mode: "linear" }),
+);

@@ -1,0 +1,88 @@
+import { effect, signal } from "@preact/signals";
+import { endGesture, replace, scene } from "./scene";
+
+export const playing = signal(false);
+/** Back and forth for ever; else it stops at the end. */
+export const loop = signal(true);
+/** 1 takes `SECONDS` from one end to the other. */
+export const speed = signal(1);
+export const SECONDS = 8;
+
+let direction = 1;
+let last: number | null = null;
+let frame = 0;
+
+/** Where the moment is after `dt` seconds, and which way it then goes. Pure, for the tests. */
+export function advance(
+  t: number,
+  dt: number,
+  way: number,
+  options: { speed: number; loop: boolean },
+): { t: number; way: number; ended: boolean } {
+  let next = t + (way * dt * options.speed) / SECONDS;
+  let onward = way;
+  if (!options.loop) return { t: Math.min(1, Math.max(0, next)), way, ended: next >= 1 || next < 0 };
+  // Reflect at both ends; a long pause may pass several.
+  next = ((next % 2) + 2) % 2;
+  if (next > 1) {
+    next = 2 - next;
+    onward = -way;
+  }
+  return { t: next, way: onward, ended: false };
+}
+
+function tick(now: number): void {
+  frame = 0;
+  if (!playing.peek()) return;
+  // A frame that comes late, after a stall, moves by a tenth of a second at most: nobody likes a jump.
+  const dt = last === null ? 0 : Math.min(0.1, (now - last) / 1000);
+  last = now;
+  const before = scene.peek();
+  const step = advance(before.t, dt, direction, { speed: speed.peek(), loop: loop.peek() });
+  direction = step.way;
+  if (step.t !== before.t) replace({ ...before, t: step.t });
+  if (step.ended) playing.value = false;
+  else frame = requestAnimationFrame(tick);
+}
+
+/** Only who asks for it sees it move: nothing calls this by itself. */
+export function play(): void {
+  if (playing.peek()) return;
+  const before = scene.peek();
+  if (before.t >= 1 && !loop.peek()) replace({ ...before, t: 0 });
+  direction = before.t >= 1 && loop.peek() ? -1 : 1;
+  playing.value = true;
+}
+
+export function pause(): void {
+  playing.value = false;
+}
+
+/** Moves along the path, by hand. The moment is no undo step, so that undo stays for what was made. */
+export function setT(t: number, _gesture?: string): void {
+  const clamped = Number.isFinite(t) ? Math.min(1, Math.max(0, t)) : 0;
+  const before = scene.peek();
+  if (clamped !== before.t) replace({ ...before, t: clamped });
+}
+
+export function endScrub(): void {
+  endGesture();
+}
+
+effect(() => {
+  const go = playing.value;
+  if (typeof requestAnimationFrame === "undefined") return;
+  if (go && !frame) {
+    last = null;
+    frame = requestAnimationFrame(tick);
+  } else if (!go && frame) {
+    cancelAnimationFrame(frame);
+    frame = 0;
+  }
+});
+
+if (typeof document !== "undefined") {
+  document.addEventListener("visibilitychange", () => {
+    if (document.hidden) pause();
+  });
+}

@@ -1,0 +1,87 @@
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import type { Scene } from "../engine/api";
+import { close, EMPTY, type History, record, stepBack, stepForward } from "./history";
+
+/** Stands until the wasm module has told its own default: a gasket and its mirror image. */
+const BLANK: Scene = {
+  a: {
+    name: "Gasket",
+    maps: [
+      [0.5, 0, 0, 0.5, 0, 0],
+      [0.5, 0, 0, 0.5, 0.5, 0],
+      [0.5, 0, 0, 0.5, 0.25, 0.4330127018922193],
+    ],
+  },
+  b: {
+    name: "Mirrored gasket",
+    maps: [
+      [0.5, 0, 0, 0.5, 0, 0],
+      [0.5, 0, 0, 0.5, 0.5, 0],
+      [0.5, 0, 0, 0.5, 0.25, -0.4330127018922193],
+    ],
+  },
+  mode: "polar",
+  path: { kind: "straight", points: [] },
+  t: 0,
+  correspondence: [],
+  turns: [],
+  colouring: "map",
+  compare: false,
+};
+
+const present = signal<Scene>(BLANK);
+const history = signal<History>(EMPTY);
+const dragging = signal(false);
+
+/** The document that the page shows: what a link holds. */
+export const scene: ReadonlySignal<Scene> = present;
+export const canUndo: ReadonlySignal<boolean> = computed(() => history.value.past.length > 0);
+export const canRedo: ReadonlySignal<boolean> = computed(() => history.value.future.length > 0);
+/** True from the first edit of a gesture to its end. */
+export const inGesture: ReadonlySignal<boolean> = dragging;
+
+/**
+ * One undo step. Consecutive edits with the same gesture id are one step, until `endGesture`.
+ * A change that returns the scene it was given does nothing.
+ */
+export function edit(change: (scene: Scene) => Scene, options: { gesture?: string } = {}): void {
+  const before = present.peek();
+  const after = change(before);
+  if (after === before) return;
+  history.value = record(history.peek(), before, after, options.gesture);
+  present.value = after;
+  dragging.value = options.gesture !== undefined;
+}
+
+/** The pointer was lifted, or the key released: the next edit is a step of its own. */
+export function endGesture(): void {
+  history.value = close(history.peek());
+  dragging.value = false;
+}
+
+/** Changes the scene without an undo step: the playback position, the view, a path planned for the present pair. */
+export function replace(next: Scene): void {
+  present.value = next;
+}
+
+export function undo(): void {
+  move(stepBack(history.peek(), present.peek()));
+}
+
+export function redo(): void {
+  move(stepForward(history.peek(), present.peek()));
+}
+
+function move(to: { history: History; scene: Scene } | null): void {
+  if (!to) return;
+  history.value = to.history;
+  present.value = to.scene;
+  dragging.value = false;
+}
+
+/** Starts over with another document and no past. */
+export function start(first: Scene): void {
+  history.value = EMPTY;
+  present.value = first;
+  dragging.value = false;
+}
