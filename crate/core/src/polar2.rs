@@ -29,11 +29,7 @@ impl Polar2 {
     #[must_use]
     pub fn of(m: DMat2) -> Self {
         let (large, small) = singular_values(m);
-        if m.determinant() < 0.0 && small > SINGULAR * large {
-            Self::reflecting(m)
-        } else {
-            Self::turning(m)
-        }
+        if m.determinant() < 0.0 && small > SINGULAR * large { Self::reflecting(m) } else { Self::turning(m) }
     }
 
     /// The decomposition by averaging with the inverse transpose (Burch & Hart 1997, eq 2), each step

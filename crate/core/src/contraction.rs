@@ -1,0 +1,279 @@
+//! Whether maps contract together, and coordinates in which they are seen to.
+
+use glam::{DMat2, DVec2};
+
+use crate::affine2::{Affine2, singular_values, spectral_radius};
+use crate::error::{IfsError, MAX_MAPS};
+
+/// A proof, up to rounding, that maps have an attractor: coordinates `y = to_round * x` and a finite set
+/// of blocks (words) in which all of them shrink distances by `factor` or less, and of which every
+/// endless word is composed.
+///
+/// Mostly the blocks are the maps themselves (`length` is 1). A sheared map may stretch by any factor
+/// in the Euclidean norm and still contract in the long run: then an ellipse is found that all maps
+/// shrink, and where none is, longer blocks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contraction {
+    /// Takes the ellipse that the maps shrink to the unit disc.
+    pub to_round: DMat2,
+    /// Its inverse.
+    pub from_round: DMat2,
+    /// The largest norm of a block in round coordinates, below 1.
+    pub factor: f64,
+    /// The number of letters of the longest block.
+    pub length: usize,
+    /// The centre, in the plane, of a disc in round coordinates that holds the attractor.
+    pub centre: DVec2,
+    /// The radius of that disc, in round coordinates.
+    pub radius: f64,
+}
+
+/// Numbers beyond this make products of maps overflow.
+const LARGEST: f64 = 1e100;
+/// A word of this spectral radius or more is said not to contract.
+const NEUTRAL: f64 = 1.0 - 1e-10;
+/// How many words may be looked at before giving up, and how long they may be.
+const WORDS: usize = 20_000;
+const LETTERS: usize = 48;
+
+impl Contraction {
+    /// Finds coordinates and blocks in which the maps contract.
+    ///
+    /// # Errors
+    /// [`IfsError::NoMaps`], [`IfsError::TooManyMaps`] and [`IfsError::NotFinite`] for lists that are
+    /// none; [`IfsError::NoAttractor`] when some word does not contract; [`IfsError::Unproved`] when
+    /// neither could be shown.
+    pub fn find(maps: &[Affine2]) -> Result<Self, IfsError> {
+        check(maps)?;
+        let plain = worst_norm(maps, DMat2::IDENTITY, DMat2::IDENTITY);
+        if plain < 0.95 {
+            return Ok(Self::with_maps(maps, DMat2::IDENTITY, DMat2::IDENTITY, plain));
+        }
+        // Single maps first: they settle most bad cases at once.
+        if let Some(map) = (0..maps.len()).find(|&i| maps[i].spectral_radius() >= NEUTRAL) {
+            return Err(no_attractor(&[map], maps[map].spectral_radius()));
+        }
+        let (to_round, from_round, factor) = best_ellipse(maps, plain);
+        if factor < 1.0 - 1e-9 {
+            return Ok(Self::with_maps(maps, to_round, from_round, factor));
+        }
+        Self::with_blocks(maps, to_round, from_round)
+    }
+
+    fn with_maps(maps: &[Affine2], to_round: DMat2, from_round: DMat2, factor: f64) -> Self {
+        let mut this = Self { to_round, from_round, factor, length: 1, centre: DVec2::ZERO, radius: 0.0 };
+        this.enclose(maps);
+        this
+    }
+
+    /// Gripenberg's search: a word is prolonged until its norm is below 1.
+    fn with_blocks(maps: &[Affine2], to_round: DMat2, from_round: DMat2) -> Result<Self, IfsError> {
+        let round = |map: Affine2| singular_values(to_round * map.linear * from_round).0;
+        let mut open: Vec<(Affine2, Vec<usize>)> = vec![(Affine2::IDENTITY, Vec::new())];
+        let mut blocks = Vec::new();
+        let (mut factor, mut length, mut seen) = (0.0_f64, 1, 0);
+        while let Some((prefix, word)) = open.pop() {
+            for (i, &map) in maps.iter().enumerate() {
+                seen += 1;
+                if seen > WORDS || word.len() >= LETTERS {
+                    return Err(IfsError::Unproved);
+                }
+                let block = prefix * map;
+                let mut letters = word.clone();
+                letters.push(i);
+                let radius = block.spectral_radius();
+                if radius >= NEUTRAL {
+                    return Err(no_attractor(&letters, radius));
+                }
+                let norm = round(block);
+                if norm < 0.99 {
+                    factor = factor.max(norm);
+                    length = length.max(letters.len());
+                    blocks.push(block);
+                } else {
+                    open.push((block, letters));
+                }
+            }
+            // Breadth first, so that short words that do not contract are met before long ones.
+            if open.len() > 1 {
+                open.rotate_right(1);
+            }
+        }
+        let mut this = Self { to_round, from_round, factor, length, centre: DVec2::ZERO, radius: 0.0 };
+        this.enclose(&blocks);
+        Ok(this)
+    }
+
+    /// A disc around the mean of the fixed points that every block maps into itself. It holds the
+    /// attractor of the blocks, which is that of the maps.
+    fn enclose(&mut self, blocks: &[Affine2]) {
+        let count = blocks.len() as f64;
+        let sum: DVec2 = blocks.iter().filter_map(|block| block.fixed_point()).sum();
+        self.centre = sum / count;
+        let shift = blocks
+            .iter()
+            .map(|block| (self.to_round * (block.apply(self.centre) - self.centre)).length())
+            .fold(0.0, f64::max);
+        self.radius = shift / (1.0 - self.factor) * (1.0 + 1e-12);
+    }
+}
+
+fn check(maps: &[Affine2]) -> Result<(), IfsError> {
+    if maps.is_empty() {
+        return Err(IfsError::NoMaps);
+    }
+    if maps.len() > MAX_MAPS {
+        return Err(IfsError::TooManyMaps { count: maps.len() });
+    }
+    let fits = |map: &Affine2| map.to_row().iter().all(|x| x.abs() < LARGEST);
+    match maps.iter().position(|map| !fits(map)) {
+        Some(map) => Err(IfsError::NotFinite { map }),
+        None => Ok(()),
+    }
+}
+
+fn no_attractor(word: &[usize], factor: f64) -> IfsError {
+    let word = word.iter().map(|i| (i + 1).to_string()).collect::<Vec<_>>().join(".");
+    IfsError::NoAttractor { word, factor }
+}
+
+fn worst_norm(maps: &[Affine2], to: DMat2, from: DMat2) -> f64 {
+    maps.iter().map(|map| singular_values(to * map.linear * from).0).fold(0.0, f64::max)
+}
+
+/// The ellipse `x^2 + 2 p x y + (p^2 + q^2) y^2 = 1` as coordinates that make it round, and back.
+fn coordinates(p: f64, q: f64) -> (DMat2, DMat2) {
+    let to = DMat2::from_cols(DVec2::new(1.0, 0.0), DVec2::new(p, q));
+    let from = DMat2::from_cols(DVec2::new(1.0, 0.0), DVec2::new(-p / q, 1.0 / q));
+    (to, from)
+}
+
+/// The ellipse whose largest shrunk image is smallest, with that factor.
+///
+/// The factor is quasi-convex in the ellipse's matrix `P` (the condition `M^T P M <= f^2 P` is linear
+/// in `P`), so that a search of one number inside a search of the other finds the least.
+fn best_ellipse(maps: &[Affine2], plain: f64) -> (DMat2, DMat2, f64) {
+    let factor = |p: f64, log_q: f64| {
+        let (to, from) = coordinates(p, log_q.exp());
+        worst_norm(maps, to, from)
+    };
+    let best_q = |p: f64| golden(-14.0, 14.0, |log_q| factor(p, log_q));
+    let (s, _) = golden(-12.0, 12.0, |s| best_q(s.sinh()).1);
+    let p = s.sinh();
+    let (log_q, found) = best_q(p);
+    if found < plain {
+        let (to, from) = coordinates(p, log_q.exp());
+        (to, from, found)
+    } else {
+        (DMat2::IDENTITY, DMat2::IDENTITY, plain)
+    }
+}
+
+/// The least value of a quasi-convex function on an interval, by the golden section.
+fn golden(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> (f64, f64) {
+    const RATIO: f64 = 0.618_033_988_749_894_9;
+    let mut left = high - RATIO * (high - low);
+    let mut right = low + RATIO * (high - low);
+    let (mut at_left, mut at_right) = (f(left), f(right));
+    for _ in 0..44 {
+        if at_left <= at_right {
+            high = right;
+            (right, at_right) = (left, at_left);
+            left = high - RATIO * (high - low);
+            at_left = f(left);
+        } else {
+            low = left;
+            (left, at_left) = (right, at_right);
+            right = low + RATIO * (high - low);
+            at_right = f(right);
+        }
+    }
+    if at_left <= at_right { (left, at_left) } else { (right, at_right) }
+}
+
+/// The spectral radius of the product of maps along a word: below 1 for every word if there is an
+/// attractor.
+#[must_use]
+pub fn word_radius(maps: &[Affine2], word: &[usize]) -> f64 {
+    spectral_radius(word.iter().fold(DMat2::IDENTITY, |m, &i| m * maps[i].linear))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn map(row: [f64; 6]) -> Affine2 {
+        Affine2::from_row(row)
+    }
+
+    #[test]
+    fn plain_contractions_need_no_other_coordinates() {
+        let gasket = [[0.5, 0.0, 0.0, 0.5, 0.0, 0.0], [0.5, 0.0, 0.0, 0.5, 0.5, 0.0]].map(map);
+        let found = Contraction::find(&gasket).unwrap();
+        assert_eq!((found.factor, found.length, found.to_round), (0.5, 1, DMat2::IDENTITY));
+        // The disc holds both fixed points.
+        for fixed in [DVec2::ZERO, DVec2::X] {
+            assert!((fixed - found.centre).length() <= found.radius);
+        }
+    }
+
+    #[test]
+    fn sheared_maps_of_a_large_norm_contract_in_an_ellipse() {
+        // The gasket in coordinates sheared by 50: the norm of each map stays 0.5 for a multiple of
+        // the identity, so take turned maps.
+        let shear = map([1.0, 50.0, 0.0, 1.0, 0.0, 0.0]);
+        let turned = [0.0, 2.0, 4.0]
+            .map(|angle| Affine2::similitude(0.5, angle, DVec2::new(angle, 1.0)).conjugate(shear).unwrap());
+        assert!(turned.iter().any(|m| m.norm() > 7.0));
+        let found = Contraction::find(&turned).unwrap();
+        assert_eq!(found.length, 1);
+        assert!(found.factor < 0.51, "{}", found.factor);
+        assert!((found.from_round * found.to_round - DMat2::IDENTITY).x_axis.length() < 1e-9);
+    }
+
+    #[test]
+    fn contractive_only_in_longer_words() {
+        // Joint spectral radius 0.9 sqrt(golden ratio^..)-like pairs: no ellipse shrinks both, words do.
+        let k = 0.6;
+        let a = map([k, k, 0.0, k, 0.0, 0.0]);
+        let b = map([k, 0.0, k, k, 1.0, 0.0]);
+        // The worst word is `a b`, of spectral radius k^2 (golden ratio)^2 = 0.9425.
+        let found = Contraction::find(&[a, b]).unwrap();
+        assert!(found.factor < 1.0);
+        let nilpotent = [map([0.0, 1.2, 0.0, 0.0, 0.0, 0.0]), map([0.0, 0.0, 0.6, 0.0, 1.0, 1.0])];
+        let found = Contraction::find(&nilpotent).unwrap();
+        assert!(found.factor < 1.0 && found.radius.is_finite());
+    }
+
+    #[test]
+    fn expanding_and_neutral_maps_are_refused_with_the_word() {
+        for rows in [
+            vec![[1.0, 0.0, 0.0, 1.0, 1.0, 0.0]],
+            vec![[0.0, -1.0, 1.0, 0.0, 1.0, 0.0], [0.5, 0.0, 0.0, 0.5, 0.0, 0.0]],
+            vec![[0.5, 0.0, 0.0, 1.5, 0.0, 0.0]],
+            // Each contracts alone, their product does not.
+            vec![[0.1, 3.0, 0.0, 0.1, 0.0, 0.0], [0.1, 0.0, 3.0, 0.1, 0.0, 0.0]],
+        ] {
+            let maps: Vec<_> = rows.into_iter().map(map).collect();
+            let error = Contraction::find(&maps).unwrap_err();
+            assert_eq!(error.code(), "no-attractor", "{error}");
+        }
+    }
+
+    #[test]
+    fn bad_lists_are_refused() {
+        assert_eq!(Contraction::find(&[]), Err(IfsError::NoMaps));
+        let many = vec![map([0.1, 0.0, 0.0, 0.1, 0.0, 0.0]); 1_000_000];
+        assert_eq!(Contraction::find(&many), Err(IfsError::TooManyMaps { count: 1_000_000 }));
+        for bad in [f64::NAN, f64::INFINITY, 1e200] {
+            let maps = [map([0.5, 0.0, 0.0, 0.5, 0.0, 0.0]), map([0.5, bad, 0.0, 0.5, 0.0, 0.0])];
+            assert_eq!(Contraction::find(&maps), Err(IfsError::NotFinite { map: 1 }));
+        }
+    }
+
+    #[test]
+    fn a_map_to_one_point_has_a_disc_of_no_size() {
+        let found = Contraction::find(&[map([0.0, 0.0, 0.0, 0.0, 3.0, 4.0])]).unwrap();
+        assert_eq!((found.centre, found.radius), (DVec2::new(3.0, 4.0), 0.0));
+    }
+}

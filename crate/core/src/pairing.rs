@@ -1,0 +1,195 @@
+//! Bringing two systems to the same number of maps.
+
+use crate::affine2::Affine2;
+use crate::hull::Hull;
+use crate::ifs::Ifs;
+
+/// Both systems with the same number of maps, in an order in which the i-th of one becomes the i-th of
+/// the other. The attractors are those of the systems that were given.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pairing {
+    /// The maps of the first system.
+    pub from: Vec<Affine2>,
+    /// The maps of the last system.
+    pub to: Vec<Affine2>,
+    /// A sentence for each step taken; none when the numbers were equal.
+    pub steps: Vec<String>,
+}
+
+/// Brings two systems to the same number of maps.
+///
+/// The one with fewer has its largest maps replaced by their refinement, `w_i o w_1 .. w_i o w_N`, while that
+/// does not overshoot; then maps are doubled. Neither changes the shape. The new maps are matched to
+/// those of the other system so that pieces travel least. Systems of equal numbers are left as they are:
+/// their order is the user's.
+#[must_use]
+pub fn pair(from: &Ifs, to: &Ifs) -> Pairing {
+    let (a, b) = (from.maps().to_vec(), to.maps().to_vec());
+    let mut steps = Vec::new();
+    if a.len() < b.len() {
+        let a = matched(&extend(&a, b.len(), "first", &mut steps), &b, from, to);
+        Pairing { from: a, to: b, steps }
+    } else if b.len() < a.len() {
+        let b = matched(&extend(&b, a.len(), "last", &mut steps), &a, to, from);
+        Pairing { from: a, to: b, steps }
+    } else {
+        Pairing { from: a, to: b, steps }
+    }
+}
+
+fn extend(original: &[Affine2], target: usize, which: &str, steps: &mut Vec<String>) -> Vec<Affine2> {
+    let gain = original.len() - 1;
+    let mut maps = original.to_vec();
+    let largest = |maps: &[Affine2]| {
+        let size = |map: &Affine2| map.determinant().abs().max(1e-9 * map.norm());
+        // The first of the largest, so that the order is stable.
+        (0..maps.len()).rev().max_by(|&i, &j| size(&maps[i]).total_cmp(&size(&maps[j]))).unwrap_or(0)
+    };
+    while gain > 0 && maps.len() + gain <= target {
+        let i = largest(&maps);
+        let whole = maps[i];
+        maps.splice(i..=i, original.iter().map(|&part| whole * part));
+        steps.push(format!(
+            "A piece of the {which} shape was split into its {} parts, so that it has {} maps.",
+            original.len(),
+            maps.len()
+        ));
+    }
+    let missing = target - maps.len();
+    if missing > 0 {
+        // Each map at most once more than any other, the largest first.
+        let mut order: Vec<usize> = (0..maps.len()).collect();
+        order.sort_by(|&i, &j| maps[j].determinant().abs().total_cmp(&maps[i].determinant().abs()));
+        let doubles: Vec<_> = order.iter().cycle().take(missing).map(|&i| maps[i]).collect();
+        maps.extend(doubles);
+        let noun = if missing == 1 { "map was" } else { "maps were" };
+        steps.push(format!("{missing} {noun} of the {which} shape doubled, so that it has {target}."));
+    }
+    maps
+}
+
+/// The maps of `own`, reordered so that the sum of the distances to the maps of `other` is least.
+fn matched(own: &[Affine2], other: &[Affine2], own_ifs: &Ifs, other_ifs: &Ifs) -> Vec<Affine2> {
+    let (h, k) = (Hull::of(own_ifs), Hull::of(other_ifs));
+    let place = |map: &Affine2, hull: &Hull| {
+        (map.apply(hull.centre()) - hull.centre()) / hull.diameter().max(f64::MIN_POSITIVE)
+    };
+    let cost: Vec<Vec<f64>> = other
+        .iter()
+        .map(|b| {
+            own.iter()
+                .map(|a| {
+                    let moved = place(a, &h).distance_squared(place(b, &k));
+                    let d = a.linear - b.linear;
+                    let bent = d.x_axis.length_squared() + d.y_axis.length_squared();
+                    let cost = moved + 0.1 * bent;
+                    if cost.is_finite() { cost } else { 1e12 }
+                })
+                .collect()
+        })
+        .collect();
+    assignment(&cost).into_iter().map(|j| own[j]).collect()
+}
+
+/// The assignment of columns to rows of a square matrix with the least sum (the Hungarian method with
+/// potentials, O(n^3)): for each row its column.
+fn assignment(cost: &[Vec<f64>]) -> Vec<usize> {
+    let n = cost.len();
+    // Rows and columns count from 1 here; 0 is the row that looks for a column.
+    let (mut of_row, mut of_column) = (vec![0.0; n + 1], vec![0.0; n + 1]);
+    let mut row_of = vec![0_usize; n + 1];
+    for row in 1..=n {
+        row_of[0] = row;
+        let mut least = vec![f64::INFINITY; n + 1];
+        let mut before = vec![0_usize; n + 1];
+        let mut used = vec![false; n + 1];
+        let mut column = 0;
+        while row_of[column] != 0 {
+            used[column] = true;
+            let i = row_of[column];
+            let (mut delta, mut next) = (f64::INFINITY, 0);
+            for j in (1..=n).filter(|&j| !used[j]).collect::<Vec<_>>() {
+                let reduced = cost[i - 1][j - 1] - of_row[i] - of_column[j];
+                if reduced < least[j] {
+                    least[j] = reduced;
+                    before[j] = column;
+                }
+                if least[j] < delta {
+                    delta = least[j];
+                    next = j;
+                }
+            }
+            for j in 0..=n {
+                if used[j] {
+                    of_row[row_of[j]] += delta;
+                    of_column[j] -= delta;
+                } else {
+                    least[j] -= delta;
+                }
+            }
+            column = next;
+        }
+        while column != 0 {
+            row_of[column] = row_of[before[column]];
+            column = before[column];
+        }
+    }
+    let mut columns = vec![0; n];
+    for column in 1..=n {
+        columns[row_of[column] - 1] = column - 1;
+    }
+    columns
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec2;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::testing::{any_ifs, orbit};
+
+    #[test]
+    fn the_dragon_of_two_maps_is_refined_to_three() {
+        let dragon = [[0.5, -0.5, 0.5, 0.5, 0.0, 0.0], [-0.5, -0.5, 0.5, -0.5, 1.0, 0.0]];
+        let dragon = Ifs::new(dragon.map(Affine2::from_row).to_vec()).unwrap();
+        let gasket =
+            [[0.0, 0.0], [0.5, 0.0], [0.0, 0.5]].map(|[e, f]| Affine2::from_row([0.5, 0.0, 0.0, 0.5, e, f]));
+        let gasket = Ifs::new(gasket.to_vec()).unwrap();
+        let paired = pair(&dragon, &gasket);
+        assert_eq!((paired.from.len(), paired.to.len(), paired.steps.len()), (3, 3, 1));
+        assert_eq!(paired.to, gasket.maps());
+        let mut areas: Vec<_> = paired.from.iter().map(|map| map.determinant()).collect();
+        areas.sort_by(f64::total_cmp);
+        assert_eq!(areas, [0.25, 0.25, 0.5]);
+    }
+
+    #[test]
+    fn the_least_assignment_is_found() {
+        let cost = vec![vec![4.0, 1.0, 3.0], vec![2.0, 0.0, 5.0], vec![3.0, 2.0, 2.0]];
+        assert_eq!(assignment(&cost), [1, 0, 2]);
+        assert_eq!(assignment(&[]), [0; 0]);
+    }
+
+    proptest! {
+        #[test]
+        fn the_shapes_stay_what_they_were(a in any_ifs(), b in any_ifs()) {
+            let paired = pair(&a, &b);
+            let count = a.len().max(b.len());
+            prop_assert_eq!((paired.from.len(), paired.to.len()), (count, count));
+            for (maps, ifs) in [(&paired.from, &a), (&paired.to, &b)] {
+                let again = Ifs::new(maps.clone()).unwrap();
+                for (points, hull) in [(ifs, Hull::of(&again)), (&again, Hull::of(ifs))] {
+                    let slack = 1e-9 * (1.0 + hull.radius() + hull.centre().length());
+                    for p in orbit(points, 1, 200) {
+                        for k in 0..16 {
+                            let d = DVec2::from_angle(f64::from(k));
+                            prop_assert!(p.dot(d) <= hull.support(d) + slack);
+                        }
+                    }
+                }
+            }
+            prop_assert_eq!(paired.steps.is_empty(), a.len() == b.len());
+        }
+    }
+}
