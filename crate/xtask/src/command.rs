@@ -1,0 +1,96 @@
+//! Running other programs, from the root of the repository, with messages that say what failed.
+
+use std::error::Error;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// What every task returns; the error is a sentence for the person at the terminal.
+pub type Outcome<T = ()> = Result<T, Box<dyn Error>>;
+
+/// The root of the repository.
+pub fn root() -> PathBuf {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    here.ancestors().nth(2).unwrap_or(here).to_path_buf()
+}
+
+/// Where Cargo writes what it builds.
+pub fn target() -> PathBuf {
+    match std::env::var_os("CARGO_TARGET_DIR") {
+        Some(directory) => root().join(directory),
+        None => root().join("target"),
+    }
+}
+
+/// Where the pinned tools are installed: inside the repository, so that no other project's version is touched.
+pub fn tools() -> PathBuf {
+    root().join("target/tools")
+}
+
+/// A program run from the root, with the pinned tools first on the path and the exact answers set.
+pub fn command(program: impl Into<OsString>) -> Command {
+    let mut command = Command::new(program.into());
+    command.current_dir(root());
+    let old = std::env::var_os("PATH").unwrap_or_default();
+    let paths = std::iter::once(tools().join("bin")).chain(std::env::split_paths(&old));
+    // A path that cannot be joined (it holds a separator) cannot come out of split_paths.
+    if let Ok(path) = std::env::join_paths(paths) {
+        command.env("PATH", path);
+    }
+    if std::env::var_os("FROND_KNOWN").is_none() {
+        command.env("FROND_KNOWN", root().join("tests/known"));
+    }
+    command
+}
+
+/// Cargo, with the words of `line` as arguments.
+pub fn cargo(line: &str) -> Command {
+    let mut command = command(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.args(line.split_whitespace());
+    command
+}
+
+/// Cargo for the browser.
+pub fn cargo_wasm(line: &str) -> Command {
+    let mut command = cargo(line);
+    own_flags(&mut command);
+    command
+}
+
+/// Lets the flags of .cargo/config.toml hold: those of the environment would replace them.
+pub fn own_flags(command: &mut Command) {
+    for name in ["RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "CARGO_BUILD_RUSTFLAGS"] {
+        command.env_remove(name);
+    }
+}
+
+/// Runs it to the end, with its output on the terminal.
+pub fn run(command: &mut Command) -> Outcome {
+    let status = command.status().map_err(|error| not_started(command, &error))?;
+    if status.success() { Ok(()) } else { Err(format!("`{}` failed ({status})", shown(command)).into()) }
+}
+
+/// What it prints, or nothing where it cannot be run: for asking whether a tool is there.
+pub fn ask(command: &mut Command) -> Option<String> {
+    let output = command.stderr(Stdio::null()).stdin(Stdio::null()).output().ok()?;
+    output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
+
+/// Refuses arguments where a command takes none.
+pub fn no_arguments(name: &str, arguments: &[String]) -> Outcome {
+    match arguments.first() {
+        None => Ok(()),
+        Some(word) => Err(format!("`cargo xtask {name}` takes no `{word}`: see `cargo xtask help`").into()),
+    }
+}
+
+/// The command as one would type it, with paths from the root on.
+fn shown(command: &Command) -> String {
+    let words = std::iter::once(command.get_program()).chain(command.get_args());
+    let line = words.map(|word| word.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" ");
+    line.replace(&format!("{}/", root().display()), "")
+}
+
+fn not_started(command: &Command, error: &std::io::Error) -> String {
+    format!("`{}` could not be started: {error}", command.get_program().to_string_lossy())
+}

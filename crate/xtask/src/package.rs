@@ -1,0 +1,36 @@
+//! The JavaScript API as a package of its own, for demo makers who do not want the studio.
+
+use std::fs;
+use std::path::Path;
+
+use crate::command::{Outcome, root, target};
+use crate::wasm::FILES;
+
+const MANIFEST: &str = include_str!("package/package.json");
+const NODE: &str = include_str!("package/node.js");
+
+/// Writes what makes a folder with wasm-bindgen's files a package: its manifest, and the entry for Node.
+pub fn write_manifest(folder: &Path) -> Outcome {
+    fs::write(folder.join("package.json"), MANIFEST.replace("0.0.0", env!("CARGO_PKG_VERSION")))?;
+    fs::write(folder.join("node.js"), NODE)?;
+    Ok(())
+}
+
+/// Writes the package into target/package/frond, from `www/pkg`.
+pub fn write() -> Outcome {
+    let package = target().join("package/frond");
+    if package.exists() {
+        fs::remove_dir_all(&package)?;
+    }
+    fs::create_dir_all(&package)?;
+    for file in FILES {
+        fs::copy(root().join("www/pkg").join(file), package.join(file))?;
+    }
+    for file in ["LICENSE-MIT", "LICENSE-APACHE", "README.md"] {
+        let path = root().join(file);
+        if path.is_file() {
+            fs::copy(path, package.join(file))?;
+        }
+    }
+    write_manifest(&package)
+}

@@ -1,0 +1,117 @@
+//! The size gate: what a visitor downloads before the first picture, as a host sends it (gzip).
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use flate2::Compression;
+use flate2::write::GzEncoder;
+
+use crate::command::{Outcome, root};
+use crate::stamp;
+
+/// Bytes of the wasm module, at most.
+const WASM: usize = 650_000;
+/// Bytes of the scripts that index.html loads by itself, at most; what is loaded when asked for is not among them.
+const SCRIPT: usize = 80_000;
+
+/// Weighs dist/ and fails where it is too heavy.
+pub fn gate() -> Outcome {
+    let dist = root().join("dist");
+    let modules: Vec<PathBuf> = stamp::files(&dist)?
+        .into_iter()
+        .filter(|file| file.extension().is_some_and(|extension| extension == "wasm"))
+        .collect();
+    let [module] = &modules[..] else {
+        return Err(format!(
+            "dist/ holds {} wasm modules: it must be one, which the workers share",
+            modules.len()
+        )
+        .into());
+    };
+    let wasm = gzipped(module)?;
+    let mut script = 0;
+    for file in loaded(&dist)? {
+        script += gzipped(&file)?;
+    }
+    println!("    wasm   {:>7.1} kB of {:>5.1} kB gzipped", kilo(wasm), kilo(WASM));
+    println!("    script {:>7.1} kB of {:>5.1} kB gzipped", kilo(script), kilo(SCRIPT));
+    if wasm > WASM || script > SCRIPT {
+        return Err("the download before the first picture is larger than its limit".into());
+    }
+    Ok(())
+}
+
+/// The scripts that index.html names, and all that they import at once.
+fn loaded(dist: &Path) -> Outcome<BTreeSet<PathBuf>> {
+    let page = dist.join("index.html");
+    let text = fs::read_to_string(&page).map_err(|error| format!("{}: {error}", page.display()))?;
+    let mut found = BTreeSet::new();
+    let mut open: Vec<PathBuf> = quoted(&text, &["src=\"", "href=\""]).map(|name| dist.join(name)).collect();
+    if !open.iter().any(|file| is_script(file)) {
+        return Err("dist/index.html names no script: is the gate looking at the right thing?".into());
+    }
+    while let Some(file) = open.pop() {
+        if is_script(&file) && file.is_file() && found.insert(fs::canonicalize(&file)?) {
+            let text = fs::read_to_string(&file)?;
+            let folder = file.parent().unwrap_or(dist);
+            // `import"./a.js"` and `from"./a.js"` are loaded at once; `import("./a.js")` when asked for.
+            let names = quoted(&text, &["from\"", "from \"", "import\"", "import \""]);
+            open.extend(names.map(|name| folder.join(name)));
+        }
+    }
+    Ok(found)
+}
+
+/// What stands between each of these openings and the next quotation mark.
+fn quoted<'a>(text: &'a str, openings: &[&'a str]) -> impl Iterator<Item = &'a str> {
+    openings
+        .iter()
+        .flat_map(move |opening| text.split(opening).skip(1))
+        .filter_map(|rest| rest.split('"').next())
+}
+
+fn is_script(file: &Path) -> bool {
+    file.extension().is_some_and(|extension| extension == "js")
+}
+
+fn gzipped(file: &Path) -> Outcome<usize> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
+    encoder.write_all(&fs::read(file)?)?;
+    Ok(encoder.finish()?.len())
+}
+
+/// Kilobytes of 1000 bytes, to print.
+fn kilo(bytes: usize) -> f64 {
+    u32::try_from(bytes).map_or(f64::INFINITY, f64::from) / 1000.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_imported_when_asked_for_is_not_counted() {
+        let text =
+            r#"import{a}from"./a.js";import"./b.js";const c=()=>import("./c.js");export{d}from"./d.js""#;
+        let names: Vec<&str> = quoted(text, &["from\"", "import\""]).collect();
+        assert_eq!(names, ["./a.js", "./d.js", "./b.js"]);
+    }
+
+    #[test]
+    fn a_folder_is_weighed_by_what_its_page_loads() -> Outcome {
+        let dist = std::env::temp_dir().join(format!("frond-size-{}", std::process::id()));
+        fs::create_dir_all(dist.join("assets"))?;
+        fs::write(dist.join("index.html"), r#"<script type="module" src="./assets/main.js"></script>"#)?;
+        fs::write(dist.join("assets/main.js"), r#"import"./once.js";import("./later.js")"#)?;
+        fs::write(dist.join("assets/once.js"), r#"import"./main.js""#)?;
+        fs::write(dist.join("assets/later.js"), "")?;
+        let found = loaded(&dist)?;
+        let names: Vec<_> = found.iter().filter_map(|file| file.file_name()).collect();
+        assert_eq!(names, ["main.js", "once.js"]);
+        fs::write(dist.join("index.html"), "")?;
+        assert!(loaded(&dist).is_err());
+        Ok(fs::remove_dir_all(dist)?)
+    }
+}

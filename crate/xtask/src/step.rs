@@ -1,0 +1,78 @@
+//! Named steps: each says what it is when it starts, how long it took when it ends, and is counted.
+
+use std::io::Write;
+use std::time::{Duration, Instant};
+
+use crate::command::Outcome;
+
+/// The steps of one command, in the order in which they ran.
+#[derive(Default)]
+pub struct Steps {
+    done: Vec<Step>,
+}
+
+struct Step {
+    name: String,
+    time: Duration,
+    passed: bool,
+}
+
+impl Steps {
+    /// Runs `work` as a step. An error gets the step's name.
+    pub fn run<T>(&mut self, name: &str, work: impl FnOnce() -> Outcome<T>) -> Outcome<T> {
+        println!("==> {name}");
+        let start = Instant::now();
+        let result = work();
+        let time = start.elapsed();
+        if result.is_ok() {
+            println!("    {name}: done in {}", seconds(time));
+        }
+        // The programs that run as steps write to the same terminal.
+        std::io::stdout().flush()?;
+        self.done.push(Step { name: name.to_owned(), time, passed: result.is_ok() });
+        result.map_err(|problem| format!("Step `{name}` failed after {}: {problem}", seconds(time)).into())
+    }
+
+    /// As [`Steps::run`], but nothing where a step of this name has passed already.
+    pub fn once(&mut self, name: &str, work: impl FnOnce() -> Outcome) -> Outcome {
+        if self.done.iter().any(|step| step.name == name && step.passed) {
+            Ok(())
+        } else {
+            self.run(name, work)
+        }
+    }
+
+    /// Whether any step ran.
+    pub fn any(&self) -> bool {
+        !self.done.is_empty()
+    }
+
+    /// Prints every step with its time; the last line holds the counts and nothing else.
+    pub fn summary(&self) {
+        println!();
+        for step in &self.done {
+            let mark = if step.passed { "ok    " } else { "FAILED" };
+            println!("{mark} {:>9}  {}", seconds(step.time), step.name);
+        }
+        let passed = self.done.iter().filter(|step| step.passed).count();
+        println!("{passed} passed, {} failed", self.done.len() - passed);
+    }
+}
+
+fn seconds(time: Duration) -> String {
+    format!("{:.1} s", time.as_secs_f64())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_failure_names_its_step() {
+        let mut steps = Steps::default();
+        assert_eq!(steps.run("first", || Ok(3)).ok(), Some(3));
+        let problem = steps.run("second", || Outcome::<()>::Err("no luck".into())).map_err(|e| e.to_string());
+        assert!(problem.is_err_and(|text| text.contains("`second`") && text.contains("no luck")));
+        assert_eq!(steps.done.iter().map(|step| step.passed).collect::<Vec<_>>(), [true, false]);
+    }
+}

@@ -1,0 +1,219 @@
+//! Every check, as named steps in groups: the cheap ones first.
+
+use std::net::TcpListener;
+use std::path::PathBuf;
+
+use crate::browser;
+use crate::command::{Outcome, cargo, cargo_wasm, own_flags, root, run};
+use crate::node::{self, Tool};
+use crate::site;
+use crate::size;
+use crate::step::Steps;
+use crate::tools::{self, WASM_TARGET};
+use crate::wasm;
+
+/// One check: the group it belongs to, its name, what it is, the set-up it needs and what it does.
+struct Check {
+    group: &'static str,
+    name: &'static str,
+    what: &'static str,
+    set_up: fn(&mut Steps) -> Outcome,
+    work: fn() -> Outcome,
+}
+
+const CHECKS: &[Check] = &[
+    Check {
+        group: "rust",
+        name: "fmt",
+        what: "layout of the Rust code",
+        set_up: tools::components,
+        work: fmt,
+    },
+    Check {
+        group: "rust",
+        name: "clippy",
+        what: "clippy, natively",
+        set_up: tools::components,
+        work: clippy,
+    },
+    Check {
+        group: "rust",
+        name: "clippy-wasm",
+        what: "clippy, for the browser",
+        set_up: lint_wasm,
+        work: clippy_wasm,
+    },
+    Check {
+        group: "rust",
+        name: "cargo-test",
+        what: "tests of the crates",
+        set_up: nothing,
+        work: cargo_test,
+    },
+    Check { group: "web", name: "tsc", what: "types of the page", set_up: wasm::build, work: tsc },
+    Check {
+        group: "web",
+        name: "biome",
+        what: "lint and layout of the page",
+        set_up: node::packages,
+        work: biome,
+    },
+    Check {
+        group: "web",
+        name: "vitest",
+        what: "tests of the page's parts",
+        set_up: wasm::build,
+        work: vitest,
+    },
+    Check {
+        group: "wasm",
+        name: "wasm-pack",
+        what: "tests of the crates in Chrome",
+        set_up: pack,
+        work: wasm_pack,
+    },
+    Check {
+        group: "site",
+        name: "size",
+        what: "what a visitor downloads",
+        set_up: site::build,
+        work: size::gate,
+    },
+    Check { group: "e2e", name: "webgl2", what: "the site, on WebGL2", set_up: e2e, work: || play("webgl2") },
+    Check { group: "e2e", name: "webgpu", what: "the site, on WebGPU", set_up: e2e, work: || play("webgpu") },
+    Check {
+        group: "e2e",
+        name: "phone",
+        what: "the site, on a small screen",
+        set_up: e2e,
+        work: || play("phone"),
+    },
+];
+
+/// Runs the checks whose group or name is among `wanted`, or all; stops at the first that fails.
+pub fn test(steps: &mut Steps, wanted: &[String]) -> Outcome {
+    if let Some(word) = wanted.iter().find(|word| !CHECKS.iter().any(|check| check.is(word))) {
+        return Err(format!("there is no check `{word}`; there are:\n{}", list()).into());
+    }
+    for check in CHECKS.iter().filter(|check| wanted.is_empty() || wanted.iter().any(|word| check.is(word))) {
+        (check.set_up)(steps)?;
+        steps.run(&format!("{}: {}", check.name, check.what), check.work)?;
+    }
+    Ok(())
+}
+
+/// The checks as help prints them.
+pub fn list() -> String {
+    CHECKS
+        .iter()
+        .map(|check| format!("        {:<5} {:<12} {}\n", check.group, check.name, check.what))
+        .collect()
+}
+
+impl Check {
+    fn is(&self, word: &str) -> bool {
+        self.group == word || self.name == word
+    }
+}
+
+fn nothing(_: &mut Steps) -> Outcome {
+    Ok(())
+}
+
+fn lint_wasm(steps: &mut Steps) -> Outcome {
+    tools::components(steps)?;
+    tools::wasm_target(steps)
+}
+
+fn pack(steps: &mut Steps) -> Outcome {
+    tools::wasm_target(steps)?;
+    tools::wasm_bindgen(steps)?;
+    tools::wasm_pack(steps)?;
+    browser::set_up(steps)
+}
+
+fn e2e(steps: &mut Steps) -> Outcome {
+    site::build(steps)?;
+    browser::set_up(steps)
+}
+
+fn fmt() -> Outcome {
+    run(&mut cargo("fmt --all --check"))
+        .map_err(|problem| format!("{problem}\n`cargo fmt --all` puts it right.").into())
+}
+
+fn clippy() -> Outcome {
+    run(&mut cargo("clippy --quiet --workspace --all-targets -- --deny warnings"))
+}
+
+fn clippy_wasm() -> Outcome {
+    let line = format!("clippy --quiet --target {WASM_TARGET}");
+    // The libraries of all; tests of those only whose tests run in a browser.
+    run(&mut cargo_wasm(&format!("{line} --workspace --exclude xtask --lib -- --deny warnings")))?;
+    for name in in_browser()? {
+        run(&mut cargo_wasm(&format!("{line} --package frond-{name} --tests -- --deny warnings")))?;
+    }
+    Ok(())
+}
+
+fn cargo_test() -> Outcome {
+    run(&mut cargo("test --quiet --workspace"))
+}
+
+fn tsc() -> Outcome {
+    run(&mut Tool::Tsc.command("--project ."))?;
+    run(&mut Tool::Tsc.command("--project tests"))
+}
+
+fn biome() -> Outcome {
+    run(&mut Tool::Biome.command("check --error-on-warnings .")).map_err(|problem| {
+        format!("{problem}\n`npm run format` puts right what can be put right without thinking.").into()
+    })
+}
+
+fn vitest() -> Outcome {
+    run(&mut Tool::Vitest.command("run"))
+}
+
+/// Tests of the wasm crates, in the browser that they are for.
+fn wasm_pack() -> Outcome {
+    let driver = browser::driver()?;
+    for name in in_browser()? {
+        let mut command = tools::tool("wasm-pack");
+        // The driver of the system, because the one that wasm-pack would load fits another browser; and no-install,
+        // because wasm-bindgen is there already.
+        command
+            .args(["test", "--headless", "--chrome", "--mode", "no-install", "--chromedriver"])
+            .arg(&driver);
+        command.arg(format!("crate/{name}")).env("WASM_BINDGEN_TEST_TIMEOUT", "300");
+        own_flags(&mut command);
+        run(&mut command)?;
+    }
+    Ok(())
+}
+
+/// The crates with tests for the browser are those with a webdriver.json, which says how to start it.
+fn in_browser() -> Outcome<Vec<String>> {
+    let mut names = Vec::new();
+    for folder in std::fs::read_dir(root().join("crate"))? {
+        let folder: PathBuf = folder?.path();
+        if folder.join("webdriver.json").is_file() {
+            names.extend(folder.file_name().map(|name| name.to_string_lossy().into_owned()));
+        }
+    }
+    names.sort();
+    Ok(names)
+}
+
+/// One project of tests/e2e/playwright.config.ts.
+fn play(project: &str) -> Outcome {
+    run(Tool::Playwright
+        .command(&format!("test --config tests/e2e/playwright.config.ts --project {project}"))
+        .env("FROND_CHROMIUM", browser::chromium()?)
+        .env("FROND_PORT", free_port()?.to_string()))
+}
+
+/// A port that nothing listens on, so that no other server is tested by mistake.
+pub fn free_port() -> Outcome<u16> {
+    Ok(TcpListener::bind("127.0.0.1:0")?.local_addr()?.port())
+}

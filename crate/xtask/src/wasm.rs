@@ -1,0 +1,105 @@
+//! From the Rust crates to `www/pkg`, which the page imports: Cargo, wasm-bindgen, wasm-opt.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::command::{Outcome, cargo_wasm, root, run, target};
+use crate::node::{self, Tool};
+use crate::package;
+use crate::stamp::{self, Hash};
+use crate::step::Steps;
+use crate::tools::{self, WASM_TARGET};
+
+/// What the module may use. The names of .cargo/config.toml's features, as wasm-opt has them, with those that Rust
+/// turns on by itself.
+const OPTIMISE: &str = "-O3 --enable-simd --enable-bulk-memory --enable-bulk-memory-opt --enable-nontrapping-float-to-int \
+    --enable-sign-ext --enable-mutable-globals --enable-reference-types --enable-multivalue \
+    --enable-call-indirect-overlong";
+
+/// What the page imports.
+pub const FILES: [&str; 4] = ["frond.js", "frond.d.ts", "frond_bg.wasm", "frond_bg.wasm.d.ts"];
+
+/// Sees to it that `www/pkg` is what the sources say, with all the set-up that this needs.
+pub fn build(steps: &mut Steps) -> Outcome {
+    tools::wasm_target(steps)?;
+    tools::wasm_bindgen(steps)?;
+    node::packages(steps)?;
+    rebuild(steps)
+}
+
+/// As [`build`], when the set-up is known to be done.
+pub fn rebuild(steps: &mut Steps) -> Outcome {
+    let stamp = target().join("xtask/wasm.stamp");
+    let pkg = root().join("www/pkg");
+    let text = inputs()?;
+    if stamp::holds(&stamp, &text) && FILES.iter().all(|file| pkg.join(file).is_file()) {
+        return Ok(());
+    }
+    steps.run("build the wasm module", || {
+        let made = make()?;
+        fs::create_dir_all(&pkg)?;
+        for file in FILES {
+            // Each is there in whole or not at all: a server may be reading.
+            let part = pkg.join(format!("{file}.part"));
+            fs::copy(made.join(file), &part)?;
+            fs::rename(part, pkg.join(file))?;
+        }
+        package::write_manifest(&pkg)?;
+        stamp::write(&stamp, &text)
+    })
+}
+
+/// The hash of everything that the module is made from.
+pub fn inputs() -> Outcome<String> {
+    let mut hash = Hash::new(&[OPTIMISE]);
+    for file in ["Cargo.toml", "Cargo.lock", "rust-toolchain.toml", ".cargo/config.toml", "package-lock.json"]
+    {
+        hash.path(&root().join(file))?;
+    }
+    for folder in sources()? {
+        hash.path(&folder)?;
+    }
+    Ok(hash.text())
+}
+
+/// The folders that hold the module's sources: all crates but this one, without their tests.
+fn sources() -> Outcome<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for folder in fs::read_dir(root().join("crate"))? {
+        let folder = folder?.path();
+        if folder.file_name().is_some_and(|name| name == "xtask") || !folder.is_dir() {
+            continue;
+        }
+        for entry in fs::read_dir(&folder)? {
+            let path = entry?.path();
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            if !["tests", "benches", "examples", "pkg", "webdriver.json"].contains(&&*name) {
+                found.push(path);
+            }
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+/// Builds into a folder of its own, which it returns.
+fn make() -> Outcome<PathBuf> {
+    run(&mut cargo_wasm(&format!("build --package frond-web --lib --release --target {WASM_TARGET}")))?;
+    let made = target().join("xtask/pkg");
+    let module = target().join(WASM_TARGET).join("release/frond_web.wasm");
+    if made.exists() {
+        fs::remove_dir_all(&made)?;
+    }
+    run(tools::tool("wasm-bindgen")
+        .arg(module)
+        .args(["--target", "web", "--out-name", "frond", "--out-dir"])
+        .arg(&made))?;
+    optimise(&made.join("frond_bg.wasm"))?;
+    Ok(made)
+}
+
+fn optimise(module: &Path) -> Outcome {
+    let small = module.with_extension("opt");
+    run(Tool::WasmOpt.command(OPTIMISE).arg(module).arg("-o").arg(&small))?;
+    Ok(fs::rename(small, module)?)
+}
