@@ -1,0 +1,87 @@
+import { signal } from "@preact/signals";
+import { notify } from "../state/notice";
+import { executor } from "./execute";
+import { Inline } from "./inline";
+import { Pool, type WorkerLike } from "./pool";
+import type { Channel, Job } from "./protocol";
+import { publish } from "./results";
+import { frond } from "./wasm";
+
+type Host = Pick<Pool, "submit" | "cancel" | "killOne" | "busy">;
+
+let host: Host | null = null;
+const early = new Map<Channel, Job>();
+
+/** Goes up when everything has to be asked again, because the host of the work has changed. */
+export const epoch = signal(0);
+
+/** Asks for work. The latest job of a channel replaces the one before it; before the start it waits. */
+export function submit(job: Job): void {
+  if (host) host.submit(job);
+  else {
+    early.set(job.channel, job);
+    publish.workers.value = { ...publish.workers.peek(), busy: true };
+  }
+}
+
+export function cancel(channel: Channel): void {
+  early.delete(channel);
+  host?.cancel(channel);
+}
+
+/** All but one core, and at least two where there are two; more than eight gain nothing on a locus. */
+export function workerCount(cores: number): number {
+  if (!(cores > 1)) return 1;
+  return Math.min(8, Math.max(2, cores - 1));
+}
+
+/** Called once, after the first picture. */
+export function startEngine(module: WebAssembly.Module, options: { workers: boolean }): void {
+  if (host) return;
+  if (!options.workers || typeof Worker === "undefined") {
+    goInline();
+    return;
+  }
+  host = new Pool({
+    module,
+    count: workerCount(navigator.hardwareConcurrency),
+    spawn: () =>
+      new Worker(new URL("../workers/compute.worker.ts", import.meta.url), {
+        type: "module",
+        name: "frond",
+      }) as WorkerLike,
+    onChange: (state) => {
+      publish.workers.value = { ...state, available: true };
+    },
+    onUnavailable: () => {
+      goInline();
+      epoch.value++;
+    },
+  });
+  flush();
+}
+
+function goInline(): void {
+  notify({ kind: "info", text: "Running without workers: everything works, but slower." });
+  host = new Inline(executor(frond), ({ busy }) => {
+    publish.workers.value = { count: 0, busy, available: false };
+  });
+  publish.workers.value = { count: 0, busy: false, available: false };
+  flush();
+}
+
+function flush(): void {
+  const jobs = [...early.values()];
+  early.clear();
+  for (const job of jobs) host?.submit(job);
+}
+
+/** For tests: a worker dies in the middle of its work. */
+export function killWorker(): void {
+  host?.killOne();
+}
+
+/** About how long a slice may take: on the main thread it has to fit between two frames. */
+export function sliceMilliseconds(): number {
+  return publish.workers.peek().available ? 12 : 6;
+}

@@ -1,0 +1,228 @@
+import type { FrondError } from "./api";
+import type { Channel, Job, Request, Response, Result, Task } from "./protocol";
+
+/** As much of a `Worker` as the pool needs; the tests put their own in its place. */
+export interface WorkerLike {
+  postMessage(message: Request, transfer?: Transferable[]): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<Response>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+  onmessageerror: ((event: MessageEvent) => void) | null;
+}
+
+export interface PoolOptions {
+  count: number;
+  spawn: () => WorkerLike;
+  module: WebAssembly.Module;
+  onChange?: (state: { count: number; busy: boolean }) => void;
+  /** No worker could be started: nothing will be handed out any more. */
+  onUnavailable?: (jobs: Job[]) => void;
+}
+
+interface Entry {
+  job: Job;
+  live: boolean;
+  inFlight: number;
+  /** Slices that a dying worker left behind. */
+  again: { task: Task; tries: number }[];
+}
+
+interface Seat {
+  worker: WorkerLike;
+  ready: boolean;
+  work: { id: number; entry: Entry; task: Task; tries: number } | null;
+  watch: ReturnType<typeof setTimeout> | null;
+}
+
+/** A worker that is silent for so long is taken for dead; a slice is some ten milliseconds. */
+const SILENCE_MS = 20_000;
+const TRIES = 3;
+
+/** Hands slices of the most urgent jobs to workers. A job replaces the earlier one of its channel at once. */
+export class Pool {
+  readonly #options: PoolOptions;
+  readonly #entries = new Map<Channel, Entry>();
+  #seats: Seat[] = [];
+  #nextId = 1;
+  #failedStarts = 0;
+  #closed = false;
+
+  constructor(options: PoolOptions) {
+    this.#options = options;
+    for (let i = 0; i < options.count; i++) this.#seat();
+    this.#report();
+  }
+
+  submit<K extends Job["channel"]>(job: Job & { channel: K }): void {
+    this.cancel(job.channel);
+    this.#entries.set(job.channel, { job, live: true, inFlight: 0, again: [] });
+    this.#pump();
+  }
+
+  /** What is under way ends unheard; nothing more is handed out. */
+  cancel(channel: Channel): void {
+    const entry = this.#entries.get(channel);
+    if (!entry) return;
+    entry.live = false;
+    this.#entries.delete(channel);
+    this.#report();
+  }
+
+  get busy(): boolean {
+    return this.#entries.size > 0;
+  }
+
+  /** For tests: one worker dies as if the browser had killed it, the busiest first. */
+  killOne(): void {
+    const seat = this.#seats.find((s) => s.work) ?? this.#seats[0];
+    if (seat) this.#replace(seat);
+  }
+
+  close(): void {
+    this.#closed = true;
+    for (const seat of this.#seats) this.#vacate(seat);
+    this.#seats = [];
+  }
+
+  #seat(): void {
+    let worker: WorkerLike;
+    try {
+      worker = this.#options.spawn();
+    } catch {
+      this.#startFailed();
+      return;
+    }
+    const seat: Seat = { worker, ready: false, work: null, watch: null };
+    this.#seats.push(seat);
+    worker.onmessage = (event) => this.#hear(seat, event.data);
+    worker.onerror = (event) => {
+      event.preventDefault?.();
+      this.#replace(seat);
+    };
+    worker.onmessageerror = () => this.#replace(seat);
+    this.#watch(seat);
+    worker.postMessage({ type: "start", module: this.#options.module });
+  }
+
+  #watch(seat: Seat): void {
+    if (seat.watch) clearTimeout(seat.watch);
+    seat.watch = setTimeout(() => this.#replace(seat), SILENCE_MS);
+  }
+
+  #hear(seat: Seat, response: Response): void {
+    if (seat.watch) clearTimeout(seat.watch);
+    seat.watch = null;
+    if (response.type === "ready") {
+      seat.ready = true;
+      this.#failedStarts = 0;
+      this.#pump();
+      return;
+    }
+    const work = seat.work;
+    if (!work || work.id !== response.id) return;
+    if (response.type === "failed" && response.fatal) {
+      this.#replace(seat);
+      return;
+    }
+    seat.work = null;
+    work.entry.inFlight--;
+    if (work.entry.live) {
+      if (response.type === "done") work.entry.job.accept(work.task, response.result, response.milliseconds);
+      else work.entry.job.fail(work.task, response.error);
+      this.#settle(work.entry);
+    }
+    this.#pump();
+  }
+
+  /** A dead worker's slice goes back to its job, and another worker takes its seat. */
+  #replace(seat: Seat): void {
+    if (this.#closed || !this.#seats.includes(seat)) return;
+    this.#seats = this.#seats.filter((s) => s !== seat);
+    this.#vacate(seat);
+    const { work } = seat;
+    if (work) {
+      work.entry.inFlight--;
+      if (work.tries < TRIES) work.entry.again.push({ task: work.task, tries: work.tries + 1 });
+      else if (work.entry.live) {
+        const error: FrondError = {
+          code: "worker-lost",
+          message: "This could not be computed: its worker died.",
+        };
+        work.entry.job.fail(work.task, error);
+        this.#settle(work.entry);
+      }
+    }
+    if (seat.ready) this.#seat();
+    else this.#startFailed();
+    this.#pump();
+  }
+
+  #vacate(seat: Seat): void {
+    if (seat.watch) clearTimeout(seat.watch);
+    seat.worker.onmessage = null;
+    seat.worker.onerror = null;
+    seat.worker.onmessageerror = null;
+    seat.worker.terminate();
+  }
+
+  /** A worker that never came up is tried again once; when none is left, there are none to be had. */
+  #startFailed(): void {
+    this.#failedStarts++;
+    if (this.#failedStarts <= 1) {
+      this.#seat();
+      return;
+    }
+    if (this.#seats.length > 0) {
+      this.#report();
+      return;
+    }
+    if (this.#closed) return;
+    this.#closed = true;
+    const jobs = [...this.#entries.values()].map((e) => e.job);
+    this.#entries.clear();
+    this.#options.onUnavailable?.(jobs);
+  }
+
+  #pump(): void {
+    for (const seat of this.#seats) {
+      if (!seat.ready || seat.work) continue;
+      const pick = this.#pick();
+      if (!pick) break;
+      const id = this.#nextId++;
+      pick.entry.inFlight++;
+      seat.work = { id, ...pick };
+      this.#watch(seat);
+      seat.worker.postMessage({ type: "run", id, task: pick.task });
+    }
+    this.#report();
+  }
+
+  #pick(): { entry: Entry; task: Task; tries: number } | null {
+    const byPriority = [...this.#entries.values()].sort((p, q) => q.job.priority() - p.job.priority());
+    for (const entry of byPriority) {
+      const left = entry.again.shift();
+      if (left) return { entry, ...left };
+      const task = entry.job.next();
+      if (task) return { entry, task, tries: 1 };
+      this.#settle(entry);
+    }
+    return null;
+  }
+
+  /** Ends a job that has nothing left to hand out and nothing under way. */
+  #settle(entry: Entry): void {
+    if (!entry.live || entry.inFlight > 0 || entry.again.length > 0) return;
+    const task = entry.job.next();
+    if (task) {
+      entry.again.push({ task, tries: 1 });
+      return;
+    }
+    entry.live = false;
+    this.#entries.delete(entry.job.channel);
+    entry.job.done?.();
+  }
+
+  #report(): void {
+    this.#options.onChange?.({ count: this.#seats.filter((s) => s.ready).length, busy: this.busy });
+  }
+}

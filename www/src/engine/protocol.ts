@@ -1,0 +1,116 @@
+import type {
+  Bounds,
+  Connectedness,
+  FrondError,
+  Locus,
+  LocusOptions,
+  MapRow,
+  MorphOptions,
+  PathPlan,
+  RasterOptions,
+} from "./api";
+
+/** What can be asked of a worker, by kind. Every task is one slice: some ten milliseconds of work. */
+export interface Tasks {
+  /** Rows of a locus. `key` tells loci apart, so that a worker prepares each only once. */
+  locus: {
+    kind: "locus";
+    key: number;
+    from: MapRow[];
+    to: MapRow[];
+    options: LocusOptions;
+    r0: number;
+    r1: number;
+    stride: number;
+    first: boolean;
+  };
+  plan: { kind: "plan"; locus: Locus; bounds: Bounds };
+  verdict: { kind: "verdict"; maps: MapRow[]; epsilon: number };
+  /** The state of the morph at single points of the (u, v) plane. */
+  states: {
+    kind: "states";
+    from: MapRow[];
+    to: MapRow[];
+    options: MorphOptions & { epsilon: number };
+    points: [number, number][];
+  };
+  picture: { kind: "picture"; maps: MapRow[]; options: RasterOptions };
+}
+
+export interface Results {
+  /** Full rows r0, r0 + stride, .. below r1; samples that were not asked for are 255 and NaN. */
+  locus: { state: Uint8Array; gap: Float32Array };
+  plan: PathPlan;
+  verdict: Connectedness;
+  states: Uint8Array;
+  picture: ImageBitmap;
+}
+
+export type Kind = keyof Tasks;
+export type Task<K extends Kind = Kind> = Tasks[K];
+export type Result<K extends Kind = Kind> = Results[K];
+
+/** Main thread to worker. */
+export type Request = { type: "start"; module: WebAssembly.Module } | { type: "run"; id: number; task: Task };
+
+/** Worker to main thread. `fatal`: the instance cannot be trusted any more and asks to be replaced. */
+export type Response =
+  | { type: "ready" }
+  | { type: "done"; id: number; result: Result; milliseconds: number }
+  | { type: "failed"; id: number; error: FrondError; fatal: boolean };
+
+/** The latest request of a channel replaces the one before it. */
+export type Channel =
+  | "locus"
+  | "plan"
+  | "verdict"
+  | "breaks"
+  | "strip"
+  | "thumbnails"
+  | "picture"
+  | "compare";
+
+/** Work of one channel: a source of slices, handed out one by one as workers come free. */
+export interface Job<K extends Kind = Kind> {
+  channel: Channel;
+  /** Larger goes first. Asked before each slice, so that it may fall as the work goes on. */
+  priority: () => number;
+  /** The next slice, or null when all are handed out. */
+  next: () => Task<K> | null;
+  accept: (task: Task<K>, result: Result<K>, milliseconds: number) => void;
+  /** A slice that cannot be done. The others go on. */
+  fail: (task: Task<K>, error: FrondError) => void;
+  /** All slices are accepted or failed. Not called for a job that was replaced. */
+  done?: () => void;
+}
+
+/** A job of a single slice. */
+export function single<K extends Kind>(
+  channel: Channel,
+  priority: number,
+  task: Task<K>,
+  then: { accept: (result: Result<K>) => void; fail: (error: FrondError) => void },
+): Job<K> {
+  let handed = false;
+  return {
+    channel,
+    priority: () => priority,
+    next: () => {
+      if (handed) return null;
+      handed = true;
+      return task;
+    },
+    accept: (_, result) => then.accept(result),
+    fail: (_, error) => then.fail(error),
+  };
+}
+
+/** Any thrown value as the error object that every function of the package promises. */
+export function toError(problem: unknown): FrondError {
+  if (typeof problem === "object" && problem !== null) {
+    const { code, message } = problem as { code?: unknown; message?: unknown };
+    const text = typeof message === "string" ? message : String(problem);
+    return { code: typeof code === "string" ? code : "internal", message: text };
+  }
+  return { code: "internal", message: String(problem) };
+}

@@ -1,0 +1,83 @@
+import { effect, untracked } from "@preact/signals";
+import { notify, wordsOf } from "../../state/notice";
+import { cancel, epoch, sliceMilliseconds, submit } from "../engine";
+import { BOUNDS, type LocusInputs, LocusWork } from "../locus-job";
+import { publish } from "../results";
+import { inputs as morph } from "./inputs";
+import { planFrom } from "./plan";
+
+/** While something is dragged, a coarse locus that is nearly done is let finish, so that there is one to see. */
+const GRACE_MS = 150;
+/** Later than this an unfinished coarse locus is shown all the same. */
+const PATIENCE_MS = 250;
+
+let work: LocusWork | null = null;
+let waiting: ReturnType<typeof setTimeout> | null = null;
+let frame = 0;
+
+export function scheduleLocus(): void {
+  effect(() => {
+    const inputs = morph.value;
+    epoch.value;
+    untracked(() => request(inputs));
+  });
+}
+
+function request(inputs: LocusInputs): void {
+  if (waiting) clearTimeout(waiting);
+  waiting = null;
+  publish.plan.value = null;
+  const shown = publish.locus.peek();
+  if (shown) publish.locus.value = { ...shown, progress: 0 };
+  const age = work ? performance.now() - work.started : GRACE_MS;
+  if (work && !work.coarse && work.progress > 0 && age < GRACE_MS) {
+    waiting = setTimeout(() => start(inputs), GRACE_MS - age);
+  } else start(inputs);
+}
+
+function start(inputs: LocusInputs): void {
+  waiting = null;
+  work = new LocusWork(
+    inputs,
+    {
+      painted: (w) => {
+        if (w === work && (w.coarse || performance.now() - w.started > PATIENCE_MS)) paintSoon();
+      },
+      stage: (w, stride) => {
+        if (w !== work) return;
+        if (inputs === morph.peek()) planFrom(w, stride);
+        else if (waiting) {
+          // The grace was for this much; now for what has been asked since.
+          clearTimeout(waiting);
+          paint();
+          start(morph.peek());
+        }
+      },
+      failed: (error) => {
+        cancel("locus");
+        publish.locus.value = null;
+        notify({ kind: "error", text: `The map of parameters could not be drawn: ${wordsOf(error)}` });
+      },
+    },
+    sliceMilliseconds,
+  );
+  submit(work.job());
+}
+
+/** At most once a frame; at once where there are no frames, in a hidden tab. */
+function paintSoon(): void {
+  if (work?.progress === 1 || document.hidden) {
+    paint();
+    return;
+  }
+  if (frame) return;
+  frame = requestAnimationFrame(paint);
+}
+
+function paint(): void {
+  if (frame) cancelAnimationFrame(frame);
+  frame = 0;
+  if (!work) return;
+  const current = work.inputs === morph.peek();
+  publish.locus.value = { ...work.filled, bounds: BOUNDS, progress: current ? work.progress : 0 };
+}

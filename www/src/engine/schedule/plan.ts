@@ -1,0 +1,67 @@
+import { effect, untracked } from "@preact/signals";
+import { notify, wordsOf } from "../../state/notice";
+import { replace, scene } from "../../state/scene";
+import type { PathPlan } from "../api";
+import { submit } from "../engine";
+import { BOUNDS, type LocusInputs, type LocusWork } from "../locus-job";
+import { single } from "../protocol";
+import { publish } from "../results";
+import { inputs as morph } from "./inputs";
+
+const MOST_POINTS = 64;
+
+/** The pair that the way points of an automatic path belong to. A link's own points are left as they were sent. */
+let settled: LocusInputs | null = null;
+
+/** The document was opened with these way points: they stand until the pair changes. */
+export function adoptPath(): void {
+  const { path } = scene.peek();
+  settled = path.kind === "auto" && path.points.length > 0 ? morph.peek() : null;
+}
+
+/** Plans through the samples that are in; each stage knows the field better than the one before. */
+export function planFrom(work: LocusWork, stride: number): void {
+  const inputs = work.inputs;
+  submit(
+    single(
+      "plan",
+      48,
+      { kind: "plan", locus: work.nested(stride), bounds: BOUNDS },
+      {
+        accept: (plan) => {
+          if (inputs !== morph.peek()) return;
+          publish.plan.value = plan;
+          apply(plan, inputs);
+          if (stride === 1 && scene.peek().path.kind === "auto") settled = inputs;
+        },
+        fail: (error) => notify({ kind: "error", text: `No path could be planned: ${wordsOf(error)}` }),
+      },
+    ),
+  );
+}
+
+function apply(plan: PathPlan, inputs: LocusInputs): void {
+  const now = scene.peek();
+  if (now.path.kind !== "auto" || settled === inputs) return;
+  const points = plan.points.slice(1, -1).slice(0, MOST_POINTS);
+  const same =
+    points.length === now.path.points.length &&
+    points.every(([u, v], i) => u === now.path.points[i]?.[0] && v === now.path.points[i]?.[1]);
+  if (!same) replace({ ...now, path: { kind: "auto", points } });
+}
+
+/** Choosing the automatic path takes the plan that is already there. */
+export function schedulePlan(): void {
+  let before = scene.peek().path.kind;
+  effect(() => {
+    const { kind } = scene.value.path;
+    const plan = publish.plan.value;
+    untracked(() => {
+      if (kind === "auto" && before !== "auto") {
+        settled = null;
+        if (plan) apply(plan, morph.peek());
+      }
+      before = kind;
+    });
+  });
+}

@@ -1,0 +1,153 @@
+import { effect, untracked } from "@preact/signals";
+import { fitFor, pathBox } from "../../state/fit";
+import { mapsAt, pathPoints } from "../../state/morph";
+import { type Uv, uvAt } from "../../state/path";
+import { dark } from "../../state/preferences";
+import { scene } from "../../state/scene";
+import { palette } from "../../style/palette";
+import type { Colouring, MapRow, Verdict } from "../api";
+import { STATE, stretches } from "../breaks";
+import { Coalesce } from "../coalesce";
+import { epoch, submit } from "../engine";
+import { EPSILON, type LocusInputs } from "../locus-job";
+import type { Job } from "../protocol";
+import { publish } from "../results";
+import { inputs as morph } from "./inputs";
+
+export const FRAMES = 13;
+/** CSS pixels. */
+export const FRAME_WIDTH = 96;
+export const FRAME_HEIGHT = 72;
+
+/** Samples of the path between two frames, and in one slice. */
+const BETWEEN = 20;
+const SLICE = 16;
+const SETTLE_MS = 90;
+
+const WORDS: Record<number, Verdict> = {
+  [STATE.connected]: "connected",
+  [STATE.touching]: "touching",
+  [STATE.disconnected]: "disconnected",
+  [STATE.undecided]: "undecided",
+  [STATE.none]: "no-attractor",
+};
+
+/** Judges the whole path sample by sample: its broken stretches, and the frames of the strip. */
+export function scheduleBreaks(): void {
+  const queue = new Coalesce(submit);
+  effect(() => {
+    epoch.value;
+    untracked(() => queue.reset());
+  });
+  effect(() => {
+    const inputs = morph.value;
+    const points = pathPoints.value;
+    epoch.value;
+    untracked(() => queue.request(() => breaksJob(inputs, points)));
+  });
+}
+
+function breaksJob(inputs: LocusInputs, points: Uv[]): Job<"states"> {
+  const count = (FRAMES - 1) * BETWEEN + 1;
+  const states = new Uint8Array(count).fill(STATE.undecided);
+  const firsts = new Map<object, number>();
+  let from = 0;
+  return {
+    channel: "breaks",
+    priority: () => 30,
+    next() {
+      if (from >= count) return null;
+      const to = Math.min(count, from + SLICE);
+      const at = Array.from({ length: to - from }, (_, i) => uvAt(points, (from + i) / (count - 1)));
+      const options = { ...inputs.options, epsilon: EPSILON };
+      const task = { kind: "states" as const, from: inputs.from, to: inputs.to, options, points: at };
+      firsts.set(task, from);
+      from = to;
+      return task;
+    },
+    accept(task, result) {
+      states.set(result, firsts.get(task) ?? 0);
+    },
+    // Samples that could not be judged count as undecided, not as broken.
+    fail() {},
+    done() {
+      if (points !== pathPoints.peek() || inputs !== morph.peek()) return;
+      publish.exactBreaks.value = { points, breaks: stretches(states) };
+      const frames = frameTimes().map((_, i) => WORDS[states[i * BETWEEN] ?? STATE.undecided] ?? null);
+      setFrames((frame, i) => ({ ...frame, verdict: frames[i] ?? null }));
+    },
+  };
+}
+
+/** The film strip: small pictures of the morph at even times. */
+export function scheduleStrip(): void {
+  let timer: ReturnType<typeof setTimeout> | null = null;
+  setFrames((frame) => frame);
+  effect(() => {
+    const what = {
+      inputs: morph.value,
+      points: pathPoints.value,
+      colouring: scene.value.colouring,
+      dark: dark.value,
+    };
+    epoch.value;
+    untracked(() => {
+      if (timer) clearTimeout(timer);
+      timer = setTimeout(() => submit(stripJob(what)), SETTLE_MS);
+    });
+  });
+}
+
+interface What {
+  inputs: LocusInputs;
+  points: Uv[];
+  colouring: Colouring;
+  dark: boolean;
+}
+
+function stripJob({ inputs, points, colouring, dark: onDark }: What): Job<"picture"> {
+  const dpr = Math.min(2, globalThis.devicePixelRatio || 1);
+  const size = { width: Math.round(FRAME_WIDTH * dpr), height: Math.round(FRAME_HEIGHT * dpr) };
+  const fit = fitFor(pathBox.peek(), size, 0.06);
+  const colours = palette(onDark ? "dark" : "light");
+  const order = frameTimes().map((_, i) => i);
+  const places = new Map<object, number>();
+  return {
+    channel: "strip",
+    priority: () => 20,
+    next() {
+      const i = order.shift();
+      if (i === undefined) return null;
+      const maps: MapRow[] = mapsAt(uvAt(points, i / (FRAMES - 1)), inputs.options);
+      const task = {
+        kind: "picture" as const,
+        maps,
+        options: { ...size, view: fit, colouring, palette: colours },
+      };
+      places.set(task, i);
+      return task;
+    },
+    accept(task, bitmap) {
+      const place = places.get(task);
+      setFrames((frame, i) => (i === place ? { ...frame, bitmap } : frame));
+    },
+    fail(task) {
+      // Without an attractor there is nothing to draw, and the frame says so by staying empty.
+      const place = places.get(task);
+      setFrames((frame, i) => (i === place ? { ...frame, bitmap: null } : frame));
+    },
+  };
+}
+
+type StripFrame = (typeof publish.strip.value)[number];
+
+function frameTimes(): number[] {
+  return Array.from({ length: FRAMES }, (_, i) => i / (FRAMES - 1));
+}
+
+function setFrames(change: (frame: StripFrame, index: number) => StripFrame): void {
+  const before = publish.strip.peek();
+  publish.strip.value = frameTimes().map((t, i) =>
+    change(before[i] ?? { t, verdict: null, bitmap: null }, i),
+  );
+}

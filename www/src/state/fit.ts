@@ -1,0 +1,80 @@
+import { computed, type ReadonlySignal } from "@preact/signals";
+import type { MapRow } from "../engine/api";
+import { frond } from "../engine/wasm";
+import { mapsAt, morphOptions, pathPoints, selection, shown } from "./morph";
+import { uvAt } from "./path";
+
+/** A rectangle of the plane. */
+export interface Box {
+  x0: number;
+  y0: number;
+  x1: number;
+  y1: number;
+}
+
+/** How often the path is looked at, and how much larger than its ends a morph may grow before it leaves the stage. */
+const LOOKS = 13;
+const GROWTH = 3;
+const UNIT: Box = { x0: 0, y0: 0, x1: 1, y1: 1 };
+
+/** The box of an attractor, or null where there is none. */
+export function boxOf(maps: MapRow[]): Box | null {
+  try {
+    const { min, max } = frond.bounds({ maps });
+    const box = { x0: min[0], y0: min[1], x1: max[0], y1: max[1] };
+    return Object.values(box).every(Number.isFinite) ? box : null;
+  } catch {
+    return null;
+  }
+}
+
+/**
+ * One box for the whole path, so that the picture keeps still while it is scrubbed. Moments at which the morph grows
+ * beyond measure do not count: they would make all others specks.
+ */
+export const pathBox: ReadonlySignal<Box> = computed(() => {
+  const points = pathPoints.value;
+  const options = morphOptions.value;
+  const boxes = Array.from({ length: LOOKS }, (_, i) =>
+    boxOf(mapsAt(uvAt(points, i / (LOOKS - 1)), options)),
+  );
+  const ends = [boxes[0], boxes[LOOKS - 1]].filter((box) => box != null);
+  const most = GROWTH * Math.max(...ends.map(diagonal));
+  const counted = boxes.filter((box) => box !== null).filter((box) => !(diagonal(box) > most));
+  return union(counted) ?? UNIT;
+});
+
+/** What the stage fits: the whole path, or the shape that is being edited. */
+export const stageBox: ReadonlySignal<Box> = computed(() =>
+  selection.value ? (boxOf(shown.value) ?? pathBox.value) : pathBox.value,
+);
+
+export function diagonal(box: Box): number {
+  return Math.hypot(box.x1 - box.x0, box.y1 - box.y0);
+}
+
+function union(boxes: Box[]): Box | null {
+  if (boxes.length === 0) return null;
+  return {
+    x0: Math.min(...boxes.map((b) => b.x0)),
+    y0: Math.min(...boxes.map((b) => b.y0)),
+    x1: Math.max(...boxes.map((b) => b.x1)),
+    y1: Math.max(...boxes.map((b) => b.y1)),
+  };
+}
+
+/** The view that shows a box in the middle of a picture, with a margin on all sides as a part of the shorter one. */
+export function fitFor(
+  box: Box,
+  size: { width: number; height: number },
+  margin: number,
+): { x: number; y: number; scale: number } {
+  const x = (box.x0 + box.x1) / 2;
+  const y = (box.y0 + box.y1) / 2;
+  const free = 1 - 2 * margin;
+  // A shape that is a point still gets a picture.
+  const across = Math.max(box.x1 - box.x0, 1e-9);
+  const up = Math.max(box.y1 - box.y0, 1e-9);
+  const scale = Math.min((free * size.width) / across, (free * size.height) / up);
+  return { x, y, scale: Math.max(scale, 1e-6) };
+}
