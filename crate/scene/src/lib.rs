@@ -1,1 +1,12 @@
-//! Placeholder.
+//! The document: two shapes, the way between them and how they are looked at; and its form as a link.
+//!
+//! [`Scene`] is what a person works on. [`encode`] writes it as the fragment of a URL, [`decode`] reads it
+//! back and never fails: what is damaged opens as the default, with a reason. [`presets`] is the gallery.
+
+mod link;
+mod preset;
+mod scene;
+
+pub use link::{LinkError, MAX_LINK, VERSION, decode, encode};
+pub use preset::{Preset, Row, preset, presets};
+pub use scene::{Colouring, MAX_WAY_POINTS, ModeName, Path, PathKind, Scene, Shape, Window};

@@ -1,0 +1,195 @@
+//! Tests of links.
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::scene::Path;
+
+fn any_shape() -> impl Strategy<Value = Shape> {
+    let number = prop_oneof![
+        4 => -0.3..0.3_f64,
+        1 => Just(0.0),
+        1 => Just(-0.0),
+        1 => Just(1e-300),
+        1 => Just(0.1 + 0.2),
+        1 => Just(f64::MIN_POSITIVE),
+    ];
+    let row = proptest::array::uniform6(number);
+    let own = (proptest::collection::vec(row, 1..8), "\\PC{0,30}").prop_map(|(maps, name)| {
+        let name = tidy(&name);
+        let name = if name.is_empty() { "Own shape".to_owned() } else { name };
+        Shape { preset: None, name, maps }
+    });
+    let gallery =
+        proptest::sample::select(crate::presets()).prop_map(|preset| Shape::of_preset(preset.id).unwrap());
+    prop_oneof![own.prop_filter("no attractor", |shape| shape.ifs().is_ok()), gallery]
+}
+
+prop_compose! {
+    fn any_scene()(
+        a in any_shape(),
+        b in any_shape(),
+        points in proptest::collection::vec([-1.0..2.0_f64, -1.0..2.0_f64], 0..6),
+        kind in proptest::sample::select(vec![PathKind::Auto, PathKind::Straight, PathKind::Drawn]),
+        colouring in proptest::sample::select(vec![Colouring::Map, Colouring::Address, Colouring::Density]),
+        linear: bool,
+        compare: bool,
+        t in 0.0..=1.0_f64,
+        reversed: bool,
+        turn in -2..=2_i32,
+        view in proptest::option::of((-5.0..5.0_f64, -5.0..5.0_f64, 0.1..1e9_f64)),
+    ) -> Scene {
+        let maps = a.maps.len().max(b.maps.len());
+        Scene {
+            a, b, t, colouring, compare,
+            mode: if linear { ModeName::Linear } else { ModeName::Polar },
+            path: Path { kind, points },
+            correspondence: if reversed { (0..maps).rev().collect() } else { Vec::new() },
+            turns: if turn == 0 { Vec::new() } else { vec![turn; maps] },
+            view: view.map(|(x, y, zoom)| Window { x, y, zoom }),
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn a_document_comes_back_to_the_last_bit(scene in any_scene()) {
+        let link = encode(&scene);
+        prop_assert!(link.len() <= MAX_LINK);
+        prop_assert!(link.bytes().all(|b| b.is_ascii_graphic() && !b"\"<>`#{}|\\^".contains(&b)), "{link}");
+        let (again, problem) = decode(&link);
+        prop_assert_eq!(problem, None);
+        // -0 equals 0, so bits are compared by the second link.
+        prop_assert_eq!(&again, &scene);
+        prop_assert_eq!(encode(&again), link);
+    }
+
+    #[test]
+    fn nothing_makes_it_panic(text in "\\PC{0,200}") {
+        let _ = decode(&text);
+    }
+
+    #[test]
+    fn damaged_links_open_something(scene in any_scene(), at in 0_usize..400, with in "\\PC") {
+        let mut link: Vec<char> = encode(&scene).chars().collect();
+        let at = at % link.len();
+        link.splice(at..=at, with.chars());
+        let (opened, problem) = decode(&link.into_iter().collect::<String>());
+        prop_assert!(opened.a.ifs().is_ok() && opened.b.ifs().is_ok());
+        prop_assert!(problem.is_none_or(|problem| !problem.to_string().is_empty()));
+    }
+}
+
+#[test]
+fn links_read_like_words() {
+    let mut scene = Scene::default();
+    assert_eq!(encode(&scene), "v=1&a=dragon-3&b=gasket");
+    scene.path.points = vec![[0.25, 1.5], [0.5, -0.125]];
+    scene.t = 0.5;
+    scene.compare = true;
+    scene.correspondence = vec![2, 0, 1];
+    assert_eq!(
+        encode(&scene),
+        "v=1&a=dragon-3&b=gasket&path=auto:0.25,1.5;0.5,-0.125&t=0.5&match=3,1,2&compare=1"
+    );
+}
+
+#[test]
+fn an_edited_shape_of_the_gallery_is_written_out() {
+    let mut scene = Scene::default();
+    scene.b.maps[0][0] = 0.45;
+    scene.b.name = "Gasket & more".to_owned();
+    let link = encode(&scene);
+    assert!(
+        link.contains("&b=maps:0.45,0,0,0.5,0,0;") && link.ends_with("&b-name=Gasket%20%26%20more"),
+        "{link}"
+    );
+    let (again, problem) = decode(&link);
+    assert_eq!(problem, None);
+    assert_eq!((again.b.preset, again.b.name), (None, "Gasket & more".to_owned()));
+}
+
+#[test]
+fn an_empty_link_is_the_default() {
+    for link in ["", "#", "v=1", "#v=1", "colour=map"] {
+        assert_eq!(decode(link), (Scene::default(), None));
+    }
+}
+
+#[test]
+fn bad_links_give_the_default_and_a_reason() {
+    let many = format!("a=maps:{}", vec!["0.1,0,0,0.1,0,0"; 65].join(";"));
+    let points = format!("path=drawn:{}", vec!["0,0"; 65].join(";"));
+    for (link, code) in [
+        ("a=", "link-damaged"),
+        ("a=nobody", "link-damaged"),
+        ("a=maps:", "link-shape"),
+        ("a=maps:1,2,3", "link-damaged"),
+        ("a=maps:1,2,3,4,5,6,7", "link-damaged"),
+        ("a=maps:NaN,0,0,0,0,0", "link-damaged"),
+        ("a=maps:inf,0,0,0,0,0", "link-damaged"),
+        ("a=maps:1e999,0,0,0,0,0", "link-damaged"),
+        ("a=maps:1e200,0,0,0,0,0", "link-shape"),
+        ("a=maps:1,0,0,1,0,0", "link-shape"),
+        ("b=maps:0.5,0,0,0.5,0,0;2,0,0,2,0,0", "link-shape"),
+        (many.as_str(), "link-damaged"),
+        (points.as_str(), "link-damaged"),
+        ("path=round", "link-damaged"),
+        ("path=drawn:1", "link-damaged"),
+        ("path=drawn:1e300,0", "link-damaged"),
+        ("t=now", "link-damaged"),
+        ("t=NaN", "link-damaged"),
+        ("match=1,1,2", "link-damaged"),
+        ("match=0,1,2", "link-damaged"),
+        ("match=99999999999999999999", "link-damaged"),
+        ("turns=1", "link-damaged"),
+        ("turns=1,2,99", "link-damaged"),
+        ("view=0,0,0", "link-damaged"),
+        ("view=0,0,-1", "link-damaged"),
+        ("view=0,0", "link-damaged"),
+        ("compare=yes", "link-damaged"),
+        ("colour=<script>", "link-damaged"),
+        ("v=0", "link-damaged"),
+        ("v=x", "link-damaged"),
+    ] {
+        let (scene, problem) = decode(link);
+        assert_eq!(scene, Scene::default(), "{link}");
+        assert_eq!(problem.map(|problem| problem.code()), Some(code), "{link}");
+    }
+    let huge = format!("a={}", "maps:".repeat(20_000));
+    assert_eq!(decode(&huge).1.map(|problem| problem.code()), Some("link-too-long"));
+}
+
+#[test]
+fn a_later_version_shows_what_is_understood() {
+    let (scene, problem) = decode("v=2&a=koch&weather=rain");
+    assert_eq!(scene.a.preset.as_deref(), Some("koch"));
+    assert_eq!(problem, Some(LinkError::Later));
+}
+
+#[test]
+fn the_largest_document_fits_a_link() {
+    let shape =
+        Shape { preset: None, name: "ä".repeat(60), maps: vec![[-0.123_456_789_012_345_67e-7; 6]; 64] };
+    let mut scene = Scene { a: shape.clone(), b: shape, ..Scene::default() };
+    scene.path.points = vec![[-0.123_456_789_012_345_67; 2]; MAX_WAY_POINTS];
+    scene.turns = vec![-16; 64];
+    scene.correspondence = (0..64).collect();
+    let link = encode(&scene);
+    assert!(link.len() < MAX_LINK / 2, "{}", link.len());
+    assert_eq!(decode(&link), (scene, None));
+}
+
+/// Links that were given out: they must open for ever, and as what they were.
+#[test]
+fn old_links_still_open() {
+    let corpus = include_str!("../../tests/links.txt");
+    let mut count = 0;
+    for line in corpus.lines().filter(|line| !line.is_empty() && !line.starts_with("//")) {
+        let (scene, problem) = decode(line);
+        assert_eq!(problem, None, "{line}");
+        assert_eq!(encode(&scene), line);
+        count += 1;
+    }
+    assert!(count >= 8);
+}

@@ -1,0 +1,253 @@
+//! The gallery.
+
+use frond_core::Affine2;
+
+/// The row of a map, `[a, b, c, d, e, f]`.
+pub type Row = [f64; 6];
+
+/// A shape of the gallery.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Preset {
+    /// Its name in links: lower case, never changed once published.
+    pub id: &'static str,
+    /// Its name on screen.
+    pub name: &'static str,
+    /// A sentence about it.
+    pub about: &'static str,
+    /// Its maps.
+    pub maps: Vec<Row>,
+}
+
+/// Half the root of 3: the height of a triangle of side 1.
+const HEIGHT: f64 = 0.866_025_403_784_438_6;
+const THIRD: f64 = 1.0 / 3.0;
+
+/// All shapes of the gallery, in its order.
+#[must_use]
+pub fn presets() -> Vec<Preset> {
+    let preset = |id, name, about, maps| Preset { id, name, about, maps };
+    vec![
+        preset(
+            "gasket",
+            "Gasket",
+            "Sierpinski's triangle: three halves that touch in single points.",
+            gasket(),
+        ),
+        preset("dragon", "Dragon", "Heighway's dragon, a strip of paper folded for ever.", dragon()),
+        preset(
+            "dragon-3",
+            "Dragon of three",
+            "Heighway's dragon again, its second half split in two, so that it has three maps.",
+            dragon_of_three(),
+        ),
+        preset("terdragon", "Terdragon", "Three thirds, each turned by 30 degrees or by 90.", terdragon(1.0)),
+        preset(
+            "terdragon-mirrored",
+            "Mirrored terdragon",
+            "The terdragon in the mirror: the same shape, another morph.",
+            terdragon(-1.0),
+        ),
+        preset(
+            "twindragon",
+            "Twin-dragon",
+            "Two dragons back to back: they tile the plane.",
+            vec![[0.5, 0.5, -0.5, 0.5, -0.5, 0.375], [0.5, 0.5, -0.5, 0.5, 0.5, 0.625]],
+        ),
+        preset(
+            "levy",
+            "Lévy curve",
+            "Two halves turned outward by 45 degrees: a curve that becomes a tapestry.",
+            vec![[0.5, -0.5, 0.5, 0.5, 0.0, 0.0], [0.5, 0.5, -0.5, 0.5, 0.5, 0.5]],
+        ),
+        preset("koch", "Koch curve", "Four thirds: an endless coast over a finite line.", koch()),
+        preset("carpet", "Carpet", "Sierpinski's carpet: eight ninths of a square, for ever.", carpet()),
+        preset("vicsek", "Vicsek cross", "Five thirds in a cross.", vicsek()),
+        preset("pentagon", "Pentagon gasket", "Five pieces just large enough to touch.", pentagon()),
+        preset("hexagon", "Hexagon gasket", "Six thirds around a star, with Koch's curve inside.", hexagon()),
+        preset("hexaflake", "Hexaflake", "The hexagon gasket with its middle filled.", hexaflake()),
+        preset("gosper", "Gosper island", "Seven pieces that tile the plane with ragged hexagons.", gosper()),
+        preset(
+            "fern",
+            "Fern",
+            "Barnsley's fern: a stem, two leaflets and the rest of the fern.",
+            vec![
+                [0.0, 0.0, 0.0, 0.16, 0.0, 0.0],
+                [0.85, 0.04, -0.04, 0.85, 0.0, 1.6],
+                [0.2, -0.26, 0.23, 0.22, 0.0, 1.6],
+                [-0.15, 0.28, 0.26, 0.24, 0.0, 0.44],
+            ],
+        ),
+        preset("maple", "Maple-like leaf", "Three lobes and a stalk, drawn for Frond.", maple()),
+        preset("tree", "Tree", "A trunk, two large boughs and two small ones.", tree()),
+        preset(
+            "spiral",
+            "Spiral",
+            "One map that turns and barely shrinks, and two that seed its arms.",
+            vec![
+                [0.787_879, -0.424_242, 0.242_424, 0.859_848, 1.758_647, 1.408_065],
+                [-0.121_212, 0.257_576, 0.151_515, 0.053_030, -6.721_654, 1.377_236],
+                [0.181_818, -0.136_364, 0.090_909, 0.181_818, 6.086_107, 1.568_035],
+            ],
+        ),
+        preset("dust", "Cantor dust", "Four pieces too small to meet: nothing but single points.", dust()),
+        preset(
+            "bushy",
+            "Twigs",
+            "Two twigs on a bent stalk, each the whole in small.",
+            vec![
+                [0.0, 0.0, 0.0, 0.3, 0.0, 0.0],
+                [0.56, -0.4, 0.4, 0.56, 0.0, 0.3],
+                [0.5, 0.42, -0.42, 0.5, 0.0, 0.3],
+            ],
+        ),
+    ]
+}
+
+/// The shape of the gallery with this id.
+#[must_use]
+pub fn preset(id: &str) -> Option<Preset> {
+    presets().into_iter().find(|preset| preset.id == id)
+}
+
+/// Copies scaled by `r`, without a turn, each with its fixed point at one of `corners`.
+fn shrunk(r: f64, corners: &[[f64; 2]]) -> Vec<Row> {
+    corners.iter().map(|[x, y]| [r, 0.0, 0.0, r, (1.0 - r) * x, (1.0 - r) * y]).collect()
+}
+
+/// Copies scaled by a third into cells of a 3 x 3 board.
+fn board(cells: &[[u8; 2]]) -> Vec<Row> {
+    cells.iter().map(|[x, y]| [THIRD, 0.0, 0.0, THIRD, f64::from(*x) / 3.0, f64::from(*y) / 3.0]).collect()
+}
+
+fn gasket() -> Vec<Row> {
+    vec![
+        [0.5, 0.0, 0.0, 0.5, 0.0, 0.0],
+        [0.5, 0.0, 0.0, 0.5, 0.5, 0.0],
+        [0.5, 0.0, 0.0, 0.5, 0.25, HEIGHT / 2.0],
+    ]
+}
+
+fn dragon() -> Vec<Row> {
+    vec![[0.5, -0.5, 0.5, 0.5, 0.0, 0.0], [-0.5, -0.5, 0.5, -0.5, 1.0, 0.0]]
+}
+
+/// `{w1, w2 w1, w2 w2}` of the dragon: the same attractor.
+fn dragon_of_three() -> Vec<Row> {
+    let two: Vec<Affine2> = dragon().into_iter().map(Affine2::from_row).collect();
+    [two[0], two[1] * two[0], two[1] * two[1]].map(Affine2::to_row).to_vec()
+}
+
+/// `{l z, -i z / sqrt 3 + l, l z + conj l}` with `l = 1/2 + i / (2 sqrt 3)`; `side` -1 mirrors it.
+fn terdragon(side: f64) -> Vec<Row> {
+    let (re, im) = (0.5, side * HEIGHT / 3.0);
+    vec![[re, -im, im, re, 0.0, 0.0], [0.0, 2.0 * im, -2.0 * im, 0.0, re, im], [re, -im, im, re, re, -im]]
+}
+
+fn koch() -> Vec<Row> {
+    let (c, s) = (THIRD / 2.0, THIRD * HEIGHT);
+    vec![
+        [THIRD, 0.0, 0.0, THIRD, 0.0, 0.0],
+        [c, -s, s, c, THIRD, 0.0],
+        [c, s, -s, c, 0.5, s],
+        [THIRD, 0.0, 0.0, THIRD, 2.0 * THIRD, 0.0],
+    ]
+}
+
+fn carpet() -> Vec<Row> {
+    board(&[[0, 0], [1, 0], [2, 0], [2, 1], [2, 2], [1, 2], [0, 2], [0, 1]])
+}
+
+fn vicsek() -> Vec<Row> {
+    board(&[[1, 1], [0, 0], [2, 0], [2, 2], [0, 2]])
+}
+
+fn pentagon() -> Vec<Row> {
+    // Cosines and sines of fifths of a turn, in closed form; the ratio is 1 / golden ratio^2.
+    let root = 5.0_f64.sqrt();
+    let (c1, c2) = ((root - 1.0) / 4.0, -(root + 1.0) / 4.0);
+    let (s1, s2) = ((10.0 + 2.0 * root).sqrt() / 4.0, (10.0 - 2.0 * root).sqrt() / 4.0);
+    // A corner on top.
+    shrunk((3.0 - root) / 2.0, &[[0.0, 1.0], [-s1, c1], [-s2, c2], [s2, c2], [s1, c1]])
+}
+
+const HEXAGON: [[f64; 2]; 6] =
+    [[1.0, 0.0], [0.5, HEIGHT], [-0.5, HEIGHT], [-1.0, 0.0], [-0.5, -HEIGHT], [0.5, -HEIGHT]];
+
+fn hexagon() -> Vec<Row> {
+    shrunk(THIRD, &HEXAGON)
+}
+
+fn hexaflake() -> Vec<Row> {
+    let mut maps = shrunk(THIRD, &[[0.0, 0.0]]);
+    maps.extend(hexagon());
+    maps
+}
+
+/// Seven copies scaled by 1 / sqrt 7 and turned, one in the middle and six around it.
+fn gosper() -> Vec<Row> {
+    // 1 / (2 + w) with w = (1 + i sqrt 3) / 2: its square is 1/7.
+    let (re, im) = (2.5 / 7.0, -HEIGHT / 7.0);
+    let around = HEXAGON.map(|[x, y]| [re * x - im * y, im * x + re * y]);
+    std::iter::once([0.0, 0.0]).chain(around).map(|[e, f]| [re, -im, im, re, e, f]).collect()
+}
+
+fn maple() -> Vec<Row> {
+    vec![
+        [0.02, 0.0, 0.0, 0.34, 0.0, -0.56],
+        [0.52, 0.0, 0.0, 0.56, 0.0, 0.46],
+        [0.37, -0.5, 0.46, 0.42, -0.42, 0.02],
+        [0.37, 0.5, -0.46, 0.42, 0.42, 0.02],
+    ]
+}
+
+fn tree() -> Vec<Row> {
+    vec![
+        [0.04, 0.0, 0.0, 0.44, 0.0, 0.0],
+        [0.48, -0.42, 0.42, 0.48, 0.0, 0.42],
+        [0.5, 0.4, -0.4, 0.5, 0.0, 0.36],
+        [0.3, -0.12, 0.14, 0.34, 0.0, 0.3],
+        [0.32, 0.1, -0.12, 0.36, 0.0, 0.42],
+    ]
+}
+
+fn dust() -> Vec<Row> {
+    shrunk(0.4, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+}
+
+#[cfg(test)]
+mod tests {
+    use frond_core::{Ifs, similarity_dimension};
+
+    use super::*;
+
+    #[test]
+    fn every_shape_has_an_attractor_and_a_name_of_its_own() {
+        let all = presets();
+        assert!(all.len() >= 16);
+        for (i, preset) in all.iter().enumerate() {
+            let maps = preset.maps.iter().map(|&row| Affine2::from_row(row)).collect();
+            let ifs = Ifs::new(maps).unwrap_or_else(|error| panic!("{}: {error}", preset.id));
+            assert!(ifs.len() >= 2);
+            assert!(all[..i].iter().all(|other| other.id != preset.id && other.name != preset.name));
+            assert!(preset.id.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-'));
+        }
+    }
+
+    #[test]
+    fn the_classics_have_their_dimensions() {
+        for (id, dimension) in [
+            ("gasket", 3.0_f64.log2()),
+            ("dragon", 2.0),
+            ("terdragon", 2.0),
+            ("twindragon", 2.0),
+            ("levy", 2.0),
+            ("gosper", 2.0),
+            ("koch", 4.0_f64.ln() / 3.0_f64.ln()),
+            ("carpet", 8.0_f64.ln() / 3.0_f64.ln()),
+        ] {
+            let maps = preset(id).unwrap().maps.into_iter().map(Affine2::from_row).collect();
+            let found = similarity_dimension(&Ifs::new(maps).unwrap()).unwrap();
+            assert!((found - dimension).abs() < 1e-9, "{id}: {found}");
+        }
+    }
+}

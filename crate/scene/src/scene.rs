@@ -1,0 +1,172 @@
+//! The document.
+
+use frond_core::{Affine2, Ifs, IfsError, Mode, MorphOptions};
+use serde::{Deserialize, Serialize};
+
+use crate::preset::{Row, preset};
+
+/// The most way points a path may have between its ends.
+pub const MAX_WAY_POINTS: usize = 64;
+
+/// One end of a morph.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct Shape {
+    /// Its id in the gallery, while its maps are those of the gallery.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub preset: Option<String>,
+    /// Its name.
+    pub name: String,
+    /// Its maps.
+    pub maps: Vec<Row>,
+}
+
+impl Shape {
+    /// The shape of the gallery with this id.
+    #[must_use]
+    pub fn of_preset(id: &str) -> Option<Self> {
+        let found = preset(id)?;
+        Some(Self { preset: Some(found.id.to_owned()), name: found.name.to_owned(), maps: found.maps })
+    }
+
+    /// Its system.
+    ///
+    /// # Errors
+    /// [`IfsError`] if the maps have no attractor.
+    pub fn ifs(&self) -> Result<Ifs, IfsError> {
+        // Before any memory is asked for: the list may be of any length.
+        if self.maps.len() > frond_core::MAX_MAPS {
+            return Err(IfsError::TooManyMaps { count: self.maps.len() });
+        }
+        Ifs::new(self.maps.iter().map(|&row| Affine2::from_row(row)).collect())
+    }
+}
+
+/// Who drew the path.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum PathKind {
+    /// Frond, so that the shape stays in one piece.
+    #[default]
+    Auto,
+    /// Nobody: the straight line.
+    Straight,
+    /// The user.
+    Drawn,
+}
+
+/// A way through the (u, v) plane from (0, 0) to (1, 1), which are not listed.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+pub struct Path {
+    /// Who drew it.
+    pub kind: PathKind,
+    /// The way points in between.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// What colours mean.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Colouring {
+    /// The first letter of a point's address: its largest piece.
+    #[default]
+    Map,
+    /// More letters.
+    Address,
+    /// How often the chaos game comes by.
+    Density,
+}
+
+/// How the linear parts are interpolated: [`Mode`] as it is written in documents.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum ModeName {
+    /// By polar factors.
+    #[default]
+    Polar,
+    /// Element by element.
+    Linear,
+}
+
+impl From<ModeName> for Mode {
+    fn from(name: ModeName) -> Self {
+        match name {
+            ModeName::Polar => Self::Polar,
+            ModeName::Linear => Self::Linear,
+        }
+    }
+}
+
+/// The part of the plane that is looked at.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+pub struct Window {
+    /// World x of the middle.
+    pub x: f64,
+    /// World y of the middle.
+    pub y: f64,
+    /// Magnification over the view that fits the whole shape.
+    pub zoom: f64,
+}
+
+/// Everything that a link holds.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct Scene {
+    /// The first shape.
+    pub a: Shape,
+    /// The last shape.
+    pub b: Shape,
+    /// How the linear parts are interpolated.
+    #[serde(default)]
+    pub mode: ModeName,
+    /// The way from the first to the last.
+    #[serde(default)]
+    pub path: Path,
+    /// Where along the way, 0 to 1.
+    #[serde(default)]
+    pub t: f64,
+    /// Which map becomes which; empty for the order they are in.
+    #[serde(default)]
+    pub correspondence: Vec<usize>,
+    /// Whole extra turns; empty for none.
+    #[serde(default)]
+    pub turns: Vec<i32>,
+    /// What colours mean.
+    #[serde(default)]
+    pub colouring: Colouring,
+    /// Whether the elementwise morph is shown beside the polar one.
+    #[serde(default)]
+    pub compare: bool,
+    /// The part of the plane that is looked at; the whole shape where absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub view: Option<Window>,
+}
+
+impl Default for Scene {
+    /// What a visitor sees first: the dragon of three maps, on its way to the gasket.
+    fn default() -> Self {
+        let shape = |id| Shape::of_preset(id).unwrap_or_else(|| unreachable!("{id} is in the gallery"));
+        Self {
+            a: shape("dragon-3"),
+            b: shape("gasket"),
+            mode: ModeName::Polar,
+            path: Path::default(),
+            t: 0.0,
+            correspondence: Vec::new(),
+            turns: Vec::new(),
+            colouring: Colouring::Map,
+            compare: false,
+            view: None,
+        }
+    }
+}
+
+impl Scene {
+    /// The choices of the morph.
+    #[must_use]
+    pub fn morph_options(&self) -> MorphOptions {
+        MorphOptions {
+            mode: self.mode.into(),
+            correspondence: self.correspondence.clone(),
+            turns: self.turns.clone(),
+        }
+    }
+}
