@@ -17,6 +17,8 @@ export default defineConfig({
     emptyOutDir: true,
     // The size gate of `cargo xtask test` does this, and fails.
     reportCompressedSize: false,
+    // The module is a file that the workers share, however small.
+    assetsInlineLimit: (file) => (file.endsWith(".wasm") ? false : undefined),
     modulePreload: { polyfill: false },
     rolldownOptions: { input: pages },
   },

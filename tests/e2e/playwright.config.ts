@@ -75,7 +75,7 @@ export default defineConfig({
     },
   ],
   webServer: {
-    command: `npm exec --offline -- vite preview --base /some/folder/ --host 127.0.0.1 --port ${port} --strictPort`,
+    command: `node node_modules/vite/bin/vite.js preview --base /some/folder/ --host 127.0.0.1 --port ${port} --strictPort`,
     cwd: root,
     url: address,
     reuseExistingServer: false,

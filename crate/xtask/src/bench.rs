@@ -3,7 +3,7 @@
 use std::fs;
 use std::net::TcpStream;
 use std::path::Path;
-use std::process::{Child, Stdio};
+use std::process::Child;
 use std::time::{Duration, Instant};
 
 use crate::browser;
@@ -85,7 +85,7 @@ impl Server {
     fn start() -> Outcome<Self> {
         let port = free_port()?;
         let line = format!("preview --host 127.0.0.1 --strictPort --logLevel warn --port {port}");
-        let process = Tool::Vite.command(&line).stdin(Stdio::null()).spawn()?;
+        let process = Tool::Vite.start(&line)?;
         let server = Self { process, address: format!("http://127.0.0.1:{port}/") };
         let start = Instant::now();
         while TcpStream::connect(("127.0.0.1", port)).is_err() {

@@ -1,6 +1,7 @@
 //! The page's side of the set-up: Node, and the packages of package-lock.json.
 
-use std::process::Command;
+use std::path::PathBuf;
+use std::process::{Child, Command, Stdio};
 
 use crate::command::{Outcome, ask, command, root, run};
 use crate::stamp::{self, Hash};
@@ -23,6 +24,21 @@ pub enum Tool {
 impl Tool {
     /// Runs it by Node itself: no shell, no `npx`, nothing that might look for it on the network.
     pub fn command(self, line: &str) -> Command {
+        let mut command = command("node");
+        command.arg(self.script()).args(line.split_whitespace());
+        command
+    }
+
+    /// Starts a server, which ends when this program does, however that ends: then its input ends.
+    pub fn start(self, line: &str) -> Outcome<Child> {
+        let mut command = command("node");
+        command
+            .args(["--import", "data:text/javascript,process.stdin.on('end',()=>process.exit()).resume()"]);
+        command.arg(self.script()).args(line.split_whitespace()).stdin(Stdio::piped());
+        command.spawn().map_err(|error| format!("{} did not start: {error}", self.script().display()).into())
+    }
+
+    fn script(self) -> PathBuf {
         let script = match self {
             Self::Biome => "@biomejs/biome/bin/biome",
             Self::Playwright => "@playwright/test/cli.js",
@@ -31,9 +47,7 @@ impl Tool {
             Self::Vitest => "vitest/vitest.mjs",
             Self::WasmOpt => "binaryen/bin/wasm-opt",
         };
-        let mut command = command("node");
-        command.arg(root().join("node_modules").join(script)).args(line.split_whitespace());
-        command
+        root().join("node_modules").join(script)
     }
 }
 

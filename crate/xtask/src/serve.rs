@@ -1,7 +1,6 @@
 //! The development server: Vite for the page, and this program for the Rust crates.
 
 use std::env;
-use std::process::Stdio;
 use std::time::Duration;
 
 use crate::command::Outcome;
@@ -16,16 +15,14 @@ const LOOK: Duration = Duration::from_millis(1000);
 pub fn serve(steps: &mut Steps, arguments: &[String]) -> Outcome {
     let options = Options::parse(arguments)?;
     wasm::build(steps)?;
-    let mut vite = Tool::Vite.command("--host 127.0.0.1 --clearScreen false");
+    let mut line = "--host 127.0.0.1 --clearScreen false".to_owned();
     if let Some(port) = options.port {
-        vite.args(["--strictPort", "--port", &port.to_string()]);
+        line += &format!(" --strictPort --port {port}");
     }
     if options.open.unwrap_or_else(has_screen) {
-        vite.arg("--open");
+        line += " --open";
     }
-    // Vite ends when its input does, so it never outlives this program.
-    let mut vite =
-        vite.stdin(Stdio::piped()).spawn().map_err(|error| format!("Vite did not start: {error}"))?;
+    let mut vite = Tool::Vite.start(&line)?;
     let mut inputs = wasm::inputs()?;
     loop {
         std::thread::sleep(LOOK);

@@ -75,7 +75,10 @@ fn install(steps: &mut Steps, program: &str, package: &str, version: &str) -> Ou
         };
         build(&["--locked"])
             // The lock file of a package may name what its registry has since taken back.
-            .or_else(|_| build(&[]))
+            .or_else(|_| {
+                println!("    its own lock file cannot be used: choosing versions anew");
+                build(&[])
+            })
             .map_err(|problem| {
                 format!(
                     "{problem}\n{package} {version} could not be installed. It needs a C compiler (`cc`) and the \

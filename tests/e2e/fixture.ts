@@ -1,0 +1,33 @@
+import { test as base } from "@playwright/test";
+
+/**
+ * Every test fails that leaves an error or a warning on the page's console, throws past the page, or asks for
+ * something that is not there. A test that provokes one says which: `test.use({ expected: [/device lost/] })`.
+ */
+export const test = base.extend<{ expected: RegExp[]; quiet: undefined }>({
+  expected: [[], { option: true }],
+  quiet: [
+    async ({ page, expected }, use) => {
+      const complaints: string[] = [];
+      const complain = (text: string) => {
+        if (!expected.some((pattern) => pattern.test(text))) complaints.push(text);
+      };
+      page.on("console", (message) => {
+        if (message.type() === "error" || message.type() === "warning") complain(message.text());
+      });
+      page.on("pageerror", (error) => complain(String(error)));
+      page.on("requestfailed", (request) => {
+        // A request that the page itself gave up is no fault.
+        if (request.failure()?.errorText !== "net::ERR_ABORTED") complain(`${request.url()} failed`);
+      });
+      page.on("response", (response) => {
+        if (response.status() >= 400) complain(`${response.url()}: ${response.status()}`);
+      });
+      await use(undefined);
+      if (complaints.length > 0) throw new Error(`the page complained:\n${complaints.join("\n")}`);
+    },
+    { auto: true },
+  ],
+});
+
+export { expect } from "@playwright/test";
