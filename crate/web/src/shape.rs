@@ -1,0 +1,126 @@
+//! One shape, and the way to another.
+
+use frond_core::{Affine2, ChaosGame, Hull, Polar2, similarity_dimension};
+use glam::DMat2;
+use js_sys::{Float32Array, Uint8Array};
+use serde::Deserialize;
+use wasm_bindgen::prelude::*;
+
+use crate::error::{bad_input, failure};
+use crate::value::{Row, object, point, read, read_ifs, read_maps, read_morph, rows, write, write_maps};
+
+/// The most points that one call gives.
+const MAX_POINTS: f64 = 16_777_216.0;
+
+/// Throws what is wrong with an IFS; returns if it has an attractor.
+#[wasm_bindgen]
+pub fn validate(#[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue) -> Result<(), JsValue> {
+    read_ifs(&ifs).map(|_| ())
+}
+
+/// Both systems with the same number of maps, by refining or doubling maps of the smaller one, which does
+/// not change its shape.
+#[wasm_bindgen(unchecked_return_type = "Pairing")]
+pub fn pair(
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] a: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] b: JsValue,
+) -> Result<JsValue, JsValue> {
+    let pairing = frond_core::pair(&read_ifs(&a)?, &read_ifs(&b)?);
+    Ok(object(&[
+        ("from", write(&rows(&pairing.from))?),
+        ("to", write(&rows(&pairing.to))?),
+        ("steps", write(&pairing.steps)?),
+    ]))
+}
+
+#[derive(Deserialize)]
+struct At {
+    u: f64,
+    v: f64,
+}
+
+/// The maps at (u, v) between two systems of equally many maps (Burch & Hart 1997, eq 6). The result need
+/// not have an attractor.
+#[wasm_bindgen(unchecked_return_type = "Ifs")]
+pub fn interpolate(
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "MorphOptions & { u: number; v: number }")] options: JsValue,
+) -> Result<JsValue, JsValue> {
+    let morph = read_morph(&from, &to, &options)?;
+    let At { u, v } = read("The options", options)?;
+    write_maps(&morph.at(u, v))
+}
+
+/// The same shape elsewhere: every map conjugated by `transform`, a row of six numbers.
+#[wasm_bindgen(unchecked_return_type = "Ifs")]
+pub fn conjugate(
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "MapRow")] transform: JsValue,
+) -> Result<JsValue, JsValue> {
+    let by = Affine2::from_row(read("The transform", transform)?);
+    let maps: Option<Vec<_>> = read_maps(&ifs)?.into_iter().map(|map| map.conjugate(by)).collect();
+    let singular =
+        || failure("singular", "The transform is flat, so that it has no inverse. Give one that is not.");
+    write_maps(&maps.ok_or_else(singular)?)
+}
+
+#[derive(Deserialize)]
+struct Points {
+    points: f64,
+    #[serde(default)]
+    seed: u32,
+}
+
+/// Points of the attractor, by the chaos game: the same seed gives the same points everywhere.
+#[wasm_bindgen(unchecked_return_type = "PointCloud")]
+pub fn attractor(
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "{ points: number; seed?: number }")] options: JsValue,
+) -> Result<JsValue, JsValue> {
+    let ifs = read_ifs(&ifs)?;
+    let Points { points, seed } = read("The options", options)?;
+    if !(0.0..=MAX_POINTS).contains(&points) {
+        return Err(bad_input("points", "a number from 0 to 16777216 is needed"));
+    }
+    let count = points as usize;
+    let (mut positions, mut pieces) = (vec![0.0; 2 * count], vec![0; count]);
+    ChaosGame::new(&ifs, seed).fill(&mut positions, &mut pieces);
+    Ok(object(&[
+        ("positions", Float32Array::from(&positions[..]).into()),
+        ("pieces", Uint8Array::from(&pieces[..]).into()),
+    ]))
+}
+
+/// Where the attractor lies.
+#[wasm_bindgen(unchecked_return_type = "BoundingBox")]
+pub fn bounds(#[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue) -> Result<JsValue, JsValue> {
+    let ifs = read_ifs(&ifs)?;
+    let hull = Hull::of(&ifs);
+    let corners: Vec<[f64; 2]> = hull.vertices().iter().map(|&v| point(v)).collect();
+    let mut fields = vec![
+        ("min", write(&point(hull.min()))?),
+        ("max", write(&point(hull.max()))?),
+        ("hull", write(&corners)?),
+    ];
+    if let Some(dimension) = similarity_dimension(&ifs) {
+        fields.push(("dimension", dimension.into()));
+    }
+    Ok(object(&fields))
+}
+
+/// The polar factors of a map's linear part: `M = R(angle) S`, or `M = R(angle) diag(1, -1) S` where it reflects.
+#[wasm_bindgen(
+    unchecked_return_type = "{ angle: number; reflects: boolean; stretch: [xx: number, xy: number, yy: number]; determinant: number }"
+)]
+pub fn polar(#[wasm_bindgen(unchecked_param_type = "MapRow")] map: JsValue) -> Result<JsValue, JsValue> {
+    let row: Row = read("The map", map)?;
+    let linear: DMat2 = Affine2::from_row(row).linear;
+    let Polar2 { angle, reflects, stretch } = Polar2::of(linear);
+    Ok(object(&[
+        ("angle", angle.into()),
+        ("reflects", reflects.into()),
+        ("stretch", write(&[stretch.x_axis.x, stretch.x_axis.y, stretch.y_axis.y])?),
+        ("determinant", linear.determinant().into()),
+    ]))
+}

@@ -1,0 +1,114 @@
+//! Values that cross the boundary.
+
+use frond_core::{Affine2, Ifs, IfsError, MAX_MAPS, Mode, Morph, MorphOptions};
+use glam::DVec2;
+use js_sys::{Array, Object, Reflect};
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use wasm_bindgen::{JsCast, JsValue};
+
+use crate::error::{bad_input, of_ifs, of_morph};
+
+/// A row of six numbers.
+pub(crate) type Row = [f64; 6];
+
+/// Reads a plain object; `undefined` and `null` are read as the empty one.
+pub(crate) fn read<T: DeserializeOwned>(what: &str, value: JsValue) -> Result<T, JsValue> {
+    let value = if value.is_undefined() || value.is_null() { Object::new().into() } else { value };
+    serde_wasm_bindgen::from_value(value).map_err(|error| bad_input(what, &error.to_string()))
+}
+
+/// Writes a plain object.
+pub(crate) fn write<T: Serialize>(value: &T) -> Result<JsValue, JsValue> {
+    value
+        .serialize(&serde_wasm_bindgen::Serializer::json_compatible())
+        .map_err(|error| bad_input("The result", &error.to_string()))
+}
+
+/// An object from its fields, some of which may be typed arrays.
+pub(crate) fn object(fields: &[(&str, JsValue)]) -> JsValue {
+    let object = Object::new();
+    for (key, value) in fields {
+        // Setting a property of a fresh object cannot fail.
+        let _ = Reflect::set(&object, &(*key).into(), value);
+    }
+    object.into()
+}
+
+#[derive(Deserialize)]
+struct PlainIfs {
+    maps: Vec<Row>,
+    #[serde(default)]
+    probabilities: Option<Vec<f64>>,
+}
+
+/// The maps of an IFS object, whether or not they have an attractor. Longer lists than allowed are refused
+/// before their entries are read.
+pub(crate) fn read_maps(value: &JsValue) -> Result<Vec<Affine2>, JsValue> {
+    Ok(read_plain(value)?.maps.into_iter().map(Affine2::from_row).collect())
+}
+
+/// An IFS object that has an attractor.
+pub(crate) fn read_ifs(value: &JsValue) -> Result<Ifs, JsValue> {
+    let plain = read_plain(value)?;
+    let maps = plain.maps.into_iter().map(Affine2::from_row).collect();
+    let ifs = Ifs::new(maps).map_err(|error| of_ifs(&error))?;
+    match plain.probabilities {
+        None => Ok(ifs),
+        Some(list) => ifs.with_probabilities(&list).map_err(|error| of_ifs(&error)),
+    }
+}
+
+fn read_plain(value: &JsValue) -> Result<PlainIfs, JsValue> {
+    let maps = Reflect::get(value, &"maps".into()).unwrap_or(JsValue::UNDEFINED);
+    if let Some(list) = maps.dyn_ref::<Array>() {
+        let count = list.length() as usize;
+        if count > MAX_MAPS {
+            return Err(of_ifs(&IfsError::TooManyMaps { count }));
+        }
+    }
+    read("The IFS", value.clone())
+}
+
+/// An IFS object without probabilities.
+pub(crate) fn write_maps(maps: &[Affine2]) -> Result<JsValue, JsValue> {
+    Ok(object(&[("maps", write(&rows(maps))?)]))
+}
+
+pub(crate) fn rows(maps: &[Affine2]) -> Vec<Row> {
+    maps.iter().map(|map| map.to_row()).collect()
+}
+
+pub(crate) fn point(p: DVec2) -> [f64; 2] {
+    p.to_array()
+}
+
+#[derive(Deserialize, Default)]
+#[serde(rename_all = "lowercase")]
+enum ModeName {
+    #[default]
+    Polar,
+    Linear,
+}
+
+#[derive(Deserialize)]
+struct PlainMorph {
+    #[serde(default)]
+    mode: ModeName,
+    #[serde(default)]
+    correspondence: Vec<usize>,
+    #[serde(default)]
+    turns: Vec<i32>,
+}
+
+/// The family between two IFS objects, by the fields `mode`, `correspondence` and `turns` of `options`.
+pub(crate) fn read_morph(from: &JsValue, to: &JsValue, options: &JsValue) -> Result<Morph, JsValue> {
+    let (from, to) = (read_maps(from)?, read_maps(to)?);
+    let plain: PlainMorph = read("The options", options.clone())?;
+    let mode = match plain.mode {
+        ModeName::Polar => Mode::Polar,
+        ModeName::Linear => Mode::Linear,
+    };
+    let options = MorphOptions { mode, correspondence: plain.correspondence, turns: plain.turns };
+    Morph::new(&from, &to, &options).map_err(|error| of_morph(&error))
+}
