@@ -1,0 +1,55 @@
+import "./overlay.css";
+import type { ComponentChildren } from "preact";
+import { useEffect, useId, useRef } from "preact/hooks";
+import { IconButton } from "./Button";
+
+export interface DialogProps {
+  title: string;
+  /** One quiet sentence under the title. */
+  about?: string;
+  onClose: () => void;
+  children: ComponentChildren;
+  wide?: boolean;
+}
+
+/** A native modal dialog: it holds the focus while it is open and gives it back to where it came from. */
+export function Dialog({ title, about, onClose, children, wide = false }: DialogProps) {
+  const id = useId();
+  const dialog = useRef<HTMLDialogElement>(null);
+  useEffect(() => {
+    const element = dialog.current;
+    const opener = document.activeElement;
+    element?.showModal();
+    return () => {
+      element?.close();
+      if (opener instanceof HTMLElement && opener.isConnected) opener.focus({ preventScroll: true });
+    };
+  }, []);
+  return (
+    <dialog
+      ref={dialog}
+      class={`dialog ${wide ? "wide" : ""}`}
+      aria-labelledby={id}
+      onCancel={(event) => {
+        event.preventDefault();
+        onClose();
+      }}
+      onClose={onClose}
+      onPointerDown={(event) => {
+        // Only the backdrop is the dialog itself: everything else lies in the box below.
+        if (event.target === event.currentTarget) onClose();
+      }}
+    >
+      <div class="dialog-box">
+        <header class="dialog-head">
+          <div>
+            <h2 id={id}>{title}</h2>
+            {about !== undefined && <p>{about}</p>}
+          </div>
+          <IconButton icon="close" label="Close" kind="quiet" onClick={onClose} />
+        </header>
+        <div class="dialog-body">{children}</div>
+      </div>
+    </dialog>
+  );
+}

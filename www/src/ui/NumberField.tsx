@@ -1,0 +1,117 @@
+import "./field.css";
+import type { ComponentChildren } from "preact";
+import { useId, useState } from "preact/hooks";
+import { addStep, formatNumber, keyStep, parseNumber, rangeProblem } from "./number";
+
+export interface NumberFieldProps {
+  /** Name in words. */
+  label: string;
+  /** The symbol of the field, small beside the name: u, v, a .. f. */
+  symbol?: string;
+  value: number;
+  step?: number;
+  min?: number;
+  max?: number;
+  /** Decimals shown; the value itself keeps all it has. */
+  digits?: number;
+  unit?: string;
+  /** Show only the symbol; the name is still read out and is the tooltip. */
+  terse?: boolean;
+  disabled?: boolean;
+  /** Takes a value, or says in a sentence why it cannot be; then the last good value stays. */
+  // biome-ignore lint/suspicious/noConfusingVoidType: a caller that cannot refuse returns nothing
+  onChange: (value: number) => string | undefined | void;
+  /** The hand leaves the field: a run of steps ends. */
+  onDone?: () => void;
+  children?: ComponentChildren;
+}
+
+/** A number that can be typed, as a fraction too, or stepped with the arrow keys (shift finer, alt coarser). */
+export function NumberField(props: NumberFieldProps) {
+  const { label, symbol, value, step = 0.01, min, max, digits = 4, unit, terse = false } = props;
+  const id = useId();
+  const [draft, setDraft] = useState<string | null>(null);
+  const [problem, setProblem] = useState<string | null>(null);
+
+  const offer = (next: number, text: string | null) => {
+    const refusal = rangeProblem(next, min, max) ?? props.onChange(next) ?? null;
+    setProblem(refusal);
+    setDraft(refusal === null ? null : text);
+  };
+  const commit = () => {
+    if (draft === null) return;
+    // Text that was touched but says the same keeps the digits that are not shown.
+    if (draft.trim() === formatNumber(value, digits)) {
+      setDraft(null);
+      setProblem(null);
+      return;
+    }
+    const parsed = parseNumber(draft);
+    if (parsed.ok) offer(parsed.value, draft);
+    else setProblem(parsed.message);
+  };
+  const revert = () => {
+    setDraft(null);
+    setProblem(null);
+  };
+
+  return (
+    <div class={`field ${problem === null ? "" : "invalid"}`} title={terse ? label : undefined}>
+      <label for={id} class="field-label">
+        {terse ? <span class="unseen">{label}</span> : <span>{label}</span>}
+        {symbol !== undefined && <span class="symbol">{symbol}</span>}
+      </label>
+      <span class="field-box">
+        <input
+          id={id}
+          type="text"
+          role="spinbutton"
+          autocomplete="off"
+          spellcheck={false}
+          enterkeyhint="done"
+          value={draft ?? formatNumber(value, digits)}
+          disabled={props.disabled ?? false}
+          aria-valuenow={value}
+          aria-valuemin={min}
+          aria-valuemax={max}
+          aria-valuetext={`${formatNumber(value, digits)}${unit ?? ""}`}
+          aria-invalid={problem !== null}
+          aria-describedby={problem === null ? undefined : `${id}-problem`}
+          onFocus={(event) => event.currentTarget.select()}
+          onInput={(event) => setDraft(event.currentTarget.value)}
+          onBlur={() => {
+            commit();
+            props.onDone?.();
+          }}
+          onKeyDown={(event) => {
+            if (event.key === "Enter") commit();
+            else if (event.key === "Escape" && draft !== null) {
+              // Escape takes back the typing here before it closes a dialog around it.
+              event.stopPropagation();
+              event.preventDefault();
+              revert();
+            } else if (event.key === "ArrowUp" || event.key === "ArrowDown" || event.key.startsWith("Page")) {
+              const by = keyStep(event, step);
+              if (by === null) return;
+              event.preventDefault();
+              const parsed = draft === null ? null : parseNumber(draft);
+              const next = addStep(parsed?.ok === true ? parsed.value : value, by);
+              offer(Math.min(max ?? next, Math.max(min ?? next, next)), null);
+            }
+          }}
+        />
+        {unit !== undefined && (
+          <span class="unit" aria-hidden="true">
+            {unit}
+          </span>
+        )}
+        {props.children}
+      </span>
+      {problem !== null && (
+        <p class="field-problem" id={`${id}-problem`} role="alert">
+          {problem} <span class="kept">Kept: {formatNumber(value, digits)}.</span>
+        </p>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,26 @@
+import "./choice.css";
+import type { ComponentChildren } from "preact";
+
+export interface SwitchProps {
+  children: ComponentChildren;
+  checked: boolean;
+  onChange: (checked: boolean) => void;
+  description?: string;
+}
+
+/** On or off, at once. */
+export function Switch({ children, checked, onChange, description }: SwitchProps) {
+  return (
+    <label class="switch" title={description}>
+      <input
+        type="checkbox"
+        role="switch"
+        checked={checked}
+        aria-checked={checked}
+        onChange={(event) => onChange(event.currentTarget.checked)}
+      />
+      <span class="switch-track" aria-hidden="true" />
+      <span>{children}</span>
+    </label>
+  );
+}

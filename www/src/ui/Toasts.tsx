@@ -1,0 +1,39 @@
+import "./overlay.css";
+import { Button, IconButton } from "./Button";
+
+export interface Toast {
+  id: number;
+  kind: "info" | "error";
+  text: string;
+  action?: { label: string; run: () => void };
+}
+
+export interface ToastsProps {
+  toasts: readonly Toast[];
+  onDismiss: (id: number) => void;
+}
+
+/** Short notices in a corner. Errors are read out at once, the others when there is a pause. */
+export function Toasts({ toasts, onDismiss }: ToastsProps) {
+  return (
+    <section class="toasts" aria-label="Notices">
+      {toasts.map((toast) => (
+        <div key={toast.id} class={`toast ${toast.kind}`} role={toast.kind === "error" ? "alert" : "status"}>
+          <p>{toast.text}</p>
+          {toast.action !== undefined && (
+            <Button
+              kind="quiet"
+              onClick={() => {
+                toast.action?.run();
+                onDismiss(toast.id);
+              }}
+            >
+              {toast.action.label}
+            </Button>
+          )}
+          <IconButton icon="close" label="Dismiss" kind="quiet" onClick={() => onDismiss(toast.id)} />
+        </div>
+      ))}
+    </section>
+  );
+}

@@ -1,0 +1,113 @@
+/** Numbers as people type them, and as fields show them. */
+
+export type Parsed = { ok: true; value: number } | { ok: false; message: string };
+
+const TERM = /^(?:√|sqrt)?\(?(\d+(?:\.\d*)?(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?|π|pi)\)?/i;
+const HINT = "Type a number such as 0.5, 1/3 or √3/2.";
+
+function term(text: string): { value: number; length: number } | null {
+  const match = TERM.exec(text);
+  if (match === null) return null;
+  const digits = match[1] ?? "";
+  const plain = /^(π|pi)$/i.test(digits) ? Math.PI : Number(digits);
+  const root = /^(√|sqrt)/i.test(text);
+  return { value: root ? Math.sqrt(plain) : plain, length: match[0].length };
+}
+
+/**
+ * Reads a decimal, a fraction, a root or a product of these: `-.5`, `1/3`, `2*√3/4`, `1e-3`, `0,25`, `50%`.
+ * The result is finite or it is a message that says what to type.
+ */
+export function parseNumber(input: string): Parsed {
+  let text = input.trim().replace(/[−–]/g, "-").replace(/×|·/g, "*").replace(/\s+/g, "");
+  // A single comma between digits is a decimal comma; anything else with commas is not a number.
+  if (/^[^,]*\d,\d[^,]*$/.test(text)) text = text.replace(",", ".");
+  if (text === "") return { ok: false, message: HINT };
+  let sign = 1;
+  if (text.startsWith("-") || text.startsWith("+")) {
+    sign = text.startsWith("-") ? -1 : 1;
+    text = text.slice(1);
+  }
+  let percent = 1;
+  if (text.endsWith("%")) {
+    percent = 0.01;
+    text = text.slice(0, -1);
+  }
+  const first = term(text);
+  if (first === null) return { ok: false, message: HINT };
+  let value = first.value;
+  text = text.slice(first.length);
+  while (text !== "") {
+    const operator = text[0];
+    const next = term(text.slice(1));
+    if ((operator !== "*" && operator !== "/") || next === null) return { ok: false, message: HINT };
+    value = operator === "*" ? value * next.value : value / next.value;
+    text = text.slice(1 + next.length);
+  }
+  value *= sign * percent;
+  if (!Number.isFinite(value))
+    return { ok: false, message: "That number is too large, or it divides by zero." };
+  return { ok: true, value: value === 0 ? 0 : value };
+}
+
+/** Says what is wrong with a number outside a range, or nothing. Both ends belong to the range. */
+export function rangeProblem(value: number, min?: number, max?: number): string | undefined {
+  if (min !== undefined && value < min) return `At least ${formatNumber(min)}, please.`;
+  if (max !== undefined && value > max) return `At most ${formatNumber(max)}, please.`;
+  return undefined;
+}
+
+/** Shortest text with at most `digits` decimals, without trailing zeros, with a true minus sign. */
+export function formatNumber(value: number, digits = 4): string {
+  if (!Number.isFinite(value)) return "–";
+  const size = Math.abs(value);
+  const text =
+    size >= 1e6 || (size > 0 && size < 0.5 * 10 ** -digits)
+      ? value.toExponential(2).replace("e+", "e")
+      : value
+          .toFixed(digits)
+          .replace(/(\.\d*?)0+$/, "$1")
+          .replace(/\.$/, "");
+  return text.replace("-", "−");
+}
+
+/** A fixed number of decimals, so that a readout does not dance while it changes. */
+export function fixed(value: number, digits = 2): string {
+  if (!Number.isFinite(value)) return "–";
+  const text = value.toFixed(digits);
+  return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−");
+}
+
+/** `value + step`, rounded to the decimals of the two, so that 0.1 + 0.2 is 0.3. */
+export function addStep(value: number, step: number): number {
+  const decimals = (x: number) => {
+    const text = x.toExponential();
+    const [mantissa = "", exponent = "0"] = text.split("e");
+    return Math.max(0, (mantissa.split(".")[1] ?? "").length - Number(exponent));
+  };
+  const digits = Math.min(12, Math.max(decimals(value), decimals(step)));
+  const sum = Number((value + step).toFixed(digits));
+  return sum === 0 ? 0 : sum;
+}
+
+/** How far one key press moves a value: shift is finer by ten, alt coarser by ten. Null for other keys. */
+export function keyStep(
+  event: { key: string; shiftKey: boolean; altKey: boolean },
+  step: number,
+): number | null {
+  const scale = event.shiftKey ? 0.1 : event.altKey ? 10 : 1;
+  switch (event.key) {
+    case "ArrowUp":
+    case "ArrowRight":
+      return step * scale;
+    case "ArrowDown":
+    case "ArrowLeft":
+      return -step * scale;
+    case "PageUp":
+      return step * 10;
+    case "PageDown":
+      return -step * 10;
+    default:
+      return null;
+  }
+}

@@ -1,0 +1,59 @@
+import type { Colouring, Mode } from "../../engine/api";
+import { edit, scene } from "../../state/scene";
+import { Segmented } from "../../ui/Segmented";
+import { Switch } from "../../ui/Switch";
+
+const MODES: readonly { value: Mode; label: string; description: string }[] = [
+  {
+    value: "polar",
+    label: "Turning",
+    description: "Polar: each map turns and stretches on its own, so pieces keep their size",
+  },
+  { value: "linear", label: "Linear", description: "Number by number: pieces shrink and flatten half-way" },
+];
+
+const COLOURINGS: readonly { value: Colouring; label: string; description: string }[] = [
+  { value: "map", label: "Map", description: "One colour for each of the largest copies" },
+  { value: "address", label: "Address", description: "A shade for each copy of a copy" },
+  { value: "density", label: "Density", description: "Brighter where points fall more often" },
+];
+
+/** How it moves from one shape to the other, and how it is coloured. */
+export function MotionPanel() {
+  const { mode, compare, colouring } = scene.value;
+  return (
+    <section class="motion" aria-label="Motion and colour">
+      <div class="row">
+        <span class="row-name" aria-hidden="true">
+          Motion
+        </span>
+        <Segmented
+          label="Motion"
+          value={mode}
+          options={MODES}
+          onChange={(next) => edit((before) => ({ ...before, mode: next }))}
+        />
+      </div>
+      <div class="row">
+        <Switch
+          checked={compare}
+          description="The turning morph and the linear one at the same moment"
+          onChange={(next) => edit((before) => ({ ...before, compare: next }))}
+        >
+          Turning and linear side by side
+        </Switch>
+      </div>
+      <div class="row">
+        <span class="row-name" aria-hidden="true">
+          Colour by
+        </span>
+        <Segmented
+          label="Colour by"
+          value={colouring}
+          options={COLOURINGS}
+          onChange={(next) => edit((before) => ({ ...before, colouring: next }))}
+        />
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,87 @@
+import { describe, expect, it } from "vitest";
+import type { MapRow, Scene } from "../../engine/api";
+import { asBoth, choose, flatPairs, MOST_POINTS, setMaps, setPoints, swap } from "./changes";
+
+const half: MapRow = [0.5, 0, 0, 0.5, 0, 0];
+const mirror: MapRow = [0.5, 0, 0, -0.5, 0, 0];
+const flat: MapRow = [0, 0, 0, 0.16, 0, 0];
+
+const scene: Scene = {
+  a: { preset: "one", name: "One", maps: [half, half, half] },
+  b: { name: "Two", maps: [half, mirror, half] },
+  mode: "polar",
+  path: {
+    kind: "drawn",
+    points: [
+      [0.1, 0.5],
+      [0.7, 1.5],
+    ],
+  },
+  t: 0.25,
+  correspondence: [2, 0, 1],
+  turns: [1, 0, -2],
+  colouring: "map",
+  compare: false,
+};
+
+describe("shapes", () => {
+  it("asks anew which map becomes which when a shape is chosen", () => {
+    const next = choose(scene, "b", { id: "three", name: "Three", about: "", maps: [half] });
+    expect(next.b).toEqual({ preset: "three", name: "Three", maps: [half] });
+    expect(next.correspondence).toEqual([]);
+    expect(next.turns).toEqual([]);
+    expect(next.a).toBe(scene.a);
+  });
+  it("copies an end to the other", () => {
+    expect(asBoth(scene, "a").b).toEqual(scene.a);
+    expect(asBoth(scene, "b").a).toEqual(scene.b);
+  });
+  it("takes edited maps out of the gallery, and keeps the pairs while their number stays", () => {
+    const moved = setMaps(scene, "a", [half, mirror, half]);
+    expect(moved.a).toEqual({ name: "One", maps: [half, mirror, half] });
+    expect(moved.correspondence).toEqual([2, 0, 1]);
+    expect(setMaps(scene, "a", [half, half]).correspondence).toEqual([]);
+  });
+});
+
+describe("swap", () => {
+  it("runs the same morph backwards", () => {
+    const back = swap(scene);
+    expect(back.a).toBe(scene.b);
+    expect(back.t).toBe(0.75);
+    expect(back.path.points[0]?.[0]).toBeCloseTo(0.3, 12);
+    expect(back.path.points[0]?.[1]).toBeCloseTo(-0.5, 12);
+    // Map 1 became map 3 with one turn: now 3 becomes 1 with one turn the other way.
+    expect(back.correspondence).toEqual([1, 2, 0]);
+    expect(back.turns).toEqual([0, 2, -1]);
+  });
+  it("is its own inverse", () => {
+    const twice = swap(swap(scene));
+    expect(twice.correspondence).toEqual(scene.correspondence);
+    expect(twice.turns).toEqual(scene.turns);
+    expect(twice.t).toBe(scene.t);
+    twice.path.points.forEach((p, i) => {
+      expect(p[0]).toBeCloseTo(scene.path.points[i]?.[0] ?? Number.NaN, 12);
+    });
+  });
+});
+
+describe("setPoints", () => {
+  it("makes the path a drawn one, of no more points than a link holds", () => {
+    const many = Array.from({ length: 100 }, (): [number, number] => [0, 0]);
+    const next = setPoints({ ...scene, path: { kind: "auto", points: [] } }, many);
+    expect(next.path.kind).toBe("drawn");
+    expect(next.path.points).toHaveLength(MOST_POINTS);
+  });
+});
+
+describe("flatPairs", () => {
+  it("names the pairs that reflect oppositely, by number from 1", () => {
+    expect(flatPairs([half, half, half], [half, mirror, half], [])).toEqual([2]);
+    expect(flatPairs([half, half, half], [half, mirror, half], [1, 0, 2])).toEqual([1]);
+    expect(flatPairs([mirror], [mirror], [])).toEqual([]);
+  });
+  it("leaves out maps that are flat already, and lists of other lengths", () => {
+    expect(flatPairs([flat, mirror], [mirror], [])).toEqual([]);
+  });
+});

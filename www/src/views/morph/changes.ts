@@ -1,0 +1,78 @@
+/** What the panel does to the document, as functions from scene to scene. */
+import type { MapRow, Preset, Scene, Shape } from "../../engine/api";
+
+export type End = "a" | "b";
+
+export const other = (end: End): End => (end === "a" ? "b" : "a");
+
+/** The ends as people call them. */
+export const nameOf = (end: End): string => (end === "a" ? "A" : "B");
+
+export const MOST_MAPS = 64;
+export const MOST_POINTS = 64;
+
+/** A shape of the gallery at one end. */
+export function choose(scene: Scene, end: End, preset: Preset): Scene {
+  return withShape(scene, end, { preset: preset.id, name: preset.name, maps: preset.maps });
+}
+
+/** The shape of one end at both. */
+export function asBoth(scene: Scene, end: End): Scene {
+  return withShape(scene, other(end), scene[end]);
+}
+
+/** Another shape: which map becomes which is asked anew. */
+function withShape(scene: Scene, end: End, shape: Shape): Scene {
+  return { ...scene, [end]: shape, correspondence: [], turns: [] };
+}
+
+/**
+ * Other maps at one end. The shape keeps its name, and is no longer the gallery's. Which map becomes which is told by
+ * number, so it holds only while there are as many maps as before.
+ */
+export function setMaps(scene: Scene, end: End, maps: MapRow[]): Scene {
+  const shape: Shape = { name: scene[end].name, maps };
+  if (maps.length !== scene[end].maps.length) return withShape(scene, end, shape);
+  return { ...scene, [end]: shape };
+}
+
+/** The same morph, run from the other side. */
+export function swap(scene: Scene): Scene {
+  const points = scene.path.points.map(([u, v]): [number, number] => [1 - u, 1 - v]).reverse();
+  const correspondence: number[] = [];
+  const turns: number[] = [];
+  scene.correspondence.forEach((to, from) => {
+    correspondence[to] = from;
+  });
+  scene.turns.forEach((turn, from) => {
+    turns[scene.correspondence[from] ?? from] = turn === 0 ? 0 : -turn;
+  });
+  return {
+    ...scene,
+    a: scene.b,
+    b: scene.a,
+    path: { ...scene.path, points },
+    t: 1 - scene.t,
+    correspondence,
+    turns,
+  };
+}
+
+/** Way points as the hand left them: the path is drawn from now on. */
+export function setPoints(scene: Scene, points: [number, number][]): Scene {
+  return { ...scene, path: { kind: "drawn", points: points.slice(0, MOST_POINTS) } };
+}
+
+/** Pairs, numbered from 1, whose two maps reflect oppositely: on the way such a map must become flat. */
+export function flatPairs(
+  from: readonly MapRow[],
+  to: readonly MapRow[],
+  correspondence: readonly number[],
+): number[] {
+  const det = (m: MapRow | undefined) => (m === undefined ? 0 : m[0] * m[3] - m[1] * m[2]);
+  const found: number[] = [];
+  from.forEach((map, i) => {
+    if (det(map) * det(to[correspondence[i] ?? i]) < 0) found.push(i + 1);
+  });
+  return found;
+}

@@ -1,0 +1,113 @@
+import type { Uv } from "../../../state/path";
+import { endGesture, scene } from "../../../state/scene";
+import { addStep } from "../../../ui/number";
+import { scrubTo } from "../strip/scrub";
+import { addAfter, addHere, chosen, moveTo, pick, pointWords, removeAt, stateAt } from "./way";
+
+/** Marks handles in the page: the pointer looks them up by place, keys and tests by this. */
+export const handleId = (index: number): string => `way-point-${index}`;
+export const CURRENT_ID = "path-moment";
+
+export function focusHandle(index: number | null): void {
+  // The handle is drawn after the state has changed.
+  requestAnimationFrame(() =>
+    document.getElementById(index === null ? CURRENT_ID : handleId(index))?.focus(),
+  );
+}
+
+const at100 = ([x, y]: [number, number]) => ({ left: `${100 * x}%`, top: `${100 * y}%` });
+
+/** The step of one arrow key in u and v: shift a tenth of it, alt ten times. Null for other keys. */
+function arrows(event: KeyboardEvent): Uv | null {
+  const step = event.shiftKey ? 0.001 : event.altKey ? 0.1 : 0.01;
+  switch (event.key) {
+    case "ArrowRight":
+      return [step, 0];
+    case "ArrowLeft":
+      return [-step, 0];
+    case "ArrowUp":
+      return [0, step];
+    case "ArrowDown":
+      return [0, -step];
+    default:
+      return null;
+  }
+}
+
+const isAdd = (key: string) => key === "+" || key === "Insert" || key === "Enter";
+const isRemove = (key: string) => key === "Delete" || key === "Backspace" || key === "-";
+
+export interface WayHandleProps {
+  index: number;
+  count: number;
+  point: Uv;
+  at: [number, number];
+  chosen: boolean;
+}
+
+/** A way point: arrows move it, plus adds one behind it, Delete takes it away. */
+export function WayHandle({ index, count, point, at, chosen: isChosen }: WayHandleProps) {
+  const [u, v] = point;
+  return (
+    <div
+      id={handleId(index)}
+      class={`handle way ${isChosen ? "chosen" : ""}`}
+      style={at100(at)}
+      role="slider"
+      tabIndex={0}
+      aria-label={`Way point ${index + 1} of ${count}`}
+      aria-valuenow={u}
+      aria-valuemin={-1}
+      aria-valuemax={2}
+      aria-valuetext={`${pointWords(point)}, ${stateAt(point)}`}
+      onFocus={() => pick(index)}
+      onKeyDown={(event) => {
+        if (event.ctrlKey || event.metaKey) return;
+        const by = arrows(event);
+        if (by !== null) moveTo(index, [addStep(u, by[0]), addStep(v, by[1])], `way-key-${index}`);
+        else if (isAdd(event.key)) focusHandle(addAfter(index));
+        else if (isRemove(event.key)) {
+          removeAt(index);
+          focusHandle(count > 1 ? Math.max(0, index - 1) : null);
+        } else return;
+        event.preventDefault();
+        event.stopPropagation();
+      }}
+      onKeyUp={endGesture}
+      onBlur={endGesture}
+    />
+  );
+}
+
+/** Where on the path the picture is now: arrows scrub, plus adds a way point here. */
+export function CurrentHandle({ at, words }: { at: [number, number]; words: string }) {
+  const { t } = scene.value;
+  return (
+    <div
+      id={CURRENT_ID}
+      class="handle current"
+      style={at100(at)}
+      role="slider"
+      tabIndex={0}
+      aria-label="Place on the path"
+      aria-valuenow={Math.round(1000 * t) / 10}
+      aria-valuemin={0}
+      aria-valuemax={100}
+      aria-valuetext={words}
+      onFocus={() => {
+        if (chosen.peek() !== null) pick(null);
+      }}
+      onKeyDown={(event) => {
+        if (event.ctrlKey || event.metaKey) return;
+        const by = arrows(event);
+        if (by !== null) scrubTo(addStep(t, by[0] + by[1]));
+        else if (event.key === "Home") scrubTo(0);
+        else if (event.key === "End") scrubTo(1);
+        else if (isAdd(event.key)) focusHandle(addHere());
+        else return;
+        event.preventDefault();
+        event.stopPropagation();
+      }}
+    />
+  );
+}

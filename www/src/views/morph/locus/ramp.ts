@@ -1,0 +1,47 @@
+/** Colours of the gap field: cream where it holds together, then from mauve to navy as the gap widens. */
+
+export type Rgb = readonly [r: number, g: number, b: number];
+
+/** In one piece. Far lighter than the rest, so that the border is seen without seeing hue. */
+export const HOLDS: Rgb = [246, 240, 226];
+/** Broken, where no size is shown. */
+export const BROKEN: Rgb = [36, 31, 82];
+export const NONE: Rgb = [118, 118, 124];
+export const UNDECIDED: Rgb = [176, 172, 166];
+
+/** Lightness falls all the way, for eyes and printers that know no hue. */
+const STOPS: readonly (readonly [at: number, colour: Rgb])[] = [
+  [0, [146, 108, 168]],
+  [0.35, [92, 64, 130]],
+  [0.7, [44, 36, 92]],
+  [1, [15, 17, 44]],
+];
+
+/** The gaps at the two ends of the scale, relative to the size of the shape: what 600 pixels resolve, and all of it. */
+export const NARROWEST = 1 / 600;
+export const WIDEST = 1;
+
+/** Where a relative gap lies on the scale, 0 to 1: by its logarithm, since narrow gaps are what matters. */
+export function shadeOf(gap: number): number {
+  if (!(gap > NARROWEST)) return 0;
+  return Math.min(1, Math.log(gap / NARROWEST) / Math.log(WIDEST / NARROWEST));
+}
+
+/** The colour at a place of the scale. */
+export function ramp(shade: number): Rgb {
+  const s = Math.min(1, Math.max(0, shade));
+  const upper = Math.max(
+    1,
+    STOPS.findIndex(([at]) => at >= s),
+  );
+  const [s0, from] = STOPS[upper - 1] ?? [0, HOLDS];
+  const [s1, to] = STOPS[upper] ?? [1, HOLDS];
+  const k = (s - s0) / (s1 - s0);
+  const mix = (i: 0 | 1 | 2) => Math.round(from[i] + k * (to[i] - from[i]));
+  return [mix(0), mix(1), mix(2)];
+}
+
+/** The scale as a CSS gradient, for the legend. */
+export function gradient(): string {
+  return `linear-gradient(to right, ${STOPS.map(([at, c]) => `rgb(${c.join(" ")}) ${100 * at}%`).join(", ")})`;
+}

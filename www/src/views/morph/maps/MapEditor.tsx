@@ -1,0 +1,203 @@
+import "./maps.css";
+import { useState } from "preact/hooks";
+import type { MapRow } from "../../../engine/api";
+import { frond } from "../../../engine/wasm";
+import { selection } from "../../../state/morph";
+import { announce, wordsOf } from "../../../state/notice";
+import { edit, endGesture, scene } from "../../../state/scene";
+import { Button, IconButton } from "../../../ui/Button";
+import { Segmented } from "../../../ui/Segmented";
+import { type End, MOST_MAPS, nameOf, setMaps } from "../changes";
+import { originOf } from "../presets";
+import { Swatch } from "../shapes/Swatch";
+import { halfAbout, mapWords, reflect } from "./affine";
+import { NumberFields, PartFields } from "./MapFields";
+
+/** Why maps cannot be a shape, in a sentence; nothing where they can. */
+function problemWith(maps: MapRow[]): string | undefined {
+  try {
+    frond.validate({ maps });
+    return undefined;
+  } catch (problem) {
+    return wordsOf(problem);
+  }
+}
+
+/** The middle of a shape, for what is mirrored or added. */
+function middle(maps: MapRow[]): [number, number] {
+  try {
+    const { min, max } = frond.bounds({ maps });
+    return [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2];
+  } catch {
+    return [0, 0];
+  }
+}
+
+/** The maps of one end by numbers; on the stage the same maps are parallelograms to drag. */
+export function MapEditor({ target, chosen }: { target: End; chosen: number | null }) {
+  const [form, setForm] = useState<"parts" | "numbers">("parts");
+  const [problem, setProblem] = useState<string | null>(null);
+  const shape = scene.value[target];
+  const { maps } = shape;
+  const origin = originOf(shape);
+  const pick = (map: number | null) => {
+    selection.value = { target, map };
+  };
+
+  /** Takes a set that is a shape; of any other it says what is wrong, and the last good one stays. */
+  const offer = (next: MapRow[], gesture?: string): string | undefined => {
+    const refusal = problemWith(next);
+    if (refusal !== undefined) return refusal;
+    setProblem(null);
+    edit((before) => setMaps(before, target, next), gesture === undefined ? {} : { gesture });
+    return undefined;
+  };
+  /** The same for a button, whose refusal is told under the list. */
+  const press = (next: MapRow[], then: number | null, said: string) => {
+    const refusal = offer(next);
+    if (refusal !== undefined) return setProblem(`${refusal} The maps stay as they were.`);
+    pick(then);
+    announce(said);
+  };
+  const change = (index: number, map: MapRow, gesture?: string) =>
+    offer(
+      maps.map((old, i) => (i === index ? map : old)),
+      gesture,
+    );
+
+  const tools = (index: number, map: MapRow) => (
+    <div class="map-tools">
+      <IconButton
+        icon="copy"
+        label="Duplicate this map"
+        kind="quiet"
+        disabled={maps.length >= MOST_MAPS}
+        onClick={() =>
+          press([...maps, map], maps.length, `Map ${maps.length + 1} is a copy of map ${index + 1}.`)
+        }
+      />
+      <IconButton
+        icon="reflect"
+        label="Mirror this map"
+        kind="quiet"
+        onClick={() => {
+          const mirrored = reflect(map, middle(maps)[0]);
+          press(
+            maps.map((old, i) => (i === index ? mirrored : old)),
+            index,
+            `Map ${index + 1} is mirrored.`,
+          );
+        }}
+      />
+      <IconButton
+        icon="bin"
+        label="Remove this map"
+        kind="quiet"
+        disabled={maps.length < 2}
+        onClick={() =>
+          press(
+            maps.filter((_, i) => i !== index),
+            Math.max(0, index - 1),
+            `Map ${index + 1} is removed.`,
+          )
+        }
+      />
+    </div>
+  );
+
+  return (
+    <section class="editor" aria-label={`Maps of shape ${nameOf(target)}`}>
+      <header class="section-head">
+        <h2>
+          Maps of {nameOf(target)}: {shape.name}
+        </h2>
+        <Button
+          kind="primary"
+          icon="check"
+          onClick={() => {
+            selection.value = null;
+          }}
+        >
+          Done
+        </Button>
+      </header>
+      <p class="hint">
+        Drag the outlines on the picture, or type. Fractions and roots are read too: 1/3, √3/2.
+      </p>
+      <Segmented
+        label="How a map is told"
+        value={form}
+        onChange={setForm}
+        options={[
+          { value: "parts", label: "Turn, stretch, move" },
+          { value: "numbers", label: "Six numbers" },
+        ]}
+      />
+      <ol class="maps">
+        {maps.map((map, index) => {
+          const open = chosen === index;
+          const Fields = form === "parts" ? PartFields : NumberFields;
+          return (
+            // Maps have no name but their number: it is their key.
+            <li key={index} class={`map ${open ? "open" : ""}`}>
+              <button
+                type="button"
+                class="map-head"
+                aria-expanded={open}
+                onClick={() => pick(open ? null : index)}
+              >
+                <Swatch map={index} />
+                <span class="unseen">Map {index + 1}: </span>
+                <span class="map-words">{mapWords(map)}</span>
+              </button>
+              {open && (
+                <div class="map-body">
+                  <Fields
+                    map={map}
+                    onChange={(next, field) => change(index, next, `map-${target}-${index}-${field}`)}
+                    onDone={endGesture}
+                  />
+                  {tools(index, map)}
+                </div>
+              )}
+            </li>
+          );
+        })}
+      </ol>
+      {problem !== null && (
+        <p class="problem" role="alert">
+          {problem}
+        </p>
+      )}
+      <div class="editor-foot">
+        <Button
+          icon="add"
+          disabled={maps.length >= MOST_MAPS}
+          onClick={() =>
+            press([...maps, halfAbout(middle(maps))], maps.length, `Map ${maps.length + 1} is new.`)
+          }
+        >
+          Add a map
+        </Button>
+        <Button
+          kind="quiet"
+          icon="reset"
+          disabled={origin === undefined || shape.preset !== undefined}
+          description={origin === undefined ? "This shape is not from the gallery" : `Back to ${origin.name}`}
+          onClick={() => {
+            if (origin === undefined) return;
+            setProblem(null);
+            edit((before) => ({
+              ...before,
+              [target]: { preset: origin.id, name: origin.name, maps: origin.maps },
+            }));
+            pick(0);
+            announce(`Back to ${origin.name}.`);
+          }}
+        >
+          Reset
+        </Button>
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,94 @@
+import type { MapRow } from "../../../engine/api";
+import { NumberField } from "../../../ui/NumberField";
+import { compose, decompose, type Parts } from "./affine";
+
+export interface MapFieldsProps {
+  map: MapRow;
+  /** Takes the map, or says why it cannot be. `field` names what was changed, so that a run of steps is one undo. */
+  onChange: (map: MapRow, field: string) => string | undefined;
+  onDone: () => void;
+}
+
+const PARTS: readonly { key: keyof Parts; label: string; step: number; digits: number; unit?: string }[] = [
+  { key: "turn", label: "Turn", step: 1, digits: 2, unit: "°" },
+  { key: "slant", label: "Slant", step: 0.01, digits: 4 },
+  { key: "stretchX", label: "Stretch across", step: 0.01, digits: 4, unit: "×" },
+  { key: "stretchY", label: "Stretch up", step: 0.01, digits: 4, unit: "×" },
+  { key: "moveX", label: "Move across", step: 0.01, digits: 4 },
+  { key: "moveY", label: "Move up", step: 0.01, digits: 4 },
+];
+
+/** Turn, stretch and move: how a hand would say it. A negative stretch mirrors. */
+export function PartFields({ map, onChange, onDone }: MapFieldsProps) {
+  const parts = decompose(map);
+  return (
+    <div class="map-fields">
+      {PARTS.map(({ key, label, step, digits, unit }) => (
+        <NumberField
+          key={key}
+          label={label}
+          value={parts[key]}
+          step={step}
+          digits={digits}
+          {...(unit === undefined ? {} : { unit })}
+          onChange={(value) => onChange(compose({ ...parts, [key]: value }), key)}
+          onDone={onDone}
+        />
+      ))}
+    </div>
+  );
+}
+
+const ROWS = [
+  {
+    axis: "x′",
+    cells: [
+      [0, "a", "New x from x"],
+      [1, "b", "New x from y"],
+      [4, "e", "Move across"],
+    ],
+  },
+  {
+    axis: "y′",
+    cells: [
+      [2, "c", "New y from x"],
+      [3, "d", "New y from y"],
+      [5, "f", "Move up"],
+    ],
+  },
+] as const;
+
+/** The six numbers, laid out as the two equations that they are. */
+export function NumberFields({ map, onChange, onDone }: MapFieldsProps) {
+  return (
+    <div class="map-equations">
+      {ROWS.map(({ axis, cells }) => (
+        <div key={axis} class="map-equation">
+          <span class="map-axis" aria-hidden="true">
+            {axis} =
+          </span>
+          {cells.map(([index, symbol, label]) => (
+            <NumberField
+              key={symbol}
+              terse
+              label={`${label}, ${symbol}`}
+              symbol={
+                symbol === "e" || symbol === "f"
+                  ? symbol
+                  : `${symbol} ${symbol === "a" || symbol === "c" ? "x" : "y"}`
+              }
+              value={map[index]}
+              digits={5}
+              onChange={(value) => {
+                const next: MapRow = [...map];
+                next[index] = value;
+                return onChange(next, symbol);
+              }}
+              onDone={onDone}
+            />
+          ))}
+        </div>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,91 @@
+import "./shapes.css";
+import { thumbnails } from "../../../engine/results";
+import { selection } from "../../../state/morph";
+import { announce } from "../../../state/notice";
+import { edit, scene } from "../../../state/scene";
+import { Button, IconButton } from "../../../ui/Button";
+import { Menu } from "../../../ui/Menu";
+import { asBoth, type End, nameOf, other, swap } from "../changes";
+import { gallery } from "../dialogs";
+import { Thumbnail } from "./Thumbnail";
+
+/** The two ends of the morph, with the arrow that swaps them. */
+export function Ends() {
+  return (
+    <section class="ends" aria-label="The two shapes">
+      <Card end="a" />
+      <IconButton
+        icon="swap"
+        label="Swap A and B"
+        kind="quiet"
+        class="ends-swap"
+        onClick={() => {
+          edit(swap);
+          announce(`Swapped: from ${scene.peek().a.name} to ${scene.peek().b.name}.`);
+        }}
+      />
+      <Card end="b" />
+    </section>
+  );
+}
+
+function Card({ end }: { end: End }) {
+  const { name, maps, preset } = scene.value[end];
+  const editing = selection.value?.target === end;
+  const count = `${maps.length} ${maps.length === 1 ? "map" : "maps"}`;
+  const rest = preset === undefined ? `${count}, edited` : count;
+  return (
+    <div class={`card ${editing ? "editing" : ""}`}>
+      <button
+        type="button"
+        class="card-face"
+        aria-haspopup="dialog"
+        aria-label={`Shape ${nameOf(end)}: ${name}, ${rest}. Choose another`}
+        title="Choose another shape"
+        onClick={() => {
+          gallery.value = end;
+        }}
+      >
+        <Thumbnail bitmap={thumbnails.value.get(end) ?? thumbnails.value.get(preset ?? "")} />
+        <span class="card-end" aria-hidden="true">
+          {nameOf(end)}
+        </span>
+        <span class="card-name">{name}</span>
+        <span class="card-count">{rest}</span>
+      </button>
+      <div class="card-tools">
+        <Button
+          kind="quiet"
+          icon="edit"
+          pressed={editing}
+          description={`Change the maps of shape ${nameOf(end)}`}
+          onClick={() => {
+            selection.value = editing ? null : { target: end, map: 0 };
+          }}
+        >
+          Edit<span class="unseen"> the maps of {nameOf(end)}</span>
+        </Button>
+        <Menu
+          label={`More for shape ${nameOf(end)}`}
+          items={[
+            {
+              label: "Choose another …",
+              icon: "grid",
+              onSelect: () => {
+                gallery.value = end;
+              },
+            },
+            {
+              label: `Use as ${nameOf(other(end))} too`,
+              icon: "copy",
+              onSelect: () => {
+                edit((before) => asBoth(before, end));
+                announce(`${name} is now at both ends.`);
+              },
+            },
+          ]}
+        />
+      </div>
+    </div>
+  );
+}

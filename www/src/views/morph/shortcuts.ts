@@ -1,0 +1,186 @@
+/** Keys that work anywhere on the page, unless something is being typed or a dialog is open. */
+import { view } from "../../canvas/view";
+import type { Colouring } from "../../engine/api";
+import { selection } from "../../state/morph";
+import { pause, play, playing } from "../../state/playback";
+import { edit, redo, scene, undo } from "../../state/scene";
+import { addStep } from "../../ui/number";
+import type { ShortcutRow } from "../../ui/ShortcutTable";
+import { gallery, help } from "./dialogs";
+import { frames } from "./strip/FilmStrip";
+import { scrubTo } from "./strip/scrub";
+
+export interface KeyPress {
+  key: string;
+  shiftKey: boolean;
+  ctrlKey: boolean;
+  metaKey: boolean;
+  altKey: boolean;
+}
+
+export type Command =
+  | { do: "play" | "undo" | "redo" | "fit" | "edit" | "gallery" | "help" }
+  | { do: "scrub"; by: number }
+  | { do: "frame"; by: 1 | -1 }
+  | { do: "colour"; by: Colouring };
+
+/** What has the focus: typing takes every key, a control keeps the keys that it lives by. */
+export type Focus = "typing" | "slider" | "control" | "none";
+
+const COLOURS: Record<string, Colouring> = { "1": "map", "2": "address", "3": "density" };
+
+/** The command of a key press, or null where the page has none. */
+export function commandOf(press: KeyPress, focus: Focus): Command | null {
+  const { key, shiftKey, altKey } = press;
+  if (focus === "typing") return null;
+  if (press.ctrlKey || press.metaKey) {
+    if (altKey) return null;
+    if (key.toLowerCase() === "z") return { do: shiftKey ? "redo" : "undo" };
+    return key.toLowerCase() === "y" ? { do: "redo" } : null;
+  }
+  if (altKey) return null;
+  if (key === " ") return focus === "none" || focus === "slider" ? { do: "play" } : null;
+  if (key === "ArrowLeft" || key === "ArrowRight") {
+    if (focus === "slider" || focus === "control") return null;
+    return { do: "scrub", by: (key === "ArrowLeft" ? -1 : 1) * (shiftKey ? 0.001 : 0.01) };
+  }
+  const colour = COLOURS[key];
+  if (colour !== undefined) return { do: "colour", by: colour };
+  switch (key.toLowerCase()) {
+    case "[":
+      return { do: "frame", by: -1 };
+    case "]":
+      return { do: "frame", by: 1 };
+    case "z":
+      return { do: shiftKey ? "redo" : "undo" };
+    case "f":
+      return { do: "fit" };
+    case "e":
+      return { do: "edit" };
+    case "g":
+      return { do: "gallery" };
+    case "?":
+      return { do: "help" };
+    default:
+      return null;
+  }
+}
+
+/** The moment of the next frame of the film, in a direction; the end where there is none. */
+export function nextFrame(moments: readonly number[], t: number, by: 1 | -1): number {
+  const sorted = [...moments].sort((x, y) => x - y);
+  const ahead = by > 0 ? sorted.find((x) => x > t + 1e-6) : sorted.findLast((x) => x < t - 1e-6);
+  return ahead ?? (by > 0 ? 1 : 0);
+}
+
+function focusOf(target: EventTarget | null): Focus {
+  if (!(target instanceof HTMLElement)) return "none";
+  if (target.isContentEditable || target.matches("textarea, select")) return "typing";
+  if (target instanceof HTMLInputElement) {
+    if (target.type === "range") return "slider";
+    return target.type === "radio" || target.type === "checkbox" ? "control" : "typing";
+  }
+  if (target.getAttribute("role") === "slider") return "slider";
+  return target.closest("button, a[href], summary, [role=menu]") === null ? "none" : "control";
+}
+
+function run(command: Command): void {
+  switch (command.do) {
+    case "play":
+      if (playing.peek()) pause();
+      else play();
+      break;
+    case "undo":
+      undo();
+      break;
+    case "redo":
+      redo();
+      break;
+    case "fit":
+      view.value = null;
+      break;
+    case "edit":
+      selection.value = selection.peek() === null ? { target: "a", map: 0 } : null;
+      break;
+    case "gallery":
+      gallery.value = selection.peek()?.target ?? "a";
+      break;
+    case "help":
+      help.value = true;
+      break;
+    case "scrub":
+      scrubTo(addStep(scene.peek().t, command.by));
+      break;
+    case "frame": {
+      const moments = frames.peek().map((frame) => frame.t);
+      scrubTo(nextFrame(moments, scene.peek().t, command.by));
+      break;
+    }
+    case "colour":
+      edit((before) => (before.colouring === command.by ? before : { ...before, colouring: command.by }));
+      break;
+  }
+}
+
+/** Listens until the returned function is called. */
+export function listen(): () => void {
+  const onKey = (event: KeyboardEvent) => {
+    if (event.defaultPrevented || document.querySelector("dialog[open]") !== null) return;
+    const command = commandOf(event, focusOf(event.target));
+    if (command === null) return;
+    event.preventDefault();
+    run(command);
+  };
+  document.addEventListener("keydown", onKey);
+  return () => document.removeEventListener("keydown", onKey);
+}
+
+/** The visible list. */
+export const SHORTCUTS: readonly { title: string; rows: readonly ShortcutRow[] }[] = [
+  {
+    title: "Time",
+    rows: [
+      { keys: [["Space"]], does: "Play, pause" },
+      { keys: [["←"], ["→"]], does: "Back, forward by 1%" },
+      {
+        keys: [
+          ["Shift", "←"],
+          ["Shift", "→"],
+        ],
+        does: "Back, forward by 0.1%",
+      },
+      { keys: [["["], ["]"]], does: "To the frame before, after" },
+    ],
+  },
+  {
+    title: "Path, with a point in focus",
+    rows: [
+      { keys: [["←"], ["→"], ["↑"], ["↓"]], does: "Move by 0.01; Shift finer, Alt coarser" },
+      { keys: [["+"], ["Enter"]], does: "Add a way point" },
+      { keys: [["Delete"], ["−"]], does: "Remove the way point" },
+    ],
+  },
+  {
+    title: "Shapes and picture",
+    rows: [
+      { keys: [["G"]], does: "Gallery" },
+      { keys: [["E"]], does: "Edit the maps" },
+      { keys: [["F"]], does: "Fit the picture to the window" },
+      { keys: [["1"], ["2"], ["3"]], does: "Colour by map, address, density" },
+    ],
+  },
+  {
+    title: "Everywhere",
+    rows: [
+      { keys: [["Z"], ["Ctrl", "Z"]], does: "Undo" },
+      {
+        keys: [
+          ["Shift", "Z"],
+          ["Ctrl", "Y"],
+        ],
+        does: "Redo",
+      },
+      { keys: [["?"]], does: "This list" },
+    ],
+  },
+];

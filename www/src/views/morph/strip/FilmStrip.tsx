@@ -1,0 +1,65 @@
+import { computed, type ReadonlySignal } from "@preact/signals";
+import { useRef } from "preact/hooks";
+import { type Frame, strip } from "../../../engine/results";
+import { scene } from "../../../state/scene";
+import { media } from "../../../ui/media";
+import { Thumbnail } from "../shapes/Thumbnail";
+import { percent, verdictWords } from "../words";
+import { evenly } from "./evenly";
+import { scrubTo } from "./scrub";
+
+const phone = media("(max-width: 599px)");
+
+/** As many frames as there is room for: seven on a phone. */
+export const frames: ReadonlySignal<readonly Frame[]> = computed(() =>
+  phone.value ? evenly(strip.value, 7) : strip.value,
+);
+
+/** Stills of the whole morph: press one to go there; the broken ones are hatched and say so. */
+export function FilmStrip() {
+  const list = useRef<HTMLOListElement>(null);
+  const { t } = scene.value;
+  const all = frames.value;
+  const nearest = all.reduce(
+    (best, frame, i) => (Math.abs(frame.t - t) < Math.abs((all[best]?.t ?? 0) - t) ? i : best),
+    0,
+  );
+
+  const walk = (event: KeyboardEvent) => {
+    const to = { ArrowRight: nearest + 1, ArrowLeft: nearest - 1, Home: 0, End: all.length - 1 }[event.key];
+    const frame = to === undefined ? undefined : all[to];
+    if (to === undefined || frame === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    scrubTo(frame.t);
+    list.current?.querySelectorAll<HTMLButtonElement>("button")[to]?.focus();
+  };
+
+  return (
+    <ol class="film" ref={list} onKeyDown={walk} aria-label="Film of the morph">
+      {all.map((frame, index) => {
+        const broken = frame.verdict === "disconnected" || frame.verdict === "no-attractor";
+        return (
+          <li key={frame.t}>
+            <button
+              type="button"
+              class={`frame ${broken ? "broken" : ""}`}
+              tabIndex={index === nearest ? 0 : -1}
+              aria-current={index === nearest ? "true" : undefined}
+              aria-label={`At ${percent(frame.t)}: ${verdictWords(frame.verdict)}`}
+              title={`${percent(frame.t)}: ${verdictWords(frame.verdict)}`}
+              onClick={() => scrubTo(frame.t)}
+            >
+              <Thumbnail bitmap={frame.bitmap} />
+              {broken && (
+                <span class="frame-mark" aria-hidden="true">
+                  {frame.verdict === "disconnected" ? "broken" : "no shape"}
+                </span>
+              )}
+            </button>
+          </li>
+        );
+      })}
+    </ol>
+  );
+}

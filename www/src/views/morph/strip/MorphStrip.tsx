@@ -1,0 +1,110 @@
+import "./strip.css";
+import { pathBreaks } from "../../../engine/results";
+import { uv } from "../../../state/morph";
+import { loop, pause, play, playing, speed } from "../../../state/playback";
+import { endGesture, scene } from "../../../state/scene";
+import { IconButton } from "../../../ui/Button";
+import { media } from "../../../ui/media";
+import { NumberField } from "../../../ui/NumberField";
+import { Segmented } from "../../../ui/Segmented";
+import { Slider } from "../../../ui/Slider";
+import { stateAt } from "../locus/way";
+import { percent } from "../words";
+import { FilmStrip, frames } from "./FilmStrip";
+import { scrubTo } from "./scrub";
+
+/** Where there is no room beside the strip its settings go to the panel. */
+export const narrow = media("(max-width: 859px)");
+
+/** Time: play, scrub, and the film of the whole morph. */
+export function MorphStrip() {
+  return (
+    <section class="strip" aria-label="Time" style={{ "--frames": String(Math.max(1, frames.value.length)) }}>
+      <PlayButton />
+      <div class="strip-film">
+        <Scrub />
+        <FilmStrip />
+      </div>
+      {!narrow.value && <PlaybackOptions />}
+    </section>
+  );
+}
+
+function PlayButton() {
+  const on = playing.value;
+  return (
+    <IconButton
+      class="play"
+      icon={on ? "pause" : "play"}
+      label={on ? "Pause" : "Play"}
+      onClick={() => (on ? pause() : play())}
+    />
+  );
+}
+
+function Scrub() {
+  const { t } = scene.value;
+  return (
+    <Slider
+      class="scrub"
+      label="Time"
+      value={t}
+      step={0.01}
+      valueText={`${percent(t)}, ${stateAt(uv.value)}`}
+      onChange={scrubTo}
+      onDone={endGesture}
+    >
+      {pathBreaks.value.map(({ t0, t1 }) => (
+        <span
+          key={`${t0}-${t1}`}
+          class="scrub-break"
+          style={{ left: `${100 * t0}%`, width: `max(3px, ${100 * (t1 - t0)}%)` }}
+        />
+      ))}
+    </Slider>
+  );
+}
+
+const SPEEDS = [
+  { value: "0.25", label: "¼×" },
+  { value: "0.5", label: "½×" },
+  { value: "1", label: "1×" },
+  { value: "2", label: "2×" },
+] as const;
+
+/** Place in per cent, loop and speed. */
+export function PlaybackOptions() {
+  return (
+    <div class="playback">
+      <NumberField
+        terse
+        label="Time in percent"
+        value={100 * scene.value.t}
+        min={0}
+        max={100}
+        step={1}
+        digits={1}
+        unit="%"
+        onChange={(percentage) => scrubTo(percentage / 100)}
+        onDone={endGesture}
+      />
+      <IconButton
+        icon="loop"
+        label="Back and forth for ever"
+        kind="quiet"
+        pressed={loop.value}
+        onClick={() => {
+          loop.value = !loop.value;
+        }}
+      />
+      <Segmented
+        label="Speed"
+        value={SPEEDS.find((option) => Number(option.value) === speed.value)?.value ?? "1"}
+        options={SPEEDS}
+        onChange={(next) => {
+          speed.value = Number(next);
+        }}
+      />
+    </div>
+  );
+}
