@@ -1,5 +1,8 @@
 import { test as base } from "@playwright/test";
 
+/** What the software GPU's driver says about its own speed. */
+const driver = /GL Driver Message|GroupMarkerNotSet/;
+
 /**
  * Every test fails that leaves an error or a warning on the page's console, throws past the page, or asks for
  * something that is not there. A test that provokes one says which: `test.use({ expected: [/device lost/] })`.
@@ -10,7 +13,7 @@ export const test = base.extend<{ expected: RegExp[]; quiet: undefined }>({
     async ({ page, expected }, use) => {
       const complaints: string[] = [];
       const complain = (text: string) => {
-        if (!expected.some((pattern) => pattern.test(text))) complaints.push(text);
+        if (![driver, ...expected].some((pattern) => pattern.test(text))) complaints.push(text);
       };
       page.on("console", (message) => {
         if (message.type() === "error" || message.type() === "warning") complain(message.text());
