@@ -1,5 +1,5 @@
 import type { FrondError } from "./api";
-import type { Channel, Job, Request, Response, Result, Task } from "./protocol";
+import type { Channel, Job, Request, Response, Task } from "./protocol";
 
 /** As much of a `Worker` as the pool needs; the tests put their own in its place. */
 export interface WorkerLike {
@@ -53,7 +53,7 @@ export class Pool {
     this.#report();
   }
 
-  submit<K extends Job["channel"]>(job: Job & { channel: K }): void {
+  submit(job: Job): void {
     this.cancel(job.channel);
     this.#entries.set(job.channel, { job, live: true, inFlight: 0, again: [] });
     this.#pump();

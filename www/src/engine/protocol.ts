@@ -68,20 +68,21 @@ export type Channel =
   | "strip"
   | "thumbnails"
   | "picture"
-  | "compare";
+  | "compare"
+  | "export";
 
 /** Work of one channel: a source of slices, handed out one by one as workers come free. */
 export interface Job<K extends Kind = Kind> {
   channel: Channel;
   /** Larger goes first. Asked before each slice, so that it may fall as the work goes on. */
-  priority: () => number;
+  priority(): number;
   /** The next slice, or null when all are handed out. */
-  next: () => Task<K> | null;
-  accept: (task: Task<K>, result: Result<K>, milliseconds: number) => void;
+  next(): Task<K> | null;
+  accept(task: Task<K>, result: Result<K>, milliseconds: number): void;
   /** A slice that cannot be done. The others go on. */
-  fail: (task: Task<K>, error: FrondError) => void;
+  fail(task: Task<K>, error: FrondError): void;
   /** All slices are accepted or failed. Not called for a job that was replaced. */
-  done?: () => void;
+  done?(): void;
 }
 
 /** A job of a single slice. */
@@ -89,7 +90,7 @@ export function single<K extends Kind>(
   channel: Channel,
   priority: number,
   task: Task<K>,
-  then: { accept: (result: Result<K>) => void; fail: (error: FrondError) => void },
+  then: { accept(result: Result<K>): void; fail(error: FrondError): void },
 ): Job<K> {
   let handed = false;
   return {

@@ -23,7 +23,7 @@ export function adoptPath(): void {
 export function planFrom(work: LocusWork, stride: number): void {
   const inputs = work.inputs;
   submit(
-    single(
+    single<"plan">(
       "plan",
       48,
       { kind: "plan", locus: work.nested(stride), bounds: BOUNDS },

@@ -29,26 +29,31 @@ export function scheduleVerdict(): void {
 }
 
 function judge(maps: MapRow[], at: [number, number]) {
-  return single("verdict", 60, { kind: "verdict", maps, epsilon: EPSILON } as const, {
-    accept: (connectedness) => {
-      publish.verdict.value = { connectedness, uv: at, stale: maps !== shown.peek() };
+  return single<"verdict">(
+    "verdict",
+    60,
+    { kind: "verdict", maps, epsilon: EPSILON },
+    {
+      accept: (connectedness) => {
+        publish.verdict.value = { connectedness, uv: at, stale: maps !== shown.peek() };
+      },
+      fail: (error) => {
+        // Maps without an attractor are a state like any other; whatever else fails is the caller's to see.
+        const none = maps.map((_, i) => i);
+        publish.verdict.value = {
+          connectedness: {
+            verdict: error.code === "worker-lost" ? "undecided" : "no-attractor",
+            gap: { lower: 0, upper: 0 },
+            overlaps: [],
+            components: none,
+            count: none.length,
+            diameter: 0,
+            nodes: 0,
+          },
+          uv: at,
+          stale: maps !== shown.peek(),
+        };
+      },
     },
-    fail: (error) => {
-      // Maps without an attractor are a state like any other; whatever else fails is the caller's to see.
-      const none = maps.map((_, i) => i);
-      publish.verdict.value = {
-        connectedness: {
-          verdict: error.code === "worker-lost" ? "undecided" : "no-attractor",
-          gap: { lower: 0, upper: 0 },
-          overlaps: [],
-          components: none,
-          count: none.length,
-          diameter: 0,
-          nodes: 0,
-        },
-        uv: at,
-        stale: maps !== shown.peek(),
-      };
-    },
-  });
+  );
 }

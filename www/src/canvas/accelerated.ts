@@ -1,0 +1,47 @@
+import type { MapRow } from "../engine/api";
+import type { Renderer, RenderStyle } from "../engine/wasm";
+import type { Pixels, Surface } from "./surface";
+import type { View } from "./view";
+
+/** The renderer of the Rust side, in the page's units. */
+export class Accelerated implements Surface {
+  readonly canvas: HTMLCanvasElement;
+  readonly #renderer: Renderer;
+
+  constructor(renderer: Renderer, canvas: HTMLCanvasElement) {
+    this.#renderer = renderer;
+    this.canvas = canvas;
+  }
+
+  setMaps(maps: MapRow[]): void {
+    this.#renderer.setIfs(new Float64Array(maps.flat()));
+  }
+
+  setView(view: View, ratio: number): void {
+    this.#renderer.setView(view.x, view.y, view.scale * ratio);
+  }
+
+  setStyle(style: RenderStyle): void {
+    this.#renderer.setStyle(style);
+  }
+
+  resize(width: number, height: number): void {
+    this.canvas.width = width;
+    this.canvas.height = height;
+    this.#renderer.resize(width, height);
+  }
+
+  draw(budget: number): { complete: boolean; points: number } {
+    const { complete, points } = this.#renderer.draw(Math.round(budget));
+    return { complete, points };
+  }
+
+  async pixels(): Promise<Pixels> {
+    const data = await this.#renderer.readPixels();
+    return { width: this.canvas.width, height: this.canvas.height, data: new Uint8ClampedArray(data) };
+  }
+
+  free(): void {
+    this.#renderer.free();
+  }
+}

@@ -1,0 +1,97 @@
+import type { MapRow } from "../engine/api";
+import { Coalesce } from "../engine/coalesce";
+import { submit } from "../engine/engine";
+import { type Channel, type Job, single } from "../engine/protocol";
+import { frond, type RenderStyle } from "../engine/wasm";
+import type { Pixels, Surface } from "./surface";
+import type { View } from "./view";
+
+interface Request {
+  maps: MapRow[];
+  view: View;
+  style: RenderStyle;
+  width: number;
+  height: number;
+}
+
+/** Fills the canvas with pixels that a worker computes: slower than a graphics card, and never blank. */
+export class Fallback implements Surface {
+  readonly canvas: HTMLCanvasElement;
+  readonly #onArrival: () => void;
+  readonly #queue = new Coalesce(submit);
+  readonly #channel: Channel;
+  #wanted: Partial<Request> = {};
+  #asked: Request | null = null;
+  #arrived: Request | null = null;
+
+  constructor(canvas: HTMLCanvasElement, channel: Channel, onArrival: () => void) {
+    this.canvas = canvas;
+    this.#onArrival = onArrival;
+    this.#channel = channel;
+  }
+
+  setMaps(maps: MapRow[]): void {
+    // Throws where there is no attractor, as the renderer does.
+    frond.bounds({ maps });
+    this.#wanted = { ...this.#wanted, maps };
+  }
+
+  setView(view: View, ratio: number): void {
+    this.#wanted = { ...this.#wanted, view: { ...view, scale: view.scale * ratio } };
+  }
+
+  setStyle(style: RenderStyle): void {
+    this.#wanted = { ...this.#wanted, style };
+  }
+
+  resize(width: number, height: number): void {
+    this.#wanted = { ...this.#wanted, width, height };
+  }
+
+  draw(_budget: number): { complete: boolean; points: number } {
+    const { maps, view, style, width, height } = this.#wanted;
+    if (!maps || !view || !style || !width || !height) return { complete: true, points: 0 };
+    const same =
+      this.#asked !== null &&
+      Object.entries(this.#asked).every(([key, value]) => this.#wanted[key as keyof Request] === value);
+    if (!same) {
+      const request: Request = { maps, view, style, width, height };
+      this.#asked = request;
+      this.#queue.request(() => this.#job(request));
+    }
+    return { complete: this.#arrived === this.#asked, points: 0 };
+  }
+
+  #job(request: Request): Job<"picture"> {
+    const { maps, view, style, width, height } = request;
+    const options = { width, height, view, colouring: style.colouring, palette: style.palette };
+    return single<"picture">(
+      this.#channel,
+      55,
+      { kind: "picture", maps, options },
+      {
+        accept: (bitmap) => {
+          this.canvas.width = width;
+          this.canvas.height = height;
+          this.canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
+          bitmap.close();
+          this.#arrived = request;
+          this.#onArrival();
+        },
+        fail: () => {
+          this.#arrived = request;
+          this.#onArrival();
+        },
+      },
+    );
+  }
+
+  async pixels(): Promise<Pixels> {
+    const { width, height } = this.canvas;
+    const image = this.canvas.getContext("2d")?.getImageData(0, 0, width, height);
+    if (!image) throw new Error("There is no picture yet.");
+    return { width, height, data: image.data };
+  }
+
+  free(): void {}
+}

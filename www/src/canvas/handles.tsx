@@ -1,0 +1,234 @@
+import { computed, signal, useSignalEffect } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import type { MapRow, Shape } from "../engine/api";
+import { type Box, boxOf } from "../state/fit";
+import { selection } from "../state/morph";
+import { announce } from "../state/notice";
+import { edit, endGesture, inGesture, scene } from "../state/scene";
+import { lengthWords } from "../state/words";
+import { stageStyle } from "./look";
+import { type Corners, cornersOf, dragged, GRIPS, type Grip } from "./parallelogram";
+import { effectiveView, screen, stageSize, toScreen, toWorld, type World } from "./view";
+
+const UNIT: Box = { x0: 0, y0: 0, x1: 1, y1: 1 };
+const STEP = 10;
+const FINE = 1;
+
+const NAMES: Record<Grip, string> = {
+  origin: "moves it",
+  x: "first side",
+  y: "second side",
+  turn: "turns and scales it",
+};
+
+const shape = computed<Shape | null>(() => {
+  const target = selection.value?.target;
+  return target ? scene.value[target] : null;
+});
+
+/** The box whose images are shown. It stands still while a map is dragged, although the attractor changes. */
+const frame = signal<Box>(UNIT);
+
+/** The maps of the shape that is edited, as parallelograms: the images of the box of the whole. */
+export function Handles() {
+  const maps = shape.value?.maps;
+  useSignalEffect(() => {
+    const now = shape.value?.maps;
+    if (now && !inGesture.value) frame.value = boxOf(now) ?? frame.peek();
+  });
+  const chosen = selection.value;
+  if (!maps || !chosen) return null;
+  const size = stageSize.value;
+  // The chosen one last, so that it lies on top.
+  const order = maps.map((_, i) => i).sort((p, q) => Number(p === chosen.map) - Number(q === chosen.map));
+  return (
+    <svg class="overlay" width={size.width} height={size.height}>
+      <title>Maps of the shape as parallelograms</title>
+      <Outline corners={cornersOf([1, 0, 0, 1, 0, 0], frame.value)} class="frame" />
+      {order.map((i) => {
+        const map = maps[i];
+        if (!map) return null;
+        const colour = stageStyle.value.palette[i % stageStyle.value.palette.length] ?? "currentColor";
+        return <OneMap key={i} index={i} map={map} colour={colour} chosen={i === chosen.map} />;
+      })}
+    </svg>
+  );
+}
+
+function Outline({ corners, class: name }: { corners: Corners; class: string }) {
+  return <path class={name} d={outline(corners)} />;
+}
+
+function outline(corners: Corners): string {
+  const points = [corners.origin, corners.x, corners.turn, corners.y].map(place);
+  return `M${points.map((p) => `${p.x.toFixed(2)} ${p.y.toFixed(2)}`).join("L")}Z`;
+}
+
+function place(p: World): { x: number; y: number } {
+  return toScreen(p, effectiveView.value, stageSize.value);
+}
+
+interface OneMapProps {
+  index: number;
+  map: MapRow;
+  colour: string;
+  chosen: boolean;
+}
+
+function OneMap({ index, map, colour, chosen }: OneMapProps) {
+  const corners = cornersOf(map, frame.value);
+  const origin = place(corners.origin);
+  const choose = () => {
+    const now = selection.peek();
+    if (now) selection.value = { ...now, map: index };
+  };
+  return (
+    <g class={chosen ? "map chosen" : "map"} style={{ color: colour }}>
+      {/* biome-ignore lint/a11y/useSemanticElements: there are no buttons in SVG */}
+      <path
+        class="body"
+        data-handle=""
+        role="button"
+        tabIndex={0}
+        aria-label={`Map ${index + 1}${chosen ? ", chosen; arrow keys move it" : ""}`}
+        aria-pressed={chosen}
+        d={outline(corners)}
+        ref={useGrip(index, "origin", choose)}
+      />
+      <path class="edge" d={outline(corners)} />
+      <text class="number-label" x={origin.x + 10} y={origin.y - 10}>
+        {index + 1}
+      </text>
+      {chosen &&
+        GRIPS.map((grip) => <Handle key={grip} index={index} grip={grip} at={place(corners[grip])} />)}
+    </g>
+  );
+}
+
+function Handle({ index, grip, at }: { index: number; grip: Grip; at: { x: number; y: number } }) {
+  return (
+    // biome-ignore lint/a11y/useSemanticElements: there are no buttons in SVG
+    <g
+      class={`grip ${grip}`}
+      data-handle=""
+      role="button"
+      tabIndex={0}
+      aria-label={`Map ${index + 1}, ${NAMES[grip]}: arrow keys, with Shift finer`}
+      transform={`translate(${at.x} ${at.y})`}
+      ref={useGrip(index, grip)}
+    >
+      <circle class="reach" r={22} />
+      {grip === "turn" ? (
+        <rect class="knob" x={-6} y={-6} width={12} height={12} rx={2} />
+      ) : (
+        <circle class="knob" r={7} />
+      )}
+    </g>
+  );
+}
+
+/** Drags and arrow keys for one grip; everything it needs it reads when it is used. */
+function useGrip(index: number, grip: Grip, onTake?: () => void) {
+  const element = useRef<SVGElement | null>(null);
+  const take = useRef(onTake);
+  take.current = onTake;
+  useEffect(() => {
+    const node = element.current;
+    if (!node) return;
+    let offset: { x: number; y: number } | null = null;
+    const pointer = (event: PointerEvent) => {
+      const box = (node.ownerSVGElement ?? node).getBoundingClientRect();
+      return { x: event.clientX - box.left, y: event.clientY - box.top };
+    };
+    const down = (event: PointerEvent) => {
+      if (event.button !== 0) return;
+      event.stopPropagation();
+      take.current?.();
+      const at = gripPlace(index, grip);
+      if (!at) return;
+      const from = pointer(event);
+      offset = { x: at.x - from.x, y: at.y - from.y };
+      node.setPointerCapture(event.pointerId);
+    };
+    const move = (event: PointerEvent) => {
+      if (!offset) return;
+      const at = pointer(event);
+      moveTo(index, grip, { x: at.x + offset.x, y: at.y + offset.y }, `drag ${index} ${grip}`);
+    };
+    const up = () => {
+      if (!offset) return;
+      offset = null;
+      endGesture();
+    };
+    const key = (event: KeyboardEvent) => {
+      if (take.current && (event.key === "Enter" || event.key === " ")) {
+        event.preventDefault();
+        take.current();
+        return;
+      }
+      const step = ARROWS[event.key];
+      const at = gripPlace(index, grip);
+      if (!step || !at || event.ctrlKey || event.metaKey || event.altKey) return;
+      event.preventDefault();
+      event.stopPropagation();
+      const far = event.shiftKey ? FINE : STEP;
+      moveTo(index, grip, { x: at.x + far * step[0], y: at.y + far * step[1] }, `keys ${index} ${grip}`);
+      say(index, grip);
+    };
+    node.addEventListener("pointerdown", down);
+    node.addEventListener("pointermove", move);
+    node.addEventListener("pointerup", up);
+    node.addEventListener("pointercancel", up);
+    node.addEventListener("keydown", key);
+    node.addEventListener("keyup", endGesture);
+    node.addEventListener("blur", endGesture);
+    return () => {
+      node.removeEventListener("pointerdown", down);
+      node.removeEventListener("pointermove", move);
+      node.removeEventListener("pointerup", up);
+      node.removeEventListener("pointercancel", up);
+      node.removeEventListener("keydown", key);
+      node.removeEventListener("keyup", endGesture);
+      node.removeEventListener("blur", endGesture);
+    };
+  }, [index, grip]);
+  return (node: SVGElement | null) => {
+    element.current = node;
+  };
+}
+
+const ARROWS: Record<string, [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+function gripPlace(index: number, grip: Grip): { x: number; y: number } | null {
+  const map = shape.peek()?.maps[index];
+  return map ? toScreen(cornersOf(map, frame.peek())[grip], effectiveView.peek(), stageSize.peek()) : null;
+}
+
+function moveTo(index: number, grip: Grip, to: { x: number; y: number }, gesture: string): void {
+  const target = selection.peek()?.target;
+  if (!target) return;
+  const point = toWorld(screen(to.x, to.y), effectiveView.peek(), stageSize.peek());
+  edit(
+    (before) => {
+      const map = before[target].maps[index];
+      if (!map) return before;
+      const maps = before[target].maps.slice();
+      maps[index] = dragged(map, frame.peek(), grip, point);
+      // Touched maps are no preset any more.
+      return { ...before, [target]: { name: before[target].name, maps } };
+    },
+    { gesture },
+  );
+}
+
+function say(index: number, grip: Grip): void {
+  const map = shape.peek()?.maps[index];
+  if (!map) return;
+  const { x, y } = cornersOf(map, frame.peek())[grip];
+  announce(`Map ${index + 1}, ${NAMES[grip]}: ${lengthWords(x)}, ${lengthWords(y)}`);
+}

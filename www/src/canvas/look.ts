@@ -1,0 +1,13 @@
+import { computed, type ReadonlySignal } from "@preact/signals";
+import type { RenderStyle } from "../engine/wasm";
+import { dark } from "../state/preferences";
+import { scene } from "../state/scene";
+import { palette } from "../style/palette";
+
+const colouring = computed(() => scene.value.colouring);
+
+/** How the stage is coloured. */
+export const stageStyle: ReadonlySignal<RenderStyle> = computed(() => ({
+  colouring: colouring.value,
+  palette: palette(dark.value ? "dark" : "light"),
+}));

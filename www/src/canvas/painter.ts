@@ -1,0 +1,212 @@
+import type { MapRow } from "../engine/api";
+import type { Channel } from "../engine/protocol";
+import { type Backend, frond, type Renderer, type RenderStyle } from "../engine/wasm";
+import { notify, wordsOf } from "../state/notice";
+import { Accelerated } from "./accelerated";
+import { Fallback } from "./fallback";
+import type { Pixels, Surface } from "./surface";
+import type { View } from "./view";
+
+export type PainterBackend = Backend | "canvas";
+
+export interface PainterState {
+  backend: PainterBackend | null;
+  complete: boolean;
+  points: number;
+  /** The maps have no attractor, so there is nothing to see. */
+  empty: boolean;
+}
+
+export interface PainterOptions {
+  backend: "auto" | PainterBackend;
+  /** Where pixels are asked for when there is no graphics device. */
+  channel: Channel;
+  onState: (state: PainterState) => void;
+}
+
+interface Wanted {
+  maps: MapRow[];
+  view: View;
+  style: RenderStyle;
+  width: number;
+  height: number;
+  ratio: number;
+}
+
+/** Losses within this time count together; after so many the graphics device is not tried again. */
+const PATIENCE_MS = 30_000;
+const MOST_LOSSES = 3;
+const LEAST_BUDGET = 20_000;
+const MOST_BUDGET = 8_000_000;
+
+/**
+ * Keeps one canvas showing what it is told to, and draws only when there is something new to draw. A lost device costs
+ * a new canvas and a new renderer; one that cannot be had at all is replaced by pixels computed without it.
+ */
+export class Painter {
+  readonly #host: HTMLElement;
+  readonly #options: PainterOptions;
+  #surface: Surface | null = null;
+  #renderer: Renderer | null = null;
+  #canvas: HTMLCanvasElement | null = null;
+  #wanted: Wanted | null = null;
+  #given: Partial<Wanted> = {};
+  #empty = false;
+  #state: PainterState = { backend: null, complete: false, points: 0, empty: false };
+  #frame = 0;
+  #budget = 200_000;
+  #last = 0;
+  #losses: number[] = [];
+  #closed = false;
+
+  constructor(host: HTMLElement, options: PainterOptions) {
+    this.#host = host;
+    this.#options = options;
+    void this.#open();
+  }
+
+  show(wanted: Wanted): void {
+    this.#wanted = wanted;
+    this.#set({ complete: false });
+    this.#schedule();
+  }
+
+  async pixels(): Promise<Pixels> {
+    if (!this.#surface) throw new Error("There is no picture yet.");
+    return this.#surface.pixels();
+  }
+
+  forceLoss(): void {
+    this.#renderer?.forceLoss();
+  }
+
+  get backend(): PainterBackend | null {
+    return this.#state.backend;
+  }
+
+  close(): void {
+    this.#closed = true;
+    if (this.#frame) cancelAnimationFrame(this.#frame);
+    this.#surface?.free();
+    this.#canvas?.remove();
+  }
+
+  async #open(): Promise<void> {
+    const canvas = document.createElement("canvas");
+    canvas.setAttribute("aria-hidden", "true");
+    const recent = this.#losses.filter((at) => performance.now() - at < PATIENCE_MS);
+    let surface: Surface | null = null;
+    const { backend } = this.#options;
+    if (backend !== "canvas" && recent.length < MOST_LOSSES) {
+      try {
+        let mine: Renderer | null = null;
+        const onLost = (reason: string) => mine && this.#lost(mine, reason);
+        mine = await frond.Renderer.create(canvas, { backend, onLost });
+        this.#renderer = mine;
+        surface = new Accelerated(mine, canvas);
+        this.#set({ backend: mine.backend });
+      } catch (problem) {
+        this.#explain(problem);
+      }
+    }
+    if (!surface) {
+      this.#renderer = null;
+      // A canvas that has had one kind of context gives no other.
+      const fresh = canvas.cloneNode() as HTMLCanvasElement;
+      surface = new Fallback(fresh, this.#options.channel, () => this.#schedule());
+      this.#set({ backend: "canvas" });
+    }
+    if (this.#closed) {
+      surface.free();
+      return;
+    }
+    this.#canvas?.remove();
+    this.#canvas = surface.canvas;
+    this.#host.prepend(surface.canvas);
+    this.#surface = surface;
+    this.#given = {};
+    this.#schedule();
+  }
+
+  #explain(problem: unknown): void {
+    notify({
+      kind: "info",
+      text: `The graphics card is not available (${wordsOf(problem)}). The picture is computed without it, slower. Switching on hardware acceleration in the browser's settings brings it back.`,
+    });
+  }
+
+  #lost(renderer: Renderer, reason: string): void {
+    if (this.#closed || renderer !== this.#renderer) return;
+    this.#losses.push(performance.now());
+    this.#renderer = null;
+    this.#surface = null;
+    this.#set({ complete: false });
+    notify({
+      kind: "info",
+      text: `The graphics device was lost (${reason}); the picture has been drawn anew.`,
+    });
+    void this.#open().then(() => {
+      // Freed after its successor stands: its canvas shows the last picture until then.
+      try {
+        renderer.free();
+      } catch {
+        // A device that is gone may refuse to be let go.
+      }
+    });
+  }
+
+  #schedule(): void {
+    if (this.#frame || this.#closed || !this.#surface || !this.#wanted) return;
+    this.#frame = requestAnimationFrame((now) => this.#draw(now));
+  }
+
+  #draw(now: number): void {
+    this.#frame = 0;
+    const surface = this.#surface;
+    if (!surface || !this.#wanted || this.#wanted.width === 0 || this.#wanted.height === 0) return;
+    const since = now - this.#last;
+    this.#last = now;
+    this.#adapt(since);
+    this.#give(surface, this.#wanted);
+    if (this.#empty) {
+      this.#set({ complete: true, points: 0, empty: true });
+      return;
+    }
+    const { complete, points } = surface.draw(this.#budget);
+    this.#set({ complete, points, empty: false });
+    if (!complete) this.#schedule();
+  }
+
+  /** More points a frame while frames are quick, fewer when one was late. */
+  #adapt(since: number): void {
+    if (since > 250) return;
+    if (since > 30) this.#budget = Math.max(LEAST_BUDGET, this.#budget * 0.7);
+    else if (since < 18) this.#budget = Math.min(MOST_BUDGET, this.#budget * 1.15);
+  }
+
+  #give(surface: Surface, wanted: Wanted): void {
+    const given = this.#given;
+    if (wanted.width !== given.width || wanted.height !== given.height) {
+      surface.resize(wanted.width, wanted.height);
+    }
+    if (wanted.style !== given.style) surface.setStyle(wanted.style);
+    if (wanted.maps !== given.maps) {
+      try {
+        surface.setMaps(wanted.maps);
+        this.#empty = false;
+      } catch {
+        this.#empty = true;
+      }
+      if (this.#canvas) this.#canvas.style.visibility = this.#empty ? "hidden" : "visible";
+    }
+    if (wanted.view !== given.view || wanted.ratio !== given.ratio || wanted.maps !== given.maps) {
+      surface.setView(wanted.view, wanted.ratio);
+    }
+    this.#given = wanted;
+  }
+
+  #set(change: Partial<PainterState>): void {
+    this.#state = { ...this.#state, ...change };
+    this.#options.onState(this.#state);
+  }
+}

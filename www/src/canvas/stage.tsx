@@ -1,0 +1,84 @@
+import { computed, signal } from "@preact/signals";
+import type { ComponentChildren } from "preact";
+import { useEffect } from "preact/hooks";
+import { linear, mapsAt, morphOptions, selection, shown, uv } from "../state/morph";
+import { scene } from "../state/scene";
+import { ClosestPair } from "./closest";
+import { stageKey } from "./gestures";
+import { Handles } from "./handles";
+import type { Painter, PainterBackend, PainterState } from "./painter";
+import { Picture } from "./picture";
+import { followFit } from "./view";
+import { linkView } from "./view-link";
+
+/** What the main picture is up to. */
+export const picture = signal<PainterState>({ backend: null, complete: false, points: 0, empty: false });
+export const mainPainter = signal<Painter | null>(null);
+
+const comparing = computed(() => scene.value.compare && selection.value === null);
+const polar = computed(() => mapsAt(uv.value, { ...morphOptions.value, mode: "polar" }));
+const mainMaps = computed(() => (comparing.value ? polar.value : shown.value));
+const setPicture = (state: PainterState) => {
+  picture.value = state;
+};
+const setPainter = (painter: Painter | null) => {
+  mainPainter.value = painter;
+};
+const ignore = () => {};
+
+/** The picture, as large as it can be: every tool draws on this one. */
+export function Stage({
+  backend,
+  children,
+}: {
+  backend: "auto" | PainterBackend;
+  children?: ComponentChildren;
+}) {
+  useEffect(() => {
+    const stopLink = linkView();
+    const stopFit = followFit(everyFrame);
+    return () => {
+      stopFit();
+      stopLink();
+    };
+  }, []);
+  const both = comparing.value;
+  return (
+    <section class="stage" aria-label="Picture">
+      <div
+        class={both ? "pictures two" : "pictures"}
+        role="application"
+        aria-label="The attractor. Arrow keys move it, plus and minus zoom, 0 fits it to the stage."
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: it takes keys
+        tabIndex={0}
+        onKeyDown={(event) => {
+          if (event.target === event.currentTarget && stageKey(event)) event.preventDefault();
+        }}
+      >
+        <div class="pane">
+          <Picture maps={mainMaps} backend={backend} main onState={setPicture} onPainter={setPainter} />
+          {both && <p class="pane-label">Turned and stretched apart (polar)</p>}
+          {!both && <ClosestPair />}
+          <Handles />
+        </div>
+        {both && (
+          <div class="pane">
+            <Picture maps={linear} backend={backend} onState={ignore} />
+            <p class="pane-label">Number by number (linear)</p>
+          </div>
+        )}
+      </div>
+      {picture.value.empty && (
+        <p class="stage-empty">These maps have no attractor: together they do not contract.</p>
+      )}
+      {children}
+    </section>
+  );
+}
+
+function everyFrame(tick: (now: number) => boolean): () => void {
+  let frame = requestAnimationFrame(function step(now) {
+    frame = tick(now) ? requestAnimationFrame(step) : 0;
+  });
+  return () => cancelAnimationFrame(frame);
+}

@@ -1,0 +1,37 @@
+import "./style/tokens.css";
+import "./style/base.css";
+import "./style/layout.css";
+import "./style/stage.css";
+import { h, render } from "preact";
+import { App } from "./app";
+import { whenFirstPicture } from "./canvas/first";
+import { startEngine } from "./engine/engine";
+import { startSchedules } from "./engine/schedule";
+import { load } from "./engine/wasm";
+import { link } from "./shell/actions";
+import { installHook } from "./shell/hook";
+import { readParameters } from "./shell/parameters";
+import { reportTrouble, showFailure } from "./shell/trouble";
+
+reportTrouble();
+
+async function begin(root: HTMLElement): Promise<void> {
+  const parameters = readParameters(location.search);
+  const module = await load();
+  link.open();
+  link.watch();
+  addEventListener("hashchange", () => link.follow());
+  // Whoever leaves, by a link of the page or for good, finds the address up to date on the way back.
+  addEventListener("click", () => link.flush(), { capture: true });
+  addEventListener("pagehide", () => link.flush());
+  installHook();
+
+  root.textContent = "";
+  render(h(App, { backend: parameters.backend }), root);
+  await whenFirstPicture();
+  startEngine(module, { workers: parameters.workers });
+  startSchedules();
+}
+
+const root = document.getElementById("app");
+if (root) begin(root).catch((problem) => showFailure(root, problem));

@@ -1,0 +1,85 @@
+import { stageStyle } from "../canvas/look";
+import { effectiveView, stageSize } from "../canvas/view";
+import { submit } from "../engine/engine";
+import { single } from "../engine/protocol";
+import { frond } from "../engine/wasm";
+import { addressBar, Link } from "../state/link";
+import { shown } from "../state/morph";
+import { notify, wordsOf } from "../state/notice";
+import { scene } from "../state/scene";
+
+/** The one link between this page's document and its address. */
+export const link = new Link(frond, addressBar);
+
+/** Where the studio is, with the present document. */
+export function studioHref(): string {
+  // Read, so that what renders it follows the document.
+  scene.value;
+  return `#${link.fragment() ?? ""}`;
+}
+
+/** Puts the address of the present document on the clipboard. */
+export async function shareLink(): Promise<void> {
+  link.flush();
+  const { href } = location;
+  try {
+    await navigator.clipboard.writeText(href);
+    notify({ kind: "info", text: "Link copied. Whoever opens it sees the same picture." });
+  } catch {
+    notify({ kind: "info", text: "The link is in the address bar: copying it was not allowed here." });
+  }
+}
+
+const LONG_SIDE = 2400;
+
+/** The picture as it stands on the stage, larger, complete, on a transparent ground. */
+export function savePicture(): void {
+  const size = stageSize.peek();
+  const view = effectiveView.peek();
+  const larger = LONG_SIDE / Math.max(size.width, size.height, 1);
+  const width = Math.max(1, Math.round(size.width * larger));
+  const height = Math.max(1, Math.round(size.height * larger));
+  const { colouring, palette } = stageStyle.peek();
+  const options = { width, height, view: { ...view, scale: view.scale * larger }, colouring, palette };
+  notify({ kind: "info", text: "Drawing the picture to save …" });
+  submit(
+    single<"picture">(
+      "export",
+      45,
+      { kind: "picture", maps: shown.peek(), options },
+      {
+        accept: (bitmap) => void download(bitmap),
+        fail: (error) => notify({ kind: "error", text: `The picture could not be saved: ${error.message}` }),
+      },
+    ),
+  );
+}
+
+async function download(bitmap: ImageBitmap): Promise<void> {
+  try {
+    const canvas = document.createElement("canvas");
+    canvas.width = bitmap.width;
+    canvas.height = bitmap.height;
+    canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
+    bitmap.close();
+    const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, "image/png"));
+    if (!blob) throw new Error("the browser could not encode it");
+    const anchor = document.createElement("a");
+    anchor.href = URL.createObjectURL(blob);
+    anchor.download = fileName();
+    anchor.click();
+    setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
+  } catch (problem) {
+    notify({ kind: "error", text: `The picture could not be saved: ${wordsOf(problem)}` });
+  }
+}
+
+function fileName(): string {
+  const { a, b, t } = scene.peek();
+  const plain = (name: string) =>
+    name
+      .toLowerCase()
+      .replace(/[^a-z0-9]+/g, "-")
+      .slice(0, 24) || "shape";
+  return `frond-${plain(a.name)}-${plain(b.name)}-${t.toFixed(2)}.png`;
+}

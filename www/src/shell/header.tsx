@@ -1,0 +1,111 @@
+import type { ComponentChildren } from "preact";
+import { route } from "../state/link";
+import { setTheme, type Theme, theme } from "../state/preferences";
+import { canRedo, canUndo, redo, undo } from "../state/scene";
+import { help } from "../views/morph/dialogs";
+import { savePicture, shareLink, studioHref } from "./actions";
+import { Glyph, type GlyphName } from "./glyphs";
+
+const NEXT_THEME: Record<Theme, Theme> = { auto: "light", light: "dark", dark: "auto" };
+const THEME_WORDS: Record<Theme, string> = {
+  auto: "Colours follow the system",
+  light: "Light colours",
+  dark: "Dark colours",
+};
+
+/** The bar on top: where one is, and what can be done with the document as a whole. */
+export function Header() {
+  const studio = route.value.page === "studio";
+  return (
+    <header class="header">
+      <a class="wordmark" href={studioHref()}>
+        <Mark />
+        Frond
+      </a>
+      <nav class="places" aria-label="Places">
+        <Place href={studioHref()} here={studio}>
+          Morph
+        </Place>
+        <Place href="#figures" here={!studio}>
+          Figures
+        </Place>
+      </nav>
+      <div class="tools">
+        {studio && <StudioTools />}
+        <Tool
+          glyph={theme.value}
+          label={`${THEME_WORDS[theme.value]}; change`}
+          class="wide"
+          onClick={() => setTheme(NEXT_THEME[theme.peek()])}
+        />
+        {studio && (
+          <button type="button" class="button quiet share" onClick={shareLink} aria-label="Share link">
+            <Glyph name="link" />
+            <span>Share link</span>
+          </button>
+        )}
+      </div>
+    </header>
+  );
+}
+
+function StudioTools() {
+  return (
+    <>
+      <Tool glyph="undo" label="Undo" disabled={!canUndo.value} onClick={undo} />
+      <Tool glyph="redo" label="Redo" disabled={!canRedo.value} onClick={redo} />
+      <Tool glyph="save" label="Save as PNG" onClick={savePicture} />
+      <Tool
+        glyph="help"
+        label="Keyboard shortcuts"
+        class="wide"
+        onClick={() => {
+          help.value = true;
+        }}
+      />
+    </>
+  );
+}
+
+function Place({ href, here, children }: { href: string; here: boolean; children: ComponentChildren }) {
+  return (
+    <a href={href} aria-current={here ? "page" : undefined}>
+      {children}
+    </a>
+  );
+}
+
+interface ToolProps {
+  glyph: GlyphName;
+  label: string;
+  class?: string;
+  disabled?: boolean;
+  onClick: () => void;
+}
+
+function Tool({ glyph, label, class: extra, disabled = false, onClick }: ToolProps) {
+  return (
+    <button
+      type="button"
+      class={`button quiet icon-button ${extra ?? ""}`}
+      aria-label={label}
+      title={label}
+      disabled={disabled}
+      onClick={onClick}
+    >
+      <Glyph name={glyph} />
+    </button>
+  );
+}
+
+/** Three leaflets, each half the size of the whole: a frond. */
+function Mark() {
+  return (
+    <svg class="mark" width={22} height={22} viewBox="0 0 24 24" aria-hidden="true">
+      <path d="M12 22V9" stroke="currentColor" stroke-width="1.75" stroke-linecap="round" fill="none" />
+      <path class="leaf-1" d="M12 10.5c-2.6-2.2-2.6-5.8 0-8.5 2.6 2.7 2.6 6.3 0 8.5z" />
+      <path class="leaf-2" d="M11.6 17.5C7.6 17.9 5 15.500 4.400 11.500c4-.4 6.6 2 7.2 6z" />
+      <path class="leaf-3" d="M12.400 17.500c4 .4 6.600-2 7.200-6-4-.4-6.600 2-7.200 6z" />
+    </svg>
+  );
+}

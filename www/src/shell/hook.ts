@@ -1,0 +1,60 @@
+import { effect } from "@preact/signals";
+import { mainPainter, picture } from "../canvas/stage";
+import type { Pixels } from "../canvas/surface";
+import type { Scene } from "../engine/api";
+import { killWorker } from "../engine/engine";
+import { locus, verdict, workers } from "../engine/results";
+import { scene } from "../state/scene";
+
+/** What the tests, and the curious, may ask of the running page. */
+export interface Hook {
+  scene(): Scene;
+  backend(): string | null;
+  readPixels(): Promise<Pixels>;
+  forceLoss(): void;
+  killWorker(): void;
+  /** Resolves when the picture and the locus are complete and the verdict is about the picture. */
+  idle(): Promise<void>;
+}
+
+declare global {
+  interface Window {
+    frond?: Hook;
+  }
+}
+
+export function installHook(): void {
+  window.frond = {
+    scene: () => structuredClone(scene.peek()),
+    backend: () => picture.peek().backend,
+    readPixels: async () => {
+      const painter = mainPainter.peek();
+      if (!painter) throw new Error("There is no picture on this page.");
+      return painter.pixels();
+    },
+    forceLoss: () => mainPainter.peek()?.forceLoss(),
+    killWorker,
+    idle,
+  };
+}
+
+function idle(): Promise<void> {
+  return new Promise((resolve) => {
+    let timer: ReturnType<typeof setTimeout> | null = null;
+    const stop = effect(() => {
+      const calm =
+        picture.value.complete &&
+        locus.value?.progress === 1 &&
+        verdict.value?.stale === false &&
+        !workers.value.busy;
+      if (timer) clearTimeout(timer);
+      // Calm for a while: what is asked after a short rest, such as the strip, counts too.
+      if (calm) {
+        timer = setTimeout(() => {
+          stop();
+          resolve();
+        }, 160);
+      }
+    });
+  });
+}

@@ -1,0 +1,109 @@
+import { computed } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { fitStage } from "../canvas/gestures";
+import { picture } from "../canvas/stage";
+import { view, zoom } from "../canvas/view";
+import { verdict, workers } from "../engine/results";
+import { selection, uv } from "../state/morph";
+import { announce } from "../state/notice";
+import { playing } from "../state/playback";
+import { countWords, type VerdictWords, verdictWords } from "../state/words";
+import { Glyph } from "./glyphs";
+
+const words = computed<VerdictWords | null>(() =>
+  verdict.value ? verdictWords(verdict.value.connectedness) : null,
+);
+
+/** What holds for the picture on the stage, in words. */
+export function VerdictChip() {
+  useAnnouncement();
+  const now = words.value;
+  const tone = now?.tone ?? "unknown";
+  return (
+    <div class={`chip ${tone}`} data-stale={verdict.value?.stale ? "" : undefined} data-testid="verdict">
+      <Sign tone={tone} />
+      <span class="chip-text">{now?.text ?? "Looking …"}</span>
+      {now && <span class="chip-aside">{now.aside}</span>}
+    </div>
+  );
+}
+
+/** A shape for each state beside its colour: whole, two that touch, broken, a question. */
+function Sign({ tone }: { tone: VerdictWords["tone"] }) {
+  return (
+    <svg class="sign" width={16} height={16} viewBox="0 0 16 16" aria-hidden="true">
+      {tone === "whole" && <circle cx={8} cy={8} r={5} />}
+      {tone === "close" && (
+        <path d="M8 8a3.200 3.200 0 1 0-6.400 0 3.200 3.200 0 0 0 6.400 0zm6.400 0a3.200 3.200 0 1 0-6.400 0 3.200 3.200 0 0 0 6.400 0z" />
+      )}
+      {tone === "broken" && (
+        <>
+          <path d="M7 3a5 5 0 0 0 0 10z" />
+          <path d="M10 3a5 5 0 0 1 0 10z" />
+        </>
+      )}
+      {tone === "unknown" && <circle cx={8} cy={8} r={4.25} class="hollow" />}
+    </svg>
+  );
+}
+
+const REST_MS = 900;
+
+/** Says the verdict aloud, but only once it has come to rest and only when it has changed. */
+function useAnnouncement() {
+  useEffect(() => {
+    let timer: ReturnType<typeof setTimeout> | null = null;
+    let said = "";
+    const stop = computed(() => ({
+      text: words.value ? `${words.value.text}, ${words.value.aside}` : "",
+      moving: playing.value || verdict.value?.stale !== false,
+    })).subscribe(({ text, moving }) => {
+      if (timer) clearTimeout(timer);
+      if (moving || text === said || !text) return;
+      timer = setTimeout(() => {
+        // The first is on screen with the page; only what changes is news.
+        if (said) announce(text);
+        said = text;
+      }, REST_MS);
+    });
+    return () => {
+      if (timer) clearTimeout(timer);
+      stop();
+    };
+  }, []);
+}
+
+const zoomWords = computed(() => {
+  const z = zoom.value;
+  if (z < 10) return `×${z.toFixed(1)}`;
+  return z < 1e4 ? `×${Math.round(z)}` : `×${z.toExponential(1)}`;
+});
+
+/** How much is drawn, and how near one is. */
+export function Readout() {
+  const [u, v] = uv.value;
+  return (
+    <div class="readout number">
+      {!selection.value && (
+        <span class="readout-uv">
+          u {u.toFixed(2)} v {v.toFixed(2)}
+        </span>
+      )}
+      {picture.value.points > 0 && (
+        <span class="readout-points">{countWords(picture.value.points)} points</span>
+      )}
+      {!workers.value.available && <span>no workers</span>}
+      <span data-testid="zoom">{zoomWords.value}</span>
+      <button
+        type="button"
+        class="button quiet icon-button"
+        aria-label="Fit to the stage"
+        title="Fit to the stage (0)"
+        disabled={view.value === null}
+        onClick={fitStage}
+      >
+        <Glyph name="fit" />
+      </button>
+    </div>
+  );
+}

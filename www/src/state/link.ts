@@ -1,0 +1,132 @@
+import { effect, type ReadonlySignal, signal } from "@preact/signals";
+import type { FrondError, Scene } from "../engine/api";
+import { notify, wordsOf } from "./notice";
+import { playing } from "./playback";
+import { edit, inGesture, scene, start } from "./scene";
+
+export type Route = { page: "studio" } | { page: "figures"; figure: string | null };
+
+/** The part of the wasm package that turns documents into links and back. */
+export interface Codec {
+  encodeScene(scene: Scene): string;
+  decodeScene(text: string): { scene: Scene; problem?: FrondError };
+  defaultScene(): Scene;
+}
+
+/** The browser's address bar, or the tests' own. */
+export interface Address {
+  read(): string;
+  write(fragment: string): void;
+}
+
+const REST_MS = 350;
+const routed = signal<Route>({ page: "studio" });
+
+/** What the address asks for. */
+export const route: ReadonlySignal<Route> = routed;
+
+/** `#figures` and `#figures/3` are pages; every other fragment is a document. */
+export function parseRoute(fragment: string): Route {
+  const match = /^figures(?:\/([\w-]{1,32}))?$/.exec(fragment);
+  return match ? { page: "figures", figure: match[1] ?? null } : { page: "studio" };
+}
+
+/** Keeps the address and the document in step, each following the other. */
+export class Link {
+  readonly #codec: Codec;
+  readonly #address: Address;
+  #timer: ReturnType<typeof setTimeout> | null = null;
+  /** The document that the address stands for. */
+  #kept: Scene | null = null;
+
+  constructor(codec: Codec, address: Address) {
+    this.#codec = codec;
+    this.#address = address;
+  }
+
+  /** Reads the address for the first time. */
+  open(): void {
+    const fragment = this.#address.read();
+    routed.value = parseRoute(fragment);
+    const text = routed.peek().page === "studio" ? fragment : "";
+    start(this.#decode(text));
+    this.#kept = scene.peek();
+  }
+
+  /** The address has changed from outside: a link was followed, or the back button pressed. */
+  follow(): void {
+    this.#stop();
+    const fragment = this.#address.read();
+    const next = parseRoute(fragment);
+    routed.value = next;
+    if (next.page !== "studio") return;
+    if (fragment === this.fragment()) return;
+    const opened = this.#decode(fragment);
+    edit(() => opened);
+    this.#kept = scene.peek();
+  }
+
+  /** The present document as a fragment, or null when it is too long for one. */
+  fragment(): string | null {
+    try {
+      return this.#codec.encodeScene(scene.peek());
+    } catch {
+      return null;
+    }
+  }
+
+  /** Writes every change into the address once things have come to rest. Returns the end of it. */
+  watch(): () => void {
+    const stop = effect(() => {
+      const now = scene.value;
+      // While it moves there is nothing worth keeping, and browsers count how often the address is written.
+      if (playing.value || inGesture.value || now === this.#kept) return;
+      this.#stop();
+      this.#timer = setTimeout(() => this.flush(), REST_MS);
+    });
+    return () => {
+      stop();
+      this.#stop();
+    };
+  }
+
+  /** Writes now: somebody is about to leave, or wants the address. */
+  flush(): void {
+    this.#stop();
+    const now = scene.peek();
+    if (routed.peek().page !== "studio" || now === this.#kept) return;
+    try {
+      this.#address.write(this.#codec.encodeScene(now));
+      this.#kept = now;
+    } catch (problem) {
+      notify({ kind: "error", text: `This document does not fit into a link: ${wordsOf(problem)}` });
+    }
+  }
+
+  #decode(text: string): Scene {
+    if (text === "") return this.#codec.defaultScene();
+    const { scene: opened, problem } = this.#codec.decodeScene(text);
+    if (problem) {
+      notify({
+        kind: "error",
+        text: `This link could not be read, so here is where Frond begins. ${problem.message}`,
+      });
+    }
+    return opened;
+  }
+
+  #stop(): void {
+    if (this.#timer) clearTimeout(this.#timer);
+    this.#timer = null;
+  }
+}
+
+/** The address bar of this page. Only the fragment is ever touched. */
+export const addressBar: Address = {
+  read() {
+    return location.hash.replace(/^#/, "");
+  },
+  write(fragment) {
+    history.replaceState(history.state, "", `#${fragment}`);
+  },
+};
