@@ -1,0 +1,163 @@
+//! The full answer for one system.
+
+use frond_core::Ifs;
+use glam::DVec2;
+
+use crate::frame::Frame;
+use crate::outline::Outline;
+use crate::proof;
+use crate::search::{Search, Span};
+use crate::shared;
+
+/// What is known about whether an attractor is in one piece.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Verdict {
+    /// Proved to be in one piece.
+    Connected,
+    /// Proved to be in several pieces.
+    Disconnected,
+    /// In one piece as far as the resolution tells: the pieces come within epsilon of each other.
+    Touching,
+    /// The budget was spent before an answer was found.
+    Undecided,
+}
+
+impl Verdict {
+    /// Its name in the programming interface.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Connected => "connected",
+            Self::Disconnected => "disconnected",
+            Self::Touching => "touching",
+            Self::Undecided => "undecided",
+        }
+    }
+
+    /// Whether the attractor is in one piece as far as is known.
+    #[must_use]
+    pub const fn holds(self) -> bool {
+        matches!(self, Self::Connected | Self::Touching)
+    }
+}
+
+/// How finely and how long to look.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Pieces within this distance touch, relative to the diameter of the attractor. Below some 1e-14 it
+    /// is raised to what floating point can tell apart; NaN and negative numbers count as 0.
+    pub epsilon: f64,
+    /// The most pairs of pieces to look at, for the verdict and for the gap each.
+    pub budget: usize,
+}
+
+impl Default for Options {
+    /// What a picture of 600 pixels resolves.
+    fn default() -> Self {
+        Self { epsilon: 1.0 / 600.0, budget: 400_000 }
+    }
+}
+
+/// Bounds of a distance in plane units.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Gap {
+    /// It is at least this.
+    pub lower: f64,
+    /// It is at most this.
+    pub upper: f64,
+}
+
+/// The answer of [`connectedness`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Connectedness {
+    /// Whether the attractor is in one piece.
+    pub verdict: Verdict,
+    /// The widest edge of the least spanning tree between the pieces, in plane units: zero if and only if
+    /// the attractor is connected. Where it is disconnected, the bounds are within 1 in 100 of each other
+    /// or within 1e-9 of the diameter, unless the budget was spent.
+    pub gap: Gap,
+    /// Pairs of maps whose attractorlets meet, or come within epsilon of each other, the smaller index
+    /// first, in ascending order.
+    pub overlaps: Vec<(usize, usize)>,
+    /// For each map the number, from 0, of the component its attractorlet is in.
+    pub components: Vec<usize>,
+    /// How many components there are.
+    pub count: usize,
+    /// Two points of the attractor, in different components, whose distance is `gap.upper`: the ends of the
+    /// widest gap. `None` where it is in one piece.
+    pub closest: Option<(DVec2, DVec2)>,
+    /// An upper bound of the diameter of the attractor, in plane units: epsilon is relative to it.
+    pub diameter: f64,
+    /// How many pairs of pieces were looked at.
+    pub nodes: usize,
+}
+
+/// Decides whether the attractor of `ifs` is connected, which of its pieces meet, and how wide the widest
+/// gap is.
+///
+/// `Connected` and `Disconnected` are proofs, `Touching` is what can be said at the resolution. For
+/// [`Verdict::Disconnected`], rounding is reckoned with: also that of the coefficients themselves, so that
+/// pieces that meet in one exact point are never called apart.
+#[must_use]
+pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
+    let maps = ifs.maps();
+    let mut frame = Frame::default();
+    frame.set_round(maps, ifs.contraction());
+    let proved = shared::shared_points(maps).count() == 1 || proof::at_once(maps);
+    if frame.point {
+        return in_one_point(maps.len(), proved);
+    }
+    let mut outline = Outline::default();
+    outline.set(&frame.maps, 1e-5, 4000);
+    let mut search = Search::default();
+    search.begin(&frame, &outline, options.epsilon.max(0.0));
+    let settled = search.settle(&frame, &outline, options.budget);
+    let all_settled = settled && search.settle_all(&frame, &outline, options.budget);
+    let count = search.components.count();
+    let components = search.components.labels();
+    let verdict = if proved {
+        Verdict::Connected
+    } else if count == 1 {
+        Verdict::Touching
+    } else if all_settled || search.is_apart_anyway() {
+        Verdict::Disconnected
+    } else {
+        Verdict::Undecided
+    };
+    let overlaps = search.overlaps();
+    let diameter = search.plane_diameter;
+    let span = match verdict {
+        Verdict::Connected => Span::default(),
+        Verdict::Touching => search.reach(),
+        Verdict::Disconnected => {
+            let budget = search.nodes.saturating_add(options.budget);
+            search.span(&frame, &outline, 0.01, 1e-9 * diameter, budget)
+        }
+        Verdict::Undecided => Span { lower: 0.0, ..search.span(&frame, &outline, 1.0, f64::INFINITY, 0) },
+    };
+    let closest = span.widest.filter(|_| count > 1).map(|n| (frame.to_plane(n.from), frame.to_plane(n.to)));
+    Connectedness {
+        verdict,
+        gap: Gap { lower: span.lower, upper: span.upper },
+        overlaps,
+        components,
+        count,
+        closest,
+        diameter,
+        nodes: search.nodes,
+    }
+}
+
+/// All pieces are the same point, as far as floating point tells.
+fn in_one_point(count: usize, proved: bool) -> Connectedness {
+    Connectedness {
+        verdict: if proved { Verdict::Connected } else { Verdict::Touching },
+        gap: Gap::default(),
+        overlaps: (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j))).collect(),
+        components: vec![0; count],
+        count: 1,
+        closest: None,
+        diameter: 0.0,
+        nodes: 0,
+    }
+}

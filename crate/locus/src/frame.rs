@@ -1,0 +1,117 @@
+//! Coordinates to search in: centred on the attractor, of its size, and such that the maps contract.
+
+use frond_core::{Affine2, Contraction, IfsError};
+use glam::{DMat2, DVec2};
+
+/// Where the search takes place. The attractor lies in the unit disc of these coordinates.
+#[derive(Clone, Debug)]
+pub(crate) struct Frame {
+    /// The maps in these coordinates.
+    pub maps: Vec<Affine2>,
+    /// From here to the plane; one unit here is of about the attractor's size.
+    pub from_round: DMat2,
+    origin: DVec2,
+    /// The metric of the plane, pulled back: a step `d` here is `sqrt(d . metric d)` long in the plane.
+    pub metric: DMat2,
+    /// How far the support values of a computed piece may be off, here, through rounding: that of the
+    /// given coefficients, of this conjugation and of products along words.
+    pub rounding: f64,
+    /// The contraction factor of a map, or of a block of maps.
+    pub factor: f64,
+    /// All of the attractor is one point, as far as floating point can tell.
+    pub point: bool,
+}
+
+/// Below this operator norm the plane's own coordinates are good enough.
+const PLAIN: f64 = 0.97;
+
+impl Default for Frame {
+    fn default() -> Self {
+        Self {
+            maps: Vec::new(),
+            from_round: DMat2::IDENTITY,
+            origin: DVec2::ZERO,
+            metric: DMat2::IDENTITY,
+            rounding: 0.0,
+            factor: 0.0,
+            point: true,
+        }
+    }
+}
+
+impl Frame {
+    /// Sets the frame up for raw maps; the cheap test first, [`Contraction::find`] where it fails.
+    pub fn set(&mut self, maps: &[Affine2]) -> Result<(), IfsError> {
+        let norm = maps.iter().fold(0.0_f64, |most, map| most.max(map.norm()));
+        let fits = |x: f64| x.abs() < 1e100;
+        // A comparison with NaN is false, so that bad numbers go the long way and get their message.
+        if norm < PLAIN
+            && !maps.is_empty()
+            && maps.iter().all(|m| fits(m.translation.x) && fits(m.translation.y))
+        {
+            self.set_plain(maps, norm);
+            Ok(())
+        } else {
+            self.set_round(maps, &Contraction::find(maps)?);
+            Ok(())
+        }
+    }
+
+    fn set_plain(&mut self, maps: &[Affine2], factor: f64) {
+        let origin = mean_point(maps);
+        let shift = maps.iter().map(|map| map.apply(origin).distance(origin)).fold(0.0, f64::max);
+        let radius = shift / (1.0 - factor) * (1.0 + 1e-12);
+        self.place(maps, DMat2::IDENTITY, DMat2::IDENTITY, origin, radius);
+        self.factor = factor;
+        self.rounding = ULPS * (1.0 + origin.length() / radius) / (1.0 - factor);
+    }
+
+    /// Sets the frame up in coordinates that are known to make the maps contract.
+    pub fn set_round(&mut self, maps: &[Affine2], found: &Contraction) {
+        let Contraction { to_round: to, from_round: from, factor, length, centre, radius } = *found;
+        self.place(maps, to, from, centre, radius);
+        self.factor = factor;
+        let stretch = |m: DMat2| Affine2::new(m, DVec2::ZERO).norm();
+        // The condition number is what the conjugation costs; longer blocks may grow before they shrink.
+        let condition = stretch(to) * stretch(from);
+        let growth = self.maps.iter().fold(1.0_f64, |most, map| most.max(map.norm()));
+        let spread = length as f64 * growth.powi(length as i32 - 1) / (1.0 - factor);
+        let size = 1.0 + (to * centre).length() / radius;
+        self.rounding = ULPS * condition * size * growth * spread;
+    }
+
+    fn place(&mut self, maps: &[Affine2], to: DMat2, from: DMat2, origin: DVec2, radius: f64) {
+        self.origin = origin;
+        let extent = origin.length().max(maps.iter().map(|m| m.translation.length()).fold(0.0, f64::max));
+        // A disc that is nothing but rounding is a point.
+        self.point = radius <= 1e-14 * (to * DVec2::splat(extent)).length();
+        let unit = if self.point { 1.0 } else { radius };
+        self.from_round = from * unit;
+        self.metric = self.from_round.transpose() * self.from_round;
+        self.maps.clear();
+        self.maps.extend(maps.iter().map(|map| {
+            let translation = to * (map.apply(origin) - origin) * (1.0 / unit);
+            Affine2::new(to * map.linear * from, translation)
+        }));
+    }
+
+    /// The point of the plane that is `p` here.
+    pub fn to_plane(&self, p: DVec2) -> DVec2 {
+        self.origin + self.from_round * p
+    }
+}
+
+/// A few times the error of one rounding; see [`Frame::rounding`].
+const ULPS: f64 = 24.0 * f64::EPSILON;
+
+/// The fixed point of the mean of the maps: the middle of the attractor, each map weighed alike.
+fn mean_point(maps: &[Affine2]) -> DVec2 {
+    let mut mean = Affine2::new(DMat2::ZERO, DVec2::ZERO);
+    for map in maps {
+        mean.linear += map.linear;
+        mean.translation += map.translation;
+    }
+    let share = 1.0 / maps.len() as f64;
+    let mean = Affine2::new(mean.linear * share, mean.translation * share);
+    mean.fixed_point().unwrap_or(DVec2::ZERO)
+}

@@ -1,0 +1,80 @@
+//! Pair subdivision against truth known by theorem: tests/known/connectedness.json.
+
+use frond_core::{Affine2, Ifs};
+use frond_locus::{Options, Scratch, State, Verdict, connectedness, decide};
+use serde_json::Value;
+
+/// The directory of the vectors: other ones of the same form may be put in their place.
+fn known() -> Value {
+    let directory = std::env::var("FROND_KNOWN")
+        .unwrap_or_else(|_| concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/known").to_owned());
+    let text =
+        std::fs::read_to_string(format!("{directory}/connectedness.json")).expect("connectedness.json");
+    serde_json::from_str(&text).expect("valid JSON")
+}
+
+fn maps_of(case: &Value) -> Vec<Affine2> {
+    let row = |map: &Value| {
+        let numbers: Vec<f64> = map.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+        Affine2::from_row(numbers.try_into().unwrap())
+    };
+    case["maps"].as_array().unwrap().iter().map(row).collect()
+}
+
+/// The corners of a regular n-gon drawn together by the factor `scale`.
+fn gon(n: u64, scale: f64) -> Vec<Affine2> {
+    let corner = |k| glam::DVec2::from_angle(std::f64::consts::TAU * k as f64 / n as f64);
+    (0..n).map(|k| Affine2::similitude(scale, 0.0, corner(k) * (1.0 - scale))).collect()
+}
+
+fn check(name: &str, maps: &[Affine2], connected: bool, epsilon: f64) {
+    let ifs = Ifs::new(maps.to_vec()).expect(name);
+    let answer = connectedness(&ifs, &Options { epsilon, ..Options::default() });
+    let sample = decide(maps, epsilon, 100_000, &mut Scratch::default());
+    let case = format!("{name} at {epsilon}: {answer:?}, {sample:?}");
+    assert_eq!(answer.components.len(), maps.len(), "{case}");
+    assert!(answer.gap.lower <= answer.gap.upper, "{case}");
+    if connected {
+        assert!(matches!(answer.verdict, Verdict::Connected | Verdict::Touching), "{case}");
+        assert!(sample.state.holds() && sample.gap == 0.0, "{case}");
+        assert!(answer.count == 1 && answer.gap.upper <= 1.01 * epsilon * answer.diameter, "{case}");
+    } else {
+        assert_eq!(answer.verdict, Verdict::Disconnected, "{case}");
+        assert_eq!(sample.state, State::Disconnected, "{case}");
+        assert!(answer.count > 1 && answer.gap.lower > 0.0, "{case}");
+        let (from, to) = answer.closest.expect("the ends of the gap");
+        assert!((from.distance(to) / answer.gap.upper - 1.0).abs() < 1e-6, "{case}");
+        let relative = answer.gap.upper / answer.diameter;
+        let off = f64::from(sample.gap) / relative;
+        assert!(off > 0.9 && off < if relative > 1e-4 { 1.12 } else { 2.0 }, "{case}");
+    }
+}
+
+#[test]
+fn cases() {
+    let known = known();
+    let cases = known["cases"].as_array().unwrap();
+    assert!(!cases.is_empty());
+    for case in cases {
+        let connected = case["truth"] == "connected";
+        let name = case["name"].as_str().unwrap();
+        for epsilon in [1e-4, 1e-6, 1e-9] {
+            check(name, &maps_of(case), connected, epsilon);
+        }
+    }
+}
+
+#[test]
+fn thresholds() {
+    let known = known();
+    let families = known["thresholds"].as_array().unwrap();
+    assert!(!families.is_empty());
+    for family in families {
+        assert_eq!(family["family"], "n-gon");
+        let (n, critical) = (family["n"].as_u64().unwrap(), family["critical_scale"].as_f64().unwrap());
+        for epsilon in [1e-7, 1e-9] {
+            check(&format!("{n}-gon below"), &gon(n, critical * (1.0 - 1e-6)), false, epsilon);
+            check(&format!("{n}-gon above"), &gon(n, critical * (1.0 + 1e-6)), true, epsilon);
+        }
+    }
+}
