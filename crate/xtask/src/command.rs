@@ -84,9 +84,10 @@ pub fn no_arguments(name: &str, arguments: &[String]) -> Outcome {
     }
 }
 
-/// The command as one would type it, with paths from the root on.
+/// The command as one would type it: the program by its name, paths from the root on.
 fn shown(command: &Command) -> String {
-    let words = std::iter::once(command.get_program()).chain(command.get_args());
+    let name = Path::new(command.get_program()).file_name().unwrap_or_default();
+    let words = std::iter::once(name).chain(command.get_args());
     let line = words.map(|word| word.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" ");
     line.replace(&format!("{}/", root().display()), "")
 }

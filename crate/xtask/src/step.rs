@@ -42,6 +42,15 @@ impl Steps {
         }
     }
 
+    /// Counts what `work` needs before it can run as `name`'s failure, where no step of its own has failed.
+    pub fn prepare(&mut self, name: &str, work: impl FnOnce(&mut Self) -> Outcome) -> Outcome {
+        let result = work(self);
+        if result.is_err() && self.done.iter().all(|step| step.passed) {
+            self.done.push(Step { name: name.to_owned(), time: Duration::ZERO, passed: false });
+        }
+        result
+    }
+
     /// Whether any step ran.
     pub fn any(&self) -> bool {
         !self.done.is_empty()
@@ -74,5 +83,30 @@ mod tests {
         let problem = steps.run("second", || Outcome::<()>::Err("no luck".into())).map_err(|e| e.to_string());
         assert!(problem.is_err_and(|text| text.contains("`second`") && text.contains("no luck")));
         assert_eq!(steps.done.iter().map(|step| step.passed).collect::<Vec<_>>(), [true, false]);
+    }
+
+    #[test]
+    fn what_cannot_be_prepared_has_failed_once() {
+        let mut steps = Steps::default();
+        assert!(steps.prepare("check", |_| Err("no browser".into())).is_err());
+        assert_eq!(steps.done.iter().filter(|step| !step.passed).count(), 1);
+
+        let mut steps = Steps::default();
+        assert!(steps.prepare("check", |steps| steps.run("install", || Err("no network".into()))).is_err());
+        assert_eq!(steps.done.iter().map(|step| step.name.as_str()).collect::<Vec<_>>(), ["install"]);
+    }
+
+    #[test]
+    fn what_passed_once_is_not_done_again() {
+        let mut steps = Steps::default();
+        let mut count = 0;
+        for _ in 0..3 {
+            let done = steps.once("build", || {
+                count += 1;
+                if count == 1 { Err("not yet".into()) } else { Ok(()) }
+            });
+            assert_eq!(done.is_err(), count == 1);
+        }
+        assert_eq!(count, 2);
     }
 }

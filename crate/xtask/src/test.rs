@@ -96,8 +96,9 @@ pub fn test(steps: &mut Steps, wanted: &[String]) -> Outcome {
         return Err(format!("there is no check `{word}`; there are:\n{}", list()).into());
     }
     for check in CHECKS.iter().filter(|check| wanted.is_empty() || wanted.iter().any(|word| check.is(word))) {
-        (check.set_up)(steps)?;
-        steps.run(&format!("{}: {}", check.name, check.what), check.work)?;
+        let name = format!("{}: {}", check.name, check.what);
+        steps.prepare(&name, check.set_up)?;
+        steps.run(&name, check.work)?;
     }
     Ok(())
 }
