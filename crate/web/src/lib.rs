@@ -8,12 +8,16 @@
 //! [`LocusTiles`]: crate::LocusTiles
 #![allow(clippy::missing_errors_doc)]
 
+mod connect;
 mod document;
 mod error;
+mod locus;
 mod shape;
 mod value;
 
+pub use connect::*;
 pub use document::*;
+pub use locus::*;
 pub use shape::*;
 
 use wasm_bindgen::prelude::*;

@@ -1,0 +1,108 @@
+//! The connectedness locus, whole or in tiles.
+
+use frond_core::Morph;
+use frond_locus::{Bounds, GridError, LocusGrid, Pass, Scratch};
+use js_sys::{Float32Array, Uint8Array};
+use serde::Deserialize;
+use wasm_bindgen::prelude::*;
+
+use crate::error::failure;
+use crate::value::{object, read, read_morph};
+
+#[derive(Clone, Copy, Deserialize)]
+pub(crate) struct PlainBounds {
+    u0: f64,
+    v0: f64,
+    u1: f64,
+    v1: f64,
+}
+
+impl From<PlainBounds> for Bounds {
+    fn from(PlainBounds { u0, v0, u1, v1 }: PlainBounds) -> Self {
+        Self { u0, v0, u1, v1 }
+    }
+}
+
+#[derive(Deserialize)]
+struct Sampling {
+    bounds: Option<PlainBounds>,
+    width: f64,
+    height: f64,
+    epsilon: Option<f64>,
+}
+
+/// What a picture of 600 pixels resolves.
+pub(crate) const EPSILON: f64 = 1.0 / 600.0;
+
+pub(crate) fn of_grid(error: &GridError) -> JsValue {
+    failure(error.code(), &error.to_string())
+}
+
+fn read_grid(options: &JsValue) -> Result<(LocusGrid, f64), JsValue> {
+    let plain: Sampling = read("The options", options.clone())?;
+    let bounds = plain.bounds.map_or_else(Bounds::default, Bounds::from);
+    // A cast of NaN or a negative number gives 0, which the grid refuses.
+    let grid = LocusGrid::new(bounds, plain.width as usize, plain.height as usize);
+    Ok((grid.map_err(|error| of_grid(&error))?, plain.epsilon.unwrap_or(EPSILON)))
+}
+
+pub(crate) fn write_samples(width: usize, height: usize, state: &[u8], gap: &[f32]) -> JsValue {
+    object(&[
+        ("width", (width as f64).into()),
+        ("height", (height as f64).into()),
+        ("state", Uint8Array::from(state).into()),
+        ("gap", Float32Array::from(gap).into()),
+    ])
+}
+
+/// The connectedness locus of the morph between two systems of equally many maps (Burch & Hart 1997, section
+/// 5). Long work: call it in a worker, or use `LocusTiles`.
+#[wasm_bindgen(unchecked_return_type = "Locus")]
+pub fn locus(
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "LocusOptions")] options: JsValue,
+) -> Result<JsValue, JsValue> {
+    let morph = read_morph(&from, &to, &options)?;
+    let (grid, epsilon) = read_grid(&options)?;
+    let (state, gap) = grid.locus(&morph, epsilon).into_parts();
+    Ok(write_samples(grid.width(), grid.height(), &state, &gap))
+}
+
+/// A locus that is computed a few rows at a time, from coarse to fine.
+#[wasm_bindgen]
+pub struct LocusTiles {
+    morph: Morph,
+    grid: LocusGrid,
+    epsilon: f64,
+    scratch: Scratch,
+}
+
+#[wasm_bindgen]
+impl LocusTiles {
+    /// The locus of the morph between two systems, with the options of `locus`. Nothing is computed yet.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "LocusOptions")] options: JsValue,
+    ) -> Result<Self, JsValue> {
+        let morph = read_morph(&from, &to, &options)?;
+        let (grid, epsilon) = read_grid(&options)?;
+        Ok(Self { morph, grid, epsilon, scratch: Scratch::default() })
+    }
+
+    /// Decides the samples of rows `r0` to `r1` (exclusive) that lie on the grid of every `stride`-th row and
+    /// column and, unless this is the `first` pass, not on that of twice the stride. The arrays hold one row
+    /// of the full width for each row that is a multiple of the stride; samples of other passes are 255 and
+    /// NaN.
+    #[wasm_bindgen(unchecked_return_type = "{ state: Uint8Array; gap: Float32Array }")]
+    pub fn run(&mut self, r0: usize, r1: usize, stride: usize, first: bool) -> JsValue {
+        let pass = Pass { rows: r0..r1, stride, first };
+        let tile = self.grid.tile(&self.morph, self.epsilon, &pass, &mut self.scratch);
+        object(&[
+            ("state", Uint8Array::from(&tile.state[..]).into()),
+            ("gap", Float32Array::from(&tile.gap[..]).into()),
+        ])
+    }
+}
