@@ -78,24 +78,20 @@ pub fn presets() -> Vec<Preset> {
             ],
         ),
         preset("maple", "Maple-like leaf", "Three lobes and a stalk, drawn for Frond.", maple()),
-        preset("tree", "Tree", "A trunk, two large boughs and two small ones.", tree()),
+        preset("tree", "Tree", "A trunk, two large boughs and a small one between them.", tree()),
         preset(
             "spiral",
             "Spiral",
-            "One map that turns and barely shrinks, and two that seed its arms.",
-            vec![
-                [0.787_879, -0.424_242, 0.242_424, 0.859_848, 1.758_647, 1.408_065],
-                [-0.121_212, 0.257_576, 0.151_515, 0.053_030, -6.721_654, 1.377_236],
-                [0.181_818, -0.136_364, 0.090_909, 0.181_818, 6.086_107, 1.568_035],
-            ],
+            "One map that turns and barely shrinks, and a small one that grows its arms.",
+            vec![[0.8645, -0.3147, 0.3147, 0.8645, 0.0, 0.0], [0.15, -0.2598, 0.2598, 0.15, 0.8, 0.1]],
         ),
         preset("dust", "Cantor dust", "Four pieces too small to meet: nothing but single points.", dust()),
         preset(
-            "bushy",
+            "twigs",
             "Twigs",
-            "Two twigs on a bent stalk, each the whole in small.",
+            "A stalk and two twigs, each the whole in small.",
             vec![
-                [0.0, 0.0, 0.0, 0.3, 0.0, 0.0],
+                [0.02, 0.0, 0.0, 0.42, 0.0, 0.0],
                 [0.56, -0.4, 0.4, 0.56, 0.0, 0.3],
                 [0.5, 0.42, -0.42, 0.5, 0.0, 0.3],
             ],
@@ -193,20 +189,19 @@ fn gosper() -> Vec<Row> {
 
 fn maple() -> Vec<Row> {
     vec![
-        [0.02, 0.0, 0.0, 0.34, 0.0, -0.56],
-        [0.52, 0.0, 0.0, 0.56, 0.0, 0.46],
-        [0.37, -0.5, 0.46, 0.42, -0.42, 0.02],
-        [0.37, 0.5, -0.46, 0.42, 0.42, 0.02],
+        [0.02, 0.0, 0.0, 0.4, 0.0, -0.6],
+        [0.48, 0.0, 0.0, 0.6, 0.0, 0.4],
+        [0.3, -0.55, 0.55, 0.35, -0.35, 0.0],
+        [0.3, 0.55, -0.55, 0.35, 0.35, 0.0],
     ]
 }
 
 fn tree() -> Vec<Row> {
     vec![
-        [0.04, 0.0, 0.0, 0.44, 0.0, 0.0],
-        [0.48, -0.42, 0.42, 0.48, 0.0, 0.42],
-        [0.5, 0.4, -0.4, 0.5, 0.0, 0.36],
-        [0.3, -0.12, 0.14, 0.34, 0.0, 0.3],
-        [0.32, 0.1, -0.12, 0.36, 0.0, 0.42],
+        [0.04, 0.0, 0.0, 0.5, 0.0, 0.0],
+        [0.514, -0.3467, 0.3467, 0.514, 0.0, 0.44],
+        [0.4443, 0.3728, -0.3728, 0.4443, 0.0, 0.36],
+        [0.3565, -0.0501, 0.0501, 0.3565, 0.0, 0.44],
     ]
 }
 
