@@ -1,7 +1,7 @@
 import { test as base } from "@playwright/test";
 
-/** What the software GPU's driver says about its own speed. */
-const driver = /GL Driver Message|GroupMarkerNotSet/;
+/** What the software GPU's driver says about its own speed, and Chromium where it has no WebGPU. */
+const driver = /GL Driver Message|GroupMarkerNotSet|No available adapters/;
 
 /**
  * Every test fails that leaves an error or a warning on the page's console, throws past the page, or asks for
