@@ -1,7 +1,8 @@
 import "./overlay.css";
 import type { ComponentChildren } from "preact";
-import { useEffect, useId, useRef } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { IconButton } from "./Button";
+import { useOwnId } from "./id";
 
 export interface DialogProps {
   title: string;
@@ -14,7 +15,7 @@ export interface DialogProps {
 
 /** A native modal dialog: it holds the focus while it is open and gives it back to where it came from. */
 export function Dialog({ title, about, onClose, children, wide = false }: DialogProps) {
-  const id = useId();
+  const id = useOwnId("dialog");
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => {
     const element = dialog.current;

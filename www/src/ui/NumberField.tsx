@@ -1,6 +1,7 @@
 import "./field.css";
 import type { ComponentChildren } from "preact";
-import { useId, useState } from "preact/hooks";
+import { useState } from "preact/hooks";
+import { useOwnId } from "./id";
 import { addStep, formatNumber, keyStep, parseNumber, rangeProblem } from "./number";
 
 export interface NumberFieldProps {
@@ -29,7 +30,7 @@ export interface NumberFieldProps {
 /** A number that can be typed, as a fraction too, or stepped with the arrow keys (shift finer, alt coarser). */
 export function NumberField(props: NumberFieldProps) {
   const { label, symbol, value, step = 0.01, min, max, digits = 4, unit, terse = false } = props;
-  const id = useId();
+  const id = useOwnId("number");
   const [draft, setDraft] = useState<string | null>(null);
   const [problem, setProblem] = useState<string | null>(null);
 
@@ -57,7 +58,7 @@ export function NumberField(props: NumberFieldProps) {
 
   return (
     <div class={`field ${problem === null ? "" : "invalid"}`} title={terse ? label : undefined}>
-      <label for={id} class="field-label">
+      <label for={id} class={`field-label ${terse && symbol === undefined ? "unseen" : ""}`}>
         {terse ? <span class="unseen">{label}</span> : <span>{label}</span>}
         {symbol !== undefined && <span class="symbol">{symbol}</span>}
       </label>

@@ -1,6 +1,6 @@
 import "./choice.css";
 import type { ComponentChildren } from "preact";
-import { useId } from "preact/hooks";
+import { useOwnId } from "./id";
 
 export interface Option<T extends string> {
   value: T;
@@ -20,7 +20,7 @@ export interface SegmentedProps<T extends string> {
 
 /** One of a few: a radio group that looks like one divided button. Native radios give it its keys. */
 export function Segmented<T extends string>({ label, options, value, onChange }: SegmentedProps<T>) {
-  const name = useId();
+  const name = useOwnId("choice");
   return (
     <div class="segmented" role="radiogroup" aria-label={label}>
       {options.map((option) => (

@@ -1,5 +1,5 @@
 /** Keys that work anywhere on the page, unless something is being typed or a dialog is open. */
-import { view } from "../../canvas/view";
+import { fitStage } from "../../canvas/gestures";
 import type { Colouring } from "../../engine/api";
 import { selection } from "../../state/morph";
 import { pause, play, playing } from "../../state/playback";
@@ -97,7 +97,7 @@ function run(command: Command): void {
       redo();
       break;
     case "fit":
-      view.value = null;
+      fitStage();
       break;
     case "edit":
       selection.value = selection.peek() === null ? { target: "a", map: 0 } : null;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { LocusResult } from "../../../engine/results";
-import { fillIn, paint } from "./paint";
+import { paint } from "./paint";
 import { BROKEN, HOLDS, NARROWEST, NONE, type Rgb, ramp, shadeOf } from "./ramp";
 
 /** Relative luminance of WCAG. */
@@ -49,20 +49,6 @@ function field(width: number, height: number, state: number[], gap: number[] = [
 const pixel = (pixels: Uint8ClampedArray, size: number, x: number, y: number) =>
   Array.from(pixels.slice(4 * (y * size + x), 4 * (y * size + x) + 4));
 
-describe("fillIn", () => {
-  it("lets the nearest decided sample of a coarser grid speak", () => {
-    const f = field(5, 1, [0, 255, 255, 255, 2]);
-    expect(Array.from(fillIn(f))).toEqual([0, 0, 4, 4, 4]);
-  });
-  it("ends where nothing is decided", () => {
-    expect(Array.from(fillIn(field(2, 2, [255, 255, 255, 255])))).toEqual([-1, -1, -1, -1]);
-  });
-  it("stays on the grid when its size fits no stride", () => {
-    const f = field(4, 1, [1, 255, 255, 255]);
-    for (const at of fillIn(f)) expect(at).toBe(0);
-  });
-});
-
 describe("paint", () => {
   it("puts the lowest v at the bottom", () => {
     const size = 8;
@@ -85,6 +71,7 @@ describe("paint", () => {
     const pixels = paint(field(2, 2, [2, 2, 2, 2], [NARROWEST, 1, NARROWEST, 1]), size, "gap");
     const row = Array.from({ length: size }, (_, x) => pixel(pixels, size, x, 20).join());
     expect(new Set(row).size).toBeGreaterThan(20);
+    expect(row[0]).not.toBe(row[size - 1]);
   });
   it("tells yes from no by a pattern as well as by colour", () => {
     const size = 32;
@@ -92,6 +79,17 @@ describe("paint", () => {
     const seen = new Set<string>();
     for (let y = 0; y < size; y++) for (let x = 0; x < size; x++) seen.add(pixel(pixels, size, x, y).join());
     expect(seen.size).toBe(2);
+  });
+  it("marks where there is no shape, and where it is not known", () => {
+    const size = 32;
+    for (const state of [3, 4]) {
+      const pixels = paint(field(2, 2, [state, state, state, state]), size, "gap");
+      const seen = new Set<string>();
+      for (let x = 0; x < size; x++)
+        seen.add(pixel(pixels, size, x, 7).join()).add(pixel(pixels, size, x, 8).join());
+      expect(seen.size).toBe(2);
+      expect(seen.has([...HOLDS, 255].join())).toBe(false);
+    }
   });
   it("lives with a single sample", () => {
     expect(pixel(paint(field(1, 1, [1]), 4, "gap"), 4, 2, 2)).toEqual([...HOLDS, 255]);

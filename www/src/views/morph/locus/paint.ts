@@ -5,47 +5,25 @@ import { BROKEN, HOLDS, NONE, type Rgb, ramp, shadeOf, UNDECIDED } from "./ramp"
 
 export type LocusStyle = "gap" | "yesno";
 
-const SHADES: readonly Rgb[] = Array.from({ length: 256 }, (_, i) => ramp(i / 255));
+/** A pixel as one number, in the order of bytes of the machine. */
+const LITTLE = new Uint8Array(new Uint32Array([1]).buffer)[0] === 1;
+const packed = ([r, g, b]: Rgb): number =>
+  (LITTLE ? (255 << 24) | (b << 16) | (g << 8) | r : (r << 24) | (g << 16) | (b << 8) | 255) >>> 0;
 
-/**
- * For each sample the sample that speaks for it: itself once it is decided, until then the nearest one of the
- * coarser grids. -1 where none of them is decided.
- */
-export function fillIn({
-  width,
-  height,
-  state,
-}: Pick<LocusResult, "width" | "height" | "state">): Int32Array {
-  const from = new Int32Array(width * height);
-  const coarser = (i: number, stride: number, size: number) => {
-    const near = Math.round(i / stride) * stride;
-    return near < size ? near : Math.floor(i / stride) * stride;
-  };
-  for (let y = 0; y < height; y++) {
-    for (let x = 0; x < width; x++) {
-      let at = y * width + x;
-      for (let stride = 2; state[at] === STATE.pending; stride *= 2) {
-        if (stride > 2 * Math.max(width, height)) {
-          at = -1;
-          break;
-        }
-        at = coarser(y, stride, height) * width + coarser(x, stride, width);
-      }
-      from[y * width + x] = at;
-    }
-  }
-  return from;
-}
+const SHADES = Uint32Array.from({ length: 256 }, (_, i) => packed(ramp(i / 255)));
+const STRIPE = packed(ramp(0.16));
+const COLOURS = { holds: packed(HOLDS), broken: packed(BROKEN), none: packed(NONE), open: packed(UNDECIDED) };
 
 /** Patterns, so that colour is never the only sign: `period` is a whole number of pixels. */
 const hatched = (x: number, y: number, period: number) => (x + y) % period < period / 4;
 const crossed = (x: number, y: number, period: number) =>
-  (x + y) % period < 1.5 || (x - y + 64 * period) % period < 1.5;
+  (x + y) % period < 1.5 || (x - y + 512 * period) % period < 1.5;
 const dotted = (x: number, y: number, period: number) => x % period < period / 3 && y % period < period / 3;
 
 /**
  * RGBA, `size` x `size`, the highest v on top; both ends of each axis are samples, so the outermost ones own half a
- * cell. `scale` is device pixels a CSS pixel: patterns keep their size on fine screens.
+ * cell. Samples that are not decided stay clear. `scale` is device pixels a CSS pixel: patterns keep their size on fine
+ * screens.
  */
 export function paint(
   field: LocusResult,
@@ -53,76 +31,68 @@ export function paint(
   style: LocusStyle,
   scale = 1,
 ): Uint8ClampedArray<ArrayBuffer> {
-  const { width, height, state, gap } = field;
-  const from = fillIn(field);
-  const pixels = new Uint8ClampedArray(4 * size * size);
+  const { width, height, state } = field;
+  const shades = shadesOf(field);
+  const pixels = new Uint32Array(size * size);
   const period = Math.max(4, Math.round(8 * scale));
-  const shade = (at: number) => 255 * shadeOf(gap[at] ?? 0);
   const columns = axis(size, width);
   const rows = axis(size, height);
   for (let y = 0; y < size; y++) {
-    const row = rows[size - 1 - y] ?? { near: 0, low: 0, part: 0 };
+    const up = size - 1 - y;
+    const near = (rows.near[up] ?? 0) * width;
+    const low = (rows.low[up] ?? 0) * width;
+    const high = height > 1 ? low + width : low;
+    const part = rows.part[up] ?? 0;
     for (let x = 0; x < size; x++) {
-      const column = columns[x] ?? row;
-      const at = from[row.near * width + column.near] ?? -1;
-      if (at < 0) continue;
-      let colour: Rgb = HOLDS;
+      const at = near + (columns.near[x] ?? 0);
+      let pixel = COLOURS.holds;
       switch (state[at]) {
+        case STATE.pending:
+          continue;
         case STATE.disconnected:
           if (style === "yesno") {
-            colour = hatched(x, y, period) ? (SHADES[40] ?? BROKEN) : BROKEN;
+            pixel = hatched(x, y, period) ? STRIPE : COLOURS.broken;
           } else {
-            colour = SHADES[Math.round(smooth(field, from, row, column, shade) ?? shade(at))] ?? BROKEN;
+            const left = columns.low[x] ?? 0;
+            const right = width > 1 ? left + 1 : left;
+            const k = columns.part[x] ?? 0;
+            const p = shades[low + left] ?? -1;
+            const q = shades[low + right] ?? -1;
+            const r = shades[high + left] ?? -1;
+            const s = shades[high + right] ?? -1;
+            // Shaded between four samples only where all are broken: the border stays as sharp as it is known.
+            const shade =
+              p < 0 || q < 0 || r < 0 || s < 0
+                ? (shades[at] ?? 0)
+                : p + k * (q - p) + part * (r + k * (s - r) - p - k * (q - p));
+            pixel = SHADES[Math.round(shade)] ?? COLOURS.broken;
           }
           break;
         case STATE.undecided:
-          colour = dotted(x, y, period) ? NONE : UNDECIDED;
+          pixel = dotted(x, y, period) ? COLOURS.none : COLOURS.open;
           break;
         case STATE.none:
-          colour = crossed(x, y, period) ? UNDECIDED : NONE;
+          pixel = crossed(x, y, period) ? COLOURS.open : COLOURS.none;
           break;
       }
-      const i = 4 * (y * size + x);
-      pixels[i] = colour[0];
-      pixels[i + 1] = colour[1];
-      pixels[i + 2] = colour[2];
-      pixels[i + 3] = 255;
+      pixels[y * size + x] = pixel;
     }
   }
-  return pixels;
+  return new Uint8ClampedArray(pixels.buffer);
 }
 
-interface Place {
-  /** The nearest sample. */
-  near: number;
-  /** The sample at or below, and how far on to the next one. */
-  low: number;
-  part: number;
+/** For each broken sample its place on the scale, 0 to 255; -1 for all others. */
+function shadesOf({ state, gap }: LocusResult): Float32Array {
+  return Float32Array.from(gap, (g, i) => (state[i] === STATE.disconnected ? 255 * shadeOf(g) : -1));
 }
 
-/** Where the middle of each pixel falls among the samples of an axis. */
-function axis(size: number, samples: number): Place[] {
-  return Array.from({ length: size }, (_, i) => {
-    const at = ((i + 0.5) / size) * (samples - 1);
-    const low = Math.max(0, Math.min(samples - 2, Math.floor(at)));
-    return { near: Math.round(at), low, part: at - low };
-  });
-}
-
-/** The shade between four samples, or null where one of them is not broken: the border stays as sharp as it is known. */
-function smooth(
-  { width, height, state }: LocusResult,
-  from: Int32Array,
-  row: Place,
-  column: Place,
-  shade: (at: number) => number,
-): number | null {
-  if (width < 2 || height < 2) return null;
-  const corner = row.low * width + column.low;
-  const at = [corner, corner + 1, corner + width, corner + width + 1].map((i) => from[i] ?? -1);
-  if (at.some((i) => state[i] !== STATE.disconnected)) return null;
-  const [p = 0, q = 0, r = 0, s = 0] = at.map(shade);
-  const low = p + column.part * (q - p);
-  const high = r + column.part * (s - r);
-  return low + row.part * (high - low);
+/** Where the middle of each pixel falls on an axis: the nearest sample, the one below, and how far on to the next. */
+function axis(size: number, samples: number): { near: Int32Array; low: Int32Array; part: Float32Array } {
+  const at = Float64Array.from({ length: size }, (_, i) => ((i + 0.5) / size) * (samples - 1));
+  const low = Int32Array.from(at, (x) => Math.max(0, Math.min(samples - 2, Math.floor(x))));
+  return {
+    near: Int32Array.from(at, Math.round),
+    low,
+    part: Float32Array.from(at, (x, i) => x - (low[i] ?? 0)),
+  };
 }

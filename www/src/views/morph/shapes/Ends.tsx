@@ -3,7 +3,7 @@ import { thumbnails } from "../../../engine/results";
 import { selection } from "../../../state/morph";
 import { announce } from "../../../state/notice";
 import { edit, scene } from "../../../state/scene";
-import { Button, IconButton } from "../../../ui/Button";
+import { IconButton } from "../../../ui/Button";
 import { Menu } from "../../../ui/Menu";
 import { asBoth, type End, nameOf, other, swap } from "../changes";
 import { gallery } from "../dialogs";
@@ -51,20 +51,20 @@ function Card({ end }: { end: End }) {
           {nameOf(end)}
         </span>
         <span class="card-name">{name}</span>
-        <span class="card-count">{rest}</span>
       </button>
       <div class="card-tools">
-        <Button
+        <span class="card-count" aria-hidden="true">
+          {rest}
+        </span>
+        <IconButton
           kind="quiet"
           icon="edit"
+          label={`Edit the maps of ${nameOf(end)}`}
           pressed={editing}
-          description={`Change the maps of shape ${nameOf(end)}`}
           onClick={() => {
             selection.value = editing ? null : { target: end, map: 0 };
           }}
-        >
-          Edit<span class="unseen"> the maps of {nameOf(end)}</span>
-        </Button>
+        />
         <Menu
           label={`More for shape ${nameOf(end)}`}
           items={[
