@@ -57,7 +57,7 @@ export function Stage({
       >
         <div class="pane">
           <Picture maps={mainMaps} backend={backend} main onState={setPicture} onPainter={setPainter} />
-          {both && <p class="pane-label">Turned and stretched apart (polar)</p>}
+          {both && <p class="pane-label">Turning and stretching (polar)</p>}
           {!both && <ClosestPair />}
           <Handles />
         </div>

@@ -2,14 +2,18 @@ import { stageStyle } from "../canvas/look";
 import { effectiveView, stageSize } from "../canvas/view";
 import { submit } from "../engine/engine";
 import { single } from "../engine/protocol";
+import { adoptPath } from "../engine/schedule";
 import { frond } from "../engine/wasm";
 import { addressBar, Link } from "../state/link";
-import { shown } from "../state/morph";
+import { selection, shown } from "../state/morph";
 import { notify, wordsOf } from "../state/notice";
 import { scene } from "../state/scene";
 
 /** The one link between this page's document and its address. */
-export const link = new Link(frond, addressBar);
+export const link = new Link(frond, addressBar, () => {
+  selection.value = null;
+  adoptPath();
+});
 
 /** Where the studio is, with the present document. */
 export function studioHref(): string {

@@ -2,6 +2,7 @@ import type { ComponentChildren } from "preact";
 import { route } from "../state/link";
 import { setTheme, type Theme, theme } from "../state/preferences";
 import { canRedo, canUndo, redo, undo } from "../state/scene";
+import { Menu, type MenuItem } from "../ui/Menu";
 import { help } from "../views/morph/dialogs";
 import { savePicture, shareLink, studioHref } from "./actions";
 import { Glyph, type GlyphName } from "./glyphs";
@@ -44,9 +45,22 @@ export function Header() {
             <span>Share link</span>
           </button>
         )}
+        <div class="narrow-only">
+          <Menu label="More" items={moreItems(studio)} />
+        </div>
       </div>
     </header>
   );
+}
+
+/** What a narrow header has no room for. */
+function moreItems(studio: boolean): MenuItem[] {
+  const themes = (["auto", "light", "dark"] as const).map((choice) => ({
+    label: THEME_WORDS[choice],
+    ...(theme.value === choice ? { icon: "check" as const } : {}),
+    onSelect: () => setTheme(choice),
+  }));
+  return studio ? [{ label: "Save as PNG", onSelect: savePicture }, ...themes] : themes;
 }
 
 function StudioTools() {
@@ -54,7 +68,7 @@ function StudioTools() {
     <>
       <Tool glyph="undo" label="Undo" disabled={!canUndo.value} onClick={undo} />
       <Tool glyph="redo" label="Redo" disabled={!canRedo.value} onClick={redo} />
-      <Tool glyph="save" label="Save as PNG" onClick={savePicture} />
+      <Tool glyph="save" label="Save as PNG" class="wide" onClick={savePicture} />
       <Tool
         glyph="help"
         label="Keyboard shortcuts"

@@ -46,8 +46,20 @@ export const pathBox: ReadonlySignal<Box> = computed(() => {
 
 /** What the stage fits: the whole path, or the shape that is being edited. */
 export const stageBox: ReadonlySignal<Box> = computed(() =>
-  selection.value ? (boxOf(shown.value) ?? pathBox.value) : pathBox.value,
+  selection.value ? editBox(shown.value) : pathBox.value,
 );
+
+/** A shape with the parallelograms of its maps, so that no handle is out of reach. */
+function editBox(maps: MapRow[]): Box {
+  const box = boxOf(maps);
+  if (!box) return pathBox.value;
+  const images = maps.map(([a, b, c, d, e, f]): Box => {
+    const xs = [box.x0, box.x1].flatMap((x) => [box.y0, box.y1].map((y) => a * x + b * y + e));
+    const ys = [box.x0, box.x1].flatMap((x) => [box.y0, box.y1].map((y) => c * x + d * y + f));
+    return { x0: Math.min(...xs), y0: Math.min(...ys), x1: Math.max(...xs), y1: Math.max(...ys) };
+  });
+  return union([box, ...images]) ?? box;
+}
 
 export function diagonal(box: Box): number {
   return Math.hypot(box.x1 - box.x0, box.y1 - box.y0);

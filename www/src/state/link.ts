@@ -39,9 +39,12 @@ export class Link {
   /** The document that the address stands for. */
   #kept: Scene | null = null;
 
-  constructor(codec: Codec, address: Address) {
+  readonly #onOpen: () => void;
+
+  constructor(codec: Codec, address: Address, onOpen: () => void = () => {}) {
     this.#codec = codec;
     this.#address = address;
+    this.#onOpen = onOpen;
   }
 
   /** Reads the address for the first time. */
@@ -63,6 +66,7 @@ export class Link {
     if (fragment === this.fragment()) return;
     const opened = this.#decode(fragment);
     edit(() => opened);
+    this.#onOpen();
     this.#kept = scene.peek();
   }
 
@@ -109,7 +113,7 @@ export class Link {
     if (problem) {
       notify({
         kind: "error",
-        text: `This link could not be read, so here is where Frond begins. ${problem.message}`,
+        text: `${problem.message} Frond shows what it begins with instead.`,
       });
     }
     return opened;

@@ -1,5 +1,5 @@
 import { effect, signal } from "@preact/signals";
-import { endGesture, replace, scene } from "./scene";
+import { replace, scene } from "./scene";
 
 export const playing = signal(false);
 /** Back and forth for ever; else it stops at the end. */
@@ -7,6 +7,7 @@ export const loop = signal(true);
 /** 1 takes `SECONDS` from one end to the other. */
 export const speed = signal(1);
 export const SECONDS = 8;
+const FINEST = 1e4;
 
 let direction = 1;
 let last: number | null = null;
@@ -55,18 +56,17 @@ export function play(): void {
 }
 
 export function pause(): void {
+  if (playing.peek()) setT(scene.peek().t);
   playing.value = false;
 }
 
 /** Moves along the path, by hand. The moment is no undo step, so that undo stays for what was made. */
 export function setT(t: number, _gesture?: string): void {
   const clamped = Number.isFinite(t) ? Math.min(1, Math.max(0, t)) : 0;
+  // As fine as anyone can point, and short in a link.
+  const rounded = Math.round(clamped * FINEST) / FINEST;
   const before = scene.peek();
-  if (clamped !== before.t) replace({ ...before, t: clamped });
-}
-
-export function endScrub(): void {
-  endGesture();
+  if (rounded !== before.t) replace({ ...before, t: rounded });
 }
 
 effect(() => {
