@@ -1,0 +1,153 @@
+//! The programming interface, as JavaScript meets it.
+#![cfg(target_arch = "wasm32")]
+#![expect(clippy::unwrap_used, reason = "a test may fail so")]
+
+use js_sys::{Array, Float32Array, JSON, Object, Reflect, Uint8Array};
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+fn json(text: &str) -> JsValue {
+    JSON::parse(text).unwrap()
+}
+
+fn get(value: &JsValue, key: &str) -> JsValue {
+    Reflect::get(value, &key.into()).unwrap()
+}
+
+fn text(value: &JsValue, key: &str) -> String {
+    get(value, key).as_string().unwrap()
+}
+
+fn code<T>(result: Result<T, JsValue>) -> String {
+    let error = result.err().unwrap();
+    assert!(text(&error, "message").len() > 20, "a message says what to do");
+    text(&error, "code")
+}
+
+fn maps_of(id: &str) -> JsValue {
+    let all: Array = frond_web::presets().unwrap().unchecked_into();
+    all.find(&mut |preset, _, _| text(&preset, "id") == id)
+}
+
+#[wasm_bindgen_test]
+fn shapes_are_validated_with_stable_codes() {
+    assert!(frond_web::validate(maps_of("fern")).is_ok());
+    for (ifs, wanted) in [
+        ("{\"maps\": []}", "no-maps"),
+        ("{\"maps\": [[1, 0, 0, 1, 0, 0]]}", "no-attractor"),
+        ("{\"maps\": [[1e300, 0, 0, 1, 0, 0]]}", "not-finite"),
+        ("{\"maps\": [[1, 2, 3]]}", "bad-input"),
+        ("{\"maps\": \"none\"}", "bad-input"),
+        ("{}", "bad-input"),
+        ("[]", "bad-input"),
+        ("{\"maps\": [[0.5, 0, 0, 0.5, 0, 0]], \"probabilities\": [1, 2]}", "probabilities"),
+    ] {
+        assert_eq!(code(frond_web::validate(json(ifs))), wanted, "{ifs}");
+    }
+    for nothing in [JsValue::UNDEFINED, JsValue::NULL, 5.into(), "x".into()] {
+        assert_eq!(code(frond_web::validate(nothing)), "bad-input");
+    }
+    let many = Object::new();
+    Reflect::set(&many, &"maps".into(), &Array::new_with_length(1_000_000)).unwrap();
+    assert_eq!(code(frond_web::validate(many.into())), "too-many-maps");
+}
+
+#[wasm_bindgen_test]
+fn the_chaos_game_gives_the_points_that_were_asked_for() {
+    let cloud = frond_web::attractor(maps_of("fern"), json("{\"points\": 1000, \"seed\": 5}")).unwrap();
+    let positions: Float32Array = get(&cloud, "positions").unchecked_into();
+    let pieces: Uint8Array = get(&cloud, "pieces").unchecked_into();
+    assert_eq!((positions.length(), pieces.length()), (2000, 1000));
+    assert!(positions.to_vec().iter().all(|x| x.is_finite() && x.abs() < 11.0));
+    for bad in ["{\"points\": -1}", "{\"points\": 1e12}", "{}"] {
+        assert_eq!(code(frond_web::attractor(maps_of("fern"), json(bad))), "bad-input");
+    }
+}
+
+#[wasm_bindgen_test]
+fn verdicts_say_what_they_know() {
+    let verdict = |ifs| text(&frond_web::connectedness(ifs, JsValue::UNDEFINED).unwrap(), "verdict");
+    assert_eq!(verdict(maps_of("dust")), "disconnected");
+    assert_eq!(verdict(maps_of("dragon")), "connected");
+    assert_eq!(verdict(json("{\"maps\": [[2, 0, 0, 2, 0, 0]]}")), "no-attractor");
+    let dust = frond_web::connectedness(maps_of("dust"), JsValue::UNDEFINED).unwrap();
+    assert_eq!(get(&dust, "count").as_f64(), Some(4.0));
+    // Ratio 0.4 in the unit square: pieces are 0.2 apart.
+    let gap = get(&get(&dust, "gap"), "upper").as_f64().unwrap();
+    assert!((gap - 0.2).abs() < 0.005, "{gap}");
+}
+
+#[wasm_bindgen_test]
+fn a_morph_starts_and_ends_where_it_should() {
+    let pairing = frond_web::pair(maps_of("dragon"), maps_of("gasket")).unwrap();
+    assert_eq!(Array::from(&get(&pairing, "steps")).length(), 1);
+    let ifs = |end: &str| {
+        let object = Object::new();
+        Reflect::set(&object, &"maps".into(), &get(&pairing, end)).unwrap();
+        JsValue::from(object)
+    };
+    let at = frond_web::interpolate(ifs("from"), ifs("to"), json("{\"u\": 1, \"v\": 1}")).unwrap();
+    assert_eq!(JSON::stringify(&get(&at, "maps")).unwrap(), JSON::stringify(&get(&pairing, "to")).unwrap());
+    let uneven = frond_web::interpolate(maps_of("dragon"), maps_of("gasket"), json("{\"u\": 1, \"v\": 1}"));
+    assert_eq!(code(uneven), "map-counts");
+}
+
+#[wasm_bindgen_test]
+fn a_locus_holds_both_ends_of_the_morph() {
+    let (from, to) = (maps_of("dragon-3"), maps_of("gasket"));
+    let locus = frond_web::locus(from.clone(), to.clone(), json("{\"width\": 13, \"height\": 13}")).unwrap();
+    let state: Uint8Array = get(&locus, "state").unchecked_into();
+    let state = state.to_vec();
+    // (0, 0) and (1, 1) are samples 4 and 8 of 13.
+    assert!(state[4 * 13 + 4] <= 1 && state[8 * 13 + 8] <= 1);
+    assert!(state.contains(&2));
+    // Tiles from coarse to fine give the same.
+    let options = json("{\"width\": 13, \"height\": 13}");
+    let mut tiles = frond_web::LocusTiles::new(from.clone(), to.clone(), options).unwrap();
+    let mut pieced = vec![255; 169];
+    for (stride, first) in [(4, true), (2, false), (1, false)] {
+        let tile: Uint8Array = get(&tiles.run(0, 13, stride, first), "state").unchecked_into();
+        for (i, &s) in tile.to_vec().iter().enumerate() {
+            if s != 255 {
+                pieced[i / 13 * stride * 13 + i % 13] = s;
+            }
+        }
+    }
+    assert_eq!(pieced, state);
+    for bad in
+        ["{\"width\": 0, \"height\": 5}", "{\"width\": 1e9, \"height\": 5}", "{\"width\": -1, \"height\": 1}"]
+    {
+        assert_eq!(code(frond_web::locus(from.clone(), to.clone(), json(bad))), "locus-size");
+    }
+}
+
+#[wasm_bindgen_test]
+fn documents_go_through_links() {
+    let scene = frond_web::default_scene().unwrap();
+    let link = frond_web::encode_scene(scene.clone()).unwrap();
+    let opened = frond_web::decode_scene(&link).unwrap();
+    assert_eq!(JSON::stringify(&get(&opened, "scene")).unwrap(), JSON::stringify(&scene).unwrap());
+    assert!(get(&opened, "problem").is_undefined());
+    let damaged = frond_web::decode_scene("a=%00&b=<script>").unwrap();
+    assert_eq!(text(&get(&damaged, "problem"), "code"), "link-damaged");
+    assert_eq!(JSON::stringify(&get(&damaged, "scene")).unwrap(), JSON::stringify(&scene).unwrap());
+}
+
+#[wasm_bindgen_test]
+fn shapes_are_moved_by_conjugation() {
+    let moved = frond_web::conjugate(maps_of("gasket"), json("[2, 0, 0, 2, 5, 7]")).unwrap();
+    let bounds = frond_web::bounds(moved).unwrap();
+    let min: Vec<f64> = Array::from(&get(&bounds, "min")).iter().filter_map(|x| x.as_f64()).collect();
+    assert!((min[0] - 5.0).abs() < 0.02 && (min[1] - 7.0).abs() < 0.02, "{min:?}");
+    assert!((get(&bounds, "dimension").as_f64().unwrap() - 3.0_f64.log2()).abs() < 1e-9);
+    assert_eq!(code(frond_web::conjugate(maps_of("gasket"), json("[0, 0, 0, 0, 0, 0]"))), "singular");
+}
+
+#[wasm_bindgen_test]
+fn polar_factors_are_told() {
+    let factors = frond_web::polar(json("[0, -0.5, 0.5, 0, 0, 0]")).unwrap();
+    assert!((get(&factors, "angle").as_f64().unwrap() - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
+    assert_eq!(get(&factors, "reflects").as_bool(), Some(false));
+}
