@@ -1,7 +1,7 @@
 import type { MapRow } from "../engine/api";
 import type { Renderer, RenderStyle } from "../engine/wasm";
+import type { View } from "./geometry";
 import type { Pixels, Surface } from "./surface";
-import type { View } from "./view";
 
 /** The renderer of the Rust side, in the page's units. */
 export class Accelerated implements Surface {

@@ -1,6 +1,7 @@
 import { verdict } from "../engine/results";
 import { lengthWords } from "../state/words";
-import { effectiveView, stageSize, toScreen, world } from "./view";
+import { toScreen, world } from "./geometry";
+import { effectiveView, stageSize } from "./view";
 
 /** Where the widest gap is: the two points that are nearest across it, and how far apart they are. */
 export function ClosestPair() {

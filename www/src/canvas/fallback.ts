@@ -3,8 +3,8 @@ import { Coalesce } from "../engine/coalesce";
 import { submit } from "../engine/engine";
 import { type Channel, type Job, single } from "../engine/protocol";
 import { frond, type RenderStyle } from "../engine/wasm";
+import type { View } from "./geometry";
 import type { Pixels, Surface } from "./surface";
-import type { View } from "./view";
 
 interface Request {
   maps: MapRow[];

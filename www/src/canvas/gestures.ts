@@ -1,4 +1,5 @@
-import { effectiveView, fitView, panned, type Screen, screen, stageSize, view, zoomed } from "./view";
+import { panned, type Screen, screen, zoomed } from "./geometry";
+import { effectiveView, fitView, stageSize, view } from "./view";
 import { keepView } from "./view-link";
 
 const WHEEL_REST_MS = 250;

@@ -6,9 +6,10 @@ import { selection } from "../state/morph";
 import { announce } from "../state/notice";
 import { edit, endGesture, inGesture, scene } from "../state/scene";
 import { lengthWords } from "../state/words";
+import { screen, toScreen, toWorld, type World } from "./geometry";
 import { stageStyle } from "./look";
 import { type Corners, cornersOf, dragged, GRIPS, type Grip } from "./parallelogram";
-import { effectiveView, screen, stageSize, toScreen, toWorld, type World } from "./view";
+import { effectiveView, stageSize } from "./view";
 
 const UNIT: Box = { x0: 0, y0: 0, x1: 1, y1: 1 };
 const STEP = 10;

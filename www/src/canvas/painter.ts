@@ -4,8 +4,8 @@ import { type Backend, frond, type Renderer, type RenderStyle } from "../engine/
 import { notify, wordsOf } from "../state/notice";
 import { Accelerated } from "./accelerated";
 import { Fallback } from "./fallback";
+import type { View } from "./geometry";
 import type { Pixels, Surface } from "./surface";
-import type { View } from "./view";
 
 export type PainterBackend = Backend | "canvas";
 

@@ -1,6 +1,6 @@
 import type { MapRow } from "../engine/api";
 import type { Box } from "../state/fit";
-import { type World, world } from "./view";
+import { type World, world } from "./geometry";
 
 /** The parts of a parallelogram that can be taken hold of. */
 export type Grip = "origin" | "x" | "y" | "turn";

@@ -1,6 +1,6 @@
 import type { MapRow } from "../engine/api";
 import type { RenderStyle } from "../engine/wasm";
-import type { View } from "./view";
+import type { View } from "./geometry";
 
 /** Straight alpha, row 0 on top. */
 export interface Pixels {

@@ -1,7 +1,8 @@
 import { effect, untracked } from "@preact/signals";
 import { selection } from "../state/morph";
 import { replace, scene } from "../state/scene";
-import { effectiveView, fitView, stageSize, type View, view, zoom } from "./view";
+import type { View } from "./geometry";
+import { effectiveView, fitView, stageSize, view, zoom } from "./view";
 
 /** Ties the view to the document, where it is kept relative to the fit: the same link fits a phone and a wall. */
 let known: { x: number; y: number; zoom: number } | undefined;

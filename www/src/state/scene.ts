@@ -1,4 +1,4 @@
-import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { Scene } from "../engine/api";
 import { close, EMPTY, type History, record, stepBack, stepForward } from "./history";
 
@@ -48,9 +48,16 @@ export function edit(change: (scene: Scene) => Scene, options: { gesture?: strin
   const before = present.peek();
   const after = change(before);
   if (after === before) return;
-  history.value = record(history.peek(), before, after, options.gesture);
-  present.value = after;
-  dragging.value = options.gesture !== undefined;
+  set(record(history.peek(), before, after, options.gesture), after, options.gesture !== undefined);
+}
+
+/** All at once: nobody sees the change without knowing whether it is part of a drag. */
+function set(past: History, now: Scene, gesture: boolean): void {
+  batch(() => {
+    history.value = past;
+    present.value = now;
+    dragging.value = gesture;
+  });
 }
 
 /** The pointer was lifted, or the key released: the next edit is a step of its own. */
@@ -73,15 +80,10 @@ export function redo(): void {
 }
 
 function move(to: { history: History; scene: Scene } | null): void {
-  if (!to) return;
-  history.value = to.history;
-  present.value = to.scene;
-  dragging.value = false;
+  if (to) set(to.history, to.scene, false);
 }
 
 /** Starts over with another document and no past. */
 export function start(first: Scene): void {
-  history.value = EMPTY;
-  present.value = first;
-  dragging.value = false;
+  set(EMPTY, first, false);
 }

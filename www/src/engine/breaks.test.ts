@@ -1,0 +1,60 @@
+import { describe, expect, it } from "vitest";
+import { breaksAlong, STATE, stateNear, stretches } from "./breaks";
+
+const { connected, touching, disconnected, none, undecided } = STATE;
+
+describe("stretches", () => {
+  it("reaches half a sample to both sides", () => {
+    expect(stretches([touching, disconnected, touching, touching, touching])).toEqual([
+      { t0: 0.125, t1: 0.375 },
+    ]);
+  });
+
+  it("stops at both ends", () => {
+    expect(stretches([disconnected, none, disconnected])).toEqual([{ t0: 0, t1: 1 }]);
+    expect(stretches([connected, touching, disconnected])).toEqual([{ t0: 0.75, t1: 1 }]);
+  });
+
+  it("does not call the undecided broken", () => {
+    expect(stretches([undecided, undecided])).toEqual([]);
+    expect(stretches([])).toEqual([]);
+  });
+});
+
+describe("stateNear", () => {
+  const field = {
+    width: 3,
+    height: 3,
+    bounds: { u0: 0, v0: 0, u1: 2, v1: 2 },
+    state: Uint8Array.from([2, 2, 2, 2, 1, 2, 2, 2, 2]),
+    gap: new Float32Array(9),
+  };
+
+  it("lets a sample speak for itself", () => {
+    expect(stateNear(field, [1, 1])).toBe(touching);
+    expect(stateNear(field, [0, 1])).toBe(disconnected);
+  });
+
+  it("gives a thin isthmus the benefit of the doubt between samples", () => {
+    expect(stateNear(field, [0.6, 0.6])).toBe(touching);
+  });
+
+  it("knows nothing outside", () => {
+    expect(stateNear(field, [9, 9])).toBe(STATE.pending);
+  });
+
+  it("marks the broken ends of a path", () => {
+    const found = breaksAlong(
+      field,
+      [
+        [0, 0],
+        [2, 2],
+      ],
+      5,
+    );
+    expect(found).toEqual([
+      { t0: 0, t1: 0.125 },
+      { t0: 0.875, t1: 1 },
+    ]);
+  });
+});

@@ -1,0 +1,255 @@
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { Coalesce } from "./coalesce";
+import { Inline } from "./inline";
+import { Pool, type WorkerLike } from "./pool";
+import type { Channel, Job, Request, Response, Task } from "./protocol";
+
+/** A worker that answers when told to. */
+class FakeWorker implements WorkerLike {
+  onmessage: WorkerLike["onmessage"] = null;
+  onerror: WorkerLike["onerror"] = null;
+  onmessageerror: WorkerLike["onmessageerror"] = null;
+  terminated = false;
+  work: { id: number; task: Task }[] = [];
+
+  postMessage(message: Request): void {
+    if (message.type === "run") this.work.push(message);
+  }
+
+  terminate(): void {
+    this.terminated = true;
+  }
+
+  say(response: Response): void {
+    this.onmessage?.({ data: response } as MessageEvent<Response>);
+  }
+
+  finish(): void {
+    const { id } = this.work.shift() ?? { id: -1 };
+    this.say({ type: "done", id, result: new Uint8Array([id]), milliseconds: 1 });
+  }
+
+  die(): void {
+    this.onerror?.({} as ErrorEvent);
+  }
+}
+
+let workers: FakeWorker[];
+const module = {} as WebAssembly.Module;
+
+function pool(count: number, more: Partial<ConstructorParameters<typeof Pool>[0]> = {}): Pool {
+  const made = new Pool({
+    count,
+    module,
+    spawn: () => {
+      const worker = new FakeWorker();
+      workers.push(worker);
+      return worker;
+    },
+    ...more,
+  });
+  for (const worker of workers) worker.say({ type: "ready" });
+  return made;
+}
+
+/** A job of so many slices, with a record of what came of them. */
+function job(channel: Channel, slices: number, priority = 1) {
+  const log = { accepted: [] as unknown[], failed: [] as string[], done: 0 };
+  let next = 0;
+  const made: Job = {
+    channel,
+    priority: () => priority,
+    next: () => (next < slices ? ({ kind: "plan", n: `${channel}${next++}` } as unknown as Task) : null),
+    accept: (task) => void log.accepted.push((task as unknown as { n: string }).n),
+    fail: (_, error) => void log.failed.push(error.code),
+    done: () => void log.done++,
+  };
+  return { job: made, log };
+}
+
+beforeEach(() => {
+  workers = [];
+});
+
+describe("Pool", () => {
+  it("gives slices to all workers and ends the job once", () => {
+    const p = pool(2);
+    const { job: j, log } = job("locus", 5);
+    p.submit(j);
+    expect(workers.map((w) => w.work.length)).toEqual([1, 1]);
+    while (workers.some((w) => w.work.length > 0)) {
+      for (const worker of workers) if (worker.work.length > 0) worker.finish();
+    }
+    expect(log.accepted.sort()).toEqual(["locus0", "locus1", "locus2", "locus3", "locus4"]);
+    expect(log.done).toBe(1);
+    expect(p.busy).toBe(false);
+  });
+
+  it("hears only the latest job of a channel", () => {
+    const p = pool(1);
+    const old = job("locus", 10);
+    const now = job("locus", 1);
+    p.submit(old.job);
+    p.submit(now.job);
+    const [worker] = workers;
+    worker?.finish();
+    worker?.finish();
+    expect(old.log).toEqual({ accepted: [], failed: [], done: 0 });
+    expect(now.log.accepted).toEqual(["locus0"]);
+    expect(worker?.work).toEqual([]);
+  });
+
+  it("leaves other channels alone when one is replaced", () => {
+    const p = pool(1);
+    const verdict = job("verdict", 1);
+    p.submit(job("locus", 3).job);
+    p.submit(verdict.job);
+    p.submit(job("locus", 1).job);
+    for (let i = 0; i < 4; i++) workers[0]?.finish();
+    expect(verdict.log.accepted).toEqual(["verdict0"]);
+  });
+
+  it("hands out nothing more after a cancel", () => {
+    const p = pool(1);
+    const { job: j, log } = job("locus", 10);
+    p.submit(j);
+    p.cancel("locus");
+    workers[0]?.finish();
+    expect(workers[0]?.work).toEqual([]);
+    expect(log).toEqual({ accepted: [], failed: [], done: 0 });
+    expect(p.busy).toBe(false);
+  });
+
+  it("serves the more urgent first", () => {
+    const p = pool(1);
+    const slow = job("strip", 3, 1);
+    const urgent = job("verdict", 1, 9);
+    p.submit(slow.job);
+    p.submit(urgent.job);
+    workers[0]?.finish();
+    expect(workers[0]?.work[0]?.task).toMatchObject({ n: "verdict0" });
+  });
+
+  it("replaces a dead worker and does its slice again", () => {
+    const p = pool(1);
+    const { job: j, log } = job("locus", 2);
+    p.submit(j);
+    workers[0]?.die();
+    expect(workers[0]?.terminated).toBe(true);
+    expect(workers).toHaveLength(2);
+    workers[1]?.say({ type: "ready" });
+    workers[1]?.finish();
+    workers[1]?.finish();
+    expect(log.accepted).toEqual(["locus0", "locus1"]);
+    expect(log.done).toBe(1);
+  });
+
+  it("gives up a slice that kills every worker, and goes on", () => {
+    const p = pool(1);
+    const { job: j, log } = job("locus", 2);
+    p.submit(j);
+    for (let i = 0; i < 3; i++) {
+      workers.at(-1)?.die();
+      workers.at(-1)?.say({ type: "ready" });
+    }
+    expect(log.failed).toEqual(["worker-lost"]);
+    workers.at(-1)?.finish();
+    expect(log.accepted).toEqual(["locus1"]);
+    expect(log.done).toBe(1);
+  });
+
+  it("replaces a worker whose instance has trapped", () => {
+    const p = pool(1);
+    const { job: j, log } = job("locus", 1);
+    p.submit(j);
+    const id = workers[0]?.work[0]?.id ?? -1;
+    workers[0]?.say({ type: "failed", id, error: { code: "internal", message: "unreachable" }, fatal: true });
+    workers[1]?.say({ type: "ready" });
+    workers[1]?.finish();
+    expect(log.accepted).toEqual(["locus0"]);
+  });
+
+  it("takes a silent worker for dead", () => {
+    vi.useFakeTimers();
+    const p = pool(1);
+    p.submit(job("locus", 1).job);
+    vi.advanceTimersByTime(60_000);
+    expect(workers[0]?.terminated).toBe(true);
+    vi.useRealTimers();
+    p.close();
+  });
+
+  it("says so when no worker can be had", () => {
+    const onUnavailable = vi.fn();
+    new Pool({
+      count: 2,
+      module,
+      onUnavailable,
+      spawn: () => {
+        throw new Error("not allowed");
+      },
+    });
+    expect(onUnavailable).toHaveBeenCalledTimes(1);
+  });
+
+  it("says so when workers die before they are ready", () => {
+    const onUnavailable = vi.fn();
+    const spawn = () => {
+      const worker = new FakeWorker();
+      workers.push(worker);
+      return worker;
+    };
+    new Pool({ count: 2, module, onUnavailable, spawn });
+    while (workers.some((w) => !w.terminated)) workers.find((w) => !w.terminated)?.die();
+    expect(onUnavailable).toHaveBeenCalledTimes(1);
+    expect(workers.length).toBeLessThan(6);
+  });
+});
+
+describe("Coalesce", () => {
+  it("lets the one under way finish and then takes only the last", () => {
+    const p = pool(1);
+    const queue = new Coalesce((j) => p.submit(j));
+    const jobs = [job("verdict", 1), job("verdict", 1), job("verdict", 1)];
+    for (const { job: j } of jobs) queue.request(() => j);
+    for (let i = 0; i < 3; i++) if (workers[0]?.work.length) workers[0].finish();
+    expect(jobs.map(({ log }) => log.done)).toEqual([1, 0, 1]);
+  });
+});
+
+describe("Inline", () => {
+  const execute = async () => ({ result: new Uint8Array() });
+  const settled = async (inline: Inline) => {
+    while (inline.busy) await new Promise((resolve) => setTimeout(resolve));
+  };
+
+  it("does the same on one thread", async () => {
+    const inline = new Inline(execute);
+    const { job: j, log } = job("locus", 3);
+    inline.submit(j);
+    await settled(inline);
+    expect(log.accepted).toHaveLength(3);
+    expect(log.done).toBe(1);
+  });
+
+  it("hears only the latest job of a channel", async () => {
+    const inline = new Inline(execute);
+    const old = job("locus", 3);
+    const now = job("locus", 2);
+    inline.submit(old.job);
+    inline.submit(now.job);
+    await settled(inline);
+    expect(old.log.accepted).toEqual([]);
+    expect(now.log.accepted).toHaveLength(2);
+  });
+
+  it("tells a failure to the job and goes on", async () => {
+    const inline = new Inline(async () => {
+      throw { code: "no-attractor", message: "None." };
+    });
+    const { job: j, log } = job("locus", 2);
+    inline.submit(j);
+    await settled(inline);
+    expect(log.failed).toEqual(["no-attractor", "no-attractor"]);
+  });
+});

@@ -1,0 +1,149 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import type { Scene } from "../engine/api";
+import { Link, parseRoute, route } from "./link";
+import { notices } from "./notice";
+import { canUndo, edit, endGesture, replace, scene, start, undo } from "./scene";
+
+const blank: Scene = { ...scene.peek() };
+
+/** A codec that holds only the moment and the first turn. */
+const codec = {
+  defaultScene: () => ({ ...blank }),
+  encodeScene(what: Scene) {
+    if (what.turns.length > 3) throw { code: "too-long", message: "Too long." };
+    return `t=${what.t}&turn=${what.turns[0] ?? 0}`;
+  },
+  decodeScene(text: string) {
+    const match = /^t=([\d.]+)&turn=(\d+)$/.exec(text);
+    if (!match)
+      return { scene: { ...blank }, problem: { code: "bad-link", message: "This link is damaged." } };
+    return { scene: { ...blank, t: Number(match[1]), turns: [Number(match[2])] } };
+  },
+};
+
+class Bar {
+  text = "";
+  writes = 0;
+  read = () => this.text;
+  write = (fragment: string) => {
+    this.text = fragment;
+    this.writes++;
+  };
+}
+
+let bar: Bar;
+let link: Link;
+let stop: () => void;
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  start(blank);
+  bar = new Bar();
+  link = new Link(codec, bar);
+});
+
+afterEach(() => {
+  stop?.();
+  vi.useRealTimers();
+});
+
+function open(text: string): void {
+  bar.text = text;
+  link.open();
+  stop = link.watch();
+}
+
+describe("Link", () => {
+  it("opens the default without a fragment and leaves the address alone", () => {
+    open("");
+    vi.advanceTimersByTime(5000);
+    expect(scene.value).toEqual(blank);
+    expect(bar.writes).toBe(0);
+  });
+
+  it("opens what the address holds", () => {
+    open("t=0.25&turn=2");
+    expect(scene.value.t).toBe(0.25);
+    expect(canUndo.value).toBe(false);
+  });
+
+  it("says so when it cannot, and opens the default", () => {
+    open("gibberish");
+    expect(scene.value).toEqual(blank);
+    expect(notices.value.some((notice) => notice.text.includes("damaged"))).toBe(true);
+  });
+
+  it("writes a change once it has come to rest", () => {
+    open("");
+    for (let i = 1; i <= 50; i++) {
+      replace({ ...scene.value, t: i / 100 });
+      vi.advanceTimersByTime(16);
+    }
+    expect(bar.writes).toBe(0);
+    vi.advanceTimersByTime(1000);
+    expect(bar.writes).toBe(1);
+    expect(bar.text).toBe("t=0.5&turn=0");
+  });
+
+  it("waits for the end of a drag", () => {
+    open("");
+    edit((now) => ({ ...now, turns: [4] }), { gesture: "drag" });
+    vi.advanceTimersByTime(5000);
+    expect(bar.writes).toBe(0);
+    endGesture();
+    vi.advanceTimersByTime(1000);
+    expect(bar.text).toBe("t=0&turn=4");
+  });
+
+  it("follows the back button, as a step that can be undone", () => {
+    open("t=0.25&turn=2");
+    bar.text = "t=0.5&turn=3";
+    link.follow();
+    expect(scene.value.turns).toEqual([3]);
+    undo();
+    expect(scene.value.turns).toEqual([2]);
+  });
+
+  it("does not write into the entry of a page that was just come to", () => {
+    open("t=0.25&turn=2");
+    replace({ ...scene.value, t: 0.5 });
+    bar.text = "figures/3";
+    link.follow();
+    vi.advanceTimersByTime(5000);
+    expect(bar.text).toBe("figures/3");
+    expect(route.value).toEqual({ page: "figures", figure: "3" });
+  });
+
+  it("comes back to the document as it was left", () => {
+    open("t=0.25&turn=2");
+    replace({ ...scene.value, t: 0.5 });
+    link.flush();
+    const left = bar.text;
+    bar.text = "figures";
+    link.follow();
+    const before = scene.value;
+    bar.text = left;
+    link.follow();
+    expect(scene.value).toBe(before);
+    expect(route.value.page).toBe("studio");
+  });
+
+  it("says so when the document does not fit into a link", () => {
+    open("");
+    edit((now) => ({ ...now, turns: [1, 2, 3, 4] }));
+    vi.advanceTimersByTime(1000);
+    expect(bar.writes).toBe(0);
+    expect(notices.value.some((notice) => notice.text.includes("Too long"))).toBe(true);
+    expect(link.fragment()).toBeNull();
+  });
+});
+
+describe("parseRoute", () => {
+  it("knows the figures from documents", () => {
+    expect(parseRoute("")).toEqual({ page: "studio" });
+    expect(parseRoute("figures")).toEqual({ page: "figures", figure: null });
+    expect(parseRoute("figures/table-1")).toEqual({ page: "figures", figure: "table-1" });
+    expect(parseRoute("v=1&a=figures")).toEqual({ page: "studio" });
+    expect(parseRoute("figures/../../x")).toEqual({ page: "studio" });
+  });
+});
