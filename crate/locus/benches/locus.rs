@@ -1,36 +1,67 @@
-//! Speed.
-use frond_core::{Affine2, Morph, MorphOptions};
-use frond_locus::{Scratch, decide};
+//! How fast a locus is decided, against the index buffer in the same run: `cargo bench -p frond-locus`.
+//!
+//! The morph is that of Burch & Hart's Fig 7, reconstructed: Heighway's dragon as three maps
+//! {w1, w2 w1, w2 w2} to the Sierpinski gasket, over [-1, 2] x [-1, 2], on one core.
+
 use std::time::Instant;
 
-fn main() {
-    let row = Affine2::from_row;
-    let (w1, w2) = (row([0.5, -0.5, 0.5, 0.5, 0.0, 0.0]), row([-0.5, -0.5, 0.5, -0.5, 1.0, 0.0]));
-    let dragon = [w1, w2 * w1, w2 * w2];
-    let gasket =
-        [[0.0, 0.0], [0.5, 0.0], [0.25, 0.75_f64.sqrt() / 2.0]].map(|[e, f]| row([0.5, 0.0, 0.0, 0.5, e, f]));
-    let morph = Morph::new(&dragon, &gasket, &MorphOptions::default()).unwrap();
-    let mut scratch = Scratch::default();
-    let mut maps = Vec::new();
-    for (size, eps) in [(64, 1.0 / 600.0), (256, 1.0 / 600.0), (256, 1e-4), (256, 1e-5)] {
+use frond_core::{Affine2, Ifs, Morph, MorphOptions};
+use frond_locus::{
+    Bounds, IndexBuffer, IndexBufferOptions, LocusGrid, Options, Pass, Scratch, connectedness,
+};
+use glam::DVec2;
+
+fn dragon_to_gasket() -> Morph {
+    let a = Affine2::from_row([0.5, -0.5, 0.5, 0.5, 0.0, 0.0]);
+    let b = Affine2::from_row([-0.5, -0.5, 0.5, -0.5, 1.0, 0.0]);
+    let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.75_f64.sqrt()]].map(DVec2::from_array);
+    let gasket = corners.map(|c| Affine2::similitude(0.5, 0.0, c * 0.5));
+    Morph::new(&[a, b * a, b * b], &gasket, &MorphOptions::default()).expect("three maps each")
+}
+
+/// The least time of `runs` runs, in seconds: what the machine does when it is left alone.
+fn least_time(runs: usize, mut run: impl FnMut()) -> f64 {
+    let time = |()| {
         let start = Instant::now();
-        let mut counts = [0; 5];
-        let mut worst = 0.0_f64;
-        for y in 0..size {
-            for x in 0..size {
-                let at = |k: i32| -1.0 + 3.0 * f64::from(k) / f64::from(size - 1);
-                morph.fill(at(x), at(y), &mut maps);
-                let t = Instant::now();
-                let s = decide(&maps, eps, 20_000, &mut scratch);
-                worst = worst.max(t.elapsed().as_secs_f64());
-                counts[s.state as usize] += 1;
-            }
-        }
-        let t = start.elapsed().as_secs_f64();
+        run();
+        start.elapsed().as_secs_f64()
+    };
+    std::iter::repeat_n((), runs).map(time).fold(f64::INFINITY, f64::min)
+}
+
+fn main() {
+    let morph = dragon_to_gasket();
+    let mut scratch = Scratch::default();
+
+    let ifs = Ifs::new(morph.at(0.3, 0.4)).expect("an attractor");
+    let options = IndexBufferOptions { size: 600, points: 1_000_000, ..IndexBufferOptions::default() };
+    let buffer = least_time(5, || drop(std::hint::black_box(IndexBuffer::run(&ifs, &options))));
+    println!("index buffer, 600 x 600, 10^6 points: {:.3} ms a parameter", buffer * 1e3);
+
+    for (size, epsilon) in [(64, 1.0 / 600.0), (256, 1.0 / 600.0), (256, 1e-4), (256, 1e-5)] {
+        let grid = LocusGrid::new(Bounds::default(), size, size).expect("a small grid");
+        let pass = Pass { rows: 0..size, stride: 1, first: true };
+        let mut states = [0_usize; 5];
+        let seconds = least_time(3, || {
+            states = [0; 5];
+            grid.run(&morph, epsilon, &pass, &mut scratch, |_, _, sample| states[sample.state as usize] += 1);
+        });
+        let each = seconds / (size * size) as f64;
         println!(
-            "{size} {eps:.2e}: {:.0}/s {t:.3}s {counts:?} worst {:.3} ms",
-            f64::from(size * size) / t,
-            worst * 1e3
+            "locus {size} x {size}, epsilon 1/{:.0}: {:.0} decisions/s, {:.3} s, {:.0} times the index buffer; \
+             connected, touching, disconnected, undecided, none: {states:?}",
+            1.0 / epsilon,
+            1.0 / each,
+            seconds,
+            buffer / each,
         );
+    }
+
+    for (name, maps) in
+        [("dragon", morph.at(0.0, 0.0)), ("gasket", morph.at(1.0, 1.0)), ("between", morph.at(0.6, 0.5))]
+    {
+        let ifs = Ifs::new(maps).expect("an attractor");
+        let seconds = least_time(20, || drop(std::hint::black_box(connectedness(&ifs, &Options::default()))));
+        println!("full answer, {name}: {:.1} us", seconds * 1e6);
     }
 }
