@@ -39,6 +39,10 @@ export function executor(
       const image = new ImageData(pixels as Uint8ClampedArray<ArrayBuffer>, width, height);
       return createImageBitmap(image);
     },
+    buffer(task) {
+      const { connected, overlaps, count } = frond.indexBuffer({ maps: task.maps }, task.options);
+      return { connected, overlaps, count };
+    },
   };
 
   return async (task) => {

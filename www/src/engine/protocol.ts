@@ -10,6 +10,13 @@ import type {
   RasterOptions,
 } from "./api";
 
+export interface IndexBufferOptions {
+  size: number;
+  points: number;
+  seed: number;
+  margin?: number;
+}
+
 /** What can be asked of a worker, by kind. Every task is one slice: some ten milliseconds of work. */
 export interface Tasks {
   /** Rows of a locus. `key` tells loci apart, so that a worker prepares each only once. */
@@ -35,6 +42,8 @@ export interface Tasks {
     points: [number, number][];
   };
   picture: { kind: "picture"; maps: MapRow[]; options: RasterOptions };
+  /** What an index buffer says; its pixels stay behind. */
+  buffer: { kind: "buffer"; maps: MapRow[]; options: IndexBufferOptions };
 }
 
 export interface Results {
@@ -44,6 +53,7 @@ export interface Results {
   verdict: Connectedness;
   states: Uint8Array;
   picture: ImageBitmap;
+  buffer: { connected: boolean; overlaps: [number, number][]; count: number };
 }
 
 export type Kind = keyof Tasks;
@@ -69,7 +79,8 @@ export type Channel =
   | "thumbnails"
   | "picture"
   | "compare"
-  | "export";
+  | "export"
+  | `figure:${string}`;
 
 /** Work of one channel: a source of slices, handed out one by one as workers come free. */
 export interface Job<K extends Kind = Kind> {
