@@ -11,10 +11,12 @@ export interface DialogProps {
   onClose: () => void;
   children: ComponentChildren;
   wide?: boolean;
+  /** Nothing in it takes the focus, so its text does: keys can then scroll it. */
+  reading?: boolean;
 }
 
 /** A native modal dialog: it holds the focus while it is open and gives it back to where it came from. */
-export function Dialog({ title, about, onClose, children, wide = false }: DialogProps) {
+export function Dialog({ title, about, onClose, children, wide = false, reading = false }: DialogProps) {
   const id = useOwnId("dialog");
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => {
@@ -49,7 +51,9 @@ export function Dialog({ title, about, onClose, children, wide = false }: Dialog
           </div>
           <IconButton icon="close" label="Close" kind="quiet" onClick={onClose} />
         </header>
-        <div class="dialog-body">{children}</div>
+        <div class="dialog-body" {...(reading ? { tabIndex: 0 } : {})}>
+          {children}
+        </div>
       </div>
     </dialog>
   );

@@ -1,5 +1,4 @@
 import "./field.css";
-import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
 import { useOwnId } from "./id";
 import { addStep, formatNumber, keyStep, parseNumber, rangeProblem } from "./number";
@@ -24,7 +23,8 @@ export interface NumberFieldProps {
   onChange: (value: number) => string | undefined | void;
   /** The hand leaves the field: a run of steps ends. */
   onDone?: () => void;
-  children?: ComponentChildren;
+  /** Where fields stand close, one place below them tells what is wrong: its id, and what takes the words. */
+  problems?: { id: string; tell: (problem: string | null) => void };
 }
 
 /** A number that can be typed, as a fraction too, or stepped with the arrow keys (shift finer, alt coarser). */
@@ -33,27 +33,31 @@ export function NumberField(props: NumberFieldProps) {
   const id = useOwnId("number");
   const [draft, setDraft] = useState<string | null>(null);
   const [problem, setProblem] = useState<string | null>(null);
+  const kept = `Kept: ${formatNumber(value, digits)}.`;
+  const tell = (words: string | null) => {
+    setProblem(words);
+    props.problems?.tell(words === null ? null : `${label}: ${words} ${kept}`);
+  };
 
   const offer = (next: number, text: string | null) => {
     const refusal = rangeProblem(next, min, max) ?? props.onChange(next) ?? null;
-    setProblem(refusal);
+    tell(refusal);
     setDraft(refusal === null ? null : text);
   };
   const commit = () => {
     if (draft === null) return;
     // Text that was touched but says the same keeps the digits that are not shown.
     if (draft.trim() === formatNumber(value, digits)) {
-      setDraft(null);
-      setProblem(null);
+      revert();
       return;
     }
     const parsed = parseNumber(draft);
     if (parsed.ok) offer(parsed.value, draft);
-    else setProblem(parsed.message);
+    else tell(parsed.message);
   };
   const revert = () => {
     setDraft(null);
-    setProblem(null);
+    tell(null);
   };
 
   return (
@@ -77,7 +81,7 @@ export function NumberField(props: NumberFieldProps) {
           aria-valuemax={max}
           aria-valuetext={`${formatNumber(value, digits)}${unit ?? ""}`}
           aria-invalid={problem !== null}
-          aria-describedby={problem === null ? undefined : `${id}-problem`}
+          aria-describedby={problem === null ? undefined : (props.problems?.id ?? `${id}-problem`)}
           onFocus={(event) => event.currentTarget.select()}
           onInput={(event) => setDraft(event.currentTarget.value)}
           onBlur={() => {
@@ -106,11 +110,10 @@ export function NumberField(props: NumberFieldProps) {
             {unit}
           </span>
         )}
-        {props.children}
       </span>
-      {problem !== null && (
+      {problem !== null && props.problems === undefined && (
         <p class="field-problem" id={`${id}-problem`} role="alert">
-          {problem} <span class="kept">Kept: {formatNumber(value, digits)}.</span>
+          {problem} <span class="kept">{kept}</span>
         </p>
       )}
     </div>

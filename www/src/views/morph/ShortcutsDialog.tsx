@@ -8,6 +8,7 @@ export function ShortcutsDialog() {
   if (!help.value) return null;
   return (
     <Dialog
+      reading
       title="Keyboard"
       about="In number fields: ↑ and ↓ step, Shift finer, Alt coarser."
       onClose={() => {

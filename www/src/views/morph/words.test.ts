@@ -20,6 +20,13 @@ describe("pathWords", () => {
     );
     expect(pathWords([{ t0: 0.5, t1: 0.502 }], null, 1)).toBe("Breaks at 50%.");
   });
+  it("joins what whole per cents cannot tell apart", () => {
+    const near = [
+      { t0: 0.19, t1: 0.198 },
+      { t0: 0.202, t1: 1 },
+    ];
+    expect(pathWords(near, null, 1)).toBe("Breaks between 19% and 100%.");
+  });
   it("counts where there are many", () => {
     const breaks = [0, 0.2, 0.4, 0.6, 0.8].map((t) => ({ t0: t, t1: t + 0.1 }));
     expect(pathWords(breaks, null, 1)).toBe(

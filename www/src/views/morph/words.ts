@@ -55,6 +55,18 @@ export function listWords(items: readonly string[]): string {
   return `${items.slice(0, -1).join(", ")} and ${items.at(-1) ?? ""}`;
 }
 
+/** Stretches in whole per cents; those that touch then are one. */
+function joined(breaks: readonly { t0: number; t1: number }[]): [from: number, to: number][] {
+  const spans: [number, number][] = [];
+  for (const { t0, t1 } of breaks) {
+    const [from, to] = [Math.round(100 * t0), Math.round(100 * t1)];
+    const last = spans.at(-1);
+    if (last !== undefined && from <= last[1]) last[1] = Math.max(last[1], to);
+    else spans.push([from, to]);
+  }
+  return spans;
+}
+
 /** The whole path in one sentence. */
 export function pathWords(
   breaks: readonly { t0: number; t1: number }[],
@@ -64,10 +76,9 @@ export function pathWords(
   if (progress <= 0) return "Looking along the path …";
   const so = progress < 1 ? " so far" : "";
   if (breaks.length === 0) return `In one piece all the way${so}, at ${RESOLUTION} px.`;
-  const spans = breaks.map(({ t0, t1 }) => {
-    const [from, to] = [percent(t0), percent(t1)];
-    return from === to ? `at ${from}` : `between ${from} and ${to}`;
-  });
+  const spans = joined(breaks).map(([from, to]) =>
+    from === to ? `at ${from}%` : `between ${from}% and ${to}%`,
+  );
   const shown = spans.length > 3 ? [...spans.slice(0, 2), `in ${spans.length - 2} more places`] : spans;
   const gap = widest !== null && widest > 0 ? `, widest gap ${gapWords(widest)}` : "";
   return `Breaks ${listWords(shown)}${so}${gap}.`;

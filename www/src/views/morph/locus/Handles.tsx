@@ -85,7 +85,7 @@ export function CurrentHandle({ at, words }: { at: [number, number]; words: stri
   return (
     <div
       id={CURRENT_ID}
-      class="handle current"
+      class={`handle current ${t <= 0 || t >= 1 ? "at-end" : ""}`}
       style={at100(at)}
       role="slider"
       tabIndex={0}

@@ -80,7 +80,7 @@ function Legend({ style: shown }: { style: LocusStyle }) {
       </li>
       {shown === "gap" ? (
         <li>
-          <span class="legend-box gap" style={{ backgroundImage: gradient() }} /> gap, widening
+          <span class="legend-box gap" style={{ backgroundImage: gradient() }} /> gap
         </li>
       ) : (
         <li>

@@ -25,7 +25,7 @@ export function LocusSquare({ style }: { style: LocusStyle }) {
   const progress = field?.progress ?? 0;
   const at = uv.value;
   return (
-    <div class="locus-square" ref={square} {...pointer}>
+    <div class={`locus-square ${scene.value.path.kind}`} ref={square} {...pointer}>
       <Field field={field} style={style} />
       <PathLines frame={frame} />
       <End letter="A" at={place([0, 0], frame)} />

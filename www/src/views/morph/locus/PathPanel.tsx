@@ -90,12 +90,12 @@ export function PathPanel() {
           <Button
             icon="add"
             disabled={way.value.length >= MOST_POINTS}
-            description="Where the picture is now"
+            description="Add a way point where the picture is now"
             onClick={() => focusHandle(addHere())}
           >
-            Add a way point here
+            Add way point
           </Button>
-          <span class="hint">or press twice on the square</span>
+          <span class="hint">or press twice above</span>
         </div>
       )}
     </section>

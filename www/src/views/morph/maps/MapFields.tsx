@@ -1,4 +1,6 @@
+import { useState } from "preact/hooks";
 import type { MapRow } from "../../../engine/api";
+import { useOwnId } from "../../../ui/id";
 import { NumberField } from "../../../ui/NumberField";
 import { compose, decompose, type Parts } from "./affine";
 
@@ -7,6 +9,29 @@ export interface MapFieldsProps {
   /** Takes the map, or says why it cannot be. `field` names what was changed, so that a run of steps is one undo. */
   onChange: (map: MapRow, field: string) => string | undefined;
   onDone: () => void;
+}
+
+/** What is wrong with the fields of one map, told in one place below them. */
+function useProblems() {
+  const id = useOwnId("map-problems");
+  const [problems, setProblems] = useState<Record<string, string>>({});
+  const tellOf = (field: string) => ({
+    id,
+    tell: (words: string | null) =>
+      setProblems(({ [field]: _old, ...others }) =>
+        words === null ? others : { ...others, [field]: words },
+      ),
+  });
+  const below = (
+    <div id={id} role="alert">
+      {Object.entries(problems).map(([field, words]) => (
+        <p key={field} class="field-problem">
+          {words}
+        </p>
+      ))}
+    </div>
+  );
+  return { tellOf, below };
 }
 
 const PARTS: readonly { key: keyof Parts; label: string; step: number; digits: number; unit?: string }[] = [
@@ -21,21 +46,26 @@ const PARTS: readonly { key: keyof Parts; label: string; step: number; digits: n
 /** Turn, stretch and move: how a hand would say it. A negative stretch mirrors. */
 export function PartFields({ map, onChange, onDone }: MapFieldsProps) {
   const parts = decompose(map);
+  const { tellOf, below } = useProblems();
   return (
-    <div class="map-fields">
-      {PARTS.map(({ key, label, step, digits, unit }) => (
-        <NumberField
-          key={key}
-          label={label}
-          value={parts[key]}
-          step={step}
-          digits={digits}
-          {...(unit === undefined ? {} : { unit })}
-          onChange={(value) => onChange(compose({ ...parts, [key]: value }), key)}
-          onDone={onDone}
-        />
-      ))}
-    </div>
+    <>
+      <div class="map-fields">
+        {PARTS.map(({ key, label, step, digits, unit }) => (
+          <NumberField
+            key={key}
+            label={label}
+            value={parts[key]}
+            step={step}
+            digits={digits}
+            {...(unit === undefined ? {} : { unit })}
+            onChange={(value) => onChange(compose({ ...parts, [key]: value }), key)}
+            onDone={onDone}
+            problems={tellOf(key)}
+          />
+        ))}
+      </div>
+      {below}
+    </>
   );
 }
 
@@ -60,35 +90,40 @@ const ROWS = [
 
 /** The six numbers, laid out as the two equations that they are. */
 export function NumberFields({ map, onChange, onDone }: MapFieldsProps) {
+  const { tellOf, below } = useProblems();
   return (
-    <div class="map-equations">
-      {ROWS.map(({ axis, cells }) => (
-        <div key={axis} class="map-equation">
-          <span class="map-axis" aria-hidden="true">
-            {axis} =
-          </span>
-          {cells.map(([index, symbol, label]) => (
-            <NumberField
-              key={symbol}
-              terse
-              label={`${label}, ${symbol}`}
-              symbol={
-                symbol === "e" || symbol === "f"
-                  ? symbol
-                  : `${symbol} ${symbol === "a" || symbol === "c" ? "x" : "y"}`
-              }
-              value={map[index]}
-              digits={5}
-              onChange={(value) => {
-                const next: MapRow = [...map];
-                next[index] = value;
-                return onChange(next, symbol);
-              }}
-              onDone={onDone}
-            />
-          ))}
-        </div>
-      ))}
-    </div>
+    <>
+      <div class="map-equations">
+        {ROWS.map(({ axis, cells }) => (
+          <div key={axis} class="map-equation">
+            <span class="map-axis" aria-hidden="true">
+              {axis} =
+            </span>
+            {cells.map(([index, symbol, label]) => (
+              <NumberField
+                key={symbol}
+                terse
+                label={`${label}, ${symbol}`}
+                symbol={
+                  symbol === "e" || symbol === "f"
+                    ? symbol
+                    : `${symbol} ${symbol === "a" || symbol === "c" ? "x" : "y"}`
+                }
+                value={map[index]}
+                digits={5}
+                onChange={(value) => {
+                  const next: MapRow = [...map];
+                  next[index] = value;
+                  return onChange(next, symbol);
+                }}
+                onDone={onDone}
+                problems={tellOf(symbol)}
+              />
+            ))}
+          </div>
+        ))}
+      </div>
+      {below}
+    </>
   );
 }

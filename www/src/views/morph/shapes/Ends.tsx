@@ -50,11 +50,16 @@ function Card({ end }: { end: End }) {
         <span class="card-end" aria-hidden="true">
           {nameOf(end)}
         </span>
+        {preset === undefined && (
+          <span class="card-edited" aria-hidden="true">
+            edited
+          </span>
+        )}
         <span class="card-name">{name}</span>
       </button>
       <div class="card-tools">
         <span class="card-count" aria-hidden="true">
-          {rest}
+          {count}
         </span>
         <IconButton
           kind="quiet"
