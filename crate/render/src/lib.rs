@@ -1,1 +1,46 @@
-//! Placeholder.
+//! Pictures of attractors: on the CPU, complete, for thumbnails and as truth in tests; and with wgpu, on
+//! WebGPU or WebGL2, for the stage.
+//!
+//! A picture shows every pixel that a piece of the attractor reaches into, and no other. [`rasterize`]
+//! makes one from an [`Ifs`](frond_core::Ifs).
+//!
+//! Both ways begin with a [`Frame`]: the attractor brought into the unit disc by the smallest ellipse around
+//! its hull, so that a piece is a matrix, its size is read off the matrix, and its points fit an `f32`
+//! whatever the size of the shape and however far one zooms in. A [`View`] takes it to the screen, in `f64`.
+//!
+//! - A [`Sweep`] walks down the tree of pieces and skips what is outside of the window or lit already. Where
+//!   pieces overlap without end it goes over to a [`Flood`] of points on a grid.
+//! - A lit pixel holds a code, the first [`Letters`] of its piece. A [`Look`] makes colours of codes.
+//! - A [`Density`] spreads samples after the measure; [`tone`] makes light of it.
+//!
+//! Each shader in `shader/` has a twin here with the same arithmetic, and tests that compare them.
+
+mod bitmap;
+mod colour;
+mod density;
+mod flood;
+mod frame;
+mod letters;
+mod measure;
+mod probe;
+mod raster;
+mod resolve;
+mod sweep;
+#[cfg(test)]
+mod testing;
+pub mod tone;
+mod view;
+mod window;
+
+pub use bitmap::Bitmap;
+pub use colour::{Colouring, Look, OKABE_ITO};
+pub use density::Density;
+pub use flood::{CloudPoint, Flood};
+pub use frame::Frame;
+pub use letters::{CODES, KEPT, Letters};
+pub use measure::{MassPiece, Sample, Sampler, pieces_by_mass};
+pub use raster::{MAX_SIDE, RasterOptions, RenderError, codes, rasterize};
+pub use resolve::{resolve_codes, resolve_density, to_bytes};
+pub use sweep::{Hit, Progress, Sweep};
+pub use view::View;
+pub use window::{Extent, PixelBox, Window};

@@ -1,0 +1,105 @@
+//! The first letters of a word, packed into one number.
+//!
+//! A lit pixel keeps the first three letters of the piece that it shows: the first gives its colour, the
+//! other two shade it. The numbers are ordered as pieces cover each other (later maps lie over earlier
+//! ones), 0 is a pixel that is not lit, and all fit the 24 bits that a depth buffer and an `f32` hold.
+
+/// Letters that are kept.
+pub const KEPT: u8 = 3;
+/// Bits a letter.
+const BITS: u32 = 6;
+/// One more than the largest code.
+pub const CODES: u32 = (1 << (BITS * KEPT as u32)) + 1;
+
+/// The first letters of a word: at most [`KEPT`] of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Letters {
+    packed: u32,
+    count: u8,
+}
+
+impl Letters {
+    /// The empty word.
+    pub const NONE: Self = Self { packed: 0, count: 0 };
+
+    /// The word with one more letter (below 64); what comes after the third is forgotten.
+    #[inline]
+    #[must_use]
+    pub fn then(self, letter: usize) -> Self {
+        if self.count >= KEPT {
+            return self;
+        }
+        let shift = BITS * u32::from(KEPT - 1 - self.count);
+        Self { packed: self.packed | ((letter as u32 & 63) << shift), count: self.count + 1 }
+    }
+
+    /// The letters of this word, then those of another: of a piece and a point within it.
+    #[inline]
+    #[must_use]
+    pub fn join(self, inner: Self) -> Self {
+        Self {
+            packed: self.packed | (inner.packed >> (BITS * u32::from(self.count))),
+            count: (self.count + inner.count).min(KEPT),
+        }
+    }
+
+    /// How many letters there are, at most [`KEPT`].
+    #[inline]
+    #[must_use]
+    pub fn count(self) -> u8 {
+        self.count
+    }
+
+    /// Twenty bits for the graphics card: the packed letters without the count.
+    #[inline]
+    #[must_use]
+    pub fn packed(self) -> u32 {
+        self.packed
+    }
+
+    /// The code of a pixel that shows a piece with these first letters, from 1; a letter that is not
+    /// known counts as the first.
+    #[inline]
+    #[must_use]
+    pub fn code(self) -> u32 {
+        self.packed + 1
+    }
+
+    /// The letters of a code, or `None` for a pixel that is not lit.
+    #[inline]
+    #[must_use]
+    pub fn of_code(code: u32) -> Option<[usize; KEPT as usize]> {
+        let packed = code.checked_sub(1)?;
+        Some([2, 1, 0].map(|i| ((packed >> (BITS * i)) & 63) as usize))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn word(letters: &[usize]) -> Letters {
+        letters.iter().fold(Letters::NONE, |word, &letter| word.then(letter))
+    }
+
+    #[test]
+    fn codes_are_ordered_like_words_and_give_the_letters_back() {
+        let words = [[0, 0, 0], [0, 0, 63], [0, 1, 0], [0, 63, 63], [1, 0, 0], [63, 63, 63]];
+        let codes = words.map(|w| word(&w).code());
+        assert!(codes.is_sorted() && codes[0] == 1 && codes[5] == CODES - 1);
+        for (code, letters) in codes.iter().zip(words) {
+            assert_eq!(Letters::of_code(*code), Some(letters));
+        }
+        assert_eq!(Letters::of_code(0), None);
+    }
+
+    #[test]
+    fn joining_is_writing_one_word_after_the_other() {
+        let whole = [5, 17, 40, 3, 9];
+        for cut in 0..=whole.len() {
+            let joined = word(&whole[..cut]).join(word(&whole[cut..]));
+            assert_eq!(joined, word(&whole), "cut after {cut}");
+        }
+        assert_eq!(word(&[7]).join(Letters::NONE), word(&[7]));
+    }
+}

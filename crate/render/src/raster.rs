@@ -1,0 +1,357 @@
+//! Pictures made on the CPU.
+
+use frond_core::{Hull, Ifs};
+use thiserror::Error;
+
+use crate::colour::{Colouring, Look};
+use crate::density::Density;
+use crate::frame::Frame;
+use crate::resolve::{resolve_codes, resolve_density, to_bytes};
+use crate::sweep::{Progress, Sweep};
+use crate::view::View;
+use crate::window::Window;
+
+/// What [`rasterize`] draws.
+#[derive(Clone, Copy, Debug)]
+pub struct RasterOptions<'a> {
+    /// Pixels a row, at most [`MAX_SIDE`].
+    pub width: u32,
+    /// Rows, at most [`MAX_SIDE`].
+    pub height: u32,
+    /// What part of the plane. Default: all of the attractor with a margin of a twentieth.
+    pub view: Option<View>,
+    /// How pieces are coloured.
+    pub colouring: Colouring,
+    /// One sRGB colour a map, repeated when there are more maps; empty for Okabe and Ito's.
+    pub palette: &'a [[u8; 3]],
+    /// Whether edges are smoothed. Either way the same pixels are lit.
+    pub smooth: bool,
+    /// How bright a density is: 1 by default.
+    pub exposure: f32,
+}
+
+impl Default for RasterOptions<'_> {
+    fn default() -> Self {
+        Self {
+            width: 320,
+            height: 240,
+            view: None,
+            colouring: Colouring::Map,
+            palette: &[],
+            smooth: true,
+            exposure: 1.0,
+        }
+    }
+}
+
+/// The longest side of a picture, in pixels.
+pub const MAX_SIDE: u32 = 8192;
+
+/// Why nothing was drawn.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+pub enum RenderError {
+    /// A side is too long.
+    #[error("A picture of {width} x {height} pixels is too large. Give at most 8192 either way.")]
+    TooLarge {
+        /// The width that was asked for.
+        width: u32,
+        /// The height that was asked for.
+        height: u32,
+    },
+    /// The view is no view.
+    #[error("The view must have finite numbers and a scale above 0.")]
+    View,
+}
+
+impl RenderError {
+    /// A name that stays the same over versions, for programs.
+    #[must_use]
+    pub const fn code(&self) -> &'static str {
+        match self {
+            Self::TooLarge { .. } => "picture-too-large",
+            Self::View => "view",
+        }
+    }
+}
+
+/// Draws an attractor: RGBA with straight alpha, row 0 on top, on a transparent background.
+///
+/// Every pixel that the attractor reaches into by an eighth of a pixel or more is lit, mostly those that it
+/// only just touches as well, and none without a point of it. Where pieces overlap, those of later maps lie on top.
+///
+/// # Errors
+/// [`RenderError::TooLarge`] and [`RenderError::View`].
+pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, RenderError> {
+    let &RasterOptions { width, height, .. } = options;
+    if width > MAX_SIDE || height > MAX_SIDE {
+        return Err(RenderError::TooLarge { width, height });
+    }
+    if options.view.is_some_and(|view| !view.is_valid()) {
+        return Err(RenderError::View);
+    }
+    let hull = Hull::of(ifs);
+    let frame = Frame::within(ifs, &hull);
+    let view = options.view.unwrap_or_else(|| View::fit(&hull, width, height, 0.05));
+    let window = Window { width, height };
+    let mut look = Look::new(options.colouring, options.palette, ifs.len());
+    let mut picture = Vec::with_capacity(window.area() * 4);
+    if options.colouring == Colouring::Density {
+        let (sums, gain) = densities(&frame, view, window, &look);
+        look.source = [width as i32, height as i32];
+        look.gain = gain * options.exposure.max(0.0);
+        write(window, &mut picture, |pixel| resolve_density(&look, &sums, pixel));
+    } else {
+        let factor = if options.smooth { 2 } else { 1 };
+        let fine = Window { width: width * factor, height: height * factor };
+        let codes = codes(&frame, view.magnified(f64::from(factor)), fine, DETAIL * f64::from(factor)).0;
+        look.source = [fine.width as i32, fine.height as i32];
+        look.factor = factor as f32;
+        write(window, &mut picture, |pixel| resolve_codes(&look, &codes, pixel));
+    }
+    Ok(picture)
+}
+
+fn write(window: Window, picture: &mut Vec<u8>, mut pixel: impl FnMut([i32; 2]) -> [f32; 4]) {
+    for y in 0..window.height as i32 {
+        for x in 0..window.width as i32 {
+            picture.extend(to_bytes(pixel([x, y])));
+        }
+    }
+}
+
+/// How far, in pixels, the attractor must reach into a pixel to light it for certain.
+const DETAIL: f64 = 0.125;
+
+/// The codes of the pixels of a window (see [`crate::Letters`]), 0 where nothing is, and whether they are
+/// known to be all.
+#[must_use]
+pub fn codes(frame: &Frame, view: View, window: Window, detail: f64) -> (Vec<u32>, Progress) {
+    let mut codes = vec![0; window.area()];
+    let to_screen = view.onto_screen(frame.to_world, window);
+    let mut sweep = Sweep::new(frame, to_screen, window, detail);
+    let progress = sweep.run(u64::MAX, |hit| {
+        let (x, y) = hit.pixel;
+        codes[y as usize * window.width as usize + x as usize] = hit.letters.code();
+    });
+    (codes, progress)
+}
+
+/// Points a lit pixel of a density picture, and at most in all.
+const POINTS_A_PIXEL: usize = 40;
+const POINTS: usize = 40_000_000;
+
+/// The densities of the pixels, and what multiplied by makes their mean 1.
+fn densities(frame: &Frame, view: View, window: Window, look: &Look) -> (Vec<[f32; 4]>, f32) {
+    let mut density = Density::new(frame, view, window, 128, 512);
+    let mut sums = vec![[0.0; 4]; window.area()];
+    let mut samples = Vec::new();
+    let wanted = (density.lit * POINTS_A_PIXEL).min(POINTS);
+    let (mut points, mut passes) = (0, 0_u16);
+    while points < wanted && !density.pieces.is_empty() {
+        points += density.accumulate(frame, look, window, &mut samples, &mut sums);
+        passes += 1;
+    }
+    (sums, 1.0 / f32::from(passes.max(1)))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use frond_core::{Affine2, adaptive_cut};
+    use glam::DVec2;
+
+    use super::*;
+    use crate::testing::{NASTY, PLAIN, ifs, of_rows, point_attractor};
+
+    fn options(width: u32, height: u32) -> RasterOptions<'static> {
+        RasterOptions { width, height, ..RasterOptions::default() }
+    }
+
+    /// Pixels that are not transparent.
+    fn lit(picture: &[u8], width: u32) -> HashSet<(u32, u32)> {
+        let alpha = picture.chunks_exact(4).enumerate().filter(|(_, pixel)| pixel[3] > 0);
+        alpha.map(|(i, _)| (i as u32 % width, i as u32 / width)).collect()
+    }
+
+    #[test]
+    fn the_lit_pixels_are_those_of_the_adaptive_cut() {
+        let (width, height) = (120, 90);
+        for name in PLAIN {
+            let ifs = ifs(name);
+            let hull = Hull::of(&ifs);
+            let view = View::fit(&hull, width, height, 0.05);
+            let picture = rasterize(&ifs, &options(width, height)).unwrap();
+            let ours = lit(&picture, width);
+            // A point of the attractor to stand for each piece.
+            let frame = Frame::within(&ifs, &hull);
+            let anchor = frame.to_world.apply(frame.anchor);
+            let window = Window { width, height };
+            let to_screen = view.onto_screen(Affine2::IDENTITY, window);
+            let mut cut = HashSet::new();
+            // Full shapes have many pieces and few edges, thin ones few pieces and all edge.
+            let area: f64 = ifs.maps().iter().map(|map| map.determinant().abs()).sum();
+            let (size, slack) = if area > 0.8 { (0.1, 0.02) } else { (0.03, 0.01) };
+            let outcome = adaptive_cut(&ifs, size / view.scale, 30_000_000, |map, _| {
+                cut.extend(window.pixel(to_screen.apply(map.apply(anchor))));
+            });
+            assert!(outcome.complete, "{name}");
+            let missed = cut.difference(&ours).count() as f64 / cut.len() as f64;
+            let extra = ours.difference(&cut).count() as f64 / ours.len() as f64;
+            assert!(missed < 0.005, "{name}: {missed} of {} missed", cut.len());
+            assert!(extra < slack, "{name}: {extra} of {} too many", ours.len());
+        }
+    }
+
+    #[test]
+    fn smoothing_lights_the_same_pixels() {
+        for name in ["dragon", "gasket", "fern"] {
+            let ifs = ifs(name);
+            let smooth = lit(&rasterize(&ifs, &options(200, 150)).unwrap(), 200);
+            let sharp =
+                lit(&rasterize(&ifs, &RasterOptions { smooth: false, ..options(200, 150) }).unwrap(), 200);
+            let differ = smooth.symmetric_difference(&sharp).count() as f64 / sharp.len() as f64;
+            assert!(differ < 0.005, "{name}: {differ}");
+        }
+    }
+
+    #[test]
+    fn shapes_that_overlap_without_end_are_drawn_all_the_same() {
+        for name in NASTY {
+            let ifs = ifs(name);
+            let picture = rasterize(&ifs, &options(160, 120)).unwrap();
+            let ours = lit(&picture, 160);
+            let frame = Frame::of(&ifs);
+            let to_screen = View::fit(&Hull::of(&ifs), 160, 120, 0.05)
+                .onto_screen(frame.to_world, Window { width: 160, height: 120 });
+            // Every point of the chaos game falls on a lit pixel or next to one.
+            let mut point = frame.anchor;
+            for i in 0..20_000 {
+                let letter = frond_core::hash::counter(9, i) as usize % frame.maps.len();
+                point = frame.maps[letter].apply(point);
+                let at = to_screen.apply(point);
+                let near = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy))).any(|(dx, dy)| {
+                    let (x, y) = (at.x + f64::from(dx), at.y + f64::from(dy));
+                    x >= 0.0 && y >= 0.0 && ours.contains(&(x as u32, y as u32))
+                });
+                assert!(near, "{name}: {at} is dark");
+            }
+        }
+    }
+
+    #[test]
+    fn filled_shapes_have_no_holes() {
+        for name in ["square", "overlap", "dragon"] {
+            let ifs = ifs(name);
+            let frame = Frame::of(&ifs);
+            let view = View { scale: 2000.0, ..View::fit(&Hull::of(&ifs), 100, 100, 0.0) };
+            let middle = frame.to_world.apply(frame.anchor);
+            // Around a point deep inside: the middle of the square, the fixed point of the overlap.
+            let centre = match name {
+                "square" => DVec2::new(0.37, 0.61),
+                "dragon" => DVec2::new(0.58, 0.25),
+                _ => middle,
+            };
+            let view = View { x: centre.x, y: centre.y, ..view };
+            let picture = rasterize(&ifs, &RasterOptions { view: Some(view), ..options(100, 100) }).unwrap();
+            assert_eq!(lit(&picture, 100).len(), 10_000, "{name}");
+        }
+    }
+
+    #[test]
+    fn later_maps_lie_on_top() {
+        let palette = [[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 255]];
+        let colours = |rows: &[[f64; 6]]| {
+            let options = RasterOptions { palette: &palette, ..options(60, 60) };
+            let picture = rasterize(&of_rows(rows), &options).unwrap();
+            let opaque = picture.chunks_exact(4).filter(|p| p[3] == 255);
+            opaque.map(|p| [p[0], p[1], p[2]]).collect::<HashSet<_>>()
+        };
+        // A square whose third quarter is covered by the same map once more.
+        let [a, b, c, d] =
+            [[0.0, 0.0], [0.5, 0.0], [0.0, 0.5], [0.5, 0.5]].map(|[e, f]| [0.5, 0.0, 0.0, 0.5, e, f]);
+        let seen = colours(&[a, b, c, d]);
+        assert!(palette.iter().all(|colour| seen.contains(colour)), "{seen:?}");
+        let covered = colours(&[c, a, b, c]);
+        assert!(!covered.contains(&palette[0]) && covered.contains(&palette[3]), "{covered:?}");
+    }
+
+    #[test]
+    fn a_point_lights_one_pixel_at_any_size() {
+        for at in [DVec2::ZERO, DVec2::new(1e6, -3e5), DVec2::new(1e-9, 1e-12)] {
+            for smooth in [false, true] {
+                let options = RasterOptions { smooth, ..options(50, 40) };
+                let picture = rasterize(&point_attractor(at), &options).unwrap();
+                assert_eq!(lit(&picture, 50).len(), 1, "{at} {smooth}");
+            }
+        }
+    }
+
+    #[test]
+    fn size_and_place_do_not_change_the_picture() {
+        let gasket = ifs("gasket");
+        let sharp = RasterOptions { smooth: false, ..options(120, 100) };
+        let reference = lit(&rasterize(&gasket, &sharp).unwrap(), 120);
+        for (size, moved) in [(1e-12, 0.0), (1e12, 0.0), (1e12, 1e12), (1.0, 1e5)] {
+            let by = Affine2::from_row([size, 0.0, 0.0, size, moved, -moved]);
+            let other = gasket.conjugate(by).unwrap();
+            let lit = lit(&rasterize(&other, &sharp).unwrap(), 120);
+            let differ = lit.symmetric_difference(&reference).count();
+            assert!(differ * 100 < reference.len(), "{size} {moved}: {differ}");
+        }
+    }
+
+    #[test]
+    fn deep_zooms_show_the_same_shape_again() {
+        // The gasket around its corner, the fixed point of its first map, is its own twice as large.
+        let gasket = ifs("gasket");
+        let at = |scale: f64| {
+            let view = View { x: 0.0, y: 0.0, scale };
+            let options = RasterOptions { view: Some(view), smooth: false, ..options(200, 200) };
+            lit(&rasterize(&gasket, &options).unwrap(), 200)
+        };
+        let reference = at(150.0);
+        assert!(reference.len() > 1000);
+        for doublings in [1, 10, 35] {
+            let differ = at(150.0 * 2.0_f64.powi(doublings)).symmetric_difference(&reference).count();
+            // The first view holds the rest of the shape as well, which later ones do not.
+            assert!(differ < reference.len() / 2, "{doublings}: {differ}");
+        }
+        let differ = at(150.0 * 2.0_f64.powi(12)).symmetric_difference(&at(150.0 * 2.0_f64.powi(34))).count();
+        assert!(differ * 100 < reference.len(), "{differ}");
+    }
+
+    #[test]
+    fn densities_light_only_what_the_shape_lights() {
+        for name in ["gasket", "fern", "overlap"] {
+            let ifs = ifs(name);
+            let density = RasterOptions { colouring: Colouring::Density, ..options(120, 90) };
+            let dense = lit(&rasterize(&ifs, &density).unwrap(), 120);
+            let whole = lit(&rasterize(&ifs, &options(120, 90)).unwrap(), 120);
+            let outside = dense.difference(&whole).count();
+            assert!(outside * 200 < whole.len(), "{name}: {outside}");
+            assert!(dense.len() * 2 > whole.len(), "{name}: {} of {}", dense.len(), whole.len());
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_drawn_is_refused_and_no_pixels_are_no_pixels() {
+        let gasket = ifs("gasket");
+        for (width, height) in [(0, 0), (0, 10), (10, 0)] {
+            assert_eq!(rasterize(&gasket, &options(width, height)), Ok(Vec::new()));
+        }
+        let error = rasterize(&gasket, &options(9000, 1)).unwrap_err();
+        assert_eq!(
+            (error, error.code()),
+            (RenderError::TooLarge { width: 9000, height: 1 }, "picture-too-large")
+        );
+        for bad in [f64::NAN, 0.0, f64::INFINITY] {
+            let view = Some(View { x: 0.0, y: 0.0, scale: bad });
+            assert_eq!(rasterize(&gasket, &RasterOptions { view, ..options(9, 9) }), Err(RenderError::View));
+        }
+        let away = Some(View { x: 1e300, y: 0.0, scale: 1e280 });
+        assert!(
+            lit(&rasterize(&gasket, &RasterOptions { view: away, ..options(9, 9) }).unwrap(), 9).is_empty()
+        );
+    }
+}

@@ -1,0 +1,138 @@
+//! From what was drawn to the picture that is shown: the CPU twin of `shader/resolve.wgsl`.
+
+use crate::colour::Look;
+use crate::tone::{cover, glow, tone};
+
+/// A source of four texels around a point, with their weights: how pictures are shrunk to half (each
+/// pixel is the mean of four), copied, and magnified (in between) alike.
+struct Taps {
+    base: [i32; 2],
+    part: [f32; 2],
+}
+
+impl Taps {
+    fn of(pixel: [i32; 2], factor: f32) -> Self {
+        let place = pixel.map(|i| (i as f32 + 0.5) * factor - 0.5);
+        let base = place.map(f32::floor);
+        Self { base: base.map(|b| b as i32), part: [place[0] - base[0], place[1] - base[1]] }
+    }
+
+    /// Texel and weight, clamped to the source.
+    fn tap(&self, k: i32, source: [i32; 2]) -> (usize, f32) {
+        let (dx, dy) = (k & 1, k >> 1);
+        let x = (self.base[0] + dx).clamp(0, source[0] - 1);
+        let y = (self.base[1] + dy).clamp(0, source[1] - 1);
+        let along = |d: i32, part: f32| if d == 1 { part } else { 1.0 - part };
+        ((y * source[0] + x) as usize, along(dx, self.part[0]) * along(dy, self.part[1]))
+    }
+}
+
+/// One pixel of the picture from codes (see [`crate::Letters`]), 0 being dark: red, green, blue, alpha.
+#[must_use]
+pub fn resolve_codes(look: &Look, codes: &[u32], pixel: [i32; 2]) -> [f32; 4] {
+    let taps = Taps::of(pixel, look.factor);
+    let mut sum = [0.0_f32; 4];
+    for k in 0..4 {
+        let (index, weight) = taps.tap(k, look.source);
+        let code = codes[index];
+        if code > 0 && weight > 0.0 {
+            let [r, g, b] = look.colour(code);
+            sum = [sum[0] + weight * r, sum[1] + weight * g, sum[2] + weight * b, sum[3] + weight];
+        }
+    }
+    finish(look, sum, cover(sum[3]), 0.0)
+}
+
+/// One pixel of the picture from densities: sums of weighted colours, and of weights.
+#[must_use]
+pub fn resolve_density(look: &Look, sums: &[[f32; 4]], pixel: [i32; 2]) -> [f32; 4] {
+    let taps = Taps::of(pixel, look.factor);
+    let mut sum = [0.0_f32; 4];
+    for k in 0..4 {
+        let (index, weight) = taps.tap(k, look.source);
+        let texel = sums[index];
+        sum = std::array::from_fn(|i| sum[i] + weight * texel[i]);
+    }
+    let alpha = tone(sum[3] * look.gain);
+    finish(look, sum, alpha, glow(alpha))
+}
+
+/// The mean colour of a sum, lightened, with an alpha.
+fn finish(look: &Look, sum: [f32; 4], alpha: f32, light: f32) -> [f32; 4] {
+    if sum[3] <= 0.0 {
+        return [0.0; 4];
+    }
+    let scale = 1.0 + (alpha - 1.0) * look.premultiply;
+    let [r, g, b] = [sum[0], sum[1], sum[2]].map(|c| {
+        let mean = c / sum[3];
+        (mean + (1.0 - mean) * light) * scale
+    });
+    [r, g, b, alpha]
+}
+
+/// A colour as bytes, as a graphics card rounds it.
+#[must_use]
+pub fn to_bytes(colour: [f32; 4]) -> [u8; 4] {
+    colour.map(|c| (c.clamp(0.0, 1.0) * 255.0).round() as u8)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::colour::Colouring;
+
+    fn look(source: [i32; 2], factor: f32) -> Look {
+        let palette = [[255, 0, 0], [0, 0, 255]];
+        Look { source, factor, ..Look::new(Colouring::Map, &palette, 2) }
+    }
+
+    /// The code of a pixel of the second map.
+    const BLUE: u32 = (1 << 12) + 1;
+
+    #[test]
+    fn a_picture_of_the_same_size_is_copied() {
+        let codes = [0, 1, BLUE, 0];
+        let look = look([2, 2], 1.0);
+        assert_eq!(resolve_codes(&look, &codes, [0, 0]), [0.0; 4]);
+        assert_eq!(resolve_codes(&look, &codes, [1, 0]), [1.0, 0.0, 0.0, 1.0]);
+        assert_eq!(resolve_codes(&look, &codes, [0, 1]), [0.0, 0.0, 1.0, 1.0]);
+    }
+
+    #[test]
+    fn half_size_is_the_coverage_of_four() {
+        let look = look([4, 2], 2.0);
+        let codes = [1, 0, 0, 0, BLUE, 0, 0, 0];
+        let [r, g, b, alpha] = resolve_codes(&look, &codes, [0, 0]);
+        assert_eq!([r, g, b], [0.5, 0.0, 0.5]);
+        assert_eq!(alpha, cover(0.5));
+        assert_eq!(resolve_codes(&look, &codes, [1, 0]), [0.0; 4], "nothing lit, nothing shown");
+        let premultiplied = Look { premultiply: 1.0, ..look };
+        assert_eq!(resolve_codes(&premultiplied, &codes, [0, 0])[0], 0.5 * cover(0.5));
+    }
+
+    #[test]
+    fn twice_the_size_keeps_the_middle_of_a_lit_area_whole() {
+        let look = look([3, 3], 0.5);
+        for pixel in [[2, 2], [0, 0], [5, 5]] {
+            assert_eq!(resolve_codes(&look, &[1; 9], pixel), [1.0, 0.0, 0.0, 1.0]);
+        }
+        let mut codes = [1; 9];
+        codes[0] = 0;
+        assert!(resolve_codes(&look, &codes, [1, 1])[3] < 1.0);
+    }
+
+    #[test]
+    fn densities_mix_colours_and_take_their_alpha_from_the_tone() {
+        let look = Look { gain: 2.0, ..look([1, 1], 1.0) };
+        let [r, g, b, alpha] = resolve_density(&look, &[[0.05, 0.0, 0.15, 0.2]], [0, 0]);
+        assert!((r - 0.25).abs() < 1e-6 && g == 0.0 && (b - 0.75).abs() < 1e-6);
+        assert_eq!(alpha, tone(0.4));
+        assert_eq!(resolve_density(&look, &[[0.0; 4]], [0, 0]), [0.0; 4]);
+    }
+
+    #[test]
+    fn bytes_are_rounded_and_bounded() {
+        assert_eq!(to_bytes([0.0, 1.0, 0.5, 2.0]), [0, 255, 128, 255]);
+        assert_eq!(to_bytes([f32::NAN, -1.0, 0.1, 0.999]), [0, 0, 26, 255]);
+    }
+}
