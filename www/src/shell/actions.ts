@@ -15,10 +15,8 @@ export const link = new Link(frond, addressBar, () => {
   adoptPath();
 });
 
-/** Where the studio is, with the present document. */
+/** Where the studio is, with the document as it stands now. */
 export function studioHref(): string {
-  // Read, so that what renders it follows the document.
-  scene.value;
   return `#${link.fragment() ?? ""}`;
 }
 

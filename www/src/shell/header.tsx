@@ -19,7 +19,7 @@ export function Header() {
   const studio = route.value.page === "studio";
   return (
     <header class="header">
-      <a class="wordmark" href={studioHref()}>
+      <a class="wordmark" href={studioHref()} onClick={stay}>
         <Mark />
         Frond
       </a>
@@ -81,9 +81,16 @@ function StudioTools() {
   );
 }
 
+/** Whoever is in the studio already stays in it: the address in the link may be older than the document. */
+function stay(event: MouseEvent): void {
+  if (route.peek().page === "studio" && event.button === 0 && !event.ctrlKey && !event.metaKey) {
+    event.preventDefault();
+  }
+}
+
 function Place({ href, here, children }: { href: string; here: boolean; children: ComponentChildren }) {
   return (
-    <a href={href} aria-current={here ? "page" : undefined}>
+    <a href={href} aria-current={here ? "page" : undefined} onClick={here ? stay : undefined}>
       {children}
     </a>
   );

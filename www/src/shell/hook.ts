@@ -44,7 +44,7 @@ function idle(): Promise<void> {
     const stop = effect(() => {
       const calm =
         picture.value.complete &&
-        locus.value?.progress === 1 &&
+        (locus.value === null || locus.value.progress === 1) &&
         verdict.value?.stale === false &&
         !workers.value.busy;
       if (timer) clearTimeout(timer);

@@ -43,11 +43,19 @@ export function planFrom(work: LocusWork, stride: number): void {
 function apply(plan: PathPlan, inputs: LocusInputs): void {
   const now = scene.peek();
   if (now.path.kind !== "auto" || settled === inputs) return;
-  const points = plan.points.slice(1, -1).slice(0, MOST_POINTS);
+  const points = plan.points
+    .slice(1, -1)
+    .slice(0, MOST_POINTS)
+    .map(([u, v]): [number, number] => [short(u), short(v)]);
   const same =
     points.length === now.path.points.length &&
     points.every(([u, v], i) => u === now.path.points[i]?.[0] && v === now.path.points[i]?.[1]);
   if (!same) replace({ ...now, path: { kind: "auto", points } });
+}
+
+/** Short in a link, and still far nearer to its sample than the resolution can tell. */
+function short(x: number): number {
+  return Math.round(x * 1e6) / 1e6;
 }
 
 /** Choosing the automatic path takes the plan that is already there. */
