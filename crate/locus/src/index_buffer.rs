@@ -1,6 +1,6 @@
 //! The index buffer: connectedness seen in a picture.
 
-use frond_core::{Hull, Ifs, hash};
+use frond_core::{Affine2, Hull, Ifs, hash};
 use glam::DVec2;
 use thiserror::Error;
 
@@ -103,24 +103,20 @@ impl IndexBuffer {
         let corner = (hull.min() + hull.max() - DVec2::splat(side)) * 0.5;
         let scale = size as f64 / side;
 
-        let maps = ifs.maps();
-        let count = maps.len();
-        let upto = thresholds(ifs, choice);
-        let mut pixels = vec![0_u8; size * size];
-        let mut seen = vec![false; count * (count + 1)];
-        let mut x = maps[0].fixed_point().unwrap_or(hull.centre());
-        for step in 0..points {
-            let random = hash::counter(seed, step);
-            let i = upto.iter().position(|&most| random <= most).unwrap_or(count - 1);
-            x = maps[i].apply(x);
-            let p = (x - corner) * scale;
-            // From above and below: rounding may carry a point out of a window without a margin.
-            let column = (p.x as usize).min(size - 1);
-            let row = size - 1 - (p.y as usize).min(size - 1);
-            let pixel = &mut pixels[row * size + column];
-            seen[i * (count + 1) + usize::from(*pixel)] = true;
-            *pixel = i as u8 + 1;
-        }
+        let count = ifs.len();
+        let view = View { size, corner, scale };
+        let start = ifs.maps()[0].fixed_point().unwrap_or(hull.centre());
+        let (pixels, seen) = match choice {
+            Choice::Uniform => {
+                let map = |random: u32| ((u64::from(random) * count as u64) >> 32) as usize;
+                play(ifs.maps(), start, points, seed, view, map)
+            }
+            Choice::Weighted => {
+                let upto = thresholds(ifs);
+                let map = |random| upto.iter().position(|&most| random <= most).unwrap_or(count - 1);
+                play(ifs.maps(), start, points, seed, view, map)
+            }
+        };
 
         let mut graph = OverlapGraph::new(count);
         for i in 0..count {
@@ -138,15 +134,45 @@ impl IndexBuffer {
     }
 }
 
+/// From the plane to pixels, with y still pointing up.
+#[derive(Clone, Copy)]
+struct View {
+    size: usize,
+    corner: DVec2,
+    scale: f64,
+}
+
+/// The game: the pixels, and for each map whether it met an empty pixel or one of each map.
+fn play(
+    maps: &[Affine2],
+    start: DVec2,
+    points: u32,
+    seed: u32,
+    View { size, corner, scale }: View,
+    map: impl Fn(u32) -> usize,
+) -> (Vec<u8>, Vec<bool>) {
+    let mut pixels = vec![0_u8; size * size];
+    let mut seen = vec![false; maps.len() * (maps.len() + 1)];
+    let mut x = start;
+    for step in 0..points {
+        let i = map(hash::counter(seed, step));
+        x = maps[i].apply(x);
+        let p = (x - corner) * scale;
+        // From above and below: rounding may carry a point out of a window without a margin.
+        let column = (p.x as usize).min(size - 1);
+        let row = size - 1 - (p.y as usize).min(size - 1);
+        let pixel = &mut pixels[row * size + column];
+        seen[i * (maps.len() + 1) + usize::from(*pixel)] = true;
+        *pixel = i as u8 + 1;
+    }
+    (pixels, seen)
+}
+
 /// The largest random number that chooses each map or one before it.
-fn thresholds(ifs: &Ifs, choice: Choice) -> Vec<u32> {
+fn thresholds(ifs: &Ifs) -> Vec<u32> {
     let mut sum = 0.0;
-    let share = 1.0 / ifs.len() as f64;
     let add = |p: &f64| {
-        sum += match choice {
-            Choice::Uniform => share,
-            Choice::Weighted => *p,
-        };
+        sum += p;
         (sum * 4_294_967_296.0 - 1.0) as u32
     };
     ifs.probabilities().iter().map(add).collect()
@@ -154,8 +180,6 @@ fn thresholds(ifs: &Ifs, choice: Choice) -> Vec<u32> {
 
 #[cfg(test)]
 mod tests {
-    use frond_core::Affine2;
-
     use super::*;
 
     fn gasket(scale: f64) -> Ifs {

@@ -10,7 +10,7 @@ pub(crate) fn simplify(field: &Field, way: &[usize], widest: f64, most: usize) -
     // Corners are only looked for at some of the cells: a chain may have many hundred.
     let stride = way.len().div_ceil(MOST_CORNERS).max(1);
     let mut corners: Vec<usize> = way.iter().copied().step_by(stride).collect();
-    if let (Some(&end), true) = (way.last(), (way.len() - 1) % stride != 0) {
+    if let Some(&end) = way.last().filter(|_| !(way.len() - 1).is_multiple_of(stride)) {
         corners.push(end);
     }
     let count = corners.len();
