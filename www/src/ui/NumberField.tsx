@@ -70,6 +70,8 @@ export function NumberField(props: NumberFieldProps) {
         <input
           id={id}
           type="text"
+          // Nothing typed is waiting: undo then means the document, not the text.
+          data-settled={draft === null}
           role="spinbutton"
           autocomplete="off"
           spellcheck={false}

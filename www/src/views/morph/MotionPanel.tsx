@@ -1,7 +1,8 @@
 import type { Colouring, Mode } from "../../engine/api";
-import { edit, scene } from "../../state/scene";
+import { edit } from "../../state/scene";
 import { Segmented } from "../../ui/Segmented";
 import { Switch } from "../../ui/Switch";
+import { colouring, compare, mode } from "./parts";
 
 const MODES: readonly { value: Mode; label: string; description: string }[] = [
   {
@@ -20,7 +21,6 @@ const COLOURINGS: readonly { value: Colouring; label: string; description: strin
 
 /** How it moves from one shape to the other, and how it is coloured. */
 export function MotionPanel() {
-  const { mode, compare, colouring } = scene.value;
   return (
     <section class="motion" aria-label="Motion and colour">
       <div class="row">
@@ -29,14 +29,14 @@ export function MotionPanel() {
         </span>
         <Segmented
           label="Motion"
-          value={mode}
+          value={mode.value}
           options={MODES}
           onChange={(next) => edit((before) => ({ ...before, mode: next }))}
         />
       </div>
       <div class="row">
         <Switch
-          checked={compare}
+          checked={compare.value}
           description="The turning morph and the linear one at the same moment"
           onChange={(next) => edit((before) => ({ ...before, compare: next }))}
         >
@@ -49,7 +49,7 @@ export function MotionPanel() {
         </span>
         <Segmented
           label="Colour by"
-          value={colouring}
+          value={colouring.value}
           options={COLOURINGS}
           onChange={(next) => edit((before) => ({ ...before, colouring: next }))}
         />

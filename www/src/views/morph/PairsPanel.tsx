@@ -1,14 +1,15 @@
 import { pairing } from "../../state/morph";
-import { edit, endGesture, scene } from "../../state/scene";
+import { edit, endGesture } from "../../state/scene";
 import { NumberField } from "../../ui/NumberField";
 import { flatPairs } from "./changes";
+import { correspondence, turns } from "./parts";
 import { Swatch } from "./shapes/Swatch";
 import { listWords } from "./words";
 
 /** What had to be done so that each map has one to become, and what that costs. */
 export function PairNotes() {
   const { from, to, steps } = pairing.value;
-  const flat = flatPairs(from, to, scene.value.correspondence);
+  const flat = flatPairs(from, to, correspondence.value);
   if (steps.length === 0 && flat.length === 0) return null;
   return (
     <div class="notes">
@@ -30,9 +31,8 @@ export function PairNotes() {
 export function PairsPanel() {
   const { from, to } = pairing.value;
   const count = from.length;
-  const { correspondence, turns } = scene.value;
-  const becomes = correspondence.length === count ? correspondence : from.map((_, i) => i);
-  const extra = turns.length === count ? turns : from.map(() => 0);
+  const becomes = correspondence.value.length === count ? correspondence.value : from.map((_, i) => i);
+  const extra = turns.value.length === count ? turns.value : from.map(() => 0);
 
   /** Two maps never become the same one: the other takes what this one leaves. */
   const match = (map: number, target: number) => {

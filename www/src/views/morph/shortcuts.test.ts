@@ -20,6 +20,10 @@ describe("commandOf", () => {
     for (const key of [" ", "z", "ArrowLeft", "?", "1"]) expect(commandOf(press(key), "typing")).toBeNull();
     expect(commandOf(press("z", { ctrlKey: true }), "typing")).toBeNull();
   });
+  it("undoes from a field in which nothing typed is waiting, and does no more there", () => {
+    expect(commandOf(press("z", { ctrlKey: true }), "field")).toEqual({ do: "undo" });
+    for (const key of [" ", "z", "ArrowLeft", "?", "1"]) expect(commandOf(press(key), "field")).toBeNull();
+  });
   it("leaves a button its space, and a slider its arrows", () => {
     expect(commandOf(press(" "), "control")).toBeNull();
     expect(commandOf(press("ArrowLeft"), "slider")).toBeNull();

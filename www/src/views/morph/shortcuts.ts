@@ -24,8 +24,11 @@ export type Command =
   | { do: "frame"; by: 1 | -1 }
   | { do: "colour"; by: Colouring };
 
-/** What has the focus: typing takes every key, a control keeps the keys that it lives by. */
-export type Focus = "typing" | "slider" | "control" | "none";
+/**
+ * What has the focus: typing takes every key, a field where nothing typed is waiting leaves the chords, a control keeps
+ * the keys that it lives by.
+ */
+export type Focus = "typing" | "field" | "slider" | "control" | "none";
 
 const COLOURS: Record<string, Colouring> = { "1": "map", "2": "address", "3": "density" };
 
@@ -38,7 +41,7 @@ export function commandOf(press: KeyPress, focus: Focus): Command | null {
     if (key.toLowerCase() === "z") return { do: shiftKey ? "redo" : "undo" };
     return key.toLowerCase() === "y" ? { do: "redo" } : null;
   }
-  if (altKey) return null;
+  if (altKey || focus === "field") return null;
   if (key === " ") return focus === "none" || focus === "slider" ? { do: "play" } : null;
   if (key === "ArrowLeft" || key === "ArrowRight") {
     if (focus === "slider" || focus === "control") return null;
@@ -78,7 +81,8 @@ function focusOf(target: EventTarget | null): Focus {
   if (target.isContentEditable || target.matches("textarea, select")) return "typing";
   if (target instanceof HTMLInputElement) {
     if (target.type === "range") return "slider";
-    return target.type === "radio" || target.type === "checkbox" ? "control" : "typing";
+    if (target.type === "radio" || target.type === "checkbox") return "control";
+    return target.dataset["settled"] === "true" ? "field" : "typing";
   }
   if (target.getAttribute("role") === "slider") return "slider";
   return target.closest("button, a[href], summary, [role=menu]") === null ? "none" : "control";

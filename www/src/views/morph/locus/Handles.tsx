@@ -1,8 +1,10 @@
+import { uv } from "../../../state/morph";
 import type { Uv } from "../../../state/path";
 import { endGesture, scene } from "../../../state/scene";
 import { addStep } from "../../../ui/number";
 import { scrubTo } from "../strip/scrub";
-import { addAfter, addHere, chosen, moveTo, pick, pointWords, removeAt, stateAt } from "./way";
+import { percent } from "../words";
+import { addAfter, addHere, bounds, chosen, moveTo, pick, place, pointWords, removeAt, stateAt } from "./way";
 
 /** Marks handles in the page: the pointer looks them up by place, keys and tests by this. */
 export const handleId = (index: number): string => `way-point-${index}`;
@@ -80,20 +82,21 @@ export function WayHandle({ index, count, point, at, chosen: isChosen }: WayHand
 }
 
 /** Where on the path the picture is now: arrows scrub, plus adds a way point here. */
-export function CurrentHandle({ at, words }: { at: [number, number]; words: string }) {
+export function CurrentHandle() {
   const { t } = scene.value;
+  const at = uv.value;
   return (
     <div
       id={CURRENT_ID}
       class={`handle current ${t <= 0 || t >= 1 ? "at-end" : ""}`}
-      style={at100(at)}
+      style={at100(place(at, bounds.value))}
       role="slider"
       tabIndex={0}
       aria-label="Place on the path"
       aria-valuenow={Math.round(1000 * t) / 10}
       aria-valuemin={0}
       aria-valuemax={100}
-      aria-valuetext={words}
+      aria-valuetext={`${percent(t)} of the way, ${stateAt(at)}`}
       onFocus={() => {
         if (chosen.peek() !== null) pick(null);
       }}

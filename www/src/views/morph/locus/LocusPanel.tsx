@@ -13,7 +13,6 @@ const style = signal<LocusStyle>("gap");
 
 /** Where the morph holds together: all of (u, v), with the path through it. */
 export function LocusPanel() {
-  const [u, v] = uv.value;
   return (
     <section class="locus" aria-labelledby="locus-title">
       <header class="section-head">
@@ -36,21 +35,29 @@ export function LocusPanel() {
         <Ticks axis="u" />
       </div>
       <Legend style={style.value} />
-      <dl class="locus-now">
-        <div>
-          <dt>turn and stretch</dt>
-          <dd>
-            <span class="symbol">u</span> <output>{fixed(u)}</output>
-          </dd>
-        </div>
-        <div>
-          <dt>move</dt>
-          <dd>
-            <span class="symbol">v</span> <output>{fixed(v)}</output>
-          </dd>
-        </div>
-      </dl>
+      <Now />
     </section>
+  );
+}
+
+/** Where the picture is now, in numbers. */
+function Now() {
+  const [u, v] = uv.value;
+  return (
+    <dl class="locus-now">
+      <div>
+        <dt>turn and stretch</dt>
+        <dd>
+          <span class="symbol">u</span> <output>{fixed(u)}</output>
+        </dd>
+      </div>
+      <div>
+        <dt>move</dt>
+        <dd>
+          <span class="symbol">v</span> <output>{fixed(v)}</output>
+        </dd>
+      </div>
+    </dl>
   );
 }
 

@@ -1,20 +1,14 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import type { Bounds } from "../../../engine/api";
 import { type LocusResult, locus, pathBreaks } from "../../../engine/results";
-import { pathPoints, uv } from "../../../state/morph";
+import { pathPoints } from "../../../state/morph";
 import type { Uv } from "../../../state/path";
-import { scene } from "../../../state/scene";
-import { percent } from "../words";
+import { pathKind } from "../parts";
 import { CurrentHandle, WayHandle } from "./Handles";
 import { type LocusStyle, paint } from "./paint";
 import { usePathPointer } from "./pointer";
 import { slice } from "./polyline";
-import { bounds, chosen, stateAt, way } from "./way";
-
-/** Fractions of the square, from its left and from its top. */
-export function place([u, v]: Uv, { u0, v0, u1, v1 }: Bounds): [x: number, y: number] {
-  return [(u - u0) / (u1 - u0), (v1 - v) / (v1 - v0)];
-}
+import { bounds, chosen, place, way } from "./way";
 
 /** The field with the path on it. The square is always shown whole. */
 export function LocusSquare({ style }: { style: LocusStyle }) {
@@ -23,14 +17,13 @@ export function LocusSquare({ style }: { style: LocusStyle }) {
   const field = locus.value;
   const frame = bounds.value;
   const progress = field?.progress ?? 0;
-  const at = uv.value;
   return (
-    <div class={`locus-square ${scene.value.path.kind}`} ref={square} {...pointer}>
+    <div class={`locus-square ${pathKind.value}`} ref={square} {...pointer}>
       <Field field={field} style={style} />
       <PathLines frame={frame} />
       <End letter="A" at={place([0, 0], frame)} />
       <End letter="B" at={place([1, 1], frame)} />
-      <CurrentHandle at={place(at, frame)} words={`${percent(scene.value.t)} of the way, ${stateAt(at)}`} />
+      <CurrentHandle />
       {way.value.map((point, index) => (
         <WayHandle
           // Way points have no name but their number: it is their key, so that focus stays while one is moved.

@@ -3,11 +3,12 @@ import { useComputed } from "@preact/signals";
 import type { PathKind } from "../../../engine/api";
 import { locus, pathBreaks, plan } from "../../../engine/results";
 import { pathPoints } from "../../../state/morph";
-import { edit, endGesture, scene } from "../../../state/scene";
+import { edit, endGesture } from "../../../state/scene";
 import { Button, IconButton } from "../../../ui/Button";
 import { NumberField } from "../../../ui/NumberField";
 import { Segmented } from "../../../ui/Segmented";
 import { MOST_POINTS } from "../changes";
+import { pathKind } from "../parts";
 import { pathWords } from "../words";
 import { focusHandle } from "./Handles";
 import { widestAlong } from "./polyline";
@@ -42,7 +43,7 @@ export function PathPanel() {
     <section class="path" aria-labelledby="path-title">
       <header class="section-head">
         <h2 id="path-title">Path</h2>
-        <Segmented label="Kind of path" value={scene.value.path.kind} options={KINDS} onChange={setKind} />
+        <Segmented label="Kind of path" value={pathKind.value} options={KINDS} onChange={setKind} />
       </header>
       <p class={`path-verdict ${breaks.length > 0 ? "broken" : "whole"}`}>
         <span class="mark" aria-hidden="true" />

@@ -21,6 +21,11 @@ export const bounds: ReadonlySignal<Bounds> = computed(() => locus.value?.bounds
 /** Points between the two ends. */
 export const way: ReadonlySignal<Uv[]> = computed(() => pathPoints.value.slice(1, -1));
 
+/** Where a point lies on the square that is shown: fractions from its left and from its top. */
+export function place([u, v]: Uv, { u0, v0, u1, v1 }: Bounds): [x: number, y: number] {
+  return [(u - u0) / (u1 - u0), (v1 - v) / (v1 - v0)];
+}
+
 const picked = signal<number | null>(null);
 
 /** The way point whose numbers are shown; null where it is gone or none was picked. */

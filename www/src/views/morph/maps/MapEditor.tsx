@@ -4,10 +4,11 @@ import type { MapRow } from "../../../engine/api";
 import { frond } from "../../../engine/wasm";
 import { selection } from "../../../state/morph";
 import { announce, wordsOf } from "../../../state/notice";
-import { edit, endGesture, scene } from "../../../state/scene";
+import { edit, endGesture } from "../../../state/scene";
 import { Button, IconButton } from "../../../ui/Button";
 import { Segmented } from "../../../ui/Segmented";
 import { type End, MOST_MAPS, nameOf, setMaps } from "../changes";
+import { shapes } from "../parts";
 import { originOf } from "../presets";
 import { Swatch } from "../shapes/Swatch";
 import { halfAbout, mapWords, reflect } from "./affine";
@@ -37,7 +38,7 @@ function middle(maps: MapRow[]): [number, number] {
 export function MapEditor({ target, chosen }: { target: End; chosen: number | null }) {
   const [form, setForm] = useState<"parts" | "numbers">("parts");
   const [problem, setProblem] = useState<string | null>(null);
-  const shape = scene.value[target];
+  const shape = shapes[target].value;
   const { maps } = shape;
   const origin = originOf(shape);
   const pick = (map: number | null) => {

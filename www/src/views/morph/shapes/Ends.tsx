@@ -7,6 +7,7 @@ import { IconButton } from "../../../ui/Button";
 import { Menu } from "../../../ui/Menu";
 import { asBoth, type End, nameOf, other, swap } from "../changes";
 import { gallery } from "../dialogs";
+import { shapes } from "../parts";
 import { Thumbnail } from "./Thumbnail";
 
 /** The two ends of the morph, with the arrow that swaps them. */
@@ -30,7 +31,7 @@ export function Ends() {
 }
 
 function Card({ end }: { end: End }) {
-  const { name, maps, preset } = scene.value[end];
+  const { name, maps, preset } = shapes[end].value;
   const editing = selection.value?.target === end;
   const count = `${maps.length} ${maps.length === 1 ? "map" : "maps"}`;
   const rest = preset === undefined ? `${count}, edited` : count;

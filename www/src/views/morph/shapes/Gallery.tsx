@@ -3,10 +3,11 @@ import type { Preset } from "../../../engine/api";
 import { thumbnails } from "../../../engine/results";
 import { selection } from "../../../state/morph";
 import { announce } from "../../../state/notice";
-import { edit, scene } from "../../../state/scene";
+import { edit } from "../../../state/scene";
 import { Dialog } from "../../../ui/Dialog";
 import { choose, nameOf } from "../changes";
 import { gallery } from "../dialogs";
+import { shapes } from "../parts";
 import { originOf, presets } from "../presets";
 import { Thumbnail } from "./Thumbnail";
 
@@ -25,7 +26,7 @@ export function Gallery() {
       onClose={close}
     >
       <Grid
-        chosen={originOf(scene.value[end])?.id}
+        chosen={originOf(shapes[end].value)?.id}
         onChoose={(preset) => {
           edit((before) => choose(before, end, preset));
           if (selection.peek()?.target === end) selection.value = { target: end, map: 0 };

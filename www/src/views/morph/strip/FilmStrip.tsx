@@ -15,15 +15,18 @@ export const frames: ReadonlySignal<readonly Frame[]> = computed(() =>
   phone.value ? evenly(strip.value, 7) : strip.value,
 );
 
+/** The frame that is nearest to the present moment. */
+const here: ReadonlySignal<number> = computed(() => {
+  const { t } = scene.value;
+  const away = frames.value.map((frame) => Math.abs(frame.t - t));
+  return Math.max(0, away.indexOf(Math.min(...away)));
+});
+
 /** Stills of the whole morph: press one to go there; the broken ones are hatched and say so. */
 export function FilmStrip() {
   const list = useRef<HTMLOListElement>(null);
-  const { t } = scene.value;
   const all = frames.value;
-  const nearest = all.reduce(
-    (best, frame, i) => (Math.abs(frame.t - t) < Math.abs((all[best]?.t ?? 0) - t) ? i : best),
-    0,
-  );
+  const nearest = here.value;
 
   const walk = (event: KeyboardEvent) => {
     const to = { ArrowRight: nearest + 1, ArrowLeft: nearest - 1, Home: 0, End: all.length - 1 }[event.key];
