@@ -1,4 +1,5 @@
 import { test as base } from "@playwright/test";
+import { Studio } from "./studio";
 
 /** What the software GPU's driver says about its own speed, and Chromium where it has no WebGPU. */
 const driver = /GL Driver Message|GroupMarkerNotSet|No available adapters/;
@@ -7,8 +8,9 @@ const driver = /GL Driver Message|GroupMarkerNotSet|No available adapters/;
  * Every test fails that leaves an error or a warning on the page's console, throws past the page, or asks for
  * something that is not there. A test that provokes one says which: `test.use({ expected: [/device lost/] })`.
  */
-export const test = base.extend<{ expected: RegExp[]; quiet: undefined }>({
+export const test = base.extend<{ expected: RegExp[]; quiet: undefined; studio: Studio }>({
   expected: [[], { option: true }],
+  studio: async ({ page }, use) => use(new Studio(page)),
   quiet: [
     async ({ page, expected }, use) => {
       const complaints: string[] = [];

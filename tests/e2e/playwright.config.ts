@@ -5,8 +5,12 @@ import { defineConfig, devices } from "@playwright/test";
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const port = Number(process.env["FROND_PORT"] ?? 4179);
 
-/** The site is built with relative addresses; to prove it, it is tried in a folder below the host's root. */
-const address = `http://127.0.0.1:${port}/some/folder/`;
+/**
+ * The site is built with relative addresses; to prove it, it is tried in a folder below the host's root. FROND_URL is
+ * the address of a site that is served already.
+ */
+const served = process.env["FROND_URL"];
+const address = served ?? `http://127.0.0.1:${port}/some/folder/`;
 
 /** `cargo xtask` says where Chromium is; without it, the places where systems put it. */
 const chromium =
@@ -42,6 +46,15 @@ function launch(backend: string[]) {
   return { args: [...flags, ...backend], ...(chromium === undefined ? {} : { executablePath: chromium }) };
 }
 
+function server() {
+  return {
+    command: `node node_modules/vite/bin/vite.js preview --base /some/folder/ --host 127.0.0.1 --port ${port} --strictPort`,
+    cwd: root,
+    url: address,
+    reuseExistingServer: false,
+  };
+}
+
 export default defineConfig({
   testDir: ".",
   outputDir: "../../target/e2e",
@@ -74,10 +87,5 @@ export default defineConfig({
       },
     },
   ],
-  webServer: {
-    command: `node node_modules/vite/bin/vite.js preview --base /some/folder/ --host 127.0.0.1 --port ${port} --strictPort`,
-    cwd: root,
-    url: address,
-    reuseExistingServer: false,
-  },
+  ...(served === undefined ? { webServer: server() } : {}),
 });

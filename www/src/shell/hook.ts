@@ -1,9 +1,13 @@
 import { effect } from "@preact/signals";
+import { stageStyle } from "../canvas/look";
 import { mainPainter, picture } from "../canvas/stage";
 import type { Pixels } from "../canvas/surface";
+import { effectiveView, stageSize } from "../canvas/view";
 import type { Scene } from "../engine/api";
 import { killWorker } from "../engine/engine";
 import { locus, verdict, workers } from "../engine/results";
+import { frond } from "../engine/wasm";
+import { shown } from "../state/morph";
 import { scene } from "../state/scene";
 
 /** What the tests, and the curious, may ask of the running page. */
@@ -11,6 +15,8 @@ export interface Hook {
   scene(): Scene;
   backend(): string | null;
   readPixels(): Promise<Pixels>;
+  /** The same picture from the CPU, through the adaptive cut: what `readPixels` has to agree with. */
+  twin(): Promise<Pixels>;
   forceLoss(): void;
   killWorker(): void;
   /** Resolves when the picture and the locus are complete and the verdict is about the picture. */
@@ -27,15 +33,27 @@ export function installHook(): void {
   window.frond = {
     scene: () => structuredClone(scene.peek()),
     backend: () => picture.peek().backend,
-    readPixels: async () => {
-      const painter = mainPainter.peek();
-      if (!painter) throw new Error("There is no picture on this page.");
-      return painter.pixels();
-    },
+    readPixels,
+    twin,
     forceLoss: () => mainPainter.peek()?.forceLoss(),
     killWorker,
     idle,
   };
+}
+
+async function readPixels(): Promise<Pixels> {
+  const painter = mainPainter.peek();
+  if (!painter) throw new Error("There is no picture on this page.");
+  return painter.pixels();
+}
+
+async function twin(): Promise<Pixels> {
+  const { width, height } = await readPixels();
+  const { x, y, scale } = effectiveView.peek();
+  const view = { x, y, scale: (scale * width) / stageSize.peek().width };
+  const { colouring, palette } = stageStyle.peek();
+  const data = frond.rasterize({ maps: shown.peek() }, { width, height, view, colouring, palette });
+  return { width, height, data };
 }
 
 function idle(): Promise<void> {

@@ -1,0 +1,116 @@
+import type { Locator, Page } from "@playwright/test";
+import type { Scene } from "../../crate/web/src/api";
+import type {} from "../../www/src/shell/hook";
+
+/** What a picture looks like, from the engine's own read-back: a capture of the page might be blank and pass. */
+export interface Look {
+  width: number;
+  height: number;
+  /** Pixels that hold something. */
+  lit: number;
+  /** The same for the same picture, to the last bit. */
+  hash: string;
+  /** The colours of opaque pixels, the most frequent first. */
+  colours: string[];
+  /** Where the lit pixels lie: left, top, right, bottom. */
+  box: [number, number, number, number];
+}
+
+/** The page under test. Actions go through the page as a person's would; only questions go through its hook. */
+export class Studio {
+  readonly page: Page;
+  readonly verdict: Locator;
+  readonly time: Locator;
+  readonly square: Locator;
+  readonly alerts: Locator;
+  readonly toasts: Locator;
+
+  constructor(page: Page) {
+    this.page = page;
+    this.verdict = page.getByTestId("verdict");
+    this.time = page.getByRole("slider", { name: "Time", exact: true });
+    this.square = page.locator(".locus-square");
+    this.toasts = page.getByRole("region", { name: "Notices" });
+    this.alerts = this.toasts.getByRole("alert");
+  }
+
+  /** Loads the page anew with this fragment, without waiting for what it works out. */
+  async open(fragment = "", query = ""): Promise<void> {
+    // Another fragment alone would be another document of the same page.
+    if (this.page.url() !== "about:blank") await this.page.goto("about:blank");
+    await this.page.goto(`./${query}${fragment === "" ? "" : `#${fragment}`}`);
+    await this.time.waitFor();
+  }
+
+  /** The picture and the locus are complete, and the verdict is about the picture. */
+  async idle(): Promise<void> {
+    await this.page.evaluate(() => window.frond?.idle());
+  }
+
+  async scene(): Promise<Scene> {
+    const scene = await this.page.evaluate(() => window.frond?.scene());
+    if (!scene) throw new Error("the page has no hook");
+    return scene;
+  }
+
+  /** The picture once it is complete. */
+  async look(): Promise<Look> {
+    await this.idle();
+    return this.page.evaluate(async () => {
+      if (!window.frond) throw new Error("the page has no hook");
+      const { width, height, data } = await window.frond.readPixels();
+      const box: [number, number, number, number] = [width, height, 0, 0];
+      const counts = new Map<number, number>();
+      let lit = 0;
+      let hash = 0x811c9dc5;
+      for (let i = 0; i < width * height; i++) {
+        const a = data[4 * i + 3] ?? 0;
+        const colour = ((data[4 * i] ?? 0) << 16) | ((data[4 * i + 1] ?? 0) << 8) | (data[4 * i + 2] ?? 0);
+        hash = Math.imul(hash ^ ((a << 24) | colour), 0x01000193);
+        if (a === 0) continue;
+        lit++;
+        const x = i % width;
+        const y = (i - x) / width;
+        box[0] = Math.min(box[0], x);
+        box[1] = Math.min(box[1], y);
+        box[2] = Math.max(box[2], x);
+        box[3] = Math.max(box[3], y);
+        if (a === 255) counts.set(colour, (counts.get(colour) ?? 0) + 1);
+      }
+      const colours = [...counts]
+        .sort(([, p], [, q]) => q - p)
+        .map(([colour]) => `#${colour.toString(16).padStart(6, "0")}`);
+      return { width, height, lit, hash: (hash >>> 0).toString(16), colours, box };
+    });
+  }
+
+  /** The part of the lit pixels on which the picture and the adaptive cut agree. */
+  async likeness(): Promise<number> {
+    await this.idle();
+    return this.page.evaluate(async () => {
+      if (!window.frond) throw new Error("the page has no hook");
+      const [mine, twin] = [await window.frond.readPixels(), await window.frond.twin()];
+      let both = 0;
+      let either = 0;
+      for (let i = 3; i < twin.data.length; i += 4) {
+        const [p, q] = [(mine.data[i] ?? 0) > 0, (twin.data[i] ?? 0) > 0];
+        if (p && q) both++;
+        if (p || q) either++;
+      }
+      return either === 0 ? 0 : both / either;
+    });
+  }
+
+  /** The handle of a way point, by number from 1. */
+  way(number: number): Locator {
+    return this.square.getByRole("slider", { name: new RegExp(`^Way point ${number} of `) });
+  }
+
+  /** Where a point of the (u, v) plane is on the page. */
+  async place(u: number, v: number): Promise<{ x: number; y: number }> {
+    await this.square.scrollIntoViewIfNeeded();
+    const box = await this.square.boundingBox();
+    if (!box) throw new Error("the locus is not on the page");
+    return { x: box.x + (box.width * (u + 1)) / 3, y: box.y + (box.height * (2 - v)) / 3 };
+  }
+}
