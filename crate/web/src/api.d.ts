@@ -81,6 +81,14 @@ export interface PathPlan {
   holds: boolean;
 }
 
+export interface PathCheck {
+  /** The widest relative gap met; Infinity where there is no attractor. */
+  gap: number;
+  holds: boolean;
+  /** Broken stretches, as fractions of the length of the path in (u, v). */
+  breaks: [t0: number, t1: number][];
+}
+
 export interface Preset {
   id: string;
   name: string;
@@ -162,6 +170,10 @@ export interface RasterOptions {
   colouring?: Colouring;
   /** One sRGB colour "#rrggbb" a map, repeated when there are more maps. */
   palette?: string[];
+  /** Whether edges are smoothed; either way the same pixels are lit. Default true. */
+  smooth?: boolean;
+  /** How bright a density is. Default 1. */
+  exposure?: number;
 }
 
 export interface BoundingBox {

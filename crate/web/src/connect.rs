@@ -1,12 +1,13 @@
 //! Whether a shape is in one piece.
 
 use frond_core::{Ifs, IfsError};
-use frond_locus::{Connectedness, Options};
-use serde::Deserialize;
+use frond_locus::{BarnsleyOptions, Choice, Connectedness, IndexBuffer, IndexBufferOptions, Options};
+use js_sys::Uint8Array;
+use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
-use crate::error::of_ifs;
-use crate::value::{object, point, read, read_maps, write};
+use crate::error::{bad_input, failure, of_ifs};
+use crate::value::{object, point, read, read_ifs, read_maps, write};
 
 #[derive(Deserialize)]
 struct Resolution {
@@ -59,4 +60,94 @@ fn answer(found: &Connectedness) -> Result<JsValue, JsValue> {
         fields.push(("closest", object(&[("from", write(&point(from))?), ("to", write(&point(to))?)])));
     }
     Ok(object(&fields))
+}
+
+/// The most points of the chaos game that one call throws.
+const MOST_POINTS: f64 = 1e9;
+
+#[derive(Deserialize)]
+struct Buffer {
+    size: f64,
+    points: f64,
+    #[serde(default)]
+    seed: u32,
+    margin: Option<f64>,
+    #[serde(default)]
+    weighted: bool,
+}
+
+/// The index buffer test: the chaos game into a small picture, and which pieces fell into the same pixels
+/// (Burch & Hart 1997, Fig 2).
+#[wasm_bindgen(js_name = indexBuffer, unchecked_return_type = "IndexBuffer")]
+pub fn index_buffer(
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue,
+    #[wasm_bindgen(
+        unchecked_param_type = "{ size: number; points: number; seed?: number; margin?: number; weighted?: boolean }"
+    )]
+    options: JsValue,
+) -> Result<JsValue, JsValue> {
+    let ifs = read_ifs(&ifs)?;
+    let plain: Buffer = read("The options", options)?;
+    if !(0.0..=MOST_POINTS).contains(&plain.points) {
+        return Err(bad_input("points", "a number from 0 to 1e9 is needed"));
+    }
+    let mut options = IndexBufferOptions {
+        size: plain.size as usize,
+        points: plain.points as u32,
+        seed: plain.seed,
+        choice: if plain.weighted { Choice::Weighted } else { Choice::Uniform },
+        ..IndexBufferOptions::default()
+    };
+    if let Some(margin) = plain.margin {
+        options.margin = margin;
+    }
+    let found =
+        IndexBuffer::run(&ifs, &options).map_err(|error| failure(error.code(), &error.to_string()))?;
+    let components = found.graph.components();
+    let labels = components.labels();
+    let count = labels.iter().max().map_or(0, |most| most + 1);
+    Ok(object(&[
+        ("connected", found.is_connected().into()),
+        ("overlaps", write(&found.graph.edges())?),
+        ("components", write(&labels)?),
+        ("count", (count as f64).into()),
+        ("pixels", Uint8Array::from(&found.pixels[..]).into()),
+    ]))
+}
+
+#[derive(Deserialize)]
+struct Iterations {
+    iterations: f64,
+    points: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct PlainRound {
+    distance: f64,
+    bound: f64,
+}
+
+/// Barnsley's object test (Burch & Hart 1997, Fig 1). It can prove that a piece lies apart, and nothing else.
+#[wasm_bindgen(js_name = barnsleyTest, unchecked_return_type = "BarnsleyTest")]
+pub fn barnsley_test(
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "{ iterations: number; points?: number }")] options: JsValue,
+) -> Result<JsValue, JsValue> {
+    let ifs = read_ifs(&ifs)?;
+    let plain: Iterations = read("The options", options)?;
+    let mut options = BarnsleyOptions { iterations: plain.iterations as usize, ..BarnsleyOptions::default() };
+    if let Some(points) = plain.points {
+        options.points = (points as usize).min(1_000_000);
+    }
+    let found = frond_locus::barnsley_test(&ifs, &options);
+    let rounds: Vec<PlainRound> = found
+        .rounds
+        .iter()
+        .map(|round| PlainRound { distance: round.distance, bound: round.bound })
+        .collect();
+    Ok(object(&[
+        ("disconnected", found.apart.is_some().into()),
+        ("iterations", (rounds.len() as f64).into()),
+        ("rounds", write(&rounds)?),
+    ]))
 }

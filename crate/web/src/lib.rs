@@ -12,12 +12,16 @@ mod connect;
 mod document;
 mod error;
 mod locus;
+mod path;
+mod raster;
 mod shape;
 mod value;
 
 pub use connect::*;
 pub use document::*;
 pub use locus::*;
+pub use path::*;
+pub use raster::*;
 pub use shape::*;
 
 use wasm_bindgen::prelude::*;

@@ -1,8 +1,8 @@
 //! The connectedness locus, whole or in tiles.
 
 use frond_core::Morph;
-use frond_locus::{Bounds, GridError, LocusGrid, Pass, Scratch};
-use js_sys::{Float32Array, Uint8Array};
+use frond_locus::{Bounds, GridError, Locus, LocusGrid, Pass, Scratch};
+use js_sys::{Float32Array, Reflect, Uint8Array};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
@@ -44,6 +44,21 @@ fn read_grid(options: &JsValue) -> Result<(LocusGrid, f64), JsValue> {
     // A cast of NaN or a negative number gives 0, which the grid refuses.
     let grid = LocusGrid::new(bounds, plain.width as usize, plain.height as usize);
     Ok((grid.map_err(|error| of_grid(&error))?, plain.epsilon.unwrap_or(EPSILON)))
+}
+
+/// A `Locus` object over `bounds`.
+pub(crate) fn read_locus(locus: &JsValue, bounds: JsValue) -> Result<Locus, JsValue> {
+    let bounds: Option<PlainBounds> =
+        if bounds.is_undefined() { None } else { Some(read("The bounds", bounds)?) };
+    let side =
+        |key: &str| Reflect::get(locus, &key.into()).ok().and_then(|x| x.as_f64()).unwrap_or(0.0) as usize;
+    let array = |key: &str| Reflect::get(locus, &key.into()).unwrap_or(JsValue::UNDEFINED);
+    let grid =
+        LocusGrid::new(bounds.map_or_else(Bounds::default, Bounds::from), side("width"), side("height"))
+            .map_err(|error| of_grid(&error))?;
+    let state = array("state").dyn_into::<Uint8Array>().map_err(|_| of_grid(&GridError::Samples))?;
+    let gap = array("gap").dyn_into::<Float32Array>().map_err(|_| of_grid(&GridError::Samples))?;
+    Locus::from_parts(grid, state.to_vec(), gap.to_vec()).map_err(|error| of_grid(&error))
 }
 
 pub(crate) fn write_samples(width: usize, height: usize, state: &[u8], gap: &[f32]) -> JsValue {

@@ -1,0 +1,83 @@
+//! Pictures without a canvas.
+
+use frond_render::{Colouring, RasterOptions, View, rasterize as draw};
+use js_sys::Uint8ClampedArray;
+use serde::Deserialize;
+use wasm_bindgen::prelude::*;
+
+use crate::error::{bad_input, failure};
+use crate::value::{read, read_ifs};
+
+#[derive(Clone, Copy, Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum ColouringName {
+    #[default]
+    Map,
+    Address,
+    Density,
+}
+
+impl From<ColouringName> for Colouring {
+    fn from(name: ColouringName) -> Self {
+        match name {
+            ColouringName::Map => Self::Map,
+            ColouringName::Address => Self::Address,
+            ColouringName::Density => Self::Density,
+        }
+    }
+}
+
+#[derive(Deserialize)]
+struct PlainView {
+    x: f64,
+    y: f64,
+    scale: f64,
+}
+
+#[derive(Deserialize)]
+struct Plain {
+    width: f64,
+    height: f64,
+    view: Option<PlainView>,
+    #[serde(default)]
+    colouring: ColouringName,
+    #[serde(default)]
+    palette: Vec<String>,
+    smooth: Option<bool>,
+    exposure: Option<f32>,
+}
+
+/// Draws an attractor, complete: RGBA with straight alpha, row 0 on top, on a transparent background. Ready for
+/// `new ImageData(pixels, width, height)`.
+#[wasm_bindgen(unchecked_return_type = "Uint8ClampedArray")]
+pub fn rasterize(
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "RasterOptions")] options: JsValue,
+) -> Result<Uint8ClampedArray, JsValue> {
+    let ifs = read_ifs(&ifs)?;
+    let plain: Plain = read("The options", options)?;
+    let palette = read_palette(&plain.palette)?;
+    let options = RasterOptions {
+        // A cast of NaN or a negative number gives 0: an empty picture.
+        width: plain.width as u32,
+        height: plain.height as u32,
+        view: plain.view.map(|view| View { x: view.x, y: view.y, scale: view.scale }),
+        colouring: plain.colouring.into(),
+        palette: &palette,
+        smooth: plain.smooth.unwrap_or(true),
+        exposure: plain.exposure.unwrap_or(1.0),
+    };
+    let pixels = draw(&ifs, &options).map_err(|error| failure(error.code(), &error.to_string()))?;
+    Ok(Uint8ClampedArray::from(&pixels[..]))
+}
+
+/// Colours "#rrggbb".
+pub(crate) fn read_palette(colours: &[String]) -> Result<Vec<[u8; 3]>, JsValue> {
+    let colour = |text: &String| {
+        let digits = text.strip_prefix('#').filter(|digits| digits.len() == 6);
+        let number = digits.and_then(|digits| u32::from_str_radix(digits, 16).ok());
+        number.map(|n| [(n >> 16) as u8, (n >> 8) as u8, n as u8])
+    };
+    let all: Option<Vec<_>> = colours.iter().map(colour).collect();
+    all.ok_or_else(|| bad_input("The palette", "colours are written #rrggbb"))
+}
