@@ -1,3 +1,4 @@
+import "./handles.css";
 import { uv } from "../../../state/morph";
 import type { Uv } from "../../../state/path";
 import { endGesture, scene } from "../../../state/scene";
