@@ -69,6 +69,10 @@ function place(p: World): { x: number; y: number } {
   return toScreen(p, effectiveView.value, stageSize.value);
 }
 
+function between(p: { x: number; y: number }, q: { x: number; y: number }): { x: number; y: number } {
+  return { x: (p.x + q.x) / 2, y: (p.y + q.y) / 2 };
+}
+
 interface OneMapProps {
   index: number;
   map: MapRow;
@@ -78,7 +82,7 @@ interface OneMapProps {
 
 function OneMap({ index, map, colour, chosen }: OneMapProps) {
   const corners = cornersOf(map, frame.value);
-  const origin = place(corners.origin);
+  const middle = between(place(corners.x), place(corners.y));
   const choose = () => {
     const now = selection.peek();
     if (now) selection.value = { ...now, map: index };
@@ -97,7 +101,7 @@ function OneMap({ index, map, colour, chosen }: OneMapProps) {
         ref={useGrip(index, "origin", choose)}
       />
       <path class="edge" d={outline(corners)} />
-      <text class="number-label" x={origin.x + 10} y={origin.y - 10}>
+      <text class="number-label" x={middle.x} y={middle.y + 5}>
         {index + 1}
       </text>
       {chosen &&
@@ -219,12 +223,18 @@ function moveTo(index: number, grip: Grip, to: { x: number; y: number }, gesture
       const map = before[target].maps[index];
       if (!map) return before;
       const maps = before[target].maps.slice();
-      maps[index] = dragged(map, frame.peek(), grip, point);
+      maps[index] = rounded(dragged(map, frame.peek(), grip, point), effectiveView.peek().scale);
       // Touched maps are no preset any more.
       return { ...before, [target]: { name: before[target].name, maps } };
     },
     { gesture },
   );
+}
+
+/** Numbers as fine as a hundredth of a pixel, which keeps links short. */
+function rounded(map: MapRow, scale: number): MapRow {
+  const digits = Math.min(14, Math.max(3, Math.ceil(Math.log10(100 * scale))));
+  return map.map((x) => Number(x.toFixed(digits))) as MapRow;
 }
 
 function say(index: number, grip: Grip): void {

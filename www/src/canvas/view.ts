@@ -10,13 +10,18 @@ export const view = signal<View | null>(null);
 /** The size of one picture on the stage, in CSS pixels; 0 by 0 until it is laid out. */
 export const stageSize = signal<Size>({ width: 0, height: 0 });
 
-export const MARGIN = 0.09;
+/** Free on each side as a part of the shorter one, and below as many pixels more: the verdict stands there. */
+const MARGIN = 0.06;
+const FOOT = 44;
 /** The box that the fit shows: it follows the document, but not while something is dragged, and without a jump. */
 const fitted = signal<Box | null>(null);
 
-export const fitView: ReadonlySignal<View> = computed(() =>
-  fitFor(fitted.value ?? stageBox.value, sizeOr(stageSize.value), MARGIN),
-);
+export const fitView: ReadonlySignal<View> = computed(() => {
+  const size = sizeOr(stageSize.value);
+  const edge = MARGIN * Math.min(size.width, size.height);
+  const insets = { top: edge, right: edge, bottom: edge + FOOT, left: edge };
+  return fitFor(fitted.value ?? stageBox.value, size, insets);
+});
 
 /** The view that is drawn. */
 export const effectiveView: ReadonlySignal<View> = computed(() => view.value ?? fitView.value);

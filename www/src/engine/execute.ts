@@ -22,7 +22,17 @@ export function executor(
       const { state, gap } = tiles.locus.run(task.r0, task.r1, task.stride, task.first);
       return { state, gap };
     },
-    plan: (task) => frond.planPathIn(task.locus, task.bounds),
+    plan(task) {
+      const plan = frond.planPathIn(task.locus, task.bounds);
+      if (!task.refine) return plan;
+      const { from, to, options } = task.refine;
+      const ends: [Ifs, Ifs] = [{ maps: from }, { maps: to }];
+      const check = frond.checkPath(...ends, plan.points, options);
+      const checked = { points: plan.points, gap: check.gap, holds: check.holds };
+      if (check.holds) return checked;
+      const finer = frond.planPath(...ends, options);
+      return finer.holds || finer.gap < check.gap ? finer : checked;
+    },
     verdict: (task) => frond.connectedness({ maps: task.maps }, { epsilon: task.epsilon }),
     states(task) {
       const states = new Uint8Array(task.points.length);
@@ -40,8 +50,8 @@ export function executor(
       return createImageBitmap(image);
     },
     buffer(task) {
-      const { connected, overlaps, count } = frond.indexBuffer({ maps: task.maps }, task.options);
-      return { connected, overlaps, count };
+      const { components, overlaps } = frond.indexBuffer(task.ifs, task.options);
+      return { components, overlaps };
     },
   };
 

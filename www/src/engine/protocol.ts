@@ -2,6 +2,7 @@ import type {
   Bounds,
   Connectedness,
   FrondError,
+  Ifs,
   Locus,
   LocusOptions,
   MapRow,
@@ -15,6 +16,7 @@ export interface IndexBufferOptions {
   points: number;
   seed: number;
   margin?: number;
+  weighted?: boolean;
 }
 
 /** What can be asked of a worker, by kind. Every task is one slice: some ten milliseconds of work. */
@@ -31,7 +33,13 @@ export interface Tasks {
     stride: number;
     first: boolean;
   };
-  plan: { kind: "plan"; locus: Locus; bounds: Bounds };
+  /** With `refine` the plan is checked between the samples, and planned anew on finer ones where it breaks. */
+  plan: {
+    kind: "plan";
+    locus: Locus;
+    bounds: Bounds;
+    refine?: { from: MapRow[]; to: MapRow[]; options: MorphOptions & { epsilon: number } };
+  };
   verdict: { kind: "verdict"; maps: MapRow[]; epsilon: number };
   /** The state of the morph at single points of the (u, v) plane. */
   states: {
@@ -43,7 +51,7 @@ export interface Tasks {
   };
   picture: { kind: "picture"; maps: MapRow[]; options: RasterOptions };
   /** What an index buffer says; its pixels stay behind. */
-  buffer: { kind: "buffer"; maps: MapRow[]; options: IndexBufferOptions };
+  buffer: { kind: "buffer"; ifs: Ifs; options: IndexBufferOptions };
 }
 
 export interface Results {
@@ -53,7 +61,7 @@ export interface Results {
   verdict: Connectedness;
   states: Uint8Array;
   picture: ImageBitmap;
-  buffer: { connected: boolean; overlaps: [number, number][]; count: number };
+  buffer: { components: number[]; overlaps: [number, number][] };
 }
 
 export type Kind = keyof Tasks;

@@ -14,6 +14,7 @@ import type {
   MapRow,
   MorphOptions,
   Pairing,
+  PathCheck,
   PathPlan,
   PointCloud,
   Preset,
@@ -72,12 +73,18 @@ export interface Frond {
   connectedness(ifs: Ifs, options?: { epsilon?: number; budget?: number }): Connectedness;
   indexBuffer(
     ifs: Ifs,
-    options: { size: number; points: number; seed: number; margin?: number },
+    options: { size: number; points: number; seed: number; margin?: number; weighted?: boolean },
   ): IndexBuffer;
   barnsleyTest(ifs: Ifs, options: { iterations: number }): BarnsleyTest;
   locus(from: Ifs, to: Ifs, options: LocusOptions): Locus;
   planPath(from: Ifs, to: Ifs, options?: MorphOptions & { epsilon?: number; size?: number }): PathPlan;
   planPathIn(locus: Locus, bounds: Bounds): PathPlan;
+  checkPath(
+    from: Ifs,
+    to: Ifs,
+    points: [u: number, v: number][],
+    options?: MorphOptions & { epsilon?: number; samples?: number },
+  ): PathCheck;
   conjugate(ifs: Ifs, transform: MapRow): Ifs;
   attractor(ifs: Ifs, options: { points: number; seed: number }): PointCloud;
   bounds(ifs: Ifs): BoundingBox;

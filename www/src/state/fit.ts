@@ -75,18 +75,34 @@ function union(boxes: Box[]): Box | null {
   };
 }
 
-/** The view that shows a box in the middle of a picture, with a margin on all sides as a part of the shorter one. */
+/** What stays free round a fitted box, in pixels of the picture. */
+export interface Insets {
+  top: number;
+  right: number;
+  bottom: number;
+  left: number;
+}
+
+/** The view that shows a box in the middle of what the insets leave of a picture. A number is a part of each side. */
 export function fitFor(
   box: Box,
   size: { width: number; height: number },
-  margin: number,
+  insets: Insets | number,
 ): { x: number; y: number; scale: number } {
-  const x = (box.x0 + box.x1) / 2;
-  const y = (box.y0 + box.y1) / 2;
-  const free = 1 - 2 * margin;
-  // A shape that is a point still gets a picture.
+  // A shape that is a point still gets a picture, and a picture that is all insets a scale.
   const across = Math.max(box.x1 - box.x0, 1e-9);
   const up = Math.max(box.y1 - box.y0, 1e-9);
-  const scale = Math.min((free * size.width) / across, (free * size.height) / up);
-  return { x, y, scale: Math.max(scale, 1e-6) };
+  const { top, right, bottom, left } = typeof insets === "number" ? even(insets, size) : insets;
+  const width = Math.max(size.width - left - right, 0.1 * size.width);
+  const height = Math.max(size.height - top - bottom, 0.1 * size.height);
+  const scale = Math.max(Math.min(width / across, height / up), 1e-6);
+  return {
+    x: (box.x0 + box.x1) / 2 + (right - left) / 2 / scale,
+    y: (box.y0 + box.y1) / 2 + (top - bottom) / 2 / scale,
+    scale,
+  };
+}
+
+function even(part: number, { width, height }: { width: number; height: number }): Insets {
+  return { top: part * height, right: part * width, bottom: part * height, left: part * width };
 }

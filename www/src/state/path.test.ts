@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { pointsOf, timesOf, type Uv, uvAt } from "./path";
+import { pointsOf, thinned, timesOf, type Uv, uvAt } from "./path";
 
 const bent: Uv[] = [
   [0, 0],
@@ -74,5 +74,36 @@ describe("pointsOf", () => {
       [0, 0],
       [1, 1],
     ]);
+  });
+});
+
+describe("thinned", () => {
+  const round = Array.from({ length: 500 }, (_, i): Uv => [Math.cos(i / 80), Math.sin(i / 80)]);
+
+  it("keeps within the number, and both ends", () => {
+    const few = thinned(round, 66);
+    expect(few.length).toBeLessThanOrEqual(66);
+    expect(few[0]).toEqual(round[0]);
+    expect(few.at(-1)).toEqual(round.at(-1));
+  });
+
+  it("stays near the path", () => {
+    for (const [u, v] of thinned(round, 66)) expect(Math.hypot(u, v)).toBeCloseTo(1, 9);
+    const gaps = timesOf(thinned(round, 66)).map((t, i, all) => t - (all[i - 1] ?? 0));
+    expect(Math.max(...gaps)).toBeLessThan(0.1);
+  });
+
+  it("leaves a short path as it is", () => {
+    expect(thinned(bent, 66)).toEqual(bent);
+    expect(thinned([], 66)).toEqual([]);
+  });
+
+  it("ends even where all points coincide", () => {
+    expect(
+      thinned(
+        Array.from({ length: 100 }, (): Uv => [1, 1]),
+        10,
+      ).length,
+    ).toBeLessThanOrEqual(10);
   });
 });

@@ -41,6 +41,44 @@ export function timesOf(points: readonly Uv[]): number[] {
   return sum > 0 ? along.map((s) => s / sum) : along.map(() => 0);
 }
 
+/** At most so many points of a path, both ends included, that depart from it as little as can be. */
+export function thinned(points: readonly Uv[], most: number): Uv[] {
+  let kept = [...points];
+  for (let tolerance = 1e-3; kept.length > Math.max(2, most); tolerance *= 1.5)
+    kept = simplified(points, tolerance);
+  return kept;
+}
+
+/** Douglas and Peucker: leaves out what lies within `tolerance` of the chord. */
+function simplified(points: readonly Uv[], tolerance: number): Uv[] {
+  const first = points[0];
+  const last = points.at(-1);
+  if (!first || !last || points.length < 3) return [...points];
+  let far = 0;
+  let index = 0;
+  for (const [i, p] of points.entries()) {
+    const d = offset(p, first, last);
+    if (d > far) {
+      far = d;
+      index = i;
+    }
+  }
+  if (far <= tolerance) return [first, last];
+  return [
+    ...simplified(points.slice(0, index + 1), tolerance).slice(0, -1),
+    ...simplified(points.slice(index), tolerance),
+  ];
+}
+
+/** How far a point is from a segment. */
+function offset(p: Uv, a: Uv, b: Uv): number {
+  const [x, y] = [b[0] - a[0], b[1] - a[1]];
+  const square = x * x + y * y;
+  const s = square > 0 ? ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / square : 0;
+  const t = Math.min(1, Math.max(0, s));
+  return distance(p, [a[0] + t * x, a[1] + t * y]);
+}
+
 function distance(p: readonly [number, number], q: readonly [number, number]): number {
   return Math.hypot(q[0] - p[0], q[1] - p[1]);
 }

@@ -1,10 +1,11 @@
 import { effect, untracked } from "@preact/signals";
 import { notify, wordsOf } from "../../state/notice";
+import { thinned } from "../../state/path";
 import { replace, scene } from "../../state/scene";
 import type { PathPlan } from "../api";
 import { submit } from "../engine";
-import { BOUNDS, type LocusInputs, type LocusWork } from "../locus-job";
-import { single } from "../protocol";
+import { BOUNDS, EPSILON, type LocusInputs, type LocusWork } from "../locus-job";
+import { single, type Task } from "../protocol";
 import { publish } from "../results";
 import { inputs as morph } from "./inputs";
 
@@ -22,30 +23,30 @@ export function adoptPath(): void {
 /** Plans through the samples that are in; each stage knows the field better than the one before. */
 export function planFrom(work: LocusWork, stride: number): void {
   const inputs = work.inputs;
+  const task: Task<"plan"> = { kind: "plan", locus: work.nested(stride), bounds: BOUNDS };
+  // Only once all is known and at rest, and only off the page's own thread: this may take a second.
+  if (stride === 1 && publish.workers.peek().available) {
+    const { from, to, options } = inputs;
+    task.refine = { from, to, options: { ...options, epsilon: EPSILON } };
+  }
   submit(
-    single<"plan">(
-      "plan",
-      48,
-      { kind: "plan", locus: work.nested(stride), bounds: BOUNDS },
-      {
-        accept: (plan) => {
-          if (inputs !== morph.peek()) return;
-          publish.plan.value = plan;
-          apply(plan, inputs);
-          if (stride === 1 && scene.peek().path.kind === "auto") settled = inputs;
-        },
-        fail: (error) => notify({ kind: "error", text: `No path could be planned: ${wordsOf(error)}` }),
+    single<"plan">("plan", 48, task, {
+      accept: (plan) => {
+        if (inputs !== morph.peek()) return;
+        publish.plan.value = plan;
+        apply(plan, inputs);
+        if (stride === 1 && scene.peek().path.kind === "auto") settled = inputs;
       },
-    ),
+      fail: (error) => notify({ kind: "error", text: `No path could be planned: ${wordsOf(error)}` }),
+    }),
   );
 }
 
 function apply(plan: PathPlan, inputs: LocusInputs): void {
   const now = scene.peek();
   if (now.path.kind !== "auto" || settled === inputs) return;
-  const points = plan.points
+  const points = thinned(plan.points, MOST_POINTS + 2)
     .slice(1, -1)
-    .slice(0, MOST_POINTS)
     .map(([u, v]): [number, number] => [short(u), short(v)]);
   const same =
     points.length === now.path.points.length &&

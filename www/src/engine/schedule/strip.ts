@@ -18,6 +18,7 @@ export const FRAMES = 13;
 /** CSS pixels. */
 export const FRAME_WIDTH = 96;
 export const FRAME_HEIGHT = 72;
+const MARGIN = 4;
 
 /** Samples of the path between two frames, and in one slice. */
 const BETWEEN = 20;
@@ -108,7 +109,8 @@ interface What {
 function stripJob({ inputs, points, colouring, dark: onDark }: What): Job<"picture"> {
   const dpr = Math.min(2, globalThis.devicePixelRatio || 1);
   const size = { width: Math.round(FRAME_WIDTH * dpr), height: Math.round(FRAME_HEIGHT * dpr) };
-  const fit = fitFor(pathBox.peek(), size, 0.06);
+  const edge = MARGIN * dpr;
+  const fit = fitFor(pathBox.peek(), size, { top: edge, right: edge, bottom: edge, left: edge });
   const colours = palette(onDark ? "dark" : "light");
   const order = frameTimes().map((_, i) => i);
   const places = new Map<object, number>();
