@@ -1,5 +1,5 @@
 import { verdict } from "../engine/results";
-import { lengthWords } from "../state/words";
+import { lengthWords, verdictWords } from "../state/words";
 import { toScreen, world } from "./geometry";
 import { effectiveView, stageSize } from "./view";
 
@@ -7,7 +7,8 @@ import { effectiveView, stageSize } from "./view";
 export function ClosestPair() {
   const answer = verdict.value;
   const closest = answer?.connectedness.closest;
-  if (!answer || answer.stale || answer.connectedness.verdict !== "disconnected" || !closest) return null;
+  if (!answer || answer.stale || !closest || verdictWords(answer.connectedness).tone !== "broken")
+    return null;
   const size = stageSize.value;
   const view = effectiveView.value;
   const p = toScreen(world(...closest.from), view, size);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { breaksAlong, STATE, stateNear, stretches } from "./breaks";
+import { atResolution, breaksAlong, STATE, stateNear, stretches } from "./breaks";
 
 const { connected, touching, disconnected, none, undecided } = STATE;
 
@@ -56,5 +56,14 @@ describe("stateNear", () => {
       { t0: 0, t1: 0.125 },
       { t0: 0.875, t1: 1 },
     ]);
+  });
+});
+
+describe("atResolution", () => {
+  it("calls a gap within epsilon touching, and no other", () => {
+    expect(atResolution(disconnected, 0.001, 1 / 600)).toBe(touching);
+    expect(atResolution(disconnected, 0.002, 1 / 600)).toBe(disconnected);
+    expect(atResolution(none, Number.NaN, 1 / 600)).toBe(none);
+    expect(atResolution(connected, 0, 1 / 600)).toBe(connected);
   });
 });

@@ -16,6 +16,14 @@ export const STATE = {
   pending: 255,
 } as const;
 
+/**
+ * The state as this resolution tells it: pieces that are proved apart, but by no more than epsilon, are within epsilon of
+ * each other, which is what touching means.
+ */
+export function atResolution(state: number, gap: number, epsilon: number): number {
+  return state === STATE.disconnected && gap <= epsilon ? STATE.touching : state;
+}
+
 export function isBroken(state: number): boolean {
   return state === STATE.disconnected || state === STATE.none;
 }

@@ -1,4 +1,5 @@
 import type { Ifs } from "./api";
+import { atResolution, STATE } from "./breaks";
 import type { Kind, Result, Task } from "./protocol";
 import type { Frond, LocusTiles } from "./wasm";
 
@@ -39,7 +40,8 @@ export function executor(
       for (const [i, [u, v]] of task.points.entries()) {
         const bounds = { u0: u, v0: v, u1: u, v1: v };
         const options = { ...task.options, ...POINT, bounds };
-        states[i] = frond.locus({ maps: task.from }, { maps: task.to }, options).state[0] ?? 3;
+        const { state, gap } = frond.locus({ maps: task.from }, { maps: task.to }, options);
+        states[i] = atResolution(state[0] ?? STATE.undecided, gap[0] ?? Number.NaN, task.options.epsilon);
       }
       return states;
     },

@@ -1,5 +1,5 @@
 import type { Bounds, FrondError, Locus, MapRow, MorphOptions } from "./api";
-import { STATE } from "./breaks";
+import { atResolution, STATE } from "./breaks";
 import type { Job, Result, Task } from "./protocol";
 
 /** Samples a side. One less is divisible by 3, so (0,0) and (1,1) are samples, and by 4, so 127 and 64 nest in it. */
@@ -85,8 +85,9 @@ export class LocusWork {
     let count = 0;
     for (let r = r0, from = 0; r < r1; r += stride, from += SIZE) {
       for (let c = 0; c < SIZE; c += stride) {
-        const s = state[from + c];
-        if (s === undefined || s === STATE.pending) continue;
+        const found = state[from + c];
+        if (found === undefined || found === STATE.pending) continue;
+        const s = atResolution(found, gap[from + c] ?? Number.NaN, EPSILON);
         count++;
         this.raw.state[r * SIZE + c] = s;
         this.raw.gap[r * SIZE + c] = gap[from + c] ?? Number.NaN;

@@ -46,6 +46,11 @@ describe("verdictWords", () => {
     });
   });
 
+  it("says that a gap finer than the resolution is one", () => {
+    const fine = verdictWords({ ...answer, gap: { lower: 0.0007, upper: 0.0008 } });
+    expect(fine).toMatchObject({ tone: "close", aside: "at 600 px, gap 0.00080" });
+  });
+
   it("never calls touching proved", () => {
     const { text, aside } = verdictWords({ ...answer, verdict: "touching", count: 1 });
     expect(`${text} ${aside}`).toBe("In one piece at 600 px");

@@ -17,6 +17,9 @@ export function countWords(count: number): string {
   return `${(count / 1e6).toFixed(count < 1e7 ? 1 : 0)} M`;
 }
 
+/** What a picture of 600 pixels resolves, as a part of the diameter. */
+const RESOLUTION = 1 / 600;
+
 export interface VerdictWords {
   /** One of four: a state is never told by colour alone. */
   tone: "whole" | "close" | "broken" | "unknown";
@@ -32,6 +35,14 @@ export function verdictWords(answer: Connectedness): VerdictWords {
     case "touching":
       return { tone: "close", text: "In one piece", aside: "at 600 px" };
     case "disconnected":
+      // Proved apart, and yet nearer than the resolution at which everything else on the page is judged.
+      if (answer.gap.upper <= RESOLUTION * answer.diameter) {
+        return {
+          tone: "close",
+          text: "In one piece",
+          aside: `at 600 px, gap ${lengthWords(answer.gap.upper)}`,
+        };
+      }
       return {
         tone: "broken",
         text: answer.count === 2 ? "2 pieces" : `${answer.count} pieces`,
