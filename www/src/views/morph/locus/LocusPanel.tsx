@@ -1,5 +1,7 @@
 import "./locus.css";
-import { signal } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
+import { STATE } from "../../../engine/breaks";
+import { locus } from "../../../engine/results";
 import { uv } from "../../../state/morph";
 import { fixed } from "../../../ui/number";
 import { Segmented } from "../../../ui/Segmented";
@@ -79,24 +81,33 @@ function Ticks({ axis }: { axis: "u" | "v" }) {
   );
 }
 
+/** What there is to explain besides whole and broken. */
+const rare = computed(() => {
+  const state = locus.value?.state;
+  return { none: state?.includes(STATE.none) === true, open: state?.includes(STATE.undecided) === true };
+});
+
 function Legend({ style: shown }: { style: LocusStyle }) {
+  const { none, open } = rare.value;
   return (
     <ul class="legend" aria-label="Legend">
-      <li>
-        <span class="legend-box holds" /> in one piece
-      </li>
+      <Entry box="holds" words="in one piece" />
       {shown === "gap" ? (
-        <li>
-          <span class="legend-box gap" style={{ backgroundImage: gradient() }} /> gap
-        </li>
+        <Entry box="gap" words="gap" image={gradient()} />
       ) : (
-        <li>
-          <span class="legend-box broken" /> broken
-        </li>
+        <Entry box="broken" words="broken" />
       )}
-      <li>
-        <span class="legend-box none" /> no shape
-      </li>
+      {none && <Entry box="none" words="no shape" />}
+      {open && <Entry box="open" words="not decided" />}
     </ul>
+  );
+}
+
+function Entry({ box, words, image }: { box: string; words: string; image?: string }) {
+  return (
+    <li>
+      <span class={`legend-box ${box}`} style={image === undefined ? {} : { backgroundImage: image }} />{" "}
+      {words}
+    </li>
   );
 }

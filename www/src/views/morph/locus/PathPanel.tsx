@@ -12,7 +12,7 @@ import { pathKind } from "../parts";
 import { pathWords } from "../words";
 import { focusHandle } from "./Handles";
 import { widestAlong } from "./polyline";
-import { addHere, bounds, chosen, moveTo, removeAt, stateAt, way } from "./way";
+import { addAfter, addHere, bounds, chosen, moveTo, removeAt, stateAt, way } from "./way";
 
 const KINDS: readonly { value: PathKind; label: string; description: string }[] = [
   { value: "auto", label: "Auto", description: "The way with the narrowest gap, found for you" },
@@ -75,6 +75,13 @@ export function PathPanel() {
             digits={3}
             onChange={(v) => moveTo(index, [point[0], v], `way-v-${index}`)}
             onDone={endGesture}
+          />
+          <IconButton
+            icon="add"
+            label="Add a way point after this one"
+            kind="quiet"
+            disabled={way.value.length >= MOST_POINTS}
+            onClick={() => focusHandle(addAfter(index))}
           />
           <IconButton
             icon="bin"

@@ -6,7 +6,7 @@ import { endGesture } from "../../../state/scene";
 import { scrubTo } from "../strip/scrub";
 import { CURRENT_ID, handleId } from "./Handles";
 import { hitHandle, nearestOn } from "./polyline";
-import { addAt, bounds, moveTo, removeAt, way } from "./way";
+import { addAt, bounds, moveTo, pick, removeAt, way } from "./way";
 
 /** A hand must travel this far, in CSS pixels, before it drags: a tap stays a tap. */
 const SLACK = 4;
@@ -59,7 +59,10 @@ export function usePathPointer(square: RefObject<HTMLElement | null>) {
       const { point, perPixel } = toUv(event);
       const coarse = event.pointerType !== "mouse";
       const what = hit(point, perPixel * (coarse ? 24 : 12));
-      if (what === null) return;
+      if (what === null) {
+        pick(null);
+        return;
+      }
       event.preventDefault();
       const handle = what === "moment" ? uv.peek() : (way.peek()[what] ?? point);
       document

@@ -7,6 +7,7 @@ import { edit } from "../../../state/scene";
 import { Dialog } from "../../../ui/Dialog";
 import { choose, nameOf } from "../changes";
 import { gallery } from "../dialogs";
+import { pick } from "../locus/way";
 import { shapes } from "../parts";
 import { originOf, presets } from "../presets";
 import { Thumbnail } from "./Thumbnail";
@@ -30,6 +31,7 @@ export function Gallery() {
         onChoose={(preset) => {
           edit((before) => choose(before, end, preset));
           if (selection.peek()?.target === end) selection.value = { target: end, map: 0 };
+          pick(null);
           announce(`Shape ${nameOf(end)} is now ${preset.name}.`);
           close();
         }}
