@@ -103,7 +103,8 @@ pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
     let maps = ifs.maps();
     let mut frame = Frame::default();
     frame.set_round(maps, ifs.contraction());
-    let proved = shared::shared_points(maps).count() == 1 || proof::at_once(maps);
+    let shared = shared::shared_points(maps);
+    let proved = shared.is_connected() || proof::at_once(maps);
     if frame.point {
         return in_one_point(maps.len(), proved);
     }
@@ -111,6 +112,13 @@ pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
     outline.set(&frame.maps, 1e-5, 4000);
     let mut search = Search::default();
     search.begin(&frame, &outline, options.epsilon.max(0.0));
+    for (i, j) in shared.edges() {
+        search.meet(i, j);
+    }
+    if proved && !shared.is_connected() {
+        // What is proved at once of several maps that differ, is proved of two.
+        search.meet(0, 1);
+    }
     let settled = search.settle(&frame, &outline, options.budget);
     let all_settled = settled && search.settle_all(&frame, &outline, options.budget);
     let count = search.components.count();

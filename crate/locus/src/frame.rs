@@ -13,6 +13,10 @@ pub(crate) struct Frame {
     origin: DVec2,
     /// The metric of the plane, pulled back: a step `d` here is `sqrt(d . metric d)` long in the plane.
     pub metric: DMat2,
+    /// The metric of directions: the normal `m` of a line here is `sqrt(m . dual m)` long in the plane.
+    pub dual: DMat2,
+    /// Whether distances here are those of the plane, but for a factor.
+    pub plain: bool,
     /// How far the support values of a computed piece may be off, here, through rounding: that of the
     /// given coefficients, of this conjugation and of products along words.
     pub rounding: f64,
@@ -32,6 +36,8 @@ impl Default for Frame {
             from_round: DMat2::IDENTITY,
             origin: DVec2::ZERO,
             metric: DMat2::IDENTITY,
+            dual: DMat2::IDENTITY,
+            plain: true,
             rounding: 0.0,
             factor: 0.0,
             point: true,
@@ -42,22 +48,19 @@ impl Default for Frame {
 impl Frame {
     /// Sets the frame up for raw maps; the cheap test first, [`Contraction::find`] where it fails.
     pub fn set(&mut self, maps: &[Affine2]) -> Result<(), IfsError> {
-        let norm = maps.iter().fold(0.0_f64, |most, map| most.max(map.norm()));
         let fits = |x: f64| x.abs() < 1e100;
-        // A comparison with NaN is false, so that bad numbers go the long way and get their message.
-        if norm < PLAIN
-            && !maps.is_empty()
-            && maps.iter().all(|m| fits(m.translation.x) && fits(m.translation.y))
-        {
-            self.set_plain(maps, norm);
-            Ok(())
+        let plain = |map: &Affine2| map.norm() < PLAIN && fits(map.translation.x) && fits(map.translation.y);
+        // Comparisons with NaN are false, so that bad numbers go the long way and get their message.
+        if !maps.is_empty() && maps.iter().all(plain) {
+            self.set_plain(maps);
         } else {
             self.set_round(maps, &Contraction::find(maps)?);
-            Ok(())
         }
+        Ok(())
     }
 
-    fn set_plain(&mut self, maps: &[Affine2], factor: f64) {
+    fn set_plain(&mut self, maps: &[Affine2]) {
+        let factor = maps.iter().fold(0.0_f64, |most, map| most.max(map.norm()));
         let origin = mean_point(maps);
         let shift = maps.iter().map(|map| map.apply(origin).distance(origin)).fold(0.0, f64::max);
         let radius = shift / (1.0 - factor) * (1.0 + 1e-12);
@@ -88,6 +91,8 @@ impl Frame {
         let unit = if self.point { 1.0 } else { radius };
         self.from_round = from * unit;
         self.metric = self.from_round.transpose() * self.from_round;
+        self.dual = to * to.transpose() * (1.0 / (unit * unit));
+        self.plain = to == DMat2::IDENTITY;
         self.maps.clear();
         self.maps.extend(maps.iter().map(|map| {
             let translation = to * (map.apply(origin) - origin) * (1.0 / unit);

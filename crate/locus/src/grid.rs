@@ -73,10 +73,15 @@ pub struct LocusGrid {
 impl LocusGrid {
     /// The most samples along a side.
     pub const LARGEST: usize = 8192;
-    /// The budget of [`decide`] for each sample.
+    /// The budget of [`decide`] for each sample of up to ten maps; more maps have more pairs.
     pub const BUDGET: usize = 20_000;
     /// The state of a sample that a tile leaves to another.
     pub const UNTOUCHED: u8 = 255;
+
+    /// The budget of [`decide`] for each sample of so many maps.
+    pub(crate) fn budget(maps: usize) -> usize {
+        Self::BUDGET.max(2_000 * maps)
+    }
 
     /// A grid over `bounds`, which may be of zero size or turned round.
     ///
@@ -145,7 +150,7 @@ impl LocusGrid {
             let (start, step) = if done_before { (stride, 2 * stride) } else { (0, stride) };
             for x in (start..self.width).step_by(step) {
                 morph.fill(self.u(x), self.v(y), &mut maps);
-                visit(x, y, decide(&maps, epsilon, Self::BUDGET, scratch));
+                visit(x, y, decide(&maps, epsilon, Self::budget(maps.len()), scratch));
             }
         }
     }

@@ -199,7 +199,7 @@ fn judge(
         let t = k as f64 / (samples - 1) as f64;
         let at = along(points, t);
         morph.fill(at.x, at.y, &mut maps);
-        let sample = decide(&maps, epsilon, LocusGrid::BUDGET, &mut scratch);
+        let sample = decide(&maps, epsilon, LocusGrid::budget(maps.len()), &mut scratch);
         let gap = if sample.gap.is_nan() { f64::INFINITY } else { f64::from(sample.gap) };
         let broken = match sample.state {
             State::Connected | State::Touching => false,

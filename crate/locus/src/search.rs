@@ -9,6 +9,7 @@
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
+use std::ops::Range;
 
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};
@@ -101,6 +102,9 @@ pub(crate) struct Search {
     pub nodes: usize,
     count: usize,
     metric: DMat2,
+    dual: DMat2,
+    /// In which metric to look for lines that separate pieces.
+    lean: DMat2,
     rounding: f64,
     /// The largest factor by which a distance of the frame grows in the plane.
     stretch: f64,
@@ -119,6 +123,9 @@ impl Search {
         let count = frame.maps.len();
         self.count = count;
         self.metric = frame.metric;
+        self.dual = frame.dual;
+        // Pieces are round in the frame, and most easily told apart there, however flat they are in the plane.
+        self.lean = DMat2::IDENTITY;
         self.rounding = frame.rounding;
         self.diameter = outline.diameter(DMat2::IDENTITY);
         self.plane_diameter = outline.diameter(frame.from_round);
@@ -145,7 +152,10 @@ impl Search {
                     self.nearest[i * count + j].reach = 0.0;
                     self.meet(i, j);
                 } else {
-                    self.visit(outline, i as u32, j as u32, i as u8, j as u8, 0.0);
+                    let look = self.look(outline, i as u32, j as u32);
+                    if !self.note(&look, i as u8, j as u8) {
+                        self.file(&look, Pair { key: 0.0, u: i as u32, v: j as u32, i: i as u8, j: j as u8 });
+                    }
                 }
             }
         }
@@ -235,6 +245,19 @@ impl Search {
     /// Splits the larger piece of a pair, known to be `apart`, and looks at the pairs of its parts.
     fn split(&mut self, frame: &Frame, outline: &Outline, pair: Pair, apart: f64) {
         let Pair { u, v, i, j, .. } = pair;
+        let (parts, first) = self.parts_of_larger(frame, u, v);
+        for part in parts {
+            let (u, v) = if first { (part, v) } else { (u, part) };
+            let look = self.look(outline, u, v);
+            if self.note(&look, i, j) {
+                return;
+            }
+            self.file(&look, Pair { key: apart, u, v, i, j });
+        }
+    }
+
+    /// The parts of the larger one of two pieces, and whether that is the first.
+    fn parts_of_larger(&mut self, frame: &Frame, u: u32, v: u32) -> (Range<u32>, bool) {
         let first = self.pieces[u as usize].size >= self.pieces[v as usize].size;
         let large = if first { u } else { v } as usize;
         if self.pieces[large].parts == 0 {
@@ -245,40 +268,38 @@ impl Search {
             }
         }
         let parts = self.pieces[large].parts;
-        for part in parts..parts + self.count as u32 {
-            let met = if first {
-                self.visit(outline, part, v, i, j, apart)
-            } else {
-                self.visit(outline, u, part, i, j, apart)
-            };
-            if met {
-                return;
-            }
-        }
+        (parts..parts + self.count as u32, first)
     }
 
-    /// Looks at a pair and files it; whether the two attractorlets are now known to meet.
+    /// Takes note of how near two attractorlets come; whether that makes them meet.
     #[inline]
-    fn visit(&mut self, outline: &Outline, u: u32, v: u32, i: u8, j: u8, apart: f64) -> bool {
+    fn note(&mut self, look: &Look, i: u8, j: u8) -> bool {
         self.nodes += 1;
-        let look = self.look(outline, u, v);
-        let nearest = &mut self.nearest[usize::from(i) * self.count + usize::from(j)];
+        let (i, j) = (usize::from(i), usize::from(j));
+        let nearest = &mut self.nearest[i * self.count + j];
         if look.reach < nearest.reach {
             *nearest = Nearest { reach: look.reach, from: look.from, to: look.to, met: nearest.met };
             if look.reach.sqrt() <= self.resolution {
-                self.meet(usize::from(i), usize::from(j));
+                self.meet(i, j);
                 return true;
             }
         }
-        // Parts are no nearer than their wholes, even if the directions tried on them show less.
-        let apart = look.apart.max(apart);
-        if apart > 0.0 {
-            self.apart.push(Pair { key: apart, u, v, i, j });
-        } else {
-            let level = self.pieces[u as usize].level.min(self.pieces[v as usize].level);
-            self.open.push(Pair { key: look.overlap + level, u, v, i, j });
-        }
         false
+    }
+
+    /// Files a pair with those that are apart, by its distance, or with those that may meet, by how deep they
+    /// overlap. Its key is the distance of the pair that it is a part of: parts are no nearer than that, even
+    /// if the directions tried on them show less.
+    #[inline]
+    fn file(&mut self, look: &Look, mut pair: Pair) {
+        pair.key = look.apart.max(pair.key);
+        if pair.key > 0.0 {
+            self.apart.push(pair);
+        } else {
+            let level = self.pieces[pair.u as usize].level.min(self.pieces[pair.v as usize].level);
+            pair.key = look.overlap + level;
+            self.open.push(pair);
+        }
     }
 
     /// Records that two attractorlets `i < j` meet, as far as the resolution tells.
@@ -303,7 +324,7 @@ impl Search {
         };
         let middle = step;
         for round in 0..ROUNDS {
-            let normal = self.metric * step;
+            let normal = self.lean * step;
             let (far_a, p) = outline.support(at * normal);
             let (far_b, q) = outline.support(-(bt * normal));
             let along = normal.dot(middle);
@@ -317,7 +338,7 @@ impl Search {
             }
             if apart > 0.0 {
                 let off = self.rounding * normal.length();
-                best.apart = (apart - off) / step.dot(normal).sqrt();
+                best.apart = (apart - off) / normal.dot(self.dual * normal).sqrt();
                 if best.apart > 0.0 {
                     return best;
                 }
@@ -327,7 +348,7 @@ impl Search {
                 // The point nearest to the origin between `step` and `between`, both differences of points
                 // of the two hulls.
                 let turn = step - between;
-                let length = turn.dot(self.metric * turn);
+                let length = turn.dot(self.lean * turn);
                 let t = (normal.dot(turn) / length).clamp(0.0, 1.0);
                 step -= turn * t;
             }
@@ -349,6 +370,8 @@ impl Search {
     ) -> Span {
         // From here on pieces are known to be apart, however near they come.
         self.resolution = -1.0;
+        // Distances are those of the plane, and so are the directions that show them best.
+        self.lean = self.metric;
         let mut span = Span::default();
         while self.components.count() > 1 {
             let Some(pair) = self.apart.pop() else { break };
@@ -363,14 +386,37 @@ impl Search {
             if reach - pair.key <= (relative * reach).max(absolute) {
                 self.components.join(i, j);
                 span.widen(reach, nearest);
-            } else if self.nodes >= budget {
-                break;
-            } else {
+            } else if self.nodes < budget {
                 self.split(frame, outline, pair, pair.key);
+            } else {
+                self.dive(frame, outline, pair);
+                break;
             }
         }
         self.bridge(&mut span);
         span
+    }
+
+    /// Follows the nearest parts of some of the nearest pairs down, for points that are nearer than those met
+    /// by a search that was cut short.
+    fn dive(&mut self, frame: &Frame, outline: &Outline, first: Pair) {
+        let mut pairs = vec![first];
+        pairs.extend(std::iter::from_fn(|| self.apart.pop()).take(DIVES));
+        for Pair { mut u, mut v, i, j, .. } in pairs {
+            for _ in 0..DEPTH {
+                let (parts, first) = self.parts_of_larger(frame, u, v);
+                let mut nearest = (f64::INFINITY, u, v);
+                for part in parts {
+                    let (u, v) = if first { (part, v) } else { (u, part) };
+                    let look = self.look(outline, u, v);
+                    self.note(&look, i, j);
+                    if look.reach < nearest.0 {
+                        nearest = (look.reach, u, v);
+                    }
+                }
+                (_, u, v) = nearest;
+            }
+        }
     }
 
     /// An upper bound of the widest gap from the nearest points known alone.
@@ -418,6 +464,9 @@ impl Span {
     }
 }
 
+/// How many pairs are followed down after a search that was cut short, and how far.
+const DIVES: usize = 8;
+const DEPTH: usize = 24;
 /// Directions tried on a pair.
 const ROUNDS: usize = 2;
 /// How much more a pair of half the area counts against one that overlaps twice as deep. Some preference

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use frond_core::Affine2;
 use glam::DVec2;
 
-use crate::graph::Components;
+use crate::graph::OverlapGraph;
 
 /// A point of the plane as a fraction in lowest terms: (x / w, y / w), w positive.
 type Point = (i128, i128, i128);
@@ -20,33 +20,38 @@ struct Dyadic {
 /// Fractions of more digits than this are not looked at: few who write 0.5 or 0.375 mean 2^-13.
 const BITS: u32 = 12;
 
-/// Joins pieces that are proved to share a point: those of equal maps, those of maps that fix the origin, and
-/// those that share an image of a fixed point, where all numbers are dyadic fractions of few digits, so that
-/// the point is computed exactly.
+/// The graph of the pieces that are proved to share a point: those of equal maps, those of maps that fix the
+/// origin, and those that share an image of a fixed point, where all numbers are dyadic fractions of few
+/// digits, so that the point is computed exactly. It need not have every edge.
 ///
 /// A classical gasket or dragon is proved connected by it; coefficients like 1/3, which floating point only
 /// comes near, prove nothing.
-pub(crate) fn shared_points(maps: &[Affine2]) -> Components {
-    let mut pieces = Components::new(maps.len());
+pub(crate) fn shared_points(maps: &[Affine2]) -> OverlapGraph {
+    let mut graph = OverlapGraph::new(maps.len());
     for (i, map) in maps.iter().enumerate() {
-        let same = |other: &Affine2| other == map;
-        let at_origin = |other: &Affine2| [map, other].iter().all(|m| m.translation == DVec2::ZERO);
-        if let Some(j) = maps[..i].iter().position(|other| same(other) || at_origin(other)) {
-            pieces.join(i, j);
+        for (j, other) in maps[..i].iter().enumerate() {
+            if other == map || [map, other].iter().all(|m| m.translation == DVec2::ZERO) {
+                graph.add(i, j);
+            }
         }
     }
-    if pieces.count() > 1
+    if !graph.is_connected()
         && let Some(maps) = maps.iter().map(Dyadic::of).collect::<Option<Vec<_>>>()
     {
-        join_by_images(&maps, &mut pieces);
+        add_images(&maps, &mut graph);
     }
-    pieces
+    graph
 }
 
-/// Joins pieces that hold the same image, under one or two more maps, of a fixed point.
-fn join_by_images(maps: &[Dyadic], pieces: &mut Components) {
+/// Adds an edge where a piece holds the same image, under one to three maps, of a fixed point as one before it.
+fn add_images(maps: &[Dyadic], graph: &mut OverlapGraph) {
     let mut points: Vec<Point> = maps.iter().filter_map(Dyadic::fixed_point).collect();
-    // Two letters before the repeated one are enough for the classical shapes; 64 maps get none.
+    if maps.len() <= 16 {
+        // Reflections take corners to one another and back: words of two letters fix them.
+        let pairs = maps.iter().flat_map(|a| maps.iter().filter_map(|b| a.after(b)));
+        points.extend(pairs.filter_map(|pair| pair.fixed_point()));
+    }
+    // Two letters before the repeated ones are enough for the classical shapes; 64 maps get none.
     for _ in 0..2 {
         if points.len() * maps.len() <= 2048 {
             let images: Vec<Point> =
@@ -59,8 +64,7 @@ fn join_by_images(maps: &[Dyadic], pieces: &mut Components) {
     let mut holder: HashMap<Point, usize> = HashMap::new();
     for (i, map) in maps.iter().enumerate() {
         for image in points.iter().filter_map(|&p| map.apply(p)) {
-            let first = *holder.entry(image).or_insert(i);
-            pieces.join(i, first);
+            graph.add(i, *holder.entry(image).or_insert(i));
         }
     }
 }
@@ -77,6 +81,22 @@ impl Dyadic {
             *whole = scaled as i128;
         }
         Some(Self { row, bits: BITS })
+    }
+
+    /// The map that applies `inner` first; `None` when the numbers outgrow what [`Dyadic::fixed_point`] takes.
+    fn after(&self, inner: &Self) -> Option<Self> {
+        let ([a, b, c, d, e, f], [p, q, r, s, t, u]) = (self.row, inner.row);
+        let one = 1 << inner.bits;
+        let row = [
+            a * p + b * r,
+            a * q + b * s,
+            c * p + d * r,
+            c * q + d * s,
+            a * t + b * u + e * one,
+            c * t + d * u + f * one,
+        ];
+        let bits = self.bits + inner.bits;
+        row.iter().all(|x| x.abs() < 1 << 60).then_some(Self { row, bits })
     }
 
     /// The fixed point, from `(1 - M) p = t` by Cramer's rule.
@@ -128,13 +148,13 @@ mod tests {
             [0.5, 0.0, 0.0, 0.5, 0.5, 0.0],
             [0.5, 0.0, 0.0, 0.5, 0.25, 0.375],
         ]);
-        assert_eq!(shared_points(&gasket).count(), 1);
+        assert_eq!(shared_points(&gasket).edges(), [(0, 1), (0, 2), (1, 2)]);
         let (a, b) = (gasket[0], Affine2::from_row([-0.5, -0.5, 0.5, -0.5, 1.0, 0.0]));
         let dragon_a = Affine2::from_row([0.5, -0.5, 0.5, 0.5, 0.0, 0.0]);
-        assert_eq!(shared_points(&[dragon_a, b * dragon_a, b * b]).count(), 1);
+        assert!(shared_points(&[dragon_a, b * dragon_a, b * b]).is_connected());
         // One map a little smaller, and it hangs on nothing.
         let off = Affine2 { linear: a.linear * 0.75, ..gasket[1] };
-        assert_eq!(shared_points(&[gasket[0], off, gasket[2]]).labels(), [0, 1, 0]);
+        assert_eq!(shared_points(&[gasket[0], off, gasket[2]]).edges(), [(0, 2)]);
     }
 
     #[test]
@@ -145,18 +165,18 @@ mod tests {
             [third, 0.0, 0.0, third, 0.7, 0.0],
             [third, 0.0, 0.0, third, 0.1, 0.0],
         ]);
-        assert_eq!(shared_points(&cantor).labels(), [0, 1, 0]);
+        assert_eq!(shared_points(&cantor).edges(), [(0, 2)]);
         let stars = maps(&[[third, 0.0, 0.0, third, 0.0, 0.0], [0.1, 0.2, 0.3, 0.4, 0.0, 0.0]]);
-        assert_eq!(shared_points(&stars).count(), 1);
+        assert!(shared_points(&stars).is_connected());
     }
 
     #[test]
     fn large_singular_and_many_maps_are_no_trouble() {
         let wide = maps(&[[0.5, 0.25, 0.0, 0.5, 1e5, -1e5], [0.0, 0.0, 0.0, 0.0, -1e5, 1e5]]);
-        assert_eq!(shared_points(&wide).count(), 2);
+        assert!(!shared_points(&wide).is_connected());
         let many: Vec<_> = (0..64)
             .map(|i| Affine2::similitude(0.125, 0.0, DVec2::new(f64::from(i % 8), f64::from(i / 8))))
             .collect();
-        assert_eq!(shared_points(&many).count(), 1);
+        assert!(shared_points(&many).is_connected());
     }
 }
