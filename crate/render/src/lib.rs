@@ -17,11 +17,14 @@
 
 mod bitmap;
 mod colour;
+mod cut;
 mod density;
 mod flood;
 mod frame;
 mod letters;
 mod measure;
+mod plan;
+mod points;
 mod probe;
 mod raster;
 mod resolve;
@@ -34,11 +37,14 @@ mod window;
 
 pub use bitmap::Bitmap;
 pub use colour::{Colouring, Look, OKABE_ITO};
+pub use cut::{Piece, cut, cut_at_random};
 pub use density::Density;
 pub use flood::{CloudPoint, Flood};
 pub use frame::Frame;
 pub use letters::{CODES, KEPT, Letters};
 pub use measure::{MassPiece, Sample, Sampler, pieces_by_mass};
+pub use plan::{Batch, Detail, Plan};
+pub use points::{Instance, Vertex};
 pub use raster::{MAX_SIDE, RasterOptions, RenderError, codes, rasterize};
 pub use resolve::{resolve_codes, resolve_density, to_bytes};
 pub use sweep::{Hit, Progress, Sweep};

@@ -137,26 +137,49 @@ impl Sweep {
     /// Visits at most about `budget` pieces, reports each pixel that becomes lit, and says how far it got.
     pub fn run(&mut self, budget: u64, mut light: impl FnMut(Hit)) -> Progress {
         let end = self.visited.saturating_add(budget);
-        while self.visited < end {
-            if let Some(probe) = &mut self.probe {
-                let portion = (end - self.visited).min(PORTION);
-                let visits = probe.run(&self.frame, self.root, &mut self.canvas, portion, &mut light);
-                self.visited += visits;
-                if visits == 0 {
-                    return Progress::Probed;
-                }
-                continue;
+        if self.probe.is_none() {
+            match self.walk(budget, &mut light) {
+                Walk::Complete => return Progress::Complete,
+                Walk::Working => return Progress::Working,
+                Walk::Stuck => self.probe = Some(Probe::new(&self.frame, self.root, &self.canvas.lit)),
             }
-            let Some(node) = self.stack.pop() else { return Progress::Complete };
-            self.visited += 1;
-            visit(&self.frame, self.detail, node, &mut self.canvas, &mut self.stack, &mut light);
-            if self.visited > PATIENCE + VISITS_A_PIXEL * self.canvas.count {
-                self.stack.clear();
-                self.probe = Some(Probe::new(&self.frame, self.root, &self.canvas.lit));
+        }
+        let Some(probe) = &mut self.probe else { return Progress::Working };
+        while self.visited < end {
+            let portion = (end - self.visited).min(PORTION);
+            let visits = probe.run(&self.frame, self.root, &mut self.canvas, portion, &mut light);
+            self.visited += visits;
+            if visits == 0 {
+                return Progress::Probed;
             }
         }
         Progress::Working
     }
+
+    /// The same without going over to a probe.
+    pub(crate) fn walk(&mut self, budget: u64, mut light: impl FnMut(Hit)) -> Walk {
+        let end = self.visited.saturating_add(budget);
+        while self.visited < end {
+            let Some(node) = self.stack.pop() else { return Walk::Complete };
+            self.visited += 1;
+            visit(&self.frame, self.detail, node, &mut self.canvas, &mut self.stack, &mut light);
+            if self.visited > PATIENCE + VISITS_A_PIXEL * self.canvas.count {
+                return Walk::Stuck;
+            }
+        }
+        Walk::Working
+    }
+}
+
+/// How far a [`Sweep::walk`] got.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Walk {
+    /// There is more to visit.
+    Working,
+    /// Every piece was visited.
+    Complete,
+    /// Pieces overlap too much to visit them all.
+    Stuck,
 }
 
 /// Drops a piece, lights its pixel, or puts its parts on the stack, the last on top.

@@ -1,0 +1,25 @@
+// What colour a piece has. CPU twin: src/colour.rs.
+
+struct Look {
+    palette: array<vec4<f32>, 64>,
+    source: vec2<i32>,
+    factor: f32,
+    maps: f32,
+    contrast: f32,
+    gain: f32,
+    premultiply: f32,
+    padding: f32,
+}
+
+@group(0) @binding(1) var<uniform> look: Look;
+
+fn colour_of(code: u32) -> vec3<f32> {
+    let packed = code - 1u;
+    let base = look.palette[(packed >> 12u) & 63u].rgb;
+    let second = f32((packed >> 6u) & 63u);
+    let third = f32(packed & 63u);
+    let at = (second + (third + 0.5) / look.maps) / look.maps;
+    let shift = (at - 0.5) * 2.0 * look.contrast;
+    let towards = select(0.0, 1.0, shift > 0.0);
+    return base + (vec3<f32>(towards) - base) * abs(shift);
+}
