@@ -6,6 +6,8 @@ import { frond, type RenderStyle } from "../engine/wasm";
 import type { View } from "./geometry";
 import type { Pixels, Surface } from "./surface";
 
+const KEYS = ["maps", "view", "style", "width", "height"] as const;
+
 interface Request {
   maps: MapRow[];
   view: View;
@@ -13,6 +15,9 @@ interface Request {
   width: number;
   height: number;
 }
+
+/** While things move, a picture with so many times fewer pixels a side comes first. */
+const COARSE = 3;
 
 /** Fills the canvas with pixels that a worker computes: slower than a graphics card, and never blank. */
 export class Fallback implements Surface {
@@ -51,39 +56,48 @@ export class Fallback implements Surface {
   draw(_budget: number): { complete: boolean; points: number } {
     const { maps, view, style, width, height } = this.#wanted;
     if (!maps || !view || !style || !width || !height) return { complete: true, points: 0 };
-    const same =
-      this.#asked !== null &&
-      Object.entries(this.#asked).every(([key, value]) => this.#wanted[key as keyof Request] === value);
-    if (!same) {
-      const request: Request = { maps, view, style, width, height };
+    const asked = this.#asked;
+    const request: Request = { maps, view, style, width, height };
+    if (!asked || KEYS.some((key) => asked[key] !== request[key])) {
       this.#asked = request;
-      this.#queue.request(() => this.#job(request));
+      this.#queue.request(() => this.#job(request, COARSE));
     }
     return { complete: this.#arrived === this.#asked, points: 0 };
   }
 
-  #job(request: Request): Job<"picture"> {
-    const { maps, view, style, width, height } = request;
-    const options = { width, height, view, colouring: style.colouring, palette: style.palette };
+  #job(request: Request, coarse: number): Job<"picture"> {
+    const { maps, view, style } = request;
+    const options = {
+      width: Math.ceil(request.width / coarse),
+      height: Math.ceil(request.height / coarse),
+      view: { ...view, scale: view.scale / coarse },
+      colouring: style.colouring,
+      palette: style.palette,
+    };
+    const arrived = () => {
+      if (coarse > 1 && request === this.#asked) this.#queue.request(() => this.#job(request, 1));
+      else this.#arrived = request;
+      this.#onArrival();
+    };
     return single<"picture">(
       this.#channel,
-      55,
+      coarse > 1 ? 55 : 35,
       { kind: "picture", maps, options },
       {
         accept: (bitmap) => {
-          this.canvas.width = width;
-          this.canvas.height = height;
-          this.canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
-          bitmap.close();
-          this.#arrived = request;
-          this.#onArrival();
+          this.#paint(request, bitmap);
+          arrived();
         },
-        fail: () => {
-          this.#arrived = request;
-          this.#onArrival();
-        },
+        fail: arrived,
       },
     );
+  }
+
+  #paint({ width, height }: Request, bitmap: ImageBitmap): void {
+    this.canvas.width = width;
+    this.canvas.height = height;
+    this.canvas.getContext("2d")?.drawImage(bitmap, 0, 0, width, height);
+    bitmap.close();
   }
 
   async pixels(): Promise<Pixels> {
