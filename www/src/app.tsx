@@ -20,6 +20,15 @@ export function App({ backend }: { backend: "auto" | PainterBackend }) {
     <>
       <Header />
       {at.page === "studio" ? <Studio backend={backend} /> : <FiguresPage figure={at.figure} />}
+      <Notices />
+    </>
+  );
+}
+
+/** What is said, on screen and aloud. */
+function Notices() {
+  return (
+    <>
       <div class="notices">
         <Toasts toasts={notices.value} onDismiss={dismiss} />
       </div>

@@ -68,12 +68,18 @@ export function Stage({
           </div>
         )}
       </div>
-      {picture.value.empty && (
-        <p class="stage-empty">These maps have no attractor: together they do not contract.</p>
-      )}
+      <Empty />
       {children}
     </section>
   );
+}
+
+const empty = computed(() => picture.value.empty);
+
+/** On its own, so that the count of points does not draw the whole stage again. */
+function Empty() {
+  if (!empty.value) return null;
+  return <p class="stage-empty">These maps have no attractor: together they do not contract.</p>;
 }
 
 function everyFrame(tick: (now: number) => boolean): () => void {
