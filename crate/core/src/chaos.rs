@@ -23,9 +23,7 @@ const APART: usize = 24;
 pub struct ChaosGame {
     table: Box<[u8; SLOTS]>,
     rows: Box<[[f32; 6]; 64]>,
-    orbits: [[f32; 2]; LANES],
-    key: u32,
-    step: u32,
+    state: State,
     /// Points made but not given out yet: a call may ask for a number that is no multiple of 8.
     left: usize,
     pieces: [u8; LANES],
@@ -43,9 +41,7 @@ impl ChaosGame {
         let mut game = Self {
             table: table(ifs.probabilities()),
             rows,
-            orbits: [start.to_array(); LANES],
-            key: hash::pcg(seed),
-            step: 0,
+            state: State { orbits: [start.to_array(); LANES], key: hash::pcg(seed), step: 0 },
             left: 0,
             pieces: [0; LANES],
         };
@@ -65,13 +61,17 @@ impl ChaosGame {
         let (positions, pieces) = (&mut positions[2 * first..], &mut pieces[first..]);
         let mut points = positions.chunks_exact_mut(2 * LANES);
         let mut letters = pieces.chunks_exact_mut(LANES);
+        // In locals, so that the compiler keeps them in registers.
+        let (table, rows) = (&*self.table, &*self.rows);
+        let mut state = self.state;
         for (points, letters) in points.by_ref().zip(letters.by_ref()) {
-            self.advance();
-            for (point, orbit) in points.as_chunks_mut::<2>().0.iter_mut().zip(&self.orbits) {
+            let chosen = state.advance(table, rows);
+            for (point, orbit) in points.as_chunks_mut::<2>().0.iter_mut().zip(&state.orbits) {
                 *point = *orbit;
             }
-            letters.copy_from_slice(&self.pieces);
+            letters.copy_from_slice(&chosen);
         }
+        self.state = state;
         let (points, letters) = (points.into_remainder(), letters.into_remainder());
         if !letters.is_empty() {
             self.advance();
@@ -85,26 +85,42 @@ impl ChaosGame {
     fn give(&mut self, points: &mut [f32], letters: &mut [u8]) {
         let from = LANES - self.left;
         for (i, (point, letter)) in points.chunks_exact_mut(2).zip(letters.iter_mut()).enumerate() {
-            point.copy_from_slice(&self.orbits[from + i]);
+            point.copy_from_slice(&self.state.orbits[from + i]);
             *letter = self.pieces[from + i];
         }
         self.left -= letters.len();
     }
 
-    /// One step of all orbits.
-    #[inline(always)]
     fn advance(&mut self) {
+        self.pieces = self.state.advance(&self.table, &self.rows);
+    }
+}
+
+/// What changes from step to step.
+#[derive(Clone, Copy, Debug)]
+struct State {
+    orbits: [[f32; 2]; LANES],
+    key: u32,
+    step: u32,
+}
+
+impl State {
+    /// One step of all orbits: the map chosen for each.
+    #[inline(always)]
+    fn advance(&mut self, table: &[u8; SLOTS], rows: &[[f32; 6]; 64]) -> [u8; LANES] {
+        let mut letters = [0; LANES];
         for pair in 0..LANES / 2 {
             let bits = hash::pcg(self.key ^ self.step);
             self.step = self.step.wrapping_add(1);
             for (lane, bits) in [(2 * pair, bits), (2 * pair + 1, bits >> 16)] {
-                let letter = self.table[bits as usize % SLOTS];
-                let [a, b, c, d, e, f] = self.rows[usize::from(letter) % 64];
+                let letter = table[bits as usize % SLOTS];
+                let [a, b, c, d, e, f] = rows[usize::from(letter) % 64];
                 let [x, y] = self.orbits[lane];
                 self.orbits[lane] = [a * x + (b * y + e), c * x + (d * y + f)];
-                self.pieces[lane] = letter;
+                letters[lane] = letter;
             }
         }
+        letters
     }
 }
 
