@@ -22,7 +22,7 @@ fn main() {
             game.fill(&mut positions, &mut pieces);
             black_box((&positions, &pieces));
         }
-        best = best.max((64 << 16) as f64 / start.elapsed().as_secs_f64());
+        best = best.max(f64::from(64 << 16) / start.elapsed().as_secs_f64());
     }
     println!("chaos game, fern: {:.1} million points a second", best / 1e6);
 }
