@@ -74,4 +74,21 @@ describe("LocusWork", () => {
     expect(work.filled.state.every((s) => s === STATE.connected)).toBe(true);
     expect(work.raw.state.filter((s) => s === STATE.connected)).toHaveLength(64 * 64);
   });
+
+  it("loses nothing when a coarse slice comes last, from a worker that took over", () => {
+    const nested = vi.fn();
+    const stage = (work: LocusWork, stride: number) =>
+      nested(stride, work.nested(stride).state.includes(STATE.pending));
+    const work = new LocusWork(inputs, { painted() {}, stage, failed() {} }, () => 10);
+    const job = work.job();
+    const late = job.next();
+    if (!late) throw new Error("no slice");
+    for (let task = job.next(); task; task = job.next()) job.accept(task, answer(task), 10);
+    expect(nested).not.toHaveBeenCalled();
+    expect(work.progress).toBeLessThan(1);
+    job.accept(late, answer(late), 10);
+    expect(nested.mock.calls).toEqual(STRIDES.map((stride) => [stride, false]));
+    expect(work.progress).toBe(1);
+    expect(work.filled).toEqual(work.raw);
+  });
 });

@@ -40,8 +40,11 @@ export class LocusWork {
   readonly #key = ++keys;
   /** Samples still open, by stage. */
   readonly #open = STRIDES.map((stride, stage) => samplesOf(stride, stage === 0));
+  /** The slice that is handed out next. */
   #stage = 0;
   #row = 0;
+  /** Stages of which every sample is in, and of all coarser ones too. */
+  #whole = 0;
   /** A guess until the first slices are back. */
   #msPerSample = 0.02;
 
@@ -99,22 +102,25 @@ export class LocusWork {
     const left = this.#open.reduce((sum, n) => sum + n, 0);
     this.progress = 1 - left / (SIZE * SIZE);
     if (count > 0) this.#msPerSample += 0.3 * (milliseconds / count - this.#msPerSample);
-    if (this.#open[stage] === 0) {
-      this.#open[stage] = 0;
-      if (first) this.coarse = true;
-      this.#watch.stage(this, stride);
+    // A slice that a dying worker left behind may come after finer ones: a stage counts once the coarser ones do.
+    while (this.#open[this.#whole] === 0) {
+      this.coarse = true;
+      this.#watch.stage(this, STRIDES[this.#whole++] ?? 1);
     }
     this.#watch.painted(this);
   }
 
-  /** A sample speaks for the square around it until finer ones come. */
+  /** A sample speaks for the square around it, but not where a finer one has spoken. */
   #fill(row: number, column: number, stride: number, state: number, gap: number): void {
     const half = stride >> 1;
+    const own = row * SIZE + column;
     for (let r = Math.max(0, row - half); r < Math.min(SIZE, row - half + stride); r++) {
-      const from = r * SIZE + Math.max(0, column - half);
-      const to = r * SIZE + Math.min(SIZE, column - half + stride);
-      this.filled.state.fill(state, from, to);
-      this.filled.gap.fill(gap, from, to);
+      for (let c = Math.max(0, column - half); c < Math.min(SIZE, column - half + stride); c++) {
+        const at = r * SIZE + c;
+        if (at !== own && this.raw.state[at] !== STATE.pending) continue;
+        this.filled.state[at] = state;
+        this.filled.gap[at] = gap;
+      }
     }
   }
 
