@@ -16,10 +16,10 @@ pub(crate) const FAN: usize = 4 * PER;
 /// so that between two directions it lies below the line through its values.
 #[derive(Clone, Debug)]
 pub(crate) struct Outline {
-    /// Upper bounds of `h`; the first again at the end.
-    values: [f64; FAN + 1],
-    /// Points of the attractor far out in each direction; the first again at the end.
-    points: [DVec2; FAN + 1],
+    /// Upper bounds of `h`; the first ones again at the end.
+    values: [f64; TABLE],
+    /// Points of the attractor far out in each direction; the first ones again at the end.
+    points: [DVec2; TABLE],
     links: Vec<Link>,
 }
 
@@ -45,27 +45,39 @@ pub(crate) fn direction(k: usize) -> DVec2 {
 }
 
 /// The sector that `d` lies in, how far along it, and the length of `d` in the maximum norm.
+///
+/// Directions come in no order, so that a branch on them would be guessed wrong half the time: there is none.
 #[inline(always)]
 fn locate(d: DVec2) -> (usize, f64, f64) {
-    let (x, y) = (d.x.abs(), d.y.abs());
-    let flat = x >= y;
-    let length = if flat { x } else { y };
-    let (top, side) = if flat {
-        if d.x >= 0.0 { (d.y, 0) } else { (-d.y, 2 * PER) }
-    } else if d.y >= 0.0 {
-        (-d.x, PER)
-    } else {
-        (d.x, 3 * PER)
-    };
-    // The zero vector: any sector, at length 0.
-    let along = (top / length.max(f64::MIN_POSITIVE) + 1.0) * (PER as f64 / 2.0);
-    let low = (along as usize).min(PER - 1);
-    (side + low, along - low as f64, length)
+    let steep = d.x.abs() < d.y.abs();
+    let large = select(steep, d.y, d.x);
+    let small = select(steep, -d.x, d.y);
+    // The zero vector lies in any sector, at length 0.
+    let slope = small / (large + f64::MIN_POSITIVE);
+    let along = slope * (PER as f64 / 2.0) + (PER as f64 / 2.0);
+    // The sides in their order: right, top, left, bottom.
+    let side = 2 * (large.to_bits() >> 63) as usize + usize::from(steep);
+    // The nearest whole number below, or that just above which is one sector on at its very beginning: a float
+    // of this size holds it in its lowest bits. NaN gives any.
+    let low = ((along - 0.5 + WHOLE).to_bits() & 15) as usize;
+    (side * PER + low, along - low as f64, large.abs())
+}
+
+/// 1.5 * 2^52: floats around here are whole.
+const WHOLE: f64 = 6_755_399_441_055_744.0;
+/// The fan, once round and on, as far as [`locate`] may reach.
+const TABLE: usize = 3 * PER + 17;
+
+/// `a` if `first`, else `b`, without a branch.
+#[inline(always)]
+fn select(first: bool, a: f64, b: f64) -> f64 {
+    let mask = u64::from(first).wrapping_neg();
+    f64::from_bits(a.to_bits() & mask | b.to_bits() & !mask)
 }
 
 impl Default for Outline {
     fn default() -> Self {
-        Self { values: [1.0; FAN + 1], points: [DVec2::ZERO; FAN + 1], links: Vec::new() }
+        Self { values: [1.0; TABLE], points: [DVec2::ZERO; TABLE], links: Vec::new() }
     }
 }
 
@@ -92,9 +104,9 @@ impl Outline {
             }
             self.values[k] = d.length() * (1.0 + 1e-12);
         }
-        self.values[FAN] = self.values[0];
+        self.wrap();
         let start = maps.iter().find_map(|map| map.fixed_point()).unwrap_or(DVec2::ZERO);
-        self.points = [start; FAN + 1];
+        self.points = [start; TABLE];
         for _ in 0..rounds {
             if self.lower(maps) < accuracy {
                 break;
@@ -123,12 +135,17 @@ impl Outline {
                 change = change.max(fall);
                 self.values[k] = best;
             }
-            if k == 0 {
-                self.values[FAN] = self.values[0];
-                self.points[FAN] = self.points[0];
-            }
         }
+        self.wrap();
         change
+    }
+
+    /// Repeats the beginning of the fan at its end.
+    fn wrap(&mut self) {
+        for k in FAN..TABLE {
+            self.values[k] = self.values[k - FAN];
+            self.points[k] = self.points[k - FAN];
+        }
     }
 
     /// An upper bound of `h(d)`, and a point of the attractor that comes near it.

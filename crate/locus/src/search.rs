@@ -94,8 +94,10 @@ pub(crate) struct Search {
     open: BinaryHeap<Pair>,
     /// Pairs passed over since their attractorlets were in one component already.
     later: Vec<Pair>,
-    /// Pairs that are apart, by their distance.
-    apart: BinaryHeap<Pair>,
+    /// Pairs that are apart.
+    apart: Vec<Pair>,
+    /// The same while they are taken in the order of their distances.
+    by_distance: BinaryHeap<Pair>,
     nearest: Vec<Nearest>,
     pub components: Components,
     /// Pairs of pieces looked at.
@@ -132,6 +134,7 @@ impl Search {
         self.pieces.clear();
         self.open.clear();
         self.apart.clear();
+        self.by_distance.clear();
         self.nearest.clear();
         self.later.clear();
         let unknown = Nearest { reach: f64::INFINITY, from: DVec2::ZERO, to: DVec2::ZERO, met: false };
@@ -374,7 +377,8 @@ impl Search {
         self.lean = self.metric;
         let mut span = Span::default();
         while self.components.count() > 1 {
-            let Some(pair) = self.apart.pop() else { break };
+            self.by_distance.extend(self.apart.drain(..));
+            let Some(pair) = self.by_distance.pop() else { break };
             let (i, j) = (usize::from(pair.i), usize::from(pair.j));
             if self.components.joined(i, j) {
                 continue;
@@ -401,7 +405,7 @@ impl Search {
     /// by a search that was cut short.
     fn dive(&mut self, frame: &Frame, outline: &Outline, first: Pair) {
         let mut pairs = vec![first];
-        pairs.extend(std::iter::from_fn(|| self.apart.pop()).take(DIVES));
+        pairs.extend(std::iter::from_fn(|| self.by_distance.pop()).take(DIVES));
         for Pair { mut u, mut v, i, j, .. } in pairs {
             for _ in 0..DEPTH {
                 let (parts, first) = self.parts_of_larger(frame, u, v);
