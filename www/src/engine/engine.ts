@@ -42,7 +42,7 @@ export function startEngine(module: WebAssembly.Module, options: { workers: bool
     goInline();
     return;
   }
-  host = new Pool({
+  const pool = new Pool({
     module,
     count: workerCount(navigator.hardwareConcurrency),
     spawn: () =>
@@ -58,6 +58,8 @@ export function startEngine(module: WebAssembly.Module, options: { workers: bool
       epoch.value++;
     },
   });
+  // Where workers cannot even be made, the pool has given up already, and another does its work.
+  host ??= pool;
   flush();
 }
 
