@@ -1,0 +1,77 @@
+import AxeBuilder from "@axe-core/playwright";
+import type { Page } from "@playwright/test";
+import { expect, test } from "./fixture";
+
+async function expectClean(page: Page): Promise<void> {
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(
+    violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(" ")).join(", ")}`),
+  ).toEqual([]);
+}
+
+for (const colorScheme of ["light", "dark"] as const) {
+  test(`axe finds nothing, ${colorScheme}`, async ({ studio, page }) => {
+    // Without motion, so that no colour is half-way between two.
+    await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
+    await studio.open("a=dragon-3&b=gasket&path=drawn:0.2,0.8&t=0.5");
+    await studio.idle();
+    await test.step("morph", () => expectClean(page));
+    await test.step("a way point and a bad number", async () => {
+      await studio.way(1).focus();
+      const u = page.getByRole("spinbutton", { name: "turn and stretch, u" });
+      await u.fill("many");
+      await u.press("Enter");
+      await page.getByText("Which map becomes which").click();
+      await page.getByRole("switch", { name: /side by side/ }).check();
+      await expectClean(page);
+      await page.getByRole("switch", { name: /side by side/ }).uncheck();
+    });
+    await test.step("gallery", async () => {
+      await page.getByRole("button", { name: /^Shape A: / }).click();
+      await expectClean(page);
+      await page.keyboard.press("Escape");
+    });
+    await test.step("shortcuts", async () => {
+      await page.locator("body").press("?");
+      await expectClean(page);
+      await page.keyboard.press("Escape");
+    });
+    await test.step("editor", async () => {
+      await page.getByRole("button", { name: "Edit the maps of B" }).click();
+      await expectClean(page);
+    });
+    await test.step("a notice and a menu", async () => {
+      await page.getByRole("button", { name: "Share link" }).click();
+      await page.getByRole("button", { name: "More for shape B" }).click();
+      await expectClean(page);
+    });
+  });
+}
+
+test("what changes is said aloud", async ({ studio, page }) => {
+  await studio.open("a=dragon-3&b=gasket&path=straight");
+  await studio.idle();
+  const said = page.locator("p[aria-live=polite]");
+  await expect(said).toBeEmpty();
+  await studio.time.focus();
+  for (let i = 0; i < 5; i++) await studio.time.press("PageUp");
+  await expect(said).toHaveText(/^\d+ pieces, widest gap 0\.\d+$/);
+  await studio.time.press("End");
+  await expect(said).toHaveText(/^In one piece, (proved|at 600 px)$/);
+  await studio.way(1).count();
+  await page.getByRole("button", { name: "Swap A and B" }).click();
+  await expect(said).toHaveText("Swapped: from Gasket to Dragon of three.");
+});
+
+test("the page has its landmarks, one title, and a name for every control", async ({ studio, page }) => {
+  await studio.open();
+  await expect(page.getByRole("main")).toHaveCount(1);
+  await expect(page.getByRole("banner")).toHaveCount(1);
+  await expect(page.getByRole("heading", { level: 1 })).toHaveCount(1);
+  await expect(page.getByRole("region", { name: "Picture" })).toBeVisible();
+  await expect(page.getByRole("complementary", { name: "Shapes and path" })).toBeVisible();
+  await expect(page.locator("html")).toHaveAttribute("lang", "en");
+  for (const control of await page.getByRole("button").or(page.getByRole("slider")).all()) {
+    await expect(control).toHaveAccessibleName(/\w/);
+  }
+});
