@@ -49,7 +49,7 @@ fn main() {
             let pass = Pass { rows: y..y + 1, stride: 1, first: true };
             least_time(RUNS, || {
                 grid.run(&morph, epsilon, &pass, &mut scratch, |_, _, sample| {
-                    states[sample.state as usize] += 1
+                    states[sample.state as usize] += 1;
                 });
             })
         };

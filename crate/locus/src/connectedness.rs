@@ -6,8 +6,9 @@ use glam::DVec2;
 use crate::frame::Frame;
 use crate::outline::Outline;
 use crate::proof;
-use crate::search::{Search, Span};
+use crate::search::Search;
 use crate::shared;
+use crate::span::Span;
 
 /// What is known about whether an attractor is in one piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -109,7 +110,7 @@ pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
         return in_one_point(maps.len(), proved);
     }
     let mut outline = Outline::default();
-    outline.set(&frame.maps, 1e-5, 4000);
+    outline.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
     let mut search = Search::default();
     search.begin(&frame, &outline, options.epsilon.max(0.0));
     for (i, j) in shared.edges() {
@@ -119,19 +120,21 @@ pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
         // What is proved at once of several maps that differ, is proved of two.
         search.meet(0, 1);
     }
-    let settled = search.settle(&frame, &outline, options.budget);
-    let all_settled = settled && search.settle_all(&frame, &outline, options.budget);
-    let count = search.components.count();
-    let components = search.components.labels();
-    let verdict = if proved {
-        Verdict::Connected
-    } else if count == 1 {
-        Verdict::Touching
-    } else if all_settled || search.is_apart_anyway() {
-        Verdict::Disconnected
+    if search.settle(&frame, &outline, options.budget) {
+        search.settle_all(&frame, &outline, options.budget);
+    }
+    // With a pair left open, some pieces may meet that were not found to: those in different parts do not.
+    let (found, parts) = (search.components.clone(), search.coarsest());
+    let (verdict, components) = if proved {
+        (Verdict::Connected, found)
+    } else if found.count() == 1 {
+        (Verdict::Touching, found)
+    } else if parts.count() > 1 {
+        (Verdict::Disconnected, parts)
     } else {
-        Verdict::Undecided
+        (Verdict::Undecided, found)
     };
+    let count = components.count();
     let overlaps = search.overlaps();
     let diameter = search.plane_diameter;
     let span = match verdict {
@@ -141,14 +144,14 @@ pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
             let budget = search.nodes.saturating_add(options.budget);
             search.span(&frame, &outline, 0.01, 1e-9 * diameter, budget)
         }
-        Verdict::Undecided => Span { lower: 0.0, ..search.span(&frame, &outline, 1.0, f64::INFINITY, 0) },
+        Verdict::Undecided => search.reach(),
     };
     let closest = span.widest.filter(|_| count > 1).map(|n| (frame.to_plane(n.from), frame.to_plane(n.to)));
     Connectedness {
         verdict,
         gap: Gap { lower: span.lower, upper: span.upper },
         overlaps,
-        components,
+        components: components.labels(),
         count,
         closest,
         diameter,

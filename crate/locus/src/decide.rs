@@ -87,15 +87,16 @@ pub fn decide(maps: &[Affine2], epsilon: f64, budget: usize, scratch: &mut Scrat
     if frame.point {
         return whole(State::Touching);
     }
-    outline.set(&frame.maps, 4e-3, 64);
+    outline.set(&frame.maps, 0.012 * (1.0 - frame.factor), 64);
     search.begin(frame, outline, epsilon);
     let settled = search.settle(frame, outline, budget);
     if search.components.count() == 1 {
         return whole(State::Touching);
     }
+    let apart = settled || search.coarsest().count() > 1;
     let span = search.span(frame, outline, SHADE, 0.0, search.nodes + SHADING);
     let diameter = search.plane_diameter;
-    if settled {
+    if apart {
         let middle = f64::midpoint(span.lower, span.upper);
         Sample { state: State::Disconnected, gap: (middle / diameter) as f32 }
     } else {

@@ -29,12 +29,15 @@ mod frame;
 mod graph;
 mod grid;
 mod index_buffer;
+mod look;
 mod outline;
+mod pair;
 mod path;
 mod proof;
 mod search;
 mod shared;
 mod simplify;
+mod span;
 
 pub use barnsley::{BarnsleyOptions, BarnsleyTest, Round, barnsley_test};
 pub use connectedness::{Connectedness, Gap, Options, Verdict, connectedness};

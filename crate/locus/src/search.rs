@@ -3,11 +3,10 @@
 //! A pair of words stands for the two pieces of the attractor that they name, one in each of two
 //! attractorlets. Support functions bound the distance between the two from below, two points of the
 //! attractor bound it from above. Pairs that are neither apart nor small are split at the larger
-//! piece. First the pairs that are not yet known to be apart are pursued, those that overlap most first: it ends
-//! with a verdict. Then the others, nearest first, which is Kruskal's algorithm on the distances between
+//! piece. First the pairs that are not yet known to be apart are pursued, depth first, those that overlap
+//! most before their sisters: it ends with a verdict. Then the others, nearest first, which is Kruskal's algorithm on the distances between
 //! pieces: it ends with the widest edge of their least spanning tree.
 
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::ops::Range;
 
@@ -16,97 +15,29 @@ use glam::{DMat2, DVec2};
 
 use crate::frame::Frame;
 use crate::graph::Components;
+use crate::look::{Gauge, Look};
 use crate::outline::Outline;
-
-/// One piece: the image of the attractor under the map of a word.
-#[derive(Clone, Copy, Debug)]
-struct Piece {
-    /// The map of the word, in the frame; its translation is the middle of the piece.
-    map: Affine2,
-    /// Half the squared Frobenius norm of the map into the plane: the mean square of its stretches.
-    size: f64,
-    /// Something like the logarithm of `size`, for the order of the search.
-    level: f64,
-    /// The index of its first part, 0 while it is not split.
-    parts: u32,
-}
-
-/// A pair of pieces in two attractorlets `i < j`.
-#[derive(Clone, Copy, Debug)]
-struct Pair {
-    /// What it is ordered by, the least first: see [`Search::settle`] and [`Search::span`].
-    key: f64,
-    u: u32,
-    v: u32,
-    i: u8,
-    j: u8,
-}
-
-impl PartialEq for Pair {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-impl Eq for Pair {}
-impl PartialOrd for Pair {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Pair {
-    /// Reversed, since the heap gives the greatest first; ties go by the pieces, so that nothing
-    /// depends on how the heap is built.
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.key.total_cmp(&self.key).then_with(|| (other.u, other.v).cmp(&(self.u, self.v)))
-    }
-}
-
-/// What was found out about one pair.
-#[derive(Clone, Copy, Debug)]
-struct Look {
-    /// A lower bound of the distance in the plane; not above 0 where the pieces may meet.
-    apart: f64,
-    /// How deep they overlap, relative to their sizes squared: the more negative the more.
-    overlap: f64,
-    /// The square of the distance between two points of the attractor, one in each piece.
-    reach: f64,
-    /// These points, in the frame.
-    from: DVec2,
-    to: DVec2,
-}
-
-/// The nearest two points known of a pair of attractorlets.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Nearest {
-    /// Their squared distance in the plane.
-    pub reach: f64,
-    pub from: DVec2,
-    pub to: DVec2,
-    /// Whether the two were found to meet.
-    pub met: bool,
-}
+use crate::pair::{Nearest, Pair, Piece};
 
 /// What a descent needs, kept for the next.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Search {
     pieces: Vec<Piece>,
-    /// Pairs that may meet.
-    open: BinaryHeap<Pair>,
+    /// Pairs that may meet: a stack.
+    pub open: Vec<Pair>,
     /// Pairs passed over since their attractorlets were in one component already.
-    later: Vec<Pair>,
+    pub later: Vec<Pair>,
     /// Pairs that are apart.
-    apart: Vec<Pair>,
+    pub apart: Vec<Pair>,
     /// The same while they are taken in the order of their distances.
-    by_distance: BinaryHeap<Pair>,
-    nearest: Vec<Nearest>,
+    pub by_distance: BinaryHeap<Pair>,
+    pub nearest: Vec<Nearest>,
     pub components: Components,
     /// Pairs of pieces looked at.
     pub nodes: usize,
-    count: usize,
+    pub count: usize,
+    pub gauge: Gauge,
     metric: DMat2,
-    dual: DMat2,
-    /// In which metric to look for lines that separate pieces.
-    lean: DMat2,
     rounding: f64,
     /// The largest factor by which a distance of the frame grows in the plane.
     stretch: f64,
@@ -114,7 +45,7 @@ pub(crate) struct Search {
     diameter: f64,
     pub plane_diameter: f64,
     /// Pieces within this distance touch.
-    resolution: f64,
+    pub resolution: f64,
 }
 
 impl Search {
@@ -125,9 +56,7 @@ impl Search {
         let count = frame.maps.len();
         self.count = count;
         self.metric = frame.metric;
-        self.dual = frame.dual;
-        // Pieces are round in the frame, and most easily told apart there, however flat they are in the plane.
-        self.lean = DMat2::IDENTITY;
+        self.gauge = Gauge::to_separate(frame);
         self.rounding = frame.rounding;
         self.diameter = outline.diameter(DMat2::IDENTITY);
         self.plane_diameter = outline.diameter(frame.from_round);
@@ -162,14 +91,13 @@ impl Search {
                 }
             }
         }
+        self.open.sort_unstable();
     }
 
     fn add(&mut self, map: Affine2) {
         let m = map.linear;
         let size = 0.5 * (m.x_axis.dot(self.metric * m.x_axis) + m.y_axis.dot(self.metric * m.y_axis));
-        // The bits of a positive float, read as an integer, are its logarithm to within a tenth.
-        let level = DEPTH_FIRST * (size.to_bits() as f64 / (1_u64 << 52) as f64);
-        self.pieces.push(Piece { map, size, level, parts: 0 });
+        self.pieces.push(Piece { map, size, parts: 0 });
     }
 
     /// Pursues the pairs that are not known to be apart until all pieces are in one component, or none
@@ -188,7 +116,7 @@ impl Search {
 
     /// Goes on where [`Search::settle`] ended, until of every two attractorlets it is known whether they meet.
     pub fn settle_all(&mut self, frame: &Frame, outline: &Outline, budget: usize) -> bool {
-        self.open.extend(self.later.drain(..));
+        self.open.append(&mut self.later);
         while let Some(pair) = self.open.pop() {
             let met = self.nearest[usize::from(pair.i) * self.count + usize::from(pair.j)].met;
             if !met && !self.pursue(frame, outline, pair, budget) {
@@ -211,13 +139,13 @@ impl Search {
         true
     }
 
-    /// Whether some attractorlets are apart whatever becomes of the pairs that are still open.
-    pub fn is_apart_anyway(&self) -> bool {
+    /// The components if all pairs that are still open should meet: pieces in different ones are proved apart.
+    pub fn coarsest(&self) -> Components {
         let mut components = self.components.clone();
         for pair in self.open.iter().chain(&self.later) {
             components.join(usize::from(pair.i), usize::from(pair.j));
         }
-        components.count() > 1
+        components
     }
 
     /// Pairs of attractorlets that were found to meet, `i < j`, in ascending order.
@@ -246,9 +174,10 @@ impl Search {
     }
 
     /// Splits the larger piece of a pair, known to be `apart`, and looks at the pairs of its parts.
-    fn split(&mut self, frame: &Frame, outline: &Outline, pair: Pair, apart: f64) {
+    pub fn split(&mut self, frame: &Frame, outline: &Outline, pair: Pair, apart: f64) {
         let Pair { u, v, i, j, .. } = pair;
         let (parts, first) = self.parts_of_larger(frame, u, v);
+        let before = self.open.len();
         for part in parts {
             let (u, v) = if first { (part, v) } else { (u, part) };
             let look = self.look(outline, u, v);
@@ -257,10 +186,11 @@ impl Search {
             }
             self.file(&look, Pair { key: apart, u, v, i, j });
         }
+        self.open[before..].sort_unstable();
     }
 
     /// The parts of the larger one of two pieces, and whether that is the first.
-    fn parts_of_larger(&mut self, frame: &Frame, u: u32, v: u32) -> (Range<u32>, bool) {
+    pub fn parts_of_larger(&mut self, frame: &Frame, u: u32, v: u32) -> (Range<u32>, bool) {
         let first = self.pieces[u as usize].size >= self.pieces[v as usize].size;
         let large = if first { u } else { v } as usize;
         if self.pieces[large].parts == 0 {
@@ -276,7 +206,7 @@ impl Search {
 
     /// Takes note of how near two attractorlets come; whether that makes them meet.
     #[inline]
-    fn note(&mut self, look: &Look, i: u8, j: u8) -> bool {
+    pub fn note(&mut self, look: &Look, i: u8, j: u8) -> bool {
         self.nodes += 1;
         let (i, j) = (usize::from(i), usize::from(j));
         let nearest = &mut self.nearest[i * self.count + j];
@@ -299,8 +229,7 @@ impl Search {
         if pair.key > 0.0 {
             self.apart.push(pair);
         } else {
-            let level = self.pieces[pair.u as usize].level.min(self.pieces[pair.v as usize].level);
-            pair.key = look.overlap + level;
+            pair.key = look.overlap;
             self.open.push(pair);
         }
     }
@@ -311,168 +240,9 @@ impl Search {
         self.nearest[i * self.count + j].met = true;
     }
 
-    /// Bounds the distance of two pieces: support functions along the line between their middles, then
-    /// along better ones (steps of Frank & Wolfe's algorithm on their difference).
+    /// Looks at two pieces.
     #[inline]
-    fn look(&self, outline: &Outline, u: u32, v: u32) -> Look {
-        let (a, b) = (&self.pieces[u as usize].map, &self.pieces[v as usize].map);
-        let (at, bt) = (a.linear.transpose(), b.linear.transpose());
-        let mut step = b.translation - a.translation;
-        let mut best = Look {
-            apart: 0.0,
-            overlap: f64::INFINITY,
-            reach: f64::INFINITY,
-            from: DVec2::ZERO,
-            to: DVec2::ZERO,
-        };
-        let middle = step;
-        for round in 0..ROUNDS {
-            let normal = self.lean * step;
-            let (far_a, p) = outline.support(at * normal);
-            let (far_b, q) = outline.support(-(bt * normal));
-            let along = normal.dot(middle);
-            let reach = far_a + far_b;
-            let apart = along - reach;
-            let (from, to) = (a.apply(p), b.apply(q));
-            let between = to - from;
-            let squared = between.dot(self.metric * between);
-            if squared < best.reach {
-                best = Look { reach: squared, from, to, ..best };
-            }
-            if apart > 0.0 {
-                let off = self.rounding * normal.length();
-                best.apart = (apart - off) / normal.dot(self.dual * normal).sqrt();
-                if best.apart > 0.0 {
-                    return best;
-                }
-            }
-            best.overlap = best.overlap.min(along / reach);
-            if round + 1 < ROUNDS {
-                // The point nearest to the origin between `step` and `between`, both differences of points
-                // of the two hulls.
-                let turn = step - between;
-                let length = turn.dot(self.lean * turn);
-                let t = (normal.dot(turn) / length).clamp(0.0, 1.0);
-                step -= turn * t;
-            }
-        }
-        best
-    }
-
-    /// Joins the components in the order of their distances until one is left, or `budget` looks are
-    /// spent, and so measures the widest gap.
-    ///
-    /// A distance is known well enough when its bounds differ by `relative` of it or by `absolute`.
-    pub fn span(
-        &mut self,
-        frame: &Frame,
-        outline: &Outline,
-        relative: f64,
-        absolute: f64,
-        budget: usize,
-    ) -> Span {
-        // From here on pieces are known to be apart, however near they come.
-        self.resolution = -1.0;
-        // Distances are those of the plane, and so are the directions that show them best.
-        self.lean = self.metric;
-        let mut span = Span::default();
-        while self.components.count() > 1 {
-            self.by_distance.extend(self.apart.drain(..));
-            let Some(pair) = self.by_distance.pop() else { break };
-            let (i, j) = (usize::from(pair.i), usize::from(pair.j));
-            if self.components.joined(i, j) {
-                continue;
-            }
-            // Whatever is still to be joined is at least as far apart as the nearest pair left.
-            span.lower = span.lower.max(pair.key);
-            let nearest = self.nearest[i * self.count + j];
-            let reach = nearest.reach.sqrt();
-            if reach - pair.key <= (relative * reach).max(absolute) {
-                self.components.join(i, j);
-                span.widen(reach, nearest);
-            } else if self.nodes < budget {
-                self.split(frame, outline, pair, pair.key);
-            } else {
-                self.dive(frame, outline, pair);
-                break;
-            }
-        }
-        self.bridge(&mut span);
-        span
-    }
-
-    /// Follows the nearest parts of some of the nearest pairs down, for points that are nearer than those met
-    /// by a search that was cut short.
-    fn dive(&mut self, frame: &Frame, outline: &Outline, first: Pair) {
-        let mut pairs = vec![first];
-        pairs.extend(std::iter::from_fn(|| self.by_distance.pop()).take(DIVES));
-        for Pair { mut u, mut v, i, j, .. } in pairs {
-            for _ in 0..DEPTH {
-                let (parts, first) = self.parts_of_larger(frame, u, v);
-                let mut nearest = (f64::INFINITY, u, v);
-                for part in parts {
-                    let (u, v) = if first { (part, v) } else { (u, part) };
-                    let look = self.look(outline, u, v);
-                    self.note(&look, i, j);
-                    if look.reach < nearest.0 {
-                        nearest = (look.reach, u, v);
-                    }
-                }
-                (_, u, v) = nearest;
-            }
-        }
-    }
-
-    /// An upper bound of the widest gap from the nearest points known alone.
-    pub fn reach(&mut self) -> Span {
-        let mut span = Span::default();
-        self.components.reset(self.count);
-        self.bridge(&mut span);
-        span
-    }
-
-    /// Joins what is left by the nearest points known.
-    fn bridge(&mut self, span: &mut Span) {
-        while self.components.count() > 1 {
-            let mut best: Option<(f64, usize, usize)> = None;
-            for i in 0..self.count {
-                for j in i + 1..self.count {
-                    let reach = self.nearest[i * self.count + j].reach;
-                    if best.is_none_or(|(least, ..)| reach < least) && !self.components.joined(i, j) {
-                        best = Some((reach, i, j));
-                    }
-                }
-            }
-            let Some((reach, i, j)) = best else { return };
-            self.components.join(i, j);
-            span.widen(reach.sqrt(), self.nearest[i * self.count + j]);
-        }
+    pub fn look(&self, outline: &Outline, u: u32, v: u32) -> Look {
+        self.gauge.look(outline, &self.pieces[u as usize].map, &self.pieces[v as usize].map)
     }
 }
-
-/// The widest gap, in the plane.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Span {
-    pub lower: f64,
-    pub upper: f64,
-    /// The points that realise the upper bound.
-    pub widest: Option<Nearest>,
-}
-
-impl Span {
-    fn widen(&mut self, reach: f64, nearest: Nearest) {
-        if reach >= self.upper {
-            self.upper = reach;
-            self.widest = Some(nearest);
-        }
-    }
-}
-
-/// How many pairs are followed down after a search that was cut short, and how far.
-const DIVES: usize = 8;
-const DEPTH: usize = 24;
-/// Directions tried on a pair.
-const ROUNDS: usize = 2;
-/// How much more a pair of half the area counts against one that overlaps twice as deep. Some preference
-/// for small pieces makes the search go deep at once where it can.
-const DEPTH_FIRST: f64 = 0.25;
