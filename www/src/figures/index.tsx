@@ -1,4 +1,76 @@
-/** The figures of the paper as live pages. */
+import "./figures.css";
+import "./parts.css";
+import { useEffect, useRef } from "preact/hooks";
+import { CATALOGUE, find } from "./catalogue";
+import { Overview } from "./overview";
+
+/** The figures of the paper as live pages: all of them, or the one that the address names. */
 export function Figures({ figure }: { figure: string | null }) {
-  return <p>{figure ? `Figure ${figure}` : "Figures"}</p>;
+  const top = useRef<HTMLDivElement>(null);
+  const index = figure === null ? -1 : find(figure);
+  const entry = CATALOGUE[index];
+  const before = useRef(figure);
+
+  useEffect(() => {
+    document.title = entry ? `${entry.number}: ${entry.title} · Frond` : "Figures · Frond";
+    if (before.current === figure) return;
+    before.current = figure;
+    // Another page: it is read from its top, and whoever listens hears its name.
+    top.current?.closest("main")?.scrollTo({ top: 0 });
+    top.current?.querySelector<HTMLElement>("h1")?.focus({ preventScroll: true });
+  }, [figure, entry]);
+
+  return (
+    <div class="figures" ref={top}>
+      {entry ? (
+        <article class="figure">
+          <TopNav here={entry.id} />
+          <entry.Page key={entry.id} number={entry.number} title={entry.title} />
+          <NextNav index={index} />
+        </article>
+      ) : (
+        <Overview missing={figure} />
+      )}
+    </div>
+  );
+}
+
+/** Every figure by its number. */
+function TopNav({ here }: { here: string }) {
+  return (
+    <nav class="figure-top" aria-label="Figures">
+      <a href="#figures">All figures</a>
+      <ol>
+        {CATALOGUE.map(({ id, number, short }) => (
+          <li key={id}>
+            <a href={`#figures/${id}`} aria-label={number} aria-current={id === here ? "page" : undefined}>
+              {short}
+            </a>
+          </li>
+        ))}
+      </ol>
+    </nav>
+  );
+}
+
+/** One back and one on, by name. */
+function NextNav({ index }: { index: number }) {
+  const back = CATALOGUE[index - 1];
+  const on = CATALOGUE[index + 1];
+  return (
+    <nav class="figure-next" aria-label="Before and after">
+      {back && (
+        <a class="back" href={`#figures/${back.id}`} rel="prev">
+          <span>{back.number}</span>
+          {back.title}
+        </a>
+      )}
+      {on && (
+        <a class="on" href={`#figures/${on.id}`} rel="next">
+          <span>{on.number}</span>
+          {on.title}
+        </a>
+      )}
+    </nav>
+  );
 }

@@ -1,0 +1,98 @@
+import type { ComponentType } from "preact";
+import { Figure1 } from "./fig1";
+import { Figure2 } from "./fig2";
+import { Figure5 } from "./fig5";
+import { Figure6 } from "./fig6";
+import { Figure7 } from "./fig7";
+import { Figures34 } from "./fig34";
+import type { Heading } from "./frame";
+import { Table1 } from "./table1";
+import * as thumbs from "./thumbs";
+
+export interface Entry {
+  /** The part of the address behind `#figures/`; further ones lead to the same page. */
+  id: string;
+  also?: readonly string[];
+  /** As the paper counts. */
+  number: string;
+  /** The same in the row of all figures. */
+  short: string;
+  title: string;
+  /** One line for the index. */
+  about: string;
+  Page: ComponentType<Heading>;
+  Thumb: ComponentType;
+}
+
+export const CATALOGUE: readonly Entry[] = [
+  {
+    id: "1",
+    number: "Figure 1",
+    short: "1",
+    title: "When is a shape proved to be in pieces?",
+    about: "Barnsley’s test on a Cantor dust that closes at one half.",
+    Page: Figure1,
+    Thumb: thumbs.Dust,
+  },
+  {
+    id: "2",
+    number: "Figure 2",
+    short: "2",
+    title: "Connected, as far as pixels tell",
+    about: "The index buffer: pixels collide, and a graph gains its edges.",
+    Page: Figure2,
+    Thumb: thumbs.Buffer,
+  },
+  {
+    id: "3",
+    also: ["4"],
+    number: "Figures 3 and 4",
+    short: "3, 4",
+    title: "Two ways to turn a map around",
+    about: "Number by number a map collapses on the way; turned, it keeps its size.",
+    Page: Figures34,
+    Thumb: thumbs.Turning,
+  },
+  {
+    id: "5",
+    number: "Figure 5",
+    short: "5",
+    title: "The straight way from dragon to gasket",
+    about: "A morph that nobody watches falls apart.",
+    Page: Figure5,
+    Thumb: thumbs.Straight,
+  },
+  {
+    id: "6",
+    number: "Figure 6",
+    short: "6",
+    title: "The way that holds together",
+    about: "The same morph, led along a path on which the shape stays in one piece.",
+    Page: Figure6,
+    Thumb: thumbs.Planned,
+  },
+  {
+    id: "7",
+    number: "Figure 7",
+    short: "7",
+    title: "The map of all in‑betweens",
+    about: "The connectedness locus, with both ways drawn on it.",
+    Page: Figure7,
+    Thumb: thumbs.Locus,
+  },
+  {
+    id: "table-1",
+    number: "Table 1",
+    short: "Table 1",
+    title: "How well do pixels tell?",
+    about: "The index buffer measured at four resolutions, here and now.",
+    Page: Table1,
+    Thumb: thumbs.Accuracy,
+  },
+];
+
+/** Where in the catalogue an address leads, or -1. */
+export function find(id: string): number {
+  const asked = id.toLowerCase();
+  return CATALOGUE.findIndex((entry) => entry.id === asked || entry.also?.includes(asked));
+}

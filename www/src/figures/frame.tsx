@@ -1,0 +1,111 @@
+import type { ComponentChildren } from "preact";
+import { Icon } from "../ui/Icon";
+
+export interface Heading {
+  number: string;
+  title: string;
+}
+
+export interface Parameter {
+  name: string;
+  symbol?: string;
+  value: string;
+}
+
+export interface FrameProps extends Heading {
+  /** What it teaches, in a sentence or two. */
+  lead: ComponentChildren;
+  /** The part that moves. */
+  children: ComponentChildren;
+  /** What Frond finds, where that says more than the paper, or other. */
+  found?: ComponentChildren;
+  parameters: readonly Parameter[];
+  /** The captions of the paper. */
+  captions: readonly string[];
+  /** Why the picture is not the paper's own: what was not printed, and what stands for it here. */
+  reconstructed: string;
+  studio: { href: string; label?: string };
+}
+
+/** What every figure has around its live part. */
+export function Frame(props: FrameProps) {
+  const { number, title, studio } = props;
+  return (
+    <>
+      <header class="figure-head">
+        <div>
+          <p class="figure-number">
+            {number} <span class="badge">reconstructed</span>
+          </p>
+          <h1 tabIndex={-1}>{title}</h1>
+        </div>
+        <a class="button figure-studio" href={studio.href}>
+          {studio.label ?? "Open in the studio"}
+          <Icon name="arrow" />
+        </a>
+        <div class="figure-lead">{props.lead}</div>
+      </header>
+      <section class="figure-live" aria-label="The figure">
+        {props.children}
+      </section>
+      <div class="figure-foot">
+        {props.found !== undefined && (
+          <section class="figure-found" aria-labelledby="figure-found">
+            <h2 id="figure-found">What Frond finds</h2>
+            {props.found}
+          </section>
+        )}
+        <section aria-labelledby="figure-parameters">
+          <h2 id="figure-parameters">Parameters</h2>
+          <Parameters of={props.parameters} />
+        </section>
+        <section aria-labelledby="figure-paper">
+          <h2 id="figure-paper">In the paper</h2>
+          {props.captions.map((caption) => (
+            <blockquote key={caption}>{caption}</blockquote>
+          ))}
+          <p>
+            <strong>Reconstructed.</strong> {props.reconstructed}
+          </p>
+        </section>
+      </div>
+    </>
+  );
+}
+
+function Parameters({ of }: { of: readonly Parameter[] }) {
+  return (
+    <dl class="parameters">
+      {of.map(({ name, symbol, value }) => (
+        <div key={name}>
+          <dt>
+            {name} {symbol !== undefined && <span class="symbol">{symbol}</span>}
+          </dt>
+          <dd class="number">{value}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+export interface ControlProps {
+  label: string;
+  symbol?: string;
+  value: string;
+  children: ComponentChildren;
+}
+
+/** A slider with its name and its number above it. The slider names itself to those who hear it. */
+export function Control({ label, symbol, value, children }: ControlProps) {
+  return (
+    <div class="control">
+      <div class="control-head" aria-hidden="true">
+        <span>
+          {label} {symbol !== undefined && <span class="symbol">{symbol}</span>}
+        </span>
+        <span class="number">{value}</span>
+      </div>
+      {children}
+    </div>
+  );
+}

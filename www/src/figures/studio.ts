@@ -1,0 +1,41 @@
+import type { MapRow, Mode, Scene, Shape } from "../engine/api";
+import { frond } from "../engine/wasm";
+import type { Uv } from "../state/path";
+
+export interface Opening {
+  a: Shape;
+  b: Shape;
+  t?: number;
+  mode?: Mode;
+  compare?: boolean;
+  path?: Scene["path"];
+}
+
+/** A link that opens the studio on a figure: the document is in its fragment. */
+export function studioHref({ a, b, t = 0, mode = "polar", compare = false, path }: Opening): string {
+  const scene: Scene = {
+    a,
+    b,
+    mode,
+    path: path ?? { kind: "straight", points: [] },
+    t: Math.min(1, Math.max(0, t)),
+    correspondence: [],
+    turns: [],
+    colouring: "map",
+    compare,
+  };
+  return `#${frond.encodeScene(scene)}`;
+}
+
+/** A way point that is short in a link, and still far nearer to its place than a locus resolves. */
+export function drawn(points: readonly Uv[]): Scene["path"] {
+  const short = (x: number) => Math.round(x * 1e6) / 1e6;
+  return { kind: "drawn", points: points.slice(1, -1).map(([u, v]): Uv => [short(u), short(v)]) };
+}
+
+/** A shape of the gallery. */
+export function preset(id: string): Shape & { maps: MapRow[] } {
+  const found = frond.presets().find((one) => one.id === id);
+  if (!found) throw new Error(`The gallery has no shape "${id}".`);
+  return { preset: id, name: found.name, maps: found.maps };
+}

@@ -1,0 +1,60 @@
+import { useState } from "preact/hooks";
+import type { Stretch } from "../engine/breaks";
+import { fixed } from "../ui/number";
+import { Slider } from "../ui/Slider";
+import { PlayButton, usePlay } from "./play";
+
+const SECONDS = 8;
+
+/** The moment of a morph, and what moves it. */
+export function useTime(start: number) {
+  const [t, setT] = useState(start);
+  const player = usePlay((seconds) => {
+    const next = Math.min(1, t + seconds / SECONDS);
+    setT(next);
+    return next < 1;
+  });
+  const toggle = () => {
+    if (!player.playing && t >= 1) setT(0);
+    player.toggle();
+  };
+  const go = (next: number) => {
+    player.stop();
+    setT(next);
+  };
+  return { t, go, playing: player.playing, toggle };
+}
+
+export interface TimeProps {
+  time: ReturnType<typeof useTime>;
+  /** What is said of the moment beside its number. */
+  words: string;
+  breaks?: readonly Stretch[];
+}
+
+/** Play, and a slider over the whole morph with its broken stretches marked. */
+export function Time({ time, words, breaks = [] }: TimeProps) {
+  return (
+    <div class="figure-time">
+      <PlayButton playing={time.playing} toggle={time.toggle} />
+      <Slider
+        label="Time t"
+        value={time.t}
+        step={0.01}
+        valueText={`t = ${fixed(time.t)}, ${words}`}
+        onChange={time.go}
+      >
+        {breaks.map(({ t0, t1 }) => (
+          <span
+            key={`${t0}-${t1}`}
+            class="time-break"
+            style={{ left: `${100 * t0}%`, width: `max(2px, ${100 * (t1 - t0)}%)` }}
+          />
+        ))}
+      </Slider>
+      <output class="number">
+        <span class="symbol">t</span> {fixed(time.t)}
+      </output>
+    </div>
+  );
+}
