@@ -99,6 +99,19 @@ pub struct Connectedness {
 /// `Connected` and `Disconnected` are proofs, `Touching` is what can be said at the resolution. For
 /// [`Verdict::Disconnected`], rounding is reckoned with: also that of the coefficients themselves, so that
 /// pieces that meet in one exact point are never called apart.
+///
+/// ```
+/// use frond_core::{Affine2, Ifs};
+/// use frond_locus::{Options, Verdict, connectedness};
+///
+/// // Cantor's dust: two thirds of the unit interval.
+/// let third = 1.0 / 3.0;
+/// let maps = [0.0, 2.0 * third].map(|e| Affine2::from_row([third, 0.0, 0.0, third, e, 0.0]));
+/// let answer = connectedness(&Ifs::new(maps.to_vec())?, &Options::default());
+/// assert_eq!(answer.verdict, Verdict::Disconnected);
+/// assert!(answer.gap.lower <= third && third <= answer.gap.upper + 1e-12);
+/// # Ok::<(), frond_core::IfsError>(())
+/// ```
 #[must_use]
 pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
     let maps = ifs.maps();

@@ -349,6 +349,23 @@ mod tests {
     }
 
     #[test]
+    fn the_terdragon_reaches_the_gasket_in_one_piece() {
+        let row = Affine2::from_row;
+        // {l z, -i z / sqrt 3 + l, l z + conj l}, l = 1/2 + i / (2 sqrt 3).
+        let (h, r) = (1.0 / 12.0_f64.sqrt(), 1.0 / 3.0_f64.sqrt());
+        let terdragon = [
+            row([0.5, -h, h, 0.5, 0.0, 0.0]),
+            row([0.0, r, -r, 0.0, 0.5, h]),
+            row([0.5, -h, h, 0.5, 0.5, -h]),
+        ];
+        let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.75_f64.sqrt()]].map(DVec2::from_array);
+        let gasket = corners.map(|c| Affine2::similitude(0.5, 0.0, c * 0.5));
+        let morph = Morph::new(&terdragon, &gasket, &MorphOptions::default()).unwrap();
+        let plan = find_path(&morph, &PathOptions { epsilon: 1e-4, size: 97 }).unwrap();
+        assert!(plan.holds, "{plan:?}");
+    }
+
+    #[test]
     fn the_dragon_reaches_the_gasket_in_one_piece() {
         let row = Affine2::from_row;
         let (a, b) = (row([0.5, -0.5, 0.5, 0.5, 0.0, 0.0]), row([-0.5, -0.5, 0.5, -0.5, 1.0, 0.0]));
