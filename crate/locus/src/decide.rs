@@ -64,7 +64,7 @@ pub struct Scratch {
 }
 
 /// How far the bounds of a gap may differ, relative to it, to be good enough for a picture.
-const SHADE: f64 = 0.1;
+const SHADE: f64 = 0.05;
 /// Looks spent at most on measuring the gap of one disconnected parameter.
 const SHADING: usize = 2000;
 
