@@ -49,9 +49,9 @@ impl State {
 pub struct Sample {
     /// The verdict.
     pub state: State,
-    /// The widest gap over the diameter of the attractor, to about 5 in 100 (up to twice too large in
-    /// the rare case that the bounds close slowly): 0 where it holds together, an upper bound where it
-    /// is undecided, NaN where there is no attractor.
+    /// The widest gap over the diameter of the attractor: 0 where it holds together. Mostly to 5 in 100, but
+    /// off by a factor of two or so in the rare case that its bounds close slowly. Where it is undecided, an
+    /// upper bound, or NaN if it is not even known whether there is an attractor; NaN where there is none.
     pub gap: f32,
 }
 
