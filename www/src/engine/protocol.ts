@@ -38,7 +38,7 @@ export interface Tasks {
     kind: "plan";
     locus: Locus;
     bounds: Bounds;
-    refine?: { from: MapRow[]; to: MapRow[]; options: MorphOptions & { epsilon: number } };
+    refine?: { from: MapRow[]; to: MapRow[]; options: MorphOptions & { epsilon: number; samples?: number } };
   };
   verdict: { kind: "verdict"; maps: MapRow[]; epsilon: number };
   /** The state of the morph at single points of the (u, v) plane. */

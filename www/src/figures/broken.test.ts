@@ -28,5 +28,6 @@ describe("words", () => {
     expect(stretchWords(some)).toBe("0.10 to 0.20, 0.30 to 0.40 and 0.50 to 0.60");
     expect(stretchWords(some, 1)).toBe("0.10 to 0.20 and 2 more");
     expect(stretchWords([])).toBe("");
+    expect(stretchWords([{ t0: 0.9671, t1: 0.9689 }])).toBe("0.967 to 0.969");
   });
 });

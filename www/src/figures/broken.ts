@@ -28,9 +28,13 @@ export function shareWords(share: number): string {
   return `${Math.min(99, Math.max(1, Math.round(100 * share)))}%`;
 }
 
-/** "from t = 0.20 to 0.99 and from t = 0.995 to 1". At most `most` stretches are told one by one. */
+/** "0.20 to 0.93 and 0.995 to 0.998". At most `most` stretches are told one by one. */
 export function stretchWords(all: readonly Stretch[], most = 5): string {
-  const told = all.slice(0, most).map(({ t0, t1 }) => `${fixed(t0)} to ${fixed(t1)}`);
+  // A short one would read as from somewhere to the same place.
+  const digits = (t0: number, t1: number) => (t1 - t0 < 0.015 ? 3 : 2);
+  const told = all
+    .slice(0, most)
+    .map(({ t0, t1 }) => `${fixed(t0, digits(t0, t1))} to ${fixed(t1, digits(t0, t1))}`);
   const more = all.length - told.length;
   const list = more > 0 ? [...told, `${more} more`] : told;
   return list.length > 1 ? `${list.slice(0, -1).join(", ")} and ${list.at(-1)}` : (list[0] ?? "");

@@ -56,6 +56,9 @@ function set(id: DragonId, change: Partial<Chart>): void {
   charts.value = new Map(before).set(id, { ...(before.get(id) ?? BLANK), ...change });
 }
 
+/** At so many moments a path is checked: a break may be a thousandth of its length. */
+const CHECKS = 2401;
+
 const LOCUS = "figure:locus";
 const PLAN = "figure:plan";
 
@@ -111,7 +114,7 @@ function plan(id: DragonId, work: LocusWork): void {
     kind: "plan" as const,
     locus: work.nested(1),
     bounds: BOUNDS,
-    refine: { from, to, options: { epsilon: EPSILON } },
+    refine: { from, to, options: { epsilon: EPSILON, samples: CHECKS } },
   };
   const then = {
     accept: (found: PathPlan) => set(id, { plan: found }),

@@ -100,9 +100,13 @@ function Found({ plan, straight, led }: FoundProps) {
         </>
       ) : (
         <>
-          No path in the square holds together all the way. On this one, {shareWords(led.share)} is broken (t
-          = {stretchWords(led.stretches)}), by at most {lengthWords(plan.gap)} of the size of the shape:
-          least, of all ways that were found. “When possible”, says the paper.
+          {plan.holds
+            ? "Nearly all of this path holds:"
+            : "Frond finds no path in the square that holds together all the way. On this one,"}{" "}
+          {shareWords(led.share)} is broken (t = {stretchWords(led.stretches)})
+          {plan.holds
+            ? ", by gaps only just wider than ε."
+            : `, by at most ${lengthWords(plan.gap)} of the size of the shape: the least of all ways it found. The paper’s words are “avoid becoming disconnected when possible”.`}
         </>
       )}
     </p>

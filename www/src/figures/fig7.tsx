@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
-import type { MapRow } from "../engine/api";
+import type { MapRow, PathPlan } from "../engine/api";
 import { isBroken } from "../engine/breaks";
 import type { LocusResult } from "../engine/results";
 import type { Uv } from "../state/path";
@@ -41,7 +41,7 @@ export function Figure7(heading: Heading) {
           crosses the dark, the other goes round. Drag the ring to see the shapes.
         </p>
       }
-      found={<Found field={field} />}
+      found={<Found field={field} plan={plan} />}
       parameters={[
         ...dragonParameters(),
         { name: "Domain", symbol: "(u, v)", value: "[−1, 2] × [−1, 2]" },
@@ -163,17 +163,16 @@ function Legend({ progress, problem }: { progress: number; problem: string | nul
   );
 }
 
-function Found({ field }: { field: LocusResult | null }) {
+function Found({ field, plan }: { field: LocusResult | null; plan: PathPlan | null }) {
   const white = useMemo(() => (field?.progress === 1 ? 1 - share(field.state) : null), [field]);
-  if (white === null) return <p>The square is being filled in …</p>;
-  const rich = dragon.value !== "terdragon-mirrored";
+  if (white === null || plan === null) return <p>The square is being filled in …</p>;
   return (
     <p>
       {shareWords(white)} of the square is white for {dragonWords()} and the gasket. The gasket, B, lies on
       its very edge.{" "}
-      {rich
+      {plan.holds
         ? "A and B hang together in it: there is a way round."
-        : "The mirror image of the same dragon gives upright stripes with a dark one between A and B: which way round a shape is written decides what it can become."}
+        : "Dark stripes part A from B, so every way breaks somewhere. For the mirror image of this dragon there is a way round: how a shape is written decides what it can become."}
     </p>
   );
 }

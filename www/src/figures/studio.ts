@@ -14,8 +14,8 @@ export interface Opening {
 /** A link that opens the studio on a figure: the document is in its fragment. */
 export function studioHref({ a, b, t = 0, mode = "polar", compare = false, path }: Opening): string {
   const scene: Scene = {
-    a,
-    b,
+    a: tidy(a),
+    b: tidy(b),
     mode,
     path: path ?? { kind: "straight", points: [] },
     t: Math.min(1, Math.max(0, t)),
@@ -25,6 +25,12 @@ export function studioHref({ a, b, t = 0, mode = "polar", compare = false, path 
     compare,
   };
   return `#${frond.encodeScene(scene)}`;
+}
+
+/** Without the dust of binary fractions: 0.45, not 0.44999999999999996. Shapes of the gallery stay as they are. */
+export function tidy(shape: Shape): Shape {
+  if (shape.preset !== undefined) return shape;
+  return { ...shape, maps: shape.maps.map((map) => map.map((x) => Number(x.toPrecision(12))) as MapRow) };
 }
 
 /** A way point that is short in a link, and still far nearer to its place than a locus resolves. */

@@ -213,12 +213,19 @@ function Found({ rows, done }: { rows: readonly Row[]; done: boolean }) {
   if (!done) return <p>Measuring …</p>;
   const better = rows.filter((row) => median(row.found) > row.paper);
   const never = rows.filter((row) => row.centred !== null && row.centred >= 0.4999).map((row) => row.size);
+  const missed = rows.filter((row) => median(row.found) > 0.5);
   return (
     <>
       <p>
         At {better.length === rows.length ? "all" : `${better.length} of the`} four resolutions a plain index
         buffer sees the gap at scales nearer to ½ than the paper’s did.
       </p>
+      {missed.length > 0 && (
+        <p>
+          At {missed.map((row) => row.size).join(" and ")} pixels the points are too few: those pixels that
+          both pieces hold are missed by one of them.
+        </p>
+      )}
       <p>
         With the window exactly in the middle of the gasket, as an image usually has it,{" "}
         {never.length > 0 ? (
