@@ -24,7 +24,7 @@ pub struct Density {
 /// The mean is taken over blocks of so many pixels each way: it need not be exact, only steady.
 const BLOCK: u32 = 8;
 /// Visits for counting the lit blocks.
-const COUNTING: u64 = 200_000;
+const COUNTING: u64 = 150_000;
 
 impl Density {
     /// The density of the attractor in a view, from about `pieces` pieces of `samples` samples each.
@@ -38,7 +38,7 @@ impl Density {
             .map(|piece| piece.mass)
             .sum();
         let blocks = Window { width: window.width.div_ceil(BLOCK), height: window.height.div_ceil(BLOCK) };
-        let coarse = view.magnified(1.0 / f64::from(BLOCK)).onto_screen(frame.to_world, blocks);
+        let coarse = view.onto_target(frame.to_world, window, 1.0 / f64::from(BLOCK));
         let mut lit = 0_usize;
         Sweep::new(frame, coarse, blocks, 0.5).run(COUNTING, |_| lit += 1);
         let lit = lit.max(1) * (BLOCK * BLOCK) as usize;

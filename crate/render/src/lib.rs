@@ -21,6 +21,10 @@ mod cut;
 mod density;
 mod flood;
 mod frame;
+#[cfg(target_arch = "wasm32")]
+pub mod gpu;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod half;
 mod letters;
 mod measure;
 mod plan;

@@ -250,9 +250,10 @@ mod tests {
         let hull = Hull::of(&ifs);
         let frame = Frame::within(&ifs, &hull);
         let view = view.unwrap_or_else(|| View::fit(&hull, WINDOW.width, WINDOW.height, 0.05));
-        let (truth, _) = codes(&frame, view, WINDOW, 0.02);
+        let to_screen = view.onto_screen(frame.to_world, WINDOW);
+        let (truth, _) = codes(&frame, to_screen, WINDOW, 0.02);
         let mut plan = Plan::default();
-        plan.make(&frame, view.onto_screen(frame.to_world, WINDOW), WINDOW, detail);
+        plan.make(&frame, to_screen, WINDOW, detail);
         let seen = draw(&plan);
         let pairs = || truth.iter().zip(&seen);
         let agreement = Agreement {

@@ -1,6 +1,6 @@
 //! Pictures made on the CPU.
 
-use frond_core::{Hull, Ifs};
+use frond_core::{Affine2, Hull, Ifs};
 use thiserror::Error;
 
 use crate::colour::{Colouring, Look};
@@ -103,7 +103,8 @@ pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, Rend
     } else {
         let factor = if options.smooth { 2 } else { 1 };
         let fine = Window { width: width * factor, height: height * factor };
-        let codes = codes(&frame, view.magnified(f64::from(factor)), fine, DETAIL * f64::from(factor)).0;
+        let to_screen = view.onto_target(frame.to_world, window, f64::from(factor));
+        let codes = codes(&frame, to_screen, fine, DETAIL * f64::from(factor)).0;
         look.source = [fine.width as i32, fine.height as i32];
         look.factor = factor as f32;
         write(window, &mut picture, |pixel| resolve_codes(&look, &codes, pixel));
@@ -123,11 +124,10 @@ fn write(window: Window, picture: &mut Vec<u8>, mut pixel: impl FnMut([i32; 2]) 
 const DETAIL: f64 = 0.125;
 
 /// The codes of the pixels of a window (see [`crate::Letters`]), 0 where nothing is, and whether they are
-/// known to be all.
+/// known to be all. `to_screen` takes unit coordinates to pixels.
 #[must_use]
-pub fn codes(frame: &Frame, view: View, window: Window, detail: f64) -> (Vec<u32>, Progress) {
+pub fn codes(frame: &Frame, to_screen: Affine2, window: Window, detail: f64) -> (Vec<u32>, Progress) {
     let mut codes = vec![0; window.area()];
-    let to_screen = view.onto_screen(frame.to_world, window);
     let mut sweep = Sweep::new(frame, to_screen, window, detail);
     let progress = sweep.run(u64::MAX, |hit| {
         let (x, y) = hit.pixel;
@@ -158,7 +158,7 @@ fn densities(frame: &Frame, view: View, window: Window, look: &Look) -> (Vec<[f3
 mod tests {
     use std::collections::HashSet;
 
-    use frond_core::{Affine2, adaptive_cut};
+    use frond_core::adaptive_cut;
     use glam::DVec2;
 
     use super::*;

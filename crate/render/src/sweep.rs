@@ -82,8 +82,9 @@ impl Canvas {
     }
 }
 
-/// Visits before overlap is suspected, and those allowed for each lit pixel: plain shapes take 5 to 100.
-const PATIENCE: u64 = 100_000;
+/// Visits before overlap is suspected, for each pixel of the window and at most, and those allowed for each
+/// lit pixel: plain shapes take 5 to 100.
+const PATIENCE: (u64, u64) = (8, 100_000);
 const VISITS_A_PIXEL: u64 = 400;
 /// Points a probe draws before the budget is looked at again.
 const PORTION: u64 = 4096;
@@ -159,11 +160,12 @@ impl Sweep {
     /// The same without going over to a probe.
     pub(crate) fn walk(&mut self, budget: u64, mut light: impl FnMut(Hit)) -> Walk {
         let end = self.visited.saturating_add(budget);
+        let patience = (PATIENCE.0 * self.canvas.lit.window().area() as u64).clamp(2000, PATIENCE.1);
         while self.visited < end {
             let Some(node) = self.stack.pop() else { return Walk::Complete };
             self.visited += 1;
             visit(&self.frame, self.detail, node, &mut self.canvas, &mut self.stack, &mut light);
-            if self.visited > PATIENCE + VISITS_A_PIXEL * self.canvas.count {
+            if self.visited > patience + VISITS_A_PIXEL * self.canvas.count {
                 return Walk::Stuck;
             }
         }

@@ -66,10 +66,12 @@ impl View {
         Affine2::new(linear * inner.linear, middle + linear * moved)
     }
 
-    /// The same window on a picture of `factor` times as many pixels each way.
+    /// The same onto a target of `factor` times as many pixels each way, such as one that is drawn twice as
+    /// large to be shrunk later.
     #[must_use]
-    pub fn magnified(&self, factor: f64) -> Self {
-        Self { scale: self.scale * factor, ..*self }
+    pub fn onto_target(&self, inner: Affine2, window: Window, factor: f64) -> Affine2 {
+        let scale = Affine2::new(DMat2::from_diagonal(DVec2::splat(factor)), DVec2::ZERO);
+        scale * self.onto_screen(inner, window)
     }
 }
 

@@ -14,6 +14,8 @@ mod error;
 mod locus;
 mod path;
 mod raster;
+#[cfg(target_arch = "wasm32")]
+mod renderer;
 mod shape;
 mod value;
 
@@ -22,6 +24,8 @@ pub use document::*;
 pub use locus::*;
 pub use path::*;
 pub use raster::*;
+#[cfg(target_arch = "wasm32")]
+pub use renderer::*;
 pub use shape::*;
 
 use wasm_bindgen::prelude::*;

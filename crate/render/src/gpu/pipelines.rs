@@ -1,0 +1,232 @@
+//! The shaders and how they are fed.
+
+use crate::points::{Instance, Vertex};
+
+/// What pixels of a target hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// The code of the topmost piece.
+    Codes,
+    /// Sums of weights.
+    Density,
+}
+
+/// Everything that is the same for all pictures.
+#[derive(Debug)]
+pub(super) struct Pipelines {
+    /// Draw points into a target.
+    points: [wgpu::RenderPipeline; 2],
+    /// Show a target on the canvas.
+    shows: [wgpu::RenderPipeline; 2],
+    /// The same into a texture that can be read.
+    reads: [wgpu::RenderPipeline; 2],
+    /// Bindings of the first.
+    pub points_layout: wgpu::BindGroupLayout,
+    /// Bindings of the others.
+    resolve_layouts: [wgpu::BindGroupLayout; 2],
+}
+
+/// What pictures are read from.
+pub(super) const READ: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+/// What codes are written to.
+pub(super) const CODES: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
+/// What decides which piece is on top.
+pub(super) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
+
+const POINTS: &str =
+    concat!(include_str!("../../shader/colour.wgsl"), include_str!("../../shader/points.wgsl"));
+const RESOLVE: &str = concat!(
+    include_str!("../../shader/colour.wgsl"),
+    include_str!("../../shader/tone.wgsl"),
+    include_str!("../../shader/resolve.wgsl")
+);
+
+impl Pipelines {
+    pub fn new(device: &wgpu::Device, canvas: wgpu::TextureFormat, sums: wgpu::TextureFormat) -> Self {
+        let module = |label, source: &'static str| {
+            let source = wgpu::ShaderSource::Wgsl(source.into());
+            device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(label), source })
+        };
+        let points = module("points", POINTS);
+        let resolve = module("resolve", RESOLVE);
+        let points_layout = layout(device, "points", &[uniform(0), uniform(1)]);
+        let resolve_layouts = [
+            layout(device, "codes", &[uniform(1), texture(2, wgpu::TextureSampleType::Uint)]),
+            layout(
+                device,
+                "density",
+                &[uniform(1), texture(3, wgpu::TextureSampleType::Float { filterable: false })],
+            ),
+        ];
+        let draws =
+            [Kind::Codes, Kind::Density].map(|kind| draw(device, &points, &points_layout, kind, sums));
+        let shows = [Kind::Codes, Kind::Density]
+            .map(|kind| show(device, &resolve, &resolve_layouts[kind as usize], kind, canvas));
+        let reads = [Kind::Codes, Kind::Density]
+            .map(|kind| show(device, &resolve, &resolve_layouts[kind as usize], kind, READ));
+        Self { points: draws, shows, reads, points_layout, resolve_layouts }
+    }
+
+    pub fn points(&self, kind: Kind) -> &wgpu::RenderPipeline {
+        &self.points[kind as usize]
+    }
+
+    pub fn show(&self, kind: Kind) -> &wgpu::RenderPipeline {
+        &self.shows[kind as usize]
+    }
+
+    pub fn read(&self, kind: Kind) -> &wgpu::RenderPipeline {
+        &self.reads[kind as usize]
+    }
+
+    /// The binding of a target's texture in [`Pipelines::resolve_layout`].
+    pub fn texture_binding(kind: Kind) -> u32 {
+        match kind {
+            Kind::Codes => 2,
+            Kind::Density => 3,
+        }
+    }
+
+    pub fn resolve_layout(&self, kind: Kind) -> &wgpu::BindGroupLayout {
+        &self.resolve_layouts[kind as usize]
+    }
+}
+
+fn uniform(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        },
+        count: None,
+    }
+}
+
+fn texture(binding: u32, sample_type: wgpu::TextureSampleType) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::FRAGMENT,
+        ty: wgpu::BindingType::Texture {
+            sample_type,
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        },
+        count: None,
+    }
+}
+
+fn layout(
+    device: &wgpu::Device,
+    label: &str,
+    entries: &[wgpu::BindGroupLayoutEntry],
+) -> wgpu::BindGroupLayout {
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
+}
+
+fn pipeline_layout(device: &wgpu::Device, bindings: &wgpu::BindGroupLayout) -> wgpu::PipelineLayout {
+    device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        bind_group_layouts: &[Some(bindings)],
+        ..wgpu::PipelineLayoutDescriptor::default()
+    })
+}
+
+/// A pipeline that draws points.
+fn draw(
+    device: &wgpu::Device,
+    module: &wgpu::ShaderModule,
+    bindings: &wgpu::BindGroupLayout,
+    kind: Kind,
+    sums: wgpu::TextureFormat,
+) -> wgpu::RenderPipeline {
+    let add = wgpu::BlendComponent {
+        src_factor: wgpu::BlendFactor::One,
+        dst_factor: wgpu::BlendFactor::One,
+        operation: wgpu::BlendOperation::Add,
+    };
+    let (vertex, fragment, format, blend) = match kind {
+        Kind::Codes => ("codes_vertex", "codes_fragment", CODES, None),
+        Kind::Density => {
+            let blend = wgpu::BlendState { color: add, alpha: add };
+            ("density_vertex", "density_fragment", sums, Some(blend))
+        }
+    };
+    let vertices = wgpu::VertexBufferLayout {
+        array_stride: size_of::<Vertex>() as u64,
+        step_mode: wgpu::VertexStepMode::Vertex,
+        attributes: &wgpu::vertex_attr_array![0 => Float32x2, 1 => Uint32, 2 => Float32],
+    };
+    let instances = wgpu::VertexBufferLayout {
+        array_stride: size_of::<Instance>() as u64,
+        step_mode: wgpu::VertexStepMode::Instance,
+        attributes: &wgpu::vertex_attr_array![3 => Float32x4, 4 => Float32x2, 5 => Uint32, 6 => Float32],
+    };
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(vertex),
+        layout: Some(&pipeline_layout(device, bindings)),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some(vertex),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[Some(vertices), Some(instances)],
+        },
+        primitive: wgpu::PrimitiveState {
+            topology: wgpu::PrimitiveTopology::PointList,
+            ..wgpu::PrimitiveState::default()
+        },
+        depth_stencil: (kind == Kind::Codes).then(|| wgpu::DepthStencilState {
+            format: DEPTH,
+            depth_write_enabled: Some(true),
+            // Later maps lie over earlier ones, in whatever order they are drawn.
+            depth_compare: Some(wgpu::CompareFunction::GreaterEqual),
+            stencil: wgpu::StencilState::default(),
+            bias: wgpu::DepthBiasState::default(),
+        }),
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some(fragment),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL })],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
+/// A pipeline that makes a picture of a target.
+fn show(
+    device: &wgpu::Device,
+    module: &wgpu::ShaderModule,
+    bindings: &wgpu::BindGroupLayout,
+    kind: Kind,
+    format: wgpu::TextureFormat,
+) -> wgpu::RenderPipeline {
+    let fragment = match kind {
+        Kind::Codes => "codes_resolve",
+        Kind::Density => "density_resolve",
+    };
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(fragment),
+        layout: Some(&pipeline_layout(device, bindings)),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some("screen_vertex"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: None,
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some(fragment),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(format.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}

@@ -1,0 +1,78 @@
+//! Pictures of planned points.
+
+use frond_core::Affine2;
+
+use super::buffer::Buffer;
+use super::device::Gpu;
+use super::pipelines::Pipelines;
+use super::target::Target;
+use crate::frame::Frame;
+use crate::plan::{Batch, Detail, Plan};
+use crate::window::Window;
+
+/// A [`Plan`] that is drawn, all at once or bit by bit.
+#[derive(Debug)]
+pub(super) struct Planned {
+    pub plan: Plan,
+    vertices: Buffer,
+    instances: Buffer,
+    /// What is drawn next: a batch, and an instance within it.
+    next: (usize, u32),
+    clear: bool,
+}
+
+impl Planned {
+    pub fn new(gpu: &Gpu) -> Self {
+        Self {
+            plan: Plan::default(),
+            vertices: Buffer::new(&gpu.device, "vertices"),
+            instances: Buffer::new(&gpu.device, "instances"),
+            next: (0, 0),
+            clear: true,
+        }
+    }
+
+    /// Plans a picture.
+    pub fn make(&mut self, frame: &Frame, to_target: Affine2, window: Window, detail: Detail) {
+        self.plan.make(frame, to_target, window, detail);
+    }
+
+    /// Begins to draw what was planned last.
+    pub fn begin(&mut self, gpu: &Gpu, target: &Target) {
+        self.vertices.fill(&gpu.device, &gpu.queue, &self.plan.vertices);
+        self.instances.fill(&gpu.device, &gpu.queue, &self.plan.instances);
+        target.prepare(gpu, 1.0);
+        self.next = (0, 0);
+        self.clear = true;
+    }
+
+    /// Draws about `budget` more points. Returns whether all are drawn.
+    pub fn go_on(&mut self, gpu: &Gpu, pipelines: &Pipelines, target: &Target, budget: u64) -> bool {
+        let portion = self.portion(budget);
+        target.draw(gpu, pipelines, self.clear, &self.vertices, &self.instances, &portion);
+        self.clear = false;
+        self.next.0 >= self.plan.batches.len()
+    }
+
+    /// The batches of the next points.
+    fn portion(&mut self, mut budget: u64) -> Vec<Batch> {
+        let mut portion = Vec::new();
+        while let Some(batch) = self.plan.batches.get(self.next.0) {
+            let instance = self.next.1;
+            let each = batch.vertices.len() as u64;
+            let waiting = batch.instances.len() as u32 - instance;
+            let fit = (budget / each.max(1)).min(u64::from(waiting)) as u32;
+            // One at least, or there would be no end.
+            let count = if portion.is_empty() { fit.max(waiting.min(1)) } else { fit };
+            let first = batch.instances.start + instance;
+            portion.push(Batch { vertices: batch.vertices.clone(), instances: first..first + count });
+            budget = budget.saturating_sub(each * u64::from(count));
+            if count < waiting {
+                self.next.1 += count;
+                break;
+            }
+            self.next = (self.next.0 + 1, 0);
+        }
+        portion
+    }
+}

@@ -1,0 +1,204 @@
+//! What points are drawn into.
+
+use bytemuck::{Pod, Zeroable};
+
+use super::buffer::{Buffer, uniform};
+use super::device::Gpu;
+use super::pipelines::{CODES, DEPTH, Kind, Pipelines};
+use crate::colour::Look;
+use crate::half::to_half;
+use crate::plan::Batch;
+use crate::points::{Instance, Vertex};
+use crate::window::Window;
+
+/// A texture of codes or sums, and what is needed to draw points into it and to make a picture of it.
+#[derive(Debug)]
+pub(super) struct Target {
+    pub window: Window,
+    pub kind: Kind,
+    texture: wgpu::Texture,
+    pixels: wgpu::TextureView,
+    depth: Option<wgpu::TextureView>,
+    screen: wgpu::Buffer,
+    points: wgpu::BindGroup,
+}
+
+/// What `shader/points.wgsl` calls `Screen`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+struct Screen {
+    size: [f32; 2],
+    mass: f32,
+    padding: f32,
+}
+
+impl Target {
+    /// A target with nothing on it.
+    pub fn new(gpu: &Gpu, pipelines: &Pipelines, look: &wgpu::Buffer, kind: Kind, window: Window) -> Self {
+        let texture = |label, format, usage| {
+            gpu.device.create_texture(&wgpu::TextureDescriptor {
+                label: Some(label),
+                size: wgpu::Extent3d { width: window.width, height: window.height, depth_or_array_layers: 1 },
+                mip_level_count: 1,
+                sample_count: 1,
+                dimension: wgpu::TextureDimension::D2,
+                format,
+                usage,
+                view_formats: &[],
+            })
+        };
+        let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT;
+        let format = if kind == Kind::Codes { CODES } else { gpu.sums };
+        let read = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
+        let pixels = texture("pixels", format, drawn | read);
+        let view = |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let depth = (kind == Kind::Codes).then(|| view(&texture("depth", DEPTH, drawn)));
+        let screen = uniform::<Screen>(&gpu.device, "screen");
+        let points = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("points"),
+            layout: &pipelines.points_layout,
+            entries: &[
+                wgpu::BindGroupEntry { binding: 0, resource: screen.as_entire_binding() },
+                wgpu::BindGroupEntry { binding: 1, resource: look.as_entire_binding() },
+            ],
+        });
+        Self { window, kind, pixels: view(&pixels), texture: pixels, depth, screen, points }
+    }
+
+    /// Replaces what was drawn by codes from elsewhere, one a pixel, row after row.
+    pub fn write_codes(&self, gpu: &Gpu, codes: &[u32]) {
+        self.write(gpu, bytemuck::cast_slice(codes));
+    }
+
+    /// The same by sums, which are multiplied by `scale`.
+    pub fn write_sums(&self, gpu: &Gpu, sums: &[[f32; 4]], scale: f32) {
+        if gpu.sums == wgpu::TextureFormat::Rgba32Float {
+            let scaled: Vec<[f32; 4]> = sums.iter().map(|sum| sum.map(|x| x * scale)).collect();
+            self.write(gpu, bytemuck::cast_slice(&scaled));
+        } else {
+            let halves: Vec<[u16; 4]> = sums.iter().map(|sum| sum.map(|x| to_half(x * scale))).collect();
+            self.write(gpu, bytemuck::cast_slice(&halves));
+        }
+    }
+
+    fn write(&self, gpu: &Gpu, bytes: &[u8]) {
+        let Window { width, height } = self.window;
+        let bytes_per_row = Some((bytes.len() / height as usize) as u32);
+        gpu.queue.write_texture(
+            self.texture.as_image_copy(),
+            bytes,
+            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row, rows_per_image: None },
+            wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        );
+    }
+
+    /// Sets what masses are multiplied by.
+    pub fn prepare(&self, gpu: &Gpu, mass: f32) {
+        let size = [self.window.width as f32, self.window.height as f32];
+        gpu.queue.write_buffer(&self.screen, 0, bytemuck::bytes_of(&Screen { size, mass, padding: 0.0 }));
+    }
+
+    /// Draws batches of points, on nothing or on what was drawn before.
+    pub fn draw(
+        &self,
+        gpu: &Gpu,
+        pipelines: &Pipelines,
+        clear: bool,
+        vertices: &Buffer,
+        instances: &Buffer,
+        batches: &[Batch],
+    ) {
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+                label: Some("points"),
+                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                    view: &self.pixels,
+                    depth_slice: None,
+                    resolve_target: None,
+                    ops: wgpu::Operations {
+                        load: if clear {
+                            wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT)
+                        } else {
+                            wgpu::LoadOp::Load
+                        },
+                        store: wgpu::StoreOp::Store,
+                    },
+                })],
+                depth_stencil_attachment: self.depth.as_ref().map(|view| {
+                    wgpu::RenderPassDepthStencilAttachment {
+                        view,
+                        depth_ops: Some(wgpu::Operations {
+                            load: if clear { wgpu::LoadOp::Clear(0.0) } else { wgpu::LoadOp::Load },
+                            store: wgpu::StoreOp::Store,
+                        }),
+                        stencil_ops: None,
+                    }
+                }),
+                ..wgpu::RenderPassDescriptor::default()
+            });
+            pass.set_pipeline(pipelines.points(self.kind));
+            pass.set_bind_group(0, &self.points, &[]);
+            for batch in batches.iter().filter(|batch| batch.points() > 0) {
+                // WebGL has no base instance: the ranges are taken from the buffers instead.
+                pass.set_vertex_buffer(0, vertices.items::<Vertex>(&batch.vertices));
+                pass.set_vertex_buffer(1, instances.items::<Instance>(&batch.instances));
+                pass.draw(0..batch.vertices.len() as u32, 0..batch.instances.len() as u32);
+            }
+        }
+        gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Makes a picture of it.
+    pub fn resolve(
+        &self,
+        gpu: &Gpu,
+        pipelines: &Pipelines,
+        look: &wgpu::Buffer,
+        pipeline: &wgpu::RenderPipeline,
+        picture: &wgpu::TextureView,
+    ) -> wgpu::CommandEncoder {
+        let bindings = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("resolve"),
+            layout: pipelines.resolve_layout(self.kind),
+            entries: &[
+                wgpu::BindGroupEntry { binding: 1, resource: look.as_entire_binding() },
+                wgpu::BindGroupEntry {
+                    binding: Pipelines::texture_binding(self.kind),
+                    resource: wgpu::BindingResource::TextureView(&self.pixels),
+                },
+            ],
+        });
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+                label: Some("resolve"),
+                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                    view: picture,
+                    depth_slice: None,
+                    resolve_target: None,
+                    ops: wgpu::Operations {
+                        load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                        store: wgpu::StoreOp::Store,
+                    },
+                })],
+                ..wgpu::RenderPassDescriptor::default()
+            });
+            pass.set_pipeline(pipeline);
+            pass.set_bind_group(0, &bindings, &[]);
+            pass.draw(0..3, 0..1);
+        }
+        encoder
+    }
+
+    /// The look with which it is read, `factor` being its pixels for each pixel of the picture.
+    pub fn look(&self, look: &Look, factor: f64, gain: f32, premultiply: bool) -> Look {
+        Look {
+            source: [self.window.width as i32, self.window.height as i32],
+            factor: factor as f32,
+            gain,
+            premultiply: if premultiply { 1.0 } else { 0.0 },
+            ..*look
+        }
+    }
+}

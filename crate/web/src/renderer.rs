@@ -1,0 +1,263 @@
+//! The stage's picture: an attractor on a canvas, by the graphics card.
+
+use std::rc::Rc;
+
+use frond_core::{Affine2, Ifs};
+use frond_render::View;
+use frond_render::gpu::{Canvas, Drawn, Event, Gpu, ReadBack, Stage, Style, Wanted};
+use js_sys::{Array, Function, Promise, Reflect, Uint8Array, global};
+use serde::Deserialize;
+use wasm_bindgen::JsCast;
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::{JsFuture, future_to_promise, spawn_local};
+use web_sys::{EventTarget, HtmlCanvasElement, OffscreenCanvas};
+
+use crate::error::{bad_input, failure, of_ifs};
+use crate::raster::{ColouringName, read_palette};
+use crate::value::{object, read};
+
+/// Draws one attractor on one canvas, on WebGPU or WebGL2. Lengths are device pixels.
+///
+/// Call `draw` once a frame until it says `settled`; then nothing changes until something is set.
+#[wasm_bindgen]
+pub struct Renderer {
+    stage: Stage,
+    canvas: Canvas,
+    context_lost: Closure<dyn Fn()>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Backend {
+    #[default]
+    Auto,
+    Webgpu,
+    Webgl2,
+}
+
+#[derive(Deserialize)]
+struct Options {
+    #[serde(default)]
+    backend: Backend,
+}
+
+#[derive(Deserialize)]
+struct PlainStyle {
+    #[serde(default)]
+    colouring: ColouringName,
+    #[serde(default)]
+    palette: Vec<String>,
+    exposure: Option<f32>,
+}
+
+#[wasm_bindgen]
+impl Renderer {
+    /// Opens the graphics card for a canvas that has had no context yet. `onLost` is called once if the
+    /// device or the context is lost: the canvas is of no use any more then, and every call does nothing.
+    pub async fn create(
+        #[wasm_bindgen(unchecked_param_type = "HTMLCanvasElement | OffscreenCanvas")] canvas: JsValue,
+        #[wasm_bindgen(
+            unchecked_param_type = "{ backend?: \"auto\" | \"webgpu\" | \"webgl2\"; onLost?: (reason: string) => void }"
+        )]
+        options: JsValue,
+    ) -> Result<Renderer, JsValue> {
+        let on_lost =
+            Reflect::get(&options, &"onLost".into()).ok().and_then(|f| f.dyn_into::<Function>().ok());
+        let plain: Options = read("The options", options)?;
+        let wanted = match plain.backend {
+            Backend::Auto => Wanted::Auto,
+            Backend::Webgpu => Wanted::WebGpu,
+            Backend::Webgl2 => Wanted::WebGl2,
+        };
+        let canvas = as_canvas(canvas)?;
+        let gpu = Gpu::open(&canvas, wanted, Rc::new(move |event| hear(event, on_lost.as_ref())))
+            .await
+            .map_err(|error| failure(error.code(), &error.to_string()))?;
+        // wgpu does not see it when the context of WebGL goes.
+        let loss = gpu.loss();
+        let context_lost =
+            Closure::<dyn Fn()>::new(move || loss.tell("the browser took the WebGL context away"));
+        let callback = context_lost.as_ref().unchecked_ref();
+        // It fails for no event name that is a string.
+        let _ = events_of(&canvas).add_event_listener_with_callback(CONTEXT_LOST, callback);
+        Ok(Self { stage: Stage::new(gpu), canvas, context_lost })
+    }
+
+    /// `"webgpu"` or `"webgl2"`.
+    #[wasm_bindgen(getter, unchecked_return_type = "\"webgpu\" | \"webgl2\"")]
+    pub fn backend(&self) -> String {
+        self.stage.gpu().backend.to_owned()
+    }
+
+    /// The adapter's own words; may be empty.
+    #[wasm_bindgen(getter)]
+    pub fn description(&self) -> String {
+        self.stage.gpu().description.clone()
+    }
+
+    /// Sets the size of the canvas. Edges are smoothed where `pixelRatio` (device pixels for each CSS pixel;
+    /// by default the window's) is below 2.
+    pub fn resize(
+        &mut self,
+        width: u32,
+        height: u32,
+        #[wasm_bindgen(js_name = pixelRatio)] pixel_ratio: Option<f64>,
+    ) {
+        let own = || Reflect::get(&global(), &"devicePixelRatio".into()).ok()?.as_f64();
+        self.stage.resize(width, height, pixel_ratio.or_else(own).unwrap_or(1.0));
+    }
+
+    /// Sets what is drawn: six numbers a map. Throws when the maps have no attractor; the picture stays then.
+    #[wasm_bindgen(js_name = setIfs)]
+    pub fn set_ifs(&mut self, maps: &[f64], probabilities: Option<Vec<f64>>) -> Result<(), JsValue> {
+        let (rows, rest) = maps.as_chunks::<6>();
+        if !rest.is_empty() {
+            return Err(bad_input("The list of maps", "six numbers a map are needed"));
+        }
+        let maps = rows.iter().map(|row| Affine2::from_row(*row)).collect();
+        let mut ifs = Ifs::new(maps).map_err(|error| of_ifs(&error))?;
+        if let Some(list) = probabilities {
+            ifs = ifs.with_probabilities(&list).map_err(|error| of_ifs(&error))?;
+        }
+        self.stage.set_ifs(&ifs);
+        Ok(())
+    }
+
+    /// Sets the world point in the middle and how many pixels a unit takes.
+    #[wasm_bindgen(js_name = setView)]
+    pub fn set_view(&mut self, x: f64, y: f64, scale: f64) -> Result<(), JsValue> {
+        if self.stage.set_view(View { x, y, scale }) {
+            Ok(())
+        } else {
+            Err(bad_input("The view", "finite numbers and a scale above 0 are needed"))
+        }
+    }
+
+    /// Sets how it looks.
+    #[wasm_bindgen(js_name = setStyle)]
+    pub fn set_style(
+        &mut self,
+        #[wasm_bindgen(
+            unchecked_param_type = "{ colouring?: Colouring; palette?: string[]; exposure?: number }"
+        )]
+        style: JsValue,
+    ) -> Result<(), JsValue> {
+        let plain: PlainStyle = read("The style", style)?;
+        self.stage.set_style(Style {
+            colouring: plain.colouring.into(),
+            palette: read_palette(&plain.palette)?,
+            exposure: plain.exposure.unwrap_or(1.0),
+        });
+        Ok(())
+    }
+
+    /// Draws what is new, about `budget` points: first a whole picture, of fewer pixels if the budget is
+    /// small; in the calls after that the complete one. `complete` says that the picture shown is complete,
+    /// `settled` that further calls would change nothing, `points` how many points the picture has.
+    #[wasm_bindgen(unchecked_return_type = "{ complete: boolean; settled: boolean; points: number }")]
+    pub fn draw(&mut self, budget: f64) -> JsValue {
+        let Drawn { complete, settled, points } = self.stage.draw(budget as u64);
+        object(&[
+            ("complete", complete.into()),
+            ("settled", settled.into()),
+            ("points", (points as f64).into()),
+        ])
+    }
+
+    /// The last picture, read back from the engine's own texture: RGBA with straight alpha, row 0 on top.
+    /// Rejects when there is none, or the device is lost.
+    #[wasm_bindgen(js_name = readPixels, unchecked_return_type = "Promise<Uint8Array>")]
+    pub fn read_pixels(&self) -> Promise {
+        let read = self.stage.read();
+        future_to_promise(async move {
+            let none = || failure("no-picture", "There is no picture to read. Draw one first.");
+            let pixels = arrival(read.ok_or_else(none)?).await?;
+            pixels.map(|bytes| Uint8Array::from(&bytes[..]).into()).ok_or_else(|| {
+                failure("device-lost", "The graphics device was lost. Create another renderer.")
+            })
+        })
+    }
+
+    /// Loses the device, for tests.
+    #[wasm_bindgen(js_name = forceLoss)]
+    pub fn force_loss(&mut self) {
+        if self.backend() == "webgl2" {
+            // What is missing here leaves the context alone; the device counts as lost all the same.
+            let _ = lose_context(&self.canvas);
+        }
+        self.stage.gpu().destroy();
+    }
+}
+
+impl Drop for Renderer {
+    fn drop(&mut self) {
+        let callback = self.context_lost.as_ref().unchecked_ref();
+        let _ = events_of(&self.canvas).remove_event_listener_with_callback(CONTEXT_LOST, callback);
+    }
+}
+
+const CONTEXT_LOST: &str = "webglcontextlost";
+
+fn as_canvas(value: JsValue) -> Result<Canvas, JsValue> {
+    let other = match value.dyn_into::<HtmlCanvasElement>() {
+        Ok(canvas) => return Ok(Canvas::Html(canvas)),
+        Err(other) => other,
+    };
+    let canvas = other.dyn_into::<OffscreenCanvas>();
+    canvas
+        .map(Canvas::Offscreen)
+        .map_err(|_| bad_input("The canvas", "a canvas element or an OffscreenCanvas is needed"))
+}
+
+fn events_of(canvas: &Canvas) -> &EventTarget {
+    match canvas {
+        Canvas::Html(canvas) => canvas,
+        Canvas::Offscreen(canvas) => canvas,
+    }
+}
+
+/// Passes an event on, later: what it calls may free the renderer, which may be at work right now.
+fn hear(event: &Event, on_lost: Option<&Function>) {
+    match event {
+        Event::Lost(reason) => {
+            let Some(on_lost) = on_lost.cloned() else { return };
+            let reason = JsValue::from(reason);
+            spawn_local(async move {
+                // What the page throws there is the page's.
+                let _ = on_lost.call1(&JsValue::UNDEFINED, &reason);
+            });
+        }
+        Event::Fault(message) => web_sys::console::error_1(&message.into()),
+    }
+}
+
+/// Waits for a picture, letting the browser work meanwhile.
+async fn arrival(read: ReadBack) -> Result<Option<Vec<u8>>, JsValue> {
+    loop {
+        if let Some(pixels) = read.take() {
+            return Ok(pixels);
+        }
+        let timer: Function = Reflect::get(&global(), &"setTimeout".into())?.dyn_into()?;
+        let mut wait = |resolve: Function, _| {
+            // If it cannot wait it polls again at once.
+            if timer.call2(&JsValue::UNDEFINED, &resolve, &1.into()).is_err() {
+                let _ = resolve.call0(&JsValue::UNDEFINED);
+            }
+        };
+        JsFuture::from(Promise::new(&mut wait)).await?;
+    }
+}
+
+fn lose_context(canvas: &Canvas) -> Result<(), JsValue> {
+    let call = |object: &JsValue, method: &str, argument: &str| -> Result<JsValue, JsValue> {
+        let method: Function = Reflect::get(object, &method.into())?.dyn_into()?;
+        method.apply(object, &Array::of1(&argument.into()))
+    };
+    let canvas: &JsValue = match canvas {
+        Canvas::Html(canvas) => canvas,
+        Canvas::Offscreen(canvas) => canvas,
+    };
+    let context = call(canvas, "getContext", "webgl2")?;
+    let extension = call(&context, "getExtension", "WEBGL_lose_context")?;
+    call(&extension, "loseContext", "").map(|_| ())
+}
