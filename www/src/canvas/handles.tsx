@@ -94,7 +94,8 @@ function OneMap({ index, map, colour, chosen }: OneMapProps) {
         class="body"
         data-handle=""
         role="button"
-        tabIndex={0}
+        // In lower case: SVG knows no other, and without it Tab passes by.
+        tabindex={0}
         aria-label={`Map ${index + 1}${chosen ? ", chosen; arrow keys move it" : ""}`}
         aria-pressed={chosen}
         d={outline(corners)}
@@ -117,7 +118,7 @@ function Handle({ index, grip, at }: { index: number; grip: Grip; at: { x: numbe
       class={`grip ${grip}`}
       data-handle=""
       role="button"
-      tabIndex={0}
+      tabindex={0}
       aria-label={`Map ${index + 1}, ${NAMES[grip]}: arrow keys, with Shift finer`}
       transform={`translate(${at.x} ${at.y})`}
       ref={useGrip(index, grip)}
