@@ -42,7 +42,12 @@ export class Studio {
     await this.time.waitFor();
   }
 
-  /** The picture and the locus are complete, and the verdict is about the picture. */
+  /** The picture is complete. Where the path is automatic it may still change with the plan: `idle` waits for that. */
+  async drawn(): Promise<void> {
+    await this.page.evaluate(() => window.frond?.drawn());
+  }
+
+  /** The locus is complete too, the verdict is about the picture, and nothing is left to work out. */
   async idle(): Promise<void> {
     await this.page.evaluate(() => window.frond?.idle());
   }
@@ -55,7 +60,7 @@ export class Studio {
 
   /** The picture once it is complete. */
   async look(): Promise<Look> {
-    await this.idle();
+    await this.drawn();
     return this.page.evaluate(async () => {
       if (!window.frond) throw new Error("the page has no hook");
       const { width, height, data } = await window.frond.readPixels();
@@ -86,7 +91,7 @@ export class Studio {
 
   /** The part of the lit pixels on which the picture and the adaptive cut agree. */
   async likeness(): Promise<number> {
-    await this.idle();
+    await this.drawn();
     return this.page.evaluate(async () => {
       if (!window.frond) throw new Error("the page has no hook");
       const [mine, twin] = [await window.frond.readPixels(), await window.frond.twin()];

@@ -19,7 +19,9 @@ export interface Hook {
   twin(): Promise<Pixels>;
   forceLoss(): void;
   killWorker(): void;
-  /** Resolves when the picture and the locus are complete and the verdict is about the picture. */
+  /** Resolves when the picture is complete. */
+  drawn(): Promise<void>;
+  /** Resolves when the locus is complete too, the verdict is about the picture, and no worker has anything to do. */
   idle(): Promise<void>;
 }
 
@@ -37,7 +39,8 @@ export function installHook(): void {
     twin,
     forceLoss: () => mainPainter.peek()?.forceLoss(),
     killWorker,
-    idle,
+    drawn: () => calm(drawn),
+    idle: () => calm(idle),
   };
 }
 
@@ -56,23 +59,33 @@ async function twin(): Promise<Pixels> {
   return { width, height, data };
 }
 
-function idle(): Promise<void> {
+function drawn(): boolean {
+  return picture.value.complete;
+}
+
+function idle(): boolean {
+  return (
+    drawn() &&
+    (locus.value === null || locus.value.progress === 1) &&
+    verdict.value?.stale === false &&
+    !workers.value.busy
+  );
+}
+
+const REST_MS = 160;
+
+/** Resolves when something has held for a while: what is asked after a short rest, such as the strip, counts too. */
+function calm(holds: () => boolean): Promise<void> {
   return new Promise((resolve) => {
     let timer: ReturnType<typeof setTimeout> | null = null;
     const stop = effect(() => {
-      const calm =
-        picture.value.complete &&
-        (locus.value === null || locus.value.progress === 1) &&
-        verdict.value?.stale === false &&
-        !workers.value.busy;
+      const now = holds();
       if (timer) clearTimeout(timer);
-      // Calm for a while: what is asked after a short rest, such as the strip, counts too.
-      if (calm) {
-        timer = setTimeout(() => {
-          stop();
-          resolve();
-        }, 160);
-      }
+      timer = now ? setTimeout(end, REST_MS) : null;
     });
+    function end() {
+      stop();
+      resolve();
+    }
   });
 }

@@ -1,0 +1,94 @@
+import { readFileSync } from "node:fs";
+import { expect, test } from "./fixture";
+
+/** Links that were given out, one a line: the same that the codec's own tests read. */
+const given = readFileSync(new URL("../../crate/scene/tests/links.txt", import.meta.url), "utf8")
+  .split("\n")
+  .filter((line) => line !== "" && !line.startsWith("//"));
+
+test("reloading restores the document and the very same picture", async ({ studio, page }) => {
+  await studio.open("a=dragon-3&b=gasket&t=0.3");
+  await page.getByRole("radio", { name: "Drawn" }).check();
+  await studio.time.focus();
+  await studio.time.press("PageUp");
+  await page.getByRole("button", { name: "Add way point" }).click();
+  await page.keyboard.press("Alt+ArrowRight");
+  await page.getByRole("button", { name: "Edit the maps of B" }).click();
+  const turn = page.getByRole("spinbutton", { name: "Turn", exact: true });
+  await turn.fill("1/7");
+  await turn.press("Enter");
+  await page.getByRole("button", { name: "Done" }).click();
+  await expect(page).toHaveURL(/b=maps:/);
+  const before = [await studio.scene(), await studio.look()];
+  await page.reload();
+  await studio.time.waitFor();
+  expect([await studio.scene(), await studio.look()]).toEqual(before);
+  await expect(studio.toasts).toBeEmpty();
+});
+
+test("the link that is shared opens the same elsewhere", async ({ studio, page, context, browser }) => {
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  await studio.open("a=levy&b=twindragon&t=0.4&colour=address");
+  await studio.time.press("ArrowRight");
+  await studio.idle();
+  await page.getByRole("button", { name: "Share link" }).click();
+  await expect(studio.toasts).toContainText("Link copied");
+  const shared = await page.evaluate(() => navigator.clipboard.readText());
+  const mine = [await studio.scene(), await studio.look()];
+  expect(shared).toBe(page.url());
+
+  const other = await browser.newContext({ viewport: page.viewportSize() });
+  const second = new (
+    studio.constructor as new (
+      page: Awaited<ReturnType<typeof other.newPage>>,
+    ) => typeof studio
+  )(await other.newPage());
+  await second.page.goto(shared);
+  await second.time.waitFor();
+  expect([await second.scene(), await second.look()]).toEqual(mine);
+  await other.close();
+});
+
+test("the back button leads to the document before", async ({ studio, page }) => {
+  await studio.open("a=koch&b=gasket");
+  await page.evaluate(() => {
+    location.hash = "a=levy&b=gasket&path=straight&t=1";
+  });
+  await expect.poll(async () => (await studio.scene()).a.preset).toBe("levy");
+  await page.goBack();
+  await expect.poll(async () => (await studio.scene()).a.preset).toBe("koch");
+  expect((await studio.scene()).t).toBe(0);
+  await page.goForward();
+  await expect.poll(async () => (await studio.scene()).a.preset).toBe("levy");
+  // A link that was followed by mistake is undone like anything else.
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  expect((await studio.scene()).a.preset).toBe("koch");
+});
+
+test("to the figures and back, nothing is lost", async ({ studio, page }) => {
+  await studio.open("a=koch&b=gasket&path=straight&t=0.5");
+  const before = [await studio.scene(), await studio.look()];
+  await page.getByRole("navigation", { name: "Places" }).getByRole("link", { name: "Figures" }).click();
+  await expect(studio.time).toHaveCount(0);
+  await page.goBack();
+  await studio.time.waitFor();
+  expect([await studio.scene(), await studio.look()]).toEqual(before);
+});
+
+test("links that were given out still open", async ({ studio, page }) => {
+  expect(given.length).toBeGreaterThanOrEqual(8);
+  await studio.open();
+  for (const link of given) {
+    await test.step(link, async () => {
+      await page.evaluate((fragment) => {
+        location.hash = fragment;
+      }, link);
+      await studio.idle();
+      await expect(studio.alerts).toHaveCount(0);
+      // A path that is planned here is written into the address; all else stays as it was sent.
+      const sent = (hash: string) => (link.includes("&path=") ? hash : hash.replace(/&path=auto[^&]*/, ""));
+      await expect(page).toHaveURL((url) => sent(url.hash) === `#${link}`);
+      expect((await studio.look()).lit).toBeGreaterThan(0);
+    });
+  }
+});

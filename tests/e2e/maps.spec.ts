@@ -1,0 +1,113 @@
+import { expect, test } from "./fixture";
+
+test("a parallelogram is dragged by its corner: one step of undo", async ({ studio, page }) => {
+  await studio.open("a=gasket&b=dragon-3");
+  await page.getByRole("button", { name: "Edit the maps of A" }).click();
+  const before = await studio.look();
+  const { maps } = (await studio.scene()).a;
+  const grip = page.getByRole("button", { name: /^Map 1, turns and scales it/ });
+  const box = await grip.boundingBox();
+  if (!box) throw new Error("no grip");
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x - 30, y + 10, { steps: 3 });
+  await page.mouse.move(x - 60, y + 10, { steps: 3 });
+  await page.mouse.up();
+  const { a } = await studio.scene();
+  expect(a.preset).toBeUndefined();
+  expect(a.maps[0]).not.toEqual(maps[0]);
+  // Its lower left corner, and the other maps, stay where they are.
+  expect(a.maps[0]?.slice(4)).toEqual([expect.closeTo(0), expect.closeTo(0)]);
+  expect(a.maps.slice(1)).toEqual(maps.slice(1));
+  expect((await studio.look()).hash).not.toBe(before.hash);
+  await expect(page.getByRole("button", { name: /^Shape A: Gasket, 3 maps, edited/ })).toBeVisible();
+
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  expect((await studio.scene()).a).toMatchObject({ preset: "gasket", maps });
+  await expect(page.getByRole("button", { name: "Undo", exact: true })).toBeDisabled();
+});
+
+test("parallelograms are reached, chosen and moved by keys", async ({ studio, page }) => {
+  await studio.open("a=gasket&b=dragon-3");
+  await page.locator("body").press("e");
+  const { maps } = (await studio.scene()).a;
+  await page.getByRole("application").focus();
+  const second = page.getByRole("button", { name: /^Map 2(, chosen.*)?$/ });
+  await expect(async () => {
+    await page.keyboard.press("Tab");
+    await expect(second).toBeFocused({ timeout: 1 });
+  }).toPass({ intervals: [1] });
+  await page.keyboard.press("Enter");
+  await expect(second).toHaveAttribute("aria-pressed", "true");
+  await expect(second).toBeFocused();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Shift+ArrowUp");
+  const moved = (await studio.scene()).a.maps[1] ?? [];
+  expect(moved.slice(0, 4)).toEqual(maps[1]?.slice(0, 4));
+  expect(moved[4]).toBeGreaterThan(maps[1]?.[4] ?? 0);
+  expect(moved[5]).toBeGreaterThan(maps[1]?.[5] ?? 0);
+});
+
+test("numbers are typed, bad ones are explained, and the last good shape stays", async ({ studio, page }) => {
+  await studio.open("a=gasket&b=dragon-3");
+  await page.getByRole("button", { name: "Edit the maps of A" }).click();
+  await page.getByRole("radio", { name: "Six numbers" }).check();
+  const a = page.getByRole("spinbutton", { name: "New x from x, a" });
+  await a.fill("√3/4");
+  await a.press("Enter");
+  const good = (await studio.scene()).a;
+  expect(good.maps[0]?.[0]).toBeCloseTo(Math.sqrt(3) / 4, 12);
+  const look = await studio.look();
+  for (const bad of ["", "abc", "1e999", "NaN", "1/0", "5"]) {
+    await a.fill(bad);
+    await a.press("Enter");
+    await expect(a).toHaveAttribute("aria-invalid", "true");
+    await expect(page.getByRole("alert").filter({ hasText: "Kept: 0.43301." })).toBeVisible();
+    expect((await studio.scene()).a).toEqual(good);
+  }
+  await a.press("Escape");
+  await expect(a).toHaveValue("0.43301");
+  await expect(a).toHaveAttribute("aria-invalid", "false");
+  expect(await studio.look()).toEqual(look);
+  await page.getByRole("button", { name: "Done" }).click();
+  await expect(page.getByRole("heading", { name: "Path" })).toBeVisible();
+});
+
+test("maps are added, copied, mirrored, taken away, and reset", async ({ studio, page }) => {
+  await studio.open("a=gasket&b=dragon-3");
+  await page.getByRole("button", { name: "Edit the maps of A" }).click();
+  const count = async () => (await studio.scene()).a.maps.length;
+  const before = await studio.look();
+  await page.getByRole("button", { name: "Add a map" }).click();
+  expect(await count()).toBe(4);
+  expect((await studio.look()).lit).toBeGreaterThan(before.lit);
+  await page.getByRole("button", { name: "Duplicate this map" }).click();
+  expect(await count()).toBe(5);
+  await page.getByRole("button", { name: "Mirror this map" }).click();
+  const mirrored = (await studio.scene()).a.maps[4] ?? [0, 0, 0, 0, 0, 0];
+  expect(mirrored[0] * mirrored[3] - mirrored[1] * mirrored[2]).toBeLessThan(0);
+  for (let left = 4; left >= 1; left--) {
+    await page.getByRole("button", { name: "Remove this map" }).click();
+    expect(await count()).toBe(left);
+  }
+  await expect(page.getByRole("button", { name: "Remove this map" })).toBeDisabled();
+  // One map is one point: there is a picture of it, and it is in one piece.
+  await studio.idle();
+  await expect(studio.verdict).toHaveText(/In one piece/);
+  await page.getByRole("button", { name: "Reset" }).click();
+  expect((await studio.scene()).a.preset).toBe("gasket");
+  expect(await studio.look()).toEqual(before);
+});
+
+test("a shape has 64 maps at most", async ({ studio, page }) => {
+  const maps = Array.from({ length: 63 }, (_, i) => `0.1,0,0,0.1,${i % 8},${i >> 3}`).join(";");
+  await studio.open(`a=maps:${maps}&b=gasket`);
+  await page.getByRole("button", { name: "Edit the maps of A" }).click();
+  const add = page.getByRole("button", { name: "Add a map" });
+  await add.click();
+  expect((await studio.scene()).a.maps).toHaveLength(64);
+  await expect(add).toBeDisabled();
+  await expect(page.getByRole("button", { name: "Duplicate this map" })).toBeDisabled();
+  expect((await studio.look()).lit).toBeGreaterThan(1000);
+});
