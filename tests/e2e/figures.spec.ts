@@ -1,0 +1,127 @@
+import AxeBuilder from "@axe-core/playwright";
+import type { Page } from "@playwright/test";
+import { expect, test } from "./fixture";
+
+const PAGES = ["1", "2", "3", "5", "6", "7", "table-1"];
+
+async function open(page: Page, figure: string): Promise<void> {
+  if (page.url() !== "about:blank") await page.goto("about:blank");
+  await page.goto(`./#figures${figure === "" ? "" : `/${figure}`}`);
+  await page.getByRole("heading", { level: 1 }).waitFor();
+}
+
+async function expectClean(page: Page): Promise<void> {
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(
+    violations.map(({ id, nodes }) => `${id}: ${nodes.map((n) => n.target.join(" ")).join(", ")}`),
+  ).toEqual([]);
+}
+
+/** How many pixels of a canvas hold something. */
+function lit(page: Page, selector: string): Promise<number> {
+  return page
+    .locator(selector)
+    .first()
+    .evaluate((canvas) => {
+      const { width, height } = canvas as HTMLCanvasElement;
+      const image = (canvas as HTMLCanvasElement).getContext("2d")?.getImageData(0, 0, width, height);
+      return image ? image.data.filter((value, i) => i % 4 === 3 && value > 0).length : 0;
+    });
+}
+
+test("the index shows every figure, drawn", async ({ page }) => {
+  await open(page, "");
+  const cards = page.getByRole("main").getByRole("listitem");
+  await expect(cards).toHaveCount(PAGES.length);
+  for (const i of [2, 3, 4, 6]) {
+    const canvas = `.cards li:nth-child(${i + 1}) canvas`;
+    await expect.poll(() => lit(page, canvas)).toBeGreaterThan(200);
+  }
+  await expectClean(page);
+});
+
+test("every figure is clean and opens in the studio", async ({ page }) => {
+  for (const figure of PAGES) {
+    await test.step(figure, async () => {
+      await open(page, figure);
+      await expect(page.getByRole("main").getByText("reconstructed", { exact: true })).toBeVisible();
+      await expectClean(page);
+      await page.getByRole("link", { name: "Open in the studio" }).click();
+      await expect(page.getByRole("slider", { name: "Time", exact: true })).toBeVisible();
+      await expect(page.getByRole("alert")).toHaveCount(0);
+    });
+  }
+});
+
+test("one leads to the next, and an unknown one to all", async ({ page }) => {
+  await open(page, "4");
+  await page.getByRole("navigation", { name: "Before and after" }).getByRole("link").last().click();
+  await expect(page.getByRole("heading", { level: 1 })).toBeFocused();
+  await expect(page).toHaveTitle(/^Figure 5/);
+  await open(page, "nonsense");
+  await expect(page.getByText("There is no figure “nonsense”")).toBeVisible();
+});
+
+test("Figure 1 proves below one half only", async ({ page }) => {
+  await open(page, "1");
+  const next = page.getByRole("button", { name: "Next iteration" });
+  while (await next.isEnabled()) await next.click();
+  await expect(page.getByText("proved by iteration 4")).toBeVisible();
+  const r = page.getByRole("slider", { name: "Scale r" });
+  for (let i = 0; i < 6; i++) await r.press("ArrowRight");
+  while (await next.isEnabled()) await next.click();
+  await expect(page.getByText("Nothing proved", { exact: true })).toBeVisible();
+});
+
+test("Figure 2 gains its edges and loses them again", async ({ page }) => {
+  await open(page, "2");
+  await page.getByRole("radio", { name: "100", exact: true }).check();
+  for (let i = 0; i < 3; i++) await page.getByRole("button", { name: "Plot 100 more" }).click();
+  await expect(page.getByText("1 meets 3")).toBeVisible();
+  await expect(page.getByText("as far as 31 pixels tell")).toBeVisible();
+  await page.getByRole("button", { name: "Clear" }).click();
+  await expect(page.getByText("3 groups", { exact: true })).toBeVisible();
+});
+
+test("Figures 3 and 4 part half-way", async ({ page }) => {
+  await open(page, "3");
+  const time = page.getByRole("slider", { name: "Time t" });
+  for (let i = 0; i < 15; i++) await time.press("ArrowRight");
+  await expect(page.getByText("determinant of map 1: 0.000")).toBeVisible();
+  await expect(page.getByText("determinant of map 1: 0.250")).toBeVisible();
+  const film = page.getByRole("list", { name: "Figure 3: frames" }).getByRole("button");
+  await expect(film.filter({ hasText: "broken" })).toHaveCount(7);
+  await expect(film.filter({ hasText: "whole" })).toHaveCount(2);
+});
+
+test("Figure 5 breaks where Figure 6 holds", async ({ page }) => {
+  await open(page, "5");
+  const broken = page.getByRole("main").getByRole("button").filter({ hasText: "broken" });
+  await expect(broken).toHaveCount(7);
+  await page.getByRole("navigation", { name: "Figures" }).getByRole("link", { name: "Figure 6" }).click();
+  await expect(page.getByText(/none of \d+ moments is/)).toBeVisible({ timeout: 30_000 });
+  await expect(page.getByRole("main").getByRole("button").filter({ hasText: "whole" })).toHaveCount(10);
+  await expect(broken).toHaveCount(0);
+});
+
+test("Figure 7 says what lies under the ring", async ({ page }) => {
+  await open(page, "7");
+  const turn = page.getByRole("slider", { name: "u, turn and stretch" });
+  await expect(turn).toHaveAttribute("aria-valuetext", /2 pieces/);
+  await turn.press("Home");
+  await expect(turn).toHaveAttribute("aria-valuetext", /In one piece/);
+  await expect(page.getByText("all computed")).toBeVisible({ timeout: 30_000 });
+});
+
+test("Table 1 measures, stops and goes on", async ({ page }) => {
+  await open(page, "table-1");
+  await page.getByRole("button", { name: "Stop" }).click();
+  await expect(page.getByText(/^stopped after/).first()).toBeVisible();
+  await page.getByRole("radio", { name: "100 000", exact: true }).check();
+  await expect(page.getByText(/^\d+ buffers in/).first()).toBeVisible({ timeout: 45_000 });
+  const row = page.getByRole("row", { name: /^75 × 75/ });
+  await expect(row).toContainText("0.47850");
+  const [, middle] = /0\.47850\s*(0\.\d+)/.exec((await row.textContent()) ?? "") ?? [];
+  expect(Number(middle)).toBeGreaterThan(0.4785);
+  expect(Number(middle)).toBeLessThan(0.5);
+});
