@@ -298,12 +298,19 @@ mod tests {
     }
 
     #[test]
-    fn a_close_view_is_as_complete_as_a_far_one() {
-        // Near the tip of the dragon's curve, a million times as large.
-        let view = View { x: 1.0e-7, y: 2.0e-7, scale: 2.0e8 };
-        let (plan, found) = compare("dragon", Some(view), Detail::LADDER[3]);
-        assert!(plan.exact && found.lit > 1000, "{}", found.lit);
-        assert!(found.missed * 200 < found.lit && found.extra * 500 < found.lit, "{}", found.missed);
+    fn close_views_are_as_complete_as_far_ones() {
+        // The fern's stems are singular maps: there most of the pieces lie side by side.
+        for (name, zoom) in [("dragon", 1e6), ("fern", 1e2), ("fern", 1e5), ("gasket", 1e9)] {
+            let ifs = ifs(name);
+            let frame = Frame::of(&ifs);
+            let at = frame.to_world.apply(frame.anchor);
+            let fit = View::fit(&Hull::of(&ifs), WINDOW.width, WINDOW.height, 0.05);
+            let view = View { x: at.x, y: at.y, scale: fit.scale * zoom };
+            let (plan, found) = compare(name, Some(view), Detail::LADDER[2]);
+            assert!(plan.exact && found.lit > 200, "{name} {zoom}: {}", found.lit);
+            assert!(found.missed * 50 < found.lit, "{name} {zoom}: {} of {} missed", found.missed, found.lit);
+            assert!(found.extra * 100 < found.lit, "{name} {zoom}: {} too many", found.extra);
+        }
     }
 
     #[test]

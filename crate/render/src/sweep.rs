@@ -85,6 +85,8 @@ impl Canvas {
 /// Visits before overlap is suspected, for each pixel of the window and at most, and those allowed for each
 /// lit pixel: plain shapes take 5 to 100.
 const PATIENCE: (u64, u64) = (8, 100_000);
+/// Where the window shows a small part only, it takes a while to find anything in it.
+const CLOSE_PATIENCE: u64 = 2_000_000;
 const VISITS_A_PIXEL: u64 = 400;
 /// Points a probe draws before the budget is looked at again.
 const PORTION: u64 = 4096;
@@ -160,7 +162,12 @@ impl Sweep {
     /// The same without going over to a probe.
     pub(crate) fn walk(&mut self, budget: u64, mut light: impl FnMut(Hit)) -> Walk {
         let end = self.visited.saturating_add(budget);
-        let patience = (PATIENCE.0 * self.canvas.lit.window().area() as u64).clamp(2000, PATIENCE.1);
+        let window = self.canvas.lit.window();
+        let whole = 2.0 * f64::from(window.width.max(window.height));
+        let patience = match window.extent(&self.root.map) {
+            Some(extent) if extent.size > whole => CLOSE_PATIENCE,
+            _ => (PATIENCE.0 * window.area() as u64).clamp(2000, PATIENCE.1),
+        };
         while self.visited < end {
             let Some(node) = self.stack.pop() else { return Walk::Complete };
             self.visited += 1;

@@ -53,7 +53,7 @@ const MOST_POINTS: u64 = 32_000_000;
 /// Visits of a sweep in each frame: some milliseconds. Twice that where nothing else is to be done.
 const VISITS: u64 = 150_000;
 /// How fine sweeps are, in pixels of what is drawn to: at once, and when complete.
-const SWEEPS: (f64, f64) = (0.5, 0.25);
+const SWEEPS: (f64, f64) = (0.5, 0.125);
 /// The most halvings of the number of pixels each way in a picture that is made at once.
 const HALVINGS: u32 = 4;
 

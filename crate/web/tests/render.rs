@@ -1,0 +1,451 @@
+//! What the graphics card draws: each shader against its twin, and complete pictures against the ones that
+//! are swept on the processor, on both backends.
+#![cfg(target_arch = "wasm32")]
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may fail so")]
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use frond_core::{Affine2, Hull, Ifs};
+use frond_render::gpu::{Canvas, Event, Gpu, Stage, Style, Wanted};
+use frond_render::{
+    Colouring, Density, Detail, Frame, Look, Plan, RasterOptions, View, Window, rasterize, resolve_codes,
+    resolve_density, to_bytes,
+};
+use js_sys::{Function, Object, Promise, Reflect, Uint8Array, global};
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::JsFuture;
+use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
+use web_sys::OffscreenCanvas;
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+const WINDOW: Window = Window { width: 150, height: 100 };
+const BACKENDS: [Wanted; 2] = [Wanted::WebGl2, Wanted::WebGpu];
+/// More points than any of the pictures has.
+const PLENTY: u64 = 100_000_000;
+
+type Events = Rc<RefCell<Vec<Event>>>;
+
+/// A stage of the backend, and what happens to it. `None` where the browser has no such backend, which may be
+/// so with WebGPU only.
+async fn stage(wanted: Wanted, software: bool) -> Option<(Stage, Events)> {
+    let canvas = Canvas::Offscreen(OffscreenCanvas::new(WINDOW.width, WINDOW.height).unwrap());
+    let events = Events::default();
+    let heard = Rc::clone(&events);
+    let listener = Rc::new(move |event: &Event| heard.borrow_mut().push(event.clone()));
+    let mut gpu = match Gpu::open(&canvas, wanted, listener).await {
+        Ok(gpu) => gpu,
+        Err(error) if wanted == Wanted::WebGpu && !has_webgpu().await => {
+            console_log!("not tested on WebGPU: {error}");
+            return None;
+        }
+        Err(error) => panic!("{wanted:?}: {error}"),
+    };
+    let backend = if wanted == Wanted::WebGpu { "webgpu" } else { "webgl2" };
+    assert_eq!(gpu.backend, backend);
+    console_log!("{backend}: {}", gpu.description);
+    // The processor stands in for a graphics card here, and would be spared drawing points.
+    gpu.software = software;
+    Some((Stage::new(gpu), events))
+}
+
+async fn has_webgpu() -> bool {
+    let adapter = async || -> Result<JsValue, JsValue> {
+        let gpu = Reflect::get(&Reflect::get(&global(), &"navigator".into())?, &"gpu".into())?;
+        let request: Function = Reflect::get(&gpu, &"requestAdapter".into())?.dyn_into()?;
+        JsFuture::from(request.call0(&gpu)?.dyn_into::<Promise>()?).await
+    };
+    adapter().await.is_ok_and(|adapter| adapter.is_object())
+}
+
+async fn pause() {
+    let mut wait = |resolve: Function, _| {
+        let timer: Function = Reflect::get(&global(), &"setTimeout".into()).unwrap().dyn_into().unwrap();
+        timer.call2(&JsValue::UNDEFINED, &resolve, &1.into()).unwrap();
+    };
+    JsFuture::from(Promise::new(&mut wait)).await.unwrap();
+}
+
+async fn pixels(stage: &Stage) -> Vec<u8> {
+    let read = stage.read().unwrap();
+    loop {
+        if let Some(picture) = read.take() {
+            return picture.unwrap();
+        }
+        pause().await;
+    }
+}
+
+fn similitude(scale: f64, degrees: f64, e: f64, f: f64) -> Affine2 {
+    Affine2::similitude(scale, degrees.to_radians(), glam::DVec2::new(e, f))
+}
+
+fn shape(name: &str) -> Ifs {
+    let s = 0.5_f64.sqrt();
+    Ifs::new(match name {
+        "gasket" => [[0.0, 0.0], [0.5, 0.0], [0.25, 0.433]].map(|[e, f]| similitude(0.5, 0.0, e, f)).to_vec(),
+        "dragon" => vec![similitude(s, 45.0, 0.0, 0.0), similitude(s, 135.0, 1.0, 0.0)],
+        "fern" => [
+            [0.0, 0.0, 0.0, 0.16, 0.0, 0.0],
+            [0.85, 0.04, -0.04, 0.85, 0.0, 1.6],
+            [0.2, -0.26, 0.23, 0.22, 0.0, 1.6],
+            [-0.15, 0.28, 0.26, 0.24, 0.0, 0.44],
+        ]
+        .map(Affine2::from_row)
+        .to_vec(),
+        "overlap" => vec![similitude(0.9, 0.0, 0.0, 0.0), similitude(0.9, 40.0, 0.1, 0.0)],
+        _ => panic!("no shape is called {name}"),
+    })
+    .unwrap()
+}
+
+struct Subject {
+    ifs: Ifs,
+    frame: Frame,
+    view: View,
+}
+
+fn subject(name: &str) -> Subject {
+    let ifs = shape(name);
+    let hull = Hull::of(&ifs);
+    let frame = Frame::within(&ifs, &hull);
+    Subject { view: View::fit(&hull, WINDOW.width, WINDOW.height, 0.05), frame, ifs }
+}
+
+fn style(colouring: Colouring) -> Style {
+    Style { colouring, ..Style::default() }
+}
+
+/// Puts a subject on a stage and makes the first picture.
+fn show(stage: &mut Stage, subject: &Subject, colouring: Colouring, pixel_ratio: f64, budget: u64) -> u64 {
+    stage.resize(WINDOW.width, WINDOW.height, pixel_ratio);
+    stage.set_ifs(&subject.ifs);
+    assert!(stage.set_view(subject.view));
+    stage.set_style(style(colouring));
+    stage.draw(budget).points
+}
+
+fn settle(stage: &mut Stage) -> frond_render::gpu::Drawn {
+    for _ in 0..1000 {
+        let drawn = stage.draw(PLENTY);
+        if drawn.settled {
+            return drawn;
+        }
+    }
+    panic!("it does not come to an end");
+}
+
+/// The whole picture by a function of its pixels.
+fn picture(pixel: impl Fn([i32; 2]) -> [f32; 4]) -> Vec<u8> {
+    let rows = 0..WINDOW.height as i32;
+    rows.flat_map(|y| (0..WINDOW.width as i32).map(move |x| [x, y]))
+        .flat_map(|at| to_bytes(pixel(at)))
+        .collect()
+}
+
+/// Fails unless all but a few pixels are the same to `tolerance`, and the picture shows something.
+fn assert_same(what: &str, seen: &[u8], expected: &[u8], tolerance: u8) {
+    assert_eq!(seen.len(), expected.len(), "{what}");
+    let pixels = || seen.chunks_exact(4).zip(expected.chunks_exact(4));
+    let lit = pixels().filter(|(_, b)| b[3] > 0).count();
+    let dark = pixels().filter(|(a, _)| a[3] == 0).count();
+    assert!(lit > 500 && dark > 500, "{what}: {lit} lit, {dark} dark: this tests nothing");
+    let differs = |a: &[u8], b: &[u8]| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > tolerance);
+    let wrong = pixels().filter(|(a, b)| differs(a, b)).count();
+    // Rounding may carry a point on an edge over it.
+    assert!(wrong * 200 <= lit, "{what}: {wrong} of {lit} pixels differ");
+}
+
+fn assert_no_fault(events: &Events) {
+    assert_eq!(*events.borrow(), [], "nothing may go wrong");
+}
+
+/// What the shaders should make of a plan, by their twins.
+fn by_twins(subject: &Subject, colouring: Colouring, factor: f64, plan: &Plan) -> Vec<u8> {
+    let side = |pixels: u32| (f64::from(pixels) * factor).ceil() as u32;
+    let target = Window { width: side(WINDOW.width), height: side(WINDOW.height) };
+    let mut codes = vec![0_u32; target.area()];
+    for batch in &plan.batches {
+        let range = |range: &std::ops::Range<u32>| range.start as usize..range.end as usize;
+        for instance in &plan.instances[range(&batch.instances)] {
+            for vertex in &plan.vertices[range(&batch.vertices)] {
+                if let Some((x, y)) = instance.place(vertex, target) {
+                    let pixel = &mut codes[(y * target.width + x) as usize];
+                    *pixel = (*pixel).max(instance.code(vertex));
+                }
+            }
+        }
+    }
+    let mut look = Look::new(colouring, &[], subject.ifs.len());
+    look.source = [target.width as i32, target.height as i32];
+    look.factor = factor as f32;
+    picture(|at| resolve_codes(&look, &codes, at))
+}
+
+fn plan(subject: &Subject, factor: f64) -> Plan {
+    let side = |pixels: u32| (f64::from(pixels) * factor).ceil() as u32;
+    let target = Window { width: side(WINDOW.width), height: side(WINDOW.height) };
+    let mut plan = Plan::default();
+    let to_target = subject.view.onto_target(subject.frame.to_world, WINDOW, factor);
+    plan.make(&subject.frame, to_target, target, Detail::LADDER[0]);
+    plan
+}
+
+#[wasm_bindgen_test]
+async fn points_and_their_colours_are_those_of_the_twins() {
+    for wanted in BACKENDS {
+        let Some((mut stage, events)) = stage(wanted, false).await else { continue };
+        for name in ["gasket", "dragon", "fern"] {
+            let subject = subject(name);
+            for colouring in [Colouring::Map, Colouring::Address] {
+                for (pixel_ratio, factor) in [(1.0, 2.0), (2.0, 1.0)] {
+                    let what = format!("{name} {wanted:?} {colouring:?} {factor}");
+                    let points = show(&mut stage, &subject, colouring, pixel_ratio, PLENTY);
+                    let plan = plan(&subject, factor);
+                    assert_eq!(points, plan.points(), "{what}");
+                    let expected = by_twins(&subject, colouring, factor, &plan);
+                    assert_same(&what, &pixels(&stage).await, &expected, 1);
+                }
+            }
+        }
+        assert_no_fault(&events);
+    }
+}
+
+#[wasm_bindgen_test]
+async fn a_small_budget_gives_a_whole_picture_of_fewer_pixels() {
+    for wanted in BACKENDS {
+        let Some((mut stage, events)) = stage(wanted, false).await else { continue };
+        let subject = subject("dragon");
+        let points = show(&mut stage, &subject, Colouring::Map, 2.0, 20_000);
+        assert!(points <= 20_000, "{points}");
+        let factor = [0.5, 0.25, 0.125].into_iter().find(|factor| plan(&subject, *factor).points() == points);
+        let factor = factor.unwrap();
+        let expected = by_twins(&subject, Colouring::Map, factor, &plan(&subject, factor));
+        assert_same(&format!("{wanted:?}"), &pixels(&stage).await, &expected, 2);
+        assert!(!stage.draw(20_000).complete);
+        assert_no_fault(&events);
+    }
+}
+
+#[wasm_bindgen_test]
+async fn densities_are_those_of_the_twins() {
+    for wanted in BACKENDS {
+        for software in [false, true] {
+            let Some((mut stage, events)) = stage(wanted, software).await else { continue };
+            let subject = subject("fern");
+            let budget = 100_000;
+            show(&mut stage, &subject, Colouring::Density, 1.0, budget);
+            let drawn = settle(&mut stage);
+            assert!(drawn.complete);
+            let seen = pixels(&stage).await;
+            // The same pieces and samples, as often.
+            let samples = (budget as usize / (2 * 384)).clamp(32, 2048);
+            let mut density = Density::new(&subject.frame, subject.view, WINDOW, 384, samples);
+            let mut look = Look::new(Colouring::Density, &[], subject.ifs.len());
+            let mut sums = vec![[0.0; 4]; WINDOW.area()];
+            let (mut points, mut passes, mut scratch) = (0, 0.0, Vec::new());
+            while points < drawn.points {
+                points += density.accumulate(&subject.frame, &look, WINDOW, &mut scratch, &mut sums) as u64;
+                passes += 1.0;
+            }
+            assert_eq!(points, drawn.points);
+            look.source = [WINDOW.width as i32, WINDOW.height as i32];
+            look.gain = 1.0 / passes;
+            let expected = picture(|at| resolve_density(&look, &sums, at));
+            // Half floats keep eleven bits, and lose a little with each sum.
+            assert_same(&format!("{wanted:?} software {software}"), &seen, &expected, 6);
+            assert_no_fault(&events);
+        }
+    }
+}
+
+/// Shares of lit pixels that one picture has and the other has not.
+fn disagreement(seen: &[u8], truth: &[u8]) -> (f64, f64) {
+    let pixels = || seen.chunks_exact(4).zip(truth.chunks_exact(4));
+    let lit = pixels().filter(|(_, b)| b[3] > 0).count() as f64;
+    let missed = pixels().filter(|(a, b)| a[3] == 0 && b[3] > 0).count() as f64;
+    let extra = pixels().filter(|(a, b)| a[3] > 0 && b[3] == 0).count() as f64;
+    (missed / lit, extra / lit)
+}
+
+#[wasm_bindgen_test]
+async fn at_rest_the_picture_is_complete() {
+    for wanted in BACKENDS {
+        let Some((mut stage, events)) = stage(wanted, false).await else { continue };
+        for name in ["gasket", "dragon", "fern"] {
+            for zoom in [1.0, 1e6] {
+                let mut subject = subject(name);
+                if zoom > 1.0 {
+                    // Close to a point of the shape.
+                    let anchor = subject.frame.to_world.apply(subject.frame.anchor);
+                    subject.view = View { x: anchor.x, y: anchor.y, scale: subject.view.scale * zoom };
+                }
+                show(&mut stage, &subject, Colouring::Map, 1.0, PLENTY);
+                let drawn = settle(&mut stage);
+                assert!(drawn.complete && drawn.points > 1000, "{name} {wanted:?} {drawn:?}");
+                let options = RasterOptions {
+                    width: WINDOW.width,
+                    height: WINDOW.height,
+                    view: Some(subject.view),
+                    ..RasterOptions::default()
+                };
+                let truth = rasterize(&subject.ifs, &options).unwrap();
+                let (missed, extra) = disagreement(&pixels(&stage).await, &truth);
+                assert!(missed < 0.005 && extra < 0.005, "{name} {wanted:?} x{zoom}: {missed} {extra}");
+            }
+        }
+        assert_no_fault(&events);
+    }
+}
+
+#[wasm_bindgen_test]
+async fn swept_pictures_are_those_of_the_processor() {
+    for wanted in BACKENDS {
+        for (name, software) in [("dragon", true), ("overlap", true), ("overlap", false)] {
+            let Some((mut stage, events)) = stage(wanted, software).await else { continue };
+            let subject = subject(name);
+            show(&mut stage, &subject, Colouring::Map, 1.0, 1_000_000);
+            let drawn = settle(&mut stage);
+            // Words explode: what is shown is whole, but not known to be.
+            assert_eq!(drawn.complete, name == "dragon", "{drawn:?}");
+            let options = RasterOptions {
+                width: WINDOW.width,
+                height: WINDOW.height,
+                view: Some(subject.view),
+                ..RasterOptions::default()
+            };
+            let truth = rasterize(&subject.ifs, &options).unwrap();
+            assert_same(&format!("{name} {wanted:?}"), &pixels(&stage).await, &truth, 1);
+            assert_no_fault(&events);
+        }
+    }
+}
+
+#[wasm_bindgen_test]
+async fn a_change_of_colours_needs_no_new_points() {
+    for wanted in BACKENDS {
+        let Some((mut stage, events)) = stage(wanted, false).await else { continue };
+        let subject = subject("gasket");
+        show(&mut stage, &subject, Colouring::Map, 2.0, PLENTY);
+        settle(&mut stage);
+        stage.set_style(Style { palette: vec![[255, 0, 0]], ..style(Colouring::Map) });
+        assert!(stage.draw(10_000).complete, "it is still the complete picture");
+        let seen = pixels(&stage).await;
+        let lit: Vec<_> = seen.chunks_exact(4).filter(|pixel| pixel[3] > 0).collect();
+        assert!(lit.len() > 500 && lit.iter().all(|pixel| **pixel == [255, 0, 0, 255]));
+        assert_no_fault(&events);
+    }
+}
+
+#[wasm_bindgen_test]
+async fn views_that_are_none_and_canvases_of_no_size_draw_nothing() {
+    for wanted in BACKENDS {
+        let Some((mut stage, events)) = stage(wanted, false).await else { continue };
+        assert!(stage.draw(PLENTY).settled && stage.read().is_none(), "nothing was set yet");
+        let subject = subject("gasket");
+        show(&mut stage, &subject, Colouring::Map, 1.0, PLENTY);
+        let before = pixels(&stage).await;
+        for scale in [f64::NAN, 0.0, -1.0, f64::INFINITY] {
+            assert!(!stage.set_view(View { x: 0.0, y: 0.0, scale }));
+        }
+        settle(&mut stage);
+        assert!(disagreement(&before, &pixels(&stage).await).0 < 0.1, "the last view stays");
+        stage.resize(0, 50, 1.0);
+        assert!(stage.draw(PLENTY).settled && stage.read().is_none());
+        stage.resize(WINDOW.width, WINDOW.height, 1.0);
+        assert!(!stage.draw(PLENTY).settled);
+        stage.resize(1_000_000, 4, 1.0);
+        stage.draw(PLENTY);
+        assert_no_fault(&events);
+    }
+}
+
+fn get(value: &JsValue, key: &str) -> JsValue {
+    Reflect::get(value, &key.into()).unwrap()
+}
+
+fn canvas() -> JsValue {
+    js_sys::eval("document.createElement('canvas')").unwrap()
+}
+
+#[wasm_bindgen_test]
+async fn a_lost_device_is_told_once_and_another_draws_the_same() {
+    for wanted in BACKENDS {
+        if wanted == Wanted::WebGpu && !has_webgpu().await {
+            continue;
+        }
+        let backend = if wanted == Wanted::WebGpu { "webgpu" } else { "webgl2" };
+        let heard = Rc::new(RefCell::new(Vec::new()));
+        let listener = Rc::clone(&heard);
+        let on_lost = Closure::<dyn Fn(String)>::new(move |reason| listener.borrow_mut().push(reason));
+        let options = Object::new();
+        Reflect::set(&options, &"backend".into(), &backend.into()).unwrap();
+        Reflect::set(&options, &"onLost".into(), on_lost.as_ref()).unwrap();
+        let set_up = async || {
+            let mut renderer = frond_web::Renderer::create(canvas(), options.clone().into()).await.unwrap();
+            assert_eq!(renderer.backend(), backend);
+            renderer.resize(WINDOW.width, WINDOW.height, Some(2.0));
+            let rows: Vec<f64> = shape("gasket").maps().iter().flat_map(|map| map.to_row()).collect();
+            renderer.set_ifs(&rows, None).unwrap();
+            renderer.set_view(0.5, 0.4, 90.0).unwrap();
+            while get(&renderer.draw(1e7), "settled") != JsValue::TRUE {}
+            renderer
+        };
+        let picture = async |renderer: &frond_web::Renderer| -> Result<Vec<u8>, JsValue> {
+            Ok(JsFuture::from(renderer.read_pixels()).await?.unchecked_into::<Uint8Array>().to_vec())
+        };
+        let mut first = set_up().await;
+        let before = picture(&first).await.unwrap();
+        assert!(before.chunks_exact(4).filter(|pixel| pixel[3] > 0).count() > 500);
+        first.force_loss();
+        // All calls are allowed, and do nothing.
+        first.resize(30, 30, None);
+        first.set_view(0.0, 0.0, 1.0).unwrap();
+        let drawn = first.draw(1e6);
+        assert_eq!((get(&drawn, "complete"), get(&drawn, "settled")), (JsValue::FALSE, JsValue::TRUE));
+        assert!(picture(&first).await.is_err());
+        for _ in 0..30 {
+            pause().await;
+        }
+        assert_eq!(heard.borrow().len(), 1, "{:?}", heard.borrow());
+        let second = set_up().await;
+        drop(first);
+        assert_eq!(picture(&second).await.unwrap(), before);
+        drop(second);
+        for _ in 0..10 {
+            pause().await;
+        }
+        assert_eq!(heard.borrow().len(), 1, "letting go of a device is no loss");
+    }
+}
+
+#[wasm_bindgen_test]
+async fn what_is_no_canvas_and_what_are_no_maps_is_refused() {
+    let code = |error: JsValue| get(&error, "code").as_string().unwrap();
+    for nothing in [JsValue::UNDEFINED, 5.into(), Object::new().into()] {
+        let refused = frond_web::Renderer::create(nothing, JsValue::UNDEFINED).await;
+        assert_eq!(code(refused.err().unwrap()), "bad-input");
+    }
+    // A canvas that has another context already.
+    let taken = canvas();
+    let get_context: Function = get(&taken, "getContext").unchecked_into();
+    get_context.call1(&taken, &"2d".into()).unwrap();
+    let options = js_sys::JSON::parse("{\"backend\": \"webgl2\"}").unwrap();
+    let refused = frond_web::Renderer::create(taken, options.clone()).await;
+    assert_eq!(code(refused.err().unwrap()), "no-gpu");
+    let mut renderer = frond_web::Renderer::create(canvas(), options).await.unwrap();
+    let refused = |result: Result<(), JsValue>| code(result.err().unwrap());
+    assert_eq!(refused(renderer.set_ifs(&[0.5; 5], None)), "bad-input");
+    assert_eq!(refused(renderer.set_ifs(&[], None)), "no-maps");
+    assert_eq!(refused(renderer.set_ifs(&[1.0, 0.0, 0.0, 1.0, 0.0, 0.0], None)), "no-attractor");
+    assert_eq!(
+        refused(renderer.set_ifs(&[0.5, 0.0, 0.0, 0.5, 0.0, 0.0], Some(vec![1.0; 2]))),
+        "probabilities"
+    );
+    assert_eq!(refused(renderer.set_view(0.0, 0.0, 0.0)), "bad-input");
+    let style = js_sys::JSON::parse("{\"palette\": [\"red\"]}").unwrap();
+    assert_eq!(refused(renderer.set_style(style)), "bad-input");
+    assert!(JsFuture::from(renderer.read_pixels()).await.is_err());
+}
