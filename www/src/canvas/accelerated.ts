@@ -1,7 +1,7 @@
 import type { MapRow } from "../engine/api";
 import type { Renderer, RenderStyle } from "../engine/wasm";
 import type { View } from "./geometry";
-import type { Pixels, Surface } from "./surface";
+import type { Drawn, Pixels, Surface } from "./surface";
 
 /** The renderer of the Rust side, in the page's units. */
 export class Accelerated implements Surface {
@@ -31,9 +31,8 @@ export class Accelerated implements Surface {
     this.#renderer.resize(width, height);
   }
 
-  draw(budget: number): { complete: boolean; points: number } {
-    const { complete, points } = this.#renderer.draw(Math.round(budget));
-    return { complete, points };
+  draw(budget: number): Drawn {
+    return this.#renderer.draw(Math.round(budget));
   }
 
   async pixels(): Promise<Pixels> {

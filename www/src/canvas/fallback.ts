@@ -4,7 +4,7 @@ import { submit } from "../engine/engine";
 import { type Channel, type Job, single } from "../engine/protocol";
 import { frond, type RenderStyle } from "../engine/wasm";
 import type { View } from "./geometry";
-import type { Pixels, Surface } from "./surface";
+import type { Drawn, Pixels, Surface } from "./surface";
 
 const KEYS = ["maps", "view", "style", "width", "height"] as const;
 
@@ -53,16 +53,17 @@ export class Fallback implements Surface {
     this.#wanted = { ...this.#wanted, width, height };
   }
 
-  draw(_budget: number): { complete: boolean; points: number } {
+  draw(_budget: number): Drawn {
     const { maps, view, style, width, height } = this.#wanted;
-    if (!maps || !view || !style || !width || !height) return { complete: true, points: 0 };
+    if (!maps || !view || !style || !width || !height) return { complete: true, settled: true, points: 0 };
     const asked = this.#asked;
     const request: Request = { maps, view, style, width, height };
     if (!asked || KEYS.some((key) => asked[key] !== request[key])) {
       this.#asked = request;
       this.#queue.request(() => this.#job(request, COARSE));
     }
-    return { complete: this.#arrived === this.#asked, points: 0 };
+    const complete = this.#arrived === this.#asked;
+    return { complete, settled: complete, points: 0 };
   }
 
   #job(request: Request, coarse: number): Job<"picture"> {

@@ -11,7 +11,10 @@ export type PainterBackend = Backend | "canvas";
 
 export interface PainterState {
   backend: PainterBackend | null;
+  /** Every pixel that holds a piece of the attractor is lit. */
   complete: boolean;
+  /** What is shown is as good as it gets, and nothing is being drawn. */
+  settled: boolean;
   points: number;
   /** The maps have no attractor, so there is nothing to see. */
   empty: boolean;
@@ -38,6 +41,8 @@ const PATIENCE_MS = 30_000;
 const MOST_LOSSES = 3;
 const LEAST_BUDGET = 20_000;
 const MOST_BUDGET = 8_000_000;
+const SOON_MS = 18;
+const LATE_MS = 30;
 
 /**
  * Keeps one canvas showing what it is told to, and draws only when there is something new to draw. A lost device costs
@@ -52,10 +57,10 @@ export class Painter {
   #wanted: Wanted | null = null;
   #given: Partial<Wanted> = {};
   #empty = false;
-  #state: PainterState = { backend: null, complete: false, points: 0, empty: false };
+  #state: PainterState = { backend: null, complete: false, settled: false, points: 0, empty: false };
   #frame = 0;
   #budget = 200_000;
-  #last = 0;
+  #asked = 0;
   #losses: number[] = [];
   #closed = false;
 
@@ -67,7 +72,7 @@ export class Painter {
 
   show(wanted: Wanted): void {
     this.#wanted = wanted;
-    this.#set({ complete: false });
+    this.#set({ complete: false, settled: false });
     this.#schedule();
   }
 
@@ -140,7 +145,7 @@ export class Painter {
     this.#losses.push(performance.now());
     this.#renderer = null;
     this.#surface = null;
-    this.#set({ complete: false });
+    this.#set({ complete: false, settled: false });
     notify({
       kind: "info",
       text: `The graphics device was lost (${reason}); the picture has been drawn anew.`,
@@ -157,31 +162,30 @@ export class Painter {
 
   #schedule(): void {
     if (this.#frame || this.#closed || !this.#surface || !this.#wanted) return;
-    this.#frame = requestAnimationFrame((now) => this.#draw(now));
+    this.#asked = performance.now();
+    this.#frame = requestAnimationFrame(() => this.#draw());
   }
 
-  #draw(now: number): void {
+  #draw(): void {
     this.#frame = 0;
     const surface = this.#surface;
     if (!surface || !this.#wanted || this.#wanted.width === 0 || this.#wanted.height === 0) return;
-    const since = now - this.#last;
-    this.#last = now;
-    this.#adapt(since);
+    this.#adapt(performance.now() - this.#asked);
     this.#give(surface, this.#wanted);
     if (this.#empty) {
-      this.#set({ complete: true, points: 0, empty: true });
+      this.#set({ complete: true, settled: true, points: 0, empty: true });
       return;
     }
-    const { complete, points } = surface.draw(this.#budget);
-    this.#set({ complete, points, empty: false });
-    if (!complete) this.#schedule();
+    const { complete, settled, points } = surface.draw(this.#budget);
+    this.#set({ complete, settled, points, empty: false });
+    if (!settled) this.#schedule();
   }
 
-  /** More points a frame while frames are quick, fewer when one was late. */
-  #adapt(since: number): void {
-    if (since > 250) return;
-    if (since > 30) this.#budget = Math.max(LEAST_BUDGET, this.#budget * 0.7);
-    else if (since < 18) this.#budget = Math.min(MOST_BUDGET, this.#budget * 1.15);
+  /** More points a frame while frames come soon after they are asked for, fewer when one is late. */
+  #adapt(waited: number): void {
+    if (waited > LATE_MS)
+      this.#budget = Math.max(LEAST_BUDGET, this.#budget * (waited > 3 * LATE_MS ? 0.4 : 0.7));
+    else if (waited < SOON_MS) this.#budget = Math.min(MOST_BUDGET, this.#budget * 1.15);
   }
 
   #give(surface: Surface, wanted: Wanted): void {

@@ -12,7 +12,13 @@ import { followFit } from "./view";
 import { linkView } from "./view-link";
 
 /** What the main picture is up to. */
-export const picture = signal<PainterState>({ backend: null, complete: false, points: 0, empty: false });
+export const picture = signal<PainterState>({
+  backend: null,
+  complete: false,
+  settled: false,
+  points: 0,
+  empty: false,
+});
 export const mainPainter = signal<Painter | null>(null);
 
 const comparing = computed(() => scene.value.compare && selection.value === null);

@@ -9,6 +9,14 @@ export interface Pixels {
   data: Uint8ClampedArray;
 }
 
+export interface Drawn {
+  /** Every pixel that holds a piece of the attractor is lit. */
+  complete: boolean;
+  /** Drawing on would change nothing. */
+  settled: boolean;
+  points: number;
+}
+
 /** Something that fills a canvas with an attractor. Sizes are device pixels. */
 export interface Surface {
   readonly canvas: HTMLCanvasElement;
@@ -16,7 +24,7 @@ export interface Surface {
   setView(view: View, ratio: number): void;
   setStyle(style: RenderStyle): void;
   resize(width: number, height: number): void;
-  draw(budget: number): { complete: boolean; points: number };
+  draw(budget: number): Drawn;
   pixels(): Promise<Pixels>;
   free(): void;
 }

@@ -42,12 +42,12 @@ export interface Renderer {
   readonly backend: Backend;
   /** The adapter's own words. */
   readonly description: string;
-  resize(width: number, height: number): void;
+  resize(width: number, height: number, pixelRatio?: number): void;
   /** Six numbers a map. Throws a `FrondError` when they have no attractor. */
   setIfs(maps: Float64Array, probabilities?: Float64Array): void;
   setView(x: number, y: number, scale: number): void;
   setStyle(style: RenderStyle): void;
-  draw(budget: number): { complete: boolean; points: number };
+  draw(budget: number): { complete: boolean; settled: boolean; points: number };
   /** RGBA of the last picture, row 0 on top. */
   readPixels(): Promise<Uint8Array>;
   forceLoss(): void;

@@ -60,7 +60,7 @@ async function twin(): Promise<Pixels> {
 }
 
 function drawn(): boolean {
-  return picture.value.complete;
+  return picture.value.settled;
 }
 
 function idle(): boolean {
