@@ -12,8 +12,8 @@ export function whenFirstPicture(): Promise<void> {
   return new Promise((resolve) => {
     const timer = setTimeout(resolve, PATIENCE_MS);
     const stop = effect(() => {
-      const { backend, points, settled, empty } = picture.value;
-      const drawn = points > 0 || (settled && empty) || backend === "canvas";
+      const { backend, points, settled, empty, preview } = picture.value;
+      const drawn = preview || points > 0 || (settled && empty) || backend === "canvas";
       if (!drawn && route.value.page === "studio") return;
       clearTimeout(timer);
       // After the frame that holds the picture.

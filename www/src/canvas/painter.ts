@@ -1,10 +1,12 @@
 import type { MapRow } from "../engine/api";
 import type { Channel } from "../engine/protocol";
-import { type Backend, frond, type Renderer, type RenderStyle } from "../engine/wasm";
+import { createRenderer } from "../engine/renderer";
+import type { Backend, Renderer, RenderStyle } from "../engine/wasm";
 import { notify, wordsOf } from "../state/notice";
 import { Accelerated } from "./accelerated";
 import { Fallback } from "./fallback";
 import type { View } from "./geometry";
+import { Preview } from "./preview";
 import type { Pixels, Surface } from "./surface";
 
 export type PainterBackend = Backend | "canvas";
@@ -18,6 +20,8 @@ export interface PainterState {
   points: number;
   /** The maps have no attractor, so there is nothing to see. */
   empty: boolean;
+  /** A coarse picture stands in until the renderer is there. */
+  preview: boolean;
 }
 
 export interface PainterOptions {
@@ -57,7 +61,16 @@ export class Painter {
   #wanted: Wanted | null = null;
   #given: Partial<Wanted> = {};
   #empty = false;
-  #state: PainterState = { backend: null, complete: false, settled: false, points: 0, empty: false };
+  /** Until the first surface has drawn. */
+  #preview: Preview | null;
+  #state: PainterState = {
+    backend: null,
+    complete: false,
+    settled: false,
+    points: 0,
+    empty: false,
+    preview: false,
+  };
   #frame = 0;
   #budget = 200_000;
   #asked = 0;
@@ -67,12 +80,14 @@ export class Painter {
   constructor(host: HTMLElement, options: PainterOptions) {
     this.#host = host;
     this.#options = options;
+    this.#preview = new Preview(host);
     void this.#open();
   }
 
   show(wanted: Wanted): void {
     this.#wanted = wanted;
     this.#set({ complete: false, settled: false });
+    if (!this.#surface && this.#preview) this.#set({ preview: this.#preview.show(wanted) });
     this.#schedule();
   }
 
@@ -94,6 +109,7 @@ export class Painter {
     if (this.#frame) cancelAnimationFrame(this.#frame);
     this.#surface?.free();
     this.#canvas?.remove();
+    this.#preview?.close();
   }
 
   async #open(): Promise<void> {
@@ -106,7 +122,7 @@ export class Painter {
       try {
         let mine: Renderer | null = null;
         const onLost = (reason: string) => mine && this.#lost(mine, reason);
-        mine = await frond.Renderer.create(canvas, { backend, onLost });
+        mine = await createRenderer(canvas, { backend, onLost });
         this.#renderer = mine;
         surface = new Accelerated(mine, canvas);
         this.#set({ backend: mine.backend });
@@ -133,6 +149,11 @@ export class Painter {
     this.#schedule();
   }
 
+  #endPreview(): void {
+    this.#preview?.close();
+    this.#preview = null;
+  }
+
   #explain(problem: unknown): void {
     notify({
       kind: "info",
@@ -146,11 +167,11 @@ export class Painter {
     this.#renderer = null;
     this.#surface = null;
     this.#set({ complete: false, settled: false });
-    notify({
-      kind: "info",
-      text: `The graphics device was lost (${reason}); the picture has been drawn anew.`,
-    });
     void this.#open().then(() => {
+      notify({
+        kind: "info",
+        text: `The graphics device was lost (${reason}); the picture has been drawn anew.`,
+      });
       // Freed after its successor stands: its canvas shows the last picture until then.
       try {
         renderer.free();
@@ -174,10 +195,12 @@ export class Painter {
     this.#give(surface, this.#wanted);
     if (this.#empty) {
       this.#set({ complete: true, settled: true, points: 0, empty: true });
+      this.#endPreview();
       return;
     }
     const { complete, settled, points } = surface.draw(this.#budget);
     this.#set({ complete, settled, points, empty: false });
+    if (points > 0 || complete) this.#endPreview();
     if (!settled) this.#schedule();
   }
 

@@ -18,6 +18,7 @@ export const picture = signal<PainterState>({
   settled: false,
   points: 0,
   empty: false,
+  preview: false,
 });
 export const mainPainter = signal<Painter | null>(null);
 
