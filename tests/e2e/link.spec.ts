@@ -83,12 +83,13 @@ test("links that were given out still open", async ({ studio, page }) => {
       await page.evaluate((fragment) => {
         location.hash = fragment;
       }, link);
-      await studio.idle();
+      await studio.drawn();
       await expect(studio.alerts).toHaveCount(0);
       // A path that is planned here is written into the address; all else stays as it was sent.
       const sent = (hash: string) => (link.includes("&path=") ? hash : hash.replace(/&path=auto[^&]*/, ""));
       await expect(page).toHaveURL((url) => sent(url.hash) === `#${link}`);
-      expect((await studio.look()).lit).toBeGreaterThan(0);
+      // Where the link zooms in there may be nothing to see.
+      if (!link.includes("&view=")) expect((await studio.look()).lit).toBeGreaterThan(1000);
     });
   }
 });

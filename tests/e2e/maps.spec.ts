@@ -93,7 +93,6 @@ test("maps are added, copied, mirrored, taken away, and reset", async ({ studio,
   }
   await expect(page.getByRole("button", { name: "Remove this map" })).toBeDisabled();
   // One map is one point: there is a picture of it, and it is in one piece.
-  await studio.idle();
   await expect(studio.verdict).toHaveText(/In one piece/);
   await page.getByRole("button", { name: "Reset" }).click();
   expect((await studio.scene()).a.preset).toBe("gasket");

@@ -1,0 +1,42 @@
+import { expect, test } from "./fixture";
+
+test.use({ expected: [/context.*lost|device.*lost|CONTEXT_LOST|destroyed/i] });
+
+test("a lost device costs nothing but a notice", async ({ studio, page }, info) => {
+  await studio.open("a=dragon-3&b=gasket&path=straight&t=0.7");
+  const before = await studio.look();
+  await page.evaluate(() => window.frond?.forceLoss());
+  await expect(studio.toasts.getByRole("status")).toHaveCount(1);
+  await expect(studio.toasts).toContainText("The graphics device was lost");
+  expect(await studio.look()).toEqual(before);
+  expect(await page.evaluate(() => window.frond?.backend())).toBe(info.project.name);
+  await expect(studio.alerts).toHaveCount(0);
+  // It draws on as before.
+  await studio.time.press("End");
+  expect((await studio.look()).hash).not.toBe(before.hash);
+  expect(await studio.likeness()).toBeGreaterThanOrEqual(0.995);
+});
+
+test.describe("a device that is lost again and again", () => {
+  test.use({ expected: [/context.*lost|device.*lost|CONTEXT_LOST|destroyed|Multiple readback/i] });
+
+  test("is given up, and the picture stays", async ({ studio, page }) => {
+    await studio.open("a=dragon-3&b=gasket&path=straight&t=0.7");
+    const before = await studio.look();
+    for (let losses = 0; losses < 3; losses++) {
+      await page.evaluate(() => window.frond?.forceLoss());
+      await studio.idle();
+    }
+    await expect.poll(() => page.evaluate(() => window.frond?.backend())).toBe("canvas");
+    const after = await studio.look();
+    expect(Math.abs(after.lit - before.lit)).toBeLessThan(0.005 * before.lit);
+    expect(await page.getByRole("status").filter({ hasText: "lost" }).count()).toBeLessThanOrEqual(1);
+  });
+});
+
+test("without any graphics device there is a picture too", async ({ studio, page }) => {
+  await studio.open("a=dragon-3&b=gasket&path=straight&t=0.7", "?backend=canvas");
+  const look = await studio.look();
+  expect(await page.evaluate(() => window.frond?.backend())).toBe("canvas");
+  expect(look.lit).toBeGreaterThan(1000);
+});

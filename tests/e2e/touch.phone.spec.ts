@@ -1,0 +1,107 @@
+import type { CDPSession, Page } from "@playwright/test";
+import { expect, test } from "./fixture";
+
+/** A finger that is put down, moved and lifted, as the browser's own touch events. */
+class Finger {
+  readonly #session: CDPSession;
+
+  private constructor(session: CDPSession) {
+    this.#session = session;
+  }
+
+  static async of(page: Page): Promise<Finger> {
+    return new Finger(await page.context().newCDPSession(page));
+  }
+
+  async drag(from: { x: number; y: number }, to: { x: number; y: number }, steps = 6): Promise<void> {
+    await this.#send("touchStart", [from]);
+    for (let i = 1; i <= steps; i++) {
+      const s = i / steps;
+      await this.#send("touchMove", [{ x: from.x + s * (to.x - from.x), y: from.y + s * (to.y - from.y) }]);
+    }
+    await this.#send("touchEnd", []);
+  }
+
+  /** Two fingers that part from, or come to, the middle between them. */
+  async pinch(at: { x: number; y: number }, apart: number, then: number, steps = 6): Promise<void> {
+    const both = (d: number) => [
+      { x: at.x - d / 2, y: at.y },
+      { x: at.x + d / 2, y: at.y },
+    ];
+    await this.#send("touchStart", both(apart));
+    for (let i = 1; i <= steps; i++)
+      await this.#send("touchMove", both(apart + (i / steps) * (then - apart)));
+    await this.#send("touchEnd", []);
+  }
+
+  async #send(type: "touchStart" | "touchMove" | "touchEnd", points: { x: number; y: number }[]) {
+    await this.#session.send("Input.dispatchTouchEvent", {
+      type,
+      touchPoints: points.map((point, id) => ({ ...point, id })),
+    });
+  }
+}
+
+test("a way point is dragged with a finger: one step of undo", async ({ studio, page }) => {
+  await studio.open("a=dragon-3&b=gasket&path=drawn:0.2,0.8&t=0.5");
+  await studio.square.evaluate((square) => square.scrollIntoView({ block: "center" }));
+  const before = await studio.look();
+  const finger = await Finger.of(page);
+  await finger.drag(await studio.place(0.2, 0.8), await studio.place(0.6, 0.3));
+  const [point] = (await studio.scene()).path.points;
+  expect(point?.[0]).toBeCloseTo(0.6, 1);
+  expect(point?.[1]).toBeCloseTo(0.3, 1);
+  expect((await studio.look()).hash).not.toBe(before.hash);
+  await page.getByRole("button", { name: "Undo", exact: true }).tap();
+  expect((await studio.scene()).path.points).toEqual([[0.2, 0.8]]);
+  await expect(page.getByRole("button", { name: "Undo", exact: true })).toBeDisabled();
+});
+
+test("way points are added and taken away with a finger", async ({ studio, page }) => {
+  await studio.open("a=dragon-3&b=gasket&path=straight&t=0.5");
+  await page.getByRole("button", { name: "Add way point" }).tap();
+  expect((await studio.scene()).path).toEqual({ kind: "drawn", points: [[0.5, 0.5]] });
+  await page.getByRole("button", { name: "Remove this way point" }).tap();
+  expect((await studio.scene()).path.points).toEqual([]);
+});
+
+test("the picture is pinched and moved", async ({ studio, page }) => {
+  await studio.open("a=gasket&b=gasket");
+  const before = await studio.look();
+  const box = await page.getByRole("application").boundingBox();
+  if (!box) throw new Error("no stage");
+  const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  const finger = await Finger.of(page);
+  await finger.pinch(middle, 60, 180);
+  await expect(page.getByTestId("zoom")).toHaveText("×3.0");
+  const near = await studio.look();
+  expect(near.hash).not.toBe(before.hash);
+  await finger.drag(middle, { x: middle.x + 40, y: middle.y + 30 });
+  expect((await studio.look()).hash).not.toBe(near.hash);
+  await expect(page.getByTestId("zoom")).toHaveText("×3.0");
+  await page.getByRole("button", { name: "Fit to the stage" }).tap();
+  expect(await studio.look()).toEqual(before);
+});
+
+test("a parallelogram is dragged with a finger", async ({ studio, page }) => {
+  await studio.open("a=gasket&b=dragon-3");
+  await page.getByRole("button", { name: "Edit the maps of A" }).tap();
+  await studio.idle();
+  const { maps } = (await studio.scene()).a;
+  const grip = await page.getByRole("button", { name: /^Map 1, first side/ }).boundingBox();
+  if (!grip) throw new Error("no grip");
+  const from = { x: grip.x + grip.width / 2, y: grip.y + grip.height / 2 };
+  await (await Finger.of(page)).drag(from, { x: from.x - 30, y: from.y - 10 });
+  const after = (await studio.scene()).a.maps;
+  expect(after[0]?.[0]).toBeLessThan(maps[0]?.[0] ?? 0);
+  expect(after.slice(1)).toEqual(maps.slice(1));
+});
+
+test("time is scrubbed with a finger", async ({ studio, page }) => {
+  await studio.open("a=dragon-3&b=gasket&path=straight");
+  const box = await studio.time.boundingBox();
+  if (!box) throw new Error("no slider");
+  const y = box.y + box.height / 2;
+  await (await Finger.of(page)).drag({ x: box.x + 10, y }, { x: box.x + box.width / 2, y });
+  expect((await studio.scene()).t).toBeCloseTo(0.5, 1);
+});
