@@ -74,6 +74,11 @@ impl Field {
         self.measure_clearance();
     }
 
+    /// The samples along the longer side.
+    pub fn side(&self) -> f64 {
+        self.width.max(self.height) as f64
+    }
+
     /// The cell of a column and a row, counted in fractions of samples; those outside have none.
     pub fn cell(&self, x: f64, y: f64) -> Option<usize> {
         let (column, row) = (x.round(), y.round());

@@ -23,7 +23,9 @@ pub(crate) fn simplify(field: &Field, way: &[usize], widest: f64, most: usize) -
             }
         })
         .collect();
-    let mut toll = 0.5;
+    // A way point must save so much of the way, or of the closeness to what is broken, to be worth having: it is
+    // one more thing on the screen to understand.
+    let mut toll = field.side() / 40.0;
     loop {
         let kept = cheapest_chain(count, &legs, toll);
         let fits = kept.len() <= most || toll > 1e6;

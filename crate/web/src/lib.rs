@@ -7,26 +7,31 @@
 //!
 //! [`LocusTiles`]: crate::LocusTiles
 #![allow(clippy::missing_errors_doc)]
+#![cfg_attr(not(feature = "compute"), expect(dead_code, reason = "a renderer alone needs few conversions"))]
 
+#[cfg(feature = "compute")]
 mod connect;
+#[cfg(feature = "compute")]
 mod document;
 mod error;
+#[cfg(feature = "compute")]
 mod locus;
+mod look;
+#[cfg(feature = "compute")]
 mod path;
+#[cfg(feature = "compute")]
 mod raster;
-#[cfg(target_arch = "wasm32")]
+#[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 mod renderer;
+#[cfg(feature = "compute")]
 mod shape;
 mod value;
 
-pub use connect::*;
-pub use document::*;
-pub use locus::*;
-pub use path::*;
-pub use raster::*;
-#[cfg(target_arch = "wasm32")]
+#[cfg(feature = "compute")]
+pub use {connect::*, document::*, locus::*, path::*, raster::*, shape::*};
+
+#[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 pub use renderer::*;
-pub use shape::*;
 
 use wasm_bindgen::prelude::*;
 

@@ -1,31 +1,13 @@
 //! Pictures without a canvas.
 
-use frond_render::{Colouring, RasterOptions, View, rasterize as draw};
+use frond_render::{RasterOptions, View, rasterize as draw};
 use js_sys::Uint8ClampedArray;
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use crate::error::{bad_input, failure};
+use crate::error::failure;
+use crate::look::{ColouringName, read_palette};
 use crate::value::{read, read_ifs};
-
-#[derive(Clone, Copy, Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub(crate) enum ColouringName {
-    #[default]
-    Map,
-    Address,
-    Density,
-}
-
-impl From<ColouringName> for Colouring {
-    fn from(name: ColouringName) -> Self {
-        match name {
-            ColouringName::Map => Self::Map,
-            ColouringName::Address => Self::Address,
-            ColouringName::Density => Self::Density,
-        }
-    }
-}
 
 #[derive(Deserialize)]
 struct PlainView {
@@ -69,15 +51,4 @@ pub fn rasterize(
     };
     let pixels = draw(&ifs, &options).map_err(|error| failure(error.code(), &error.to_string()))?;
     Ok(Uint8ClampedArray::from(&pixels[..]))
-}
-
-/// Colours "#rrggbb".
-pub(crate) fn read_palette(colours: &[String]) -> Result<Vec<[u8; 3]>, JsValue> {
-    let colour = |text: &String| {
-        let digits = text.strip_prefix('#').filter(|digits| digits.len() == 6);
-        let number = digits.and_then(|digits| u32::from_str_radix(digits, 16).ok());
-        number.map(|n| [(n >> 16) as u8, (n >> 8) as u8, n as u8])
-    };
-    let all: Option<Vec<_>> = colours.iter().map(colour).collect();
-    all.ok_or_else(|| bad_input("The palette", "colours are written #rrggbb"))
 }

@@ -13,7 +13,7 @@ use wasm_bindgen_futures::{JsFuture, future_to_promise, spawn_local};
 use web_sys::{EventTarget, HtmlCanvasElement, OffscreenCanvas};
 
 use crate::error::{bad_input, failure, of_ifs};
-use crate::raster::{ColouringName, read_palette};
+use crate::look::{ColouringName, read_palette};
 use crate::value::{object, read};
 
 /// Draws one attractor on one canvas, on WebGPU or WebGL2. Lengths are device pixels.

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::command::{Outcome, root, target};
-use crate::wasm::FILES;
+use crate::wasm::files;
 
 const MANIFEST: &str = include_str!("package/package.json");
 const NODE: &str = include_str!("package/node.js");
@@ -23,8 +23,8 @@ pub fn write() -> Outcome {
         fs::remove_dir_all(&package)?;
     }
     fs::create_dir_all(&package)?;
-    for file in FILES {
-        fs::copy(root().join("www/pkg").join(file), package.join(file))?;
+    for file in files() {
+        fs::copy(root().join("www/pkg").join(&file), package.join(&file))?;
     }
     for file in ["LICENSE-MIT", "LICENSE-APACHE", "README.md"] {
         let path = root().join(file);

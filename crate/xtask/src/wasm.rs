@@ -16,8 +16,25 @@ const OPTIMISE: &str = "-O3 --enable-simd --enable-bulk-memory --enable-bulk-mem
     --enable-sign-ext --enable-mutable-globals --enable-reference-types --enable-multivalue \
     --enable-call-indirect-overlong";
 
+/// The modules that crate/web is built into: the name of the files and the feature that makes it. The page and its workers
+/// have the first; a visitor gets one of the others, when the first picture is there already.
+const MODULES: [(&str, &str); 3] =
+    [("frond", "compute"), ("frond-webgpu", "webgpu"), ("frond-webgl2", "webgl2")];
+
+/// Scripts of crate/web/js, which choose among the modules.
+const SCRIPTS: [&str; 2] = ["renderer.js", "renderer.d.ts"];
+
 /// What the page imports.
-pub const FILES: [&str; 4] = ["frond.js", "frond.d.ts", "frond_bg.wasm", "frond_bg.wasm.d.ts"];
+pub fn files() -> Vec<String> {
+    let of = |(name, _): (&str, &str)| {
+        ["js", "d.ts"]
+            .map(|ending| format!("{name}.{ending}"))
+            .into_iter()
+            .chain(["wasm", "wasm.d.ts"].map(|ending| format!("{name}_bg.{ending}")))
+            .collect::<Vec<_>>()
+    };
+    MODULES.into_iter().flat_map(of).chain(SCRIPTS.map(str::to_owned)).collect()
+}
 
 /// Sees to it that `www/pkg` is what the sources say, with all the set-up that this needs.
 pub fn build(steps: &mut Steps) -> Outcome {
@@ -32,17 +49,17 @@ pub fn rebuild(steps: &mut Steps) -> Outcome {
     let stamp = target().join("xtask/wasm.stamp");
     let pkg = root().join("www/pkg");
     let text = inputs()?;
-    if stamp::holds(&stamp, &text) && FILES.iter().all(|file| pkg.join(file).is_file()) {
+    if stamp::holds(&stamp, &text) && files().iter().all(|file| pkg.join(file).is_file()) {
         return Ok(());
     }
-    steps.run("build the wasm module", || {
+    steps.run("build the wasm modules", || {
         let made = make()?;
         fs::create_dir_all(&pkg)?;
-        for file in FILES {
+        for file in files() {
             // Each is there in whole or not at all: a server may be reading.
             let part = pkg.join(format!("{file}.part"));
-            fs::copy(made.join(file), &part)?;
-            fs::rename(part, pkg.join(file))?;
+            fs::copy(made.join(&file), &part)?;
+            fs::rename(part, pkg.join(&file))?;
         }
         package::write_manifest(&pkg)?;
         stamp::write(&stamp, &text)
@@ -84,17 +101,23 @@ fn sources() -> Outcome<Vec<PathBuf>> {
 
 /// Builds into a folder of its own, which it returns.
 fn make() -> Outcome<PathBuf> {
-    run(&mut cargo_wasm(&format!("build --package frond-web --lib --release --target {WASM_TARGET}")))?;
     let made = target().join("xtask/pkg");
-    let module = target().join(WASM_TARGET).join("release/frond_web.wasm");
     if made.exists() {
         fs::remove_dir_all(&made)?;
     }
-    run(tools::tool("wasm-bindgen")
-        .arg(module)
-        .args(["--target", "web", "--out-name", "frond", "--out-dir"])
-        .arg(&made))?;
-    optimise(&made.join("frond_bg.wasm"))?;
+    for (name, feature) in MODULES {
+        run(&mut cargo_wasm(&format!(
+            "build --package frond-web --lib --release --target {WASM_TARGET} --no-default-features --features {feature}"
+        )))?;
+        run(tools::tool("wasm-bindgen")
+            .arg(target().join(WASM_TARGET).join("release/frond_web.wasm"))
+            .args(["--target", "web", "--out-name", name, "--out-dir"])
+            .arg(&made))?;
+        optimise(&made.join(format!("{name}_bg.wasm")))?;
+    }
+    for script in SCRIPTS {
+        fs::copy(root().join("crate/web/js").join(script), made.join(script))?;
+    }
     Ok(made)
 }
 

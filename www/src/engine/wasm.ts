@@ -54,11 +54,6 @@ export interface Renderer {
   free(): void;
 }
 
-export interface RendererOptions {
-  backend?: "auto" | Backend;
-  onLost?: (reason: string) => void;
-}
-
 /** The package as the page uses it. Functions throw `FrondError` objects. */
 export interface Frond {
   presets(): Preset[];
@@ -96,9 +91,6 @@ export interface Frond {
     determinant: number;
   };
   LocusTiles: new (from: Ifs, to: Ifs, options: LocusOptions) => LocusTiles;
-  Renderer: {
-    create(canvas: HTMLCanvasElement | OffscreenCanvas, options: RendererOptions): Promise<Renderer>;
-  };
 }
 
 /** The one place where the generated bindings meet the page's types. Usable once `load` or `adopt` has resolved. */

@@ -100,13 +100,13 @@ impl Gpu {
         listener: Rc<dyn Fn(&Event)>,
     ) -> Result<Self, GpuError> {
         let mut refusal = String::from("not present");
-        if wanted != Wanted::WebGl2 {
+        if cfg!(feature = "webgpu") && wanted != Wanted::WebGl2 {
             match Self::open_webgpu(canvas, &listener).await {
                 Ok(gpu) => return Ok(gpu),
                 Err(detail) => refusal = detail,
             }
         }
-        if wanted != Wanted::WebGpu {
+        if cfg!(feature = "webgl2") && wanted != Wanted::WebGpu {
             match Self::open_webgl2(canvas, &listener).await {
                 Ok(gpu) => return Ok(gpu),
                 Err(detail) => refusal = detail,

@@ -1,0 +1,62 @@
+import type { MapRow } from "../engine/api";
+import { frond, type RenderStyle } from "../engine/wasm";
+import type { View } from "./geometry";
+
+interface Request {
+  maps: MapRow[];
+  view: View;
+  style: RenderStyle;
+  width: number;
+  height: number;
+  ratio: number;
+}
+
+/** As many pixels as are computed within a frame or two on an old telephone. */
+const PIXELS = 120_000;
+
+/** The first picture: computed here and now, coarse, and shown until the renderer has been downloaded. */
+export class Preview {
+  readonly #canvas = document.createElement("canvas");
+  #last: Request | null = null;
+
+  constructor(host: HTMLElement) {
+    this.#canvas.setAttribute("aria-hidden", "true");
+    host.prepend(this.#canvas);
+  }
+
+  /** Whether there is something to see now. */
+  show(request: Request): boolean {
+    const { maps, view, style, ratio } = request;
+    const last = this.#last;
+    if (last && last.maps === maps && last.view === view && last.width === request.width) return true;
+    this.#last = request;
+    const coarse = Math.max(1, Math.sqrt((request.width * request.height) / PIXELS));
+    const width = Math.ceil(request.width / coarse);
+    const height = Math.ceil(request.height / coarse);
+    if (width === 0 || height === 0) return false;
+    try {
+      const pixels = frond.rasterize(
+        { maps },
+        {
+          width,
+          height,
+          view: { ...view, scale: (view.scale * ratio) / coarse },
+          colouring: style.colouring === "density" ? "map" : style.colouring,
+          palette: style.palette,
+        },
+      );
+      this.#canvas.width = width;
+      this.#canvas.height = height;
+      const image = new ImageData(new Uint8ClampedArray(pixels), width, height);
+      this.#canvas.getContext("2d")?.putImageData(image, 0, 0);
+      return true;
+    } catch {
+      // Maps without an attractor: the stage says so as soon as it is there.
+      return false;
+    }
+  }
+
+  close(): void {
+    this.#canvas.remove();
+  }
+}
