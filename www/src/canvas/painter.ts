@@ -43,6 +43,8 @@ interface Wanted {
 /** Losses within this time count together; after so many the graphics device is not tried again. */
 const PATIENCE_MS = 30_000;
 const MOST_LOSSES = 3;
+/** A renderer that takes longer than this to complete its first picture shows how far it is. */
+const PREVIEW_MS = 3000;
 const LEAST_BUDGET = 20_000;
 const MOST_BUDGET = 8_000_000;
 const SOON_MS = 18;
@@ -63,6 +65,7 @@ export class Painter {
   #empty = false;
   /** Until the first surface has drawn. */
   #preview: Preview | null;
+  #deadline = Number.POSITIVE_INFINITY;
   #state: PainterState = {
     backend: null,
     complete: false,
@@ -87,7 +90,7 @@ export class Painter {
   show(wanted: Wanted): void {
     this.#wanted = wanted;
     this.#set({ complete: false, settled: false });
-    if (!this.#surface && this.#preview) this.#set({ preview: this.#preview.show(wanted) });
+    if (this.#preview) this.#set({ preview: this.#preview.show(wanted) });
     this.#schedule();
   }
 
@@ -143,6 +146,10 @@ export class Painter {
     }
     this.#canvas?.remove();
     this.#canvas = surface.canvas;
+    if (this.#preview) {
+      surface.canvas.style.opacity = "0";
+      this.#deadline = performance.now() + PREVIEW_MS;
+    }
     this.#host.prepend(surface.canvas);
     this.#surface = surface;
     this.#given = {};
@@ -152,6 +159,7 @@ export class Painter {
   #endPreview(): void {
     this.#preview?.close();
     this.#preview = null;
+    if (this.#canvas) this.#canvas.style.opacity = "";
   }
 
   #explain(problem: unknown): void {
@@ -200,7 +208,8 @@ export class Painter {
     }
     const { complete, settled, points } = surface.draw(this.#budget);
     this.#set({ complete, settled, points, empty: false });
-    if (points > 0 || complete) this.#endPreview();
+    // The renderer begins coarser than the preview is.
+    if (complete || (points > 0 && performance.now() > this.#deadline)) this.#endPreview();
     if (!settled) this.#schedule();
   }
 
