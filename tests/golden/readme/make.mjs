@@ -1,0 +1,52 @@
+// Makes the README's pictures from the running page: `cargo xtask serve` in one terminal, then
+// `node tests/golden/readme/make.mjs http://localhost:5173/` in another.
+import { fileURLToPath } from "node:url";
+import { chromium } from "@playwright/test";
+
+const [, , address = "http://localhost:5173/"] = process.argv;
+const path = (name) => fileURLToPath(new URL(`./${name}.png`, import.meta.url));
+
+const browser = await chromium.launch({
+  executablePath: process.env["FROND_CHROMIUM"] ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--disable-background-networking", "--enable-unsafe-swiftshader"],
+});
+
+async function open(fragment, options = {}) {
+  const context = await browser.newContext({
+    viewport: { width: 1200, height: 760 },
+    colorScheme: "dark",
+    ...options,
+  });
+  const page = await context.newPage();
+  await page.goto(`${address}${fragment}`);
+  return page;
+}
+
+async function studio(fragment, options) {
+  const page = await open(fragment, options);
+  await page.waitForFunction(() => window.frond !== undefined);
+  await page.evaluate(() => window.frond.idle());
+  return page;
+}
+
+const morph = await studio("");
+// A third of the way along the path that the page has found by itself.
+const time = morph.getByRole("slider", { name: "Time", exact: true });
+await time.focus();
+for (let i = 0; i < 4; i++) await time.press("PageUp");
+await morph.evaluate(() => window.frond.idle());
+await morph.screenshot({ path: path("morph") });
+await morph.context().close();
+
+const light = await studio("", { colorScheme: "light", deviceScaleFactor: 1.5 });
+await light.locator("section.locus").screenshot({ path: path("locus") });
+await light.getByRole("button", { name: /Choose another/ }).first().click();
+await light.waitForTimeout(1000);
+await light.getByRole("dialog").screenshot({ path: path("gallery") });
+await light.context().close();
+
+const figure = await open("#figures/7");
+await figure.getByRole("heading", { level: 1 }).waitFor();
+await figure.waitForTimeout(8000);
+await figure.screenshot({ path: path("figure") });
+await browser.close();
