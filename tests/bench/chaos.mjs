@@ -7,11 +7,15 @@ const root = fileURLToPath(new URL("../..", import.meta.url));
 const target = `${root}target/bench-chaos`;
 // From the root, so that the features of .cargo/config.toml are those of the page's module.
 const cargo = (...args) =>
-  execFileSync("cargo", [...args, "--quiet", "--release", "--manifest-path", "tests/bench/chaos/Cargo.toml"], {
-    cwd: root,
-    env: { ...process.env, CARGO_TARGET_DIR: target },
-    encoding: "utf8",
-  });
+  execFileSync(
+    "cargo",
+    [...args, "--quiet", "--release", "--manifest-path", "tests/bench/chaos/Cargo.toml"],
+    {
+      cwd: root,
+      env: { ...process.env, CARGO_TARGET_DIR: target },
+      encoding: "utf8",
+    },
+  );
 
 cargo("build", "--lib", "--target", "wasm32-unknown-unknown");
 const bytes = readFileSync(`${target}/wasm32-unknown-unknown/release/frond_chaos.wasm`);

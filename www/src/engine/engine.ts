@@ -36,15 +36,15 @@ export function workerCount(cores: number): number {
 }
 
 /** Called once, after the first picture. */
-export function startEngine(module: WebAssembly.Module, options: { workers: boolean }): void {
+export function startEngine(module: WebAssembly.Module, options: { workers: number | null }): void {
   if (host) return;
-  if (!options.workers || typeof Worker === "undefined") {
+  if (options.workers === 0 || typeof Worker === "undefined") {
     goInline();
     return;
   }
   const pool = new Pool({
     module,
-    count: workerCount(navigator.hardwareConcurrency),
+    count: options.workers ?? workerCount(navigator.hardwareConcurrency),
     spawn: () =>
       new Worker(new URL("../workers/compute.worker.ts", import.meta.url), {
         type: "module",

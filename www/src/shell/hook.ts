@@ -17,6 +17,8 @@ export interface Hook {
   readPixels(): Promise<Pixels>;
   /** The same picture from the CPU, through the adaptive cut: what `readPixels` has to agree with. */
   twin(): Promise<Pixels>;
+  /** Share of the locus's samples that are decided, 0 to 1. */
+  locusProgress(): number;
   forceLoss(): void;
   killWorker(): void;
   /** Resolves when the picture is complete. */
@@ -37,6 +39,7 @@ export function installHook(): void {
     backend: () => picture.peek().backend,
     readPixels,
     twin,
+    locusProgress: () => locus.peek()?.progress ?? 0,
     forceLoss: () => mainPainter.peek()?.forceLoss(),
     killWorker,
     drawn: () => calm(drawn),

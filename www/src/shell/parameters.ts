@@ -2,7 +2,8 @@ import type { PainterBackend } from "../canvas/painter";
 
 export interface Parameters {
   backend: "auto" | PainterBackend;
-  workers: boolean;
+  /** How many workers; null for as many as the machine has room for. */
+  workers: number | null;
 }
 
 const BACKENDS: readonly string[] = ["webgpu", "webgl2", "canvas"];
@@ -13,6 +14,6 @@ export function readParameters(search: string): Parameters {
   const backend = query.get("backend") ?? "";
   return {
     backend: BACKENDS.includes(backend) ? (backend as PainterBackend) : "auto",
-    workers: query.get("workers") !== "0",
+    workers: /^[0-8]$/.test(query.get("workers") ?? "") ? Number(query.get("workers")) : null,
   };
 }
