@@ -2,7 +2,7 @@ import { effect, untracked } from "@preact/signals";
 import { selection } from "../state/morph";
 import { replace, scene } from "../state/scene";
 import type { View } from "./geometry";
-import { effectiveView, fitView, stageSize, view, zoom } from "./view";
+import { baseView, effectiveView, stageSize, view } from "./view";
 
 /** Ties the view to the document, where it is kept relative to the fit: the same link fits a phone and a wall. */
 let known: { x: number; y: number; zoom: number } | undefined;
@@ -24,7 +24,7 @@ export function linkView(): () => void {
     if (selection.value || stageSize.value.width === 0 || kept === known) return;
     untracked(() => {
       known = kept;
-      view.value = kept ? { x: kept.x, y: kept.y, scale: kept.zoom * fitView.peek().scale } : null;
+      view.value = kept ? { x: kept.x, y: kept.y, scale: kept.zoom * baseView.peek().scale } : null;
     });
   });
   // Whoever asks for the fit asks the document to forget its view.
@@ -49,7 +49,7 @@ export function keepView(): void {
     replace(rest);
     return;
   }
-  const { x, y } = effectiveView.peek();
-  known = { x, y, zoom: zoom.peek() };
+  const { x, y, scale } = effectiveView.peek();
+  known = { x, y, zoom: scale / baseView.peek().scale };
   replace({ ...now, view: known });
 }

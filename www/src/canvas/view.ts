@@ -1,7 +1,8 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import { type Box, fitFor, stageBox } from "../state/fit";
+import { type Box, blendTracks, boxAt, sameTrack, type Track } from "../state/camera";
+import { fitFor, pairBox, stageTrack } from "../state/fit";
 import { reducedMotion } from "../state/preferences";
-import { inGesture } from "../state/scene";
+import { inGesture, scene } from "../state/scene";
 import type { Size, View } from "./geometry";
 
 /** What part of the plane the stage shows; null fits the whole attractor. */
@@ -13,15 +14,23 @@ export const stageSize = signal<Size>({ width: 0, height: 0 });
 /** Free on each side as a part of the shorter one, and below as many pixels more: the verdict stands there. */
 const MARGIN = 0.06;
 const FOOT = 44;
-/** The box that the fit shows: it follows the document, but not while something is dragged, and without a jump. */
-const fitted = signal<Box | null>(null);
+/** The track that the fit shows: it follows the document, but not while something is dragged, and without a jump. */
+const fitted = signal<Track | null>(null);
+const t = computed(() => scene.value.t);
 
-export const fitView: ReadonlySignal<View> = computed(() => {
+/** The view that fits the present moment to the stage. */
+export const fitView: ReadonlySignal<View> = computed(() =>
+  fitOnStage(boxAt(fitted.value ?? stageTrack.value, t.value)),
+);
+
+/** The view that fits both ends: zooms are kept relative to it, so that a link means the same at every moment. */
+export const baseView: ReadonlySignal<View> = computed(() => fitOnStage(pairBox.value));
+
+function fitOnStage(box: Box): View {
   const size = sizeOr(stageSize.value);
   const edge = MARGIN * Math.min(size.width, size.height);
-  const insets = { top: edge, right: edge, bottom: edge + FOOT, left: edge };
-  return fitFor(fitted.value ?? stageBox.value, size, insets);
-});
+  return fitFor(box, size, { top: edge, right: edge, bottom: edge + FOOT, left: edge });
+}
 
 /** The view that is drawn. */
 export const effectiveView: ReadonlySignal<View> = computed(() => view.value ?? fitView.value);
@@ -35,24 +44,24 @@ function sizeOr(size: Size): Size {
 
 const EASE_MS = 220;
 
-/** Keeps the fitted box on its way to where it should be. Returns the end of it. */
+/** Keeps the fitted track on its way to where it should be. Returns the end of it. */
 export function followFit(start: (tick: (now: number) => boolean) => () => void): () => void {
   let stop = () => {};
-  const unsubscribe = computed(() => ({ box: stageBox.value, held: inGesture.value })).subscribe(
-    ({ box, held }) => {
-      if (held && fitted.peek()) return;
+  const unsubscribe = computed(() => ({ track: stageTrack.value, held: inGesture.value })).subscribe(
+    ({ track, held }) => {
       const from = fitted.peek();
+      if (held && from) return;
       stop();
       if (!from || reducedMotion.peek() || view.peek()) {
-        fitted.value = box;
+        fitted.value = track;
         return;
       }
-      if (near(from, box)) return;
+      if (sameTrack(from, track)) return;
       let began: number | null = null;
       stop = start((now) => {
         began ??= now;
         const s = Math.min(1, (now - began) / EASE_MS);
-        fitted.value = blend(from, box, s * s * (3 - 2 * s));
+        fitted.value = blendTracks(from, track, s * s * (3 - 2 * s));
         return s < 1;
       });
     },
@@ -62,15 +71,3 @@ export function followFit(start: (tick: (now: number) => boolean) => () => void)
     unsubscribe();
   };
 }
-
-function near(p: Box, q: Box): boolean {
-  const least = 1e-6 * Math.max(q.x1 - q.x0, q.y1 - q.y0);
-  return Math.max(...KEYS.map((key) => Math.abs(p[key] - q[key]))) <= least;
-}
-
-function blend(p: Box, q: Box, s: number): Box {
-  const at = (key: keyof Box) => p[key] + s * (q[key] - p[key]);
-  return { x0: at("x0"), y0: at("y0"), x1: at("x1"), y1: at("y1") };
-}
-
-const KEYS = ["x0", "y0", "x1", "y1"] as const;

@@ -1,21 +1,14 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import type { MapRow } from "../engine/api";
 import { frond } from "../engine/wasm";
-import { mapsAt, morphOptions, pathPoints, selection, shown } from "./morph";
+import { type Box, calmTrack, stillTrack, type Track, union } from "./camera";
+import { mapsAt, morphOptions, pairing, pathPoints, selection, shown } from "./morph";
 import { uvAt } from "./path";
 
-/** A rectangle of the plane. */
-export interface Box {
-  x0: number;
-  y0: number;
-  x1: number;
-  y1: number;
-}
+export { type Box, diagonal } from "./camera";
 
-/** How often the path is looked at, and how much larger than its ends a morph may grow before it leaves the stage. */
+/** How often the path is looked at. */
 const LOOKS = 13;
-const GROWTH = 3;
-const UNIT: Box = { x0: 0, y0: 0, x1: 1, y1: 1 };
 
 /** The box of an attractor, or null where there is none. */
 export function boxOf(maps: MapRow[]): Box | null {
@@ -28,51 +21,36 @@ export function boxOf(maps: MapRow[]): Box | null {
   }
 }
 
-/**
- * One box for the whole path, so that the picture keeps still while it is scrubbed. Moments at which the morph grows
- * beyond measure do not count: they would make all others specks.
- */
-export const pathBox: ReadonlySignal<Box> = computed(() => {
+/** The boxes of the morph along the path: the camera follows them, so that each shape is as large as it can be. */
+export const pathTrack: ReadonlySignal<Track> = computed(() => {
   const points = pathPoints.value;
   const options = morphOptions.value;
-  const boxes = Array.from({ length: LOOKS }, (_, i) =>
-    boxOf(mapsAt(uvAt(points, i / (LOOKS - 1)), options)),
+  return calmTrack(
+    Array.from({ length: LOOKS }, (_, i) => boxOf(mapsAt(uvAt(points, i / (LOOKS - 1)), options))),
   );
-  const ends = [boxes[0], boxes[LOOKS - 1]].filter((box) => box != null);
-  const most = GROWTH * Math.max(...ends.map(diagonal));
-  const counted = boxes.filter((box) => box !== null).filter((box) => !(diagonal(box) > most));
-  return union(counted) ?? UNIT;
 });
 
-/** What the stage fits: the whole path, or the shape that is being edited. */
-export const stageBox: ReadonlySignal<Box> = computed(() =>
-  selection.value ? editBox(shown.value) : pathBox.value,
+/** Both ends together: what a zoom is measured by, whatever the moment and the path. */
+export const pairBox: ReadonlySignal<Box> = computed(() => {
+  const boxes = [pairing.value.from, pairing.value.to].map(boxOf);
+  return union(boxes.filter((box) => box !== null));
+});
+
+/** What the stage fits: the morph, or the shape that is being edited. */
+export const stageTrack: ReadonlySignal<Track> = computed(() =>
+  selection.value ? stillTrack(editBox(shown.value), LOOKS) : pathTrack.value,
 );
 
 /** A shape with the parallelograms of its maps, so that no handle is out of reach. */
 function editBox(maps: MapRow[]): Box {
   const box = boxOf(maps);
-  if (!box) return pathBox.value;
+  if (!box) return pairBox.value;
   const images = maps.map(([a, b, c, d, e, f]): Box => {
     const xs = [box.x0, box.x1].flatMap((x) => [box.y0, box.y1].map((y) => a * x + b * y + e));
     const ys = [box.x0, box.x1].flatMap((x) => [box.y0, box.y1].map((y) => c * x + d * y + f));
     return { x0: Math.min(...xs), y0: Math.min(...ys), x1: Math.max(...xs), y1: Math.max(...ys) };
   });
-  return union([box, ...images]) ?? box;
-}
-
-export function diagonal(box: Box): number {
-  return Math.hypot(box.x1 - box.x0, box.y1 - box.y0);
-}
-
-function union(boxes: Box[]): Box | null {
-  if (boxes.length === 0) return null;
-  return {
-    x0: Math.min(...boxes.map((b) => b.x0)),
-    y0: Math.min(...boxes.map((b) => b.y0)),
-    x1: Math.max(...boxes.map((b) => b.x1)),
-    y1: Math.max(...boxes.map((b) => b.y1)),
-  };
+  return union([box, ...images]);
 }
 
 /** What stays free round a fitted box, in pixels of the picture. */

@@ -1,5 +1,6 @@
 import { effect, untracked } from "@preact/signals";
-import { fitFor, pathBox } from "../../state/fit";
+import { boxAt } from "../../state/camera";
+import { fitFor, pathTrack } from "../../state/fit";
 import { mapsAt, pathPoints } from "../../state/morph";
 import { type Uv, uvAt } from "../../state/path";
 import { dark } from "../../state/preferences";
@@ -110,7 +111,8 @@ function stripJob({ inputs, points, colouring, dark: onDark }: What): Job<"pictu
   const dpr = Math.min(2, globalThis.devicePixelRatio || 1);
   const size = { width: Math.round(FRAME_WIDTH * dpr), height: Math.round(FRAME_HEIGHT * dpr) };
   const edge = MARGIN * dpr;
-  const fit = fitFor(pathBox.peek(), size, { top: edge, right: edge, bottom: edge, left: edge });
+  const insets = { top: edge, right: edge, bottom: edge, left: edge };
+  const track = pathTrack.peek();
   const colours = palette(onDark ? "dark" : "light");
   const order = frameTimes().map((_, i) => i);
   const places = new Map<object, number>();
@@ -120,11 +122,12 @@ function stripJob({ inputs, points, colouring, dark: onDark }: What): Job<"pictu
     next() {
       const i = order.shift();
       if (i === undefined) return null;
-      const maps: MapRow[] = mapsAt(uvAt(points, i / (FRAMES - 1)), inputs.options);
+      const t = i / (FRAMES - 1);
+      const maps: MapRow[] = mapsAt(uvAt(points, t), inputs.options);
       const task = {
         kind: "picture" as const,
         maps,
-        options: { ...size, view: fit, colouring, palette: colours },
+        options: { ...size, view: fitFor(boxAt(track, t), size, insets), colouring, palette: colours },
       };
       places.set(task, i);
       return task;
