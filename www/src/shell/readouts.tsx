@@ -79,6 +79,11 @@ const zoomWords = computed(() => {
   return z < 1e4 ? `×${Math.round(z)}` : `×${z.toExponential(1)}`;
 });
 
+/** Two digits, with a minus as wide as a plus. */
+function signed(x: number): string {
+  return x.toFixed(2).replace("-", "−");
+}
+
 /** How much is drawn, and how near one is. */
 export function Readout() {
   const [u, v] = uv.value;
@@ -86,7 +91,7 @@ export function Readout() {
     <div class="readout number">
       {!selection.value && (
         <span class="readout-uv">
-          u {u.toFixed(2)} v {v.toFixed(2)}
+          u {signed(u)} v {signed(v)}
         </span>
       )}
       {picture.value.points > 0 && (
