@@ -54,32 +54,3 @@ pub use resolve::{resolve_codes, resolve_density, to_bytes};
 pub use sweep::{Hit, Progress, Sweep};
 pub use view::View;
 pub use window::{Extent, PixelBox, Window};
-
-#[cfg(test)]
-mod experiment {
-    use super::*;
-    #[test]
-    fn slow_cases() {
-        for (name, rows) in [
-            ("almost one", vec![[0.999999,0.,0.,0.999999,0.,0.],[0.999999,0.,0.,0.999999,0.,1.]]),
-            ("almost one turned", vec![[0.9999*0.8,-0.9999*0.6,0.9999*0.6,0.9999*0.8,0.,0.],[0.9999,0.,0.,0.9999,0.,1.]]),
-            ("0.99", vec![[0.99,0.,0.,0.99,0.,0.],[0.99*0.8,-0.99*0.6,0.99*0.6,0.99*0.8,1.,1.]]),
-            ("0.97 x3", vec![[0.97,0.,0.,0.97,0.,0.],[0.97*0.8,-0.97*0.6,0.97*0.6,0.97*0.8,1.,1.],[0.97,0.,0.,-0.97,3.,1.]]),
-            ("64 of .9", (0..64).map(|i| { let t = i as f64; [0.9*t.cos(), -0.9*t.sin(), 0.9*t.sin(), 0.9*t.cos(), t, -t*0.3] }).collect()),
-            ("thin", vec![[0.9,0.,0.,0.01,0.,0.],[0.9,0.,0.,0.01,0.3,0.5],[0.9,0.3,0.,0.5,0.3,0.5]]),
-        ] {
-            let t = std::time::Instant::now();
-            let Ok(ifs) = frond_core::Ifs::new(rows.into_iter().map(frond_core::Affine2::from_row).collect()) else { println!("{name} none"); continue };
-            let hull = frond_core::Hull::of(&ifs);
-            println!("{name} hull {:?} {} {}", t.elapsed(), hull.min(), hull.max());
-            let fit = View::fit(&hull, 144, 104, 0.05);
-            for (w, h) in [(144, 104), (1000, 700)] {
-            for (what, view) in [("fit", None), ("far", Some(View { x: 0.0, y: 0.0, scale: fit.scale * 0.001 })), ("x100 centre", Some(View { scale: fit.scale * 100.0, ..fit })), ("x1e4 edge", Some(View { y: hull.max().y, scale: fit.scale * 1e4, ..fit })), ("odd", Some(View { x: 0., y: 0., scale: 3e-8 }))] {
-                for colouring in [Colouring::Map, Colouring::Density] {
-                let t = std::time::Instant::now();
-                let p = rasterize(&ifs, &RasterOptions { width: w, height: h, view, colouring, ..RasterOptions::default() }).unwrap();
-                println!("  {w} {what} {colouring:?}: {:?} lit {}", t.elapsed(), p.chunks(4).filter(|p| p[3] > 0).count());
-            }}}
-        }
-    }
-}
