@@ -1,19 +1,21 @@
 import { effect, untracked } from "@preact/signals";
 import { notify, wordsOf } from "../../state/notice";
 import { cancel, epoch, sliceMilliseconds, submit } from "../engine";
-import { BOUNDS, type LocusInputs, LocusWork } from "../locus-job";
+import { BOUNDS, type LocusInputs, LocusWork, STRIDES } from "../locus-job";
 import { publish } from "../results";
 import { inputs as morph } from "./inputs";
 import { planFrom } from "./plan";
 
 /** While something is dragged, a coarse locus that is nearly done is let finish, so that there is one to see. */
 const GRACE_MS = 150;
+const COARSEST = STRIDES[0];
 /** Later than this an unfinished coarse locus is shown all the same. */
 const PATIENCE_MS = 250;
 
 let work: LocusWork | null = null;
 let waiting: ReturnType<typeof setTimeout> | null = null;
 let frame = 0;
+let late: ReturnType<typeof setTimeout> | null = null;
 
 export function scheduleLocus(): void {
   effect(() => {
@@ -45,6 +47,7 @@ function start(inputs: LocusInputs): void {
       },
       stage: (w, stride) => {
         if (w !== work) return;
+        if (stride === COARSEST) paint();
         if (inputs === morph.peek()) planFrom(w, stride);
         else if (waiting) {
           // The grace was for this much; now for what has been asked since.
@@ -64,7 +67,10 @@ function start(inputs: LocusInputs): void {
   submit(work.job());
 }
 
-/** At most once a frame; at once where there are no frames, in a hidden tab. */
+/** A busy graphics card makes frames wait; the field does not wait longer than this with it. */
+const LATEST_MS = 80;
+
+/** At most once a frame; at once when it is complete, or where there are no frames, in a hidden tab. */
 function paintSoon(): void {
   if (work?.progress === 1 || document.hidden) {
     paint();
@@ -72,11 +78,14 @@ function paintSoon(): void {
   }
   if (frame) return;
   frame = requestAnimationFrame(paint);
+  late = setTimeout(paint, LATEST_MS);
 }
 
 function paint(): void {
   if (frame) cancelAnimationFrame(frame);
+  if (late) clearTimeout(late);
   frame = 0;
+  late = null;
   if (!work) return;
   const current = work.inputs === morph.peek();
   publish.locus.value = { ...work.filled, bounds: BOUNDS, progress: current ? work.progress : 0 };
