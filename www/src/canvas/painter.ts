@@ -163,9 +163,12 @@ export class Painter {
   }
 
   #explain(problem: unknown): void {
+    const missing = (problem as { code?: unknown } | null)?.code === "no-gpu";
     notify({
       kind: "info",
-      text: `The graphics card is not available (${wordsOf(problem)}). The picture is computed without it, slower. Switching on hardware acceleration in the browser's settings brings it back.`,
+      text: missing
+        ? "The graphics card is not available, so that the picture is computed without it, slower. Switching on hardware acceleration in the browser's settings brings it back."
+        : `The renderer could not be loaded (${wordsOf(problem)}), so that the picture is computed without it, slower. Reloading the page tries again.`,
     });
   }
 
