@@ -80,7 +80,7 @@ test("links of later versions show what is understood", async ({ studio }) => {
 
 test("shapes at the edge of what contracts neither hang nor crash", async ({ studio }) => {
   for (const link of [
-    "a=maps:0.999,0,0,0.999,0,0;0.999,0,0,0.999,0,1&b=gasket",
+    "a=maps:0.999999,0,0,0.999999,0,0;0.999999,0,0,0.999999,0,1&b=gasket",
     "a=maps:0.5,1e5,0,0.5,0,0;0.5,0,0,0.5,1,0&b=gasket&path=straight&t=0.5",
     "a=maps:0,0,0,0,0,0&b=maps:0,0,0,0,1e5,-1e5&t=0.5",
     "a=maps:1e-300,0,0,1e-300,0,0;1e-300,0,0,1e-300,1e-300,0&b=dust",
