@@ -55,6 +55,9 @@ pub fn cut(
     true
 }
 
+/// The most steps to such a piece.
+const DEPTH: u32 = 1000;
+
 /// Some pieces of at most `size` pixels that touch the window, by chance: where there are too many for
 /// all of them.
 pub fn cut_at_random(
@@ -66,16 +69,20 @@ pub fn cut_at_random(
     pieces: &mut Vec<Piece>,
 ) {
     pieces.clear();
-    let maps = frame.maps.len();
+    let steps = frame.steps.len();
     let mut random = 0;
     for _ in 0..count {
         let mut piece = Piece::new(to_screen, Letters::NONE);
-        while piece.size > size || piece.letters.count() == 0 {
+        for _ in 0..DEPTH {
+            if piece.size <= size && piece.letters.count() > 0 {
+                break;
+            }
             random += 1;
-            let first = hash::counter(31, random) as usize % maps;
-            let next = (0..maps).map(|i| (first + i) % maps).find_map(|letter| {
-                let map = piece.map * frame.maps[letter];
-                window.extent(&map).map(|_| Piece::new(map, piece.letters.then(letter)))
+            let first = hash::counter(31, random) as usize % steps;
+            let next = (0..steps).map(|i| (first + i) % steps).find_map(|i| {
+                let (step, letters) = frame.steps[i];
+                let map = piece.map * step;
+                window.extent(&map).map(|_| Piece::new(map, piece.letters.join(letters)))
             });
             let Some(next) = next else { break };
             piece = next;

@@ -3,6 +3,8 @@
 use frond_core::{Affine2, Hull, Ifs};
 use glam::{DMat2, DVec2};
 
+use crate::letters::Letters;
+
 /// An IFS in coordinates of its own: the attractor lies in the unit disc and fills it as well as an
 /// ellipse around its hull allows.
 ///
@@ -13,6 +15,9 @@ use glam::{DMat2, DVec2};
 pub struct Frame {
     /// The maps, in unit coordinates.
     pub maps: Vec<Affine2>,
+    /// The maps once more, with powers of those that shrink little and of their products: each takes the
+    /// attractor into itself, and to get anywhere takes few of them. With the first letters of each.
+    pub steps: Vec<(Affine2, Letters)>,
     /// One probability a map, summing to 1.
     pub probabilities: Vec<f64>,
     /// From unit coordinates to the world.
@@ -51,9 +56,10 @@ impl Frame {
                 Affine2::new(inverse * map.linear * to_world.linear, inverse * moved)
             })
             .collect();
+        let steps = steps(&maps);
         let anchor = anchor(&maps);
         let tips = tips(&maps, anchor);
-        Self { maps, probabilities: ifs.probabilities().to_vec(), to_world, anchor, tips }
+        Self { maps, steps, probabilities: ifs.probabilities().to_vec(), to_world, anchor, tips }
     }
 }
 
@@ -138,11 +144,47 @@ fn khachiyan(points: &[DVec2]) -> Affine2 {
     Affine2::new(DMat2::from_cols(DVec2::new(a, b), DVec2::new(0.0, c)), centre)
 }
 
+/// Maps that shrink to more than the first get powers, up to one that shrinks to the second.
+const SLOW: (f64, f64) = (0.95, 0.5);
+/// The most powers of each, and the most maps whose products get powers as well.
+const POWERS: usize = 16;
+const PAIRED: usize = 4;
+
+fn steps(maps: &[Affine2]) -> Vec<(Affine2, Letters)> {
+    let letter = |i| Letters::NONE.then(i);
+    let mut steps: Vec<_> = maps.iter().enumerate().map(|(i, map)| (*map, letter(i))).collect();
+    let slow: Vec<_> = steps.iter().copied().filter(|(map, _)| map.norm() > SLOW.0).collect();
+    let mut words = slow.clone();
+    if slow.len() <= PAIRED {
+        for (i, (a, first)) in slow.iter().enumerate() {
+            words.extend(slow[i + 1..].iter().map(|(b, second)| (*a * *b, first.join(*second))));
+        }
+    }
+    for (mut power, mut letters) in words {
+        for _ in 0..POWERS {
+            if power.norm() <= SLOW.1 {
+                break;
+            }
+            // The fourth power each time.
+            power = power * power;
+            (power, letters) = (power * power, letters.join(letters).join(letters));
+            // Rounding must not make a step of what overflowed.
+            if power.is_finite() {
+                steps.push((power, letters));
+            }
+        }
+    }
+    steps
+}
+
 /// A point of the attractor near the middle of the disc: of some hundred, the nearest.
 fn anchor(maps: &[Affine2]) -> DVec2 {
     const TRIES: usize = 256;
-    let fixed = maps.iter().find_map(|map| map.fixed_point()).unwrap_or(DVec2::ZERO);
-    let mut points = vec![fixed];
+    // Rounding must not carry it out of the disc, nor an attractor of no size make it infinite.
+    let mut points: Vec<DVec2> = maps.iter().filter_map(|map| map.fixed_point()).filter(inside).collect();
+    if points.is_empty() {
+        points.push(DVec2::ZERO);
+    }
     let mut next = 0;
     while next < points.len() && points.len() < TRIES {
         let point = points[next];
@@ -150,8 +192,12 @@ fn anchor(maps: &[Affine2]) -> DVec2 {
         next += 1;
     }
     let nearest = points.into_iter().min_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
-    // Rounding must not carry it out of the disc, nor an attractor of no size make it infinite.
-    nearest.filter(|p| p.is_finite()).map_or(DVec2::ZERO, |p| p.clamp_length_max(1.0))
+    nearest.filter(inside).unwrap_or(DVec2::ZERO)
+}
+
+fn inside(point: &DVec2) -> bool {
+    // False for what is no number.
+    point.length_squared() <= 1.0
 }
 
 /// The farthest points in some directions, found from within: a farthest point of the attractor is the
@@ -161,6 +207,7 @@ fn tips(maps: &[Affine2], anchor: DVec2) -> Vec<DVec2> {
     let directions: [DVec2; TIPS] =
         std::array::from_fn(|k| DVec2::from_angle(std::f64::consts::TAU * k as f64 / TIPS as f64));
     let mut tips = vec![anchor];
+    tips.extend(maps.iter().take(TIPS).filter_map(|map| map.fixed_point()).filter(inside));
     let mut images = Vec::new();
     for _ in 0..ROUNDS {
         images.clear();
@@ -168,8 +215,13 @@ fn tips(maps: &[Affine2], anchor: DVec2) -> Vec<DVec2> {
         images.extend(maps.iter().flat_map(|map| tips.iter().map(|tip| map.apply(*tip))));
         let mut next: Vec<DVec2> = Vec::with_capacity(TIPS);
         for direction in directions {
-            let along = |p: &DVec2| p.dot(direction);
-            let farthest = images.iter().copied().max_by(|a, b| along(a).total_cmp(&along(b)));
+            let (mut farthest, mut reach) = (None, f64::NEG_INFINITY);
+            for image in &images {
+                let along = image.dot(direction);
+                if along > reach {
+                    (farthest, reach) = (Some(*image), along);
+                }
+            }
             // One tip serves several directions; to know it again need not be exact.
             next.extend(farthest.filter(|far| next.iter().all(|tip| tip.distance_squared(*far) > 1e-6)));
         }
@@ -180,7 +232,7 @@ fn tips(maps: &[Affine2], anchor: DVec2) -> Vec<DVec2> {
             break;
         }
     }
-    tips.retain(|tip| tip.is_finite());
+    tips.retain(inside);
     tips
 }
 

@@ -29,25 +29,32 @@ pub(crate) struct Probe {
     drawn: usize,
     random: u32,
     idle: u32,
+    left: u64,
 }
 
 /// Pixels between the points of a cloud.
 const CELL: f64 = 0.5;
-/// The finest grid.
+/// The finest grid, and the most points to be taken through steps for it.
 const FINEST: f64 = 2048.0;
+const FLOOD: f64 = 2.4e7;
 /// The largest pieces, in pixels, where the shape is not seen whole.
 const PIECE: f64 = 512.0;
 /// Probes that must find nothing in a pixel before it is closed.
 const BLAME: u8 = 24;
 /// Probes in a row that change nothing before there is an end.
 const IDLE: u32 = 64;
+/// Steps of one descent, at most.
+const DEPTH: u64 = 4000;
+/// Points and steps, for each pixel of the window and on top, before there is an end in any case.
+const ENOUGH: (u64, u64) = (64, 8_000_000);
 
 impl Probe {
     pub fn new(frame: &Frame, root: Node, lit: &Bitmap) -> Self {
         let size = lit.window().extent(&root.map).map_or(1.0, |extent| extent.size);
         let whole = size * 0.5 < FINEST * CELL * 2.0;
         let piece = if whole { f64::INFINITY } else { PIECE };
-        let cells = (size.min(piece) / CELL).clamp(16.0, FINEST);
+        let finest = FINEST.min((FLOOD / frame.steps.len() as f64).sqrt());
+        let cells = (size.min(piece) / CELL).min(finest).max(16.0);
         let waiting = if whole { parts(frame, root).collect() } else { Vec::new() };
         Self {
             flood: Flood::new(frame, cells as u32),
@@ -59,6 +66,7 @@ impl Probe {
             drawn: 0,
             random: 0,
             idle: 0,
+            left: ENOUGH.0 * lit.window().area() as u64 + ENOUGH.1,
         }
     }
 
@@ -75,6 +83,22 @@ impl Probe {
             self.flooded = self.flood.run(budget);
             return budget;
         }
+        if self.left == 0 {
+            return 0;
+        }
+        let visits = self.draw(frame, root, canvas, budget, light);
+        self.left = self.left.saturating_sub(visits);
+        visits
+    }
+
+    fn draw(
+        &mut self,
+        frame: &Frame,
+        root: Node,
+        canvas: &mut Canvas,
+        budget: u64,
+        light: &mut impl FnMut(Hit),
+    ) -> u64 {
         if let Some(piece) = self.waiting.last().copied() {
             let points = &self.flood.points()[self.drawn..];
             let portion = points.len().min(budget as usize);
@@ -113,15 +137,19 @@ impl Probe {
             if extent.size <= self.piece && node.letters.count() > 0 {
                 return (Some(node), visits);
             }
-            let count = frame.maps.len();
-            // From a random letter on, the first whose piece may hold a dark pixel.
+            if visits > DEPTH {
+                return (None, visits);
+            }
+            let count = frame.steps.len();
+            // From a random step on, the first whose piece may hold a dark pixel.
             self.random = self.random.wrapping_add(1);
             let first = hash::counter(23, self.random) as usize % count;
-            let next = (0..count).map(|i| (first + i) % count).find_map(|letter| {
+            let next = (0..count).map(|i| (first + i) % count).find_map(|i| {
                 visits += 1;
-                let map = node.map * frame.maps[letter];
+                let (step, letters) = frame.steps[i];
+                let map = node.map * step;
                 let extent = self.settled.window().extent(&map)?;
-                let part = Node { map, letters: node.letters.then(letter) };
+                let part = Node { map, letters: node.letters.join(letters) };
                 (!self.settled.all(extent.pixels)).then_some(part)
             });
             let Some(next) = next else { return (None, visits) };

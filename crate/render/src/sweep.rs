@@ -87,7 +87,7 @@ impl Canvas {
 const PATIENCE: (u64, u64) = (8, 100_000);
 /// Where the window shows a small part only, it takes a while to find anything in it.
 const CLOSE_PATIENCE: u64 = 2_000_000;
-const VISITS_A_PIXEL: u64 = 400;
+const VISITS_A_PIXEL: u64 = 300;
 /// Points a probe draws before the budget is looked at again.
 const PORTION: u64 = 4096;
 

@@ -72,6 +72,11 @@ pub fn ifs(name: &str) -> Ifs {
             .collect(),
         "thin" => vec![row([0.5, 30.0, 0.0, 0.5, 0.0, 0.0]), row([0.5, -20.0, 0.0, 0.4, 0.5, 0.01])],
         "slow" => vec![turned(0.9999, 30.0, 0.0, 0.0), turned(0.5, 0.0, 1.0, 0.0)],
+        // Its million steps from one end to the other are each too short to see.
+        "slow line" => {
+            let k = 0.999_999;
+            vec![row([k, 0.0, 0.0, k, 0.0, 0.0]), row([k, 0.0, 0.0, k, 0.0, 1.0])]
+        }
         "segment" => vec![turned(0.5, 0.0, 0.0, 0.0), turned(0.5, 0.0, 0.5, 0.0)],
         "singular" => vec![row([0.5, 0.0, 0.0, 0.0, 0.0, 0.0]), row([0.0, 0.5, 0.0, 0.5, 0.5, 0.5])],
         _ => panic!("no shape is called {name}"),
@@ -85,4 +90,4 @@ pub const PLAIN: &[&str] = &[
     "singular",
 ];
 /// Shapes on which simple methods give up.
-pub const NASTY: &[&str] = &["overlap", "overlap line", "overlap shear", "many", "thin", "slow"];
+pub const NASTY: &[&str] = &["overlap", "overlap line", "overlap shear", "many", "thin", "slow", "slow line"];
