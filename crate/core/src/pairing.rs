@@ -45,12 +45,17 @@ fn extend(original: &[Affine2], target: usize, which: &str, steps: &mut Vec<Stri
         // The first of the largest, so that the order is stable.
         (0..maps.len()).rev().max_by(|&i, &j| size(&maps[i]).total_cmp(&size(&maps[j]))).unwrap_or(0)
     };
+    let mut splits = 0;
     while gain > 0 && maps.len() + gain <= target {
         let i = largest(&maps);
         let whole = maps[i];
         maps.splice(i..=i, original.iter().map(|&part| whole * part));
+        splits += 1;
+    }
+    if splits > 0 {
+        let piece = if splits == 1 { "A piece".to_owned() } else { format!("{splits} times over, a piece") };
         steps.push(format!(
-            "A piece of the {which} shape was split into its {} parts, so that it has {} maps.",
+            "{piece} of the {which} shape was split into its {} parts, so that it has {} maps.",
             original.len(),
             maps.len()
         ));
@@ -162,6 +167,17 @@ mod tests {
         let mut areas: Vec<_> = paired.from.iter().map(|map| map.determinant()).collect();
         areas.sort_by(f64::total_cmp);
         assert_eq!(areas, [0.25, 0.25, 0.5]);
+    }
+
+    #[test]
+    fn many_splits_make_one_sentence() {
+        let two = [0.0, 0.5].map(|e| Affine2::from_row([0.5, 0.0, 0.0, 0.5, e, 0.0]));
+        let eight = [0.1; 8].map(|r| Affine2::from_row([r, 0.0, 0.0, r, 0.0, 0.0]));
+        let ifs = |maps: &[Affine2]| Ifs::new(maps.to_vec()).unwrap();
+        let steps = pair(&ifs(&two), &ifs(&eight)).steps;
+        let wanted =
+            "6 times over, a piece of the first shape was split into its 2 parts, so that it has 8 maps.";
+        assert_eq!(steps, [wanted]);
     }
 
     #[test]
