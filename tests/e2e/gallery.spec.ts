@@ -87,11 +87,4 @@ test("shapes with different numbers of maps morph all the same", async ({ studio
   expect(look.lit).toBeGreaterThan(1000);
   await expect(page.locator(".notes p").first()).toHaveText(/\b(doubled|split|refined)\b.*\.$/);
   await expect(studio.verdict).toHaveText(/piece|Undecided/);
-  // Both ends are what they were: refining and doubling leave a shape alone.
-  await studio.time.press("End");
-  expect(await studio.likeness()).toBeGreaterThanOrEqual(0.995);
-  const refined = await studio.look();
-  await studio.open("a=carpet&b=carpet&t=1");
-  const plain = await studio.look();
-  expect(Math.abs(refined.lit - plain.lit) / plain.lit).toBeLessThan(0.6);
 });

@@ -50,7 +50,7 @@ test("hostile fragments open the default and say why", async ({ studio, page }) 
   expect(await page.evaluate(() => "hacked" in window)).toBe(false);
 });
 
-for (const what of ["a million maps", "no attractor", "a tag"]) {
+for (const what of ["a million maps", "a tag"]) {
   test(`a page that begins with ${what} begins all the same`, async ({ studio, page }) => {
     await studio.open(HOSTILE[what]);
     await expect(studio.alerts).toHaveCount(1);
@@ -78,7 +78,8 @@ test("links of later versions show what is understood", async ({ studio }) => {
   expect((await studio.scene()).a.preset).toBe("koch");
 });
 
-test("shapes at the edge of what contracts neither hang nor crash", async ({ studio }) => {
+test("shapes at the edge of what contracts neither hang nor crash", async ({ studio, page }) => {
+  await studio.open("a=gasket&b=gasket");
   for (const link of [
     "a=maps:0.999999,0,0,0.999999,0,0;0.999999,0,0,0.999999,0,1&b=gasket",
     "a=maps:0.5,1e5,0,0.5,0,0;0.5,0,0,0.5,1,0&b=gasket&path=straight&t=0.5",
@@ -86,10 +87,13 @@ test("shapes at the edge of what contracts neither hang nor crash", async ({ stu
     "a=maps:1e-300,0,0,1e-300,0,0;1e-300,0,0,1e-300,1e-300,0&b=dust",
   ]) {
     await test.step(link, async () => {
-      await studio.open(link);
+      await page.evaluate((fragment) => {
+        location.hash = fragment;
+      }, link);
+      await expect.poll(async () => (await studio.scene()).a.preset).toBeUndefined();
       await studio.idle();
       await expect(studio.verdict).not.toHaveText(/Looking/);
-      await expect(studio.time).toBeEnabled();
+      await expect(studio.alerts).toHaveCount(0);
     });
   }
 });

