@@ -36,6 +36,7 @@ test("parallelograms are reached, chosen and moved by keys", async ({ studio, pa
   await page.getByRole("application").focus();
   const second = page.getByRole("button", { name: /^Map 2(, chosen.*)?$/ });
   const focused = () => second.evaluate((element) => element === document.activeElement);
+  await expect(second).toHaveJSProperty("tabIndex", 0);
   for (let presses = 0; presses < 20 && !(await focused()); presses++) await page.keyboard.press("Tab");
   await page.keyboard.press("Enter");
   await expect(second).toHaveAttribute("aria-pressed", "true");

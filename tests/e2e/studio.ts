@@ -1,6 +1,6 @@
 import type { Locator, Page } from "@playwright/test";
 import type { Scene } from "../../crate/web/src/api";
-import type {} from "../../www/src/shell/hook";
+import type { Which } from "../../www/src/shell/hook";
 
 /** What a picture looks like, from the engine's own read-back: a capture of the page might be blank and pass. */
 export interface Look {
@@ -58,12 +58,12 @@ export class Studio {
     return scene;
   }
 
-  /** The picture once it is complete. */
-  async look(): Promise<Look> {
+  /** The picture, or the linear one beside it, once it is complete. */
+  async look(which: Which = "main"): Promise<Look> {
     await this.drawn();
-    return this.page.evaluate(async () => {
+    return this.page.evaluate(async (which) => {
       if (!window.frond) throw new Error("the page has no hook");
-      const { width, height, data } = await window.frond.readPixels();
+      const { width, height, data } = await window.frond.readPixels(which);
       const box: [number, number, number, number] = [width, height, 0, 0];
       const counts = new Map<number, number>();
       let lit = 0;
@@ -86,15 +86,15 @@ export class Studio {
         .sort(([, p], [, q]) => q - p)
         .map(([colour]) => `#${colour.toString(16).padStart(6, "0")}`);
       return { width, height, lit, hash: (hash >>> 0).toString(16), colours, box };
-    });
+    }, which);
   }
 
   /** The part of the lit pixels on which the picture and the adaptive cut agree. */
-  async likeness(): Promise<number> {
+  async likeness(which: Which = "main"): Promise<number> {
     await this.drawn();
-    return this.page.evaluate(async () => {
+    return this.page.evaluate(async (which) => {
       if (!window.frond) throw new Error("the page has no hook");
-      const [mine, twin] = [await window.frond.readPixels(), await window.frond.twin()];
+      const [mine, twin] = [await window.frond.readPixels(which), await window.frond.twin(which)];
       let both = 0;
       let either = 0;
       for (let i = 3; i < twin.data.length; i += 4) {
@@ -103,7 +103,7 @@ export class Studio {
         if (p || q) either++;
       }
       return either === 0 ? 0 : both / either;
-    });
+    }, which);
   }
 
   /** The handle of a way point, by number from 1. */

@@ -21,6 +21,9 @@ export const picture = signal<PainterState>({
   preview: false,
 });
 export const mainPainter = signal<Painter | null>(null);
+/** The same for the linear picture, while it stands beside the other. */
+export const linearPicture = signal<PainterState | null>(null);
+export const linearPainter = signal<Painter | null>(null);
 
 const comparing = computed(() => scene.value.compare && selection.value === null);
 const polar = computed(() => mapsAt(uv.value, { ...morphOptions.value, mode: "polar" }));
@@ -31,7 +34,13 @@ const setPicture = (state: PainterState) => {
 const setPainter = (painter: Painter | null) => {
   mainPainter.value = painter;
 };
-const ignore = () => {};
+const setLinearPicture = (state: PainterState) => {
+  linearPicture.value = state;
+};
+const setLinearPainter = (painter: Painter | null) => {
+  linearPainter.value = painter;
+  if (!painter) linearPicture.value = null;
+};
 
 /** The picture, as large as it can be: every tool draws on this one. */
 export function Stage({
@@ -70,7 +79,12 @@ export function Stage({
         </div>
         {both && (
           <div class="pane">
-            <Picture maps={linear} backend={backend} onState={ignore} />
+            <Picture
+              maps={linear}
+              backend={backend}
+              onState={setLinearPicture}
+              onPainter={setLinearPainter}
+            />
             <p class="pane-label">Number by number (linear)</p>
           </div>
         )}

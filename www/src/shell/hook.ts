@@ -1,27 +1,30 @@
 import { effect } from "@preact/signals";
 import { stageStyle } from "../canvas/look";
-import { mainPainter, picture } from "../canvas/stage";
+import { linearPainter, linearPicture, mainPainter, picture } from "../canvas/stage";
 import type { Pixels } from "../canvas/surface";
 import { effectiveView, stageSize } from "../canvas/view";
 import type { Scene } from "../engine/api";
 import { killWorker } from "../engine/engine";
 import { locus, verdict, workers } from "../engine/results";
 import { frond } from "../engine/wasm";
-import { shown } from "../state/morph";
+import { linear, shown } from "../state/morph";
 import { scene } from "../state/scene";
+
+/** The picture on the stage, or the linear one beside it. */
+export type Which = "main" | "linear";
 
 /** What the tests, and the curious, may ask of the running page. */
 export interface Hook {
   scene(): Scene;
   backend(): string | null;
-  readPixels(): Promise<Pixels>;
+  readPixels(which?: Which): Promise<Pixels>;
   /** The same picture from the CPU, through the adaptive cut: what `readPixels` has to agree with. */
-  twin(): Promise<Pixels>;
+  twin(which?: Which): Promise<Pixels>;
   /** Share of the locus's samples that are decided, 0 to 1. */
   locusProgress(): number;
   forceLoss(): void;
   killWorker(): void;
-  /** Resolves when the picture is complete. */
+  /** Resolves when the picture is complete, and the one beside it. */
   drawn(): Promise<void>;
   /** Resolves when the locus is complete too, the verdict is about the picture, and no worker has anything to do. */
   idle(): Promise<void>;
@@ -47,23 +50,25 @@ export function installHook(): void {
   };
 }
 
-async function readPixels(): Promise<Pixels> {
-  const painter = mainPainter.peek();
+async function readPixels(which: Which = "main"): Promise<Pixels> {
+  const painter = (which === "main" ? mainPainter : linearPainter).peek();
   if (!painter) throw new Error("There is no picture on this page.");
   return painter.pixels();
 }
 
-async function twin(): Promise<Pixels> {
-  const { width, height } = await readPixels();
+async function twin(which: Which = "main"): Promise<Pixels> {
+  const { width, height } = await readPixels(which);
+  const ratio = (await readPixels()).width / stageSize.peek().width;
   const { x, y, scale } = effectiveView.peek();
-  const view = { x, y, scale: (scale * width) / stageSize.peek().width };
+  const view = { x, y, scale: scale * ratio };
   const { colouring, palette } = stageStyle.peek();
-  const data = frond.rasterize({ maps: shown.peek() }, { width, height, view, colouring, palette });
+  const maps = (which === "main" ? shown : linear).peek();
+  const data = frond.rasterize({ maps }, { width, height, view, colouring, palette });
   return { width, height, data };
 }
 
 function drawn(): boolean {
-  return picture.value.settled;
+  return picture.value.settled && linearPicture.value?.settled !== false;
 }
 
 function idle(): boolean {
