@@ -23,8 +23,6 @@ mod flood;
 mod frame;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 pub mod gpu;
-#[cfg(any(test, all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2"))))]
-mod half;
 mod letters;
 mod measure;
 mod plan;
@@ -50,7 +48,7 @@ pub use measure::{MassPiece, Sample, Sampler, pieces_by_mass};
 pub use plan::{Batch, Detail, Plan};
 pub use points::{Instance, Vertex};
 pub use raster::{MAX_SIDE, RasterOptions, RenderError, codes, rasterize};
-pub use resolve::{resolve_codes, resolve_density, to_bytes};
+pub use resolve::{picture_of_codes, picture_of_density, resolve_codes, resolve_density, to_bytes};
 pub use sweep::{Hit, Progress, Sweep};
 pub use view::View;
 pub use window::{Extent, PixelBox, Window};

@@ -6,7 +6,7 @@ use thiserror::Error;
 use crate::colour::{Colouring, Look};
 use crate::density::Density;
 use crate::frame::Frame;
-use crate::resolve::{resolve_codes, resolve_density, to_bytes};
+use crate::resolve::{picture_of_codes, picture_of_density};
 use crate::sweep::{Progress, Sweep};
 use crate::view::View;
 use crate::window::Window;
@@ -93,13 +93,15 @@ pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, Rend
     let frame = Frame::within(ifs, &hull);
     let view = options.view.unwrap_or_else(|| View::fit(&hull, width, height, 0.05));
     let window = Window { width, height };
+    if window.area() == 0 {
+        return Ok(Vec::new());
+    }
     let mut look = Look::new(options.colouring, options.palette, ifs.len());
-    let mut picture = Vec::with_capacity(window.area() * 4);
     if options.colouring == Colouring::Density {
         let (sums, gain) = densities(&frame, view, window, &look);
         look.source = [width as i32, height as i32];
         look.gain = gain * options.exposure.max(0.0);
-        write(window, &mut picture, |pixel| resolve_density(&look, &sums, pixel));
+        Ok(picture_of_density(&look, &sums, window))
     } else {
         let factor = if options.smooth { 2 } else { 1 };
         let fine = Window { width: width * factor, height: height * factor };
@@ -107,16 +109,7 @@ pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, Rend
         let codes = codes(&frame, to_screen, fine, DETAIL * f64::from(factor)).0;
         look.source = [fine.width as i32, fine.height as i32];
         look.factor = factor as f32;
-        write(window, &mut picture, |pixel| resolve_codes(&look, &codes, pixel));
-    }
-    Ok(picture)
-}
-
-fn write(window: Window, picture: &mut Vec<u8>, mut pixel: impl FnMut([i32; 2]) -> [f32; 4]) {
-    for y in 0..window.height as i32 {
-        for x in 0..window.width as i32 {
-            picture.extend(to_bytes(pixel([x, y])));
-        }
+        Ok(picture_of_codes(&look, &codes, window))
     }
 }
 

@@ -13,6 +13,7 @@ mod stage;
 mod swept;
 mod target;
 mod weighed;
+mod work;
 
 pub use device::{Canvas, Gpu, GpuError, Wanted};
 pub use events::{Event, Loss};

@@ -9,7 +9,11 @@ pub(super) enum Kind {
     Codes,
     /// Sums of weights.
     Density,
+    /// Colours, made on the processor.
+    Picture,
 }
+
+const KINDS: [Kind; 3] = [Kind::Codes, Kind::Density, Kind::Picture];
 
 /// Everything that is the same for all pictures.
 #[derive(Debug)]
@@ -17,13 +21,13 @@ pub(super) struct Pipelines {
     /// Draw points into a target.
     points: [wgpu::RenderPipeline; 2],
     /// Show a target on the canvas.
-    shows: [wgpu::RenderPipeline; 2],
+    shows: [wgpu::RenderPipeline; 3],
     /// The same into a texture that can be read.
-    reads: [wgpu::RenderPipeline; 2],
+    reads: [wgpu::RenderPipeline; 3],
     /// Bindings of the first.
     pub points_layout: wgpu::BindGroupLayout,
     /// Bindings of the others.
-    resolve_layouts: [wgpu::BindGroupLayout; 2],
+    resolve_layouts: [wgpu::BindGroupLayout; 3],
 }
 
 /// What pictures are read from.
@@ -50,25 +54,23 @@ impl Pipelines {
         let points = module("points", POINTS);
         let resolve = module("resolve", RESOLVE);
         let points_layout = layout(device, "points", &[uniform(0), uniform(1)]);
-        let resolve_layouts = [
-            layout(device, "codes", &[uniform(1), texture(2, wgpu::TextureSampleType::Uint)]),
-            layout(
-                device,
-                "density",
-                &[uniform(1), texture(3, wgpu::TextureSampleType::Float { filterable: false })],
-            ),
-        ];
+        let resolve_layouts = KINDS.map(|kind| {
+            let sample_type = match kind {
+                Kind::Codes => wgpu::TextureSampleType::Uint,
+                Kind::Density | Kind::Picture => wgpu::TextureSampleType::Float { filterable: false },
+            };
+            layout(device, "resolve", &[uniform(1), texture(Self::texture_binding(kind), sample_type)])
+        });
         let draws =
             [Kind::Codes, Kind::Density].map(|kind| draw(device, &points, &points_layout, kind, sums));
-        let shows = [Kind::Codes, Kind::Density]
-            .map(|kind| show(device, &resolve, &resolve_layouts[kind as usize], kind, canvas));
-        let reads = [Kind::Codes, Kind::Density]
-            .map(|kind| show(device, &resolve, &resolve_layouts[kind as usize], kind, READ));
+        let shows = KINDS.map(|kind| show(device, &resolve, &resolve_layouts[kind as usize], kind, canvas));
+        let reads = KINDS.map(|kind| show(device, &resolve, &resolve_layouts[kind as usize], kind, READ));
         Self { points: draws, shows, reads, points_layout, resolve_layouts }
     }
 
-    pub fn points(&self, kind: Kind) -> &wgpu::RenderPipeline {
-        &self.points[kind as usize]
+    /// Nothing is drawn into pictures.
+    pub fn points(&self, kind: Kind) -> Option<&wgpu::RenderPipeline> {
+        self.points.get(kind as usize)
     }
 
     pub fn show(&self, kind: Kind) -> &wgpu::RenderPipeline {
@@ -84,6 +86,7 @@ impl Pipelines {
         match kind {
             Kind::Codes => 2,
             Kind::Density => 3,
+            Kind::Picture => 4,
         }
     }
 
@@ -148,7 +151,7 @@ fn draw(
     };
     let (vertex, fragment, format, blend) = match kind {
         Kind::Codes => ("codes_vertex", "codes_fragment", CODES, None),
-        Kind::Density => {
+        Kind::Density | Kind::Picture => {
             let blend = wgpu::BlendState { color: add, alpha: add };
             ("density_vertex", "density_fragment", sums, Some(blend))
         }
@@ -207,6 +210,7 @@ fn show(
     let fragment = match kind {
         Kind::Codes => "codes_resolve",
         Kind::Density => "density_resolve",
+        Kind::Picture => "picture_resolve",
     };
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(fragment),

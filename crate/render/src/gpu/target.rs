@@ -4,14 +4,12 @@ use bytemuck::{Pod, Zeroable};
 
 use super::buffer::{Buffer, uniform};
 use super::device::Gpu;
-use super::pipelines::{CODES, DEPTH, Kind, Pipelines};
-use crate::colour::Look;
-use crate::half::to_half;
+use super::pipelines::{CODES, DEPTH, Kind, Pipelines, READ};
 use crate::plan::Batch;
 use crate::points::{Instance, Vertex};
 use crate::window::Window;
 
-/// A texture of codes or sums, and what is needed to draw points into it and to make a picture of it.
+/// A texture of codes, sums or colours, and what is needed to draw points into it and to show it.
 #[derive(Debug)]
 pub(super) struct Target {
     pub window: Window,
@@ -48,7 +46,11 @@ impl Target {
             })
         };
         let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT;
-        let format = if kind == Kind::Codes { CODES } else { gpu.sums };
+        let format = match kind {
+            Kind::Codes => CODES,
+            Kind::Density => gpu.sums,
+            Kind::Picture => READ,
+        };
         let read = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
         let pixels = texture("pixels", format, drawn | read);
         let view = |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
@@ -65,29 +67,13 @@ impl Target {
         Self { window, kind, pixels: view(&pixels), texture: pixels, depth, screen, points }
     }
 
-    /// Replaces what was drawn by codes from elsewhere, one a pixel, row after row.
-    pub fn write_codes(&self, gpu: &Gpu, codes: &[u32]) {
-        self.write(gpu, bytemuck::cast_slice(codes));
-    }
-
-    /// The same by sums, which are multiplied by `scale`.
-    pub fn write_sums(&self, gpu: &Gpu, sums: &[[f32; 4]], scale: f32) {
-        if gpu.sums == wgpu::TextureFormat::Rgba32Float {
-            let scaled: Vec<[f32; 4]> = sums.iter().map(|sum| sum.map(|x| x * scale)).collect();
-            self.write(gpu, bytemuck::cast_slice(&scaled));
-        } else {
-            let halves: Vec<[u16; 4]> = sums.iter().map(|sum| sum.map(|x| to_half(x * scale))).collect();
-            self.write(gpu, bytemuck::cast_slice(&halves));
-        }
-    }
-
-    fn write(&self, gpu: &Gpu, bytes: &[u8]) {
+    /// Replaces what it holds by a picture, four bytes a pixel, row after row.
+    pub fn write(&self, gpu: &Gpu, bytes: &[u8]) {
         let Window { width, height } = self.window;
-        let bytes_per_row = Some((bytes.len() / height as usize) as u32);
         gpu.queue.write_texture(
             self.texture.as_image_copy(),
             bytes,
-            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row, rows_per_image: None },
+            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(width * 4), rows_per_image: None },
             wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         );
     }
@@ -108,6 +94,7 @@ impl Target {
         instances: &Buffer,
         batches: &[Batch],
     ) {
+        let Some(pipeline) = pipelines.points(self.kind) else { return };
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -137,7 +124,7 @@ impl Target {
                 }),
                 ..wgpu::RenderPassDescriptor::default()
             });
-            pass.set_pipeline(pipelines.points(self.kind));
+            pass.set_pipeline(pipeline);
             pass.set_bind_group(0, &self.points, &[]);
             for batch in batches.iter().filter(|batch| batch.points() > 0) {
                 // WebGL has no base instance: the ranges are taken from the buffers instead.
@@ -189,16 +176,5 @@ impl Target {
             pass.draw(0..3, 0..1);
         }
         encoder
-    }
-
-    /// The look with which it is read, `factor` being its pixels for each pixel of the picture.
-    pub fn look(&self, look: &Look, factor: f64, gain: f32, premultiply: bool) -> Look {
-        Look {
-            source: [self.window.width as i32, self.window.height as i32],
-            factor: factor as f32,
-            gain,
-            premultiply: if premultiply { 1.0 } else { 0.0 },
-            ..*look
-        }
     }
 }

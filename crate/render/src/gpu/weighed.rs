@@ -55,8 +55,7 @@ impl Weighed {
     }
 
     /// Begins a picture, in passes of at most about half of `budget` points.
-    pub fn begin(&mut self, gpu: &Gpu, frame: &Frame, view: View, target: &Target, budget: u64) {
-        let window: Window = target.window;
+    pub fn begin(&mut self, gpu: &Gpu, frame: &Frame, view: View, window: Window, budget: u64) {
         let samples = (budget as usize / (2 * PIECES)).clamp(SAMPLES.0, SAMPLES.1);
         let density = Density::new(frame, view, window, PIECES, samples);
         let pieces = density.pieces.iter();
@@ -64,7 +63,6 @@ impl Weighed {
             .map(|piece| Instance::new(&piece.map, piece.letters, piece.mass as f32 * density.gain))
             .collect();
         self.instances.fill(&gpu.device, &gpu.queue, &instances);
-        target.prepare(gpu, SCALE);
         self.density = Some(density);
         self.sums.clear();
         self.passes = 0;
@@ -83,6 +81,7 @@ impl Weighed {
         let Some(density) = &mut self.density else { return true };
         let wanted = (density.lit as u64 * POINTS_A_PIXEL).min(MOST_POINTS);
         let end = (self.points + budget).min(wanted);
+        target.prepare(gpu, SCALE);
         loop {
             density.sampler.fill(frame, &mut self.samples);
             self.cloud.clear();
@@ -105,23 +104,31 @@ impl Weighed {
         }
     }
 
-    /// The same on the processor, and hands the sums to the target.
-    pub fn go_on_without(&mut self, gpu: &Gpu, frame: &Frame, target: &Target, look: &Look) -> bool {
+    /// The same on the processor.
+    pub fn go_on_without(&mut self, frame: &Frame, look: &Look, window: Window) -> bool {
         let Some(density) = &mut self.density else { return true };
-        self.sums.resize(target.window.area(), [0.0; 4]);
+        self.sums.resize(window.area(), [0.0; 4]);
         let wanted = (density.lit as u64 * POINTS_A_PIXEL).min(MOST_POINTS);
         let end = (self.points + SOFTWARE_POINTS).min(wanted);
         loop {
-            let samples = &mut self.samples;
-            let points = density.accumulate(frame, look, target.window, samples, &mut self.sums) as u64;
+            let points = density.accumulate(frame, look, window, &mut self.samples, &mut self.sums) as u64;
             self.passes = self.passes.saturating_add(1);
             self.points += points;
             let enough = points == 0 || self.passes == u16::MAX || self.points >= wanted;
             if enough || self.points >= end {
-                target.write_sums(gpu, &self.sums, SCALE);
                 return enough;
             }
         }
+    }
+
+    /// The sums that the processor added up.
+    pub fn sums(&self) -> &[[f32; 4]] {
+        &self.sums
+    }
+
+    /// What those are multiplied by to have a mean of 1.
+    pub fn software_gain(&self) -> f32 {
+        1.0 / f32::from(self.passes.max(1))
     }
 
     /// What sums are multiplied by to have a mean of 1.
