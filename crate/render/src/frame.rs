@@ -25,7 +25,7 @@ pub struct Frame {
     /// A point of the attractor near the middle, in unit coordinates.
     pub anchor: DVec2,
     /// Points of the attractor that stick out farthest in some direction, in unit coordinates: at most
-    /// [`TIPS`], each once. A piece reaches over an edge where one of its tips does.
+    /// sixteen, each once. A piece reaches over an edge where one of its tips does.
     pub tips: Vec<DVec2>,
 }
 

@@ -42,7 +42,7 @@ pub enum Progress {
 ///
 /// Where pieces cover each other many times over (two maps of ratio 0.9: more words than could ever be
 /// visited), the walk would be stuck at the rim of the shape, in pixels that boxes touch and pieces do
-/// not. It then goes over to a [`Probe`].
+/// not. It then draws large pieces as clouds of points, found by a [`Flood`](crate::Flood).
 #[derive(Debug)]
 pub struct Sweep {
     frame: Frame,
