@@ -43,7 +43,7 @@ test.describe("a renderer that cannot be loaded", () => {
   test("is done without", async ({ studio, page }) => {
     await page.route(/frond-web(gl2|gpu)/, (route) => route.abort());
     await studio.open("a=gasket&b=gasket");
-    await expect(studio.toasts).toContainText("The picture is computed without it");
+    await expect(studio.toasts).toContainText("the picture is computed without it");
     expect((await studio.look()).lit).toBeGreaterThan(1000);
     expect(await page.evaluate(() => window.frond?.backend())).toBe("canvas");
   });

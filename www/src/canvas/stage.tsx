@@ -11,15 +11,16 @@ import { Picture } from "./picture";
 import { followFit } from "./view";
 import { linkView } from "./view-link";
 
-/** What the main picture is up to. */
-export const picture = signal<PainterState>({
+const NOTHING: PainterState = {
   backend: null,
   complete: false,
   settled: false,
   points: 0,
   empty: false,
   preview: false,
-});
+};
+/** What the main picture is up to. */
+export const picture = signal<PainterState>(NOTHING);
 export const mainPainter = signal<Painter | null>(null);
 /** The same for the linear picture, while it stands beside the other. */
 export const linearPicture = signal<PainterState | null>(null);
@@ -33,6 +34,8 @@ const setPicture = (state: PainterState) => {
 };
 const setPainter = (painter: Painter | null) => {
   mainPainter.value = painter;
+  // What the last one was up to says nothing about the next.
+  if (!painter) picture.value = NOTHING;
 };
 const setLinearPicture = (state: PainterState) => {
   linearPicture.value = state;
