@@ -23,7 +23,7 @@ test("reloading restores the document and the very same picture", async ({ studi
   await page.reload();
   await studio.time.waitFor();
   expect([await studio.scene(), await studio.look()]).toEqual(before);
-  await expect(studio.toasts).toBeEmpty();
+  expect(await studio.said()).toEqual([]);
 });
 
 test("the link that is shared opens the same elsewhere", async ({ studio, page, context, browser }) => {
@@ -32,7 +32,7 @@ test("the link that is shared opens the same elsewhere", async ({ studio, page, 
   await studio.time.press("ArrowRight");
   await studio.idle();
   await page.getByRole("button", { name: "Share link" }).click();
-  await expect(studio.toasts).toContainText("Link copied");
+  await expect.poll(() => studio.said()).toEqual([expect.stringContaining("Link copied")]);
   const shared = await page.evaluate(() => navigator.clipboard.readText());
   const mine = [await studio.scene(), await studio.look()];
   expect(shared).toBe(page.url());

@@ -10,7 +10,7 @@ test("the first picture is there, drawn by the backend of this project", async (
   expect(look.lit).toBeLessThan(0.9 * all);
   // Three maps, three colours, and none but those of the palette.
   expect(look.colours.slice(0, 3).sort()).toEqual(palette("light").slice(0, 3).sort());
-  await expect(studio.toasts).toBeEmpty();
+  expect(await studio.said()).toEqual([]);
   // What stood in for it until then is gone.
   await expect(page.locator(".picture canvas")).toHaveCount(1);
 });

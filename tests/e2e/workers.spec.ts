@@ -45,7 +45,7 @@ test("a worker that dies in the middle is replaced, and nothing is missing", asy
   for (let deaths = 0; deaths < 2; deaths++) await page.evaluate(() => window.frond?.killWorker());
   await studio.idle();
   await expectWhole(studio);
-  await expect(studio.toasts).toBeEmpty();
+  expect(await studio.said()).toEqual([]);
   // Nothing was left out: the same picture of the field as without deaths.
   const field = () =>
     page.locator("canvas.locus-field").evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
@@ -70,7 +70,7 @@ test("a change in the middle replaces what was under way", async ({ studio, page
 
 test("without workers everything works", async ({ studio, page }) => {
   await studio.open("a=dragon-3&b=gasket&path=straight&t=0.5", "?workers=0");
-  await expect(studio.toasts).toContainText("Running without workers");
+  await expect.poll(() => studio.said()).toEqual([expect.stringContaining("Running without workers")]);
   await studio.idle();
   await expect(page.getByText("no workers")).toBeVisible();
   await expect(studio.verdict).toHaveText(/\d+ pieces/);
