@@ -33,6 +33,67 @@ export interface Connectedness {
   diameter: number;
   /** Pairs of pieces that were looked at. */
   nodes: number;
+  /** Why it is `connected`; or, where it is `touching`, under which reading of its numbers it would be. */
+  reason?: Reason;
+}
+
+export type ReasonKind =
+  | "one-map"
+  | "equal-maps"
+  | "common-point"
+  | "area"
+  | "shared-points"
+  | "crossings"
+  | "neighbours";
+
+/** A reason that can be shown for an attractor to be in one piece. */
+export interface Reason {
+  kind: ReasonKind;
+  /** The reason in a sentence or two. */
+  text: string;
+  /** What holds the pieces together: enough of them to reach every piece. Empty where one fact covers all. */
+  links: Link[];
+  /**
+   * Readings of numbers that it hangs on, such as "0.3333333333333333 is 1/3". Empty for a proof about the maps as they
+   * are given; otherwise the verdict stays `touching`, since the given numbers only come near.
+   */
+  assuming: string[];
+  /** How many neighbour types there are, where the neighbour graph closed. */
+  neighbours?: number;
+}
+
+/** What holds two pieces together: a point that both have, or two paths that must cross. */
+export interface Link {
+  kind: "point" | "crossing";
+  /** Two maps, the smaller index first. */
+  pair: [i: number, j: number];
+  /** The addresses of the point, or the words of the crossing pieces, as people read them: letters from 1, "1(2)" is 1222.. */
+  words: [string, string];
+  /** The shared point, or the middle of the crossing. */
+  at: [x: number, y: number];
+  /** Of a crossing: two far points of the first piece, then two of the second. */
+  corners?: [x: number, y: number][];
+}
+
+/** A proof that an attractor is in several pieces, which `checkCertificate` replays in exact arithmetic. */
+export interface Certificate {
+  maps: MapRow[];
+  /** A convex polygon, counter-clockwise, that every word of `letters` letters maps into its inside. */
+  polygon: [x: number, y: number][];
+  letters: number;
+  /** For each map the side of the cut it is on. */
+  side: (0 | 1)[];
+  /** Pieces that are apart, as words (letters from 0), and a direction that shows it. */
+  pairs: { u: number[]; v: number[]; normal: [x: number, y: number] }[];
+}
+
+export interface CertificateCheck {
+  valid: boolean;
+  /** What was checked, or what is wrong with it, in a sentence. */
+  text: string;
+  pairs: number;
+  /** Letters of the longest word. */
+  longest: number;
 }
 
 export type Mode = "polar" | "linear";
@@ -61,6 +122,22 @@ export interface LocusOptions extends MorphOptions {
   height: number;
   /** Relative to the diameter of the attractor. Default 1/600. */
   epsilon?: number;
+  /** The slice: how far the stretch is ahead of the turn. Default 0, the plane of Burch & Hart. */
+  w?: number;
+}
+
+/** The systems s z + exp(2 pi i k / sides), k = 0 .. sides - 1, over the complex s. Two sides: the set M. */
+export interface PolygonFamily {
+  /** 2 to 64. */
+  sides: number;
+}
+
+/** `bounds` are those of s: u its real, v its imaginary part. */
+export interface FamilyOptions {
+  bounds: Bounds;
+  width: number;
+  height: number;
+  epsilon?: number;
 }
 
 /** Row 0 is v0 (the bottom). `state`: 0 connected, 1 touching, 2 disconnected, 3 undecided, 4 no attractor. */
@@ -72,13 +149,81 @@ export interface Locus {
   gap: Float32Array;
 }
 
+/** A parameter of a morph: u turns and stretches, v moves; w, 0 where absent, is how far the stretch is ahead of the turn. */
+export type PathPoint = [u: number, v: number, w?: number];
+
 export interface PathPlan {
   /** From (0,0) to (1,1), both included. */
-  points: [u: number, v: number][];
+  points: PathPoint[];
   /** The widest relative gap met along the path, 0 if it holds together all the way at `epsilon`. */
   gap: number;
   /** Whether no sample along the path was broken. */
   holds: boolean;
+  /** The least distance, in (u, v, w), from what is broken. */
+  clearance: number;
+  /** Where the gap is widest; absent if it holds. */
+  worst?: PathPoint;
+}
+
+export interface PathOptions extends MorphOptions {
+  /** Default 1/600. */
+  epsilon?: number;
+  /** Samples a side of the locus it looks through. */
+  size?: number;
+  /** 3: also with the stretch ahead of or behind the turn. Default 2. */
+  axes?: 2 | 3;
+}
+
+export interface CertifyOptions extends MorphOptions {
+  /** The relative gap that is to be excluded. Default 1/600. */
+  within?: number;
+  /** The stretch of the path, by length. Default 0 to 1. */
+  t0?: number;
+  t1?: number;
+  /** The most boxes to look at. */
+  budget?: number;
+}
+
+/** What is proved of a stretch of a path. */
+export interface PathCertificate {
+  /** No relative gap wider than this anywhere on the stretch: proved. Infinity where nothing is. */
+  gap: number;
+  /** Whether that is no more than was asked for. */
+  holds: boolean;
+  /** Boxes that cover the stretch. */
+  boxes: number;
+  /** Where the least could be proved, by length of the whole path. */
+  worst: number;
+  /** Whether the budget sufficed. */
+  complete: boolean;
+}
+
+/** A way to match the maps of two shapes. */
+export interface Candidate {
+  correspondence: number[];
+  turns: number[];
+  /** How far the maps have to move: the smaller, the plainer. */
+  cost: number;
+}
+
+export interface RatedCandidate extends Candidate {
+  plan: PathPlan;
+  /** The share of the locus where it holds together. */
+  share: number;
+  locus: Locus;
+}
+
+export type RouteKind = "plain" | "collapse" | "correspondence" | "symmetry" | "mirror" | "refine" | "double";
+
+/** A way to bring two shapes to a morph. Both keep their shape; only the maps that make it may be others. */
+export interface Route {
+  kind: RouteKind;
+  /** A sentence that says what happens on it. */
+  about: string;
+  from: MapRow[];
+  to: MapRow[];
+  correspondence: number[];
+  turns: number[];
 }
 
 export interface PathCheck {
@@ -115,7 +260,7 @@ export interface Scene {
   path: {
     kind: PathKind;
     /** Way points between (0,0) and (1,1), which are not listed. At most 64. */
-    points: [u: number, v: number][];
+    points: PathPoint[];
   };
   /** Where along the path, by length in (u, v): 0 to 1. */
   t: number;
@@ -128,6 +273,23 @@ export interface Scene {
   compare: boolean;
   /** Absent: the whole attractor is fitted to the stage. `zoom` is in pixels a unit over those of the fit. */
   view?: { x: number; y: number; zoom: number };
+  /** How the locus is looked at. Absent: all of the morph's plane, and the picture is where the path is. */
+  locus?: LocusView;
+}
+
+export interface LocusView {
+  /** What is mapped: the morph's (u, v), or a polygon family's s. */
+  family: "morph" | "polygon";
+  /** Of the polygon family; 2 is the set M. */
+  sides: number;
+  /** The parameter in the middle, and the magnification over the view of all. */
+  x: number;
+  y: number;
+  zoom: number;
+  /** The slice of the morph. */
+  w: number;
+  /** A parameter off the path that the picture shows instead; of a polygon family, s. */
+  at?: PathPoint;
 }
 
 /** Both ends brought to the same number of maps by refining or doubling, which leaves the shapes alone. */

@@ -12,15 +12,22 @@ export function executor(
 ): (task: Task) => Promise<{ result: Result; transfer: Transferable[] }> {
   let tiles: { key: number; locus: LocusTiles } | null = null;
 
+  const prepared = (key: number, make: () => LocusTiles): LocusTiles => {
+    if (tiles?.key === key) return tiles.locus;
+    tiles?.locus.free();
+    tiles = null;
+    const locus = make();
+    tiles = { key, locus };
+    return locus;
+  };
+
   const handlers: { [K in Kind]: (task: Task<K>) => Result<K> | Promise<Result<K>> } = {
     locus(task) {
-      if (tiles?.key !== task.key) {
-        tiles?.locus.free();
-        tiles = null;
-        const ends: [Ifs, Ifs] = [{ maps: task.from }, { maps: task.to }];
-        tiles = { key: task.key, locus: new frond.LocusTiles(...ends, task.options) };
-      }
-      const { state, gap } = tiles.locus.run(task.r0, task.r1, task.stride, task.first);
+      const locus = prepared(
+        task.key,
+        () => new frond.LocusTiles({ maps: task.from }, { maps: task.to }, task.options),
+      );
+      const { state, gap } = locus.run(task.r0, task.r1, task.stride, task.first);
       return { state, gap };
     },
     plan(task) {
@@ -29,17 +36,35 @@ export function executor(
       const { from, to, options } = task.refine;
       const ends: [Ifs, Ifs] = [{ maps: from }, { maps: to }];
       const check = frond.checkPath(...ends, plan.points, options);
-      const checked = { points: plan.points, gap: check.gap, holds: check.holds };
+      const checked = { ...plan, gap: check.gap, holds: check.holds };
       if (check.holds) return checked;
       const finer = frond.planPath(...ends, options);
       return finer.holds || finer.gap < check.gap ? finer : checked;
     },
+    patch({ key, of, x0, y0, x1, y1 }) {
+      const locus = prepared(key, () =>
+        "sides" in of
+          ? new frond.FamilyTiles({ sides: of.sides }, of.options)
+          : new frond.LocusTiles({ maps: of.from }, { maps: of.to }, of.options),
+      );
+      const { state, gap } = locus.patch(x0, y0, x1, y1);
+      return { state, gap };
+    },
+    plan3: (task) => frond.planPath({ maps: task.from }, { maps: task.to }, task.options),
+    certify: (task) => frond.certifyPath({ maps: task.from }, { maps: task.to }, task.points, task.options),
+    certificate({ maps, epsilon }) {
+      const certificate = frond.certificate({ maps }, { epsilon });
+      return certificate && { certificate, check: frond.checkCertificate(certificate) };
+    },
+    candidates: (task) => frond.candidates({ maps: task.from }, { maps: task.to }, { limit: task.limit }),
+    rate: (task) => frond.rateCandidate({ maps: task.from }, { maps: task.to }, task.options),
+    routes: (task) => frond.routes({ maps: task.from }, { maps: task.to }),
     verdict: (task) => frond.connectedness({ maps: task.maps }, { epsilon: task.epsilon }),
     states(task) {
       const states = new Uint8Array(task.points.length);
-      for (const [i, [u, v]] of task.points.entries()) {
+      for (const [i, [u, v, w = 0]] of task.points.entries()) {
         const bounds = { u0: u, v0: v, u1: u, v1: v };
-        const options = { ...task.options, ...POINT, bounds };
+        const options = { ...task.options, ...POINT, bounds, w };
         const { state, gap } = frond.locus({ maps: task.from }, { maps: task.to }, options);
         states[i] = atResolution(state[0] ?? STATE.undecided, gap[0] ?? Number.NaN, task.options.epsilon);
       }
@@ -68,6 +93,7 @@ export function executor(
 function transferable(result: Result): Transferable[] {
   if (result instanceof Uint8Array) return [result.buffer as ArrayBuffer];
   if (typeof ImageBitmap !== "undefined" && result instanceof ImageBitmap) return [result];
+  if (result === null) return [];
   if ("state" in result && "gap" in result) {
     return [result.state.buffer as ArrayBuffer, result.gap.buffer as ArrayBuffer];
   }

@@ -1,14 +1,24 @@
 import type {
   Bounds,
+  Candidate,
+  Certificate,
+  CertificateCheck,
+  CertifyOptions,
   Connectedness,
+  FamilyOptions,
   FrondError,
   Ifs,
   Locus,
   LocusOptions,
   MapRow,
   MorphOptions,
+  PathCertificate,
+  PathOptions,
   PathPlan,
+  PathPoint,
   RasterOptions,
+  RatedCandidate,
+  Route,
 } from "./api";
 
 export interface IndexBufferOptions {
@@ -33,6 +43,16 @@ export interface Tasks {
     stride: number;
     first: boolean;
   };
+  /** All samples of a rectangle of a locus, adaptively. With `sides` the locus is that of a polygon family. */
+  patch: {
+    kind: "patch";
+    key: number;
+    of: { from: MapRow[]; to: MapRow[]; options: LocusOptions } | { sides: number; options: FamilyOptions };
+    x0: number;
+    y0: number;
+    x1: number;
+    y1: number;
+  };
   /** With `refine` the plan is checked between the samples, and planned anew on finer ones where it breaks. */
   plan: {
     kind: "plan";
@@ -47,8 +67,28 @@ export interface Tasks {
     from: MapRow[];
     to: MapRow[];
     options: MorphOptions & { epsilon: number };
-    points: [number, number][];
+    points: readonly PathPoint[];
   };
+  /** A path through three parameters, found from nothing. */
+  plan3: { kind: "plan3"; from: MapRow[]; to: MapRow[]; options: PathOptions };
+  /** What is proved of a stretch of a path. */
+  certify: {
+    kind: "certify";
+    from: MapRow[];
+    to: MapRow[];
+    points: readonly PathPoint[];
+    options: CertifyOptions;
+  };
+  /** A proof that a shape is in pieces, and what the checker says of it; null where none is to be had. */
+  certificate: { kind: "certificate"; maps: MapRow[]; epsilon: number };
+  candidates: { kind: "candidates"; from: MapRow[]; to: MapRow[]; limit: number };
+  rate: {
+    kind: "rate";
+    from: MapRow[];
+    to: MapRow[];
+    options: MorphOptions & { size?: number; epsilon?: number };
+  };
+  routes: { kind: "routes"; from: MapRow[]; to: MapRow[] };
   picture: { kind: "picture"; maps: MapRow[]; options: RasterOptions };
   /** What an index buffer says; its pixels stay behind. */
   buffer: { kind: "buffer"; ifs: Ifs; options: IndexBufferOptions };
@@ -57,7 +97,14 @@ export interface Tasks {
 export interface Results {
   /** Full rows r0, r0 + stride, .. below r1; samples that were not asked for are 255 and NaN. */
   locus: { state: Uint8Array; gap: Float32Array };
+  patch: { state: Uint8Array; gap: Float32Array };
   plan: PathPlan;
+  plan3: PathPlan;
+  certify: PathCertificate;
+  certificate: { certificate: Certificate; check: CertificateCheck } | null;
+  candidates: Candidate[];
+  rate: RatedCandidate;
+  routes: Route[];
   verdict: Connectedness;
   states: Uint8Array;
   picture: ImageBitmap;
@@ -88,6 +135,11 @@ export type Channel =
   | "picture"
   | "compare"
   | "export"
+  | "certify"
+  | "certificate"
+  | "candidates"
+  | "routes"
+  | "hover"
   | `figure:${string}`;
 
 /** Work of one channel: a source of slices, handed out one by one as workers come free. */

@@ -1,6 +1,6 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { pathPoints } from "../state/morph";
-import type { Bounds, Connectedness, Locus, PathPlan, Verdict } from "./api";
+import type { Bounds, Connectedness, Locus, PathPlan, PathPoint, Verdict } from "./api";
 import { breaksAlong, type Stretch } from "./breaks";
 
 export interface LocusResult extends Locus {
@@ -11,7 +11,7 @@ export interface LocusResult extends Locus {
 
 export interface VerdictResult {
   connectedness: Connectedness;
-  uv: [number, number];
+  uv: PathPoint;
   /** The picture has moved on and the next answer is under way. */
   stale: boolean;
 }
@@ -34,7 +34,7 @@ export const publish = {
   verdict: signal<VerdictResult | null>(null),
   plan: signal<PathPlan | null>(null),
   strip: signal<Frame[]>([]),
-  exactBreaks: signal<{ points: readonly [number, number][]; breaks: Stretch[] } | null>(null),
+  exactBreaks: signal<{ points: readonly PathPoint[]; breaks: Stretch[] } | null>(null),
   thumbnails: signal<Map<string, ImageBitmap>>(new Map()),
   workers: signal<WorkersState>({ count: 0, busy: false, available: true }),
 };

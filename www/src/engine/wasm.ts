@@ -4,8 +4,13 @@ import type {
   BarnsleyTest,
   BoundingBox,
   Bounds,
+  Candidate,
+  Certificate,
+  CertificateCheck,
+  CertifyOptions,
   Colouring,
   Connectedness,
+  FamilyOptions,
   FrondError,
   Ifs,
   IndexBuffer,
@@ -14,17 +19,26 @@ import type {
   MapRow,
   MorphOptions,
   Pairing,
+  PathCertificate,
   PathCheck,
+  PathOptions,
   PathPlan,
+  PathPoint,
   PointCloud,
+  PolygonFamily,
   Preset,
   RasterOptions,
+  RatedCandidate,
+  Route,
   Scene,
 } from "./api";
 
-/** Rows of a locus, decided coarse to fine without ever repeating a sample. */
+/** Parts of a locus, of a morph or of a polygon family. */
 export interface LocusTiles {
+  /** Rows, decided coarse to fine without ever repeating a sample. */
   run(r0: number, r1: number, stride: number, first: boolean): { state: Uint8Array; gap: Float32Array };
+  /** All samples of a rectangle, row by row: whole boxes are decided at once. */
+  patch(x0: number, y0: number, x1: number, y1: number): { state: Uint8Array; gap: Float32Array };
   free(): void;
 }
 
@@ -64,7 +78,7 @@ export interface Frond {
   decodeScene(text: string): { scene: Scene; problem?: FrondError };
   validate(ifs: Ifs): void;
   pair(a: Ifs, b: Ifs): Pairing;
-  interpolate(from: Ifs, to: Ifs, options: MorphOptions & { u: number; v: number }): Ifs;
+  interpolate(from: Ifs, to: Ifs, options: MorphOptions & { u: number; v: number; w?: number }): Ifs;
   connectedness(ifs: Ifs, options?: { epsilon?: number; budget?: number }): Connectedness;
   indexBuffer(
     ifs: Ifs,
@@ -72,14 +86,34 @@ export interface Frond {
   ): IndexBuffer;
   barnsleyTest(ifs: Ifs, options: { iterations: number }): BarnsleyTest;
   locus(from: Ifs, to: Ifs, options: LocusOptions): Locus;
-  planPath(from: Ifs, to: Ifs, options?: MorphOptions & { epsilon?: number; size?: number }): PathPlan;
+  /** A proof of disconnection; null where there is none to be had. */
+  certificate(ifs: Ifs, options?: { epsilon?: number; budget?: number }): Certificate | null;
+  /** Replays a proof in exact arithmetic. Never throws for a wrong proof: it says what is wrong with it. */
+  checkCertificate(certificate: Certificate): CertificateCheck;
+  planPath(from: Ifs, to: Ifs, options?: PathOptions): PathPlan;
   planPathIn(locus: Locus, bounds: Bounds): PathPlan;
   checkPath(
     from: Ifs,
     to: Ifs,
-    points: [u: number, v: number][],
+    points: readonly PathPoint[],
     options?: MorphOptions & { epsilon?: number; samples?: number },
   ): PathCheck;
+  /** What can be proved of a stretch of a path, by covering it with boxes. */
+  certifyPath(from: Ifs, to: Ifs, points: readonly PathPoint[], options?: CertifyOptions): PathCertificate;
+  /** Ways to match the maps, the plainest first. */
+  candidates(from: Ifs, to: Ifs, options?: { limit?: number }): Candidate[];
+  /** One of them with its path and a small locus. */
+  rateCandidate(
+    from: Ifs,
+    to: Ifs,
+    options: MorphOptions & { size?: number; epsilon?: number },
+  ): RatedCandidate;
+  /** Ways to bring two shapes to a morph, those with maps that reflect oppositely above all. */
+  routes(from: Ifs, to: Ifs): Route[];
+  /** The system of a polygon family at s. */
+  familyMaps(family: PolygonFamily, s: [re: number, im: number]): Ifs;
+  /** The least real s > 0 at which a polygon family is in one piece: a theorem. */
+  criticalScale(sides: number): number;
   conjugate(ifs: Ifs, transform: MapRow): Ifs;
   attractor(ifs: Ifs, options: { points: number; seed: number }): PointCloud;
   bounds(ifs: Ifs): BoundingBox;
@@ -91,6 +125,7 @@ export interface Frond {
     determinant: number;
   };
   LocusTiles: new (from: Ifs, to: Ifs, options: LocusOptions) => LocusTiles;
+  FamilyTiles: new (family: PolygonFamily, options: FamilyOptions) => LocusTiles;
 }
 
 /** The one place where the generated bindings meet the page's types. Usable once `load` or `adopt` has resolved. */

@@ -1,5 +1,5 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { Ifs, MapRow, MorphOptions, Pairing } from "../engine/api";
+import type { Ifs, LocusView, MapRow, MorphOptions, Pairing } from "../engine/api";
 import { frond } from "../engine/wasm";
 import { pointsOf, type Uv, uvAt } from "./path";
 import { scene } from "./scene";
@@ -48,12 +48,12 @@ export const pathPoints: ReadonlySignal<Uv[]> = computed(() => pointsOf(path.val
 /** The point of the path at the present moment. */
 export const uv: ReadonlySignal<Uv> = computed(() => uvAt(pathPoints.value, t.value));
 
-/** The maps at any (u, v); the first shape's where the morph is not defined. */
-export function mapsAt([u, v]: Uv, options: MorphOptions = morphOptions.value): MapRow[] {
+/** The maps at any parameter; the first shape's where the morph is not defined. */
+export function mapsAt([u, v, w = 0]: Uv, options: MorphOptions = morphOptions.value): MapRow[] {
   const { from, to } = pairing.value;
   const ends: [Ifs, Ifs] = [{ maps: from }, { maps: to }];
   try {
-    return frond.interpolate(...ends, { ...options, u, v }).maps;
+    return frond.interpolate(...ends, { ...options, u, v, w }).maps;
   } catch {
     return from;
   }
@@ -62,10 +62,37 @@ export function mapsAt([u, v]: Uv, options: MorphOptions = morphOptions.value): 
 /** The maps at the present moment. */
 export const current: ReadonlySignal<MapRow[]> = computed(() => mapsAt(uv.value));
 
-/** What the stage shows: the morph, or the shape that is being edited. */
+/** How the locus is looked at where the document does not say: all of the plane w = 0. */
+export const WHOLE: LocusView = { family: "morph", sides: 2, x: 0.5, y: 0.5, zoom: 1, w: 0 };
+
+export const locusView: ReadonlySignal<LocusView> = computed(() => scene.value.locus ?? WHOLE);
+
+const off = computed(() => locusView.value.at);
+const sides = computed(() => (locusView.value.family === "polygon" ? locusView.value.sides : null));
+
+/** Where a polygon family starts: well inside, and all in one piece for any number of sides. */
+export const FIRST_S: Uv = [0.5, 0.5];
+
+/** The parameter that the picture shows: on the path, or that which was picked off it; of a polygon family, s. */
+export const here: ReadonlySignal<Uv> = computed(
+  () => off.value ?? (sides.value === null ? uv.value : FIRST_S),
+);
+
+/** The maps that the locus speaks of at `here`. */
+const picked: ReadonlySignal<MapRow[]> = computed(() => {
+  const [x, y] = here.value;
+  if (sides.value === null) return off.value ? mapsAt(off.value) : current.value;
+  try {
+    return frond.familyMaps({ sides: sides.value }, [x, y]).maps;
+  } catch {
+    return current.value;
+  }
+});
+
+/** What the stage shows: the morph, a system of another family, or the shape that is being edited. */
 export const shown: ReadonlySignal<MapRow[]> = computed(() => {
   const editing = selection.value;
-  if (!editing) return current.value;
+  if (!editing) return picked.value;
   return editing.target === "a" ? a.value : b.value;
 });
 

@@ -1,6 +1,7 @@
-import type { Scene } from "../engine/api";
+import type { PathPoint, Scene } from "../engine/api";
 
-export type Uv = [u: number, v: number];
+/** A parameter of the morph; without a third number it lies in the plane w = 0. */
+export type Uv = PathPoint;
 
 /** The whole path, with both ends. */
 export function pointsOf(path: Scene["path"]): Uv[] {
@@ -24,11 +25,18 @@ export function uvAt(points: readonly Uv[], t: number): Uv {
     const to = points[i + 1] ?? last;
     if (left <= length && length > 0) {
       const s = left / length;
-      return [from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1])];
+      return between(from, to, s);
     }
     left -= length;
   }
   return [...last];
+}
+
+/** The point at the fraction `s` of a segment. Segments of the plane w = 0 stay in it. */
+function between(from: Readonly<Uv>, to: Readonly<Uv>, s: number): Uv {
+  const mix = (a: number, b: number) => a + s * (b - a);
+  const [u, v, w] = [mix(from[0], to[0]), mix(from[1], to[1]), mix(from[2] ?? 0, to[2] ?? 0)];
+  return w === 0 ? [u, v] : [u, v, w];
 }
 
 /** The fraction of the length at which each point of the path lies: 0 first, 1 last. */
@@ -72,13 +80,20 @@ function simplified(points: readonly Uv[], tolerance: number): Uv[] {
 
 /** How far a point is from a segment. */
 function offset(p: Uv, a: Uv, b: Uv): number {
-  const [x, y] = [b[0] - a[0], b[1] - a[1]];
-  const square = x * x + y * y;
-  const s = square > 0 ? ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / square : 0;
-  const t = Math.min(1, Math.max(0, s));
-  return distance(p, [a[0] + t * x, a[1] + t * y]);
+  const d = difference(b, a);
+  const q = difference(p, a);
+  const dot = (x: Vector, y: Vector) => x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+  const square = dot(d, d);
+  const t = Math.min(1, Math.max(0, square > 0 ? dot(q, d) / square : 0));
+  return Math.hypot(q[0] - t * d[0], q[1] - t * d[1], q[2] - t * d[2]);
 }
 
-function distance(p: readonly [number, number], q: readonly [number, number]): number {
-  return Math.hypot(q[0] - p[0], q[1] - p[1]);
+type Vector = [number, number, number];
+
+function difference(p: Readonly<Uv>, q: Readonly<Uv>): Vector {
+  return [p[0] - q[0], p[1] - q[1], (p[2] ?? 0) - (q[2] ?? 0)];
+}
+
+function distance(p: Readonly<Uv>, q: Readonly<Uv>): number {
+  return Math.hypot(...difference(p, q));
 }

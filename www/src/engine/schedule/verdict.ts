@@ -1,6 +1,6 @@
 import { effect, untracked } from "@preact/signals";
-import { selection, shown, uv } from "../../state/morph";
-import type { MapRow } from "../api";
+import { here, selection, shown } from "../../state/morph";
+import type { MapRow, PathPoint } from "../api";
 import { Coalesce } from "../coalesce";
 import { epoch, submit } from "../engine";
 import { EPSILON } from "../locus-job";
@@ -17,7 +17,7 @@ export function scheduleVerdict(): void {
   });
   effect(() => {
     const maps = shown.value;
-    const at = uv.value;
+    const at = here.value;
     epoch.value;
     selection.value;
     untracked(() => {
@@ -28,7 +28,7 @@ export function scheduleVerdict(): void {
   });
 }
 
-function judge(maps: MapRow[], at: [number, number]) {
+function judge(maps: MapRow[], at: PathPoint) {
   return single<"verdict">(
     "verdict",
     60,

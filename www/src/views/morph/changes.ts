@@ -1,5 +1,5 @@
 /** What the panel does to the document, as functions from scene to scene. */
-import type { MapRow, Preset, Scene, Shape } from "../../engine/api";
+import type { MapRow, PathPoint, Preset, Scene, Shape } from "../../engine/api";
 
 export type End = "a" | "b";
 
@@ -38,7 +38,8 @@ export function setMaps(scene: Scene, end: End, maps: MapRow[]): Scene {
 
 /** The same morph, run from the other side. */
 export function swap(scene: Scene): Scene {
-  const points = scene.path.points.map(([u, v]): [number, number] => [1 - u, 1 - v]).reverse();
+  const back = ([u, v, w]: PathPoint): PathPoint => (w ? [1 - u, 1 - v, -w] : [1 - u, 1 - v]);
+  const points = scene.path.points.map(back).reverse();
   const correspondence: number[] = [];
   const turns: number[] = [];
   scene.correspondence.forEach((to, from) => {
@@ -59,7 +60,7 @@ export function swap(scene: Scene): Scene {
 }
 
 /** Way points as the hand left them: the path is drawn from now on. */
-export function setPoints(scene: Scene, points: [number, number][]): Scene {
+export function setPoints(scene: Scene, points: PathPoint[]): Scene {
   return { ...scene, path: { kind: "drawn", points: points.slice(0, MOST_POINTS) } };
 }
 
