@@ -78,7 +78,8 @@ pub enum Kind {
 }
 
 /// A family of systems over (u, v): u turns and stretches, v moves; (0, 0) is the first system and
-/// (1, 1) the last (Burch & Hart 1997, section 5).
+/// (1, 1) the last (Burch & Hart 1997, section 5). A third parameter, w, lets the stretch run ahead of the turn
+/// ([`Morph::at3`]): their last section asks for a path through all three.
 ///
 /// A singular map takes the kind of its other end, since it may be seen as either. Maps of opposite kinds
 /// are written as a rotation times a symmetric matrix at both ends, so that the one that reflects has a
@@ -159,8 +160,23 @@ impl Morph {
 
     /// The maps at (u, v), written over what `maps` held: no memory is asked for in a loop.
     pub fn fill(&self, u: f64, v: f64, maps: &mut Vec<Affine2>) {
+        self.fill3(u, v, 0.0, maps);
+    }
+
+    /// The maps at (u, v, w), where turn, stretch and move each have a parameter of their own: the map turns by u,
+    /// is stretched by u + w and moved by v. The plane w = 0 is that of [`Morph::at`], and the ends are
+    /// (0, 0, 0) and (1, 1, 0). A linear morph has no turn apart from its stretch, and leaves w out.
+    #[must_use]
+    pub fn at3(&self, u: f64, v: f64, w: f64) -> Vec<Affine2> {
+        let mut maps = Vec::with_capacity(self.len());
+        self.fill3(u, v, w, &mut maps);
+        maps
+    }
+
+    /// [`Morph::at3`], written over what `maps` held.
+    pub fn fill3(&self, u: f64, v: f64, w: f64, maps: &mut Vec<Affine2>) {
         maps.clear();
-        maps.extend(self.pairs.iter().map(|pair| pair.at(u, v, self.mode)));
+        maps.extend(self.pairs.iter().map(|pair| pair.at(u, v, w, self.mode)));
     }
 }
 
@@ -190,19 +206,19 @@ impl Pair {
     }
 
     #[inline]
-    fn at(&self, u: f64, v: f64, mode: Mode) -> Affine2 {
+    fn at(&self, u: f64, v: f64, w: f64, mode: Mode) -> Affine2 {
         let translation = self.from.translation * (1.0 - v) + self.to.translation * v;
         let linear = match mode {
             Mode::Linear => mix(self.from.linear, self.to.linear, u),
             Mode::Polar => {
                 // The ends are given back to the last bit.
-                if u == 0.0 {
+                if u == 0.0 && w == 0.0 {
                     self.from.linear
-                } else if u == 1.0 {
+                } else if u == 1.0 && w == 0.0 {
                     self.to.linear
                 } else {
                     let q = orthogonal(u.mul_add(self.turn, self.angle), self.kind == Kind::Reflecting);
-                    q * mix(self.stretch[0], self.stretch[1], u)
+                    q * mix(self.stretch[0], self.stretch[1], u + w)
                 }
             }
         };
@@ -283,6 +299,25 @@ mod tests {
                     Kind::Opposite => {}
                 }
             }
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn the_third_parameter_stretches_alone(
+            a in any_map(), b in any_map(), u in -1.0..2.0_f64, v in -1.0..2.0_f64, w in -1.0..1.0_f64,
+        ) {
+            let morph = Morph::new(&[a], &[b], &options(Mode::Polar)).unwrap();
+            prop_assert_eq!(morph.at3(0.0, 0.0, 0.0), vec![a]);
+            prop_assert_eq!(morph.at3(1.0, 1.0, 0.0), vec![b]);
+            prop_assert_eq!(morph.at3(u, v, 0.0), morph.at(u, v));
+            let (here, there) = (morph.at3(u, v, w)[0], morph.at(u + w, v)[0]);
+            prop_assert_eq!(here.translation, there.translation);
+            // Turned back by how much further the other has turned, they are the same.
+            let back = orthogonal(-w * morph.turns()[0].1, false);
+            prop_assert!(apart(Affine2::new(back * there.linear, here.translation), here) < 1e-9);
+            let linear = Morph::new(&[a], &[b], &options(Mode::Linear)).unwrap();
+            prop_assert_eq!(linear.at3(u, v, w), linear.at(u, v));
         }
     }
 
