@@ -9,4 +9,7 @@ mod scene;
 
 pub use link::{LinkError, MAX_LINK, VERSION, decode, encode};
 pub use preset::{Preset, Row, preset, presets};
-pub use scene::{Colouring, MAX_WAY_POINTS, ModeName, Path, PathKind, Scene, Shape, Window};
+pub use scene::{
+    Colouring, FamilyName, LocusView, MAX_WAY_POINTS, ModeName, Path, PathKind, Scene, Shape, WayPoint,
+    Window,
+};

@@ -17,16 +17,18 @@ use frond_core::{IfsError, MAX_MAPS};
 use thiserror::Error;
 
 use crate::preset::{Row, preset};
-use crate::scene::{Colouring, MAX_WAY_POINTS, ModeName, PathKind, Scene, Shape, Window};
+use crate::scene::{Colouring, ModeName, PathKind, Scene, Shape, Window};
+
+mod locus;
+mod words;
+
+use locus::{read_locus, read_way, write_locus};
+use words::{choice, damaged, escape, number, numbers, read_list, read_numbers, tidy, unescape, within};
 
 /// The longest link, in bytes.
 pub const MAX_LINK: usize = 64 * 1024;
 /// The version that is written.
 pub const VERSION: u32 = 1;
-/// The longest name of a shape, in characters.
-const MAX_NAME: usize = 60;
-/// Way points and views further away than this are a mistake.
-const FAR: f64 = 1e6;
 
 /// Why a link could not be read. The message says what to do.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -91,7 +93,7 @@ pub fn encode(scene: &Scene) -> String {
         PathKind::Drawn => "drawn",
     };
     if scene.path.kind != PathKind::Auto || !scene.path.points.is_empty() {
-        let points: Vec<String> = scene.path.points.iter().map(|point| numbers(point)).collect();
+        let points: Vec<String> = scene.path.points.iter().map(|point| numbers(&point.numbers())).collect();
         let _ = write!(link, "&path={kind}");
         if !points.is_empty() {
             let _ = write!(link, ":{}", points.join(";"));
@@ -118,6 +120,9 @@ pub fn encode(scene: &Scene) -> String {
     }
     if let Some(view) = scene.view {
         let _ = write!(link, "&view={}", numbers(&[view.x, view.y, view.zoom]));
+    }
+    if let Some(view) = scene.locus {
+        write_locus(&mut link, &view);
     }
     link
 }
@@ -161,7 +166,7 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
         let (kind, points) = text.split_once(':').unwrap_or((text, ""));
         let kinds = [("auto", PathKind::Auto), ("straight", PathKind::Straight), ("drawn", PathKind::Drawn)];
         scene.path.kind = choice("path", Some(kind), &kinds)?;
-        scene.path.points = read_list("path", points, MAX_WAY_POINTS, |point| within(point, FAR))?;
+        scene.path.points = read_way("path", points)?;
     }
     if let Some(text) = get("t") {
         let [t] = read_numbers::<1>("t", text)?;
@@ -194,18 +199,8 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
         }
         scene.view = Some(Window { x, y, zoom });
     }
+    scene.locus = read_locus(&get)?;
     Ok((scene, later))
-}
-
-/// The value among `choices`; the first one is the default.
-fn choice<T: Copy>(key: &'static str, text: Option<&str>, choices: &[(&str, T)]) -> Result<T, LinkError> {
-    match text {
-        None => Ok(choices[0].1),
-        Some(text) => choices
-            .iter()
-            .find_map(|(name, value)| (*name == text).then_some(*value))
-            .ok_or_else(|| damaged(key, text)),
-    }
 }
 
 fn write_shape(link: &mut String, key: &str, shape: &Shape) {
@@ -229,90 +224,6 @@ fn read_shape(key: &'static str, text: &str, name: Option<&str>) -> Result<Shape
     let maps: Vec<Row> = read_list(key, rows, MAX_MAPS, |_| true)?;
     let name = name.map(unescape).map(|name| tidy(&name)).filter(|name| !name.is_empty());
     Ok(Shape { preset: None, name: name.unwrap_or_else(|| "Own shape".to_owned()), maps })
-}
-
-fn read_list<const N: usize>(
-    key: &'static str,
-    text: &str,
-    most: usize,
-    fits: impl Fn(&[f64; N]) -> bool,
-) -> Result<Vec<[f64; N]>, LinkError> {
-    if text.is_empty() {
-        return Ok(Vec::new());
-    }
-    let mut list = Vec::new();
-    for part in text.split(';') {
-        if list.len() == most {
-            return Err(LinkError::Value { key, value: format!("a list of more than {most}") });
-        }
-        let numbers = read_numbers::<N>(key, part)?;
-        if !fits(&numbers) {
-            return Err(damaged(key, part));
-        }
-        list.push(numbers);
-    }
-    Ok(list)
-}
-
-fn read_numbers<const N: usize>(key: &'static str, text: &str) -> Result<[f64; N], LinkError> {
-    let mut numbers = [0.0; N];
-    let mut parts = text.split(',');
-    for number in &mut numbers {
-        let value = parts.next().and_then(|part| part.parse::<f64>().ok()).filter(|x| x.is_finite());
-        *number = value.ok_or_else(|| damaged(key, text))?;
-    }
-    if parts.next().is_some() { Err(damaged(key, text)) } else { Ok(numbers) }
-}
-
-fn within(point: &[f64], most: f64) -> bool {
-    point.iter().all(|x| x.abs() <= most)
-}
-
-fn damaged(key: &'static str, text: &str) -> LinkError {
-    // A short piece is enough to recognise it by.
-    let short: String = tidy(text).chars().take(24).collect();
-    let dots = if text.chars().count() > 24 { "…" } else { "" };
-    LinkError::Value { key, value: format!("“{short}{dots}”") }
-}
-
-/// Numbers with as many digits as bring back the same bits.
-fn numbers(list: &[f64]) -> String {
-    list.iter().map(|&x| number(x)).collect::<Vec<_>>().join(",")
-}
-
-fn number(x: f64) -> String {
-    let text = format!("{x:?}");
-    text.strip_suffix(".0").map_or(text.clone(), ToOwned::to_owned)
-}
-
-/// A name without control characters and not too long.
-fn tidy(name: &str) -> String {
-    name.chars().filter(|c| !c.is_control()).take(MAX_NAME).collect::<String>().trim().to_owned()
-}
-
-fn escape(text: &str) -> String {
-    let mut escaped = String::new();
-    for byte in text.bytes() {
-        if byte.is_ascii_alphanumeric() || b"-._~".contains(&byte) {
-            escaped.push(char::from(byte));
-        } else {
-            let _ = write!(escaped, "%{byte:02X}");
-        }
-    }
-    escaped
-}
-
-fn unescape(text: &str) -> String {
-    let bytes = text.as_bytes();
-    let mut plain = Vec::with_capacity(bytes.len());
-    let mut i = 0;
-    while i < bytes.len() {
-        let hex = bytes.get(i + 1..i + 3).and_then(|pair| std::str::from_utf8(pair).ok());
-        let byte = hex.filter(|_| bytes[i] == b'%').and_then(|pair| u8::from_str_radix(pair, 16).ok());
-        plain.push(byte.unwrap_or(bytes[i]));
-        i += if byte.is_some() { 3 } else { 1 };
-    }
-    String::from_utf8_lossy(&plain).into_owned()
 }
 
 #[cfg(test)]

@@ -54,13 +54,101 @@ pub enum PathKind {
     Drawn,
 }
 
-/// A way through the (u, v) plane from (0, 0) to (1, 1), which are not listed.
+/// A parameter of a morph: `[u, v]`, or `[u, v, w]` where the stretch is ahead of the turn by w.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
+#[serde(try_from = "Vec<f64>", into = "Vec<f64>")]
+pub struct WayPoint {
+    /// How far it has turned and stretched.
+    pub u: f64,
+    /// How far it has moved.
+    pub v: f64,
+    /// How far the stretch is ahead of the turn.
+    pub w: f64,
+}
+
+impl WayPoint {
+    /// Its numbers; a third only where it is not 0.
+    #[must_use]
+    pub fn numbers(&self) -> Vec<f64> {
+        let Self { u, v, w } = *self;
+        if w == 0.0 { vec![u, v] } else { vec![u, v, w] }
+    }
+
+    /// From two or three numbers.
+    #[must_use]
+    pub fn from_numbers(numbers: &[f64]) -> Option<Self> {
+        match *numbers {
+            [u, v] => Some(Self { u, v, w: 0.0 }),
+            [u, v, w] => Some(Self { u, v, w }),
+            _ => None,
+        }
+    }
+}
+
+impl From<WayPoint> for Vec<f64> {
+    fn from(point: WayPoint) -> Self {
+        point.numbers()
+    }
+}
+
+impl TryFrom<Vec<f64>> for WayPoint {
+    type Error = &'static str;
+
+    fn try_from(numbers: Vec<f64>) -> Result<Self, Self::Error> {
+        Self::from_numbers(&numbers).ok_or("a way point has two or three numbers")
+    }
+}
+
+/// A way through the parameters from (0, 0) to (1, 1), which are not listed.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Path {
     /// Who drew it.
     pub kind: PathKind,
     /// The way points in between.
-    pub points: Vec<[f64; 2]>,
+    pub points: Vec<WayPoint>,
+}
+
+/// What a locus is the locus of.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum FamilyName {
+    /// The morph, over (u, v).
+    #[default]
+    Morph,
+    /// The systems s z + exp(2 pi i k / sides), over the complex s.
+    Polygon,
+}
+
+/// How the locus is looked at.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+pub struct LocusView {
+    /// What it is the locus of.
+    pub family: FamilyName,
+    /// Of the polygon family, 2 to 64; two sides are the set M.
+    pub sides: u32,
+    /// The parameter in the middle, across.
+    pub x: f64,
+    /// The parameter in the middle, up.
+    pub y: f64,
+    /// Magnification over the view of all.
+    pub zoom: f64,
+    /// The slice of the morph.
+    pub w: f64,
+    /// A parameter off the path that the picture shows instead; of a polygon family, s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at: Option<WayPoint>,
+}
+
+impl LocusView {
+    /// All of the locus of this family.
+    #[must_use]
+    pub const fn whole(family: FamilyName) -> Self {
+        let middle = match family {
+            FamilyName::Morph => 0.5,
+            FamilyName::Polygon => 0.0,
+        };
+        Self { family, sides: 2, x: middle, y: middle, zoom: 1.0, w: 0.0, at: None }
+    }
 }
 
 /// What colours mean.
@@ -138,6 +226,9 @@ pub struct Scene {
     /// The part of the plane that is looked at; the whole shape where absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub view: Option<Window>,
+    /// How the locus is looked at; all of the morph's where absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub locus: Option<LocusView>,
 }
 
 impl Default for Scene {
@@ -155,6 +246,7 @@ impl Default for Scene {
             colouring: Colouring::Map,
             compare: false,
             view: None,
+            locus: None,
         }
     }
 }

@@ -37,19 +37,22 @@ pub fn pair(
 struct At {
     u: f64,
     v: f64,
+    #[serde(default)]
+    w: f64,
 }
 
-/// The maps at (u, v) between two systems of equally many maps (Burch & Hart 1997, eq 6). The result need
-/// not have an attractor.
+/// The maps at (u, v) between two systems of equally many maps (Burch & Hart 1997, eq 6), or at (u, v, w) with
+/// the stretch ahead of the turn by w. The result need not have an attractor.
 #[wasm_bindgen(unchecked_return_type = "Ifs")]
 pub fn interpolate(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "MorphOptions & { u: number; v: number }")] options: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "MorphOptions & { u: number; v: number; w?: number }")]
+    options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph(&from, &to, &options)?;
-    let At { u, v } = read("The options", options)?;
-    write_maps(&morph.at(u, v))
+    let At { u, v, w } = read("The options", options)?;
+    write_maps(&morph.at3(u, v, w))
 }
 
 /// The same shape elsewhere: every map conjugated by `transform`, a row of six numbers.

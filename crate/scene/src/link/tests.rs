@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::scene::Path;
+use crate::scene::{FamilyName, LocusView, MAX_WAY_POINTS, Path, WayPoint};
 
 fn any_shape() -> impl Strategy<Value = Shape> {
     let number = prop_oneof![
@@ -25,11 +25,29 @@ fn any_shape() -> impl Strategy<Value = Shape> {
     prop_oneof![own.prop_filter("no attractor", |shape| shape.ifs().is_ok()), gallery]
 }
 
+fn any_point() -> impl Strategy<Value = WayPoint> {
+    let w = prop_oneof![1 => Just(0.0), 1 => -1.0..1.0_f64];
+    (-1.0..2.0_f64, -1.0..2.0_f64, w).prop_map(|(u, v, w)| WayPoint { u, v, w })
+}
+
+fn any_locus() -> impl Strategy<Value = LocusView> {
+    let whole = (2..=64_u32, any::<bool>()).prop_map(|(sides, morph)| {
+        if morph {
+            LocusView::whole(FamilyName::Morph)
+        } else {
+            LocusView { sides, ..LocusView::whole(FamilyName::Polygon) }
+        }
+    });
+    let w = prop_oneof![Just(0.0), -1.0..1.0_f64];
+    (whole, any_point(), 1.5..1e13_f64, w, proptest::option::of(any_point()))
+        .prop_map(|(view, WayPoint { u: x, v: y, .. }, zoom, w, at)| LocusView { x, y, zoom, w, at, ..view })
+}
+
 prop_compose! {
     fn any_scene()(
         a in any_shape(),
         b in any_shape(),
-        points in proptest::collection::vec([-1.0..2.0_f64, -1.0..2.0_f64], 0..6),
+        points in proptest::collection::vec(any_point(), 0..6),
         kind in proptest::sample::select(vec![PathKind::Auto, PathKind::Straight, PathKind::Drawn]),
         colouring in proptest::sample::select(vec![Colouring::Map, Colouring::Address, Colouring::Density]),
         linear: bool,
@@ -38,6 +56,7 @@ prop_compose! {
         reversed: bool,
         turn in -2..=2_i32,
         view in proptest::option::of((-5.0..5.0_f64, -5.0..5.0_f64, 0.1..1e9_f64)),
+        locus in proptest::option::of(any_locus()),
     ) -> Scene {
         let maps = a.maps.len().max(b.maps.len());
         Scene {
@@ -47,6 +66,7 @@ prop_compose! {
             correspondence: if reversed { (0..maps).rev().collect() } else { Vec::new() },
             turns: if turn == 0 { Vec::new() } else { vec![turn; maps] },
             view: view.map(|(x, y, zoom)| Window { x, y, zoom }),
+            locus,
         }
     }
 }
@@ -84,7 +104,8 @@ proptest! {
 fn links_read_like_words() {
     let mut scene = Scene::default();
     assert_eq!(encode(&scene), "v=1&a=dragon-3&b=gasket");
-    scene.path.points = vec![[0.25, 1.5], [0.5, -0.125]];
+    let at = |u, v| WayPoint { u, v, w: 0.0 };
+    scene.path.points = vec![at(0.25, 1.5), at(0.5, -0.125)];
     scene.t = 0.5;
     scene.compare = true;
     scene.correspondence = vec![2, 0, 1];
@@ -92,6 +113,23 @@ fn links_read_like_words() {
         encode(&scene),
         "v=1&a=dragon-3&b=gasket&path=auto:0.25,1.5;0.5,-0.125&t=0.5&match=3,1,2&compare=1"
     );
+}
+
+#[test]
+fn a_locus_reads_like_words() {
+    let mut scene = Scene::default();
+    scene.path.points = vec![WayPoint { u: 0.25, v: 1.5, w: -0.5 }];
+    scene.locus = Some(LocusView {
+        at: Some(WayPoint { u: 0.02, v: 0.7, w: 0.0 }),
+        ..LocusView::whole(FamilyName::Polygon)
+    });
+    let link = "v=1&a=dragon-3&b=gasket&path=auto:0.25,1.5,-0.5&locus=m:0,0,1&at=0.02,0.7";
+    assert_eq!(encode(&scene), link);
+    assert_eq!(decode(link), (scene, None));
+    let at = decode("at=0.5,0.25,1").0.locus.unwrap();
+    assert_eq!((at.family, at.zoom, at.at.unwrap().w), (FamilyName::Morph, 1.0, 1.0));
+    let view = decode("locus=5").0.locus.unwrap();
+    assert_eq!(view, LocusView { sides: 5, ..LocusView::whole(FamilyName::Polygon) });
 }
 
 #[test]
@@ -134,6 +172,15 @@ fn bad_links_give_the_default_and_a_reason() {
         ("b=maps:0.5,0,0,0.5,0,0;2,0,0,2,0,0", "link-shape"),
         (many.as_str(), "link-damaged"),
         (points.as_str(), "link-damaged"),
+        ("path=drawn:1,2,3,4", "link-damaged"),
+        ("path=drawn:1", "link-damaged"),
+        ("at=1", "link-damaged"),
+        ("at=1,NaN", "link-damaged"),
+        ("locus=1:0,0,1", "link-damaged"),
+        ("locus=65", "link-damaged"),
+        ("locus=morph:0,0,0", "link-damaged"),
+        ("locus=morph:1e300,0,1", "link-damaged"),
+        ("locus=m:0,0", "link-damaged"),
         ("path=round", "link-damaged"),
         ("path=drawn:1", "link-damaged"),
         ("path=drawn:1e300,0", "link-damaged"),
@@ -172,7 +219,8 @@ fn the_largest_document_fits_a_link() {
     let shape =
         Shape { preset: None, name: "ä".repeat(60), maps: vec![[-0.123_456_789_012_345_67e-7; 6]; 64] };
     let mut scene = Scene { a: shape.clone(), b: shape, ..Scene::default() };
-    scene.path.points = vec![[-0.123_456_789_012_345_67; 2]; MAX_WAY_POINTS];
+    let x = -0.123_456_789_012_345_67;
+    scene.path.points = vec![WayPoint { u: x, v: x, w: x }; MAX_WAY_POINTS];
     scene.turns = vec![-16; 64];
     scene.correspondence = (0..64).collect();
     let link = encode(&scene);

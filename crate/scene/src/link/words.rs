@@ -1,0 +1,114 @@
+//! Numbers, names and choices as the words of a link.
+
+use std::fmt::Write as _;
+
+use super::LinkError;
+
+/// The longest name of a shape, in characters.
+const MAX_NAME: usize = 60;
+
+/// The value among `choices`; the first one is the default.
+pub(super) fn choice<T: Copy>(
+    key: &'static str,
+    text: Option<&str>,
+    choices: &[(&str, T)],
+) -> Result<T, LinkError> {
+    match text {
+        None => Ok(choices[0].1),
+        Some(text) => choices
+            .iter()
+            .find_map(|(name, value)| (*name == text).then_some(*value))
+            .ok_or_else(|| damaged(key, text)),
+    }
+}
+
+pub(super) fn read_list<const N: usize>(
+    key: &'static str,
+    text: &str,
+    most: usize,
+    fits: impl Fn(&[f64; N]) -> bool,
+) -> Result<Vec<[f64; N]>, LinkError> {
+    if text.is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut list = Vec::new();
+    for part in text.split(';') {
+        if list.len() == most {
+            return Err(LinkError::Value { key, value: format!("a list of more than {most}") });
+        }
+        let numbers = read_numbers::<N>(key, part)?;
+        if !fits(&numbers) {
+            return Err(damaged(key, part));
+        }
+        list.push(numbers);
+    }
+    Ok(list)
+}
+
+/// Up to four finite numbers.
+pub(super) fn read_some(key: &'static str, text: &str) -> Result<Vec<f64>, LinkError> {
+    let numbers: Option<Vec<f64>> =
+        text.split(',').take(5).map(|part| part.parse::<f64>().ok().filter(|x| x.is_finite())).collect();
+    numbers.filter(|numbers| numbers.len() <= 4).ok_or_else(|| damaged(key, text))
+}
+
+pub(super) fn read_numbers<const N: usize>(key: &'static str, text: &str) -> Result<[f64; N], LinkError> {
+    let mut numbers = [0.0; N];
+    let mut parts = text.split(',');
+    for number in &mut numbers {
+        let value = parts.next().and_then(|part| part.parse::<f64>().ok()).filter(|x| x.is_finite());
+        *number = value.ok_or_else(|| damaged(key, text))?;
+    }
+    if parts.next().is_some() { Err(damaged(key, text)) } else { Ok(numbers) }
+}
+
+pub(super) fn within(point: &[f64], most: f64) -> bool {
+    point.iter().all(|x| x.abs() <= most)
+}
+
+pub(super) fn damaged(key: &'static str, text: &str) -> LinkError {
+    // A short piece is enough to recognise it by.
+    let short: String = tidy(text).chars().take(24).collect();
+    let dots = if text.chars().count() > 24 { "…" } else { "" };
+    LinkError::Value { key, value: format!("“{short}{dots}”") }
+}
+
+/// Numbers with as many digits as bring back the same bits.
+pub(super) fn numbers(list: &[f64]) -> String {
+    list.iter().map(|&x| number(x)).collect::<Vec<_>>().join(",")
+}
+
+pub(super) fn number(x: f64) -> String {
+    let text = format!("{x:?}");
+    text.strip_suffix(".0").map_or(text.clone(), ToOwned::to_owned)
+}
+
+/// A name without control characters and not too long.
+pub(super) fn tidy(name: &str) -> String {
+    name.chars().filter(|c| !c.is_control()).take(MAX_NAME).collect::<String>().trim().to_owned()
+}
+
+pub(super) fn escape(text: &str) -> String {
+    let mut escaped = String::new();
+    for byte in text.bytes() {
+        if byte.is_ascii_alphanumeric() || b"-._~".contains(&byte) {
+            escaped.push(char::from(byte));
+        } else {
+            let _ = write!(escaped, "%{byte:02X}");
+        }
+    }
+    escaped
+}
+
+pub(super) fn unescape(text: &str) -> String {
+    let bytes = text.as_bytes();
+    let mut plain = Vec::with_capacity(bytes.len());
+    let mut i = 0;
+    while i < bytes.len() {
+        let hex = bytes.get(i + 1..i + 3).and_then(|pair| std::str::from_utf8(pair).ok());
+        let byte = hex.filter(|_| bytes[i] == b'%').and_then(|pair| u8::from_str_radix(pair, 16).ok());
+        plain.push(byte.unwrap_or(bytes[i]));
+        i += if byte.is_some() { 3 } else { 1 };
+    }
+    String::from_utf8_lossy(&plain).into_owned()
+}
