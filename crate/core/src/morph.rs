@@ -138,6 +138,12 @@ impl Morph {
         self.pairs.is_empty()
     }
 
+    /// How the linear parts are interpolated.
+    #[must_use]
+    pub const fn mode(&self) -> Mode {
+        self.mode
+    }
+
     /// The kind of each map.
     #[must_use]
     pub fn kinds(&self) -> Vec<Kind> {
