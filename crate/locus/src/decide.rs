@@ -1,7 +1,9 @@
 //! The fast answer: one parameter of a locus.
 
 use frond_core::{Affine2, IfsError};
+use glam::DVec2;
 
+use crate::bounded::Bounded;
 use crate::frame::Frame;
 use crate::outline::Outline;
 use crate::proof;
@@ -72,34 +74,70 @@ const SHADING: usize = 2000;
 ///
 /// `epsilon` is relative to the diameter of the attractor; `budget` limits the pairs of pieces looked
 /// at (20,000 is plenty). The answer depends on the arguments alone, not on what `scratch` was used
-/// for before. For the components, bounds and points use [`connectedness`](crate::connectedness).
+/// for before. For bounds of the gap use [`decide_bounds`], for the components and points
+/// [`connectedness`](crate::connectedness).
 pub fn decide(maps: &[Affine2], epsilon: f64, budget: usize, scratch: &mut Scratch) -> Sample {
+    decide_bounds(maps, epsilon, budget, scratch).sample
+}
+
+/// [`decide`], with what is proved about the widest gap and about where the attractor lies.
+///
+/// ```
+/// use frond_core::Affine2;
+/// use frond_locus::{Scratch, decide_bounds};
+///
+/// // Cantor's dust, twice as large: its gap is a third of it.
+/// let third = 1.0 / 3.0;
+/// let maps = [0.0, 4.0 * third].map(|e| Affine2::from_row([third, 0.0, 0.0, third, e, 0.0]));
+/// let known = decide_bounds(&maps, 1e-4, 20_000, &mut Scratch::default());
+/// assert!(known.lower * known.diameter <= 2.0 * third && 2.0 * third <= known.upper * known.diameter);
+/// ```
+pub fn decide_bounds(maps: &[Affine2], epsilon: f64, budget: usize, scratch: &mut Scratch) -> Bounded {
     let Scratch { frame, outline, search } = scratch;
     match frame.set(maps) {
         Ok(()) => {}
-        Err(IfsError::Unproved) => return Sample { state: State::Undecided, gap: f32::NAN },
-        Err(_) => return Sample { state: State::NoAttractor, gap: f32::NAN },
+        Err(IfsError::Unproved) => return Bounded::unknown(State::Undecided),
+        Err(_) => return Bounded::unknown(State::NoAttractor),
     }
-    let whole = |state| Sample { state, gap: 0.0 };
-    if proof::at_once(maps) {
-        return whole(State::Connected);
-    }
+    let ellipse = Some(frame.ellipse());
+    let whole = |state, upper, diameter| Bounded {
+        sample: Sample { state, gap: 0.0 },
+        lower: 0.0,
+        upper,
+        diameter,
+        ellipse,
+    };
     if frame.point {
-        return whole(State::Touching);
+        let state = if proof::at_once(maps) { State::Connected } else { State::Touching };
+        return whole(state, 0.0, 0.0);
+    }
+    if proof::at_once(maps) {
+        // The ellipse is enough: the attractor lies within the disc of radius 1.
+        let stretch = Affine2::new(frame.from_round, DVec2::ZERO).norm();
+        return whole(State::Connected, 0.0, 2.0 * stretch);
     }
     outline.set(&frame.maps, 0.012 * (1.0 - frame.factor), 64);
     search.begin(frame, outline, epsilon);
     let settled = search.settle(frame, outline, budget);
+    let diameter = search.plane_diameter;
+    // Points are computed: they may be this far off.
+    let off = frame.rounding * search.stretch;
+    let relative = |length: f64| length / diameter;
     if search.components.count() == 1 {
-        return whole(State::Touching);
+        return whole(State::Touching, relative(search.bottleneck() + off) * (1.0 + SLACK), diameter);
     }
     let apart = settled || search.coarsest().count() > 1;
     let span = search.span(frame, outline, SHADE, 0.0, search.nodes + SHADING);
-    let diameter = search.plane_diameter;
-    if apart {
+    let (lower, upper) =
+        (relative(span.lower) * (1.0 - SLACK), relative(search.bottleneck() + off) * (1.0 + SLACK));
+    let sample = if apart {
         let middle = f64::midpoint(span.lower, span.upper);
-        Sample { state: State::Disconnected, gap: (middle / diameter) as f32 }
+        Sample { state: State::Disconnected, gap: relative(middle) as f32 }
     } else {
-        Sample { state: State::Undecided, gap: (span.upper / diameter) as f32 }
-    }
+        Sample { state: State::Undecided, gap: relative(span.upper) as f32 }
+    };
+    Bounded { sample, lower, upper, diameter, ellipse }
 }
+
+/// What the last few operations may add to a bound, relative to it.
+const SLACK: f64 = 1e-14;

@@ -3,6 +3,8 @@
 use frond_core::{Affine2, Contraction, IfsError};
 use glam::{DMat2, DVec2};
 
+use crate::bounded::Ellipse;
+
 /// Where the search takes place. The attractor lies in the unit disc of these coordinates.
 #[derive(Clone, Debug)]
 pub(crate) struct Frame {
@@ -10,7 +12,10 @@ pub(crate) struct Frame {
     pub maps: Vec<Affine2>,
     /// From here to the plane; one unit here is of about the attractor's size.
     pub from_round: DMat2,
-    origin: DVec2,
+    /// Its inverse.
+    pub to_round: DMat2,
+    /// The point of the plane that is 0 here.
+    pub origin: DVec2,
     /// The metric of the plane, pulled back: a step `d` here is `sqrt(d . metric d)` long in the plane.
     pub metric: DMat2,
     /// The metric of directions: the normal `m` of a line here is `sqrt(m . dual m)` long in the plane.
@@ -22,6 +27,8 @@ pub(crate) struct Frame {
     pub rounding: f64,
     /// The contraction factor of a map, or of a block of maps.
     pub factor: f64,
+    /// The letters of the longest block.
+    pub length: usize,
     /// All of the attractor is one point, as far as floating point can tell.
     pub point: bool,
 }
@@ -34,12 +41,14 @@ impl Default for Frame {
         Self {
             maps: Vec::new(),
             from_round: DMat2::IDENTITY,
+            to_round: DMat2::IDENTITY,
             origin: DVec2::ZERO,
             metric: DMat2::IDENTITY,
             dual: DMat2::IDENTITY,
             plain: true,
             rounding: 0.0,
             factor: 0.0,
+            length: 1,
             point: true,
         }
     }
@@ -66,6 +75,7 @@ impl Frame {
         let radius = shift / (1.0 - factor) * (1.0 + 1e-12);
         self.place(maps, DMat2::IDENTITY, DMat2::IDENTITY, origin, radius);
         self.factor = factor;
+        self.length = 1;
         self.rounding = ULPS * (1.0 + origin.length() / radius) / (1.0 - factor);
     }
 
@@ -74,6 +84,7 @@ impl Frame {
         let Contraction { to_round: to, from_round: from, factor, length, centre, radius } = *found;
         self.place(maps, to, from, centre, radius);
         self.factor = factor;
+        self.length = length;
         let stretch = |m: DMat2| Affine2::new(m, DVec2::ZERO).norm();
         // The condition number is what the conjugation costs; longer blocks may grow before they shrink.
         let condition = stretch(to) * stretch(from);
@@ -90,6 +101,7 @@ impl Frame {
         self.point = radius <= 1e-14 * (to * DVec2::splat(extent)).length();
         let unit = if self.point { 1.0 } else { radius };
         self.from_round = from * unit;
+        self.to_round = to * (1.0 / unit);
         self.metric = self.from_round.transpose() * self.from_round;
         self.dual = to * to.transpose() * (1.0 / (unit * unit));
         self.plain = to == DMat2::IDENTITY;
@@ -98,6 +110,17 @@ impl Frame {
             let translation = to * (map.apply(origin) - origin) * (1.0 / unit);
             Affine2::new(to * map.linear * from, translation)
         }));
+    }
+
+    /// Where the attractor lies.
+    pub fn ellipse(&self) -> Ellipse {
+        Ellipse {
+            centre: self.origin,
+            to_round: self.to_round,
+            from_round: self.from_round,
+            factor: self.factor,
+            length: self.length,
+        }
     }
 
     /// The point of the plane that is `p` here.

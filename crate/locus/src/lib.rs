@@ -21,6 +21,7 @@
 //! [`Locus`] and [`PathPlan`], are relative to the diameter of the attractor.
 
 mod barnsley;
+mod bounded;
 mod connectedness;
 mod decide;
 mod exact;
@@ -40,8 +41,9 @@ mod simplify;
 mod span;
 
 pub use barnsley::{BarnsleyOptions, BarnsleyTest, Round, barnsley_test};
+pub use bounded::{Bounded, Ellipse};
 pub use connectedness::{Connectedness, Gap, Options, Verdict, connectedness};
-pub use decide::{Sample, Scratch, State, decide};
+pub use decide::{Sample, Scratch, State, decide, decide_bounds};
 pub use graph::{Components, OverlapGraph};
 pub use grid::{Bounds, GridError, Locus, LocusGrid, Pass, Tile};
 pub use index_buffer::{Choice, IndexBuffer, IndexBufferError, IndexBufferOptions};

@@ -40,7 +40,7 @@ pub(crate) struct Search {
     metric: DMat2,
     rounding: f64,
     /// The largest factor by which a distance of the frame grows in the plane.
-    stretch: f64,
+    pub stretch: f64,
     /// The diameter of the attractor in the frame, and in the plane.
     diameter: f64,
     pub plane_diameter: f64,

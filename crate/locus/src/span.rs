@@ -110,6 +110,27 @@ impl Search {
         span
     }
 
+    /// The widest edge of the least spanning tree of the nearest points known (Prim's algorithm): an upper bound
+    /// of the widest gap.
+    pub fn bottleneck(&self) -> f64 {
+        let count = self.count;
+        let between = |i: usize, j: usize| self.nearest[i.min(j) * count + i.max(j)].reach;
+        // How far each piece is from the tree, which begins with piece 0.
+        let mut distance: Vec<f64> = (0..count).map(|i| between(0, i)).collect();
+        let mut outside: Vec<usize> = (1..count).collect();
+        let mut widest = 0.0_f64;
+        while let Some(k) =
+            (0..outside.len()).min_by(|&a, &b| distance[outside[a]].total_cmp(&distance[outside[b]]))
+        {
+            let next = outside.swap_remove(k);
+            widest = widest.max(distance[next]);
+            for &i in &outside {
+                distance[i] = distance[i].min(between(next, i));
+            }
+        }
+        widest.sqrt()
+    }
+
     /// Joins what is left by the nearest points known.
     fn bridge(&mut self, span: &mut Span) {
         while self.components.count() > 1 {
