@@ -1,0 +1,29 @@
+//! Fractal deformation: pull one corner of a grid, and every part at every scale answers.
+//!
+//! After Fujimoto, Ohno, Muraoka and Chiba, "Fractal Deformation Using Displacement Vectors Based on Extended
+//! Iterated Shuffle Transformation". Every point of a self-similar shape has a code, the letters of the pieces
+//! that hold it, from the largest on. A [`Mesh`] gives each point a displacement; [`shuffle`] reverses a block
+//! of the code, kb + 1 to ke, and so gives a point the displacement of another one. [`Field`] superposes the
+//! shuffles of all depths, each weighed by a power of the roughness delta ([`weights`]):
+//!
+//! - kb, the locality: 0 scatters the displacement all over; kb = ke leaves it where it is, which is the plain
+//!   deformation by a grid;
+//! - ke, the detail: how small the parts are that still answer on their own;
+//! - delta, the roughness: how much the small parts answer.
+//!
+//! [`Spin`] turns the displacement with the piece. [`Cube`] gives codes to the points of a unit square, so that
+//! pictures can be bent like attractors.
+
+mod code;
+mod cube;
+mod field;
+mod mesh;
+mod spin;
+mod weight;
+
+pub use code::{MAX_SYMBOLS, permutation, shuffle, step};
+pub use cube::Cube;
+pub use field::{Field, Place};
+pub use mesh::{Mesh, MeshError};
+pub use spin::Spin;
+pub use weight::weights;
