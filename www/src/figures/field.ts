@@ -1,32 +1,24 @@
 /** Paints a locus as the paper prints it: white where the shape holds together. */
 import { STATE } from "../engine/breaks";
 import type { LocusResult } from "../engine/results";
+import { HOLDS, NONE, type Rgb, ramp, shadeOf } from "../style/ramp";
 
-type Rgb = readonly [number, number, number];
-
-export const HOLDS: Rgb = [250, 248, 242];
+export { HOLDS };
 /** From the narrowest gap that counts to one as wide as the shape. */
-export const NARROW: Rgb = [128, 92, 150];
-export const WIDE: Rgb = [18, 19, 46];
-export const NO_SHAPE: Rgb = [120, 120, 126];
-const NARROWEST = 1 / 600;
+export const NARROW: Rgb = ramp(0);
+export const WIDE: Rgb = ramp(1);
+export const NO_SHAPE: Rgb = NONE;
 
 /** How dark a relative gap is drawn, 0 to 1, by its logarithm. */
-export function shade(gap: number): number {
-  if (!(gap > NARROWEST)) return 0;
-  return Math.min(1, Math.log(gap / NARROWEST) / Math.log(1 / NARROWEST));
-}
+export const shade = (gap: number): number => shadeOf(gap);
 
 export function colourOf(state: number, gap: number): readonly [number, number, number, number] {
   switch (state) {
     case STATE.connected:
     case STATE.touching:
       return [...HOLDS, 255];
-    case STATE.disconnected: {
-      const k = shade(gap);
-      const mix = (i: 0 | 1 | 2) => Math.round(NARROW[i] + k * (WIDE[i] - NARROW[i]));
-      return [mix(0), mix(1), mix(2), 255];
-    }
+    case STATE.disconnected:
+      return [...ramp(shade(gap)), 255];
     case STATE.none:
     case STATE.undecided:
       return [...NO_SHAPE, 255];

@@ -3,11 +3,11 @@ import { computed, signal } from "@preact/signals";
 import { STATE } from "../../../engine/breaks";
 import { locus } from "../../../engine/results";
 import { uv } from "../../../state/morph";
+import { gradient } from "../../../style/ramp";
 import { fixed } from "../../../ui/number";
 import { Segmented } from "../../../ui/Segmented";
 import { LocusSquare } from "./LocusSquare";
 import type { LocusStyle } from "./paint";
-import { gradient } from "./ramp";
 import { bounds } from "./way";
 
 /** How the field is shown: a way of looking, no part of the document. */

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { LocusResult } from "../../../engine/results";
+import { BROKEN, HOLDS, NARROWEST, NONE, type Rgb, ramp, shadeOf } from "../../../style/ramp";
 import { paint } from "./paint";
-import { BROKEN, HOLDS, NARROWEST, NONE, type Rgb, ramp, shadeOf } from "./ramp";
 
 /** Relative luminance of WCAG. */
 function luminance(colour: Rgb): number {

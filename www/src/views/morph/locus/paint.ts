@@ -1,7 +1,7 @@
 /** Paints a gap field, as far as it is known, into pixels. */
 import { STATE } from "../../../engine/breaks";
 import type { LocusResult } from "../../../engine/results";
-import { BROKEN, HOLDS, NONE, type Rgb, ramp, shadeOf, UNDECIDED } from "./ramp";
+import { BROKEN, HOLDS, NONE, type Rgb, ramp, shadeOf, UNDECIDED } from "../../../style/ramp";
 
 export type LocusStyle = "gap" | "yesno";
 

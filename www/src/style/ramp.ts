@@ -1,9 +1,12 @@
-/** Colours of the gap field: cream where it holds together, then from mauve to navy as the gap widens. */
+/** Colours of the gap field: light where it holds together, then from mauve to navy as the gap widens. */
 
 export type Rgb = readonly [r: number, g: number, b: number];
 
-/** In one piece. Far lighter than the rest, so that the border is seen without seeing hue. */
-export const HOLDS: Rgb = [246, 240, 226];
+/** In one piece, proved. Far lighter than the rest, so that the border is seen without seeing hue. */
+export const HOLDS: Rgb = [250, 245, 232];
+/** In one piece as far as the resolution tells: a shade deeper, and dotted with the next. */
+export const TOUCHES: Rgb = [236, 228, 208];
+export const TOUCHES_DOT: Rgb = [190, 178, 150];
 /** Broken, where no size is shown. */
 export const BROKEN: Rgb = [36, 31, 82];
 export const NONE: Rgb = [118, 118, 124];
@@ -17,14 +20,15 @@ const STOPS: readonly (readonly [at: number, colour: Rgb])[] = [
   [1, [15, 17, 44]],
 ];
 
-/** The gaps at the two ends of the scale, relative to the size of the shape: what 600 pixels resolve, and all of it. */
+/** The narrowest gap of the scale, relative to the size of the shape: what 600 pixels resolve. */
 export const NARROWEST = 1 / 600;
-export const WIDEST = 1;
+/** The widest gap of the scale over the narrowest: at home, all of the shape. */
+export const REACH = 600;
 
 /** Where a relative gap lies on the scale, 0 to 1: by its logarithm, since narrow gaps are what matters. */
-export function shadeOf(gap: number): number {
-  if (!(gap > NARROWEST)) return 0;
-  return Math.min(1, Math.log(gap / NARROWEST) / Math.log(WIDEST / NARROWEST));
+export function shadeOf(gap: number, narrowest = NARROWEST): number {
+  if (!(gap > narrowest)) return 0;
+  return Math.min(1, Math.log(gap / narrowest) / Math.log(REACH));
 }
 
 /** The colour at a place of the scale. */
@@ -37,11 +41,16 @@ export function ramp(shade: number): Rgb {
   const [s0, from] = STOPS[upper - 1] ?? [0, HOLDS];
   const [s1, to] = STOPS[upper] ?? [1, HOLDS];
   const k = (s - s0) / (s1 - s0);
-  const mix = (i: 0 | 1 | 2) => Math.round(from[i] + k * (to[i] - from[i]));
+  return mixed(from, to, k);
+}
+
+/** Part of the way from one colour to another. */
+export function mixed(from: Rgb, to: Rgb, part: number): Rgb {
+  const mix = (i: 0 | 1 | 2) => Math.round(from[i] + part * (to[i] - from[i]));
   return [mix(0), mix(1), mix(2)];
 }
 
-/** The scale as a CSS gradient, for the legend. */
+/** The scale as a CSS gradient, for a legend. */
 export function gradient(): string {
   return `linear-gradient(to right, ${STOPS.map(([at, c]) => `rgb(${c.join(" ")}) ${100 * at}%`).join(", ")})`;
 }
