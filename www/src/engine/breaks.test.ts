@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { atResolution, breaksAlong, STATE, stateNear, stretches } from "./breaks";
+import { atResolution, breaksAlong, STATE, stateNear, stretches, widestOf } from "./breaks";
 
 const { connected, touching, disconnected, none, undecided } = STATE;
 
@@ -65,5 +65,19 @@ describe("atResolution", () => {
     expect(atResolution(disconnected, 0.002, 1 / 600)).toBe(disconnected);
     expect(atResolution(none, Number.NaN, 1 / 600)).toBe(none);
     expect(atResolution(connected, 0, 1 / 600)).toBe(connected);
+  });
+});
+
+describe("widestOf", () => {
+  it("finds the widest gap, in the middle of a level stretch", () => {
+    const states = [touching, disconnected, disconnected, disconnected, connected];
+    expect(widestOf(states, [0, 0.01, 0.03, 0.03, 0])).toEqual({ t: 0.625, gap: 0.03 });
+  });
+
+  it("counts neither what touches nor what has no shape", () => {
+    expect(widestOf([touching, none, undecided], [0.5, Number.NaN, 0.2])).toBeNull();
+    expect(widestOf([], [])).toBeNull();
+    expect(widestOf([disconnected], [Number.NaN])).toBeNull();
+    expect(widestOf([disconnected], [0.2])).toEqual({ t: 0, gap: 0.2 });
   });
 });

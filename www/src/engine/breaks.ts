@@ -28,6 +28,32 @@ export function isBroken(state: number): boolean {
   return state === STATE.disconnected || state === STATE.none;
 }
 
+/** A moment of a path, and how wide the widest gap is there, relative to the size of the shape. */
+export interface Worst {
+  t: number;
+  gap: number;
+}
+
+/** Where, of samples evenly spaced over [0, 1], the gap is widest: the middle of the first run of it. Null if none is broken. */
+export function widestOf(states: ArrayLike<number>, gaps: ArrayLike<number>): Worst | null {
+  const last = Math.max(1, states.length - 1);
+  const gapAt = (i: number) => {
+    const gap = gaps[i] ?? Number.NaN;
+    return states[i] === STATE.disconnected && gap > 0 ? gap : 0;
+  };
+  let first = -1;
+  let most = 0;
+  for (let i = 0; i < states.length; i++) {
+    if (gapAt(i) <= most) continue;
+    first = i;
+    most = gapAt(i);
+  }
+  if (first < 0) return null;
+  let end = first;
+  while (end + 1 < states.length && gapAt(end + 1) === most) end++;
+  return { t: (first + end) / 2 / last, gap: most };
+}
+
 /** Stretches of t in which samples, evenly spaced over [0, 1], are broken. Each reaches half a sample to both sides. */
 export function stretches(states: ArrayLike<number>): Stretch[] {
   const count = states.length;

@@ -3,7 +3,7 @@ import { atResolution, STATE } from "./breaks";
 import type { Kind, Result, Task } from "./protocol";
 import type { Frond, LocusTiles } from "./wasm";
 
-/** How many samples `states` decides from one call: a degenerate locus of a single point. */
+/** How single points are decided: a degenerate locus, all of whose samples are that point. */
 const POINT = { width: 2, height: 2 } as const;
 
 /** Does tasks, one at a time. It keeps the locus it worked on last, so that each slice does not prepare it again. */
@@ -19,6 +19,19 @@ export function executor(
     const locus = make();
     tiles = { key, locus };
     return locus;
+  };
+
+  const decided = (task: Task<"states" | "along">): Result<"along"> => {
+    const count = task.points.length;
+    const found = { state: new Uint8Array(count), gap: new Float32Array(count) };
+    for (const [i, [u, v, w = 0]] of task.points.entries()) {
+      const bounds = { u0: u, v0: v, u1: u, v1: v };
+      const options = { ...task.options, ...POINT, bounds, w };
+      const { state, gap } = frond.locus({ maps: task.from }, { maps: task.to }, options);
+      found.gap[i] = gap[0] ?? Number.NaN;
+      found.state[i] = atResolution(state[0] ?? STATE.undecided, gap[0] ?? Number.NaN, task.options.epsilon);
+    }
+    return found;
   };
 
   const handlers: { [K in Kind]: (task: Task<K>) => Result<K> | Promise<Result<K>> } = {
@@ -60,16 +73,8 @@ export function executor(
     rate: (task) => frond.rateCandidate({ maps: task.from }, { maps: task.to }, task.options),
     routes: (task) => frond.routes({ maps: task.from }, { maps: task.to }),
     verdict: (task) => frond.connectedness({ maps: task.maps }, { epsilon: task.epsilon }),
-    states(task) {
-      const states = new Uint8Array(task.points.length);
-      for (const [i, [u, v, w = 0]] of task.points.entries()) {
-        const bounds = { u0: u, v0: v, u1: u, v1: v };
-        const options = { ...task.options, ...POINT, bounds, w };
-        const { state, gap } = frond.locus({ maps: task.from }, { maps: task.to }, options);
-        states[i] = atResolution(state[0] ?? STATE.undecided, gap[0] ?? Number.NaN, task.options.epsilon);
-      }
-      return states;
-    },
+    states: (task) => decided(task).state,
+    along: decided,
     async picture(task) {
       const { width, height } = task.options;
       const pixels = frond.rasterize({ maps: task.maps }, task.options);

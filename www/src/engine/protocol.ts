@@ -69,6 +69,14 @@ export interface Tasks {
     options: MorphOptions & { epsilon: number };
     points: readonly PathPoint[];
   };
+  /** The same with the widest gap at each, relative to the size of the shape: NaN where there is none. */
+  along: {
+    kind: "along";
+    from: MapRow[];
+    to: MapRow[];
+    options: MorphOptions & { epsilon: number };
+    points: readonly PathPoint[];
+  };
   /** A path through three parameters, found from nothing. */
   plan3: { kind: "plan3"; from: MapRow[]; to: MapRow[]; options: PathOptions };
   /** What is proved of a stretch of a path. */
@@ -107,6 +115,7 @@ export interface Results {
   routes: Route[];
   verdict: Connectedness;
   states: Uint8Array;
+  along: { state: Uint8Array; gap: Float32Array };
   picture: ImageBitmap;
   buffer: { components: number[]; overlaps: [number, number][] };
 }
@@ -128,6 +137,7 @@ export type Response =
 export type Channel =
   | "locus"
   | "plan"
+  | "plan3"
   | "verdict"
   | "breaks"
   | "strip"

@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { pathPoints } from "../state/morph";
 import type { Bounds, Connectedness, Locus, PathPlan, PathPoint, Verdict } from "./api";
-import { breaksAlong, type Stretch } from "./breaks";
+import { breaksAlong, type Stretch, type Worst } from "./breaks";
 
 export interface LocusResult extends Locus {
   /** 0..1. Samples not yet decided have state 255 and gap NaN. */
@@ -28,13 +28,21 @@ export interface WorkersState {
   available: boolean;
 }
 
+/** A path, decided moment by moment: evenly spaced from 0 to 1. */
+export interface Along {
+  points: readonly PathPoint[];
+  states: Uint8Array;
+  breaks: Stretch[];
+  worst: Worst | null;
+}
+
 /** Where the engine puts its answers. Views read the signals below. */
 export const publish = {
   locus: signal<LocusResult | null>(null),
   verdict: signal<VerdictResult | null>(null),
   plan: signal<PathPlan | null>(null),
   strip: signal<Frame[]>([]),
-  exactBreaks: signal<{ points: readonly PathPoint[]; breaks: Stretch[] } | null>(null),
+  along: signal<Along | null>(null),
   thumbnails: signal<Map<string, ImageBitmap>>(new Map()),
   workers: signal<WorkersState>({ count: 0, busy: false, available: true }),
 };
@@ -50,14 +58,21 @@ export const strip: ReadonlySignal<Frame[]> = publish.strip;
 export const thumbnails: ReadonlySignal<Map<string, ImageBitmap>> = publish.thumbnails;
 export const workers: ReadonlySignal<WorkersState> = publish.workers;
 
+/** The present path, decided moment by moment; null until that answer is in. */
+export const along: ReadonlySignal<Along | null> = computed(() => {
+  const points = pathPoints.value;
+  const found = publish.along.value;
+  return found && found.points === points ? found : null;
+});
+
 /**
  * Broken stretches of the present path, in t. Decided sample by sample where that answer is in; until then read off the
  * locus field.
  */
 export const pathBreaks: ReadonlySignal<Stretch[]> = computed(() => {
   const points = pathPoints.value;
-  const exact = publish.exactBreaks.value;
-  if (exact && exact.points === points) return exact.breaks;
+  const exact = along.value;
+  if (exact) return exact.breaks;
   const field = publish.locus.value;
   return field ? breaksAlong(field, points) : [];
 });

@@ -7,7 +7,7 @@ import { dark } from "../../state/preferences";
 import { scene } from "../../state/scene";
 import { palette } from "../../style/palette";
 import type { Colouring, MapRow, Verdict } from "../api";
-import { STATE, stretches } from "../breaks";
+import { STATE, stretches, widestOf } from "../breaks";
 import { Coalesce } from "../coalesce";
 import { epoch, submit } from "../engine";
 import { EPSILON, type LocusInputs } from "../locus-job";
@@ -49,9 +49,10 @@ export function scheduleBreaks(): void {
   });
 }
 
-function breaksJob(inputs: LocusInputs, points: Uv[]): Job<"states"> {
+function breaksJob(inputs: LocusInputs, points: Uv[]): Job<"along"> {
   const count = (FRAMES - 1) * BETWEEN + 1;
   const states = new Uint8Array(count).fill(STATE.undecided);
+  const gaps = new Float32Array(count).fill(Number.NaN);
   const firsts = new Map<object, number>();
   let from = 0;
   return {
@@ -62,19 +63,20 @@ function breaksJob(inputs: LocusInputs, points: Uv[]): Job<"states"> {
       const to = Math.min(count, from + SLICE);
       const at = Array.from({ length: to - from }, (_, i) => uvAt(points, (from + i) / (count - 1)));
       const options = { ...inputs.options, epsilon: EPSILON };
-      const task = { kind: "states" as const, from: inputs.from, to: inputs.to, options, points: at };
+      const task = { kind: "along" as const, from: inputs.from, to: inputs.to, options, points: at };
       firsts.set(task, from);
       from = to;
       return task;
     },
     accept(task, result) {
-      states.set(result, firsts.get(task) ?? 0);
+      states.set(result.state, firsts.get(task) ?? 0);
+      gaps.set(result.gap, firsts.get(task) ?? 0);
     },
     // Samples that could not be judged count as undecided, not as broken.
     fail() {},
     done() {
       if (points !== pathPoints.peek() || inputs !== morph.peek()) return;
-      publish.exactBreaks.value = { points, breaks: stretches(states) };
+      publish.along.value = { points, states, breaks: stretches(states), worst: widestOf(states, gaps) };
       const frames = frameTimes().map((_, i) => WORDS[states[i * BETWEEN] ?? STATE.undecided] ?? null);
       setFrames((frame, i) => ({ ...frame, verdict: frames[i] ?? null }));
     },
