@@ -15,15 +15,21 @@
 //! pictures can be bent like attractors.
 
 mod code;
+mod corners;
 mod cube;
 mod field;
+mod lattice;
 mod mesh;
+mod smooth;
 mod spin;
 mod weight;
 
 pub use code::{MAX_SYMBOLS, permutation, shuffle, step};
+pub use corners::Corners;
 pub use cube::Cube;
 pub use field::{Field, Place};
+pub use lattice::{Lattice, Level};
 pub use mesh::{Mesh, MeshError};
+pub use smooth::{Attribute, Depths, Smooth};
 pub use spin::Spin;
 pub use weight::weights;

@@ -4,7 +4,9 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 
 use frond_core::Affine2;
-use frond_deform::{Cube, Field, Mesh, Place, Spin, permutation, shuffle, step, weights};
+use frond_deform::{
+    Corners, Cube, Depths, Field, Lattice, Mesh, Place, Smooth, Spin, permutation, shuffle, step, weights,
+};
 use glam::DVec2;
 use serde_json::Value;
 
@@ -206,4 +208,19 @@ fn between_whole_numbers() {
         let v = field.superposed_between(kb, ke, number(case, "delta"), place);
         assert_close(v, &case["v_super"], 1e-12, case);
     });
+}
+
+#[test]
+fn the_gasket_without_a_tear() {
+    let (systems, meshes) = (systems(), meshes());
+    for case in cases("gasket_fe") {
+        let maps = &systems[case["ifs"].as_str().unwrap()];
+        let lattice = Lattice::new(maps, Corners::find(maps).expect("a triangle"), whole(&case, "ke"));
+        let (kb, ke, delta) = (whole(&case, "kb"), whole(&case, "ke"), number(&case, "delta"));
+        let depths = Depths { kb, ke, delta, spin: Spin::None };
+        let smooth = Smooth::new(&lattice, &meshes[case["mesh"].as_str().unwrap()], depths);
+        let word = code(&case["code"]);
+        let v = smooth.at(Place { code: &word, tail: point(&case["tail"]) });
+        assert_close(DVec2::from_slice(&v), &case["v"], 1e-11, &case);
+    }
 }
