@@ -219,6 +219,17 @@ mod tests {
             .collect()
     }
 
+    /// The gasket again, but its first piece is mirrored, so that displacements are, too.
+    fn mirrored() -> Vec<Affine2> {
+        let mut maps: Vec<Affine2> = [DVec2::ZERO, DVec2::X, DVec2::new(0.5, 0.75_f64.sqrt())]
+            .map(|c| Affine2::similitude(0.5, 0.0, c * 0.5))
+            .to_vec();
+        let axis = DMat2::from_angle(std::f64::consts::FRAC_PI_6);
+        let mirror = axis * DMat2::from_diagonal(DVec2::new(1.0, -1.0)) * axis.transpose();
+        maps[0].linear *= mirror;
+        maps
+    }
+
     fn bumpy() -> Mesh {
         let list =
             (0..16).map(|i| DVec2::new(f64::from(i * 7 % 16) - 8.0, f64::from(i * 5 % 16) - 8.0) / 20.0);
@@ -251,10 +262,10 @@ mod tests {
 
         #[test]
         fn pieces_agree_on_what_they_share(
-            shape in 0..3_usize, kb in 0..4_usize, more in 0..4_usize, delta in 0.0..1.5_f64, turned: bool,
+            shape in 0..4_usize, kb in 0..4_usize, more in 0..4_usize, delta in 0.0..1.5_f64, turned: bool,
             vertex in 0..10_000_usize, along in 0.0..1.0_f64,
         ) {
-            let maps = [gasket(), square(2), square(3)][shape].clone();
+            let maps = [gasket(), square(2), square(3), mirrored()][shape].clone();
             let spin = if turned { Spin::Orthogonal } else { Spin::None };
             let lattice = Lattice::new(&maps, Corners::find(&maps).unwrap(), kb + more);
             let mesh = bumpy();
@@ -272,6 +283,27 @@ mod tests {
                     let same = value.iter().zip(&values[0]).all(|(x, y)| (x - y).abs() < 1e-9);
                     prop_assert!(same, "{:?} of {:?}", values, places);
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn where_nothing_is_shared_it_is_the_formula() {
+        let (maps, mesh) = (mirrored(), bumpy());
+        let corners = Corners::find(&maps).unwrap();
+        let lattice = Lattice::new(&maps, corners.clone(), 4);
+        for (i, &corner) in corners.points().iter().enumerate() {
+            let code = vec![i as u8; 4];
+            let place = Place { code: &code, tail: corner };
+            for (kb, spin) in
+                [(0, Spin::None), (0, Spin::Orthogonal), (2, Spin::Scaled), (3, Spin::Orthogonal)]
+            {
+                let smooth = Smooth::new(&lattice, &mesh, Depths { kb, ke: 4, delta: 0.8, spin });
+                let wanted = crate::Field::new(&maps, &mesh, spin).superposed(kb, 4, 0.8, place);
+                assert!(
+                    (DVec2::from_slice(&smooth.at(place)) - wanted).length() < 1e-12,
+                    "{i} {kb} {spin:?}"
+                );
             }
         }
     }
