@@ -22,8 +22,10 @@
 
 mod barnsley;
 mod bounded;
+mod certificate;
 mod connectedness;
 mod decide;
+mod enclosure;
 mod exact;
 mod field;
 mod frame;
@@ -36,12 +38,14 @@ mod pair;
 mod path;
 mod proof;
 mod search;
+mod separate;
 mod shared;
 mod simplify;
 mod span;
 
 pub use barnsley::{BarnsleyOptions, BarnsleyTest, Round, barnsley_test};
 pub use bounded::{Bounded, Ellipse};
+pub use certificate::{Certificate, Separation, certificate};
 pub use connectedness::{Connectedness, Gap, Options, Verdict, connectedness};
 pub use decide::{Sample, Scratch, State, decide, decide_bounds};
 pub use graph::{Components, OverlapGraph};
