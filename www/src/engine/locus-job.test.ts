@@ -1,12 +1,26 @@
 import { describe, expect, it, vi } from "vitest";
 import { STATE } from "./breaks";
-import { LocusWork, SIZE, STRIDES } from "./locus-job";
+import { LocusWork, patchesOf, SIZE, STRIDES } from "./locus-job";
 import type { Task } from "./protocol";
 
 const inputs = { from: [], to: [], options: {} };
 
 /** Answers a slice as the program would, with the row and column in the gap. */
-function answer(task: Task<"locus">) {
+function answer(task: Task<"locus" | "patch">) {
+  return task.kind === "locus" ? answerRows(task) : answerPatch(task);
+}
+
+function answerPatch({ x0, y0, x1, y1 }: Task<"patch">) {
+  const width = x1 - x0;
+  const count = width * (y1 - y0);
+  const gap = Float32Array.from(
+    { length: count },
+    (_, k) => (y0 + Math.floor(k / width)) * 1000 + x0 + (k % width),
+  );
+  return { state: new Uint8Array(count).fill(STATE.connected), gap, count };
+}
+
+function answerRows(task: Task<"locus">) {
   const rows = Math.ceil((task.r1 - task.r0) / task.stride);
   const state = new Uint8Array(rows * SIZE).fill(STATE.pending);
   const gap = new Float32Array(rows * SIZE).fill(Number.NaN);
@@ -22,15 +36,16 @@ function answer(task: Task<"locus">) {
   return { state, gap, count };
 }
 
-function run(milliseconds: number) {
+function run(milliseconds: number, patches = false) {
   const stage = vi.fn();
   const watch = { painted: vi.fn(), stage: (_: LocusWork, stride: number) => stage(stride), failed: vi.fn() };
-  const work = new LocusWork(inputs, watch, () => 10);
+  const means = { patches, priorities: (): [number, number] => [50, 15] };
+  const work = new LocusWork(inputs, watch, () => 10, means);
   const job = work.job();
   let count = 0;
   let slices = 0;
   for (let task = job.next(); task; task = job.next()) {
-    expect(task.r0 % task.stride).toBe(0);
+    if (task.kind === "locus") expect(task.r0 % task.stride).toBe(0);
     const { count: n, ...result } = answer(task);
     count += n;
     slices++;
@@ -46,6 +61,27 @@ describe("LocusWork", () => {
     expect(work.progress).toBe(1);
     expect(work.raw.gap.every((g, i) => g === Math.floor(i / SIZE) * 1000 + (i % SIZE))).toBe(true);
     expect(stage.mock.calls.map(([stride]) => stride)).toEqual([...STRIDES]);
+  });
+
+  it("asks for a coarse picture, and then for rectangles, where they can be had", () => {
+    const { work, stage, slices } = run(1, true);
+    expect(work.progress).toBe(1);
+    expect(work.raw.gap.every((g, i) => g === Math.floor(i / SIZE) * 1000 + (i % SIZE))).toBe(true);
+    expect(work.filled).toEqual(work.raw);
+    expect(stage.mock.calls.map(([stride]) => stride)).toEqual([STRIDES[0], 1]);
+    expect(slices).toBeGreaterThanOrEqual(17);
+  });
+
+  it("covers the square with rectangles, each sample once, from the middle outwards", () => {
+    const seen = new Uint8Array(SIZE * SIZE);
+    const rectangles = patchesOf(SIZE, 64);
+    for (const { x0, y0, x1, y1 } of rectangles) {
+      for (let y = y0; y < y1; y++)
+        for (let x = x0; x < x1; x++) seen[y * SIZE + x] = (seen[y * SIZE + x] ?? 0) + 1;
+    }
+    expect(seen.every((n) => n === 1)).toBe(true);
+    const far = rectangles.map(({ x0, x1, y0, y1 }) => Math.hypot(x0 + x1 - SIZE, y0 + y1 - SIZE));
+    expect(far).toEqual(far.toSorted((p, q) => p - q));
   });
 
   it("makes slices smaller when they take long", () => {

@@ -1,13 +1,16 @@
 import type { Bounds, FrondError, Locus, MapRow, MorphOptions } from "./api";
 import { atResolution, STATE } from "./breaks";
 import type { Job, Result, Task } from "./protocol";
+import { CELLS, homeOf } from "./window";
 
 /** Samples a side. One less is divisible by 3, so (0,0) and (1,1) are samples, and by 4, so 127 and 64 nest in it. */
-export const SIZE = 253;
+export const SIZE = CELLS + 1;
 export const STRIDES = [4, 2, 1] as const;
 /** What the document says of a picture: gaps that 600 pixels show. */
 export const EPSILON = 1 / 600;
-export const BOUNDS: Bounds = { u0: -1, v0: -1, u1: 2, v1: 2 };
+export const BOUNDS: Bounds = homeOf("morph");
+/** Samples along a side of a patch. */
+const PATCH = 64;
 
 export interface LocusInputs {
   from: MapRow[];
@@ -23,7 +26,20 @@ export interface LocusWatch {
   failed: (error: FrondError) => void;
 }
 
+export interface LocusMeans {
+  /** Whether the program decides whole rectangles at once: then they follow the coarsest stride, the middle first. */
+  patches: boolean;
+  /** How much it matters now, beside what else there is to do: the coarse picture, and what follows. */
+  priorities: () => [coarse: number, fine: number];
+}
+
+/** The coarse picture is what the eye waits for; the fine one may wait for all that is seen sooner. */
+const MEANS: LocusMeans = { patches: false, priorities: () => [50, 15] };
+
 let keys = 0;
+
+/** A number that no other locus has: workers tell by it what they have prepared. */
+export const nextKey = (): number => ++keys;
 
 /** One locus on its way from coarse to fine. */
 export class LocusWork {
@@ -37,9 +53,13 @@ export class LocusWork {
   coarse = false;
   readonly #watch: LocusWatch;
   readonly #slice: () => number;
-  readonly #key = ++keys;
+  readonly #means: LocusMeans;
+  readonly #key = nextKey();
+  /** The strides that are gone through; with patches only the coarsest, and then all that is left. */
+  readonly #strides: readonly number[];
   /** Samples still open, by stage. */
-  readonly #open = STRIDES.map((stride, stage) => samplesOf(stride, stage === 0));
+  readonly #open: number[];
+  readonly #patches: Rectangle[];
   /** The slice that is handed out next. */
   #stage = 0;
   #row = 0;
@@ -48,21 +68,58 @@ export class LocusWork {
   /** A guess until the first slices are back. */
   #msPerSample = 0.02;
 
-  constructor(inputs: LocusInputs, watch: LocusWatch, sliceMilliseconds: () => number) {
+  constructor(
+    inputs: LocusInputs,
+    watch: LocusWatch,
+    sliceMilliseconds: () => number,
+    means: LocusMeans = MEANS,
+  ) {
     this.inputs = inputs;
     this.#watch = watch;
     this.#slice = sliceMilliseconds;
+    this.#means = means;
+    this.#patches = means.patches ? patchesOf(SIZE, PATCH) : [];
+    this.#strides = means.patches ? [STRIDES[0], 1] : STRIDES;
+    this.#open = means.patches
+      ? [samplesOf(STRIDES[0], true), SIZE * SIZE - samplesOf(STRIDES[0], true)]
+      : STRIDES.map((stride, stage) => samplesOf(stride, stage === 0));
   }
 
-  job(): Job<"locus"> {
+  job(): Job<Kinds> {
     return {
       channel: "locus",
-      // The coarse picture is what the eye waits for; the fine one may wait for all that is seen sooner.
-      priority: () => (this.#stage === 0 ? 50 : 15),
-      next: () => this.#next(),
-      accept: (task, result, milliseconds) => this.#accept(task, result, milliseconds),
+      priority: () => this.#means.priorities()[this.#stage === 0 ? 0 : 1],
+      next: () => (this.#means.patches && this.#stage > 0 ? this.#nextPatch() : this.#next()),
+      accept: (task, result, milliseconds) =>
+        task.kind === "patch" ? this.#acceptPatch(task, result) : this.#accept(task, result, milliseconds),
       fail: (_, error) => this.#watch.failed(error),
     };
+  }
+
+  #options() {
+    const { from, to, options } = this.inputs;
+    return { from, to, options: { ...options, bounds: BOUNDS, width: SIZE, height: SIZE, epsilon: EPSILON } };
+  }
+
+  #nextPatch(): Task<"patch"> | null {
+    const patch = this.#patches.shift();
+    return patch ? { kind: "patch", key: this.#key, of: this.#options(), ...patch } : null;
+  }
+
+  #acceptPatch({ x0, y0, x1, y1 }: Task<"patch">, { state, gap }: Result<"patch">): void {
+    let count = 0;
+    for (let r = y0, k = 0; r < y1; r++) {
+      for (let c = x0; c < x1; c++, k++) {
+        const g = gap[k] ?? Number.NaN;
+        const at = r * SIZE + c;
+        if (r % STRIDES[0] !== 0 || c % STRIDES[0] !== 0) count++;
+        this.raw.state[at] = atResolution(state[k] ?? STATE.undecided, g, EPSILON);
+        this.raw.gap[at] = g;
+        this.filled.state[at] = this.raw.state[at] ?? STATE.undecided;
+        this.filled.gap[at] = g;
+      }
+    }
+    this.#count(1, count);
   }
 
   #next(): Task<"locus"> | null {
@@ -78,9 +135,7 @@ export class LocusWork {
       this.#stage++;
       this.#row = 0;
     }
-    const { from, to, options } = this.inputs;
-    const all = { ...options, bounds: BOUNDS, width: SIZE, height: SIZE, epsilon: EPSILON };
-    return { kind: "locus", key: this.#key, from, to, options: all, r0, r1, stride, first };
+    return { kind: "locus", key: this.#key, ...this.#options(), r0, r1, stride, first };
   }
 
   #accept(task: Task<"locus">, { state, gap }: Result<"locus">, milliseconds: number): void {
@@ -97,15 +152,18 @@ export class LocusWork {
         this.#fill(r, c, stride, s, gap[from + c] ?? Number.NaN);
       }
     }
-    const stage = first ? 0 : STRIDES.indexOf(stride as 4 | 2 | 1);
+    if (count > 0) this.#msPerSample += 0.3 * (milliseconds / count - this.#msPerSample);
+    this.#count(first ? 0 : STRIDES.indexOf(stride as 4 | 2 | 1), count);
+  }
+
+  #count(stage: number, count: number): void {
     this.#open[stage] = Math.max(0, (this.#open[stage] ?? 0) - count);
     const left = this.#open.reduce((sum, n) => sum + n, 0);
     this.progress = 1 - left / (SIZE * SIZE);
-    if (count > 0) this.#msPerSample += 0.3 * (milliseconds / count - this.#msPerSample);
     // A slice that a dying worker left behind may come after finer ones: a stage counts once the coarser ones do.
     while (this.#open[this.#whole] === 0) {
       this.coarse = true;
-      this.#watch.stage(this, STRIDES[this.#whole++] ?? 1);
+      this.#watch.stage(this, this.#strides[this.#whole++] ?? 1);
     }
     this.#watch.painted(this);
   }
@@ -143,6 +201,29 @@ export class LocusWork {
     }
     return locus;
   }
+}
+
+type Kinds = "locus" | "patch";
+
+interface Rectangle {
+  x0: number;
+  y0: number;
+  x1: number;
+  y1: number;
+}
+
+/** Rectangles that cover a square of samples, the nearest to its middle first. */
+export function patchesOf(size: number, side: number): Rectangle[] {
+  const count = Math.ceil(size / side);
+  const edge = (k: number) => Math.round((k * size) / count);
+  const all: Rectangle[] = [];
+  for (let j = 0; j < count; j++) {
+    for (let i = 0; i < count; i++) {
+      all.push({ x0: edge(i), y0: edge(j), x1: edge(i + 1), y1: edge(j + 1) });
+    }
+  }
+  const far = ({ x0, y0, x1, y1 }: Rectangle) => Math.hypot(x0 + x1 - size, y0 + y1 - size);
+  return all.sort((p, q) => far(p) - far(q));
 }
 
 function blank(): Locus {

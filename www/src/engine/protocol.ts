@@ -150,6 +150,8 @@ export type Channel =
   | "candidates"
   | "routes"
   | "hover"
+  | "window"
+  | "scale"
   | `figure:${string}`;
 
 /** Work of one channel: a source of slices, handed out one by one as workers come free. */

@@ -2,11 +2,21 @@ import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { pathPoints } from "../state/morph";
 import type { Bounds, Connectedness, Locus, PathPlan, PathPoint, Verdict } from "./api";
 import { breaksAlong, type Stretch, type Worst } from "./breaks";
+import type { Pyramid } from "./pyramid";
 
 export interface LocusResult extends Locus {
   /** 0..1. Samples not yet decided have state 255 and gap NaN. */
   progress: number;
   bounds: Bounds;
+}
+
+/** What is known of the plane that is looked at; a new object at each repaint. */
+export interface WindowResult {
+  pyramid: Pyramid;
+  /** 0..1, of the window. */
+  progress: number;
+  /** Why there is nothing to see, in a sentence. */
+  problem: string | null;
 }
 
 export interface VerdictResult {
@@ -39,6 +49,7 @@ export interface Along {
 /** Where the engine puts its answers. Views read the signals below. */
 export const publish = {
   locus: signal<LocusResult | null>(null),
+  window: signal<WindowResult | null>(null),
   verdict: signal<VerdictResult | null>(null),
   plan: signal<PathPlan | null>(null),
   strip: signal<Frame[]>([]),
@@ -47,8 +58,10 @@ export const publish = {
   workers: signal<WorkersState>({ count: 0, busy: false, available: true }),
 };
 
-/** The field over (u, v), a new object at each repaint. */
+/** The field over all of (u, v), in the plane of Burch and Hart; a new object at each repaint. */
 export const locus: ReadonlySignal<LocusResult | null> = publish.locus;
+/** The field that the locus view shows. */
+export const locusWindow: ReadonlySignal<WindowResult | null> = publish.window;
 /** About what the stage shows. */
 export const verdict: ReadonlySignal<VerdictResult | null> = publish.verdict;
 /** The automatic path for the present pair. */

@@ -5,6 +5,7 @@ import { BOUNDS, type LocusInputs, LocusWork, STRIDES } from "../locus-job";
 import { publish } from "../results";
 import { inputs as morph } from "./inputs";
 import { planFrom } from "./plan";
+import { hasPatches, homeIsSeen, scheduleWindow } from "./window";
 
 /** While something is dragged, a coarse locus that is nearly done is let finish, so that there is one to see. */
 const GRACE_MS = 150;
@@ -17,12 +18,16 @@ let waiting: ReturnType<typeof setTimeout> | null = null;
 let frame = 0;
 let late: ReturnType<typeof setTimeout> | null = null;
 
+/** The paths are planned from the whole plane, but while another part or plane is looked at, that comes first. */
+const priorities = (): [number, number] => (homeIsSeen.peek() ? [50, 15] : [38, 8]);
+
 export function scheduleLocus(): void {
   effect(() => {
     const inputs = morph.value;
     epoch.value;
     untracked(() => request(inputs));
   });
+  scheduleWindow();
 }
 
 function request(inputs: LocusInputs): void {
@@ -63,6 +68,7 @@ function start(inputs: LocusInputs): void {
       },
     },
     sliceMilliseconds,
+    { patches: hasPatches(), priorities },
   );
   submit(work.job());
 }
