@@ -23,6 +23,7 @@
 mod barnsley;
 mod bounded;
 mod certificate;
+mod clearance;
 mod connectedness;
 mod decide;
 mod enclosure;
@@ -41,7 +42,9 @@ mod search;
 mod separate;
 mod shared;
 mod simplify;
+mod space;
 mod span;
+mod walk;
 
 pub use barnsley::{BarnsleyOptions, BarnsleyTest, Round, barnsley_test};
 pub use bounded::{Bounded, Ellipse};
@@ -51,4 +54,5 @@ pub use decide::{Sample, Scratch, State, decide, decide_bounds};
 pub use graph::{Components, OverlapGraph};
 pub use grid::{Bounds, GridError, Locus, LocusGrid, Pass, Tile};
 pub use index_buffer::{Choice, IndexBuffer, IndexBufferError, IndexBufferOptions};
-pub use path::{PathCheck, PathError, PathOptions, PathPlan, along, check_path, find_path, plan_path};
+pub use path::{Axes, PathError, PathOptions, PathPlan, find_path, plan_path};
+pub use walk::{PathCheck, along, check_path};

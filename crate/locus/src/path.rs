@@ -1,30 +1,47 @@
 //! Paths through a locus: found, and judged.
 
 use frond_core::Morph;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use thiserror::Error;
 
-use crate::decide::{Scratch, State, decide};
-use crate::field::Field;
+use crate::field::{Field, Lattice, NEAR_END, Terms, gap_of};
 use crate::grid::{Bounds, GridError, Locus, LocusGrid};
 use crate::simplify::simplify;
+use crate::space;
+use crate::walk::{PathCheck, along, judge};
 
-/// A path from (0, 0) to (1, 1), and how well the morph along it holds together.
+/// A path from (0, 0, 0) to (1, 1, 0), and how well the morph along it holds together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathPlan {
-    /// Its corners (u, v), both ends included; at most [`PathPlan::MOST_POINTS`] unless the way is so crooked
+    /// Its corners (u, v, w), both ends included; at most [`PathPlan::MOST_POINTS`] unless the way is so crooked
     /// that fewer would break it.
-    pub points: Vec<DVec2>,
+    pub points: Vec<DVec3>,
     /// The widest gap met, relative to the diameter of the attractor there, as far as was looked: 0 if it
     /// holds together all the way. Infinite if the path leads through parameters without an attractor.
     pub gap: f64,
     /// Whether no sample along the path was broken.
     pub holds: bool,
+    /// The least distance in (u, v, w) from broken samples to the path, but for its first and last eighth of a unit:
+    /// the ends often lie on the very boundary. Infinite where none was seen.
+    pub clearance: f64,
+    /// The parameter where the gap is widest, which is where the path must break; `None` if it holds.
+    pub worst: Option<DVec3>,
+    /// Whether the two ends lie in different components of what holds together on the samples that were looked at:
+    /// then no path within them holds at this resolution, in the square (of `axes` 3, the box) that they cover.
+    pub apart: bool,
+    /// How far those samples lie apart.
+    pub step: f64,
 }
 
 impl PathPlan {
     /// The most corners of a path, both ends included.
     pub const MOST_POINTS: usize = 14;
+
+    /// The length in (u, v, w).
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.points.windows(2).map(|leg| leg[0].distance(leg[1])).sum()
+    }
 }
 
 /// Why no path can be planned.
@@ -49,6 +66,16 @@ impl PathError {
     }
 }
 
+/// Which parameters a path may take.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Axes {
+    /// (u, v): stretch and turn go together, as in Burch & Hart's plane.
+    #[default]
+    Two,
+    /// (u, v, w): the stretch may be ahead of the turn, or behind it.
+    Three,
+}
+
 /// How to plan a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathOptions {
@@ -56,59 +83,92 @@ pub struct PathOptions {
     pub epsilon: f64,
     /// Samples along a side of the first locus to look at; finer ones follow where it is too coarse.
     pub size: usize,
+    /// The parameters to take. With three, a path in the plane w = 0 that holds is preferred.
+    pub axes: Axes,
 }
 
 impl Default for PathOptions {
     fn default() -> Self {
-        Self { epsilon: 1.0 / 600.0, size: 97 }
+        Self { epsilon: 1.0 / 600.0, size: 97, axes: Axes::Two }
     }
 }
 
-/// Plans a path through a locus that is known already: of all ways the widest gap is least, then those that
-/// are short and keep away from broken parameters are taken.
+/// Plans a path through a locus that is known already: of all ways the widest gap is least; of these, those with much
+/// room to what is broken are taken, and of these a short one with few corners.
 ///
-/// The verdict is that of the samples next to the path; [`check_path`] looks again in between. Gaps up to
-/// `epsilon` count as none.
+/// The verdict is that of the samples next to the path; [`check_path`](crate::check_path) looks again in between. Gaps
+/// up to `epsilon` count as none.
 ///
 /// # Errors
 /// [`PathError::Outside`] if the locus does not reach both ends.
 pub fn plan_path(locus: &Locus, epsilon: f64) -> Result<PathPlan, PathError> {
-    plan_in(locus.grid(), &Field::of(locus, epsilon))
+    Ok(plan_in(&field_of(locus, epsilon)?))
 }
 
-fn plan_in(grid: &LocusGrid, field: &Field) -> Result<PathPlan, PathError> {
-    let ends = [DVec2::ZERO, DVec2::ONE];
-    let Some([from, to]) = cells(grid, field, ends) else { return Err(PathError::Outside) };
-    let widest = field.widest(from, to);
-    let way = field.cheapest(from, to, widest);
-    let kept = simplify(field, &way, widest, PathPlan::MOST_POINTS);
-    let mut points: Vec<DVec2> = kept
-        .iter()
-        .map(|&cell| {
-            let (x, y) = field.place(cell);
-            DVec2::new(grid.u(x as usize), grid.v(y as usize))
-        })
-        .collect();
+/// The ends of every path.
+pub(crate) const ENDS: [DVec3; 2] = [DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0)];
+
+pub(crate) fn field_of(locus: &Locus, epsilon: f64) -> Result<Field, PathError> {
+    let Bounds { u0, v0, u1, v1 } = locus.grid().bounds();
+    let (width, height) = (locus.grid().width(), locus.grid().height());
+    let lattice = Lattice {
+        size: [width, height, 1],
+        low: DVec2::new(u0, v0).extend(0.0),
+        high: DVec2::new(u1, v1).extend(0.0),
+    };
+    let gap = (0..width * height).map(|i| gap_of(locus.sample(i % width, i / width), epsilon)).collect();
+    let [from, to] = ENDS.map(|end| lattice.cell(lattice.fraction(end)));
+    let (Some(from), Some(to)) = (from, to) else { return Err(PathError::Outside) };
+    Ok(Field::new(lattice, gap, [from, to]))
+}
+
+/// Gaps this much wider than the least count as no wider, where there is no way without.
+const AS_WIDE: f64 = 1.02;
+/// The part of the most room that a way must keep, so that it may be straight.
+const ROOMY: f64 = 0.6;
+
+pub(crate) fn plan_in(field: &Field) -> PathPlan {
+    let widest = field.widest();
+    let limit = AS_WIDE * widest;
+    // Where it must break there is no room at the break.
+    let room = if widest > 0.0 { 0.0 } else { ROOMY * field.roomiest(limit).max(0.0) };
+    let terms = Terms { widest: limit, room };
+    let way = field.cheapest(terms);
+    let kept = simplify(field, &way, terms, PathPlan::MOST_POINTS);
+    let mut points: Vec<DVec3> =
+        kept.iter().map(|&cell| field.lattice.parameter(field.lattice.place(cell))).collect();
     // The cells next to the ends stand for the ends themselves.
-    points[0] = ends[0];
-    if points.len() == 1 {
-        points.push(ends[1]);
+    if points.len() < 2 {
+        points = ENDS.to_vec();
     }
     let last = points.len() - 1;
-    points[last] = ends[1];
+    (points[0], points[last]) = (ENDS[0], ENDS[1]);
     let gap = if widest < 1.0 { widest } else { f64::INFINITY };
-    Ok(PathPlan { points, gap, holds: widest <= 0.0 })
+    let mut plan = PathPlan {
+        clearance: clearance(field, &points),
+        points,
+        gap,
+        holds: widest <= 0.0,
+        worst: None,
+        apart: widest > 0.0,
+        step: field.step(),
+    };
+    if !plan.holds {
+        let steps = 4 * plan.points.len() * field.side() as usize;
+        let met = (0..=steps).map(|k| along(&plan.points, k as f64 / steps as f64));
+        let wide = |at: &DVec3| field.gap_at(*at);
+        plan.worst = met.max_by(|a, b| wide(a).total_cmp(&wide(b)));
+    }
+    plan
 }
 
-/// The cells of two points, unless one lies outside.
-fn cells(grid: &LocusGrid, field: &Field, points: [DVec2; 2]) -> Option<[usize; 2]> {
-    let Bounds { u0, v0, u1, v1 } = grid.bounds();
-    let along = |from: f64, to: f64, at: f64, count: usize| {
-        let t = (at - from) / (to - from);
-        if to == from || !(-1e-9..=1.0 + 1e-9).contains(&t) { f64::NAN } else { t * (count - 1) as f64 }
-    };
-    let cell = |p: DVec2| field.cell(along(u0, u1, p.x, grid.width()), along(v0, v1, p.y, grid.height()));
-    Some([cell(points[0])?, cell(points[1])?])
+/// The clearance of a polygon: see [`PathPlan::clearance`].
+fn clearance(field: &Field, points: &[DVec3]) -> f64 {
+    let steps = 4 * points.len() * field.side() as usize;
+    let met = (0..=steps).map(|k| along(points, k as f64 / steps as f64));
+    let far = met.filter(|at| ENDS.iter().all(|end| end.distance(*at) >= NEAR_END));
+    let cells = far.filter_map(|at| field.lattice.cell(field.lattice.fraction(at)));
+    cells.map(|cell| field.clearance(cell)).fold(f64::INFINITY, f64::min)
 }
 
 /// Plans a path from the first shape of a morph to the last and checks it between the samples of the locus,
@@ -117,134 +177,105 @@ fn cells(grid: &LocusGrid, field: &Field, points: [DVec2; 2]) -> Option<[usize; 
 /// # Errors
 /// [`PathError::Grid`] for a size out of range.
 pub fn find_path(morph: &Morph, options: &PathOptions) -> Result<PathPlan, PathError> {
-    let PathOptions { epsilon, size } = *options;
+    match options.axes {
+        Axes::Two => find_in_plane(morph, options, &[1, 2, 4]),
+        Axes::Three => {
+            let plane = find_in_plane(morph, options, &[1])?;
+            if plane.holds {
+                return Ok(plane);
+            }
+            let space = space::find(morph, options);
+            Ok(if space.gap < plane.gap { space } else { plane })
+        }
+    }
+}
+
+fn find_in_plane(morph: &Morph, options: &PathOptions, refinements: &[usize]) -> Result<PathPlan, PathError> {
+    let PathOptions { epsilon, size, .. } = *options;
     let mut best: Option<PathPlan> = None;
     // A side of 3 k + 1 samples holds both ends.
     let thirds = size.saturating_sub(1).div_ceil(3).max(1);
-    for refinement in [1, 2, 4] {
+    for &refinement in refinements {
         let side = (3 * thirds).saturating_mul(refinement).saturating_add(1);
         let grid = match LocusGrid::new(Bounds::default(), side, side) {
             Ok(grid) => grid,
             Err(error) if best.is_none() => return Err(error.into()),
             Err(_) => break,
         };
-        let mut field = Field::of(&grid.locus(morph, epsilon), epsilon);
-        let mut at_first = None;
-        for _ in 0..REPAIRS {
-            let planned = plan_in(&grid, &field)?;
-            let least = *at_first.get_or_insert(planned.gap);
-            let mut broken = Vec::new();
-            let checked = judge(morph, &planned.points, epsilon, CHECKS.max(8 * side), |at| broken.push(at));
-            let (gap, holds) = (checked.gap, checked.holds);
-            if best.as_ref().is_none_or(|best| gap < best.gap) {
-                best = Some(PathPlan { gap, holds, points: planned.points });
-            }
-            // Where the samples themselves have no better way, a finer locus seldom has.
-            if holds || gap <= 1.2 * least {
-                return best.ok_or(PathError::Outside);
-            }
-            if planned.gap > least {
-                break;
-            }
-            // Broken between samples that hold: keep off, and look for another way.
-            let cells: Vec<usize> =
-                broken.iter().filter_map(|&p| cells(&grid, &field, [p; 2])).map(|[cell, _]| cell).collect();
-            field.mark(cells.into_iter(), gap);
+        let mut field = field_of(&grid.locus(morph, epsilon), epsilon)?;
+        let tried = improve(morph, &mut field, epsilon, CHECKS.max(8 * side), REPAIRS);
+        let done = tried.plan.holds || tried.final_word;
+        if best.as_ref().is_none_or(|best| tried.plan.gap < best.gap) {
+            best = Some(tried.plan);
+        }
+        if done {
+            break;
         }
     }
     best.ok_or(PathError::Outside)
 }
 
-/// Parameters decided along a plan, at least.
-const CHECKS: usize = 2048;
-/// How often a plan is mended before a finer locus is taken.
-const REPAIRS: usize = 8;
-
-/// What [`check_path`] found.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PathCheck {
-    /// The widest relative gap met; infinite where there is no attractor, 0 where all holds.
-    pub gap: f64,
-    /// Whether no sample was broken: none apart by more than epsilon, none undecided, none without attractor.
-    pub holds: bool,
-    /// The broken stretches, as fractions of the length of the path in (u, v).
-    pub breaks: Vec<(f64, f64)>,
+/// What came of planning in one field.
+pub(crate) struct Tried {
+    /// The best plan, judged between the samples.
+    pub plan: PathPlan,
+    /// Whether the samples themselves have no better way: then a finer locus seldom has.
+    pub final_word: bool,
+    /// The cells that were found broken.
+    pub marked: Vec<usize>,
 }
 
-/// Decides `samples` parameters spread evenly along a path, both ends included, and reports where it breaks.
-/// A path of no points holds.
-#[must_use]
-pub fn check_path(morph: &Morph, points: &[DVec2], epsilon: f64, samples: usize) -> PathCheck {
-    judge(morph, points, epsilon, samples, |_| ())
-}
-
-/// [`check_path`], which also tells each broken sample.
-fn judge(
+/// Plans, judges between the samples, keeps off where it is broken there, and plans again.
+pub(crate) fn improve(
     morph: &Morph,
-    points: &[DVec2],
+    field: &mut Field,
     epsilon: f64,
-    samples: usize,
-    mut tell: impl FnMut(DVec2),
-) -> PathCheck {
-    let mut check = PathCheck { gap: 0.0, holds: true, breaks: Vec::new() };
-    if points.is_empty() {
-        return check;
-    }
-    let samples = samples.max(2);
-    let half = 0.5 / (samples - 1) as f64;
-    let mut scratch = Scratch::default();
-    let mut maps = Vec::new();
-    let mut was_broken = false;
-    for k in 0..samples {
-        let t = k as f64 / (samples - 1) as f64;
-        let at = along(points, t);
-        morph.fill(at.x, at.y, &mut maps);
-        let sample = decide(&maps, epsilon, LocusGrid::budget(maps.len()), &mut scratch);
-        let gap = if sample.gap.is_nan() { f64::INFINITY } else { f64::from(sample.gap) };
-        let broken = match sample.state {
-            State::Connected | State::Touching => false,
-            State::Disconnected => gap > epsilon,
-            State::Undecided | State::NoAttractor => true,
-        };
-        if broken {
-            tell(at);
-            check.holds = false;
-            check.gap = check.gap.max(gap);
-            match check.breaks.last_mut() {
-                Some(last) if was_broken => last.1 = (t + half).min(1.0),
-                _ => check.breaks.push(((t - half).max(0.0), (t + half).min(1.0))),
-            }
+    checks: usize,
+    repairs: usize,
+) -> Tried {
+    let mut best: Option<PathPlan> = None;
+    let mut least = None;
+    let mut marked = Vec::new();
+    let mut final_word = false;
+    for _ in 0..repairs.max(1) {
+        let planned = plan_in(field);
+        let (at_first, apart) = *least.get_or_insert((planned.gap, planned.apart));
+        let mut broken = Vec::new();
+        let checked = judge(morph, &planned.points, epsilon, checks, |at| broken.push(at));
+        let gap = checked.gap;
+        final_word = checked.holds || gap <= 1.2 * at_first;
+        let too_wide = planned.gap > at_first;
+        if best.as_ref().is_none_or(|best| gap < best.gap) {
+            let PathCheck { holds, worst, .. } = checked;
+            best = Some(PathPlan { gap, holds, worst, apart, ..planned });
         }
-        was_broken = broken;
+        if final_word || too_wide {
+            break;
+        }
+        // Broken between samples that hold: keep off, and look for another way.
+        let mut cells: Vec<usize> = broken.iter().filter_map(|&at| field.culprit(at)).collect();
+        cells.sort_unstable();
+        cells.dedup();
+        field.mark(&cells, gap);
+        marked.append(&mut cells);
     }
-    check
+    // The loop ran at least once.
+    let plan = best.unwrap_or_else(|| plan_in(field));
+    Tried { plan, final_word, marked }
 }
 
-/// The point at the fraction `t` of the length of a polygon.
-///
-/// # Panics
-/// If there are no points.
-#[must_use]
-pub fn along(points: &[DVec2], t: f64) -> DVec2 {
-    let length: f64 = points.windows(2).map(|leg| leg[0].distance(leg[1])).sum();
-    let mut left = t.clamp(0.0, 1.0) * length;
-    for leg in points.windows(2) {
-        let step = leg[0].distance(leg[1]);
-        if left <= step && step > 0.0 {
-            // Exact at both ends.
-            return if left == step { leg[1] } else { leg[0].lerp(leg[1], left / step) };
-        }
-        left -= step;
-    }
-    points[points.len() - 1]
-}
+/// Parameters decided along a plan, at least.
+pub(crate) const CHECKS: usize = 2048;
+/// How often a plan is mended before a finer locus is taken.
+pub(crate) const REPAIRS: usize = 8;
 
 #[cfg(test)]
 mod tests {
     use frond_core::{Affine2, MorphOptions};
 
     use super::*;
-    use crate::decide::Sample;
+    use crate::decide::{Sample, State};
+    use crate::walk::check_path;
 
     /// A locus drawn by hand: `#` holds, a digit is a gap of so many tenths, `x` has no attractor. Row 0 of
     /// the picture is on top.
@@ -262,9 +293,9 @@ mod tests {
     }
 
     /// The widest gap of the samples that the path passes.
-    fn met(locus: &Locus, points: &[DVec2]) -> f32 {
+    fn met(locus: &Locus, points: &[DVec3]) -> f32 {
         let grid = locus.grid();
-        let cell = |p: DVec2| {
+        let cell = |p: DVec3| {
             let (x, y) = (p.x * (grid.width() - 1) as f64, p.y * (grid.height() - 1) as f64);
             locus.sample(x.round() as usize, y.round() as usize).gap
         };
@@ -290,7 +321,7 @@ mod tests {
         ]);
         let plan = plan_path(&locus, 0.0).unwrap();
         assert!(plan.holds && plan.gap == 0.0, "{plan:?}");
-        assert_eq!((plan.points[0], plan.points[plan.points.len() - 1]), (DVec2::ZERO, DVec2::ONE));
+        assert_eq!((plan.points[0], plan.points[plan.points.len() - 1]), (ENDS[0], ENDS[1]));
         assert!(plan.points.len() <= 6, "{plan:?}");
         assert_eq!(met(&locus, &plan.points), 0.0);
     }
@@ -335,17 +366,7 @@ mod tests {
         assert_eq!(plan_path(&locus, 0.0), Err(PathError::Outside));
         let single = LocusGrid::new(Bounds { u0: 0.0, v0: 0.0, u1: 1.0, v1: 1.0 }, 1, 1).unwrap();
         let locus = Locus::from_parts(single, vec![0], vec![0.0]).unwrap();
-        assert_eq!(plan_path(&locus, 0.0).unwrap().points, [DVec2::ZERO, DVec2::ONE]);
-    }
-
-    #[test]
-    fn lengths_along_a_polygon() {
-        let points = [DVec2::ZERO, DVec2::X, DVec2::X, DVec2::new(1.0, 3.0)];
-        assert_eq!(along(&points, 0.0), DVec2::ZERO);
-        assert_eq!(along(&points, 0.125), DVec2::new(0.5, 0.0));
-        assert_eq!(along(&points, 0.25), DVec2::X);
-        assert_eq!(along(&points, 1.0), DVec2::new(1.0, 3.0));
-        assert_eq!(along(&points[..1], 0.5), DVec2::ZERO);
+        assert_eq!(plan_path(&locus, 0.0).unwrap().points, ENDS);
     }
 
     #[test]
@@ -361,7 +382,7 @@ mod tests {
         let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.75_f64.sqrt()]].map(DVec2::from_array);
         let gasket = corners.map(|c| Affine2::similitude(0.5, 0.0, c * 0.5));
         let morph = Morph::new(&terdragon, &gasket, &MorphOptions::default()).unwrap();
-        let plan = find_path(&morph, &PathOptions { epsilon: 1e-4, size: 97 }).unwrap();
+        let plan = find_path(&morph, &PathOptions { epsilon: 1e-4, ..Default::default() }).unwrap();
         assert!(plan.holds, "{plan:?}");
     }
 
@@ -372,11 +393,11 @@ mod tests {
         let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.75_f64.sqrt()]].map(DVec2::from_array);
         let gasket = corners.map(|c| Affine2::similitude(0.5, 0.0, c * 0.5));
         let morph = Morph::new(&[a, b * a, b * b], &gasket, &MorphOptions::default()).unwrap();
-        let options = PathOptions { epsilon: 1e-3, size: 49 };
+        let options = PathOptions { epsilon: 1e-3, size: 49, ..Default::default() };
         let plan = find_path(&morph, &options).unwrap();
         assert!(plan.holds && plan.gap == 0.0 && plan.points.len() <= PathPlan::MOST_POINTS, "{plan:?}");
         assert!(check_path(&morph, &plan.points, 1e-3, 2003).holds);
-        let straight = check_path(&morph, &[DVec2::ZERO, DVec2::ONE], 1e-3, 400);
+        let straight = check_path(&morph, &ENDS, 1e-3, 400);
         assert!(!straight.holds && straight.gap > 0.01 && !straight.breaks.is_empty(), "{straight:?}");
         let (start, end) = straight.breaks[0];
         assert!(0.0 < start && start < end && end < 1.0);

@@ -1,30 +1,28 @@
 //! Ways through a locus.
 
-use frond_locus::{PathError, PathOptions, PathPlan, check_path};
-use glam::DVec2;
+use frond_locus::{Axes, PathError, PathOptions, PathPlan, check_path};
+use glam::DVec3;
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use crate::error::{bad_input, failure};
 use crate::locus::{EPSILON, read_locus};
-use crate::value::{object, point, read, read_morph, write};
+use crate::value::{object, read, read_morph, write};
 
 #[derive(Deserialize)]
 struct Planning {
     epsilon: Option<f64>,
     size: Option<f64>,
+    axes: Option<f64>,
 }
 
 /// Plans a path from (0, 0) to (1, 1) along which the shape stays in one piece, or comes as near to that as can
-/// be. It computes a locus on the way: long work, for a worker.
+/// be; with `axes` 3, it may take the stretch ahead of the turn where the plane has no way. It computes a locus on the way: long work, for a worker.
 #[wasm_bindgen(js_name = planPath, unchecked_return_type = "PathPlan")]
 pub fn plan_path(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
-    #[wasm_bindgen(
-        unchecked_param_type = "(MorphOptions & { epsilon?: number; size?: number }) | undefined"
-    )]
-    options: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "PathOptions | undefined")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph(&from, &to, &options)?;
     let plain: Planning = read("The options", options)?;
@@ -35,6 +33,11 @@ pub fn plan_path(
     if let Some(size) = plain.size {
         options.size = size as usize;
     }
+    options.axes = match plain.axes {
+        None | Some(2.0) => Axes::Two,
+        Some(3.0) => Axes::Three,
+        Some(_) => return Err(bad_input("axes", "2 or 3 is needed")),
+    };
     plan(frond_locus::find_path(&morph, &options))
 }
 
@@ -48,9 +51,41 @@ pub fn plan_path_in(
 }
 
 fn plan(found: Result<PathPlan, PathError>) -> Result<JsValue, JsValue> {
-    let found = found.map_err(|error| failure(error.code(), &error.to_string()))?;
-    let points: Vec<[f64; 2]> = found.points.iter().map(|&p| point(p)).collect();
-    Ok(object(&[("points", write(&points)?), ("gap", found.gap.into()), ("holds", found.holds.into())]))
+    write_plan(&found.map_err(|error| failure(error.code(), &error.to_string()))?)
+}
+
+pub(crate) fn write_plan(plan: &PathPlan) -> Result<JsValue, JsValue> {
+    let points: Vec<Vec<f64>> = plan.points.iter().map(|&at| parameter(at)).collect();
+    let mut fields = vec![
+        ("points", write(&points)?),
+        ("gap", plan.gap.into()),
+        ("holds", plan.holds.into()),
+        ("clearance", plan.clearance.into()),
+        ("apart", plan.apart.into()),
+        ("step", plan.step.into()),
+    ];
+    if let Some(worst) = plan.worst {
+        fields.push(("worst", write(&parameter(worst))?));
+    }
+    Ok(object(&fields))
+}
+
+/// `[u, v]` in the plane, else `[u, v, w]`.
+fn parameter(at: DVec3) -> Vec<f64> {
+    if at.z == 0.0 { vec![at.x, at.y] } else { at.to_array().to_vec() }
+}
+
+/// A path of points `[u, v]` or `[u, v, w]`.
+pub(crate) fn read_path(points: JsValue) -> Result<Vec<DVec3>, JsValue> {
+    let points: Vec<Vec<f64>> = read("The path", points)?;
+    let point = |point: Vec<f64>| match point[..] {
+        [u, v] => Some(DVec3::new(u, v, 0.0)),
+        [u, v, w] => Some(DVec3::new(u, v, w)),
+        _ => None,
+    };
+    let points = points.into_iter().map(|row| point(row).filter(|at| at.is_finite()));
+    let points: Option<Vec<DVec3>> = points.collect();
+    points.ok_or_else(|| bad_input("The path", "each point must be two or three finite numbers"))
 }
 
 #[derive(Deserialize)]
@@ -59,12 +94,12 @@ struct Checking {
     samples: Option<f64>,
 }
 
-/// Looks along a path of (u, v) points, ends included, and tells where it breaks, as fractions of its length.
+/// Looks along a path of (u, v) or (u, v, w) points, ends included, and tells where it breaks, as fractions of its length.
 #[wasm_bindgen(js_name = checkPath, unchecked_return_type = "PathCheck")]
 pub fn check(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "[u: number, v: number][]")] points: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "readonly PathPoint[]")] points: JsValue,
     #[wasm_bindgen(
         unchecked_param_type = "(MorphOptions & { epsilon?: number; samples?: number }) | undefined"
     )]
@@ -72,11 +107,7 @@ pub fn check(
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph(&from, &to, &options)?;
     let plain: Checking = read("The options", options)?;
-    let points: Vec<[f64; 2]> = read("The path", points)?;
-    if points.iter().flatten().any(|x| !x.is_finite()) {
-        return Err(bad_input("The path", "its numbers must be finite"));
-    }
-    let points: Vec<DVec2> = points.into_iter().map(DVec2::from_array).collect();
+    let points = read_path(points)?;
     let samples = plain.samples.unwrap_or(400.0).clamp(2.0, 100_000.0) as usize;
     let found = check_path(&morph, &points, plain.epsilon.unwrap_or(EPSILON), samples);
     Ok(object(&[("gap", found.gap.into()), ("holds", found.holds.into()), ("breaks", write(&found.breaks)?)]))

@@ -1,0 +1,229 @@
+//! A way through three parameters, where the plane has none.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use frond_core::{Affine2, Morph};
+use glam::DVec3;
+
+use crate::decide::{Scratch, decide};
+use crate::field::{Field, Lattice, UNSEEN, gap_of};
+use crate::grid::LocusGrid;
+use crate::path::{CHECKS, ENDS, PathOptions, PathPlan, improve};
+
+/// The steps to the unit of the lattices that are looked through, one after the other.
+const STEPS: [usize; 2] = [8, 16];
+/// How many ways are looked for in each of them.
+const WAYS: usize = 4;
+/// How far round a coarse way is looked at finely, in fine steps.
+const AROUND: f64 = 3.0;
+
+/// A path from the first shape to the last through (u, v, w), w in [-1, 1]: that of least widest gap over a coarse
+/// lattice, looked at again in a finer tube around it, and checked between the samples of that.
+pub(crate) fn find(morph: &Morph, options: &PathOptions) -> PathPlan {
+    let mut best: Option<PathPlan> = None;
+    for steps in STEPS {
+        let mut space = Space::new(morph, options.epsilon, steps);
+        let mut apart = None;
+        for _ in 0..WAYS {
+            let (gap, way) = space.search();
+            let apart = *apart.get_or_insert(gap > 0.0);
+            let mut field = space.tube(&way);
+            let checks = CHECKS.max(64 * steps);
+            let mut tried = improve(morph, &mut field, options.epsilon, checks, 4);
+            tried.plan.apart = apart && !tried.plan.holds;
+            let parameter = |cell| field.lattice.parameter(field.lattice.place(cell));
+            let marked: Vec<DVec3> = tried.marked.iter().map(|&cell| parameter(cell)).collect();
+            let done = tried.plan.holds || tried.final_word || marked.is_empty();
+            let worst = tried.plan.gap;
+            if best.as_ref().is_none_or(|best| tried.plan.gap < best.gap) {
+                best = Some(tried.plan);
+            }
+            if done {
+                break;
+            }
+            space.mark(&marked, worst);
+        }
+        if best.as_ref().is_some_and(|best| best.holds) {
+            break;
+        }
+    }
+    let straight = || PathPlan {
+        points: ENDS.to_vec(),
+        gap: f64::INFINITY,
+        holds: false,
+        clearance: 0.0,
+        worst: None,
+        apart: true,
+        step: 1.0,
+    };
+    best.unwrap_or_else(straight)
+}
+
+/// The box of parameters that is looked through, and what is known of it.
+struct Space<'a> {
+    morph: &'a Morph,
+    epsilon: f64,
+    steps: usize,
+    lattice: Lattice,
+    /// NaN where nobody has looked.
+    gap: Vec<f64>,
+    ends: [usize; 2],
+    scratch: Scratch,
+    maps: Vec<Affine2>,
+}
+
+impl<'a> Space<'a> {
+    fn new(morph: &'a Morph, epsilon: f64, steps: usize) -> Self {
+        let lattice = lattice(steps);
+        Self {
+            morph,
+            epsilon,
+            steps,
+            lattice,
+            gap: vec![f64::NAN; lattice.count()],
+            ends: ends(&lattice),
+            scratch: Scratch::default(),
+            maps: Vec::new(),
+        }
+    }
+
+    fn decide(&mut self, at: DVec3) -> f64 {
+        self.morph.fill3(at.x, at.y, at.z, &mut self.maps);
+        let budget = LocusGrid::budget(self.maps.len());
+        gap_of(decide(&self.maps, self.epsilon, budget, &mut self.scratch), self.epsilon)
+    }
+
+    fn gap(&mut self, cell: usize) -> f64 {
+        if self.gap[cell].is_nan() {
+            self.gap[cell] = self.decide(self.lattice.parameter(self.lattice.place(cell)));
+        }
+        self.gap[cell]
+    }
+
+    /// Takes the cells next to these parameters for broken, but for the ends.
+    fn mark(&mut self, broken: &[DVec3], gap: f64) {
+        for &at in broken {
+            if let Some(cell) =
+                self.lattice.cell(self.lattice.fraction(at)).filter(|c| !self.ends.contains(c))
+            {
+                self.gap[cell] = self.gap(cell).max(gap.min(crate::field::WALL));
+            }
+        }
+    }
+
+    /// A way of least widest gap, and that gap. The frontier is a heap by the widest gap so far, then by length so far
+    /// and to go, and a parameter is decided when its turn comes: where the way is open, few are.
+    fn search(&mut self) -> (f64, Vec<usize>) {
+        let [from, to] = self.ends;
+        let goal = self.lattice.place(to);
+        let count = self.gap.len();
+        let mut before: Vec<usize> = (0..count).collect();
+        let mut reached = vec![(f64::INFINITY, f64::INFINITY); count];
+        let mut settled = vec![false; count];
+        let mut heap =
+            BinaryHeap::from([Step { gap: 0.0, estimate: 0.0, cost: 0.0, cell: from, before: from }]);
+        while let Some(step) = heap.pop() {
+            let cell = step.cell;
+            if settled[cell] {
+                continue;
+            }
+            let own = self.gap(cell);
+            if own > step.gap {
+                heap.push(Step { gap: own, ..step });
+                continue;
+            }
+            settled[cell] = true;
+            before[cell] = step.before;
+            if cell == to {
+                let mut way = vec![to];
+                while way[way.len() - 1] != from {
+                    way.push(before[way[way.len() - 1]]);
+                }
+                way.reverse();
+                return (step.gap, way);
+            }
+            let here = self.lattice.place(cell);
+            for (next, _) in self.lattice.neighbours(cell) {
+                if settled[next] {
+                    continue;
+                }
+                let there = self.lattice.place(next);
+                // A little dearer off the plane w = 0, to which a way returns where it can.
+                let off = self.lattice.parameter(there).z.abs();
+                let cost = step.cost + here.distance(there) * (1.0 + 0.25 * off);
+                let gap = if self.gap[next] > step.gap { self.gap[next] } else { step.gap };
+                if (gap, cost) < reached[next] {
+                    reached[next] = (gap, cost);
+                    let estimate = cost + there.distance(goal);
+                    heap.push(Step { gap, estimate, cost, cell: next, before: cell });
+                }
+            }
+        }
+        (f64::INFINITY, self.ends.to_vec())
+    }
+
+    /// A lattice of half the step, decided around a way.
+    fn tube(&mut self, way: &[usize]) -> Field {
+        let fine = lattice(2 * self.steps);
+        let mut gap = vec![UNSEEN; fine.count()];
+        let ends = ends(&fine);
+        let reach = AROUND as i32;
+        for (k, &cell) in way.iter().enumerate() {
+            let here = 2.0 * self.lattice.place(cell);
+            let next = 2.0 * self.lattice.place(way[(k + 1).min(way.len() - 1)]);
+            for middle in [here, 0.5 * (here + next)] {
+                for shift in (-reach..=reach).flat_map(|z| {
+                    (-reach..=reach).flat_map(move |y| (-reach..=reach).map(move |x| [x, y, z]))
+                }) {
+                    let place = middle + DVec3::from_array(shift.map(f64::from));
+                    if place.distance(middle) > AROUND {
+                        continue;
+                    }
+                    if let Some(cell) = fine.cell(place).filter(|&cell| gap[cell] >= UNSEEN) {
+                        gap[cell] = self.decide(fine.parameter(place));
+                    }
+                }
+            }
+        }
+        Field::new(fine, gap, ends)
+    }
+}
+
+/// u and v from -1 to 2, w from -1 to 1, so many steps to the unit.
+fn lattice(steps: usize) -> Lattice {
+    Lattice {
+        size: [3 * steps + 1, 3 * steps + 1, 2 * steps + 1],
+        low: DVec3::NEG_ONE,
+        high: DVec3::new(2.0, 2.0, 1.0),
+    }
+}
+
+/// The cells of the ends.
+fn ends(lattice: &Lattice) -> [usize; 2] {
+    // They are on the lattice.
+    ENDS.map(|end| lattice.cell(lattice.fraction(end)).unwrap_or(0))
+}
+
+/// A cell to come to, from the one `before`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Step {
+    gap: f64,
+    estimate: f64,
+    cost: f64,
+    cell: usize,
+    before: usize,
+}
+impl Eq for Step {}
+impl PartialOrd for Step {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl Ord for Step {
+    fn cmp(&self, other: &Self) -> Ordering {
+        // The least first.
+        let by = other.gap.total_cmp(&self.gap).then_with(|| other.estimate.total_cmp(&self.estimate));
+        by.then_with(|| other.cell.cmp(&self.cell))
+    }
+}

@@ -1,0 +1,104 @@
+//! Along a path: where it is, and where it breaks.
+
+use frond_core::Morph;
+use glam::DVec3;
+
+use crate::decide::{Scratch, decide};
+use crate::field::{WALL, gap_of};
+use crate::grid::LocusGrid;
+
+/// What [`check_path`] found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathCheck {
+    /// The widest relative gap met; infinite where there is no attractor, 0 where all holds.
+    pub gap: f64,
+    /// Whether no sample was broken: none apart by more than epsilon, none undecided, none without attractor.
+    pub holds: bool,
+    /// The broken stretches, as fractions of the length of the path in (u, v, w).
+    pub breaks: Vec<(f64, f64)>,
+    /// The parameter where the gap was widest; `None` where all holds.
+    pub worst: Option<DVec3>,
+}
+
+/// Decides `samples` parameters (u, v, w) spread evenly along a path, both ends included, and reports where it
+/// breaks. A path of no points holds.
+#[must_use]
+pub fn check_path(morph: &Morph, points: &[DVec3], epsilon: f64, samples: usize) -> PathCheck {
+    judge(morph, points, epsilon, samples, |_| ())
+}
+
+/// [`check_path`], which also tells each broken sample.
+pub(crate) fn judge(
+    morph: &Morph,
+    points: &[DVec3],
+    epsilon: f64,
+    samples: usize,
+    mut tell: impl FnMut(DVec3),
+) -> PathCheck {
+    let mut check = PathCheck { gap: 0.0, holds: true, breaks: Vec::new(), worst: None };
+    if points.is_empty() {
+        return check;
+    }
+    let samples = samples.max(2);
+    let half = 0.5 / (samples - 1) as f64;
+    let mut scratch = Scratch::default();
+    let mut maps = Vec::new();
+    let mut was_broken = false;
+    for k in 0..samples {
+        let t = k as f64 / (samples - 1) as f64;
+        let at = along(points, t);
+        morph.fill3(at.x, at.y, at.z, &mut maps);
+        let sample = decide(&maps, epsilon, LocusGrid::budget(maps.len()), &mut scratch);
+        let gap = gap_of(sample, epsilon);
+        let broken = gap > 0.0;
+        if broken {
+            let gap = if gap >= WALL { f64::INFINITY } else { gap };
+            tell(at);
+            check.holds = false;
+            if check.worst.is_none() || gap > check.gap {
+                check.worst = Some(at);
+                check.gap = gap;
+            }
+            match check.breaks.last_mut() {
+                Some(last) if was_broken => last.1 = (t + half).min(1.0),
+                _ => check.breaks.push(((t - half).max(0.0), (t + half).min(1.0))),
+            }
+        }
+        was_broken = broken;
+    }
+    check
+}
+
+/// The point at the fraction `t` of the length of a polygon.
+///
+/// # Panics
+/// If there are no points.
+#[must_use]
+pub fn along(points: &[DVec3], t: f64) -> DVec3 {
+    let length: f64 = points.windows(2).map(|leg| leg[0].distance(leg[1])).sum();
+    let mut left = t.clamp(0.0, 1.0) * length;
+    for leg in points.windows(2) {
+        let step = leg[0].distance(leg[1]);
+        if left <= step && step > 0.0 {
+            // Exact at both ends.
+            return if left == step { leg[1] } else { leg[0].lerp(leg[1], left / step) };
+        }
+        left -= step;
+    }
+    points[points.len() - 1]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_along_a_polygon() {
+        let points = [DVec3::ZERO, DVec3::X, DVec3::X, DVec3::new(1.0, 3.0, 0.0)];
+        assert_eq!(along(&points, 0.0), DVec3::ZERO);
+        assert_eq!(along(&points, 0.125), DVec3::new(0.5, 0.0, 0.0));
+        assert_eq!(along(&points, 0.25), DVec3::X);
+        assert_eq!(along(&points, 1.0), DVec3::new(1.0, 3.0, 0.0));
+        assert_eq!(along(&points[..1], 0.5), DVec3::ZERO);
+    }
+}
