@@ -4,6 +4,8 @@ import { expect, test } from "./fixture";
 
 const PAGES = ["1", "2", "3", "5", "6", "7", "table-1"];
 
+const LESSONS = ["e1", "e2"];
+
 async function open(page: Page, figure: string): Promise<void> {
   if (page.url() !== "about:blank") await page.goto("about:blank");
   await page.goto(`./#figures${figure === "" ? "" : `/${figure}`}`);
@@ -32,9 +34,9 @@ function lit(page: Page, selector: string): Promise<number> {
 test("the index shows every figure, drawn", async ({ page }) => {
   await open(page, "");
   const cards = page.getByRole("main").getByRole("listitem");
-  await expect(cards).toHaveCount(PAGES.length);
+  await expect(cards).toHaveCount(PAGES.length + LESSONS.length);
   for (const i of [2, 3, 4, 6]) {
-    const canvas = `.cards li:nth-child(${i + 1}) canvas`;
+    const canvas = `.cards >> nth=0 >> li:nth-child(${i + 1}) canvas`;
     await expect.poll(() => lit(page, canvas)).toBeGreaterThan(200);
   }
   await expectClean(page);
@@ -52,6 +54,47 @@ test("every figure is clean and opens in the studio", async ({ page }) => {
     });
   }
 });
+
+for (const lesson of LESSONS) {
+  test(`lesson ${lesson} asks before it tells`, async ({ page }) => {
+    await open(page, lesson);
+    await expect(page.getByRole("main").getByText("by Frond", { exact: true })).toBeVisible();
+    // The finished picture: more than one colour on it, and words for those who do not see it.
+    const picture = page.getByRole("region", { name: "The picture" }).getByRole("img").first();
+    await expect(picture).toHaveAccessibleName(/\w+ \w+/);
+    await expect.poll(() => picture.evaluate(colours)).toBeGreaterThan(1);
+    await expectClean(page);
+
+    // A prediction by keys alone, and then the truth beside it.
+    const question = page.getByRole("region", { name: "What do you think?" });
+    await expect(question.locator(".truth")).toHaveCount(0);
+    const input = question.locator("input").first();
+    await input.focus();
+    await page.keyboard.press((await input.getAttribute("type")) === "range" ? "ArrowLeft" : "Space");
+    const button = question.getByRole("button", { name: "Show me" });
+    await button.focus();
+    await page.keyboard.press("Enter");
+    await expect(question.locator(".truth")).toBeVisible();
+    await expect(question.getByRole("button", { name: "Think again" })).toBeFocused();
+    await expectClean(page);
+    await page.keyboard.press("Enter");
+    await expect(question.locator(".truth")).toHaveCount(0);
+
+    await page.getByRole("link", { name: "Open in the studio" }).click();
+    await expect(page.getByRole("slider", { name: "Time", exact: true })).toBeVisible();
+    await expect(page.getByRole("alert")).toHaveCount(0);
+  });
+}
+
+/** How many colours a canvas holds, or a drawing uses. */
+function colours(picture: Element): number {
+  if (!(picture instanceof HTMLCanvasElement)) {
+    const parts = [...picture.querySelectorAll("path, circle, rect, polygon")];
+    return new Set(parts.map((part) => getComputedStyle(part).stroke + getComputedStyle(part).fill)).size;
+  }
+  const image = picture.getContext("2d")?.getImageData(0, 0, picture.width, picture.height);
+  return image ? new Set(new Uint32Array(image.data.buffer)).size : 0;
+}
 
 test("one leads to the next, and an unknown one to all", async ({ page }) => {
   await open(page, "4");

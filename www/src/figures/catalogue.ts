@@ -6,6 +6,7 @@ import { Figure6 } from "./fig6";
 import { Figure7 } from "./fig7";
 import { Figures34 } from "./fig34";
 import type { Heading } from "./frame";
+import { LESSONS } from "./lessons";
 import { Table1 } from "./table1";
 import * as thumbs from "./thumbs";
 
@@ -91,8 +92,14 @@ export const CATALOGUE: readonly Entry[] = [
   },
 ];
 
-/** Where in the catalogue an address leads, or -1. */
-export function find(id: string): number {
+export { LESSONS };
+
+/** Where an address leads: one of a row of pages, with the row that it is in. */
+export function find(id: string): { row: readonly Entry[]; index: number } | null {
   const asked = id.toLowerCase();
-  return CATALOGUE.findIndex((entry) => entry.id === asked || entry.also?.includes(asked));
+  for (const row of [CATALOGUE, LESSONS]) {
+    const index = row.findIndex((entry) => entry.id === asked || entry.also?.includes(asked));
+    if (index >= 0) return { row, index };
+  }
+  return null;
 }

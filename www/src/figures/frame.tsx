@@ -29,22 +29,11 @@ export interface FrameProps extends Heading {
 
 /** What every figure has around its live part. */
 export function Frame(props: FrameProps) {
-  const { number, title, studio } = props;
   return (
     <>
-      <header class="figure-head">
-        <div>
-          <p class="figure-number">
-            {number} <span class="badge">reconstructed</span>
-          </p>
-          <h1 tabIndex={-1}>{title}</h1>
-        </div>
-        <a class="button figure-studio" href={studio.href}>
-          {studio.label ?? "Open in the studio"}
-          <Icon name="arrow" />
-        </a>
-        <div class="figure-lead">{props.lead}</div>
-      </header>
+      <Head number={props.number} title={props.title} badge="reconstructed" studio={props.studio}>
+        {props.lead}
+      </Head>
       <section class="figure-live" aria-label="The figure">
         {props.children}
       </section>
@@ -73,7 +62,34 @@ export function Frame(props: FrameProps) {
   );
 }
 
-function Parameters({ of }: { of: readonly Parameter[] }) {
+export interface HeadProps extends Heading {
+  /** Where the page comes from, in a word or two. */
+  badge: string;
+  studio: { href: string; label?: string };
+  /** The text that leads in. */
+  children: ComponentChildren;
+}
+
+/** The name of a page, its way into the studio, and its text. */
+export function Head({ number, title, badge, studio, children }: HeadProps) {
+  return (
+    <header class="figure-head">
+      <div>
+        <p class="figure-number">
+          {number} <span class="badge">{badge}</span>
+        </p>
+        <h1 tabIndex={-1}>{title}</h1>
+      </div>
+      <a class="button figure-studio" href={studio.href}>
+        {studio.label ?? "Open in the studio"}
+        <Icon name="arrow" />
+      </a>
+      <div class="figure-lead">{children}</div>
+    </header>
+  );
+}
+
+export function Parameters({ of }: { of: readonly Parameter[] }) {
   return (
     <dl class="parameters">
       {of.map(({ name, symbol, value }) => (

@@ -1,14 +1,15 @@
 import "./figures.css";
+import "./lesson.css";
 import "./parts.css";
 import { useEffect, useRef } from "preact/hooks";
-import { CATALOGUE, find } from "./catalogue";
+import { type Entry, find } from "./catalogue";
 import { Overview } from "./overview";
 
-/** The figures of the paper as live pages: all of them, or the one that the address names. */
+/** The figures of the paper and the lessons as live pages: all of them, or the one that the address names. */
 export function Figures({ figure }: { figure: string | null }) {
   const top = useRef<HTMLDivElement>(null);
-  const index = figure === null ? -1 : find(figure);
-  const entry = CATALOGUE[index];
+  const found = figure === null ? null : find(figure);
+  const entry = found?.row[found.index];
   const before = useRef(figure);
 
   useEffect(() => {
@@ -22,11 +23,11 @@ export function Figures({ figure }: { figure: string | null }) {
 
   return (
     <div class="figures" ref={top}>
-      {entry ? (
+      {found && entry ? (
         <article class="figure">
-          <TopNav here={entry.id} />
+          <TopNav row={found.row} here={entry.id} />
           <entry.Page key={entry.id} number={entry.number} title={entry.title} />
-          <NextNav index={index} />
+          <NextNav row={found.row} index={found.index} />
         </article>
       ) : (
         <Overview missing={figure} />
@@ -35,13 +36,13 @@ export function Figures({ figure }: { figure: string | null }) {
   );
 }
 
-/** Every figure by its number. */
-function TopNav({ here }: { here: string }) {
+/** Every page of the same row by its number. */
+function TopNav({ row, here }: { row: readonly Entry[]; here: string }) {
   return (
     <nav class="figure-top" aria-label="Figures">
       <a href="#figures">All figures</a>
       <ol>
-        {CATALOGUE.map(({ id, number, short }) => (
+        {row.map(({ id, number, short }) => (
           <li key={id}>
             <a href={`#figures/${id}`} aria-label={number} aria-current={id === here ? "page" : undefined}>
               {short}
@@ -54,9 +55,9 @@ function TopNav({ here }: { here: string }) {
 }
 
 /** One back and one on, by name. */
-function NextNav({ index }: { index: number }) {
-  const back = CATALOGUE[index - 1];
-  const on = CATALOGUE[index + 1];
+function NextNav({ row, index }: { row: readonly Entry[]; index: number }) {
+  const back = row[index - 1];
+  const on = row[index + 1];
   return (
     <nav class="figure-next" aria-label="Before and after">
       {back && (

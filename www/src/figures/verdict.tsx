@@ -1,5 +1,5 @@
 import type { Connectedness } from "../engine/api";
-import { verdictWords } from "../state/words";
+import { lengthWords, verdictWords } from "../state/words";
 
 /** A verdict as one line of text, for labels and tips. */
 export function verdictLine(answer: Connectedness | null): string {
@@ -25,6 +25,30 @@ export function VerdictChip({ answer, stale = false }: { answer: Connectedness |
       stale={stale}
     />
   );
+}
+
+/** The same asked at a millionth of the shape's size: no screen is spoken of. */
+export function ExactChip({ answer, stale = false }: { answer: Connectedness | null; stale?: boolean }) {
+  return <Chip {...exactWords(answer)} stale={stale} />;
+}
+
+export function exactWords(answer: Connectedness | null): { tone: Tone; text: string; aside: string } {
+  switch (answer?.verdict) {
+    case undefined:
+      return { tone: "unknown", text: "Looking …", aside: "" };
+    case "connected":
+      return { tone: "whole", text: "In one piece", aside: "proved" };
+    case "touching":
+      return { tone: "close", text: "Touching", aside: "to a millionth of its size" };
+    case "disconnected":
+      return {
+        tone: "broken",
+        text: "In pieces",
+        aside: `proved, with a gap of ${lengthWords(answer.gap.upper)}`,
+      };
+    default:
+      return { tone: "unknown", text: "Undecided", aside: "" };
+  }
 }
 
 export interface ChipProps {
