@@ -3,6 +3,7 @@ import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
 import type { PainterBackend } from "./canvas/painter";
 import { Stage } from "./canvas/stage";
+import { EvidencePanel } from "./shell/evidence/Panel";
 import { Header } from "./shell/header";
 import { Readout, VerdictChip } from "./shell/readouts";
 import { route } from "./state/link";
@@ -48,6 +49,7 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
           <VerdictChip />
           <Readout />
         </div>
+        <EvidencePanel />
       </Stage>
       <aside class="side" aria-label="Shapes and path">
         <MorphPanel />

@@ -3,7 +3,7 @@ import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
 import { linear, mapsAt, morphOptions, selection, shown, uv } from "../state/morph";
 import { scene } from "../state/scene";
-import { ClosestPair } from "./closest";
+import { Evidence } from "./evidence";
 import { stageKey } from "./gestures";
 import { Handles } from "./handles";
 import type { Painter, PainterBackend, PainterState } from "./painter";
@@ -77,7 +77,7 @@ export function Stage({
         <div class="pane">
           <Picture maps={mainMaps} backend={backend} main onState={setPicture} onPainter={setPainter} />
           {both && <p class="pane-label">Turning and stretching (polar)</p>}
-          {!both && <ClosestPair />}
+          {!both && <Evidence />}
           <Handles />
         </div>
         {both && (

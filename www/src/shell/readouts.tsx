@@ -1,6 +1,7 @@
 import { computed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { fitStage } from "../canvas/gestures";
+import { evidenceOpen } from "../canvas/marks";
 import { picture } from "../canvas/stage";
 import { view, zoom } from "../canvas/view";
 import { verdict, workers } from "../engine/results";
@@ -8,23 +9,36 @@ import { selection, uv } from "../state/morph";
 import { announce } from "../state/notice";
 import { playing } from "../state/playback";
 import { countWords, type VerdictWords, verdictWords } from "../state/words";
+import { CHIP_ID, PANEL_ID } from "./evidence/Panel";
 import { Glyph } from "./glyphs";
 
 const words = computed<VerdictWords | null>(() =>
   verdict.value ? verdictWords(verdict.value.connectedness) : null,
 );
 
-/** What holds for the picture on the stage, in words. */
+/** What holds for the picture on the stage, in words; pressed, it tells why. */
 export function VerdictChip() {
   useAnnouncement();
   const now = words.value;
   const tone = now?.tone ?? "unknown";
   return (
-    <div class={`chip ${tone}`} data-stale={verdict.value?.stale ? "" : undefined} data-testid="verdict">
+    <button
+      id={CHIP_ID}
+      type="button"
+      class={`chip ${tone}`}
+      title="What is known, and why"
+      aria-expanded={evidenceOpen.value}
+      aria-controls={evidenceOpen.value ? PANEL_ID : undefined}
+      data-stale={verdict.value?.stale ? "" : undefined}
+      data-testid="verdict"
+      onClick={() => {
+        evidenceOpen.value = !evidenceOpen.peek();
+      }}
+    >
       <Sign tone={tone} />
       <span class="chip-text">{now?.text ?? "Looking …"}</span>
       {now && <span class="chip-aside">{now.aside}</span>}
-    </div>
+    </button>
   );
 }
 

@@ -1,5 +1,9 @@
+import { scheduleCertify } from "./certify";
 import { scheduleLocus } from "./locus";
+import { scheduleMatching } from "./matching";
 import { adoptPath, schedulePlan } from "./plan";
+import { scheduleProof } from "./proof";
+import { scheduleRoutes } from "./routes";
 import { scheduleBreaks, scheduleStrip } from "./strip";
 import { scheduleThumbnails } from "./thumbnails";
 import { scheduleVerdict } from "./verdict";
@@ -15,4 +19,8 @@ export function startSchedules(): void {
   scheduleThumbnails();
   scheduleBreaks();
   scheduleStrip();
+  scheduleCertify();
+  scheduleProof();
+  scheduleMatching();
+  scheduleRoutes();
 }

@@ -1,0 +1,133 @@
+import "./evidence.css";
+import { evidenceKept, evidenceOpen } from "../../canvas/marks";
+import type { Connectedness, MapRow, Reason } from "../../engine/api";
+import { verdict } from "../../engine/results";
+import { boxOf } from "../../state/fit";
+import { shown } from "../../state/morph";
+import { dark } from "../../state/preferences";
+import { palette } from "../../style/palette";
+import { IconButton } from "../../ui/Button";
+import { Graph } from "../../ui/Graph";
+import { Switch } from "../../ui/Switch";
+import { Proof } from "./Proof";
+import { accountOf, gapWords, groupWords, linkWords } from "./words";
+
+export const PANEL_ID = "evidence";
+/** What opens the panel, and has the focus again when it closes. */
+export const CHIP_ID = "verdict-chip";
+
+function close(): void {
+  evidenceOpen.value = false;
+  document.getElementById(CHIP_ID)?.focus();
+}
+
+/** What is known of the picture on the stage, and why. */
+export function EvidencePanel() {
+  if (!evidenceOpen.value) return null;
+  // While something moves, the last answer stands.
+  const answer = verdict.value;
+  return (
+    <section
+      class="evidence"
+      id={PANEL_ID}
+      aria-labelledby={`${PANEL_ID}-title`}
+      data-stale={answer?.stale ? "" : undefined}
+      onKeyDown={(event) => {
+        if (event.key !== "Escape") return;
+        event.stopPropagation();
+        close();
+      }}
+    >
+      <header class="evidence-head">
+        <h2 id={`${PANEL_ID}-title`}>{answer ? accountOf(answer.connectedness).title : "Looking …"}</h2>
+        <IconButton icon="close" label="Close the evidence" kind="quiet" onClick={close} />
+      </header>
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, and keys have to reach it */}
+      <div class="evidence-body" tabIndex={0}>
+        {answer && <Account answer={answer.connectedness} />}
+      </div>
+    </section>
+  );
+}
+
+function Account({ answer }: { answer: Connectedness }) {
+  const gap = gapWords(answer);
+  return (
+    <>
+      <p>{accountOf(answer).why}</p>
+      {answer.reason && <Because reason={answer.reason} proved={answer.verdict === "connected"} />}
+      {gap !== null && (
+        <p>
+          <span class="evidence-name">Widest gap</span> {gap}.
+        </p>
+      )}
+      {answer.components.length > 0 && <Groups answer={answer} />}
+      {answer.verdict === "disconnected" && <Proof />}
+      <Switch
+        checked={evidenceKept.value}
+        onChange={(on) => {
+          evidenceKept.value = on;
+        }}
+      >
+        Keep the marks on the picture
+      </Switch>
+    </>
+  );
+}
+
+const MOST_LINKS = 4;
+
+/** What holds it together. Where it hangs on how numbers are read, that is said first. */
+function Because({ reason, proved }: { reason: Reason; proved: boolean }) {
+  const { text, assuming, links, neighbours } = reason;
+  const shownLinks = links.slice(0, MOST_LINKS);
+  return (
+    <div class="evidence-reason">
+      {!proved && assuming.length > 0 && <p>It would be proved if {assuming.join(", and ")}:</p>}
+      <p>{text}</p>
+      {neighbours !== undefined && (
+        <p class="dim">Two neighbouring copies lie to each other in one of {neighbours} ways.</p>
+      )}
+      {shownLinks.length > 0 && (
+        <ul>
+          {shownLinks.map((link) => (
+            <li key={`${link.kind} ${link.pair.join()} ${link.words.join()}`}>{linkWords(link)}</li>
+          ))}
+        </ul>
+      )}
+      {links.length > MOST_LINKS && <p class="dim">And {links.length - MOST_LINKS} more like these.</p>}
+    </div>
+  );
+}
+
+/** Which pieces meet, as a drawing and in words. */
+function Groups({ answer }: { answer: Connectedness }) {
+  const maps = shown.value;
+  const count = answer.components.length;
+  const words = groupWords(answer.components);
+  return (
+    <figure class="evidence-groups">
+      <Graph
+        count={count}
+        angles={maps.length === count ? anglesOf(maps) : answer.components.map((_, i) => i)}
+        edges={answer.overlaps}
+        colours={palette(dark.value ? "dark" : "light")}
+        label={`Which pieces meet: ${answer.overlaps.map(([i, j]) => `${i + 1} with ${j + 1}`).join(", ") || "none"}`}
+      />
+      <figcaption>
+        <span class="evidence-name">Which pieces meet</span>
+        {words.map((sentence) => (
+          <span key={sentence}>{sentence}</span>
+        ))}
+      </figcaption>
+    </figure>
+  );
+}
+
+/** In which direction from the middle of the whole each piece lies. */
+function anglesOf(maps: readonly MapRow[]): number[] {
+  const box = boxOf([...maps]);
+  const x = box ? (box.x0 + box.x1) / 2 : 0;
+  const y = box ? (box.y0 + box.y1) / 2 : 0;
+  return maps.map(([a, b, c, d, e, f]) => Math.atan2(c * x + d * y + f - y, a * x + b * y + e - x));
+}

@@ -1,0 +1,48 @@
+import type { Certificate } from "../../engine/api";
+import { type Proof as Proved, proof, prove } from "../../engine/schedule/proof";
+import { notify, wordsOf } from "../../state/notice";
+import { Button } from "../../ui/Button";
+import { checkWords } from "./words";
+
+/** The proof that it is in pieces: made, checked, and given away when asked for. */
+export function Proof() {
+  const now = proof.value;
+  return (
+    <div class="evidence-proof">
+      {now?.state === "there" ? (
+        <Button onClick={() => saveProof(now.certificate)}>Download the proof</Button>
+      ) : (
+        <Button disabled={now?.state === "asked"} onClick={prove}>
+          Check the proof
+        </Button>
+      )}
+      <p role="status">{proofWords(now)}</p>
+    </div>
+  );
+}
+
+function proofWords(now: Proved | null): string {
+  switch (now?.state) {
+    case "asked":
+      return "Writing it down and checking it …";
+    case "there":
+      return checkWords(now.check);
+    case "none":
+      return `There is no proof to show. ${now.why}`;
+    default:
+      return "Every pair of pieces across the gap, shown to be apart.";
+  }
+}
+
+function saveProof(certificate: Certificate): void {
+  try {
+    const blob = new Blob([`${JSON.stringify(certificate)}\n`], { type: "application/json" });
+    const anchor = document.createElement("a");
+    anchor.href = URL.createObjectURL(blob);
+    anchor.download = "frond-proof.json";
+    anchor.click();
+    setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
+  } catch (problem) {
+    notify({ kind: "error", text: `The proof could not be saved: ${wordsOf(problem)}` });
+  }
+}
