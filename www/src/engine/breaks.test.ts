@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { atResolution, breaksAlong, STATE, stateNear, stretches, widestOf } from "./breaks";
+import { atResolution, breaksAlong, clearanceOf, STATE, stateNear, stretches, widestOf } from "./breaks";
 
 const { connected, touching, disconnected, none, undecided } = STATE;
 
@@ -79,5 +79,46 @@ describe("widestOf", () => {
     expect(widestOf([], [])).toBeNull();
     expect(widestOf([disconnected], [Number.NaN])).toBeNull();
     expect(widestOf([disconnected], [0.2])).toEqual({ t: 0, gap: 0.2 });
+  });
+});
+
+describe("clearanceOf", () => {
+  const half = (broken: (u: number, v: number) => boolean) => ({
+    width: 31,
+    height: 31,
+    bounds: { u0: -1, v0: -1, u1: 2, v1: 2 },
+    state: Uint8Array.from({ length: 31 * 31 }, (_, i) =>
+      broken(-1 + (i % 31) / 10, -1 + Math.floor(i / 31) / 10) ? disconnected : touching,
+    ),
+    gap: new Float32Array(31 * 31),
+  });
+  const straight = [
+    [0, 0],
+    [1, 1],
+  ] as [number, number][];
+
+  it("is the distance to the nearest broken sample, away from the ends", () => {
+    expect(
+      clearanceOf(
+        half((u, v) => v > 1.45 && u < 0.55),
+        straight,
+      ),
+    ).toBeCloseTo(Math.hypot(0.41, 0.59), 1);
+    // Broken behind the first shape: that counts as little as the end itself.
+    expect(
+      clearanceOf(
+        half((u) => u < -0.05),
+        straight,
+      ),
+    ).toBeGreaterThan(0.15);
+  });
+
+  it("has no bound where nothing is broken", () => {
+    expect(
+      clearanceOf(
+        half(() => false),
+        straight,
+      ),
+    ).toBe(Number.POSITIVE_INFINITY);
   });
 });

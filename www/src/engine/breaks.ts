@@ -82,6 +82,32 @@ export function breaksAlong(
   return stretches(states);
 }
 
+/** Clearance does not count so near to the ends of a path, which often lie on the very border of what holds. */
+const NEAR_END = 0.125;
+
+/** How far a path in the plane of a field keeps from what is broken there; Infinity where nothing is. */
+export function clearanceOf(field: Locus & { bounds: Bounds }, points: readonly Uv[], samples = 400): number {
+  const { width, height, bounds, state } = field;
+  const at = (x: number, low: number, high: number, count: number) => low + (x / (count - 1)) * (high - low);
+  const border: [number, number][] = [];
+  for (let row = 0; row < height; row++) {
+    for (let column = 0; column < width; column++) {
+      const i = row * width + column;
+      if (!isBroken(state[i] ?? STATE.pending)) continue;
+      const next = [column > 0 ? i - 1 : i, column < width - 1 ? i + 1 : i, i - width, i + width];
+      if (next.every((k) => isBroken(state[k] ?? STATE.disconnected))) continue;
+      border.push([at(column, bounds.u0, bounds.u1, width), at(row, bounds.v0, bounds.v1, height)]);
+    }
+  }
+  let least = Number.POSITIVE_INFINITY;
+  for (let i = 0; i < samples; i++) {
+    const [u, v] = uvAt(points, i / (samples - 1));
+    if (Math.hypot(u, v) < NEAR_END || Math.hypot(u - 1, v - 1) < NEAR_END) continue;
+    for (const [x, y] of border) least = Math.min(least, (x - u) ** 2 + (y - v) ** 2);
+  }
+  return Math.sqrt(least);
+}
+
 /** The best state of the corners of the cell that holds a point: a thin isthmus must not read as a break. */
 export function stateNear(field: Locus & { bounds: Bounds }, [u, v]: Uv): number {
   const { width, height, bounds, state } = field;

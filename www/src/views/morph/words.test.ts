@@ -1,5 +1,14 @@
 import { describe, expect, it } from "vitest";
-import { gapWords, listWords, pathWords, verdictWords } from "./words";
+import {
+  bestWords,
+  certifiedWords,
+  gapWords,
+  listWords,
+  pathWords,
+  roomWords,
+  shareWords,
+  verdictWords,
+} from "./words";
 
 describe("verdictWords", () => {
   it("never calls touching proved", () => {
@@ -49,5 +58,52 @@ describe("listWords", () => {
     expect(listWords([])).toBe("");
     expect(listWords(["A"])).toBe("A");
     expect(listWords(["A", "B", "C"])).toBe("A, B and C");
+  });
+});
+
+describe("what is proved of a path", () => {
+  const so = { done: 48, parts: 48, gap: 0.0031, boxes: 4212, worst: 0.634, problem: null };
+
+  it("gives the bound, the boxes and the place where least is known", () => {
+    expect(certifiedWords(so)).toBe(
+      "No gap wider than 0.31% of the shape anywhere on this path: proved with 4,212 boxes. Least is known at 63%.",
+    );
+    expect(certifiedWords({ ...so, gap: 0 })).toBe(
+      "In one piece everywhere on this path: proved with 4,212 boxes.",
+    );
+  });
+
+  it("claims nothing before the end, nor without a bound", () => {
+    expect(certifiedWords({ ...so, done: 12 })).toBe("Proving it: 25% of the path.");
+    expect(certifiedWords({ ...so, gap: Number.POSITIVE_INFINITY })).toMatch(/^No bound could be proved/);
+    expect(certifiedWords({ ...so, problem: "The path is too long." })).toBe(
+      "It could not be proved. The path is too long.",
+    );
+  });
+
+  it("rounds a bound up, never down", () => {
+    expect(shareWords(0.003101)).toBe("0.32%");
+    expect(shareWords(0.0031)).toBe("0.31%");
+    expect(shareWords(0.25)).toBe("25%");
+    expect(shareWords(0)).toBe("0%");
+    expect(shareWords(1e-9)).toBe("0.000001%");
+  });
+});
+
+describe("room and best", () => {
+  it("tells how near a path comes to breaking", () => {
+    expect(roomWords(0.0834)).toBe("It keeps 0.08 away from what breaks.");
+    expect(roomWords(0.001)).toBe("It runs along the very edge of what holds.");
+    expect(roomWords(Number.POSITIVE_INFINITY)).toBe("");
+    expect(roomWords(undefined)).toBe("");
+  });
+
+  it("says where the best path breaks", () => {
+    expect(bestWords({ t: 0.4, gap: 0.012 }, false)).toBe(
+      "No path on this square was found to hold all the way: the best one breaks at 40%, gap 1.2% of its size.",
+    );
+    expect(bestWords(null, true)).toBe(
+      "No path even with the third parameter was found to hold all the way.",
+    );
   });
 });

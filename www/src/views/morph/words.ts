@@ -67,6 +67,47 @@ function joined(breaks: readonly { t0: number; t1: number }[]): [from: number, t
   return spans;
 }
 
+/** How near a path that holds comes to breaking, in units of u and v; nothing to say where it does not. */
+export function roomWords(clearance: number | null | undefined): string {
+  if (clearance === null || clearance === undefined || !Number.isFinite(clearance)) return "";
+  if (clearance < 0.015) return "It runs along the very edge of what holds.";
+  return `It keeps ${formatNumber(clearance, 2)} away from what breaks.`;
+}
+
+/** What was proved of a path, so far or in whole. */
+export function certifiedWords(so: {
+  done: number;
+  parts: number;
+  gap: number;
+  boxes: number;
+  worst: number;
+  problem: string | null;
+}): string {
+  if (so.problem !== null) return `It could not be proved. ${so.problem}`;
+  if (so.done < so.parts) return `Proving it: ${percent(so.done / so.parts)} of the path.`;
+  const boxes = `${so.boxes.toLocaleString("en")} ${so.boxes === 1 ? "box" : "boxes"}`;
+  if (!Number.isFinite(so.gap))
+    return `No bound could be proved all the way: at ${percent(so.worst)} it would take more than the ${boxes} that were looked at.`;
+  if (so.gap === 0) return `In one piece everywhere on this path: proved with ${boxes}.`;
+  return `No gap wider than ${shareWords(so.gap)} of the shape anywhere on this path: proved with ${boxes}. Least is known at ${percent(so.worst)}.`;
+}
+
+/** A part of the size of the shape in hundredths, with two figures that count: "0.31%". Never less than it is. */
+export function shareWords(share: number): string {
+  const hundredths = 100 * share;
+  if (!(hundredths > 0)) return "0%";
+  const digits = Math.max(0, Math.min(6, 1 - Math.floor(Math.log10(hundredths))));
+  const up = Math.ceil(hundredths * 10 ** digits - 1e-9) / 10 ** digits;
+  return up === 0 ? "0.000001%" : `${Number(up.toFixed(digits))}%`;
+}
+
+/** The best that a plan could do where no path holds. */
+export function bestWords(worst: { t: number; gap: number } | null, third: boolean): string {
+  const where = third ? "even with the third parameter" : "on this square";
+  const best = worst ? `: the best one breaks at ${percent(worst.t)}, gap ${gapWords(worst.gap)}` : "";
+  return `No path ${where} was found to hold all the way${best}.`;
+}
+
 /** The whole path in one sentence. */
 export function pathWords(
   breaks: readonly { t0: number; t1: number }[],

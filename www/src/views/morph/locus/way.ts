@@ -1,17 +1,17 @@
 /** What hands and keys do to the path. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { Bounds } from "../../../engine/api";
-import { stateNear } from "../../../engine/breaks";
-import { locus } from "../../../engine/results";
-import { pathPoints, uv } from "../../../state/morph";
+import { STATE, stateNear } from "../../../engine/breaks";
+import { along, locus, pathBreaks } from "../../../engine/results";
+import { locusView, pathPoints, uv } from "../../../state/morph";
 import { announce } from "../../../state/notice";
-import type { Uv } from "../../../state/path";
+import { timesOf, type Uv, uvAt } from "../../../state/path";
 import { setT } from "../../../state/playback";
 import { edit, endGesture, scene } from "../../../state/scene";
 import { fixed } from "../../../ui/number";
 import { MOST_POINTS, setPoints } from "../changes";
 import { stateWords } from "../words";
-import { clamp, insert, move, nearestOn, remove, rounded } from "./polyline";
+import { clamp, insert, move, nearestOn, remove } from "./polyline";
 
 /** The part of the (u, v) plane that is shown before the engine has said so. */
 const WHOLE: Bounds = { u0: -1, v0: -1, u1: 2, v1: 2 };
@@ -37,31 +37,67 @@ export function pick(index: number | null): void {
   picked.value = index;
 }
 
-/** Whether the shape holds together at a point, as far as the field tells. */
+/** Whether the shape holds together at a point, as far as the field tells; out of its plane it tells nothing. */
 export function stateAt(point: Uv): string {
   const field = locus.value;
-  return field === null ? stateWords(255) : stateWords(stateNear(field, point));
+  if (field === null || (point[2] ?? 0) !== 0) return stateWords(STATE.pending);
+  return stateWords(stateNear(field, point));
 }
 
-export const pointWords = ([u, v]: Uv): string => `u ${fixed(u)}, v ${fixed(v)}`;
+/** Whether it holds together at a moment of the path: decided there, or read off the field until that is in. */
+export function stateOn(t: number): string {
+  const found = along.value;
+  if (found === null) return stateAt(uvAt(pathPoints.value, t));
+  return stateWords(found.states[Math.round(t * (found.states.length - 1))] ?? STATE.pending);
+}
+
+/** What becomes of the path about a way point: whether it breaks there, before it, or after. */
+export function wayWords(index: number): string {
+  const times = timesOf(pathPoints.value);
+  const [before, here, after] = [times[index] ?? 0, times[index + 1] ?? 0, times[index + 2] ?? 1];
+  const breaks = pathBreaks.value;
+  const meets = (from: number, to: number) => breaks.some(({ t0, t1 }) => t0 < to && t1 > from);
+  const inside = breaks.some(({ t0, t1 }) => t0 < here && here < t1);
+  const words = [inside ? stateWords(STATE.disconnected) : stateOn(here)];
+  if (meets(before, here)) words.push("breaks on the way to it");
+  if (meets(here, after)) words.push(words.length > 1 ? "and from it" : "breaks on the way from it");
+  return words.join(", ").replace(", and", " and");
+}
+
+export const pointWords = ([u, v, w = 0]: Uv): string =>
+  `u ${fixed(u)}, v ${fixed(v)}${w === 0 ? "" : `, w ${fixed(w)}`}`;
+
+/** How far the stretch may be ahead of the turn, or behind it. */
+export const MOST_W = 1;
+
+/** A point as the document keeps it: on the square, as fine as can be pointed at, and with as few numbers as it needs. */
+function kept([u, v, w = 0]: Uv): Uv {
+  const [x, y] = clamp([u, v], WHOLE);
+  const digits = 10 ** (3 + Math.max(0, Math.ceil(Math.log10(locusView.peek().zoom))));
+  const round = (z: number) => Math.round(z * digits) / digits || 0;
+  const z = round(Math.min(MOST_W, Math.max(-MOST_W, w)));
+  return z === 0 ? [round(x), round(y)] : [round(x), round(y), z];
+}
 
 function set(points: Uv[], gesture?: string): void {
   edit((before) => setPoints(before, points), gesture === undefined ? {} : { gesture });
 }
 
-/** Moves a way point; it stays on the square. */
+/** Moves a way point; it stays on the square, and, where only u and v are given, at its own w. */
 export function moveTo(index: number, point: Uv, gesture?: string): void {
-  set(move(way.peek(), index, rounded(clamp(point, bounds.peek()))), gesture);
+  const [u, v, w = way.peek()[index]?.[2] ?? 0] = point;
+  set(move(way.peek(), index, kept([u, v, w])), gesture);
 }
 
-/** A way point more, on the segment that is nearest. Returns its number, or null where a link could hold no more. */
+/** A way point more, on the segment that is nearest; it lies in the plane that is looked at. Returns its number, or null where a link could hold no more. */
 export function addAt(point: Uv): number | null {
   if (way.peek().length >= MOST_POINTS) {
     announce(`A path has at most ${MOST_POINTS} way points.`);
     return null;
   }
   const { segment } = nearestOn(pathPoints.peek(), point);
-  return addTo(segment, point);
+  const [u, v, w = locusView.peek().w] = point;
+  return addTo(segment, [u, v, w]);
 }
 
 /** A way point more, in the middle of the segment that starts at way point `index`; -1 is the first shape. */
@@ -69,11 +105,12 @@ export function addAfter(index: number): number | null {
   const from = pathPoints.peek()[index + 1];
   const to = pathPoints.peek()[index + 2];
   if (from === undefined || to === undefined || way.peek().length >= MOST_POINTS) return null;
-  return addTo(index + 1, [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2]);
+  const w = ((from[2] ?? 0) + (to[2] ?? 0)) / 2;
+  return addTo(index + 1, [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2, w]);
 }
 
 function addTo(segment: number, point: Uv): number {
-  const at = rounded(clamp(point, bounds.peek()));
+  const at = kept(point);
   const before = uv.peek();
   endGesture();
   set(insert(way.peek(), segment, at));
@@ -85,7 +122,8 @@ function addTo(segment: number, point: Uv): number {
 
 /** A way point more where the picture is now. */
 export function addHere(): number | null {
-  return addAt(uv.peek());
+  const [u, v, w = 0] = uv.peek();
+  return addAt([u, v, w]);
 }
 
 export function removeAt(index: number): void {
