@@ -3,6 +3,7 @@ import { wordsOf } from "../../state/notice";
 import { scene } from "../../state/scene";
 import type { MapRow, Route } from "../api";
 import { cancel, epoch, submit } from "../engine";
+import { sameMaps } from "../maps";
 import { single } from "../protocol";
 
 /** Ways to bring two shapes to a morph. */
@@ -18,10 +19,6 @@ export interface Routes {
 const latest = signal<Routes | null>(null);
 const a = computed(() => scene.value.a.maps);
 const b = computed(() => scene.value.b.maps);
-
-export function sameMaps(p: readonly MapRow[], q: readonly MapRow[]): boolean {
-  return p === q || (p.length === q.length && p.every((row, i) => row.every((x, k) => x === q[i]?.[k])));
-}
 
 /** About the present pair, or the one from which a route has led to it; null where it was not asked for. */
 export const routes: ReadonlySignal<Routes | null> = computed(() => {

@@ -1,6 +1,17 @@
 import { describe, expect, it } from "vitest";
 import type { MapRow, Scene } from "../../engine/api";
-import { asBoth, choose, flatPairs, MOST_POINTS, setMaps, setPoints, swap } from "./changes";
+import {
+  asBoth,
+  choose,
+  flatPairs,
+  isMatched,
+  MOST_POINTS,
+  setMaps,
+  setPoints,
+  swap,
+  takeMatching,
+  takeRoute,
+} from "./changes";
 
 const half: MapRow = [0.5, 0, 0, 0.5, 0, 0];
 const mirror: MapRow = [0.5, 0, 0, -0.5, 0, 0];
@@ -83,5 +94,32 @@ describe("flatPairs", () => {
   });
   it("leaves out maps that are flat already, and lists of other lengths", () => {
     expect(flatPairs([flat, mirror], [mirror], [])).toEqual([]);
+  });
+});
+
+describe("ways to match and ways across", () => {
+  it("takes a way to match with its path, and leaves out what is so anyway", () => {
+    const next = takeMatching(scene, { correspondence: [0, 1, 2], turns: [0, 1, 0] }, [[0.5, 0.5, 0.25]]);
+    expect(next).toMatchObject({ correspondence: [], turns: [0, 1, 0] });
+    expect(next.path).toEqual({ kind: "auto", points: [[0.5, 0.5, 0.25]] });
+    expect(next.a).toBe(scene.a);
+  });
+
+  it("knows the way to match that is taken", () => {
+    expect(isMatched(scene, { correspondence: [2, 0, 1], turns: [1, 0, -2] })).toBe(true);
+    expect(isMatched(scene, { correspondence: [2, 0, 1], turns: [0, 0, 0] })).toBe(false);
+    expect(isMatched({ correspondence: [], turns: [] }, { correspondence: [0, 1], turns: [0, 0] })).toBe(
+      true,
+    );
+  });
+
+  it("keeps the names on a way across, and the gallery only while its maps stand", () => {
+    const same = scene.a.maps.map((row): MapRow => [...row]);
+    const route = { kind: "mirror" as const, about: "", correspondence: [0, 1, 2], turns: [0, 0, 0] };
+    const next = takeRoute(scene, { ...route, from: same, to: [mirror, mirror, half] });
+    expect(next.a).toBe(scene.a);
+    expect(next.b).toEqual({ name: "Two", maps: [mirror, mirror, half] });
+    expect(takeRoute(scene, { ...route, from: [half], to: [half] }).a).toEqual({ name: "One", maps: [half] });
+    expect(next).toMatchObject({ correspondence: [], turns: [], path: { kind: "auto", points: [] } });
   });
 });

@@ -1,5 +1,6 @@
 /** What the panel does to the document, as functions from scene to scene. */
-import type { MapRow, PathPoint, Preset, Scene, Shape } from "../../engine/api";
+import type { Candidate, MapRow, PathPoint, Preset, Route, Scene, Shape } from "../../engine/api";
+import { sameMaps } from "../../engine/maps";
 
 export type End = "a" | "b";
 
@@ -62,6 +63,48 @@ export function swap(scene: Scene): Scene {
 /** Way points as the hand left them: the path is drawn from now on. */
 export function setPoints(scene: Scene, points: PathPoint[]): Scene {
   return { ...scene, path: { kind: "drawn", points: points.slice(0, MOST_POINTS) } };
+}
+
+/** Lists that say what is so anyway are left out of the document. */
+function matched({ correspondence, turns }: Pick<Candidate, "correspondence" | "turns">) {
+  return {
+    correspondence: correspondence.every((to, from) => to === from) ? [] : correspondence,
+    turns: turns.every((turn) => turn === 0) ? [] : turns,
+  };
+}
+
+/** Another way to match, with the path that was found for it. */
+export function takeMatching(
+  scene: Scene,
+  candidate: Pick<Candidate, "correspondence" | "turns">,
+  points: PathPoint[],
+): Scene {
+  return { ...scene, ...matched(candidate), path: { kind: "auto", points: points.slice(0, MOST_POINTS) } };
+}
+
+/** A way across: the shapes stay what they are, even where other maps make them. The path is planned anew. */
+export function takeRoute(scene: Scene, route: Route): Scene {
+  const made = (shape: Shape, maps: MapRow[]): Shape =>
+    sameMaps(shape.maps, maps) ? shape : { name: shape.name, maps };
+  return {
+    ...scene,
+    ...matched(route),
+    a: made(scene.a, route.from),
+    b: made(scene.b, route.to),
+    path: { kind: "auto", points: [] },
+  };
+}
+
+/** Whether the document matches the maps like this. */
+export function isMatched(
+  scene: Pick<Scene, "correspondence" | "turns">,
+  candidate: Pick<Candidate, "correspondence" | "turns">,
+): boolean {
+  const is = matched(candidate);
+  const now = matched(scene);
+  const same = (p: readonly number[], q: readonly number[]) =>
+    p.length === q.length && p.every((x, i) => x === q[i]);
+  return same(is.correspondence, now.correspondence) && same(is.turns, now.turns);
 }
 
 /** Pairs, numbered from 1, whose two maps reflect oppositely: on the way such a map must become flat. */

@@ -7,7 +7,7 @@ import { LocusPanel } from "./locus/LocusPanel";
 import { PathPanel } from "./locus/PathPanel";
 import { MotionPanel } from "./MotionPanel";
 import { MapEditor } from "./maps/MapEditor";
-import { PairNotes, PairsPanel } from "./PairsPanel";
+import { PairNotes, PairsPanel } from "./pairs/PairsPanel";
 import { ShortcutsDialog } from "./ShortcutsDialog";
 import { Ends } from "./shapes/Ends";
 import { Gallery } from "./shapes/Gallery";

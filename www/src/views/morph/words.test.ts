@@ -4,6 +4,8 @@ import {
   certifiedWords,
   gapWords,
   listWords,
+  matchWords,
+  meritWords,
   pathWords,
   roomWords,
   shareWords,
@@ -105,5 +107,21 @@ describe("room and best", () => {
     expect(bestWords(null, true)).toBe(
       "No path even with the third parameter was found to hold all the way.",
     );
+  });
+});
+
+describe("ways to match", () => {
+  it("are told in words while they are few", () => {
+    expect(matchWords([0, 1, 2], [0, 0, 0])).toBe("each keeps its number");
+    expect(matchWords([1, 0, 2], [])).toBe("1 becomes 2 and 2 becomes 1");
+    expect(matchWords([1, 2, 3, 4, 0], [0, 1, 0, 0, 0])).toBe(
+      "5 of 5 maps change partner; one turns further",
+    );
+  });
+
+  it("are told by the best path that they allow", () => {
+    expect(meritWords({ holds: true, gap: 0 })).toBe("holds all the way");
+    expect(meritWords({ holds: false, gap: 0.012 })).toBe("gap 1.2%");
+    expect(meritWords({ holds: false, gap: Number.POSITIVE_INFINITY })).toBe("meets no shape on the way");
   });
 });

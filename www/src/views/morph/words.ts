@@ -55,6 +55,27 @@ export function listWords(items: readonly string[]): string {
   return `${items.slice(0, -1).join(", ")} and ${items.at(-1) ?? ""}`;
 }
 
+/** Which map becomes which, as far as it is short enough to be heard. */
+export function matchWords(correspondence: readonly number[], turns: readonly number[]): string {
+  const moved = correspondence.flatMap((to, from) => (to === from ? [] : [`${from + 1} becomes ${to + 1}`]));
+  const partners =
+    moved.length === 0
+      ? "each keeps its number"
+      : moved.length <= 4
+        ? listWords(moved)
+        : `${moved.length} of ${correspondence.length} maps change partner`;
+  const turning = turns.filter((turn) => turn !== 0).length;
+  if (turning === 0) return partners;
+  return `${partners}; ${turning === 1 ? "one turns" : `${turning} turn`} further`;
+}
+
+/** What a way to match allows: its best path. */
+export function meritWords(plan: { holds: boolean; gap: number }): string {
+  if (plan.holds) return "holds all the way";
+  if (!Number.isFinite(plan.gap)) return "meets no shape on the way";
+  return `gap ${shareWords(plan.gap)}`;
+}
+
 /** Stretches in whole per cents; those that touch then are one. */
 function joined(breaks: readonly { t0: number; t1: number }[]): [from: number, to: number][] {
   const spans: [number, number][] = [];

@@ -1,18 +1,35 @@
 import "./path.css";
 import { useComputed } from "@preact/signals";
 import type { PathKind } from "../../../engine/api";
-import { locus, pathBreaks, plan } from "../../../engine/results";
+import { clearanceOf } from "../../../engine/breaks";
+import { along, locus, pathBreaks, plan, workers } from "../../../engine/results";
+import { certified, certify, stopCertifying } from "../../../engine/schedule/certify";
+import { leavesPlane, plan3, setThird, third, wayOf } from "../../../engine/schedule/plan";
 import { pathPoints } from "../../../state/morph";
 import { edit, endGesture } from "../../../state/scene";
 import { Button, IconButton } from "../../../ui/Button";
 import { NumberField } from "../../../ui/NumberField";
 import { Segmented } from "../../../ui/Segmented";
+import { Switch } from "../../../ui/Switch";
 import { MOST_POINTS } from "../changes";
-import { pathKind } from "../parts";
-import { pathWords } from "../words";
+import { openMatching, openRoutes } from "../dialogs";
+import { mode, pathKind } from "../parts";
+import { bestWords, certifiedWords, pathWords, roomWords } from "../words";
 import { focusHandle } from "./Handles";
 import { widestAlong } from "./polyline";
-import { addAfter, addHere, bounds, chosen, moveTo, removeAt, stateAt, way } from "./way";
+import {
+  addAfter,
+  addHere,
+  bounds,
+  chosen,
+  MOST_W,
+  moveTo,
+  removeAt,
+  showW,
+  thirdShown,
+  way,
+  wayWords,
+} from "./way";
 
 const KINDS: readonly { value: PathKind; label: string; description: string }[] = [
   { value: "auto", label: "Auto", description: "The way with the narrowest gap, found for you" },
@@ -24,7 +41,8 @@ function setKind(kind: PathKind): void {
   edit((before) => {
     if (kind === before.path.kind) return before;
     // The planned points come with the choice, so that undo and a link hold the path that is seen.
-    if (kind === "auto") return { ...before, path: { kind, points: plan.peek()?.points.slice(1, -1) ?? [] } };
+    const planned = plan.peek();
+    if (kind === "auto") return { ...before, path: { kind, points: planned ? wayOf(planned) : [] } };
     if (kind === "straight") return { ...before, path: { kind, points: [] } };
     return { ...before, path: { ...before.path, kind } };
   });
@@ -32,80 +50,206 @@ function setKind(kind: PathKind): void {
 
 /** What the path is, whether it holds, and its way points by numbers. */
 export function PathPanel() {
-  const widest = useComputed(() => {
-    const field = locus.value;
-    return field === null ? null : widestAlong(field, pathPoints.value);
-  });
-  const breaks = pathBreaks.value;
-  const index = chosen.value;
-  const point = index === null ? undefined : way.value[index];
   return (
     <section class="path" aria-labelledby="path-title">
       <header class="section-head">
         <h2 id="path-title">Path</h2>
         <Segmented label="Kind of path" value={pathKind.value} options={KINDS} onChange={setKind} />
       </header>
-      <p class={`path-verdict ${breaks.length > 0 ? "broken" : "whole"}`}>
-        <span class="mark" aria-hidden="true" />
-        {pathWords(breaks, widest.value, locus.value?.progress ?? 0)}
-      </p>
-      {index !== null && point !== undefined ? (
-        <fieldset class="way-point">
-          <legend>
-            Way point {index + 1} of {way.value.length} <span class="dim">{stateAt(point)}</span>
-          </legend>
-          <NumberField
-            terse
-            label="turn and stretch, u"
-            symbol="u"
-            value={point[0]}
-            min={bounds.value.u0}
-            max={bounds.value.u1}
-            digits={3}
-            onChange={(u) => moveTo(index, [u, point[1]], `way-u-${index}`)}
-            onDone={endGesture}
-          />
-          <NumberField
-            terse
-            label="move, v"
-            symbol="v"
-            value={point[1]}
-            min={bounds.value.v0}
-            max={bounds.value.v1}
-            digits={3}
-            onChange={(v) => moveTo(index, [point[0], v], `way-v-${index}`)}
-            onDone={endGesture}
-          />
-          <IconButton
-            icon="add"
-            label="Add a way point after this one"
-            kind="quiet"
-            disabled={way.value.length >= MOST_POINTS}
-            onClick={() => focusHandle(addAfter(index))}
-          />
-          <IconButton
-            icon="bin"
-            label="Remove this way point"
-            kind="quiet"
-            onClick={() => {
-              removeAt(index);
-              focusHandle(null);
-            }}
-          />
-        </fieldset>
-      ) : (
-        <div class="way-none">
-          <Button
-            icon="add"
-            disabled={way.value.length >= MOST_POINTS}
-            description="Add a way point where the picture is now"
-            onClick={() => focusHandle(addHere())}
-          >
-            Add way point
+      <PathVerdict />
+      <NoWay />
+      {chosen.value === null ? <WayNone /> : <WayPoint index={chosen.value} />}
+      <Certificate />
+    </section>
+  );
+}
+
+/** Whether it holds all the way, how wide its widest gap is, how much room it has. */
+function PathVerdict() {
+  const widest = useComputed(() => {
+    const exact = along.value;
+    if (exact) return exact.worst?.gap ?? 0;
+    const field = locus.value;
+    return field === null ? null : widestAlong(field, pathPoints.value);
+  });
+  const room = useComputed(() => {
+    const field = locus.value;
+    const points = pathPoints.value;
+    if (leavesPlane(points)) return plan3.value?.plan?.clearance ?? null;
+    return field && field.progress === 1 ? clearanceOf(field, points) : null;
+  });
+  const breaks = pathBreaks.value;
+  const words = pathWords(breaks, widest.value, along.value ? 1 : (locus.value?.progress ?? 0));
+  return (
+    <p class={`path-verdict ${breaks.length > 0 ? "broken" : "whole"}`}>
+      <span class="mark" aria-hidden="true" />
+      <span>
+        {words} {breaks.length === 0 && roomWords(room.value)}
+      </span>
+    </p>
+  );
+}
+
+/** Where the automatic path cannot hold: says so, and what else there is. */
+function NoWay() {
+  const found = plan.value;
+  const exact = along.value;
+  const looking = plan3.value !== null && plan3.value.plan === null;
+  const auto = pathKind.value === "auto";
+  const settled = auto && found !== null && exact !== null && locus.value?.progress === 1;
+  const stuck = settled && exact.breaks.length > 0 && !found.holds;
+  if (!(third.value || looking || stuck)) return null;
+  return (
+    <div class="path-else">
+      {stuck && !looking && (
+        <p class="hint">{bestWords(exact.worst, leavesPlane(pathPoints.value) || plan3.value !== null)}</p>
+      )}
+      {mode.value === "polar" && (
+        <Switch
+          checked={third.value}
+          onChange={setThird}
+          description="The stretch may run ahead of the turn, or behind it: a path through three parameters"
+        >
+          {looking ? "With a third parameter: looking …" : "With a third parameter, w"}
+        </Switch>
+      )}
+      {stuck && (
+        <div class="path-offers">
+          <Button kind="quiet" onClick={openMatching}>
+            Other ways to match
           </Button>
-          <span class="hint">or press twice above</span>
+          <Button kind="quiet" onClick={openRoutes}>
+            Other ways across
+          </Button>
         </div>
       )}
-    </section>
+    </div>
+  );
+}
+
+function WayNone() {
+  return (
+    <div class="way-none">
+      <Button
+        icon="add"
+        disabled={way.value.length >= MOST_POINTS}
+        description="Add a way point where the picture is now"
+        onClick={() => focusHandle(addHere())}
+      >
+        Add way point
+      </Button>
+      <span class="hint">or press twice above</span>
+    </div>
+  );
+}
+
+/** One way point by its numbers, and whether the path breaks there. */
+function WayPoint({ index }: { index: number }) {
+  const point = way.value[index];
+  if (point === undefined) return null;
+  const [u, v, w = 0] = point;
+  const withW = thirdShown.value;
+  return (
+    <fieldset class={`way-point ${withW ? "with-w" : ""}`}>
+      <legend>
+        Way point {index + 1} of {way.value.length} <span class="dim">{wayWords(index)}</span>
+      </legend>
+      <NumberField
+        terse
+        label="turn and stretch, u"
+        symbol="u"
+        value={u}
+        min={bounds.value.u0}
+        max={bounds.value.u1}
+        digits={3}
+        onChange={(next) => moveTo(index, [next, v, w], `way-u-${index}`)}
+        onDone={endGesture}
+      />
+      <NumberField
+        terse
+        label="move, v"
+        symbol="v"
+        value={v}
+        min={bounds.value.v0}
+        max={bounds.value.v1}
+        digits={3}
+        onChange={(next) => moveTo(index, [u, next, w], `way-v-${index}`)}
+        onDone={endGesture}
+      />
+      {withW && (
+        <NumberField
+          terse
+          label="stretch ahead of turn, w"
+          symbol="w"
+          value={w}
+          min={-MOST_W}
+          max={MOST_W}
+          digits={3}
+          onChange={(next) => moveTo(index, [u, v, next], `way-w-${index}`)}
+          onDone={endGesture}
+        />
+      )}
+      <div class="way-tools">
+        {!withW && mode.value === "polar" && (
+          <Button
+            kind="quiet"
+            description="A third number, w: how far the stretch is ahead of the turn"
+            onClick={showW}
+          >
+            <span class="symbol">w</span>
+          </Button>
+        )}
+        <IconButton
+          icon="add"
+          label="Add a way point after this one"
+          kind="quiet"
+          disabled={way.value.length >= MOST_POINTS}
+          onClick={() => focusHandle(addAfter(index))}
+        />
+        <IconButton
+          icon="bin"
+          label="Remove this way point"
+          kind="quiet"
+          onClick={() => {
+            removeAt(index);
+            focusHandle(null);
+          }}
+        />
+      </div>
+    </fieldset>
+  );
+}
+
+/** What can be proved of all of the path, not only of the moments that were looked at. */
+function Certificate() {
+  const now = certified.value;
+  const running = now !== null && now.problem === null && now.done < now.parts;
+  return (
+    <div class="path-proof">
+      {running ? (
+        <>
+          <div class="path-proof-bar">
+            <progress aria-label="The path, being proved" max={1} value={now.done / now.parts} />
+            <Button kind="quiet" onClick={stopCertifying}>
+              Cancel
+            </Button>
+          </div>
+          <p class="hint">{certifiedWords(now)}</p>
+        </>
+      ) : now === null ? (
+        <Button
+          kind="quiet"
+          description="Bound the gap everywhere on the path, not only at the moments that were looked at"
+          disabled={!workers.value.available && along.value === null}
+          onClick={certify}
+        >
+          Prove it, end to end
+        </Button>
+      ) : (
+        <p class="path-proved" role="status">
+          {certifiedWords(now)}
+        </p>
+      )}
+    </div>
   );
 }

@@ -67,6 +67,17 @@ export function wayWords(index: number): string {
 export const pointWords = ([u, v, w = 0]: Uv): string =>
   `u ${fixed(u)}, v ${fixed(v)}${w === 0 ? "" : `, w ${fixed(w)}`}`;
 
+const asked = signal(false);
+
+/** Whether way points show their third number: where one has it, and on request. */
+export const thirdShown: ReadonlySignal<boolean> = computed(
+  () => asked.value || way.value.some(([, , w]) => (w ?? 0) !== 0),
+);
+
+export function showW(): void {
+  asked.value = true;
+}
+
 /** How far the stretch may be ahead of the turn, or behind it. */
 export const MOST_W = 1;
 

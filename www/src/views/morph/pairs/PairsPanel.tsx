@@ -1,10 +1,15 @@
-import { pairing } from "../../state/morph";
-import { edit, endGesture } from "../../state/scene";
-import { NumberField } from "../../ui/NumberField";
-import { flatPairs } from "./changes";
-import { correspondence, turns } from "./parts";
-import { Swatch } from "./shapes/Swatch";
-import { listWords } from "./words";
+import "./pairs.css";
+import { pairing } from "../../../state/morph";
+import { edit, endGesture } from "../../../state/scene";
+import { Button } from "../../../ui/Button";
+import { NumberField } from "../../../ui/NumberField";
+import { flatPairs } from "../changes";
+import { openRoutes, pairsOpen } from "../dialogs";
+import { correspondence, turns } from "../parts";
+import { Swatch } from "../shapes/Swatch";
+import { listWords } from "../words";
+import { Matching } from "./Matching";
+import { Routes } from "./Routes";
 
 /** What had to be done so that each map has one to become, and what that costs. */
 export function PairNotes() {
@@ -17,18 +22,45 @@ export function PairNotes() {
         <p key={step}>{step}</p>
       ))}
       {flat.length > 0 && (
-        <p>
-          {flat.length === 1 ? "Map" : "Maps"} {listWords(flat.map(String))}{" "}
-          {flat.length === 1 ? "turns over on the way, so it" : "turn over on the way, so each"} must pass
-          through a flat state.
-        </p>
+        <>
+          <p>
+            {flat.length === 1 ? "Map" : "Maps"} {listWords(flat.map(String))}{" "}
+            {flat.length === 1 ? "turns over on the way, so it" : "turn over on the way, so each"} must pass
+            through a flat state.
+          </p>
+          <Button kind="quiet" onClick={openRoutes}>
+            Other ways across
+          </Button>
+        </>
       )}
     </div>
   );
 }
 
-/** Which map becomes which, and by how many whole turns more than the shortest. */
+/** Which map becomes which: as it is, by hand, and what else there is. */
 export function PairsPanel() {
+  return (
+    <details
+      class="pairs"
+      open={pairsOpen.value}
+      onToggle={(event) => {
+        pairsOpen.value = event.currentTarget.open;
+      }}
+    >
+      <summary>Which map becomes which</summary>
+      {pairsOpen.value && (
+        <>
+          <Pairs />
+          <Matching />
+          <Routes />
+        </>
+      )}
+    </details>
+  );
+}
+
+/** Each map with what it becomes, and by how many whole turns more than the shortest. */
+function Pairs() {
   const { from, to } = pairing.value;
   const count = from.length;
   const becomes = correspondence.value.length === count ? correspondence.value : from.map((_, i) => i);
@@ -52,12 +84,11 @@ export function PairsPanel() {
   };
 
   return (
-    <details class="pairs">
-      <summary>Which map becomes which</summary>
+    <>
       <p class="hint">
         Each choice has its own square above: another pairing may hold together where this one breaks.
       </p>
-      <ul>
+      <ul class="pairs-list">
         {from.map((_, map) => (
           <li key={map}>
             <Swatch map={map} />
@@ -87,6 +118,6 @@ export function PairsPanel() {
           </li>
         ))}
       </ul>
-    </details>
+    </>
   );
 }

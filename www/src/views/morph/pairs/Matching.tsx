@@ -1,0 +1,160 @@
+import { useLayoutEffect, useRef } from "preact/hooks";
+import type { RatedCandidate } from "../../../engine/api";
+import { BOUNDS } from "../../../engine/locus-job";
+import { lookForMatchings, matchings, stopMatching } from "../../../engine/schedule/matching";
+import { wayOf } from "../../../engine/schedule/plan";
+import { announce } from "../../../state/notice";
+import { dark } from "../../../state/preferences";
+import { edit } from "../../../state/scene";
+import { palette } from "../../../style/palette";
+import { Button } from "../../../ui/Button";
+import { useOwnId } from "../../../ui/id";
+import { isMatched, takeMatching } from "../changes";
+import { matchingOpen } from "../dialogs";
+import { paint } from "../locus/paint";
+import { place } from "../locus/way";
+import { correspondence, turns } from "../parts";
+import { matchWords, meritWords } from "../words";
+
+/** Other ways to match the maps, each with its own map of where it holds. */
+export function Matching() {
+  const found = matchings.value;
+  return (
+    <details
+      class="pairs-more"
+      id="matching"
+      open={matchingOpen.value}
+      onToggle={(event) => {
+        const { open } = event.currentTarget;
+        matchingOpen.value = open;
+        if (open && matchings.peek() === null) lookForMatchings();
+      }}
+    >
+      <summary>Other ways to match</summary>
+      {found === null ? (
+        <Button onClick={lookForMatchings}>Look for them again</Button>
+      ) : (
+        <>
+          <Progress />
+          {found.rated.length > 0 && <Cards rated={found.rated} />}
+        </>
+      )}
+    </details>
+  );
+}
+
+function Progress() {
+  const found = matchings.value;
+  if (found === null) return null;
+  const { of, done, problem } = found;
+  if (problem !== null) return <p class="hint">{problem}</p>;
+  if (of === 0) return <p class="hint">There is no other way that makes sense to try.</p>;
+  if (of !== null && done >= of)
+    return <p class="hint">The best first: those that hold all the way, then the narrowest gap.</p>;
+  return (
+    <div class="pairs-progress">
+      <progress
+        aria-label="Other ways to match, being tried"
+        {...(of === null ? {} : { max: of, value: done })}
+      />
+      <span class="hint">{of === null ? "Looking …" : `${done} of ${of}`}</span>
+      <Button kind="quiet" onClick={stopMatching}>
+        Cancel
+      </Button>
+    </div>
+  );
+}
+
+const keyOf = ({ correspondence, turns }: RatedCandidate) => `${correspondence.join()} ${turns.join()}`;
+
+function Cards({ rated }: { rated: readonly RatedCandidate[] }) {
+  const name = useOwnId("matching");
+  const now = { correspondence: correspondence.value, turns: turns.value };
+  return (
+    <div class="matching-cards" role="radiogroup" aria-label="Ways to match">
+      {rated.map((candidate) => (
+        <Card key={keyOf(candidate)} name={name} candidate={candidate} chosen={isMatched(now, candidate)} />
+      ))}
+    </div>
+  );
+}
+
+function Card({ name, candidate, chosen }: { name: string; candidate: RatedCandidate; chosen: boolean }) {
+  const { plan } = candidate;
+  const words = matchWords(candidate.correspondence, candidate.turns);
+  const merit = meritWords(plan);
+  return (
+    <label class={`matching-card ${plan.holds ? "holds" : "breaks"}`} title={words}>
+      <input
+        type="radio"
+        name={name}
+        checked={chosen}
+        aria-label={`${words}: ${merit}`}
+        onChange={() => {
+          edit((before) => takeMatching(before, candidate, wayOf(plan)));
+          announce(`${words}: ${merit}.`);
+        }}
+      />
+      <Thumb candidate={candidate} />
+      <Arrows becomes={candidate.correspondence} turns={candidate.turns} />
+      <span class="matching-merit" aria-hidden="true">
+        <span class="mark" />
+        {merit}
+      </span>
+    </label>
+  );
+}
+
+const SIZE = 128;
+
+/** The candidate's own locus, with its path. */
+function Thumb({ candidate }: { candidate: RatedCandidate }) {
+  const { locus, plan } = candidate;
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useLayoutEffect(() => {
+    const field = { ...locus, bounds: BOUNDS, progress: 1 };
+    const pixels = paint(field, SIZE, { style: "gap" });
+    canvas.current?.getContext("2d")?.putImageData(new ImageData(pixels, SIZE, SIZE), 0, 0);
+  }, [locus]);
+  const line = plan.points.map((point) => place(point, BOUNDS).map((x) => (100 * x).toFixed(1))).join(" ");
+  return (
+    <span class="matching-thumb" aria-hidden="true">
+      <canvas ref={canvas} width={SIZE} height={SIZE} />
+      <svg viewBox="0 0 100 100" preserveAspectRatio="none" aria-hidden="true">
+        <polyline class="path-casing" points={line} />
+        <polyline class={plan.holds ? "path-core" : "path-core broken"} points={line} />
+      </svg>
+    </span>
+  );
+}
+
+/** More lines than that cannot be told apart: then the words alone say it. */
+const MOST_ARROWS = 12;
+const STEP = 18;
+
+/** Maps of A above, of B below, a line from each to what it becomes; a ring for each turn more. */
+function Arrows({ becomes, turns }: { becomes: readonly number[]; turns: readonly number[] }) {
+  const colours = palette(dark.value ? "dark" : "light");
+  if (becomes.length > MOST_ARROWS) return <span class="matching-words">{matchWords(becomes, turns)}</span>;
+  const x = (i: number) => STEP * (i + 0.5);
+  return (
+    <svg class="matching-arrows" viewBox={`0 0 ${STEP * becomes.length} 48`} aria-hidden="true">
+      {becomes.map((to, from) => (
+        <g key={from} style={{ color: colours[from % colours.length] ?? "gray" }}>
+          <path d={`M${x(from)} 14L${x(to)} 34`} />
+          {(turns[from] ?? 0) !== 0 && (
+            <circle cx={(x(from) + x(to)) / 2} cy={24} r={3.5} class="matching-turn" />
+          )}
+          <text x={x(from)} y={11}>
+            {from + 1}
+          </text>
+        </g>
+      ))}
+      {becomes.map((_, i) => (
+        <text key={i} x={x(i)} y={45}>
+          {i + 1}
+        </text>
+      ))}
+    </svg>
+  );
+}

@@ -1,0 +1,75 @@
+import type { Route, RouteKind } from "../../../engine/api";
+import { sameMaps } from "../../../engine/maps";
+import { lookForRoutes, routes } from "../../../engine/schedule/routes";
+import { announce } from "../../../state/notice";
+import { edit } from "../../../state/scene";
+import { Button } from "../../../ui/Button";
+import { useOwnId } from "../../../ui/id";
+import { isMatched, takeRoute } from "../changes";
+import { routesOpen } from "../dialogs";
+import { correspondence, shapes, turns } from "../parts";
+
+const NAMES: Record<RouteKind, string> = {
+  plain: "As they are",
+  collapse: "Through a flat state",
+  correspondence: "Other partners",
+  symmetry: "Through a symmetry",
+  mirror: "Through the mirror image",
+  refine: "With smaller copies",
+  double: "With a copy twice",
+};
+
+/** Ways to bring the two shapes to a morph, each in a sentence. */
+export function Routes() {
+  const found = routes.value;
+  return (
+    <details
+      class="pairs-more"
+      id="routes"
+      open={routesOpen.value}
+      onToggle={(event) => {
+        const { open } = event.currentTarget;
+        routesOpen.value = open;
+        if (open && routes.peek() === null) lookForRoutes();
+      }}
+    >
+      <summary>Ways across</summary>
+      {found === null && <Button onClick={lookForRoutes}>Look for them again</Button>}
+      {found?.list === null && <p class="hint">Looking …</p>}
+      {found?.problem != null && <p class="hint">{found.problem}</p>}
+      {found?.problem == null && found?.list?.length === 0 && (
+        <p class="hint">There is only the way that is taken now.</p>
+      )}
+      {found?.list && found.list.length > 0 && <List list={found.list} />}
+    </details>
+  );
+}
+
+function List({ list }: { list: readonly Route[] }) {
+  const name = useOwnId("routes");
+  const [a, b] = [shapes.a.value, shapes.b.value];
+  const now = { correspondence: correspondence.value, turns: turns.value };
+  const chosen = list.findIndex(
+    (route) => sameMaps(route.from, a.maps) && sameMaps(route.to, b.maps) && isMatched(now, route),
+  );
+  return (
+    <div class="routes" role="radiogroup" aria-label="Ways across">
+      {list.map((route, i) => (
+        <label key={`${i} ${route.kind}`} class="route">
+          <input
+            type="radio"
+            name={name}
+            checked={i === chosen}
+            onChange={() => {
+              edit((before) => takeRoute(before, route));
+              announce(route.about);
+            }}
+          />
+          <span>
+            <span class="route-name">{NAMES[route.kind] ?? "Another way"}</span> {route.about}
+          </span>
+        </label>
+      ))}
+    </div>
+  );
+}
