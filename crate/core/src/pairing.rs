@@ -48,8 +48,7 @@ fn extend(original: &[Affine2], target: usize, which: &str, steps: &mut Vec<Stri
     let mut splits = 0;
     while gain > 0 && maps.len() + gain <= target {
         let i = largest(&maps);
-        let whole = maps[i];
-        maps.splice(i..=i, original.iter().map(|&part| whole * part));
+        maps = refined(&maps, original, i);
         splits += 1;
     }
     if splits > 0 {
@@ -71,6 +70,13 @@ fn extend(original: &[Affine2], target: usize, which: &str, steps: &mut Vec<Stri
         steps.push(format!("{missing} {noun} of the {which} shape doubled, so that it has {target}."));
     }
     maps
+}
+
+/// The maps with the one of index `k` replaced by its refinement, `w_k o w_1 .. w_k o w_N`.
+pub(crate) fn refined(maps: &[Affine2], original: &[Affine2], k: usize) -> Vec<Affine2> {
+    let mut refined = maps.to_vec();
+    refined.splice(k..=k, original.iter().map(|&part| maps[k] * part));
+    refined
 }
 
 /// The maps of `own`, reordered so that the sum of the distances to the maps of `other` is least.
@@ -98,7 +104,7 @@ fn matched(own: &[Affine2], other: &[Affine2], own_ifs: &Ifs, other_ifs: &Ifs) -
 
 /// The assignment of columns to rows of a square matrix with the least sum (the Hungarian method with
 /// potentials, O(n^3)): for each row its column.
-fn assignment(cost: &[Vec<f64>]) -> Vec<usize> {
+pub(crate) fn assignment(cost: &[Vec<f64>]) -> Vec<usize> {
     let n = cost.len();
     // Rows and columns count from 1 here; 0 is the row that looks for a column.
     let (mut of_row, mut of_column) = (vec![0.0; n + 1], vec![0.0; n + 1]);
