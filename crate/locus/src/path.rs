@@ -4,7 +4,7 @@ use frond_core::Morph;
 use glam::{DVec2, DVec3};
 use thiserror::Error;
 
-use crate::field::{Field, Lattice, NEAR_END, Terms, gap_of};
+use crate::field::{Field, Lattice, NEAR_END, Terms, UNSEEN, gap_of};
 use crate::grid::{Bounds, GridError, Locus, LocusGrid};
 use crate::simplify::simplify;
 use crate::space;
@@ -122,19 +122,26 @@ pub(crate) fn field_of(locus: &Locus, epsilon: f64) -> Result<Field, PathError> 
     Ok(Field::new(lattice, gap, [from, to]))
 }
 
-/// Gaps this much wider than the least count as no wider, where there is no way without.
-const AS_WIDE: f64 = 1.02;
+/// Where every way breaks, gaps this much wider than the least count as no wider; more only where the way has too many
+/// corners otherwise.
+const AS_WIDE: [f64; 7] = [1.02, 1.05, 1.1, 1.2, 1.5, 2.0, f64::INFINITY];
 /// The part of the most room that a way must keep, so that it may be straight.
 const ROOMY: f64 = 0.6;
 
 pub(crate) fn plan_in(field: &Field) -> PathPlan {
     let widest = field.widest();
-    let limit = AS_WIDE * widest;
     // Where it must break there is no room at the break.
-    let room = if widest > 0.0 { 0.0 } else { ROOMY * field.roomiest(limit).max(0.0) };
-    let terms = Terms { widest: limit, room };
-    let way = field.cheapest(terms);
-    let kept = simplify(field, &way, terms, PathPlan::MOST_POINTS);
+    let room = if widest > 0.0 { 0.0 } else { ROOMY * field.roomiest(widest).max(0.0) };
+    let mut kept = Vec::new();
+    for tolerance in AS_WIDE {
+        // The last tolerates all.
+        let terms = Terms { widest: (tolerance * widest).min(UNSEEN), room };
+        kept = simplify(field, &field.cheapest(terms), terms, PathPlan::MOST_POINTS);
+        // A way that holds does so however many corners it takes.
+        if widest == 0.0 || kept.len() <= PathPlan::MOST_POINTS {
+            break;
+        }
+    }
     let mut points: Vec<DVec3> =
         kept.iter().map(|&cell| field.lattice.parameter(field.lattice.place(cell))).collect();
     // The cells next to the ends stand for the ends themselves.
@@ -143,23 +150,19 @@ pub(crate) fn plan_in(field: &Field) -> PathPlan {
     }
     let last = points.len() - 1;
     (points[0], points[last]) = (ENDS[0], ENDS[1]);
-    let gap = if widest < 1.0 { widest } else { f64::INFINITY };
-    let mut plan = PathPlan {
+    let steps = 4 * points.len() * field.side() as usize;
+    let met = (0..=steps).map(|k| along(&points, k as f64 / steps as f64));
+    let wide = |at: &DVec3| field.gap_at(*at);
+    let worst = if widest > 0.0 { met.max_by(|a, b| wide(a).total_cmp(&wide(b))) } else { None };
+    PathPlan {
         clearance: clearance(field, &points),
         points,
-        gap,
+        gap: if widest < 1.0 { widest } else { f64::INFINITY },
         holds: widest <= 0.0,
-        worst: None,
+        worst,
         apart: widest > 0.0,
         step: field.step(),
-    };
-    if !plan.holds {
-        let steps = 4 * plan.points.len() * field.side() as usize;
-        let met = (0..=steps).map(|k| along(&plan.points, k as f64 / steps as f64));
-        let wide = |at: &DVec3| field.gap_at(*at);
-        plan.worst = met.max_by(|a, b| wide(a).total_cmp(&wide(b)));
     }
-    plan
 }
 
 /// The clearance of a polygon: see [`PathPlan::clearance`].
@@ -205,9 +208,12 @@ fn find_in_plane(morph: &Morph, options: &PathOptions, refinements: &[usize]) ->
         let mut field = field_of(&grid.locus(morph, epsilon), epsilon)?;
         let tried = improve(morph, &mut field, epsilon, CHECKS.max(8 * side), REPAIRS);
         let done = tried.plan.holds || tried.final_word;
+        let (apart, step) = (tried.plan.apart, tried.plan.step);
         if best.as_ref().is_none_or(|best| tried.plan.gap < best.gap) {
             best = Some(tried.plan);
         }
+        // What the finest samples say of the components.
+        best = best.map(|best| PathPlan { apart, step, ..best });
         if done {
             break;
         }
@@ -249,6 +255,9 @@ pub(crate) fn improve(
             let PathCheck { holds, worst, .. } = checked;
             best = Some(PathPlan { gap, holds, worst, apart, ..planned });
         }
+        if checked.holds {
+            best = best.map(|best| straightened(morph, field, best, epsilon));
+        }
         if final_word || too_wide {
             break;
         }
@@ -264,6 +273,27 @@ pub(crate) fn improve(
     Tried { plan, final_word, marked }
 }
 
+/// A plan that holds, without the corners that it can do without: the legs instead of them are decided themselves, which
+/// tells more than the samples around them.
+fn straightened(morph: &Morph, field: &Field, mut plan: PathPlan, epsilon: f64) -> PathPlan {
+    let mut k = 1;
+    while k + 1 < plan.points.len() {
+        let leg = [plan.points[k - 1], plan.points[k + 1]];
+        let samples = (LEG_CHECKS * leg[0].distance(leg[1]) / field.step()).ceil().min(1e4) as usize;
+        let shortcut = clearance(field, &leg) >= ROOMY * plan.clearance
+            && judge(morph, &leg, epsilon, samples, |_| ()).holds;
+        if shortcut {
+            plan.points.remove(k);
+        } else {
+            k += 1;
+        }
+    }
+    plan.clearance = clearance(field, &plan.points);
+    plan
+}
+
+/// Parameters decided on a leg for each sample that it passes.
+const LEG_CHECKS: f64 = 16.0;
 /// Parameters decided along a plan, at least.
 pub(crate) const CHECKS: usize = 2048;
 /// How often a plan is mended before a finer locus is taken.

@@ -32,6 +32,7 @@ pub(crate) fn find(morph: &Morph, options: &PathOptions) -> PathPlan {
             let checks = CHECKS.max(64 * steps);
             let mut tried = improve(morph, &mut field, options.epsilon, checks, 4);
             tried.plan.apart = apart && !tried.plan.holds;
+            tried.plan.step = 1.0 / steps as f64;
             let parameter = |cell| field.lattice.parameter(field.lattice.place(cell));
             let marked: Vec<DVec3> = tried.marked.iter().map(|&cell| parameter(cell)).collect();
             let done = tried.plan.holds || tried.final_word || marked.is_empty();
