@@ -4,6 +4,7 @@ import { fitFor, pairBox, stageTrack } from "../state/fit";
 import { reducedMotion } from "../state/preferences";
 import { inGesture, scene } from "../state/scene";
 import type { Size, View } from "./geometry";
+import { panelInset } from "./marks";
 
 /** What part of the plane the stage shows; null fits the whole attractor. */
 export const view = signal<View | null>(null);
@@ -20,16 +21,20 @@ const t = computed(() => scene.value.t);
 
 /** The view that fits the present moment to the stage. */
 export const fitView: ReadonlySignal<View> = computed(() =>
-  fitOnStage(boxAt(fitted.value ?? stageTrack.value, t.value)),
+  // What was zoomed by hand is measured by the whole stage, and stays where it is.
+  fitOnStage(
+    boxAt(fitted.value ?? stageTrack.value, t.value),
+    view.value ? 0 : panelInset(stageSize.value.width),
+  ),
 );
 
 /** The view that fits both ends: zooms are kept relative to it, so that a link means the same at every moment. */
 export const baseView: ReadonlySignal<View> = computed(() => fitOnStage(pairBox.value));
 
-function fitOnStage(box: Box): View {
+function fitOnStage(box: Box, left = 0): View {
   const size = sizeOr(stageSize.value);
   const edge = MARGIN * Math.min(size.width, size.height);
-  return fitFor(box, size, { top: edge, right: edge, bottom: edge + FOOT, left: edge });
+  return fitFor(box, size, { top: edge, right: edge, bottom: edge + FOOT, left: edge + left });
 }
 
 /** The view that is drawn. */

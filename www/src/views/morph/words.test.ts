@@ -66,9 +66,9 @@ describe("listWords", () => {
 describe("what is proved of a path", () => {
   const so = { done: 48, parts: 48, gap: 0.0031, boxes: 4212, worst: 0.634, problem: null };
 
-  it("gives the bound, the boxes and the place where least is known", () => {
+  it("gives the bound, the boxes and the place where it is weakest", () => {
     expect(certifiedWords(so)).toBe(
-      "No gap wider than 0.31% of the shape anywhere on this path: proved with 4,212 boxes. Least is known at 63%.",
+      "No gap wider than 0.31% of the shape anywhere on this path: proved with 4,212 boxes. The bound is weakest at 63%.",
     );
     expect(certifiedWords({ ...so, gap: 0 })).toBe(
       "In one piece everywhere on this path: proved with 4,212 boxes.",

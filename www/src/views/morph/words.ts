@@ -110,7 +110,7 @@ export function certifiedWords(so: {
   if (!Number.isFinite(so.gap))
     return `No bound could be proved all the way: at ${percent(so.worst)} it would take more than the ${boxes} that were looked at.`;
   if (so.gap === 0) return `In one piece everywhere on this path: proved with ${boxes}.`;
-  return `No gap wider than ${shareWords(so.gap)} of the shape anywhere on this path: proved with ${boxes}. Least is known at ${percent(so.worst)}.`;
+  return `No gap wider than ${shareWords(so.gap)} of the shape anywhere on this path: proved with ${boxes}. The bound is weakest at ${percent(so.worst)}.`;
 }
 
 /** A part of the size of the shape in hundredths, with two figures that count: "0.31%". Never less than it is. */

@@ -1,15 +1,16 @@
 import "./strip.css";
-import { pathBreaks } from "../../../engine/results";
-import { uv } from "../../../state/morph";
+import { computed } from "@preact/signals";
+import { along, pathBreaks } from "../../../engine/results";
+import { locusView } from "../../../state/morph";
 import { loop, pause, play, playing, speed } from "../../../state/playback";
 import { endGesture, scene } from "../../../state/scene";
-import { IconButton } from "../../../ui/Button";
+import { Button, IconButton } from "../../../ui/Button";
 import { media } from "../../../ui/media";
 import { NumberField } from "../../../ui/NumberField";
 import { Segmented } from "../../../ui/Segmented";
 import { Slider } from "../../../ui/Slider";
-import { stateAt } from "../locus/way";
-import { percent } from "../words";
+import { stateOn } from "../locus/way";
+import { gapWords, percent } from "../words";
 import { FilmStrip, frames } from "./FilmStrip";
 import { scrubTo } from "./scrub";
 
@@ -24,6 +25,7 @@ export function MorphStrip() {
       <div class="strip-film">
         <Scrub />
         <FilmStrip />
+        {offPath.value && <OffPath />}
       </div>
       {!narrow.value && <PlaybackOptions />}
     </section>
@@ -42,15 +44,22 @@ function PlayButton() {
   );
 }
 
+/** Whether the picture shows something else than the path at the present moment. */
+export const offPath = computed(
+  () => locusView.value.at !== undefined || locusView.value.family === "polygon",
+);
+
 function Scrub() {
   const { t } = scene.value;
+  const off = offPath.value;
+  const worst = along.value?.worst ?? null;
   return (
     <Slider
-      class="scrub"
+      class={`scrub ${off ? "off-path" : ""}`}
       label="Time"
       value={t}
       step={0.01}
-      valueText={`${percent(t)}, ${stateAt(uv.value)}`}
+      valueText={off ? `${percent(t)}; the picture is off the path` : `${percent(t)}, ${stateOn(t)}`}
       onChange={scrubTo}
       onDone={endGesture}
     >
@@ -61,7 +70,26 @@ function Scrub() {
           style={{ left: `${100 * t0}%`, width: `max(3px, ${100 * (t1 - t0)}%)` }}
         />
       ))}
+      {worst && (
+        <span
+          class="scrub-worst"
+          style={{ left: `${100 * worst.t}%` }}
+          title={`Widest gap: ${gapWords(worst.gap)}, at ${percent(worst.t)}`}
+        />
+      )}
     </Slider>
+  );
+}
+
+/** The picture is elsewhere: says so, and leads back. */
+function OffPath() {
+  return (
+    <p class="off-path-note">
+      The picture is off the path.
+      <Button kind="quiet" onClick={() => scrubTo(scene.peek().t)}>
+        Back to it
+      </Button>
+    </p>
   );
 }
 
