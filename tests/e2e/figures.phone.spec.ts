@@ -1,7 +1,23 @@
 import { expect, test } from "./fixture";
 
 test("no figure is wider than a phone", async ({ page }) => {
-  for (const figure of ["", "/1", "/2", "/3", "/5", "/6", "/7", "/table-1", "/e1", "/e2"]) {
+  for (const figure of [
+    "",
+    "/1",
+    "/2",
+    "/3",
+    "/5",
+    "/6",
+    "/7",
+    "/table-1",
+    "/e1",
+    "/e2",
+    "/e3",
+    "/e4",
+    "/e5",
+    "/e6",
+    "/e7",
+  ]) {
     await page.goto("about:blank");
     await page.goto(`./#figures${figure}`);
     await page.getByRole("heading", { level: 1 }).waitFor();

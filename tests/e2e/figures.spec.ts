@@ -4,7 +4,7 @@ import { expect, test } from "./fixture";
 
 const PAGES = ["1", "2", "3", "5", "6", "7", "table-1"];
 
-const LESSONS = ["e1", "e2"];
+const LESSONS = ["e1", "e2", "e3", "e4", "e5", "e6", "e7"];
 
 async function open(page: Page, figure: string): Promise<void> {
   if (page.url() !== "about:blank") await page.goto("about:blank");

@@ -10,17 +10,20 @@ export interface BufferProps {
   /** How far it is: a new number paints anew. */
   count: number;
   label: string | null;
+  /** Whether the pixels in which two pieces met are marked. */
+  marked?: boolean;
 }
 
 /** The index buffer with its pixels as large as they are, and a mark in each where two pieces met. */
-export function Buffer({ run, count, label }: BufferProps) {
+export function Buffer({ run, count, label, marked = true }: BufferProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const pixels = usePixels(canvas);
   const onDark = useValue(dark);
   // biome-ignore lint/correctness/useExhaustiveDependencies: `count` says that `run`, which is one object, has moved on
   useLayoutEffect(() => {
-    if (canvas.current && pixels) paint(canvas.current, run, Math.min(pixels.width, pixels.height), onDark);
-  }, [run, count, pixels, onDark]);
+    if (canvas.current && pixels)
+      paint(canvas.current, run, Math.min(pixels.width, pixels.height), onDark, marked);
+  }, [run, count, pixels, onDark, marked]);
   return (
     <canvas
       ref={canvas}
@@ -30,7 +33,13 @@ export function Buffer({ run, count, label }: BufferProps) {
   );
 }
 
-function paint(canvas: HTMLCanvasElement, run: Collisions, side: number, onDark: boolean): void {
+function paint(
+  canvas: HTMLCanvasElement,
+  run: Collisions,
+  side: number,
+  onDark: boolean,
+  marked: boolean,
+): void {
   canvas.width = side;
   canvas.height = side;
   const context = canvas.getContext("2d");
@@ -50,7 +59,7 @@ function paint(canvas: HTMLCanvasElement, run: Collisions, side: number, onDark:
     const [width, height] = [edge(column + 1) - x, edge(row + 1) - y];
     context.fillStyle = colours[(piece - 1) % colours.length] ?? "";
     context.fillRect(x, y, width, height);
-    if ((met[i] ?? 0) > 0) mark(context, x, y, width, style);
+    if (marked && (met[i] ?? 0) > 0) mark(context, x, y, width, style);
   }
 }
 

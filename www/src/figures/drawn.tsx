@@ -4,28 +4,30 @@ import { type Box, fitFor } from "../state/fit";
 import { apply, type Point } from "./apart";
 import { Picture, type PictureProps } from "./picture";
 
-/** Pictures are 4 to 3; what is drawn over them has these units. */
-const UNITS = { width: 400, height: 300 };
+/** Pictures are 4 to 3, flat ones 2 to 1; what is drawn over them has these units. */
+const UNITS = { width: 400, height: 300, flat: 200 };
 const MARGIN = 0.06;
 
 export interface DrawnProps extends PictureProps {
   /** What is drawn over it, with the places of the plane; its units are a 400th of the picture's width. */
   children?: (place: Place, unit: number) => ComponentChildren;
+  flat?: boolean;
 }
 
 export type Place = (point: Point) => Point;
 
 /** An attractor with lines and numbers over it. */
-export function Drawn({ children, margin = MARGIN, ...picture }: DrawnProps) {
-  const view = fitFor(picture.box, UNITS, margin);
+export function Drawn({ children, margin = MARGIN, flat = false, ...picture }: DrawnProps) {
+  const height = flat ? UNITS.flat : UNITS.height;
+  const view = fitFor(picture.box, { width: UNITS.width, height }, margin);
   const place: Place = ([x, y]) => [
     UNITS.width / 2 + (x - view.x) * view.scale,
-    UNITS.height / 2 - (y - view.y) * view.scale,
+    height / 2 - (y - view.y) * view.scale,
   ];
   return (
-    <div class="drawn">
+    <div class={flat ? "drawn flat" : "drawn"}>
       <Picture {...picture} margin={margin} />
-      <svg viewBox={`0 0 ${UNITS.width} ${UNITS.height}`} aria-hidden="true">
+      <svg viewBox={`0 0 ${UNITS.width} ${height}`} aria-hidden="true">
         {children?.(place, view.scale)}
       </svg>
     </div>
@@ -58,7 +60,7 @@ export function middles(maps: readonly MapRow[], box: Box): Point[] {
 export function Span({ from, to, name = "", kind = "" }: SpanProps) {
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
   const length = Math.hypot(dx, dy);
-  const [nx, ny] = length > 0 ? [(-5 * dy) / length, (5 * dx) / length] : [0, 0];
+  const [nx, ny] = length > 0 ? [(5 * dy) / length, (-5 * dx) / length] : [0, 0];
   const bar = ([x, y]: Point) => `M${x - nx} ${y - ny}L${x + nx} ${y + ny}`;
   const path = `M${from.join(" ")}L${to.join(" ")}${bar(from)}${bar(to)}`;
   return (

@@ -1,6 +1,18 @@
 import { describe, expect, it } from "vitest";
 import type { MapRow } from "../engine/api";
-import { determinant, dust, fixedPoint, gasket, HEIGHT, shrink, turnedGasket } from "./families";
+import { apply } from "./apart";
+import {
+  cutKoch,
+  determinant,
+  dust,
+  fixedPoint,
+  gasket,
+  HEIGHT,
+  PEAK,
+  shrink,
+  turnedGasket,
+  unevenGasket,
+} from "./families";
 
 describe("families", () => {
   it("keep their corners in place, whatever the scale", () => {
@@ -20,6 +32,26 @@ describe("families", () => {
     expect(turnedGasket()[0]).toEqual([-0.5, 0, 0, -0.5, 0, 0]);
     expect(determinant(turnedGasket()[0] as MapRow)).toBe(0.25);
   });
+});
+
+describe("Koch's curve", () => {
+  it("has a peak whose sides part by the cut, and links elsewhere", () => {
+    for (const cut of [0, 0.06]) {
+      const ends = cutKoch(cut).map((map) => [apply(map, [0, 0]), apply(map, [1, 0])] as const);
+      expect(ends[0]?.[1]).toEqual(ends[1]?.[0]);
+      expect(ends[2]?.[1]).toEqual(ends[3]?.[0]);
+      expect(ends[1]?.[1][1]).toBeCloseTo(PEAK, 12);
+      expect((ends[2]?.[0][0] ?? 0) - (ends[1]?.[1][0] ?? 0)).toBeCloseTo(cut, 12);
+    }
+  });
+  it("has four maps of a third each when it is whole", () => {
+    for (const map of cutKoch(0)) expect(determinant(map)).toBeCloseTo(1 / 9, 12);
+  });
+});
+
+it("gives each corner its own scale", () => {
+  expect(unevenGasket([0.5, 0.5, 0.5])).toEqual(gasket(0.5));
+  expect(unevenGasket([0.2, 0.3, 0.4]).map((map) => map[0])).toEqual([0.2, 0.3, 0.4]);
 });
 
 describe("shrink", () => {

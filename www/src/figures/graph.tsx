@@ -8,25 +8,40 @@ export interface GraphProps {
   /** Directions, in radians, in which the pieces lie from the middle: neighbours stay neighbours. */
   angles: readonly number[];
   edges: readonly Edge[];
+  /** Edges that somebody expects, drawn dashed: there may be others, and they may not be there. */
+  expected?: readonly Pair[];
+  /** Whether the newest edge is told from the others. */
+  still?: boolean;
 }
+
+type Pair = readonly [i: number, j: number];
 
 const SIDE = 240;
 const RING = 86;
 const KNOB = 16;
 
 /** The attractorlet-overlap graph as it stands, the newest edge drawn strongest. */
-export function Graph({ count, angles, edges }: GraphProps) {
+export function Graph({ count, angles, edges, expected = [], still = false }: GraphProps) {
   const colours = palette(dark.value ? "dark" : "light");
   const places = evenPlaces(angles);
-  const newest = edges.at(-1);
+  const newest = still ? undefined : edges.at(-1);
+  const line = ([i, j]: Pair) => {
+    const [[x1, y1], [x2, y2]] = [places[i] ?? [0, 0], places[j] ?? [0, 0]];
+    return `M${x1} ${y1}L${x2} ${y2}`;
+  };
   return (
-    <svg class="graph" viewBox={`0 0 ${SIDE} ${SIDE}`} role="img" aria-label={graphWords(count, edges)}>
-      {edges.map((edge) => {
-        const [x1, y1] = places[edge.between[0]] ?? [0, 0];
-        const [x2, y2] = places[edge.between[1]] ?? [0, 0];
-        const key = edge.between.join();
-        return <path key={key} class={edge === newest ? "newest" : ""} d={`M${x1} ${y1}L${x2} ${y2}`} />;
-      })}
+    <svg
+      class="graph"
+      viewBox={`0 0 ${SIDE} ${SIDE}`}
+      role="img"
+      aria-label={graphWords(count, edges, expected)}
+    >
+      {edges.map((edge) => (
+        <path key={edge.between.join()} class={edge === newest ? "newest" : ""} d={line(edge.between)} />
+      ))}
+      {expected.map((pair) => (
+        <path key={`expected ${pair.join()}`} class="expected" d={line(pair)} />
+      ))}
       {places.map(([x, y], i) => (
         <g key={`${i + 1}`} transform={`translate(${x} ${y})`} style={{ color: colours[i % colours.length] }}>
           <circle r={KNOB} />
@@ -56,11 +71,14 @@ function meanAngle(angles: readonly number[]): number {
   return Math.atan2(sum(Math.sin), sum(Math.cos));
 }
 
-function graphWords(count: number, edges: readonly Edge[]): string {
+function graphWords(count: number, edges: readonly Edge[], expected: readonly Pair[]): string {
   const found = groups(
     count,
     edges.map((edge) => edge.between),
   );
   const listed = edges.map(({ between: [i, j] }) => `${i + 1} with ${j + 1}`).join(", ");
+  if (edges.length === 0 && expected.length > 0) {
+    return `Your graph of ${count} pieces: ${expected.map(([i, j]) => `${i + 1} with ${j + 1}`).join(", ")}.`;
+  }
   return `Overlap graph of ${count} pieces: ${listed || "no edges"}; ${found.count} group${found.count === 1 ? "" : "s"}.`;
 }

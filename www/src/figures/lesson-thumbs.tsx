@@ -1,8 +1,16 @@
 /** Small pictures of the lessons, made by the same parts as the lessons themselves. */
 import { useMemo } from "preact/hooks";
+import { barnsley } from "./barnsley";
 import { Board } from "./board";
-import { gasket } from "./families";
+import { Buffer } from "./buffer";
+import { cutKoch, gasket, PEAK } from "./families";
+import { startRun } from "./fig2";
+import { flagPath, turned } from "./flag";
+import { Graph } from "./graph";
+import { boxAround, mapsAt } from "./morphs";
 import { Picture } from "./picture";
+import { Rows } from "./rows";
+import { preset } from "./studio";
 import { Throws } from "./throws";
 
 const MEETING = { x0: 0.36, x1: 0.64, y0: -0.05, y1: 0.16 };
@@ -19,4 +27,54 @@ export function Game() {
     return thrown;
   }, []);
   return <Board game={game} count={game.count} label={null} />;
+}
+
+/** Koch's curve over its graph. */
+export function Net() {
+  const maps = useMemo(() => cutKoch(0), []);
+  const edges = [0, 1, 2].map((i) => ({ between: [i, i + 1] as [number, number], at: 0, pixel: 0 }));
+  const angles = [Math.PI, Math.PI / 2, 0, -Math.PI / 2];
+  return (
+    <span class="thumb-pair">
+      <Picture maps={maps} box={{ x0: 0, y0: 0, x1: 1, y1: PEAK }} label={null} />
+      <Graph count={4} angles={angles} edges={edges} still />
+    </span>
+  );
+}
+
+export function Bars() {
+  return <Rows rounds={barnsley(0.49, 6)} r={0.49} bare />;
+}
+
+export function Coarse() {
+  const run = useMemo(() => {
+    const started = startRun(gasket(0.49), 17, 3000);
+    started.plotTo(3000);
+    return started;
+  }, []);
+  return <Buffer run={run} count={run.count} label={null} />;
+}
+
+/** A letter that turns by quarters. */
+export function Letters() {
+  return (
+    <svg class="flags" viewBox="0 0 210 76" aria-hidden="true">
+      {[1, 0.5, 0].map((turn, i) => (
+        <g key={turn} transform={`translate(${68 * i + 37} 38)`}>
+          <circle r={32} class="flag-ring" />
+          <path class="flag" d={flagPath(turned(Math.PI * turn, 0.5), 48)} />
+        </g>
+      ))}
+    </svg>
+  );
+}
+
+/** A moment of the led morph. */
+export function Led() {
+  const maps = useMemo(
+    () => mapsAt({ from: preset("dragon-3").maps, to: preset("terdragon").maps }, [0.3, 0.6]),
+    [],
+  );
+  const box = useMemo(() => boxAround([maps]), [maps]);
+  return <Picture maps={maps} box={box} label={null} />;
 }

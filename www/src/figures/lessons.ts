@@ -2,6 +2,11 @@
 import type { Entry } from "./catalogue";
 import { Lesson1 } from "./e1";
 import { Lesson2 } from "./e2";
+import { Lesson3 } from "./e3";
+import { Lesson4 } from "./e4";
+import { Lesson5 } from "./e5";
+import { Lesson6 } from "./e6";
+import { Lesson7 } from "./e7";
 import * as thumbs from "./lesson-thumbs";
 
 export const LESSONS: readonly Entry[] = [
@@ -22,5 +27,50 @@ export const LESSONS: readonly Entry[] = [
     about: "Half of the way to a corner, at random: what never gets a mark?",
     Page: Lesson2,
     Thumb: thumbs.Game,
+  },
+  {
+    id: "e3",
+    number: "Lesson 3",
+    short: "3",
+    title: "Dots and lines: the overlap graph",
+    about: "A dot for each piece, a line where two touch: that is all it takes.",
+    Page: Lesson3,
+    Thumb: thumbs.Net,
+  },
+  {
+    id: "e4",
+    number: "Lesson 4",
+    short: "4",
+    title: "A bound that closes in",
+    about: "How a machine proves pieces apart, and why it cannot prove them together.",
+    Page: Lesson4,
+    Thumb: thumbs.Bars,
+  },
+  {
+    id: "e5",
+    number: "Lesson 5",
+    short: "5",
+    title: "What pixels hide",
+    about: "The same shape, connected or not: it depends on the picture.",
+    Page: Lesson5,
+    Thumb: thumbs.Coarse,
+  },
+  {
+    id: "e6",
+    number: "Lesson 6",
+    short: "6",
+    title: "Half-way round: why polar",
+    about: "Blend six numbers, and a turning piece vanishes on the way.",
+    Page: Lesson6,
+    Thumb: thumbs.Letters,
+  },
+  {
+    id: "e7",
+    number: "Lesson 7",
+    short: "7",
+    title: "Straight on, or led",
+    about: "Find where a morph breaks, then lead it round.",
+    Page: Lesson7,
+    Thumb: thumbs.Led,
   },
 ];

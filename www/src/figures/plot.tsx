@@ -27,30 +27,34 @@ export interface PlotProps {
   series: readonly Series[];
   /** Where on the x axis the present moment is. */
   now?: number;
+  /** Places on the x axis that mean something: what was guessed, dashed, and what is so. */
+  marks?: readonly { at: number; name: string; guess?: boolean }[];
   /** A level on the y axis that means something. */
   level?: { at: number; name: string };
+  /** In pixels. */
+  height?: number;
 }
 
 const HEIGHT = 216;
 const MARGIN = { left: 50, right: 14, top: 28, bottom: 36 };
 
 /** A few curves over one axis. */
-export function Plot({ label, x, y, series, now, level }: PlotProps) {
+export function Plot({ label, x, y, series, now, level, marks = [], height = HEIGHT }: PlotProps) {
   const host = useRef<HTMLDivElement>(null);
   const pixels = usePixels(host);
   const ratio = Math.min(2, globalThis.devicePixelRatio || 1);
   const width = pixels === null ? 0 : pixels.width / ratio;
   const size = {
     width: Math.max(0, width - MARGIN.left - MARGIN.right),
-    height: HEIGHT - MARGIN.top - MARGIN.bottom,
+    height: height - MARGIN.top - MARGIN.bottom,
   };
   const colours = palette(dark.value ? "dark" : "light");
   const left = (value: number) => along(x, value) * size.width;
   const top = (value: number) => (1 - along(y, value)) * size.height;
   return (
-    <div class="plot" ref={host} style={{ height: `${HEIGHT}px` }}>
+    <div class="plot" ref={host} style={{ height: `${height}px` }}>
       {size.width > 0 && (
-        <svg width={width} height={HEIGHT} role="img" aria-label={label}>
+        <svg width={width} height={height} role="img" aria-label={label}>
           <g transform={`translate(${MARGIN.left} ${MARGIN.top})`}>
             <Axes x={x} y={y} size={size} />
             {level && (
@@ -62,6 +66,18 @@ export function Plot({ label, x, y, series, now, level }: PlotProps) {
               </g>
             )}
             {now !== undefined && <path class="plot-now" d={`M${left(now)} 0V${size.height}`} />}
+            {marks.map(({ at, name, guess }, i) => (
+              <g key={name} class={guess ? "plot-mark guess" : "plot-mark"}>
+                <path d={`M${left(at)} 0V${size.height}`} />
+                <text
+                  x={left(at) + (left(at) > 0.7 * size.width ? -5 : 5)}
+                  y={12 + 16 * i}
+                  text-anchor={left(at) > 0.7 * size.width ? "end" : "start"}
+                >
+                  {name}
+                </text>
+              </g>
+            ))}
             {series.map((one) => (
               <Curve key={one.name} series={one} x={x} y={y} size={size} colour={colours[one.colour] ?? ""} />
             ))}
