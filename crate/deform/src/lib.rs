@@ -23,6 +23,7 @@ mod mesh;
 mod skin;
 mod smooth;
 mod spin;
+mod splat;
 mod weight;
 
 pub use code::{MAX_SYMBOLS, permutation, shuffle, step};
@@ -34,4 +35,5 @@ pub use mesh::{Mesh, MeshError};
 pub use skin::{Pull, Skin, Turns};
 pub use smooth::{Attribute, Depths, Smooth};
 pub use spin::Spin;
+pub use splat::Splat;
 pub use weight::weights;

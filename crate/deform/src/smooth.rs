@@ -1,12 +1,12 @@
 //! The shuffled attribute without a tear, on shapes whose pieces meet in corners.
 
-use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
 use crate::field::Place;
 use crate::lattice::Lattice;
 use crate::mesh::Mesh;
 use crate::spin::Spin;
+use crate::splat::words;
 use crate::weight::weights;
 
 /// What is given to the points of a shape and shuffled (Fujimoto et al., eq 8): some numbers for each.
@@ -118,7 +118,7 @@ impl<'a, A: Attribute> Smooth<'a, A> {
             cell[..count].iter().for_each(|&vertex| shared[vertex as usize] += 1);
         }
         let tails = rests.len() / count;
-        let heads = words(self.lattice, self.depths.kb);
+        let heads = words(self.lattice.maps(), self.depths.kb);
         for (index, cell) in level.cells.iter().enumerate() {
             let (head, tail) = (index / tails, index % tails);
             for (rest, &vertex) in rests[tail * count..].iter().zip(&cell[..count]) {
@@ -193,15 +193,9 @@ struct Rest {
     factor: DMat2,
 }
 
-/// The maps of all words of so many letters, in the order of a dictionary.
-fn words(lattice: &Lattice, letters: usize) -> Vec<Affine2> {
-    (0..letters).fold(vec![Affine2::IDENTITY], |words, _| {
-        words.iter().flat_map(|word| lattice.maps().iter().map(move |map| *word * *map)).collect()
-    })
-}
-
 #[cfg(test)]
 mod tests {
+    use frond_core::Affine2;
     use proptest::prelude::*;
 
     use super::*;
