@@ -4,10 +4,10 @@ use frond_core::Ifs;
 use glam::DVec2;
 
 use crate::frame::Frame;
+use crate::graph::Components;
 use crate::outline::Outline;
-use crate::proof;
+use crate::reason::{self, Points, Reason};
 use crate::search::Search;
-use crate::shared;
 use crate::span::Span;
 
 /// What is known about whether an attractor is in one piece.
@@ -84,13 +84,16 @@ pub struct Connectedness {
     pub components: Vec<usize>,
     /// How many components there are.
     pub count: usize,
-    /// Two points of the attractor, in different components, whose distance is `gap.upper`: the ends of the
-    /// widest gap. `None` where it is in one piece.
+    /// Two points of the attractor in different pieces whose distance is `gap.upper`: the ends of the widest gap
+    /// between components, or, where the verdict is `Touching`, of the widest edge between pieces. `None` where it is
+    /// proved to be in one piece, or is a single point.
     pub closest: Option<(DVec2, DVec2)>,
     /// An upper bound of the diameter of the attractor, in plane units: epsilon is relative to it.
     pub diameter: f64,
     /// How many pairs of pieces were looked at.
     pub nodes: usize,
+    /// Why it is `Connected`; or, where it is `Touching` or `Undecided`, under which reading of its numbers it would be.
+    pub reason: Option<Reason>,
 }
 
 /// Decides whether the attractor of `ifs` is connected, which of its pieces meet, and how wide the widest
@@ -117,20 +120,15 @@ pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
     let maps = ifs.maps();
     let mut frame = Frame::default();
     frame.set_round(maps, ifs.contraction());
-    let shared = shared::shared_points(maps);
-    let proved = shared.is_connected() || proof::at_once(maps);
+    let at_once = reason::at_once(maps);
     if frame.point {
-        return in_one_point(maps.len(), proved);
+        return in_one_point(maps.len(), at_once.or_else(|| reason::one_point(maps)));
     }
     let mut outline = Outline::default();
     outline.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
     let mut search = Search::default();
     search.begin(&frame, &outline, options.epsilon.max(0.0));
-    for (i, j) in shared.edges() {
-        search.meet(i, j);
-    }
-    if proved && !shared.is_connected() {
-        // What is proved at once of several maps that differ, is proved of two.
+    if at_once.is_some() && maps.len() == 2 {
         search.meet(0, 1);
     }
     if search.settle(&frame, &outline, options.budget) {
@@ -138,17 +136,34 @@ pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
     }
     // With a pair left open, some pieces may meet that were not found to: those in different parts do not.
     let (found, parts) = (search.components.clone(), search.coarsest());
+    let apart = parts.count() > 1;
+    let reason = at_once.or_else(|| {
+        if apart {
+            return None;
+        }
+        let mut pairs = search.may_meet();
+        pairs.truncate(PAIRS);
+        let points = Points::find(maps, &frame, &outline, &pairs);
+        points.as_given().or_else(|| points.as_meant())
+    });
+    let proved = reason.as_ref().is_some_and(Reason::is_proof);
     let (verdict, components) = if proved {
-        (Verdict::Connected, found)
+        (Verdict::Connected, one(maps.len()))
     } else if found.count() == 1 {
         (Verdict::Touching, found)
-    } else if parts.count() > 1 {
+    } else if apart {
         (Verdict::Disconnected, parts)
     } else {
         (Verdict::Undecided, found)
     };
     let count = components.count();
-    let overlaps = search.overlaps();
+    let mut overlaps = search.overlaps();
+    if proved {
+        // What was proved to meet need not have been found.
+        overlaps.extend(reason.iter().flat_map(|reason| reason.links.iter().map(|link| link.pair)));
+        overlaps.sort_unstable();
+        overlaps.dedup();
+    }
     let diameter = search.plane_diameter;
     let span = match verdict {
         Verdict::Connected => Span::default(),
@@ -159,7 +174,7 @@ pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
         }
         Verdict::Undecided => search.reach(),
     };
-    let closest = span.widest.filter(|_| count > 1).map(|n| (frame.to_plane(n.from), frame.to_plane(n.to)));
+    let closest = span.widest.map(|n| (frame.to_plane(n.from), frame.to_plane(n.to)));
     Connectedness {
         verdict,
         gap: Gap { lower: span.lower, upper: span.upper },
@@ -169,11 +184,25 @@ pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
         closest,
         diameter,
         nodes: search.nodes,
+        reason,
     }
 }
 
+/// Pairs of maps whose neighbours are looked at: enough for 64 maps that each touch a few.
+const PAIRS: usize = 400;
+
+/// All pieces in one component.
+fn one(count: usize) -> Components {
+    let mut components = Components::new(count);
+    for i in 1..count {
+        components.join(0, i);
+    }
+    components
+}
+
 /// All pieces are the same point, as far as floating point tells.
-fn in_one_point(count: usize, proved: bool) -> Connectedness {
+fn in_one_point(count: usize, reason: Option<Reason>) -> Connectedness {
+    let proved = reason.as_ref().is_some_and(Reason::is_proof);
     Connectedness {
         verdict: if proved { Verdict::Connected } else { Verdict::Touching },
         gap: Gap::default(),
@@ -183,5 +212,6 @@ fn in_one_point(count: usize, proved: bool) -> Connectedness {
         closest: None,
         diameter: 0.0,
         nodes: 0,
+        reason,
     }
 }

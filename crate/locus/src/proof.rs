@@ -4,21 +4,27 @@ use frond_core::Affine2;
 use glam::DVec2;
 
 use crate::exact::{sign_of_sum, two_product};
+use crate::reason::ReasonKind;
 
 /// The proofs that cost next to nothing: there is one map, or all maps are the same, or all of them fix the
 /// origin (so that it is the attractor), or the areas of two maps leave no room between the pieces.
 ///
 /// The last: were the pieces of two maps apart, a small enough neighbourhood of the attractor would hold
 /// its two disjoint images and more, so that `|det w_1| + |det w_2| < 1`.
-pub(crate) fn at_once(maps: &[Affine2]) -> bool {
+pub(crate) fn kind(maps: &[Affine2]) -> Option<ReasonKind> {
     match maps {
-        [] => false,
-        [_] => true,
-        [a, b] if areas_fill(a, b) => true,
-        [first, rest @ ..] => {
-            rest.iter().all(|map| map == first) || maps.iter().all(|map| map.translation == DVec2::ZERO)
-        }
+        [] => None,
+        [_] => Some(ReasonKind::OneMap),
+        [first, rest @ ..] if rest.iter().all(|map| map == first) => Some(ReasonKind::EqualMaps),
+        _ if maps.iter().all(|map| map.translation == DVec2::ZERO) => Some(ReasonKind::CommonPoint),
+        [a, b] if areas_fill(a, b) => Some(ReasonKind::Area),
+        _ => None,
     }
+}
+
+/// Whether there is such a proof.
+pub(crate) fn at_once(maps: &[Affine2]) -> bool {
+    kind(maps).is_some()
 }
 
 /// Whether `|det a| + |det b| >= 1`, decided exactly for the numbers as they are given.

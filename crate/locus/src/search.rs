@@ -154,6 +154,15 @@ impl Search {
         all.map(|(k, _)| (k / self.count, k % self.count)).collect()
     }
 
+    /// The same, and those that are not known to be apart.
+    pub fn may_meet(&self) -> Vec<(usize, usize)> {
+        let open = self.open.iter().chain(&self.later).map(|pair| (usize::from(pair.i), usize::from(pair.j)));
+        let mut pairs: Vec<_> = self.overlaps().into_iter().chain(open).collect();
+        pairs.sort_unstable();
+        pairs.dedup();
+        pairs
+    }
+
     /// Whether both pieces together are no larger than the resolution.
     fn is_small(&self, pair: Pair) -> bool {
         let limit = self.resolution / self.diameter;

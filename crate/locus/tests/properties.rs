@@ -1,7 +1,9 @@
 //! What must not change a verdict, and what a verdict must not contradict.
 
 use frond_core::{Affine2, Ifs, hash};
-use frond_locus::{Components, Connectedness, Options, Scratch, State, Verdict, connectedness, decide};
+use frond_locus::{
+    Components, Connectedness, Options, Reason, Scratch, State, Verdict, connectedness, decide,
+};
 use glam::{DMat2, DVec2};
 use proptest::prelude::*;
 
@@ -72,7 +74,28 @@ fn well_formed(ifs: &Ifs, a: &Connectedness) -> Result<(), TestCaseError> {
     prop_assert!(a.gap.lower >= 0.0 && a.gap.lower <= a.gap.upper && a.gap.upper.is_finite(), "{:?}", a);
     prop_assert!(a.verdict != Verdict::Disconnected || a.count > 1 && a.gap.lower > 0.0, "{:?}", a);
     prop_assert!(!a.verdict.holds() || a.count == 1, "{:?}", a);
-    prop_assert_eq!(a.closest.is_some(), a.count > 1);
+    match a.verdict {
+        Verdict::Connected => prop_assert!(a.closest.is_none() && a.gap.upper == 0.0, "{:?}", a),
+        Verdict::Touching => prop_assert_eq!(a.closest.is_some(), a.diameter > 0.0, "{:?}", a),
+        Verdict::Disconnected | Verdict::Undecided => prop_assert!(a.closest.is_some(), "{:?}", a),
+    }
+    if let Some((p, q)) = a.closest {
+        prop_assert!((p.distance(q) - a.gap.upper).abs() <= 1e-9 * a.diameter, "{:?}", a);
+    }
+    prop_assert_eq!(a.verdict == Verdict::Connected, a.reason.as_ref().is_some_and(Reason::is_proof));
+    prop_assert!(a.reason.is_none() || a.verdict != Verdict::Disconnected, "{:?}", a);
+    if let Some(reason) = &a.reason {
+        prop_assert!(reason.text().len() > 20);
+        let mut components = Components::new(ifs.len());
+        for link in &reason.links {
+            let (i, j) = link.pair;
+            prop_assert!(i < j && j < ifs.len() && link.at.is_finite(), "{:?}", link);
+            prop_assert!(a.overlaps.contains(&(i, j)) || !reason.is_proof(), "{:?}", a);
+            components.join(i, j);
+        }
+        // What holds two pieces together holds all.
+        prop_assert!(reason.links.is_empty() || components.count() == 1, "{:?}", reason);
+    }
     for &(i, j) in &a.overlaps {
         prop_assert!(i < j && j < ifs.len() && a.components[i] == a.components[j]);
     }
@@ -112,9 +135,6 @@ proptest! {
         well_formed(&ifs, &a)?;
         let seen = widest_gap(&clouds(&ifs, 250));
         prop_assert!(a.gap.lower <= seen * (1.0 + 1e-9) + 1e-12 * a.diameter, "{} {:?}", seen, a);
-        if let (Some((p, q)), Verdict::Disconnected) = (a.closest, a.verdict) {
-            prop_assert!((p.distance(q) - a.gap.upper).abs() <= 1e-9 * a.diameter, "{:?}", a);
-        }
     }
 
     #[test]

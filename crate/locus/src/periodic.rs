@@ -1,0 +1,93 @@
+//! Addresses that repeat.
+
+use std::fmt;
+
+use frond_core::Affine2;
+use glam::DVec2;
+
+/// An endless address that repeats itself from some letter on: `head` once, then `repeat` for ever. Letters from 0.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Periodic {
+    pub head: Vec<u8>,
+    pub repeat: Vec<u8>,
+}
+
+impl Periodic {
+    /// The same address with the shortest repeat, beginning as early as can be. `None` if nothing is repeated.
+    pub fn new(mut head: Vec<u8>, mut repeat: Vec<u8>) -> Option<Self> {
+        let count = repeat.len();
+        let period = (1..=count)
+            .find(|&p| count.is_multiple_of(p) && (p..count).all(|k| repeat[k] == repeat[k - p]))?;
+        repeat.truncate(period);
+        while head.last().is_some_and(|last| Some(last) == repeat.last()) {
+            head.pop();
+            repeat.rotate_right(1);
+        }
+        Some(Self { head, repeat })
+    }
+
+    /// The map whose piece the point is in.
+    pub fn first(&self) -> usize {
+        usize::from(*self.head.first().unwrap_or(&self.repeat[0]))
+    }
+
+    /// The point, to rounding.
+    pub fn point(&self, maps: &[Affine2]) -> Option<DVec2> {
+        let map = |i: &u8| maps[usize::from(*i)];
+        let fixed = self.repeat.iter().fold(Affine2::IDENTITY, |word, i| word * map(i)).fixed_point()?;
+        Some(self.head.iter().rev().fold(fixed, |point, i| map(i).apply(point)))
+    }
+
+    /// Reads what is shown.
+    #[cfg(test)]
+    pub fn parse(text: &str) -> Option<Self> {
+        let (head, repeat) = text.strip_suffix(')')?.split_once('(')?;
+        let letters = |part: &str| -> Vec<u8> {
+            if part.contains('.') {
+                part.split('.').filter_map(|n| n.parse::<u8>().ok()).map(|n| n - 1).collect()
+            } else {
+                part.bytes().map(|b| b - b'1').collect()
+            }
+        };
+        Some(Self { head: letters(head), repeat: letters(repeat) })
+    }
+}
+
+impl fmt::Display for Periodic {
+    /// As people read it: letters from 1, "1(2)" for 1222..; with dots between them where one has two digits.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let wide = self.head.iter().chain(&self.repeat).any(|i| *i > 8);
+        let letters = |part: &[u8]| {
+            let letters: Vec<String> = part.iter().map(|i| (usize::from(*i) + 1).to_string()).collect();
+            letters.join(if wide { "." } else { "" })
+        };
+        write!(f, "{}({})", letters(&self.head), letters(&self.repeat))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn addresses_take_their_shortest_form() {
+        let shown =
+            |head: &[u8], repeat: &[u8]| Periodic::new(head.to_vec(), repeat.to_vec()).unwrap().to_string();
+        assert_eq!(shown(&[0], &[1, 1, 1]), "1(2)");
+        assert_eq!(shown(&[0, 1], &[1]), "1(2)");
+        assert_eq!(shown(&[1, 1], &[1]), "(2)");
+        assert_eq!(shown(&[0, 1, 2], &[1, 2, 1, 2]), "1(23)");
+        assert_eq!(shown(&[0, 2], &[1, 2]), "1(32)");
+        assert_eq!(shown(&[9], &[0, 10]), "10(1.11)");
+        assert_eq!(Periodic::new(vec![1], vec![]), None);
+    }
+
+    #[test]
+    fn points_follow_the_letters() {
+        let maps = [0.0, 0.5].map(|e| Affine2::from_row([0.5, 0.0, 0.0, 0.5, e, 0.0]));
+        let at = |text: &str| Periodic::parse(text).unwrap().point(&maps).unwrap().x;
+        assert_eq!((at("1(2)"), at("2(1)"), at("(2)")), (0.5, 0.5, 1.0));
+        // Binary 0.0101.. is a third.
+        assert!((at("(12)") - 1.0 / 3.0).abs() < 1e-15);
+    }
+}
