@@ -24,11 +24,13 @@ mod raster;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 mod renderer;
 #[cfg(feature = "compute")]
+mod routes;
+#[cfg(feature = "compute")]
 mod shape;
 mod value;
 
 #[cfg(feature = "compute")]
-pub use {connect::*, document::*, locus::*, path::*, raster::*, shape::*};
+pub use {connect::*, document::*, locus::*, path::*, raster::*, routes::*, shape::*};
 
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 pub use renderer::*;
