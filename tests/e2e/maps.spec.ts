@@ -33,7 +33,7 @@ test("parallelograms are reached, chosen and moved by keys", async ({ studio, pa
   await page.locator("body").press("e");
   const { maps } = (await studio.scene()).a;
   await studio.drawn();
-  await page.getByRole("application").focus();
+  await page.getByRole("application", { name: /^The attractor/ }).focus();
   const second = page.getByRole("button", { name: /^Map 2(, chosen.*)?$/ });
   const focused = () => second.evaluate((element) => element === document.activeElement);
   await expect(second).toHaveJSProperty("tabIndex", 0);

@@ -104,7 +104,7 @@ test("the wheel zooms, dragging pans, and the fit brings the first picture back"
 }) => {
   await studio.open("a=gasket&b=gasket");
   const first = await studio.look();
-  const stage = page.getByRole("application");
+  const stage = page.getByRole("application", { name: /^The attractor/ });
   const box = await stage.boundingBox();
   if (!box) throw new Error("no stage");
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];

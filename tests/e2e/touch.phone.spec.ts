@@ -68,7 +68,7 @@ test("way points are added and taken away with a finger", async ({ studio, page 
 test("the picture is pinched and moved", async ({ studio, page }) => {
   await studio.open("a=gasket&b=gasket");
   const before = await studio.look();
-  const box = await page.getByRole("application").boundingBox();
+  const box = await page.getByRole("application", { name: /^The attractor/ }).boundingBox();
   if (!box) throw new Error("no stage");
   const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
   const finger = await Finger.of(page);

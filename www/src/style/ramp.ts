@@ -5,8 +5,8 @@ export type Rgb = readonly [r: number, g: number, b: number];
 /** In one piece, proved. Far lighter than the rest, so that the border is seen without seeing hue. */
 export const HOLDS: Rgb = [250, 245, 232];
 /** In one piece as far as the resolution tells: a shade deeper, and dotted with the next. */
-export const TOUCHES: Rgb = [236, 228, 208];
-export const TOUCHES_DOT: Rgb = [190, 178, 150];
+export const TOUCHES: Rgb = [238, 231, 213];
+export const TOUCHES_DOT: Rgb = [205, 195, 170];
 /** Broken, where no size is shown. */
 export const BROKEN: Rgb = [36, 31, 82];
 export const NONE: Rgb = [118, 118, 124];

@@ -5,7 +5,20 @@ import { endGesture, scene } from "../../../state/scene";
 import { addStep } from "../../../ui/number";
 import { scrubTo } from "../strip/scrub";
 import { percent } from "../words";
-import { addAfter, addHere, bounds, chosen, moveTo, pick, place, pointWords, removeAt, stateAt } from "./way";
+import { pointOf } from "./polyline";
+import { shownWindow, view } from "./view";
+import {
+  addAfter,
+  addHere,
+  chosen,
+  moveTo,
+  pick,
+  place,
+  pointWords,
+  removeAt,
+  stateOn,
+  wayWords,
+} from "./way";
 
 /** Marks handles in the page: the pointer looks them up by place, keys and tests by this. */
 export const handleId = (index: number): string => `way-point-${index}`;
@@ -18,11 +31,30 @@ export function focusHandle(index: number | null): void {
   );
 }
 
-const at100 = ([x, y]: [number, number]) => ({ left: `${100 * x}%`, top: `${100 * y}%` });
+/** Where on the square, in parts; what lies beyond it, the chosen and the focused above all, is kept at its edge. */
+function at100([x, y]: [number, number]) {
+  const within = (p: number) => `${100 * Math.min(1, Math.max(0, p))}%`;
+  return { left: within(x), top: within(y) };
+}
 
-/** The step of one arrow key in u and v: shift a tenth of it, alt ten times. Null for other keys. */
-function arrows(event: KeyboardEvent): Uv | null {
-  const step = event.shiftKey ? 0.001 : event.altKey ? 0.1 : 0.01;
+export const isOutside = ([x, y]: readonly [number, number]): boolean =>
+  !(x >= 0 && x <= 1 && y >= 0 && y <= 1);
+
+/** Points nearer to the slice than this lie in it, as far as anyone sees. */
+export const THICKNESS = 0.005;
+export const isOff = ([, , w = 0]: Uv, slice: number): boolean => Math.abs(w - slice) > THICKNESS;
+
+/** A place on the square as classes: beyond its edge, or off the slice that it shows. */
+const whereabouts = (point: Uv, at: [number, number]) =>
+  `${isOutside(at) ? "outside" : ""} ${isOff(point, view.value.w) ? "off" : ""}`;
+
+/**
+ * The step of one arrow key in u and v: shift a tenth of it, alt ten times. The nearer one looks, the finer. Null for
+ * other keys.
+ */
+function arrows(event: KeyboardEvent, zoom = 1): Uv | null {
+  const fine = 10 ** -Math.floor(Math.log10(zoom) + 1e-9);
+  const step = (event.shiftKey ? 0.001 : event.altKey ? 0.1 : 0.01) * fine;
   switch (event.key) {
     case "ArrowRight":
       return [step, 0];
@@ -50,11 +82,11 @@ export interface WayHandleProps {
 
 /** A way point: arrows move it, plus adds one behind it, Delete takes it away. */
 export function WayHandle({ index, count, point, at, chosen: isChosen }: WayHandleProps) {
-  const [u, v] = point;
+  const [u, v, w = 0] = point;
   return (
     <div
       id={handleId(index)}
-      class={`handle way ${isChosen ? "chosen" : ""}`}
+      class={`handle way ${isChosen ? "chosen" : ""} ${whereabouts(point, at)}`}
       style={at100(at)}
       role="slider"
       tabIndex={0}
@@ -62,12 +94,12 @@ export function WayHandle({ index, count, point, at, chosen: isChosen }: WayHand
       aria-valuenow={u}
       aria-valuemin={-1}
       aria-valuemax={2}
-      aria-valuetext={`${pointWords(point)}, ${stateAt(point)}`}
+      aria-valuetext={`${pointWords(point)}, ${wayWords(index)}`}
       onFocus={() => pick(index)}
       onKeyDown={(event) => {
         if (event.ctrlKey || event.metaKey) return;
-        const by = arrows(event);
-        if (by !== null) moveTo(index, [addStep(u, by[0]), addStep(v, by[1])], `way-key-${index}`);
+        const by = arrows(event, view.peek().zoom);
+        if (by !== null) moveTo(index, pointOf(addStep(u, by[0]), addStep(v, by[1]), w), `way-key-${index}`);
         else if (isAdd(event.key)) focusHandle(addAfter(index));
         else if (isRemove(event.key)) {
           removeAt(index);
@@ -86,18 +118,19 @@ export function WayHandle({ index, count, point, at, chosen: isChosen }: WayHand
 export function CurrentHandle() {
   const { t } = scene.value;
   const at = uv.value;
+  const spot = place(at, shownWindow.value);
   return (
     <div
       id={CURRENT_ID}
-      class={`handle current ${t <= 0 || t >= 1 ? "at-end" : ""}`}
-      style={at100(place(at, bounds.value))}
+      class={`handle current ${t <= 0 || t >= 1 ? "at-end" : ""} ${whereabouts(at, spot)}`}
+      style={at100(spot)}
       role="slider"
       tabIndex={0}
       aria-label="Place on the path"
       aria-valuenow={Math.round(1000 * t) / 10}
       aria-valuemin={0}
       aria-valuemax={100}
-      aria-valuetext={`${percent(t)} of the way, ${stateAt(at)}`}
+      aria-valuetext={`${percent(t)} of the way, ${stateOn(t)}`}
       onFocus={() => {
         if (chosen.peek() !== null) pick(null);
       }}

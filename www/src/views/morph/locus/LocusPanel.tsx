@@ -1,20 +1,26 @@
 import "./locus.css";
-import { computed, signal } from "@preact/signals";
-import { STATE } from "../../../engine/breaks";
-import { locus } from "../../../engine/results";
-import { uv } from "../../../state/morph";
-import { gradient } from "../../../style/ramp";
-import { fixed } from "../../../ui/number";
+import "./field.css";
+import { signal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
 import { Segmented } from "../../../ui/Segmented";
+import { followCritical } from "./critical";
+import { FamilyNotes } from "./FamilyNotes";
+import { Legend } from "./Legend";
 import { LocusSquare } from "./LocusSquare";
+import { Now } from "./Now";
+import { Planes } from "./Planes";
 import type { LocusStyle } from "./paint";
-import { bounds } from "./way";
+import { Slice } from "./Slice";
+import { Ticks } from "./Ticks";
+import { family } from "./view";
+import { WindowNumbers } from "./WindowNumbers";
 
 /** How the field is shown: a way of looking, no part of the document. */
 const style = signal<LocusStyle>("gap");
 
-/** Where the morph holds together: all of (u, v), with the path through it. */
+/** Where the morph holds together: the map of its parameters with the path through it, or that of a famous family. */
 export function LocusPanel() {
+  useEffect(followCritical, []);
   return (
     <section class="locus" aria-labelledby="locus-title">
       <header class="section-head">
@@ -31,6 +37,7 @@ export function LocusPanel() {
           ]}
         />
       </header>
+      <Planes />
       <div class="locus-plot">
         <Ticks axis="v" />
         <LocusSquare style={style.value} />
@@ -38,76 +45,8 @@ export function LocusPanel() {
       </div>
       <Legend style={style.value} />
       <Now />
+      {family.value === "morph" ? <Slice /> : <FamilyNotes />}
+      <WindowNumbers />
     </section>
-  );
-}
-
-/** Where the picture is now, in numbers. */
-function Now() {
-  const [u, v] = uv.value;
-  return (
-    <dl class="locus-now">
-      <div>
-        <dt>turn and stretch</dt>
-        <dd>
-          <span class="symbol">u</span> <output>{fixed(u)}</output>
-        </dd>
-      </div>
-      <div>
-        <dt>move</dt>
-        <dd>
-          <span class="symbol">v</span> <output>{fixed(v)}</output>
-        </dd>
-      </div>
-    </dl>
-  );
-}
-
-/** The whole numbers along one side; 0 is the first shape, 1 the last. */
-function Ticks({ axis }: { axis: "u" | "v" }) {
-  const { u0, u1, v0, v1 } = bounds.value;
-  const [low, high] = axis === "u" ? [u0, u1] : [v0, v1];
-  const ticks = [];
-  for (let at = Math.ceil(low); at <= high; at++) ticks.push(at);
-  return (
-    <div class={`locus-ticks ${axis}`} aria-hidden="true">
-      {ticks.map((at) => (
-        <span key={at} style={{ "--at": `${(100 * (at - low)) / (high - low)}%` }}>
-          {fixed(at, 0)}
-        </span>
-      ))}
-      <em>{axis}</em>
-    </div>
-  );
-}
-
-/** What there is to explain besides whole and broken. */
-const rare = computed(() => {
-  const state = locus.value?.state;
-  return { none: state?.includes(STATE.none) === true, open: state?.includes(STATE.undecided) === true };
-});
-
-function Legend({ style: shown }: { style: LocusStyle }) {
-  const { none, open } = rare.value;
-  return (
-    <ul class="legend" aria-label="Legend">
-      <Entry box="holds" words="in one piece" />
-      {shown === "gap" ? (
-        <Entry box="gap" words="gap" image={gradient()} />
-      ) : (
-        <Entry box="broken" words="broken" />
-      )}
-      {none && <Entry box="none" words="no shape" />}
-      {open && <Entry box="open" words="not decided" />}
-    </ul>
-  );
-}
-
-function Entry({ box, words, image }: { box: string; words: string; image?: string }) {
-  return (
-    <li>
-      <span class={`legend-box ${box}`} style={image === undefined ? {} : { backgroundImage: image }} />{" "}
-      {words}
-    </li>
   );
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Uv } from "../../../state/path";
-import { clamp, hitHandle, insert, move, nearestOn, remove, rounded, slice, widestAlong } from "./polyline";
+import { clamp, hitHandle, insert, move, nearestOn, remove, slice, widestAlong } from "./polyline";
 
 const bent: Uv[] = [
   [0, 0],
@@ -74,7 +74,6 @@ describe("way points", () => {
   });
   it("stay on the square and are short to write", () => {
     expect(clamp([-5, 5], { u0: -1, v0: -1, u1: 2, v1: 2 })).toEqual([-1, 2]);
-    expect(rounded([0.12345, -0.0001])).toEqual([0.123, 0]);
   });
 });
 

@@ -14,7 +14,10 @@ export interface Nearest {
   distance: number;
 }
 
-/** The nearest point of the path. A path of one point, or of no length, is that point. */
+/** A parameter, without its third number where that is 0. */
+export const pointOf = (u: number, v: number, w: number): Uv => (w === 0 ? [u, v] : [u, v, w]);
+
+/** The nearest point of the path, as it is seen from above: w is of no account. A path of no length is that point. */
 export function nearestOn(points: readonly Uv[], [u, v]: Uv): Nearest {
   const times = timesOf(points);
   const first = points[0] ?? [0, 0];
@@ -25,7 +28,8 @@ export function nearestOn(points: readonly Uv[], [u, v]: Uv): Nearest {
     const dv = to[1] - from[1];
     const length2 = du * du + dv * dv;
     const s = length2 > 0 ? Math.min(1, Math.max(0, ((u - from[0]) * du + (v - from[1]) * dv) / length2)) : 0;
-    const at: Uv = [from[0] + s * du, from[1] + s * dv];
+    const w = (from[2] ?? 0) + s * ((to[2] ?? 0) - (from[2] ?? 0));
+    const at = pointOf(from[0] + s * du, from[1] + s * dv, w);
     const distance = Math.hypot(u - at[0], v - at[1]);
     if (distance < best.distance) {
       const t0 = times[segment] ?? 0;
@@ -53,17 +57,12 @@ export function hitHandle(handles: readonly Uv[], [u, v]: Uv, radius: number): n
 export function slice(points: readonly Uv[], t0: number, t1: number): Uv[] {
   const times = timesOf(points);
   const between = points.filter((_, i) => (times[i] ?? 0) > t0 && (times[i] ?? 0) < t1);
-  return [uvAt(points, t0), ...between.map(([u, v]): Uv => [u, v]), uvAt(points, t1)];
+  return [uvAt(points, t0), ...between.map(([u, v, w = 0]): Uv => pointOf(u, v, w)), uvAt(points, t1)];
 }
 
-export function clamp([u, v]: Uv, { u0, v0, u1, v1 }: Bounds): Uv {
-  return [Math.min(u1, Math.max(u0, u)), Math.min(v1, Math.max(v0, v))];
-}
-
-/** To the thousandth: finer than a pixel, and short in a link. */
-export function rounded([u, v]: Uv): Uv {
-  const round = (x: number) => Math.round(x * 1000) / 1000 || 0;
-  return [round(u), round(v)];
+export function clamp([u, v, w = 0]: Uv, { u0, v0, u1, v1 }: Bounds): Uv {
+  const within = (x: number, low: number, high: number) => Math.min(high, Math.max(low, x));
+  return pointOf(within(u, u0, u1), within(v, v0, v1), within(w, -1, 1));
 }
 
 /** `way` with one more point, so that it becomes number `index`. */
@@ -77,6 +76,33 @@ export function move(way: readonly Uv[], index: number, point: Uv): Uv[] {
 
 export function remove(way: readonly Uv[], index: number): Uv[] {
   return way.filter((_, i) => i !== index);
+}
+
+/** The part of a segment that lies in a rectangle: Liang and Barsky. Null where there is none. */
+export function clipped(from: Readonly<Uv>, to: Readonly<Uv>, { u0, v0, u1, v1 }: Bounds): [Uv, Uv] | null {
+  let [s0, s1] = [0, 1];
+  const [du, dv] = [to[0] - from[0], to[1] - from[1]];
+  for (const [p, q] of [
+    [-du, from[0] - u0],
+    [du, u1 - from[0]],
+    [-dv, from[1] - v0],
+    [dv, v1 - from[1]],
+  ] as const) {
+    if (p === 0 && q < 0) return null;
+    if (p < 0) s0 = Math.max(s0, q / p);
+    if (p > 0) s1 = Math.min(s1, q / p);
+  }
+  if (s0 > s1) return null;
+  const at = (s: number): Uv => [from[0] + s * du, from[1] + s * dv];
+  return [s0 === 0 ? [from[0], from[1]] : at(s0), s1 === 1 ? [to[0], to[1]] : at(s1)];
+}
+
+/** A line as the pieces of it that lie in a rectangle, each of two points. */
+export function piecesIn(points: readonly Uv[], within: Bounds): [Uv, Uv][] {
+  return points.slice(1).flatMap((to, i) => {
+    const piece = clipped(points[i] ?? to, to, within);
+    return piece ? [piece] : [];
+  });
 }
 
 /**

@@ -1,0 +1,62 @@
+import { useComputed } from "@preact/signals";
+import { STATE } from "../../../engine/breaks";
+import { locusWindow } from "../../../engine/results";
+import { gradient } from "../../../style/ramp";
+import { decades, type LocusStyle } from "./paint";
+import { epsilon, shownWindow, view } from "./view";
+import { epsilonWords, partWords } from "./words";
+
+/** Which states there are in the window: only those are explained. */
+function useStates() {
+  return useComputed(() => {
+    const { pyramid } = locusWindow.value ?? {};
+    const seen = new Set<number>();
+    if (!pyramid || pyramid.family !== view.value.family) return "";
+    for (const state of pyramid.read(shownWindow.value, view.value.zoom).state) seen.add(state);
+    return [...seen].sort().join();
+  });
+}
+
+export function Legend({ style }: { style: LocusStyle }) {
+  const states = new Set(useStates().value.split(",").filter(Boolean).map(Number));
+  const broken = states.has(STATE.disconnected);
+  return (
+    <ul class="legend" aria-label="Legend">
+      {states.has(STATE.connected) && <Entry box="holds" words="in one piece, proved" />}
+      {states.has(STATE.touching) && (
+        <Entry box="touches" words={`in one piece, to ${epsilonWords(epsilon.value)}`} />
+      )}
+      {broken && style === "yesno" && <Entry box="broken" words="broken" />}
+      {states.has(STATE.undecided) && <Entry box="open" words="not decided" />}
+      {states.has(STATE.none) && <Entry box="none" words="no shape" />}
+      {broken && style === "gap" && <Ramp />}
+    </ul>
+  );
+}
+
+/** The scale of the gap, with the gaps that have a contour. */
+function Ramp() {
+  const least = epsilon.value;
+  return (
+    <li class="ramp">
+      <span>gap</span>
+      <span class="ramp-bar">
+        <span class="legend-box gap" style={{ backgroundImage: gradient() }} />
+        {decades(least).map(({ gap, at }) => (
+          <span key={gap} class="ramp-tick" style={{ left: `${100 * at}%` }}>
+            {partWords(gap)}
+          </span>
+        ))}
+      </span>
+      <span>of the shape</span>
+    </li>
+  );
+}
+
+function Entry({ box, words }: { box: string; words: string }) {
+  return (
+    <li>
+      <span class={`legend-box ${box}`} /> {words}
+    </li>
+  );
+}

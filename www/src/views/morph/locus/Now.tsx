@@ -1,0 +1,96 @@
+import { FIRST_S, uv } from "../../../state/morph";
+import { announce, notify } from "../../../state/notice";
+import { edit } from "../../../state/scene";
+import { Button } from "../../../ui/Button";
+import { fixed } from "../../../ui/number";
+import { type End, nameOf } from "../changes";
+import { familyMaps } from "./hover";
+import { backToPath, digitsOf, family, picked, setPlane, sides, view } from "./view";
+import { addAt } from "./way";
+import { complexWords } from "./words";
+
+/** Where the picture is now, in numbers, and what can be done with a point that was taken off the path. */
+export function Now() {
+  return family.value === "morph" ? <OfMorph /> : <OfFamily />;
+}
+
+function OfMorph() {
+  const at = picked.value;
+  const [u, v, w = 0] = at ?? uv.value;
+  // A point on the path moves with the picture: two decimals, so that they do not dance.
+  const digits = at ? Math.max(2, digitsOf(view.value.zoom)) : 2;
+  const third = w !== 0 || view.value.w !== 0;
+  return (
+    <div class="locus-now">
+      <dl>
+        <Value name="turn and stretch" symbol="u" value={fixed(u, digits)} />
+        <Value name="move" symbol="v" value={fixed(v, digits)} />
+        {third && <Value name="stretch ahead" symbol="w" value={fixed(w, 2)} />}
+      </dl>
+      {at && (
+        <div class="locus-act">
+          <span class="hint">Off the path.</span>
+          <Button onClick={backToPath}>Back to the path</Button>
+          <Button
+            onClick={() => {
+              const [x, y, z = 0] = at;
+              backToPath();
+              addAt([x, y, z]);
+            }}
+          >
+            Add as way point
+          </Button>
+        </div>
+      )}
+    </div>
+  );
+}
+
+function Value({ name, symbol, value }: { name: string; symbol: string; value: string }) {
+  return (
+    <div>
+      <dt>{name}</dt>
+      <dd>
+        <span class="symbol">{symbol}</span> <output>{value}</output>
+      </dd>
+    </div>
+  );
+}
+
+function OfFamily() {
+  const s = picked.value ?? FIRST_S;
+  const n = sides.value;
+  const words = complexWords(s, Math.max(3, digitsOf(view.value.zoom)));
+  return (
+    <div class="locus-now">
+      <dl>
+        <Value name="turn and shrink by" symbol="s" value={words} />
+      </dl>
+      <div class="locus-act">
+        <Button onClick={() => use("a", n, s)} description="This shape is where the morph starts">
+          Use as A
+        </Button>
+        <Button onClick={() => use("b", n, s)} description="This shape is where the morph ends">
+          Use as B
+        </Button>
+      </div>
+    </div>
+  );
+}
+
+/** Puts a shape of a family at one end of the morph. */
+function use(end: End, n: number, s: [number, number, number?]): void {
+  const maps = familyMaps(n, s);
+  if (!maps) {
+    notify({ kind: "error", text: "This shape could not be made." });
+    return;
+  }
+  const name = `${n === 2 ? "M" : `${n}-gon`} at ${complexWords(s, 3)}`;
+  edit((before) => ({ ...before, [end]: { name, maps }, correspondence: [], turns: [] }));
+  announce(`Shape ${nameOf(end)} is now ${name}.`);
+  notify({
+    kind: "info",
+    text: `Shape ${nameOf(end)} is now ${name}.`,
+    action: { label: "See the morph", run: () => setPlane("morph", 2) },
+  });
+}

@@ -1,0 +1,54 @@
+import { NumberField } from "../../../ui/NumberField";
+import { Segmented } from "../../../ui/Segmented";
+import { family, setPlane, sides } from "./view";
+
+type Plane = "morph" | "m" | "polygon";
+
+let lastSides = 3;
+
+/** What is mapped: the morph, or a family whose map is a shape of its own. */
+export function Planes() {
+  const plane: Plane = family.value === "morph" ? "morph" : sides.value === 2 ? "m" : "polygon";
+  return (
+    <div class="planes">
+      <Segmented<Plane>
+        label="What is mapped"
+        value={plane}
+        options={[
+          { value: "morph", label: "This morph", description: "All that the two shapes can become" },
+          {
+            value: "m",
+            label: "Set M",
+            description: "Two copies of the shape, turned and shrunk by s: {s z − 1, s z + 1}",
+          },
+          {
+            value: "polygon",
+            label: "Polygons",
+            description: "Copies at the corners of a polygon, all turned and shrunk by s",
+          },
+        ]}
+        onChange={(next) => {
+          if (next === "morph") setPlane("morph", 2);
+          else setPlane("polygon", next === "m" ? 2 : lastSides);
+        }}
+      />
+      {plane === "polygon" && (
+        <NumberField
+          label="Corners"
+          symbol="n"
+          value={sides.value}
+          min={3}
+          max={64}
+          step={1}
+          digits={0}
+          onChange={(next) => {
+            if (!Number.isInteger(next)) return "A whole number, please.";
+            lastSides = next;
+            setPlane("polygon", next);
+            return undefined;
+          }}
+        />
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,81 @@
+import { LEAST_EPSILON, MOST_ZOOM } from "../../../engine/window";
+import { NumberField } from "../../../ui/NumberField";
+import { digitsOf, epsilon, family, inDigits, picked, pickPoint, setView, shownWindow, view } from "./view";
+import { epsilonWords, zoomWords } from "./words";
+
+/** What the square shows, in numbers that can be typed over. */
+export function WindowNumbers() {
+  const { x, y, zoom } = view.value;
+  const { u0, u1, v0, v1 } = shownWindow.value;
+  const digits = digitsOf(zoom) + 2;
+  const [across, up] = family.value === "morph" ? ["u", "v"] : ["Re s", "Im s"];
+  return (
+    <details class="fold window-numbers">
+      <summary>
+        <span class="window-words number">
+          {across} {inDigits(u0)} to {inDigits(u1)}, {up} {inDigits(v0)} to {inDigits(v1)}
+        </span>
+        <span class="dim number">{zoomWords(zoom)}</span>
+      </summary>
+      <p class="hint">
+        Pieces within {epsilonWords(epsilon.value)} of the shape count as touching
+        {epsilon.value === LEAST_EPSILON ? ": finer than this, numbers of 64 bits cannot tell." : "."}
+      </p>
+      <div class="window-fields">
+        <NumberField
+          label="Middle"
+          symbol={across}
+          value={x}
+          digits={Math.min(18, digits)}
+          step={0.1 / zoom}
+          onChange={(next) => setView({ x: next })}
+        />
+        <NumberField
+          label="Middle"
+          symbol={up}
+          value={y}
+          digits={Math.min(18, digits)}
+          step={0.1 / zoom}
+          onChange={(next) => setView({ y: next })}
+        />
+        <NumberField
+          label="Times nearer"
+          value={zoom}
+          min={1}
+          max={MOST_ZOOM}
+          step={Math.max(0.1, zoom / 10)}
+          digits={zoom < 100 ? 2 : 0}
+          onChange={(next) => setView({ zoom: next })}
+        />
+      </div>
+      <PickedFields across={across} up={up} />
+    </details>
+  );
+}
+
+/** The point that the picture shows off the path, to be typed. */
+function PickedFields({ across, up }: { across: string; up: string }) {
+  const at = picked.value ?? [view.value.x, view.value.y];
+  const { zoom } = view.value;
+  const digits = Math.min(18, digitsOf(zoom) + 2);
+  return (
+    <div class="window-fields">
+      <NumberField
+        label="Show the shape at"
+        symbol={across}
+        value={at[0]}
+        digits={digits}
+        step={0.1 / zoom}
+        onChange={(next) => pickPoint([next, at[1]], "pick-number")}
+      />
+      <NumberField
+        label="and"
+        symbol={up}
+        value={at[1]}
+        digits={digits}
+        step={0.1 / zoom}
+        onChange={(next) => pickPoint([at[0], next], "pick-number")}
+      />
+    </div>
+  );
+}

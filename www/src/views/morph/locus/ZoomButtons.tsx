@@ -1,0 +1,23 @@
+import { MOST_ZOOM } from "../../../engine/window";
+import { IconButton } from "../../../ui/Button";
+import { goHome, view, zoomBy } from "./view";
+
+const STEP = 2;
+
+/** What wheel and fingers do, as buttons, in a corner of the square. */
+export function ZoomButtons() {
+  const { zoom } = view.value;
+  return (
+    <div class="locus-zoom">
+      <IconButton
+        icon="add"
+        label="Nearer"
+        description="or turn the wheel, or press twice"
+        disabled={zoom >= MOST_ZOOM}
+        onClick={() => zoomBy(STEP)}
+      />
+      <IconButton icon="remove" label="Farther" disabled={zoom <= 1} onClick={() => zoomBy(1 / STEP)} />
+      <IconButton icon="whole" label="All of the map" disabled={zoom <= 1} onClick={goHome} />
+    </div>
+  );
+}

@@ -1,0 +1,115 @@
+/** What is known by proof of the polygon families {s z + exp(2 pi i k / n)}, and places worth seeing. */
+import { frond } from "../../../engine/wasm";
+import type { Uv } from "../../../state/path";
+import { lowered } from "./words";
+
+/** The least real s > 0 at which a family is in one piece; half for two sides. A theorem. */
+export function criticalScale(sides: number): number {
+  try {
+    return frond.criticalScale(sides);
+  } catch {
+    // Written out, where the package does not know it yet.
+    let sum = 0;
+    for (let k = 1; k <= Math.floor(sides / 4); k++) sum += Math.cos((2 * Math.PI * k) / sides);
+    return 1 / (2 * (1 + sum));
+  }
+}
+
+const isPrime = (n: number): boolean => {
+  for (let d = 2; d * d <= n; d++) if (n % d === 0) return false;
+  return n > 1;
+};
+
+/** Circles about 0 that tell something. */
+export function circlesOf(sides: number): { radius: number; name: string; kind: "one" | "area" | "line" }[] {
+  return [
+    { radius: 1, name: "|s| = 1", kind: "one" },
+    { radius: 1 / Math.sqrt(sides), name: `1/√${sides}`, kind: "area" },
+    { radius: 1 / sides, name: `1/${sides}`, kind: "line" },
+  ];
+}
+
+/**
+ * What others proved and what Frond computes. The pieces are turned into each other by n-th of a turn; so if n is prime
+ * and any two meet, all hang together.
+ */
+export function theoremWords(sides: number): string[] {
+  const outside = isPrime(sides)
+    ? `Outside |s| = 1/√${sides} it is always in one piece: there the pieces are too large to lie apart.`
+    : `Outside |s| = 1/√${sides} some pieces must meet: there they are too large to lie apart.`;
+  return [
+    outside,
+    `Inside |s| = 1/${sides} it never is: what is thinner than a line cannot hang together.`,
+    "Between the two circles nobody has a formula: what you see is computed.",
+  ];
+}
+
+export function symmetryWords(sides: number): string {
+  return sides === 2
+    ? "s and −s give the same shape, and s̄ its mirror image."
+    : `Turning s by 1/${sides} of a turn gives the same shape, and s̄ its mirror image.`;
+}
+
+/** Other parameters with the same shape, or with its mirror image. */
+export function twins(sides: number, [x, y]: Uv): Uv[] {
+  const found: Uv[] = [];
+  if (sides > 12) return found;
+  for (let k = 0; k < sides; k++) {
+    const [c, s] = [Math.cos((2 * Math.PI * k) / sides), Math.sin((2 * Math.PI * k) / sides)];
+    for (const sign of [1, -1]) {
+      const at: Uv = [x * c - sign * y * s, x * s + sign * y * c];
+      if (found.concat([[x, y]]).every((p) => Math.hypot(p[0] - at[0], p[1] - at[1]) > 1e-9)) found.push(at);
+    }
+  }
+  return found;
+}
+
+export interface Landmark {
+  name: string;
+  about: string;
+  s: Uv;
+  zoom: number;
+}
+
+const ROOT7 = Math.sqrt(7) / 4;
+
+const OF_M: readonly Landmark[] = [
+  {
+    name: "Twin dragon",
+    about: "s = 1/2 + i/2: the twin dragon, which tiles the plane",
+    s: [0.5, 0.5],
+    zoom: 3,
+  },
+  {
+    name: "Tame dragon",
+    about: "s = 1/4 + i √7/4: the tame twin dragon, the other one that tiles",
+    s: [0.25, ROOT7],
+    zoom: 3,
+  },
+  {
+    name: "Real tip",
+    about: "s = 1/2: a line, and the last real s that holds together",
+    s: [0.5, 0],
+    zoom: 6,
+  },
+  {
+    name: "A hole",
+    about: "Near s = 0.0227 + 0.703 i: broken, though all around it holds together",
+    s: [0.0227, 0.703],
+    zoom: 60,
+  },
+];
+
+/** A short list of places to fly to. */
+export function landmarksOf(sides: number): readonly Landmark[] {
+  if (sides === 2) return OF_M;
+  const r = criticalScale(sides);
+  return [
+    {
+      name: `r${lowered(sides)}`,
+      about: `The real s at which the ${sides}-gon closes`,
+      s: [r, 0],
+      zoom: 6,
+    },
+  ];
+}
