@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
 use crate::error::{bad_input, failure, of_ifs};
+use crate::proof::write_reason;
 use crate::value::{object, point, read, read_ifs, read_maps, write};
 
 #[derive(Deserialize)]
@@ -23,14 +24,7 @@ pub fn connectedness(
     #[wasm_bindgen(unchecked_param_type = "{ epsilon?: number; budget?: number } | undefined")]
     options: JsValue,
 ) -> Result<JsValue, JsValue> {
-    let resolution: Resolution = read("The options", options)?;
-    let mut options = Options::default();
-    if let Some(epsilon) = resolution.epsilon {
-        options.epsilon = epsilon;
-    }
-    if let Some(budget) = resolution.budget {
-        options.budget = budget as usize;
-    }
+    let options = read_options(options)?;
     match Ifs::new(read_maps(&ifs)?) {
         Ok(ifs) => answer(&frond_locus::connectedness(&ifs, &options)),
         Err(IfsError::NoAttractor { .. } | IfsError::Unproved) => Ok(object(&[
@@ -46,6 +40,18 @@ pub fn connectedness(
     }
 }
 
+pub(crate) fn read_options(options: JsValue) -> Result<Options, JsValue> {
+    let resolution: Resolution = read("The options", options)?;
+    let mut options = Options::default();
+    if let Some(epsilon) = resolution.epsilon {
+        options.epsilon = epsilon;
+    }
+    if let Some(budget) = resolution.budget {
+        options.budget = budget as usize;
+    }
+    Ok(options)
+}
+
 fn answer(found: &Connectedness) -> Result<JsValue, JsValue> {
     let mut fields = vec![
         ("verdict", found.verdict.name().into()),
@@ -58,6 +64,9 @@ fn answer(found: &Connectedness) -> Result<JsValue, JsValue> {
     ];
     if let Some((from, to)) = found.closest {
         fields.push(("closest", object(&[("from", write(&point(from))?), ("to", write(&point(to))?)])));
+    }
+    if let Some(reason) = &found.reason {
+        fields.push(("reason", write_reason(reason)?));
     }
     Ok(object(&fields))
 }

@@ -20,6 +20,8 @@ mod look;
 #[cfg(feature = "compute")]
 mod path;
 #[cfg(feature = "compute")]
+mod proof;
+#[cfg(feature = "compute")]
 mod raster;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 mod renderer;
@@ -30,7 +32,7 @@ mod shape;
 mod value;
 
 #[cfg(feature = "compute")]
-pub use {connect::*, document::*, locus::*, path::*, raster::*, routes::*, shape::*};
+pub use {connect::*, document::*, locus::*, path::*, proof::*, raster::*, routes::*, shape::*};
 
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 pub use renderer::*;
