@@ -68,9 +68,7 @@ fn cheapest_chain(count: usize, legs: &[f64], directions: &[DVec3], toll: f64) -
     }
     let mut cost = vec![f64::INFINITY; count * count];
     let mut before = vec![0; count * count];
-    for to in 1..count {
-        cost[to] = legs[to];
-    }
+    cost[1..count].copy_from_slice(&legs[1..count]);
     for middle in 1..count {
         for to in middle + 1..count {
             let leg = legs[middle * count + to];

@@ -151,3 +151,77 @@ fn polar_factors_are_told() {
     assert!((get(&factors, "angle").as_f64().unwrap() - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
     assert_eq!(get(&factors, "reflects").as_bool(), Some(false));
 }
+
+/// The points of a plan, as rows of two or three numbers.
+fn points_of(plan: &JsValue) -> Vec<Vec<f64>> {
+    let numbers = |row: JsValue| Array::from(&row).iter().filter_map(|x| x.as_f64()).collect();
+    Array::from(&get(plan, "points")).iter().map(numbers).collect()
+}
+
+#[wasm_bindgen_test]
+fn a_third_axis_finds_the_way_that_the_plane_lacks() {
+    let ends = || (maps_of("terdragon-mirrored"), maps_of("gasket"));
+    let plan = |options: &str| {
+        let (from, to) = ends();
+        frond_web::plan_path(from, to, json(options))
+    };
+    let plane = plan("{\"size\": 31}").unwrap();
+    assert_eq!(get(&plane, "holds").as_bool(), Some(false));
+    assert_eq!(Array::from(&get(&plane, "worst")).length(), 2);
+    let space = plan("{\"size\": 31, \"axes\": 3}").unwrap();
+    assert_eq!(get(&space, "holds").as_bool(), Some(true));
+    assert!(get(&space, "worst").is_undefined() && get(&space, "clearance").as_f64().unwrap() > 0.0);
+    let points = points_of(&space);
+    assert_eq!((points[0].clone(), points[points.len() - 1].clone()), (vec![0.0, 0.0], vec![1.0, 1.0]));
+    assert!(points.iter().any(|point| point.len() == 3));
+    // What comes out goes in.
+    let (from, to) = ends();
+    let check = frond_web::check(from, to, get(&space, "points"), json("{\"samples\": 801}")).unwrap();
+    assert_eq!(get(&check, "holds").as_bool(), Some(true));
+    assert_eq!(code(plan("{\"axes\": 4}")), "bad-input");
+    for bad in ["[[0, 0], [1]]", "[[0, 0, 0, 0]]", "[[0, null]]", "[0, 1]"] {
+        let (from, to) = ends();
+        assert_eq!(code(frond_web::check(from, to, json(bad), JsValue::UNDEFINED)), "bad-input", "{bad}");
+    }
+}
+
+#[wasm_bindgen_test]
+fn candidates_are_listed_and_rated() {
+    let ends = || (maps_of("terdragon"), maps_of("gasket"));
+    let (from, to) = ends();
+    let list = Array::from(&frond_web::candidates(from, to, json("{\"limit\": 5}")).unwrap());
+    assert_eq!(list.length(), 5);
+    let best = list.get(0);
+    let (from, to) = ends();
+    Reflect::set(&best, &"size".into(), &13.into()).unwrap();
+    let rated = frond_web::rate_candidate(from, to, best.clone()).unwrap();
+    for key in ["correspondence", "turns", "cost"] {
+        assert_eq!(JSON::stringify(&get(&rated, key)).unwrap(), JSON::stringify(&get(&best, key)).unwrap());
+    }
+    let share = get(&rated, "share").as_f64().unwrap();
+    assert!(share > 0.1 && share < 1.0, "{share}");
+    let locus = get(&rated, "locus");
+    let state: Uint8Array = get(&locus, "state").unchecked_into();
+    assert_eq!(state.length(), 169);
+    assert!(points_of(&get(&rated, "plan")).len() >= 2);
+    let (from, to) = ends();
+    assert_eq!(code(frond_web::rate_candidate(from, to, json("{\"turns\": [99, 0, 0]}"))), "turns");
+    let uneven = frond_web::candidates(maps_of("dragon"), maps_of("gasket"), JsValue::UNDEFINED);
+    assert_eq!(code(uneven), "map-counts");
+}
+
+#[wasm_bindgen_test]
+fn routes_are_explained() {
+    let kinds = |from: &str, to: &str| {
+        let list = Array::from(&frond_web::routes(maps_of(from), maps_of(to)).unwrap());
+        let kinds: Vec<String> = list.iter().map(|route| text(&route, "kind")).collect();
+        for route in list.iter() {
+            assert!(text(&route, "about").ends_with('.'));
+            let [from, to] = ["from", "to"].map(|end| Array::from(&get(&route, end)).length());
+            assert_eq!(from, to);
+        }
+        kinds
+    };
+    assert_eq!(kinds("fern", "maple"), ["collapse", "symmetry"]);
+    assert_eq!(kinds("dragon", "gasket")[0], "refine");
+}
