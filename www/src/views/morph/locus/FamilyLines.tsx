@@ -1,32 +1,14 @@
 import { homeOf } from "../../../engine/window";
 import type { Uv } from "../../../state/path";
-import { circlesOf, criticalScale, landmarksOf } from "./families";
+import { criticalScale } from "./critical";
+import { circlesOf, landmarksOf } from "./families";
+import { arcNear } from "./geometry";
 import { isOutside } from "./Handles";
 import { around, linePath } from "./marks";
 import { piecesIn } from "./polyline";
 import { shownWindow, sides, view } from "./view";
 import { place } from "./way";
 import { lowered } from "./words";
-
-/** Pieces of an arc across a window: straight, to the eye. */
-const PIECES = 96;
-
-/** The part of a circle about 0 that comes near to a window, as points; null where none does. */
-export function arcNear(
-  radius: number,
-  { u0, v0, u1, v1 }: { u0: number; v0: number; u1: number; v1: number },
-): Uv[] | null {
-  const [cx, cy] = [(u0 + u1) / 2, (v0 + v1) / 2];
-  const reach = Math.hypot(u1 - u0, v1 - v0) / 2;
-  const far = Math.hypot(cx, cy);
-  if (Math.abs(far - radius) > reach) return null;
-  const middle = Math.atan2(cy, cx);
-  const half = reach >= radius / 2 ? Math.PI : Math.min(Math.PI, (1.2 * reach) / radius);
-  return Array.from({ length: PIECES + 1 }, (_, k) => {
-    const angle = middle + half * ((2 * k) / PIECES - 1);
-    return [radius * Math.cos(angle), radius * Math.sin(angle)];
-  });
-}
 
 /** What is known by proof, drawn over what is computed. */
 export function FamilyLines() {
@@ -80,8 +62,8 @@ export function FamilyLines() {
           />
         );
       })}
-      <Note at={[r, -1.6 * tick]} window={window} words={`r${lowered(n)}`} />
-      {landmarksOf(n).map(({ name, s }) => {
+      {n > 2 && <Note at={[r, -1.6 * tick]} window={window} words={`r${lowered(n)}`} />}
+      {landmarksOf(n, criticalScale(n)).map(({ name, s }) => {
         const [x, y] = place(s, window);
         if (isOutside([x, y])) return null;
         return (

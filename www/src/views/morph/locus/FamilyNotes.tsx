@@ -1,6 +1,6 @@
 import { Button } from "../../../ui/Button";
-import { critical } from "./critical";
-import { criticalScale, landmarksOf, symmetryWords, theoremWords } from "./families";
+import { critical, criticalScale } from "./critical";
+import { landmarksOf, symmetryWords, theoremWords } from "./families";
 import { fly, pickPoint, sides } from "./view";
 import { lowered } from "./words";
 
@@ -10,7 +10,7 @@ export function FamilyNotes() {
   return (
     <div class="family-notes">
       <ul class="landmarks" aria-label="Places to see">
-        {landmarksOf(n).map(({ name, about, s, zoom }) => (
+        {landmarksOf(n, criticalScale(n)).map(({ name, about, s, zoom }) => (
           <li key={name}>
             <Button
               class="chip-button"

@@ -4,8 +4,9 @@ import { edit } from "../../../state/scene";
 import { Button } from "../../../ui/Button";
 import { fixed } from "../../../ui/number";
 import { type End, nameOf } from "../changes";
+import { digitsOf } from "./geometry";
 import { familyMaps } from "./hover";
-import { backToPath, digitsOf, family, picked, setPlane, sides, view } from "./view";
+import { backToPath, family, picked, setPlane, sides, view } from "./view";
 import { addAt } from "./way";
 import { complexWords } from "./words";
 

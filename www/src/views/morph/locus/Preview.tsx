@@ -3,13 +3,12 @@ import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import type { Bounds } from "../../../engine/api";
 import { announce } from "../../../state/notice";
 import type { Uv } from "../../../state/path";
+import { spot } from "./geometry";
 import { type Pointed, pointed, type Seen, SIDE, seen } from "./hover";
 import { inDigits, shownWindow, view } from "./view";
 import { place } from "./way";
 import { knownWords } from "./words";
 
-/** Between the picture and what it is about, in CSS pixels. */
-const APART = 14;
 const REST_MS = 700;
 
 /** The attractor at the parameter that is pointed at, beside it: it takes nothing and hides nothing that is pointed at. */
@@ -68,32 +67,6 @@ export function parameterWords([u, v, w = 0]: Uv): string {
     return `s = ${inDigits(u)} ${v < 0 ? "−" : "+"} ${inDigits(Math.abs(v))} i`;
   }
   return `u ${inDigits(u)}  v ${inDigits(v)}${w === 0 ? "" : `  w ${inDigits(w)}`}`;
-}
-
-interface Extent {
-  width: number;
-  height: number;
-}
-
-/**
- * Where the card stands: left of the square where there is room, since nothing is hidden there; else over the point, well
- * clear of a finger; always within the page.
- */
-export function spot(
-  at: { x: number; y: number },
-  square: { left: number; right: number },
-  card: Extent,
-  page: Extent,
-  finger: boolean,
-): { left: number; top: number } {
-  const within = (x: number, most: number) => Math.min(Math.max(8, x), Math.max(8, most - 8));
-  const beside = square.left - APART - card.width;
-  if (beside >= 8) return { left: beside, top: within(at.y - card.height / 2, page.height - card.height) };
-  const clear = finger ? 48 : APART;
-  const above = at.y - clear - card.height;
-  const left = within(at.x - card.width / 2, page.width - card.width);
-  if (above >= 8) return { left, top: above };
-  return { left, top: within(at.y + clear, page.height - card.height) };
 }
 
 function Bitmap({ bitmap }: { bitmap: ImageBitmap | null }) {

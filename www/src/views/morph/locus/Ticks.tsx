@@ -1,18 +1,6 @@
 import { fixed } from "../../../ui/number";
+import { ticksOf } from "./geometry";
 import { family, shownWindow } from "./view";
-
-/** Round numbers of a window, about so many, and the decimals that tell them apart. */
-export function ticksOf(low: number, high: number, count = 4): { at: number[]; digits: number } {
-  const rough = (high - low) / count;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((k) => k * power).find((s) => s >= rough * 0.99) ?? rough;
-  const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  const at: number[] = [];
-  const first = Math.ceil(low / step - 1e-9);
-  for (let k = first; k * step <= high + 1e-9 * step && at.length < 9; k++)
-    at.push(Number((k * step).toFixed(20)));
-  return { at, digits };
-}
 
 /** Deeper than this the numbers are too long to stand at an axis: the window is told below. */
 const MOST_DIGITS = 3;

@@ -1,6 +1,7 @@
 import { LEAST_EPSILON, MOST_ZOOM } from "../../../engine/window";
 import { NumberField } from "../../../ui/NumberField";
-import { digitsOf, epsilon, family, inDigits, picked, pickPoint, setView, shownWindow, view } from "./view";
+import { digitsOf } from "./geometry";
+import { epsilon, family, inDigits, picked, pickPoint, setView, shownWindow, view } from "./view";
 import { epsilonWords, zoomWords } from "./words";
 
 /** What the square shows, in numbers that can be typed over. */

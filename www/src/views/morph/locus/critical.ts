@@ -2,7 +2,7 @@
 import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { epoch, submit } from "../../../engine/engine";
 import type { Job } from "../../../engine/protocol";
-import { criticalScale } from "./families";
+import { frond } from "../../../engine/wasm";
 import { familyMaps } from "./hover";
 import { family, sides } from "./view";
 
@@ -13,6 +13,18 @@ export interface Critical {
   /** .. and not here, as far as Frond tells. */
   holds: number;
   done: boolean;
+}
+
+/** The least real s > 0 at which a family is in one piece; half for two sides. A theorem. */
+export function criticalScale(sides: number): number {
+  try {
+    return frond.criticalScale(sides);
+  } catch {
+    // Written out, where the package does not know it yet.
+    let sum = 0;
+    for (let k = 1; k <= Math.floor(sides / 4); k++) sum += Math.cos((2 * Math.PI * k) / sides);
+    return 1 / (2 * (1 + sum));
+  }
 }
 
 const state = signal<Critical | null>(null);

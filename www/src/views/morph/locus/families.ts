@@ -1,19 +1,6 @@
 /** What is known by proof of the polygon families {s z + exp(2 pi i k / n)}, and places worth seeing. */
-import { frond } from "../../../engine/wasm";
 import type { Uv } from "../../../state/path";
 import { lowered } from "./words";
-
-/** The least real s > 0 at which a family is in one piece; half for two sides. A theorem. */
-export function criticalScale(sides: number): number {
-  try {
-    return frond.criticalScale(sides);
-  } catch {
-    // Written out, where the package does not know it yet.
-    let sum = 0;
-    for (let k = 1; k <= Math.floor(sides / 4); k++) sum += Math.cos((2 * Math.PI * k) / sides);
-    return 1 / (2 * (1 + sum));
-  }
-}
 
 const isPrime = (n: number): boolean => {
   for (let d = 2; d * d <= n; d++) if (n % d === 0) return false;
@@ -101,9 +88,9 @@ const OF_M: readonly Landmark[] = [
 ];
 
 /** A short list of places to fly to. */
-export function landmarksOf(sides: number): readonly Landmark[] {
+/** Where the family closes on the real line, `r`, is one of them. */
+export function landmarksOf(sides: number, r: number): readonly Landmark[] {
   if (sides === 2) return OF_M;
-  const r = criticalScale(sides);
   return [
     {
       name: `r${lowered(sides)}`,

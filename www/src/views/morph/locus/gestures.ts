@@ -5,10 +5,11 @@ import { pathPoints, uv } from "../../../state/morph";
 import type { Uv } from "../../../state/path";
 import { endGesture } from "../../../state/scene";
 import { scrubTo } from "../strip/scrub";
+import { zoomed } from "./geometry";
 import { CURRENT_ID, handleId } from "./Handles";
 import { pointed } from "./hover";
 import { hitHandle, nearestOn, pointOf } from "./polyline";
-import { backToPath, panBy, pickPoint, setView, shownWindow, stopFlying, view, zoomBy, zoomed } from "./view";
+import { backToPath, panBy, pickPoint, setView, shownWindow, stopFlying, view, zoomBy } from "./view";
 import { addAt, moveTo, pick, removeAt, way } from "./way";
 
 /** A hand must travel this far, in CSS pixels, before it drags: a tap stays a tap. */

@@ -1,28 +1,15 @@
 /** How the locus is looked at, and what hands and keys do to that. */
 import { computed, effect, type ReadonlySignal, untracked } from "@preact/signals";
 import type { Bounds, LocusView } from "../../../engine/api";
-import {
-  clampedView,
-  epsilonOf,
-  type Family,
-  homeOf,
-  levelOf,
-  viewProblem,
-  windowOf,
-} from "../../../engine/window";
-import { locusView, uv, WHOLE } from "../../../state/morph";
+import { clampedView, epsilonOf, type Family, levelOf, viewProblem, windowOf } from "../../../engine/window";
+import { locusView, uv } from "../../../state/morph";
 import { notify } from "../../../state/notice";
 import type { Uv } from "../../../state/path";
 import { playing } from "../../../state/playback";
 import { reducedMotion } from "../../../state/preferences";
 import { edit, replace, scene } from "../../../state/scene";
 import { fixed } from "../../../ui/number";
-
-/** All of a plane. */
-export function wholeOf(family: Family, sides = 2): LocusView {
-  const { u0, v0, u1, v1 } = homeOf(family);
-  return { ...WHOLE, family, sides, x: (u0 + u1) / 2, y: (v0 + v1) / 2 };
-}
+import { between, digitsOf, kept, roundedTo, wholeOf, zoomed } from "./geometry";
 
 /** What is shown: the document's view, or all of its plane where that cannot be shown. */
 export const view: ReadonlySignal<LocusView> = computed(() => {
@@ -37,17 +24,8 @@ export const sides: ReadonlySignal<number> = computed(() => view.value.sides);
 /** The parameter that was picked off the path, if any. */
 export const picked: ReadonlySignal<Uv | null> = computed(() => view.value.at ?? null);
 
-/** Decimals that tell the pixels of a window apart, and some more for what is kept. */
-export const digitsOf = (zoom: number): number => 2 + Math.ceil(Math.log10(Math.max(1, zoom)));
-const kept = (x: number, zoom: number): number => Number(x.toFixed(Math.min(20, digitsOf(zoom) + 2))) || 0;
-
 /** A parameter of the window that is shown, with as many digits as it needs. */
 export const inDigits = (x: number): string => fixed(x, digitsOf(view.value.zoom));
-
-/** Short in a link, and still finer than a pixel. */
-export function roundedTo({ x, y, zoom, w, ...rest }: LocusView): LocusView {
-  return { ...rest, x: kept(x, zoom), y: kept(y, zoom), zoom: Number(zoom.toPrecision(6)), w: kept(w, 100) };
-}
 
 /** The view as it belongs in the document: what is seen anyway is left out. */
 function kindOf(next: LocusView): { locus?: LocusView } {
@@ -80,15 +58,6 @@ export function zoomBy(factor: number, [px, py]: readonly [number, number] = [0.
   setView(zoomed(view.peek(), factor, [px, py]));
 }
 
-/** The same, as a function of a view. */
-export function zoomed(now: LocusView, factor: number, [px, py]: readonly [number, number]): LocusView {
-  const zoom = clampedView({ ...now, zoom: now.zoom * factor }).zoom;
-  const home = homeOf(now.family);
-  // The middle moves by what the window loses on that side. Written so, it is exact for a factor of 1.
-  const by = (home.u1 - home.u0) * (1 / now.zoom - 1 / zoom);
-  return { ...now, zoom, x: now.x + (px - 0.5) * by, y: now.y + (py - 0.5) * by };
-}
-
 export function goHome(): void {
   const { family: kind, sides: n } = view.peek();
   const { x, y, zoom } = wholeOf(kind, n);
@@ -97,11 +66,15 @@ export function goHome(): void {
 
 const lastViews = new Map<string, LocusView>();
 const memory = ({ family: kind, sides: n }: LocusView) => (kind === "morph" ? kind : `${kind}-${n}`);
+// However a plane is left, it is found again as it was looked at; what was picked on it, where it is a family's.
+effect(() => {
+  const { at, ...rest } = view.value;
+  lastViews.set(memory(view.value), at && rest.family === "polygon" ? { ...rest, at } : rest);
+});
 
 /** Another plane, as it was last looked at. */
 export function setPlane(kind: Family, n: number): void {
   stopFlying();
-  lastViews.set(memory(view.peek()), view.peek());
   const next = wholeOf(kind, n);
   replace(withView(lastViews.get(memory(next)) ?? next));
 }
@@ -117,10 +90,7 @@ export function pickPoint(point: Uv, gesture?: string): void {
 
 /** What is left of a view when nothing is picked any more: a family has no path to go back to but the morph's. */
 function unpicked(now: LocusView): LocusView {
-  if (now.family !== "morph") {
-    lastViews.set(memory(now), now);
-    return lastViews.get("morph") ?? wholeOf("morph");
-  }
+  if (now.family !== "morph") return lastViews.get("morph") ?? wholeOf("morph");
   const { at: _, ...rest } = now;
   return rest;
 }
@@ -165,16 +135,6 @@ let flight = 0;
 export function stopFlying(): void {
   if (flight) cancelAnimationFrame(flight);
   flight = 0;
-}
-
-/** The view on the way from one to another: zoom evenly, about the one point that both have at the same place. */
-export function between(from: LocusView, to: LocusView, s: number): LocusView {
-  if (s >= 1) return to;
-  const zoom = from.zoom * (to.zoom / from.zoom) ** s;
-  const span = 1 / from.zoom - 1 / to.zoom;
-  // As zoom goes, so goes the middle; where the zoom stays, evenly.
-  const k = Math.abs(span) < 1e-9 / to.zoom ? s : (1 / from.zoom - 1 / zoom) / span;
-  return { ...to, zoom, x: from.x + k * (to.x - from.x), y: from.y + k * (to.y - from.y) };
 }
 
 /** Goes there, in one movement; at once where motion is not wanted. */
