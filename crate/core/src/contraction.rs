@@ -106,19 +106,38 @@ impl Contraction {
         Ok(this)
     }
 
-    /// A disc around the mean of the fixed points that every block maps into itself. It holds the
-    /// attractor of the blocks, which is that of the maps.
+    /// A disc that every block maps into itself. It holds the attractor of the blocks, which is that of the maps.
+    ///
+    /// Its centre is the mean of the fixed points, or one of them where that makes it much smaller: a map that turns
+    /// and hardly shrinks swings everything but its own fixed point far about.
     fn enclose(&mut self, blocks: &[Affine2]) {
-        let count = blocks.len() as f64;
-        let sum: DVec2 = blocks.iter().filter_map(|block| block.fixed_point()).sum();
-        self.centre = sum / count;
-        let shift = blocks
+        let fixed: Vec<DVec2> = blocks.iter().filter_map(|block| block.fixed_point()).collect();
+        let norms: Vec<f64> = blocks
             .iter()
-            .map(|block| (self.to_round * (block.apply(self.centre) - self.centre)).length())
-            .fold(0.0, f64::max);
-        self.radius = shift / (1.0 - self.factor) * (1.0 + 1e-12);
+            .map(|block| singular_values(self.to_round * block.linear * self.from_round).0)
+            .collect();
+        let radius = |centre: DVec2| {
+            let reach = |(block, norm): (&Affine2, &f64)| {
+                let shift = (self.to_round * (block.apply(centre) - centre)).length();
+                // Rounded up, but not above what is known of all blocks.
+                shift / (1.0 - (norm * (1.0 + 1e-14)).min(self.factor))
+            };
+            blocks.iter().zip(&norms).map(reach).fold(0.0, f64::max)
+        };
+        let mean = fixed.iter().sum::<DVec2>() / blocks.len() as f64;
+        let mut best = (mean, radius(mean));
+        for &centre in fixed.iter().take(MOST_CENTRES) {
+            let tried = radius(centre);
+            if tried < 0.5 * best.1 {
+                best = (centre, tried);
+            }
+        }
+        (self.centre, self.radius) = (best.0, best.1 * (1.0 + 1e-12));
     }
 }
+
+/// Fixed points that are tried as the centre of the disc.
+const MOST_CENTRES: usize = 64;
 
 fn check(maps: &[Affine2]) -> Result<(), IfsError> {
     if maps.is_empty() {

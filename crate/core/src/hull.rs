@@ -325,6 +325,29 @@ mod tests {
         assert!(hull.min().length() < 1e3 && (hull.max() - DVec2::new(0.0, 1e6)).length() < 1e3, "{hull:?}");
     }
 
+    #[test]
+    fn slow_turns_have_tight_hulls_too() {
+        // The worst are those that turn so little that a fan of directions cannot tell, or by no part of a circle.
+        for shrink in [0.01, 2e-3, 1e-3, 1e-4, 1e-6] {
+            for angle in [1.0, 0.1, 0.01, 2.0 * std::f64::consts::FRAC_PI_3, -3.1] {
+                let slow = Affine2::similitude(1.0 - shrink, angle, DVec2::ZERO);
+                for (scale, place) in [(0.2, DVec2::X), (0.5, DVec2::new(0.0, 3.0)), (0.8, DVec2::splat(0.1))]
+                {
+                    let ifs = Ifs::new(vec![slow, Affine2::similitude(scale, 0.5, place)]).unwrap();
+                    let hull = Hull::of(&ifs);
+                    // Its farthest points are at the fixed point of the second map, or beyond.
+                    let reach = ifs.maps()[1].fixed_point().unwrap().length();
+                    let least = reach.max(place.length() / (1.0 + scale));
+                    assert!(
+                        hull.radius() < 6.0 * least,
+                        "{shrink} {angle} {scale}: {} {least}",
+                        hull.radius()
+                    );
+                }
+            }
+        }
+    }
+
     proptest! {
         #[test]
         fn no_point_of_the_attractor_is_outside(ifs in any_ifs(), seed in 0_u32..1000) {
