@@ -1,13 +1,14 @@
 //! The fast answer: one parameter of a locus.
 
 use frond_core::{Affine2, IfsError};
-use glam::DVec2;
+use glam::DMat2;
 
 use crate::bounded::Bounded;
+use crate::dive::Dive;
 use crate::frame::Frame;
 use crate::outline::Outline;
 use crate::proof;
-use crate::search::Search;
+use crate::rift::{Bracket, Rift};
 
 /// What is known of one parameter. The numbers are those of the state arrays of a locus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -62,13 +63,9 @@ pub struct Sample {
 pub struct Scratch {
     pub(crate) frame: Frame,
     pub(crate) outline: Outline,
-    pub(crate) search: Search,
+    pub(crate) dive: Dive,
+    pub(crate) rift: Rift,
 }
-
-/// How far the bounds of a gap may differ, relative to it, to be good enough for a picture.
-const SHADE: f64 = 0.05;
-/// Looks spent at most on measuring the gap of one disconnected parameter.
-const SHADING: usize = 2000;
 
 /// Decides whether the attractor of raw maps is connected, and how wide its widest gap is.
 ///
@@ -77,7 +74,7 @@ const SHADING: usize = 2000;
 /// for before. For bounds of the gap use [`decide_bounds`], for the components and points
 /// [`connectedness`](crate::connectedness).
 pub fn decide(maps: &[Affine2], epsilon: f64, budget: usize, scratch: &mut Scratch) -> Sample {
-    decide_bounds(maps, epsilon, budget, scratch).sample
+    scratch.decide(maps, epsilon, budget, false).sample
 }
 
 /// [`decide`], with what is proved about the widest gap and about where the attractor lies.
@@ -93,51 +90,74 @@ pub fn decide(maps: &[Affine2], epsilon: f64, budget: usize, scratch: &mut Scrat
 /// assert!(known.lower * known.diameter <= 2.0 * third && 2.0 * third <= known.upper * known.diameter);
 /// ```
 pub fn decide_bounds(maps: &[Affine2], epsilon: f64, budget: usize, scratch: &mut Scratch) -> Bounded {
-    let Scratch { frame, outline, search } = scratch;
-    match frame.set(maps) {
-        Ok(()) => {}
-        Err(IfsError::Unproved) => return Bounded::unknown(State::Undecided),
-        Err(_) => return Bounded::unknown(State::NoAttractor),
-    }
-    let ellipse = Some(frame.ellipse());
-    let whole = |state, upper, diameter| Bounded {
-        sample: Sample { state, gap: 0.0 },
-        lower: 0.0,
-        upper,
-        diameter,
-        ellipse,
-    };
-    if frame.point {
-        let state = if proof::at_once(maps) { State::Connected } else { State::Touching };
-        return whole(state, 0.0, 0.0);
-    }
-    if proof::at_once(maps) {
-        // The ellipse is enough: the attractor lies within the disc of radius 1.
-        let stretch = Affine2::new(frame.from_round, DVec2::ZERO).norm();
-        return whole(State::Connected, 0.0, 2.0 * stretch);
-    }
-    outline.set(&frame.maps, 0.012 * (1.0 - frame.factor), 64);
-    search.begin(frame, outline, epsilon);
-    let settled = search.settle(frame, outline, budget);
-    let diameter = search.plane_diameter;
-    // Points are computed: they may be this far off.
-    let off = frame.rounding * search.stretch;
-    let relative = |length: f64| length / diameter;
-    if search.components.count() == 1 {
-        return whole(State::Touching, relative(search.bottleneck() + off) * (1.0 + SLACK), diameter);
-    }
-    let apart = settled || search.coarsest().count() > 1;
-    let span = search.span(frame, outline, SHADE, 0.0, search.nodes + SHADING);
-    let (lower, upper) =
-        (relative(span.lower) * (1.0 - SLACK), relative(search.bottleneck() + off) * (1.0 + SLACK));
-    let sample = if apart {
-        let middle = f64::midpoint(span.lower, span.upper);
-        Sample { state: State::Disconnected, gap: relative(middle) as f32 }
-    } else {
-        Sample { state: State::Undecided, gap: relative(span.upper) as f32 }
-    };
-    Bounded { sample, lower, upper, diameter, ellipse }
+    scratch.decide(maps, epsilon, budget, true)
 }
 
+impl Scratch {
+    /// Without `bounds`, the diameter and the bounds are not computed where the verdict does not need them.
+    fn decide(&mut self, maps: &[Affine2], epsilon: f64, budget: usize, bounds: bool) -> Bounded {
+        let Self { frame, outline, dive, rift } = self;
+        match frame.set(maps) {
+            Ok(()) => {}
+            Err(IfsError::Unproved) => return Bounded::unknown(State::Undecided),
+            Err(_) => return Bounded::unknown(State::NoAttractor),
+        }
+        let ellipse = Some(frame.ellipse());
+        let whole = |state, upper, diameter| Bounded {
+            sample: Sample { state, gap: 0.0 },
+            lower: 0.0,
+            upper,
+            diameter,
+            ellipse,
+        };
+        let proved = proof::at_once(maps);
+        if frame.point {
+            return whole(if proved { State::Connected } else { State::Touching }, 0.0, 0.0);
+        }
+        if proved {
+            // The attractor lies in the unit disc of the frame.
+            return whole(State::Connected, 0.0, 2.0 * frame.stretch);
+        }
+        let count = maps.len();
+        rift.begin(frame, count);
+        if !rift.is_whole() && dive.set(frame) {
+            let near = epsilon * epsilon * dive.extent(frame);
+            rift.join_near(|i, j| dive.meet(frame, i, j, near));
+        }
+        if rift.is_whole() && !bounds {
+            return whole(State::Touching, f64::INFINITY, f64::NAN);
+        }
+        if frame.factor < SWIFT {
+            outline.sketch(&frame.maps, 0.02 * (1.0 - frame.factor), 64);
+        } else {
+            outline.set(&frame.maps, 0.012 * (1.0 - frame.factor), 64);
+        }
+        let diameter = outline.diameter(frame.from_round);
+        let bracket = if rift.is_whole() {
+            Bracket { lower: 0.0, upper: 0.0 }
+        } else {
+            let resolution = frame.resolution(epsilon, diameter);
+            rift.bracket(frame, outline, resolution, outline.diameter(DMat2::IDENTITY), budget)
+        };
+        // Points are computed: they may be this far off.
+        let off = frame.rounding * frame.stretch;
+        let relative = |length: f64| length / diameter;
+        let (lower, upper) =
+            (relative(bracket.lower) * (1.0 - SLACK), relative(rift.bottleneck() + off) * (1.0 + SLACK));
+        if rift.is_whole() {
+            return whole(State::Touching, upper, diameter);
+        }
+        let sample = if lower > 0.0 {
+            let middle = f64::midpoint(bracket.lower, bracket.upper);
+            Sample { state: State::Disconnected, gap: relative(middle) as f32 }
+        } else {
+            Sample { state: State::Undecided, gap: relative(bracket.upper) as f32 }
+        };
+        Bounded { sample, lower, upper, diameter, ellipse }
+    }
+}
+
+/// Maps that shrink more slowly than this add up what a rough outline is too wide.
+const SWIFT: f64 = 0.8;
 /// What the last few operations may add to a bound, relative to it.
 const SLACK: f64 = 1e-14;

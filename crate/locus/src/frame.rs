@@ -22,6 +22,8 @@ pub(crate) struct Frame {
     pub dual: DMat2,
     /// Whether distances here are those of the plane, but for a factor.
     pub plain: bool,
+    /// The largest factor by which a distance here grows in the plane.
+    pub stretch: f64,
     /// How far the support values of a computed piece may be off, here, through rounding: that of the
     /// given coefficients, of this conjugation and of products along words.
     pub rounding: f64,
@@ -46,6 +48,7 @@ impl Default for Frame {
             metric: DMat2::IDENTITY,
             dual: DMat2::IDENTITY,
             plain: true,
+            stretch: 1.0,
             rounding: 0.0,
             factor: 0.0,
             length: 1,
@@ -105,11 +108,18 @@ impl Frame {
         self.metric = self.from_round.transpose() * self.from_round;
         self.dual = to * to.transpose() * (1.0 / (unit * unit));
         self.plain = to == DMat2::IDENTITY;
+        self.stretch = if self.plain { unit } else { Affine2::new(self.from_round, DVec2::ZERO).norm() };
         self.maps.clear();
         self.maps.extend(maps.iter().map(|map| {
             let translation = to * (map.apply(origin) - origin) * (1.0 / unit);
             Affine2::new(to * map.linear * from, translation)
         }));
+    }
+
+    /// Points of the plane within this distance are not told apart: `epsilon` of the diameter, or as near as
+    /// rounding lets one see, unless rounding has become coarse itself.
+    pub fn resolution(&self, epsilon: f64, diameter: f64) -> f64 {
+        (epsilon * diameter).max((4.0 * self.rounding * self.stretch).min(1e-9 * diameter))
     }
 
     /// Where the attractor lies.

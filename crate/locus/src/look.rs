@@ -3,27 +3,49 @@
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
+use crate::four::{Four, Vec4};
 use crate::frame::Frame;
 use crate::outline::Outline;
+use crate::pair::Piece;
 
-/// What was found out about one pair.
+/// What was found out about up to four pieces, each against one and the same other.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Look {
-    /// A lower bound of the distance in the plane; not above 0 where the pieces may meet.
-    pub apart: f64,
+pub(crate) struct Looks {
+    /// Lower bounds of the distances in the plane; not above 0 where the two may meet.
+    pub apart: [f64; 4],
     /// How near their middles are, against what reaches from one to the other: 0 if they coincide, 1 if the
     /// hulls touch.
-    pub overlap: f64,
-    /// The square of the distance between two points of the attractor, one in each piece.
-    pub reach: f64,
-    /// These points, in the frame.
-    pub from: DVec2,
-    pub to: DVec2,
+    pub overlap: [f64; 4],
+    /// The squares of the distances between two points of the attractor, one in each piece.
+    pub reach: [f64; 4],
+    /// These points, in the frame: in the pieces, and in the other.
+    points: [Vec4; 2],
+}
+
+impl Looks {
+    /// The two points of piece `k`: in it, and in the other.
+    #[inline]
+    pub fn points(&self, k: usize) -> (DVec2, DVec2) {
+        (self.points[0].at(k), self.points[1].at(k))
+    }
+}
+
+/// [`Looks`] without points.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Distances {
+    /// Lower bounds of the distances in the plane; not above 0 where the two may meet.
+    pub apart: [f64; 4],
+    /// How near their middles are.
+    pub overlap: [f64; 4],
+    /// The squares of the distances between two points of the attractor, one in each piece.
+    pub reach: [f64; 4],
 }
 
 /// How lengths and directions are measured.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Gauge {
+    /// Whether lengths are those of the plane, but for a factor: its square, and the inverse of that.
+    plain: Option<[f64; 2]>,
     metric: DMat2,
     dual: DMat2,
     /// In which metric to look for lines that separate pieces.
@@ -31,11 +53,42 @@ pub(crate) struct Gauge {
     rounding: f64,
 }
 
+/// The linear parts of four maps, and what they do to vectors.
+#[derive(Clone, Copy)]
+struct Linear4 {
+    x: Vec4,
+    y: Vec4,
+}
+
+impl Linear4 {
+    #[inline(always)]
+    fn splat(m: DMat2) -> Self {
+        Self { x: Vec4::splat(m.x_axis), y: Vec4::splat(m.y_axis) }
+    }
+
+    #[inline(always)]
+    fn times(self, v: Vec4) -> Vec4 {
+        Vec4 { x: self.x.x * v.x + self.y.x * v.y, y: self.x.y * v.x + self.y.y * v.y }
+    }
+
+    #[inline(always)]
+    fn transposed_times(self, v: Vec4) -> Vec4 {
+        Vec4 { x: self.x.dot(v), y: self.y.dot(v) }
+    }
+}
+
 impl Gauge {
     /// To tell pieces apart: they are round in the frame, and most easily told apart there, however flat they
     /// are in the plane.
     pub fn to_separate(frame: &Frame) -> Self {
-        Self { metric: frame.metric, dual: frame.dual, lean: DMat2::IDENTITY, rounding: frame.rounding }
+        let plain = frame.plain.then_some([frame.metric.x_axis.x, frame.dual.x_axis.x]);
+        Self {
+            plain,
+            metric: frame.metric,
+            dual: frame.dual,
+            lean: DMat2::IDENTITY,
+            rounding: frame.rounding,
+        }
     }
 
     /// To measure how far apart they are: distances are those of the plane, and so are the directions that
@@ -44,53 +97,133 @@ impl Gauge {
         Self { lean: frame.metric, ..Self::to_separate(frame) }
     }
 
-    /// Bounds the distance of the images of the attractor under two maps of the frame: support functions along the line between their middles, then
-    /// along better ones (steps of Frank & Wolfe's algorithm on their difference).
-    #[inline]
-    pub fn look(&self, outline: &Outline, a: &Affine2, b: &Affine2) -> Look {
-        let (at, bt) = (a.linear.transpose(), b.linear.transpose());
-        let mut step = b.translation - a.translation;
-        let mut best = Look {
-            apart: 0.0,
-            overlap: f64::INFINITY,
-            reach: f64::INFINITY,
-            from: DVec2::ZERO,
-            to: DVec2::ZERO,
+    /// Bounds the distances of one to four pieces from another: support functions along the lines between their
+    /// middles, then along better ones (steps of Frank & Wolfe's algorithm on their difference).
+    ///
+    /// The four are independent of each other, and a processor works on them at once. Lanes that are left over
+    /// repeat the last piece.
+    pub fn look(&self, outline: &Outline, parts: &[Piece], other: &Affine2) -> Looks {
+        self.look_as::<false>(outline, parts, other)
+    }
+
+    /// [`Gauge::look`] without points.
+    pub fn distances(&self, outline: &Outline, parts: &[Piece], other: &Affine2) -> Distances {
+        let Looks { apart, overlap, reach, .. } = if self.plain.is_some() {
+            self.look_as::<true>(outline, parts, other)
+        } else {
+            self.look_as::<false>(outline, parts, other)
         };
-        let middle = step;
-        for round in 0..ROUNDS {
-            let normal = self.lean * step;
-            let (far_a, p) = outline.support(at * normal);
-            let (far_b, q) = outline.support(-(bt * normal));
-            let along = normal.dot(middle);
-            let reach = far_a + far_b;
-            let apart = along - reach;
-            let (from, to) = (a.apply(p), b.apply(q));
-            let between = to - from;
-            let squared = between.dot(self.metric * between);
-            if squared < best.reach {
-                best = Look { reach: squared, from, to, ..best };
-            }
-            if apart > 0.0 {
-                let off = self.rounding * normal.length();
-                best.apart = (apart - off) / normal.dot(self.dual * normal).sqrt();
-                if best.apart > 0.0 {
-                    return best;
-                }
-            }
-            best.overlap = best.overlap.min(along / reach);
-            if round + 1 < ROUNDS {
-                // The point nearest to the origin between `step` and `between`, both differences of points
-                // of the two hulls.
-                let turn = step - between;
-                let length = turn.dot(self.lean * turn);
-                let t = (normal.dot(turn) / length).clamp(0.0, 1.0);
-                step -= turn * t;
-            }
+        Distances { apart, overlap, reach }
+    }
+
+    /// `PLAIN` where lengths are those of the plane.
+    #[inline(always)]
+    fn look_as<const PLAIN: bool>(&self, outline: &Outline, parts: &[Piece], other: &Affine2) -> Looks {
+        let sides = Sides::new(parts, other);
+        let middle = sides.b0 - sides.a0;
+        let first = self.along::<PLAIN>(outline, &sides, middle);
+        if first.apart.0.iter().all(|&apart| apart > 0.0) {
+            return Looks {
+                apart: distance(first.apart, first.scale).0,
+                overlap: first.overlap.0,
+                reach: first.reach.0,
+                points: first.points,
+            };
         }
-        best
+        // The point nearest to the origin between `middle` and `between`, both differences of points of the
+        // two hulls.
+        let turn = middle - (first.points[1] - first.points[0]);
+        let length = turn.dot(if PLAIN { turn } else { Linear4::splat(self.lean).times(turn) });
+        let t = (first.normal.dot(turn) / length).max(Four::default()).min(Four::splat(1.0));
+        let step = Vec4 { x: middle.x - turn.x * t, y: middle.y - turn.y * t };
+        let second = self.along::<PLAIN>(outline, &sides, step);
+        // The greater of the two bounds: of their squares, with their signs, lest a root be taken for each.
+        let signed = |a: Four, other: Four| a * a.abs() * other;
+        let (a, b) = (signed(first.apart, second.scale), signed(second.apart, first.scale));
+        let apart = a.choose_less(b, second.apart, first.apart);
+        let scale = a.choose_less(b, second.scale, first.scale);
+        let nearer = |a: Four, b: Four| second.reach.choose_less(first.reach, b, a);
+        let chosen = |k: usize| Vec4 {
+            x: nearer(first.points[k].x, second.points[k].x),
+            y: nearer(first.points[k].y, second.points[k].y),
+        };
+        Looks {
+            apart: distance(apart, scale).0,
+            overlap: first.overlap.min(second.overlap).0,
+            reach: first.reach.min(second.reach).0,
+            points: [chosen(0), chosen(1)],
+        }
+    }
+
+    /// What is seen along lines of the directions `step`.
+    #[inline(always)]
+    fn along<const PLAIN: bool>(&self, outline: &Outline, sides: &Sides, step: Vec4) -> View {
+        let Sides { a, b, a0, b0 } = sides;
+        let normal = if PLAIN { step } else { Linear4::splat(self.lean).times(step) };
+        let (far_a, p) = outline.support4(a.transposed_times(normal));
+        let pulled = b.transposed_times(normal);
+        let (far_b, q) = outline.support4(Vec4 { x: -pulled.x, y: -pulled.y });
+        let along = normal.dot(*b0 - *a0);
+        let reach = far_a + far_b;
+        let points = [a.times(p) + *a0, b.times(q) + *b0];
+        let between = points[1] - points[0];
+        // Rounding outward; the sum of the sides is no shorter than the normal.
+        let off = Four::splat(self.rounding) * (normal.x.abs() + normal.y.abs());
+        let squares = |v: Vec4, metric: DMat2, factor: f64| {
+            if PLAIN { v.dot(v) * Four::splat(factor) } else { v.dot(Linear4::splat(metric).times(v)) }
+        };
+        let [metric, dual] = self.plain.unwrap_or_default();
+        View {
+            normal,
+            apart: along - reach - off,
+            scale: squares(normal, self.dual, dual),
+            overlap: along / reach,
+            reach: squares(between, self.metric, metric),
+            points,
+        }
     }
 }
 
-/// Directions tried on a pair.
-const ROUNDS: usize = 2;
+/// The distance in the plane, 0 where it is less.
+#[inline(always)]
+fn distance(apart: Four, scale: Four) -> Four {
+    Four::default().choose_less(apart, apart / scale.sqrt(), Four::default())
+}
+
+/// The maps of four pieces and of another one.
+struct Sides {
+    a: Linear4,
+    b: Linear4,
+    a0: Vec4,
+    b0: Vec4,
+}
+
+impl Sides {
+    #[inline(always)]
+    fn new(parts: &[Piece], other: &Affine2) -> Self {
+        let last = parts.len() - 1;
+        let lanes = [&parts[0], &parts[last.min(1)], &parts[last.min(2)], &parts[last.min(3)]];
+        let four = |f: fn(&Affine2) -> f64| Four(lanes.map(|piece| f(&piece.map)));
+        let a = Linear4 {
+            x: Vec4 { x: four(|m| m.linear.x_axis.x), y: four(|m| m.linear.x_axis.y) },
+            y: Vec4 { x: four(|m| m.linear.y_axis.x), y: four(|m| m.linear.y_axis.y) },
+        };
+        Self {
+            a,
+            b: Linear4::splat(other.linear),
+            a0: Vec4 { x: four(|m| m.translation.x), y: four(|m| m.translation.y) },
+            b0: Vec4::splat(other.translation),
+        }
+    }
+}
+
+/// What is seen of two pieces along one direction, in four lanes.
+struct View {
+    normal: Vec4,
+    /// How far they are apart along the normal, which is `scale.sqrt()` long in the plane.
+    apart: Four,
+    scale: Four,
+    overlap: Four,
+    reach: Four,
+    points: [Vec4; 2],
+}

@@ -10,19 +10,19 @@
 use std::collections::BinaryHeap;
 use std::ops::Range;
 
-use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
 use crate::frame::Frame;
 use crate::graph::Components;
-use crate::look::{Gauge, Look};
+use crate::look::{Gauge, Looks};
 use crate::outline::Outline;
-use crate::pair::{Nearest, Pair, Piece};
+use crate::pair::{Nearest, Pair};
+use crate::pieces::Pieces;
 
 /// What a descent needs, kept for the next.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Search {
-    pieces: Vec<Piece>,
+    pub pieces: Pieces,
     /// Pairs that may meet: a stack.
     pub open: Vec<Pair>,
     /// Pairs passed over since their attractorlets were in one component already.
@@ -37,10 +37,9 @@ pub(crate) struct Search {
     pub nodes: usize,
     pub count: usize,
     pub gauge: Gauge,
-    metric: DMat2,
     rounding: f64,
-    /// The largest factor by which a distance of the frame grows in the plane.
-    pub stretch: f64,
+    /// See [`Frame::stretch`].
+    stretch: f64,
     /// The diameter of the attractor in the frame, and in the plane.
     diameter: f64,
     pub plane_diameter: f64,
@@ -55,12 +54,11 @@ impl Search {
     pub fn begin(&mut self, frame: &Frame, outline: &Outline, epsilon: f64) {
         let count = frame.maps.len();
         self.count = count;
-        self.metric = frame.metric;
         self.gauge = Gauge::to_separate(frame);
         self.rounding = frame.rounding;
         self.diameter = outline.diameter(DMat2::IDENTITY);
         self.plane_diameter = outline.diameter(frame.from_round);
-        self.pieces.clear();
+        self.pieces.begin(frame);
         self.open.clear();
         self.apart.clear();
         self.by_distance.clear();
@@ -70,34 +68,25 @@ impl Search {
         self.nearest.resize(count * count, unknown);
         self.components.reset(count);
         self.nodes = 0;
-        self.stretch = Affine2::new(frame.from_round, DVec2::ZERO).norm();
-        // No finer than rounding lets one see, unless rounding has become coarse itself.
-        let seen = (4.0 * self.rounding * self.stretch).min(1e-9 * self.plane_diameter);
-        self.resolution = (epsilon * self.plane_diameter).max(seen);
-        for &map in &frame.maps {
-            self.add(map);
-        }
+        self.stretch = frame.stretch;
+        self.resolution = frame.resolution(epsilon, self.plane_diameter);
         for i in 0..count {
-            for j in i + 1..count {
-                if frame.maps[i] == frame.maps[j] {
-                    // The same piece twice.
-                    self.nearest[i * count + j].reach = 0.0;
-                    self.meet(i, j);
-                } else {
-                    let look = self.look(outline, i as u32, j as u32);
-                    if !self.note(&look, i as u8, j as u8) {
-                        self.file(&look, Pair { key: 0.0, u: i as u32, v: j as u32, i: i as u8, j: j as u8 });
+            for first in (i + 1..count).step_by(4) {
+                let pairs = first..count.min(first + 4);
+                let looks = self.look(outline, pairs.start as u32..pairs.end as u32, i as u32);
+                for (k, j) in pairs.enumerate() {
+                    let pair = Pair { key: 0.0, u: i as u32, v: j as u32, i: i as u8, j: j as u8 };
+                    if frame.maps[i] == frame.maps[j] {
+                        // The same piece twice.
+                        self.nearest[i * count + j].reach = 0.0;
+                        self.meet(i, j);
+                    } else if !self.note(&looks, k, false, pair.i, pair.j) {
+                        self.file(&looks, k, pair);
                     }
                 }
             }
         }
         self.open.sort_unstable();
-    }
-
-    fn add(&mut self, map: Affine2) {
-        let m = map.linear;
-        let size = 0.5 * (m.x_axis.dot(self.metric * m.x_axis) + m.y_axis.dot(self.metric * m.y_axis));
-        self.pieces.push(Piece { map, size, parts: 0 });
     }
 
     /// Pursues the pairs that are not known to be apart until all pieces are in one component, or none
@@ -128,7 +117,9 @@ impl Search {
 
     /// Decides a pair, or splits it; `false`, leaving it open, if the budget is spent.
     fn pursue(&mut self, frame: &Frame, outline: &Outline, pair: Pair, budget: usize) -> bool {
-        if self.is_small(pair) && self.rounding * self.stretch <= self.resolution {
+        if self.pieces.are_small(pair.u, pair.v, self.resolution / self.diameter)
+            && self.rounding * self.stretch <= self.resolution
+        {
             self.meet(usize::from(pair.i), usize::from(pair.j));
         } else if self.nodes >= budget {
             self.open.push(pair);
@@ -148,12 +139,6 @@ impl Search {
         components
     }
 
-    /// Pairs of attractorlets that were found to meet, `i < j`, in ascending order.
-    pub fn overlaps(&self) -> Vec<(usize, usize)> {
-        let all = self.nearest.iter().enumerate().filter(|(_, nearest)| nearest.met);
-        all.map(|(k, _)| (k / self.count, k % self.count)).collect()
-    }
-
     /// The same, and those that are not known to be apart.
     pub fn may_meet(&self) -> Vec<(usize, usize)> {
         let open = self.open.iter().chain(&self.later).map(|pair| (usize::from(pair.i), usize::from(pair.j)));
@@ -163,65 +148,45 @@ impl Search {
         pairs
     }
 
-    /// Whether both pieces together are no larger than the resolution.
-    fn is_small(&self, pair: Pair) -> bool {
-        let limit = self.resolution / self.diameter;
-        let limit = limit * limit;
-        let (u, v) = (&self.pieces[pair.u as usize], &self.pieces[pair.v as usize]);
-        // The larger stretch is between one and 1.42 times the mean square one.
-        if u.size + v.size > limit {
-            return false;
-        }
-        let stretch = |piece: &Piece| {
-            let m = piece.map.linear;
-            let (x, y) = (self.metric * m.x_axis, self.metric * m.y_axis);
-            let (xx, xy, yy) = (m.x_axis.dot(x), m.x_axis.dot(y), m.y_axis.dot(y));
-            (f64::midpoint(xx, yy) + (0.5 * (xx - yy)).hypot(xy)).sqrt()
-        };
-        let sum = stretch(u) + stretch(v);
-        sum * sum <= limit
+    /// Pairs of attractorlets that were found to meet, `i < j`, in ascending order.
+    pub fn overlaps(&self) -> Vec<(usize, usize)> {
+        let all = self.nearest.iter().enumerate().filter(|(_, nearest)| nearest.met);
+        all.map(|(k, _)| (k / self.count, k % self.count)).collect()
     }
 
     /// Splits the larger piece of a pair, known to be `apart`, and looks at the pairs of its parts.
     pub fn split(&mut self, frame: &Frame, outline: &Outline, pair: Pair, apart: f64) {
         let Pair { u, v, i, j, .. } = pair;
-        let (parts, first) = self.parts_of_larger(frame, u, v);
+        let (parts, first) = self.pieces.parts_of_larger(frame, u, v);
+        let other = if first { v } else { u };
         let before = self.open.len();
-        for part in parts {
-            let (u, v) = if first { (part, v) } else { (u, part) };
-            let look = self.look(outline, u, v);
-            if self.note(&look, i, j) {
-                return;
+        for four in parts.clone().step_by(4) {
+            let four = four..parts.end.min(four + 4);
+            let looks = self.look(outline, four.clone(), other);
+            for (k, part) in four.enumerate() {
+                if self.note(&looks, k, first, i, j) {
+                    return;
+                }
+                let (u, v) = if first { (part, v) } else { (u, part) };
+                self.file(&looks, k, Pair { key: apart, u, v, i, j });
             }
-            self.file(&look, Pair { key: apart, u, v, i, j });
         }
         self.open[before..].sort_unstable();
     }
 
-    /// The parts of the larger one of two pieces, and whether that is the first.
-    pub fn parts_of_larger(&mut self, frame: &Frame, u: u32, v: u32) -> (Range<u32>, bool) {
-        let first = self.pieces[u as usize].size >= self.pieces[v as usize].size;
-        let large = if first { u } else { v } as usize;
-        if self.pieces[large].parts == 0 {
-            self.pieces[large].parts = self.pieces.len() as u32;
-            let whole = self.pieces[large].map;
-            for &map in &frame.maps {
-                self.add(whole * map);
-            }
-        }
-        let parts = self.pieces[large].parts;
-        (parts..parts + self.count as u32, first)
-    }
-
-    /// Takes note of how near two attractorlets come; whether that makes them meet.
+    /// Takes note of how near two attractorlets come: of look `k`, at parts of the `first` of them or of the
+    /// second; whether that makes them meet.
     #[inline]
-    pub fn note(&mut self, look: &Look, i: u8, j: u8) -> bool {
+    pub fn note(&mut self, looks: &Looks, k: usize, first: bool, i: u8, j: u8) -> bool {
         self.nodes += 1;
         let (i, j) = (usize::from(i), usize::from(j));
         let nearest = &mut self.nearest[i * self.count + j];
-        if look.reach < nearest.reach {
-            *nearest = Nearest { reach: look.reach, from: look.from, to: look.to, met: nearest.met };
-            if look.reach.sqrt() <= self.resolution {
+        let reach = looks.reach[k];
+        if reach < nearest.reach {
+            let (part, other) = looks.points(k);
+            let (from, to) = if first { (part, other) } else { (other, part) };
+            *nearest = Nearest { reach, from, to, met: nearest.met };
+            if reach.sqrt() <= self.resolution {
                 self.meet(i, j);
                 return true;
             }
@@ -233,12 +198,12 @@ impl Search {
     /// overlap. Its key is the distance of the pair that it is a part of: parts are no nearer than that, even
     /// if the directions tried on them show less.
     #[inline]
-    fn file(&mut self, look: &Look, mut pair: Pair) {
-        pair.key = look.apart.max(pair.key);
+    fn file(&mut self, looks: &Looks, k: usize, mut pair: Pair) {
+        pair.key = looks.apart[k].max(pair.key);
         if pair.key > 0.0 {
             self.apart.push(pair);
         } else {
-            pair.key = look.overlap;
+            pair.key = looks.overlap[k];
             self.open.push(pair);
         }
     }
@@ -249,9 +214,8 @@ impl Search {
         self.nearest[i * self.count + j].met = true;
     }
 
-    /// Looks at two pieces.
-    #[inline]
-    pub fn look(&self, outline: &Outline, u: u32, v: u32) -> Look {
-        self.gauge.look(outline, &self.pieces[u as usize].map, &self.pieces[v as usize].map)
+    /// Looks at one to four pieces, each against the other.
+    pub fn look(&self, outline: &Outline, parts: Range<u32>, other: u32) -> Looks {
+        self.gauge.look(outline, self.pieces.range(parts), &self.pieces.get(other).map)
     }
 }

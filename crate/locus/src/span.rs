@@ -87,17 +87,20 @@ impl Search {
         pairs.extend(std::iter::from_fn(|| self.by_distance.pop()).take(DIVES));
         for Pair { mut u, mut v, i, j, .. } in pairs {
             for _ in 0..DEPTH {
-                let (parts, first) = self.parts_of_larger(frame, u, v);
-                let mut nearest = (f64::INFINITY, u, v);
-                for part in parts {
-                    let (u, v) = if first { (part, v) } else { (u, part) };
-                    let look = self.look(outline, u, v);
-                    self.note(&look, i, j);
-                    if look.reach < nearest.0 {
-                        nearest = (look.reach, u, v);
+                let (parts, first) = self.pieces.parts_of_larger(frame, u, v);
+                let other = if first { v } else { u };
+                let mut nearest = (f64::INFINITY, parts.start);
+                for four in parts.clone().step_by(4) {
+                    let four = four..parts.end.min(four + 4);
+                    let looks = self.look(outline, four.clone(), other);
+                    for (k, part) in four.enumerate() {
+                        self.note(&looks, k, first, i, j);
+                        if looks.reach[k] < nearest.0 {
+                            nearest = (looks.reach[k], part);
+                        }
                     }
                 }
-                (_, u, v) = nearest;
+                (u, v) = if first { (nearest.1, v) } else { (u, nearest.1) };
             }
         }
     }
@@ -108,27 +111,6 @@ impl Search {
         self.components.reset(self.count);
         self.bridge(&mut span);
         span
-    }
-
-    /// The widest edge of the least spanning tree of the nearest points known (Prim's algorithm): an upper bound
-    /// of the widest gap.
-    pub fn bottleneck(&self) -> f64 {
-        let count = self.count;
-        let between = |i: usize, j: usize| self.nearest[i.min(j) * count + i.max(j)].reach;
-        // How far each piece is from the tree, which begins with piece 0.
-        let mut distance: Vec<f64> = (0..count).map(|i| between(0, i)).collect();
-        let mut outside: Vec<usize> = (1..count).collect();
-        let mut widest = 0.0_f64;
-        while let Some(k) =
-            (0..outside.len()).min_by(|&a, &b| distance[outside[a]].total_cmp(&distance[outside[b]]))
-        {
-            let next = outside.swap_remove(k);
-            widest = widest.max(distance[next]);
-            for &i in &outside {
-                distance[i] = distance[i].min(between(next, i));
-            }
-        }
-        widest.sqrt()
     }
 
     /// Joins what is left by the nearest points known.
