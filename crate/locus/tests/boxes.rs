@@ -1,0 +1,233 @@
+//! Whole boxes of parameters, against each sample on its own and against truth known by theorem.
+
+use frond_core::{Affine2, Ifs, Mode, Morph, MorphOptions, hash};
+use frond_locus::{
+    Bounds, Crossing, Family, LocusGrid, Options, Polygons, Scratch, Slice, State, Verdict, connectedness,
+    crossings, decide,
+};
+use glam::{DMat2, DVec2};
+
+fn unit(seed: u32, k: u32) -> f64 {
+    f64::from(hash::unit(hash::counter(seed, k)))
+}
+
+/// Two thin bars, each of two halves that reach a little beyond the middle: one along x, the other turned.
+fn bars(turn: f64, up: f64) -> Vec<Affine2> {
+    let half = |angle: f64, side: f64, up: f64| {
+        let flat = DMat2::from_diagonal(DVec2::new(0.6, 0.05));
+        let turned = DMat2::from_angle(angle);
+        Affine2::new(turned * flat, turned * DVec2::new(0.4 * side, 0.0) + DVec2::new(0.0, up))
+    };
+    vec![half(0.0, -1.0, 0.0), half(0.0, 1.0, 0.0), half(turn, -1.0, up), half(turn, 1.0, up)]
+}
+
+#[test]
+fn two_bars_laid_across_each_other_cross() {
+    let found = crossings(&bars(1.5, 0.03), f64::INFINITY, 0.0).expect("a plus");
+    assert_eq!(found.len(), 3);
+    for Crossing { i, j, u, v, corners } in &found {
+        assert_eq!((usize::from(u[0]), usize::from(v[0])), (*i, *j));
+        // The corners take turns about their middle.
+        let middle = corners.iter().sum::<DVec2>() / 4.0;
+        let mut around: Vec<_> = (0..4).map(|k| ((corners[k] - middle).to_angle(), k / 2)).collect();
+        around.sort_by(|a, b| a.0.total_cmp(&b.0));
+        assert!((0..4).all(|k| around[k].1 != around[(k + 1) % 4].1), "{around:?}");
+    }
+    // Laid beside each other they do not, however near; nor if they may be off by as much as they are long.
+    for up in [0.5, 0.12] {
+        assert_eq!(crossings(&bars(0.0, up), f64::INFINITY, 0.0), None);
+    }
+    let plus = bars(1.5, 0.03);
+    assert_eq!(crossings(&plus, f64::INFINITY, 1.0), None);
+    assert_eq!(crossings(&plus, f64::INFINITY, f64::NAN), None);
+    assert!(crossings(&plus, f64::INFINITY, 1e-4).is_some());
+    // A shape bent by an affine map crosses as well.
+    let by = Affine2::from_row([3.0, 1.5, 0.2, 0.8, 40.0, -7.0]);
+    let bent: Vec<_> = plus.iter().map(|map| map.conjugate(by).unwrap()).collect();
+    assert!(crossings(&bent, f64::INFINITY, 0.0).is_some());
+}
+
+#[test]
+fn bad_systems_have_no_crossings() {
+    let shrink = |s: f64| Affine2::similitude(s, 0.3, DVec2::X);
+    for maps in
+        [vec![], vec![shrink(0.5)], vec![shrink(0.5); 2], vec![shrink(1.5); 2], vec![shrink(f64::NAN); 2]]
+    {
+        assert_eq!(crossings(&maps, f64::INFINITY, 0.0), None);
+    }
+    assert_eq!(crossings(&vec![shrink(0.1); 100], f64::INFINITY, 0.0), None);
+}
+
+/// Maps of a random system, mostly near the edge of falling apart.
+fn any_maps(seed: u32) -> Vec<Affine2> {
+    let count = 2 + (unit(seed, 0) * 4.0) as u32;
+    let map = |i: u32| {
+        let at = |k: u32| unit(seed, 10 * i + k + 1);
+        let size = (1.2 / f64::from(count).sqrt() * (0.75 + 0.5 * at(0))).min(0.94);
+        let flat = DVec2::new(size, size * (0.4 + 0.6 * at(1)) * if at(2) < 0.2 { -1.0 } else { 1.0 });
+        let linear = DMat2::from_angle(6.3 * at(3))
+            * DMat2::from_diagonal(flat)
+            * DMat2::from_angle(if at(4) < 0.5 { 0.0 } else { 6.3 * at(4) });
+        Affine2::new(linear, DVec2::new(at(5), at(6)) * 2.0 - 1.0)
+    };
+    (0..count).map(map).collect()
+}
+
+#[test]
+fn what_is_disconnected_never_crosses() {
+    let mut scratch = Scratch::default();
+    let (mut apart, mut crossed) = (0, 0);
+    for seed in 0..10_000 {
+        let maps = any_maps(seed);
+        let state = decide(&maps, 1e-4, 20_000, &mut scratch).state;
+        if crossings(&maps, f64::INFINITY, 0.0).is_some() {
+            crossed += 1;
+            assert!(state != State::Disconnected, "seed {seed}");
+        }
+        apart += u32::from(state == State::Disconnected);
+    }
+    assert!(apart > 1500 && crossed > 1500, "{apart} disconnected, {crossed} crossed");
+}
+
+#[test]
+fn polygons_just_below_their_scale_never_cross() {
+    let mut maps = Vec::new();
+    for sides in [2, 3, 4, 5, 6, 7, 8, 9, 12, 16] {
+        let family = Polygons::new(sides);
+        for off in [1e-3, 1e-6] {
+            for turn in [0.0, 1.0] {
+                let angle = turn * std::f64::consts::TAU / sides as f64;
+                let s = DVec2::from_angle(angle) * family.critical_scale() * (1.0 - off);
+                family.fill(s.x, s.y, &mut maps);
+                assert_eq!(crossings(&maps, f64::INFINITY, 0.0), None, "{sides} sides, {off} below");
+                let ifs = Ifs::new(maps.clone()).unwrap();
+                let options = Options { epsilon: 1e-8, ..Options::default() };
+                assert_eq!(connectedness(&ifs, &options).verdict, Verdict::Disconnected, "{sides} sides");
+            }
+        }
+    }
+}
+
+/// Compares a patch with its samples one by one; returns how many states there are of each, and how many samples
+/// the boxes upgraded.
+fn compare<F: Family>(family: &F, grid: &LocusGrid, epsilon: f64, name: &str) -> ([usize; 5], usize) {
+    let mut scratch = Scratch::default();
+    let (width, height) = (grid.width(), grid.height());
+    let patch = grid.patch(family, epsilon, 0..width, 0..height, &mut scratch);
+    let mut states = [0; 5];
+    let mut better = 0;
+    let mut maps = Vec::new();
+    for y in 0..height {
+        for x in 0..width {
+            family.fill(grid.u(x), grid.v(y), &mut maps);
+            let alone = decide(&maps, epsilon, LocusGrid::BUDGET.max(2000 * maps.len()), &mut scratch);
+            let i = y * width + x;
+            let state = State::from_code(patch.state[i]).expect("a state");
+            let case = format!("{name}, ({}, {}): {alone:?}, {state:?}", grid.u(x), grid.v(y));
+            states[state as usize] += 1;
+            match (alone.state, state) {
+                (a, b) if a == b => {}
+                (State::Touching | State::Undecided, State::Connected) => better += 1,
+                (State::Undecided, State::Disconnected | State::NoAttractor) => better += 1,
+                _ => panic!("{case}"),
+            }
+            let gap = patch.gap[i];
+            match state {
+                State::Connected | State::Touching => assert_eq!(gap, 0.0, "{case}"),
+                State::Disconnected if alone.state == State::Disconnected => {
+                    let off = (f64::from(gap) - f64::from(alone.gap)).abs();
+                    assert!(gap > 0.0 && off < 0.35 * f64::from(alone.gap).max(0.04), "{case}: {gap}");
+                }
+                _ => {}
+            }
+        }
+    }
+    (states, better)
+}
+
+fn dragon_to_gasket() -> Morph {
+    let a = Affine2::from_row([0.5, -0.5, 0.5, 0.5, 0.0, 0.0]);
+    let b = Affine2::from_row([-0.5, -0.5, 0.5, -0.5, 1.0, 0.0]);
+    let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.75_f64.sqrt()]].map(DVec2::from_array);
+    let gasket = corners.map(|c| Affine2::similitude(0.5, 0.0, c * 0.5));
+    Morph::new(&[a, b * a, b * b], &gasket, &MorphOptions::default()).unwrap()
+}
+
+#[test]
+fn patches_agree_with_their_samples_on_a_morph() {
+    let morph = dragon_to_gasket();
+    for w in [0.0, 0.15] {
+        let slice = Slice::new(&morph, w);
+        let grid = LocusGrid::new(Bounds::default(), 61, 61).unwrap();
+        let (states, _) = compare(&slice, &grid, 1.0 / 600.0, "all of it");
+        assert!(states[2] > 1000, "{states:?}");
+        // Magnified, whole boxes are proved both ways.
+        for (u, v) in [(0.2, 0.48), (-0.3, 0.7), (0.05, 0.3)] {
+            let near = Bounds { u0: u, v0: v, u1: u + 0.02, v1: v + 0.02 };
+            let grid = LocusGrid::new(near, 65, 65).unwrap();
+            let (states, better) = compare(&slice, &grid, 1e-5, "magnified");
+            assert!(states[2] > 4000 || better > 500, "{states:?}, {better}");
+        }
+    }
+}
+
+#[test]
+fn patches_agree_with_their_samples_on_random_morphs() {
+    let mut all = [0; 5];
+    for seed in 0..40 {
+        let (from, mut to) = (any_maps(2 * seed), any_maps(2 * seed + 1));
+        to.resize(from.len(), Affine2::similitude(0.4, 1.0, DVec2::X));
+        let mode = if seed % 4 == 0 { Mode::Linear } else { Mode::Polar };
+        let morph = Morph::new(&from, &to, &MorphOptions { mode, ..MorphOptions::default() }).unwrap();
+        let size = [3.0, 0.3, 0.02][seed as usize % 3];
+        let (u, v) = (unit(seed, 800) * 3.0 - 1.0, unit(seed, 801) * 3.0 - 1.0);
+        let bounds = Bounds { u0: u, v0: v, u1: u + size, v1: v + size };
+        let grid = LocusGrid::new(bounds, 24, 19).unwrap();
+        let slice = Slice::new(&morph, 0.1 * unit(seed, 802));
+        let (states, _) = compare(&slice, &grid, 1e-3, &format!("seed {seed}"));
+        all.iter_mut().zip(states).for_each(|(sum, n)| *sum += n);
+    }
+    assert!(all[0] + all[1] > 1000 && all[2] > 1000 && all[4] > 500, "{all:?}");
+}
+
+#[test]
+fn patches_agree_with_their_samples_on_polygons() {
+    for sides in 2..=12 {
+        let family = Polygons::new(sides);
+        let size = if sides > 8 { 12 } else { 25 };
+        for bounds in [
+            Bounds { u0: -1.1, v0: -0.2, u1: 0.8, v1: 1.1 },
+            Bounds { u0: 0.02, v0: 0.68, u1: 0.04, v1: 0.7 },
+        ] {
+            let grid = LocusGrid::new(bounds, size, size).unwrap();
+            compare(&family, &grid, 1e-3, &format!("{sides} sides"));
+        }
+    }
+}
+
+#[test]
+fn a_tile_of_a_patch_has_its_rows_and_columns() {
+    let morph = dragon_to_gasket();
+    let slice = Slice::new(&morph, 0.0);
+    let mut scratch = Scratch::default();
+    let grid = LocusGrid::new(Bounds::default(), 30, 20).unwrap();
+    let tile = grid.patch(&slice, 1e-3, 7..19, 3..99, &mut scratch);
+    assert_eq!((tile.state.len(), tile.gap.len()), (12 * 17, 12 * 17));
+    let whole = grid.locus(&morph, 1e-3);
+    let same = |state: u8, other: State| (state < 2) == other.holds();
+    assert!((0..12 * 17).all(|i| same(tile.state[i], whole.sample(7 + i % 12, 3 + i / 12).state)));
+    let one = grid.patch(&slice, 1e-3, 5..6, 5..6, &mut scratch);
+    assert_eq!(one.state.len(), 1);
+    for (x, y) in [(5..5, 0..9), (40..50, 0..9), (0..9, 20..30)] {
+        assert!(grid.patch(&slice, 1e-3, x, y, &mut scratch).state.is_empty());
+    }
+    // A window of no size, and one far away.
+    for bounds in [
+        Bounds { u0: 0.3, v0: 0.3, u1: 0.3, v1: 0.3 },
+        Bounds { u0: 1e12, v0: -1e12, u1: 2e12, v1: 1e12 },
+        Bounds { u0: 0.5, v0: 0.5, u1: -0.5, v1: -0.5 },
+    ] {
+        let grid = LocusGrid::new(bounds, 9, 9).unwrap();
+        compare(&slice, &grid, 1e-3, "an odd window");
+    }
+}
