@@ -17,6 +17,9 @@ test("no figure is wider than a phone", async ({ page }) => {
     "/e5",
     "/e6",
     "/e7",
+    "/e8",
+    "/e9",
+    "/e10",
   ]) {
     await page.goto("about:blank");
     await page.goto(`./#figures${figure}`);

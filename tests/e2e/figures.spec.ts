@@ -4,7 +4,7 @@ import { expect, test } from "./fixture";
 
 const PAGES = ["1", "2", "3", "5", "6", "7", "table-1"];
 
-const LESSONS = ["e1", "e2", "e3", "e4", "e5", "e6", "e7"];
+const LESSONS = ["e1", "e2", "e3", "e4", "e5", "e6", "e7", "e8", "e9", "e10"];
 
 async function open(page: Page, figure: string): Promise<void> {
   if (page.url() !== "about:blank") await page.goto("about:blank");
@@ -95,6 +95,62 @@ function colours(picture: Element): number {
   const image = picture.getContext("2d")?.getImageData(0, 0, picture.width, picture.height);
   return image ? new Set(new Uint32Array(image.data.buffer)).size : 0;
 }
+
+test("Lesson 2 takes its throws by keys", async ({ page }) => {
+  await open(page, "e2");
+  await page.getByRole("button", { name: "1, lower left" }).focus();
+  for (const key of ["1", "2", "3", "3"]) await page.keyboard.press(key);
+  await expect(page.getByText("9 throws, the last towards 3")).toBeVisible();
+  await page.getByRole("button", { name: "Clear" }).click();
+  await expect(page.getByText("0 throws", { exact: true })).toBeVisible();
+});
+
+test("Lesson 3 compares graphs line by line", async ({ page }) => {
+  await open(page, "e3");
+  for (const pair of ["1 and 2", "2 and 3"]) await page.getByRole("checkbox", { name: pair }).check();
+  await expect(page.getByText("You drew 2 lines. With them the curve would be in 2 groups.")).toBeVisible();
+  await page.getByRole("button", { name: "Show me" }).click();
+  await expect(page.getByText("1 and 2, 3 and 4 touch: 2 groups, so the curve is in pieces.")).toBeVisible();
+  await expect(page.getByText("You left out 3 and 4. You joined 2 and 3, which are apart.")).toBeVisible();
+});
+
+test("Lesson 5 measures what it tells", async ({ page }) => {
+  await open(page, "e5");
+  await page.getByRole("button", { name: "Show me" }).click();
+  await expect(page.locator(".truth")).toContainText(/Here 75 pixels say connected from 0\.49\d\d on/);
+  await expect(page.getByRole("row", { name: /^pair subdivision/ })).toContainText(/0\.49999\d\d|0\.5000000/);
+});
+
+test("Lesson 7 can be led across by keys", async ({ page }) => {
+  await open(page, "e7");
+  await page.getByRole("button", { name: "Show me" }).click();
+  await expect(page.locator(".truth")).toContainText("It first breaks at 0.55");
+  await expect(page.getByText(/^Widest gap 0\.04/)).toBeVisible();
+  const turn = page.getByRole("slider", { name: /^Way point u/ });
+  for (let i = 0; i < 10; i++) await turn.press("ArrowLeft");
+  await expect(page.getByText("It holds together")).toBeVisible();
+});
+
+test("Lesson 8 shows M, with its landmarks", async ({ page }) => {
+  await open(page, "e8");
+  await page.getByRole("radio", { name: "In one piece" }).check();
+  await page.getByRole("button", { name: "Show me" }).click();
+  const map = page.getByRole("img", { name: /^The set M/ });
+  await expect.poll(() => map.evaluate(colours)).toBeGreaterThan(50);
+  await page.getByRole("button", { name: /a hole$/ }).click();
+  await expect(page.getByText("proved, with a gap of 0.0016")).toBeVisible();
+  await page.getByRole("button", { name: /^½ \+ ½i/ }).click();
+  await expect(page.getByText(/^The twin-dragon, whose/)).toBeVisible();
+});
+
+test("Lesson 10 finds the pairing that holds", async ({ page }) => {
+  await open(page, "e10");
+  await page.getByRole("radio", { name: /^P/ }).check();
+  await page.getByRole("button", { name: "Show me" }).click();
+  await expect(page.getByText("You said P. Q holds together.")).toBeVisible();
+  await expect(page.getByText("Breaks", { exact: true })).toHaveCount(2);
+  await expect(page.getByText("Holds", { exact: true })).toHaveCount(1);
+});
 
 test("one leads to the next, and an unknown one to all", async ({ page }) => {
   await open(page, "4");

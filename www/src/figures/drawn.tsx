@@ -57,10 +57,14 @@ export function middles(maps: readonly MapRow[], box: Box): Point[] {
 }
 
 /** A line between two points with bars at its ends: a distance. */
-export function Span({ from, to, name = "", kind = "" }: SpanProps) {
+export function Span({ from, to, name = "", kind = "", awayFrom }: SpanProps) {
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
   const length = Math.hypot(dx, dy);
   const [nx, ny] = length > 0 ? [(5 * dy) / length, (-5 * dx) / length] : [0, 0];
+  const middle: Point = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
+  // The name stands above, or on the side that is turned away from a point.
+  const away = awayFrom ? nx * (middle[0] - awayFrom[0]) + ny * (middle[1] - awayFrom[1]) : 1;
+  const side = away < 0 ? -2.4 : 2.4;
   const bar = ([x, y]: Point) => `M${x - nx} ${y - ny}L${x + nx} ${y + ny}`;
   const path = `M${from.join(" ")}L${to.join(" ")}${bar(from)}${bar(to)}`;
   return (
@@ -69,10 +73,10 @@ export function Span({ from, to, name = "", kind = "" }: SpanProps) {
       <path d={path} />
       {name !== "" && (
         <text
-          x={(from[0] + to[0]) / 2 + 2.2 * nx}
-          y={(from[1] + to[1]) / 2 + 2.2 * ny}
+          x={middle[0] + side * nx}
+          y={middle[1] + side * ny}
           dy="0.35em"
-          text-anchor={nx > 1 ? "start" : nx < -1 ? "end" : "middle"}
+          text-anchor={side * nx > 2 ? "start" : side * nx < -2 ? "end" : "middle"}
         >
           {name}
         </text>
@@ -86,4 +90,5 @@ interface SpanProps {
   to: Point;
   name?: string;
   kind?: string;
+  awayFrom?: Point;
 }

@@ -23,7 +23,7 @@ const TO = "terdragon";
 const EPSILON = 1 / 600;
 const SAMPLES = 301;
 const SIZE = 121;
-const STILLS = 7;
+const STILLS = 10;
 
 const ends = () => ({ from: preset(FROM).maps, to: preset(TO).maps });
 

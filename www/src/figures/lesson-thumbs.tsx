@@ -1,13 +1,16 @@
 /** Small pictures of the lessons, made by the same parts as the lessons themselves. */
 import { useMemo } from "preact/hooks";
+import type { MapRow } from "../engine/api";
 import { barnsley } from "./barnsley";
 import { Board } from "./board";
 import { Buffer } from "./buffer";
-import { cutKoch, gasket, PEAK } from "./families";
+import { cutKoch, gasket, PEAK, unevenGasket } from "./families";
 import { startRun } from "./fig2";
 import { flagPath, turned } from "./flag";
 import { Graph } from "./graph";
+import { Matching } from "./matching";
 import { boxAround, mapsAt } from "./morphs";
+import { mapsOf } from "./mset";
 import { Picture } from "./picture";
 import { Rows } from "./rows";
 import { preset } from "./studio";
@@ -77,4 +80,25 @@ export function Led() {
   );
   const box = useMemo(() => boxAround([maps]), [maps]);
   return <Picture maps={maps} box={box} label={null} />;
+}
+
+export function Tame() {
+  return <Fitted of={TAME} />;
+}
+
+const TAME = mapsOf([0.3, 0.6]);
+
+export function Alone() {
+  return <Fitted of={ALONE} />;
+}
+
+const ALONE = unevenGasket([0.5, 0.5, 0.3]);
+
+function Fitted({ of: maps }: { of: MapRow[] }) {
+  const box = useMemo(() => boxAround([maps]), [maps]);
+  return <Picture maps={maps} box={box} label={null} />;
+}
+
+export function Paired() {
+  return <Matching matching={[1, 0, 2]} />;
 }

@@ -7,6 +7,9 @@ import { Lesson4 } from "./e4";
 import { Lesson5 } from "./e5";
 import { Lesson6 } from "./e6";
 import { Lesson7 } from "./e7";
+import { Lesson8 } from "./e8";
+import { Lesson9 } from "./e9";
+import { Lesson10 } from "./e10";
 import * as thumbs from "./lesson-thumbs";
 
 export const LESSONS: readonly Entry[] = [
@@ -72,5 +75,32 @@ export const LESSONS: readonly Entry[] = [
     about: "Find where a morph breaks, then lead it round.",
     Page: Lesson7,
     Thumb: thumbs.Led,
+  },
+  {
+    id: "e8",
+    number: "Lesson 8",
+    short: "8",
+    title: "One number, one shape: the set M",
+    about: "All shapes of two equal pieces on one map: one piece, or dust.",
+    Page: Lesson8,
+    Thumb: thumbs.Tame,
+  },
+  {
+    id: "e9",
+    number: "Lesson 9",
+    short: "9",
+    title: "Why three differs from two",
+    about: "Two pieces meet and the third stands alone: what is the gap?",
+    Page: Lesson9,
+    Thumb: thumbs.Alone,
+  },
+  {
+    id: "e10",
+    number: "Lesson 10",
+    short: "10",
+    title: "The wrong pairing",
+    about: "Which piece becomes which decides whether a morph can hold together.",
+    Page: Lesson10,
+    Thumb: thumbs.Paired,
   },
 ];

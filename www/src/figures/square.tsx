@@ -1,4 +1,6 @@
+import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
+import type { Bounds } from "../engine/api";
 import { BOUNDS } from "../engine/locus-job";
 import type { LocusResult } from "../engine/results";
 import type { Uv } from "../state/path";
@@ -14,42 +16,73 @@ export interface SquareProps {
   onMove?: (point: Uv) => void;
 }
 
-const SPAN = BOUNDS.u1 - BOUNDS.u0;
-/** From (u, v) to a square of 300 units, and back. */
+export interface PlaneProps {
+  field: LocusResult | null;
+  label: string | null;
+  /** A square part of the plane of parameters. */
+  bounds: Bounds;
+  /** What is drawn over it, with the places of parameters in a square of 300 units. */
+  children?: (place: (point: Uv) => [left: number, top: number]) => ComponentChildren;
+  point?: Uv;
+  onMove?: (point: Uv) => void;
+}
+
 const UNITS = 300;
-const left = (u: number) => ((u - BOUNDS.u0) / SPAN) * UNITS;
-const top = (v: number) => ((BOUNDS.v1 - v) / SPAN) * UNITS;
+
+/** From parameters to a square of 300 units. */
+function placeIn({ u0, u1, v1 }: Bounds): (point: Uv) => [left: number, top: number] {
+  const unit = UNITS / (u1 - u0);
+  return ([u, v]) => [(u - u0) * unit, (v1 - v) * unit];
+}
+
+const place = placeIn(BOUNDS);
 
 /** The locus with paths on it. */
-export function Square({ field, label, lines, point, onMove }: SquareProps) {
+export function Square({ lines, ...plane }: SquareProps) {
+  return (
+    <Plane {...plane} bounds={BOUNDS}>
+      {() => (
+        <>
+          {lines.map((line) => (
+            <g key={line.name} class={line.dashed ? "way dashed" : "way"}>
+              <path class="halo" d={wayPath(line.points)} />
+              <path d={wayPath(line.points)} />
+            </g>
+          ))}
+          <End at={[0, 0]} name="A" />
+          <End at={[1, 1]} name="B" />
+        </>
+      )}
+    </Plane>
+  );
+}
+
+/** A part of a plane of parameters, with a point on it that can be moved. */
+export function Plane({ field, label, bounds, children, point, onMove }: PlaneProps) {
   return (
     <div class="square">
       <FieldCanvas field={field} label={label} />
       <svg viewBox={`0 0 ${UNITS} ${UNITS}`} aria-hidden="true">
-        {lines.map((line) => (
-          <g key={line.name} class={line.dashed ? "way dashed" : "way"}>
-            <path class="halo" d={wayPath(line.points)} />
-            <path d={wayPath(line.points)} />
-          </g>
-        ))}
-        <End at={[0, 0]} name="A" />
-        <End at={[1, 1]} name="B" />
+        {children?.(placeIn(bounds))}
       </svg>
-      {point && onMove && <Handle point={point} onMove={onMove} />}
-      {point && !onMove && <Ring point={point} />}
+      {point && onMove && <Handle point={point} bounds={bounds} onMove={onMove} />}
+      {point && !onMove && <Ring point={point} bounds={bounds} />}
     </div>
   );
 }
 
 function wayPath(points: readonly Uv[]): string {
   return points
-    .map(([u, v], i) => `${i === 0 ? "M" : "L"}${left(u).toFixed(1)} ${top(v).toFixed(1)}`)
+    .map((point, i) => {
+      const [x, y] = place(point);
+      return `${i === 0 ? "M" : "L"}${x.toFixed(1)} ${y.toFixed(1)}`;
+    })
     .join("");
 }
 
-function End({ at: [u, v], name }: { at: Uv; name: string }) {
+function End({ at, name }: { at: Uv; name: string }) {
   return (
-    <g class="way-end" transform={`translate(${left(u)} ${top(v)})`}>
+    <g class="way-end" transform={`translate(${place(at).join(" ")})`}>
       <circle r={8} />
       <text dy="0.35em" text-anchor="middle">
         {name}
@@ -80,19 +113,20 @@ function FieldCanvas({ field, label }: { field: LocusResult | null; label: strin
  * The whole square takes the pointer. A finger that begins on the handle drags it any way; elsewhere on the square it
  * still scrolls the page. Keys have the sliders beside the square.
  */
-function Handle({ point, onMove }: { point: Uv; onMove: (point: Uv) => void }) {
-  const place = useRef<HTMLDivElement>(null);
+function Handle({ point, bounds, onMove }: { point: Uv; bounds: Bounds; onMove: (point: Uv) => void }) {
+  const host = useRef<HTMLDivElement>(null);
   const move = (event: PointerEvent) => {
-    const box = place.current?.getBoundingClientRect();
+    const box = host.current?.getBoundingClientRect();
     if (!box) return;
     const within = (x: number) => Math.min(1, Math.max(0, x));
     const x = within((event.clientX - box.left) / box.width);
     const y = within((event.clientY - box.top) / box.height);
-    onMove([BOUNDS.u0 + x * SPAN, BOUNDS.v1 - y * SPAN]);
+    const span = bounds.u1 - bounds.u0;
+    onMove([bounds.u0 + x * span, bounds.v1 - y * span]);
   };
   return (
     <div
-      ref={place}
+      ref={host}
       class="square-reach"
       onPointerDown={(event) => {
         if (event.button !== 0) return;
@@ -103,12 +137,13 @@ function Handle({ point, onMove }: { point: Uv; onMove: (point: Uv) => void }) {
         if (event.currentTarget.hasPointerCapture(event.pointerId)) move(event);
       }}
     >
-      <Ring point={point} />
+      <Ring point={point} bounds={bounds} />
     </div>
   );
 }
 
-function Ring({ point: [u, v] }: { point: Uv }) {
-  const style = { left: `${(100 * left(u)) / UNITS}%`, top: `${(100 * top(v)) / UNITS}%` };
+function Ring({ point, bounds }: { point: Uv; bounds: Bounds }) {
+  const [x, y] = placeIn(bounds)(point);
+  const style = { left: `${(100 * x) / UNITS}%`, top: `${(100 * y) / UNITS}%` };
   return <span class="square-handle" style={style} />;
 }

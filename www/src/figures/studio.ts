@@ -9,17 +9,27 @@ export interface Opening {
   mode?: Mode;
   compare?: boolean;
   path?: Scene["path"];
+  /** For each map of A the map of B that it becomes; the same number by default. */
+  correspondence?: number[];
 }
 
 /** A link that opens the studio on a figure: the document is in its fragment. */
-export function studioHref({ a, b, t = 0, mode = "polar", compare = false, path }: Opening): string {
+export function studioHref({
+  a,
+  b,
+  t = 0,
+  mode = "polar",
+  compare = false,
+  path,
+  correspondence = [],
+}: Opening): string {
   const scene: Scene = {
     a: tidy(a),
     b: tidy(b),
     mode,
     path: path ?? { kind: "straight", points: [] },
     t: Math.min(1, Math.max(0, t)),
-    correspondence: [],
+    correspondence,
     turns: [],
     colouring: "map",
     compare,
