@@ -15,7 +15,9 @@
 //!
 //! [`decide`] is the same in microseconds, for one parameter of a locus; [`LocusGrid`] samples a locus with
 //! it, in tiles and from coarse to fine; [`plan_path`] and [`find_path`] look for the way from (0, 0) to
-//! (1, 1) whose widest gap is least.
+//! (1, 1) whose widest gap is least, and of such ways for one with room on both sides, short and of few corners.
+//! Where the plane has none that holds, [`Axes::Three`] lets the stretch run ahead of the turn, which often
+//! does; and [`rate`] compares ways to match the maps by the paths that they leave open.
 //!
 //! Gaps and distances of [`connectedness`] are in units of the plane. Epsilon, and the gaps of [`Sample`],
 //! [`Locus`] and [`PathPlan`], are relative to the diameter of the attractor.
