@@ -4,7 +4,8 @@
 //! An iterated function system ([`Ifs`]) is a list of affine maps ([`Affine2`]) that contract together.
 //! It stands for its attractor, the one shape that is the union of its own images. A word of maps names a
 //! piece of the shape ([`Word`]); [`Hull`] bounds it, [`ChaosGame`] and [`adaptive_cut`] sample it,
-//! [`Morph`] changes one system into another by way of the polar decomposition ([`Polar2`]).
+//! [`Morph`] changes one system into another by way of the polar decomposition ([`Polar2`]); [`candidates`] lists which
+//! map may become which, and [`routes`] what other maps of the same shapes may be morphed instead.
 //!
 //! Conventions: y points up, angles are radians, counter-clockwise. Indices count from 0 in code and from 1
 //! in messages. No panics on any input, no unsafe code, no web, no GPU.
