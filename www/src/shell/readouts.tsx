@@ -5,7 +5,7 @@ import { evidenceOpen } from "../canvas/marks";
 import { picture } from "../canvas/stage";
 import { view, zoom } from "../canvas/view";
 import { verdict, workers } from "../engine/results";
-import { selection, uv } from "../state/morph";
+import { here, locusView, selection } from "../state/morph";
 import { announce } from "../state/notice";
 import { playing } from "../state/playback";
 import { countWords, type VerdictWords, verdictWords } from "../state/words";
@@ -100,12 +100,14 @@ function signed(x: number): string {
 
 /** How much is drawn, and how near one is. */
 export function Readout() {
-  const [u, v] = uv.value;
+  const [x, y] = here.value;
   return (
     <div class="readout number">
       {!selection.value && (
         <span class="readout-uv">
-          u {signed(u)} v {signed(v)}
+          {locusView.value.family === "morph"
+            ? `u ${signed(x)} v ${signed(y)}`
+            : `s ${signed(x)} ${y < 0 ? "−" : "+"} ${signed(Math.abs(y))} i`}
         </span>
       )}
       {picture.value.points > 0 && (

@@ -55,7 +55,7 @@ function Account({ answer }: { answer: Connectedness }) {
   return (
     <>
       <p>{accountOf(answer).why}</p>
-      {answer.reason && <Because reason={answer.reason} proved={answer.verdict === "connected"} />}
+      {answer.reason && <Because reason={answer.reason} />}
       {gap !== null && (
         <p>
           <span class="evidence-name">Widest gap</span> {gap}.
@@ -77,16 +77,21 @@ function Account({ answer }: { answer: Connectedness }) {
 
 const MOST_LINKS = 4;
 
-/** What holds it together. Where it hangs on how numbers are read, that is said first. */
-function Because({ reason, proved }: { reason: Reason; proved: boolean }) {
-  const { text, assuming, links, neighbours } = reason;
+const MOST_READINGS = 3;
+
+/** What holds it together, and on which readings of numbers that hangs, if on any. */
+function Because({ reason }: { reason: Reason }) {
+  const { text, assuming, links } = reason;
   const shownLinks = links.slice(0, MOST_LINKS);
   return (
     <div class="evidence-reason">
-      {!proved && assuming.length > 0 && <p>It would be proved if {assuming.join(", and ")}:</p>}
       <p>{text}</p>
-      {neighbours !== undefined && (
-        <p class="dim">Two neighbouring copies lie to each other in one of {neighbours} ways.</p>
+      {assuming.length > 0 && (
+        <p class="dim">
+          Read so: {assuming.slice(0, MOST_READINGS).join("; ")}
+          {assuming.length > MOST_READINGS && `, and ${assuming.length - MOST_READINGS} more`}. As they are
+          given the numbers only come near, so this is no proof.
+        </p>
       )}
       {shownLinks.length > 0 && (
         <ul>

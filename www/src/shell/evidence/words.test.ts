@@ -78,8 +78,8 @@ describe("groupWords", () => {
 
 describe("links and checks", () => {
   it("reads a shared point with its addresses", () => {
-    expect(linkWords({ kind: "point", pair: [0, 1], words: ["1(2)", "2(1)"], at: [0.5, -0.25] })).toBe(
-      "Pieces 1 and 2 share the point (0.50, −0.25), address 1(2) = 2(1).",
+    expect(linkWords({ kind: "point", pair: [0, 1], words: ["1(2)", "2(1)"], at: [-0.25, 5.6e-17] })).toBe(
+      "Pieces 1 and 2 share the point (−0.25, 0), address 1(2) = 2(1).",
     );
   });
 

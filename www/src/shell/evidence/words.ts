@@ -130,7 +130,8 @@ export function linkWords({ kind, pair: [i, j], words, at }: Link): string {
   const pieces = `Pieces ${i + 1} and ${j + 1}`;
   if (kind === "crossing")
     return `${pieces} cross: a path through copy ${words[0]} has to meet one through copy ${words[1]}.`;
-  const place = at.map((x) => lengthWords(x).replace("-", "−")).join(", ");
+  // Rounding leaves a trace where a number is 0.
+  const place = at.map((x) => lengthWords(Math.abs(x) < 1e-12 ? 0 : x).replace("-", "−")).join(", ");
   return `${pieces} share the point (${place}), address ${words[0]} = ${words[1]}.`;
 }
 

@@ -11,6 +11,7 @@ import { End, PathLines, PickedMark } from "./marks";
 import { Preview } from "./Preview";
 import type { LocusStyle } from "./paint";
 import { family, shownWindow, view } from "./view";
+import { WorstMark } from "./WorstMark";
 import { chosen, place, way } from "./way";
 import { ZoomButtons } from "./ZoomButtons";
 
@@ -74,6 +75,7 @@ function OnMorph() {
   return (
     <>
       <PathLines />
+      <WorstMark />
       <End letter="A" at={place([0, 0], window)} />
       <End letter="B" at={place([1, 1], window)} />
       <CurrentHandle />

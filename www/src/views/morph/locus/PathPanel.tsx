@@ -5,7 +5,7 @@ import { clearanceOf } from "../../../engine/breaks";
 import { along, locus, pathBreaks, plan, workers } from "../../../engine/results";
 import { certified, certify, stopCertifying } from "../../../engine/schedule/certify";
 import { leavesPlane, plan3, setThird, third, wayOf } from "../../../engine/schedule/plan";
-import { pathPoints } from "../../../state/morph";
+import { locusView, pathPoints } from "../../../state/morph";
 import { edit, endGesture } from "../../../state/scene";
 import { Button, IconButton } from "../../../ui/Button";
 import { NumberField } from "../../../ui/NumberField";
@@ -98,7 +98,10 @@ function NoWay() {
   const auto = pathKind.value === "auto";
   const settled = auto && found !== null && exact !== null && locus.value?.progress === 1;
   const stuck = settled && exact.breaks.length > 0 && !found.holds;
-  if (!(third.value || looking || stuck)) return null;
+  // Who has met the third parameter may choose it; nobody else has to know of it while the plane has a path.
+  const met = locusView.value.w !== 0 || thirdShown.value;
+  if (!(third.value || looking || stuck || met)) return null;
+  const inVain = plan3.value?.plan != null && !third.value;
   return (
     <div class="path-else">
       {stuck && !looking && (
@@ -113,6 +116,7 @@ function NoWay() {
           {looking ? "With a third parameter: looking …" : "With a third parameter, w"}
         </Switch>
       )}
+      {inVain && <p class="hint">The third parameter does not help here.</p>}
       {stuck && (
         <div class="path-offers">
           <Button kind="quiet" onClick={openMatching}>
@@ -179,7 +183,7 @@ function WayPoint({ index }: { index: number }) {
       {withW && (
         <NumberField
           terse
-          label="stretch ahead of turn, w"
+          label="stretch ahead, w"
           symbol="w"
           value={w}
           min={-MOST_W}

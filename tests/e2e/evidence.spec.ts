@@ -1,0 +1,62 @@
+import { readFile } from "node:fs/promises";
+import AxeBuilder from "@axe-core/playwright";
+import type { Certificate } from "../../crate/web/src/api";
+import { expect, test } from "./fixture";
+
+/** Half-way along the straight line the dragon of three is in two pieces. */
+const BROKEN = "a=dragon-3&b=gasket&path=straight&t=0.5";
+
+test("the verdict tells why, and gives the focus back", async ({ studio, page }) => {
+  await studio.open(BROKEN);
+  await studio.idle();
+  const panel = page.getByRole("region", { name: "It is in two pieces." });
+  await expect(panel).toHaveCount(0);
+  await studio.verdict.click();
+  await expect(studio.verdict).toHaveAttribute("aria-expanded", "true");
+  await expect(panel).toBeVisible();
+  await expect(panel).toContainText(/Widest gap between 0\.08\d* and 0\.08\d*, 6\.\d% of its size/);
+  await expect(panel.getByRole("img", { name: "Which pieces meet: 1 with 3" })).toBeVisible();
+  await expect(panel).toContainText("Pieces 1 and 3 hang together.");
+  await expect(panel).toContainText("Piece 2 stands alone.");
+  const { violations } = await new AxeBuilder({ page }).include(".evidence").analyze();
+  expect(violations.map(({ id }) => id)).toEqual([]);
+  // It follows the picture.
+  await studio.time.press("Home");
+  await expect(page.getByRole("region", { name: "It is in one piece." })).toBeVisible();
+  await page.getByRole("button", { name: "Close the evidence" }).press("Escape");
+  await expect(studio.verdict).toBeFocused();
+  await expect(studio.verdict).toHaveAttribute("aria-expanded", "false");
+});
+
+test("one piece comes with a reason, and marks on the picture that can be kept", async ({ studio, page }) => {
+  await studio.open("a=gasket&b=gasket");
+  await studio.idle();
+  const marks = page.locator(".overlay :is(.link-ring, .chord)");
+  await expect(marks).toHaveCount(0);
+  await studio.verdict.click();
+  await expect(page.locator(".evidence-reason")).toContainText(/\w+/);
+  await expect(marks.first()).toBeAttached();
+  await page.getByRole("switch", { name: "Keep the marks on the picture" }).check();
+  await page.getByRole("button", { name: "Close the evidence" }).click();
+  await expect(marks.first()).toBeAttached();
+});
+
+test("a proof of pieces is checked and can be taken away", async ({ studio, page }) => {
+  await studio.open(BROKEN);
+  await studio.idle();
+  await studio.verdict.click();
+  await page.getByRole("button", { name: "Check the proof" }).click();
+  await expect(page.getByText(/^Checked in exact arithmetic: [\d,]+ pairs? of pieces/)).toBeVisible();
+  const coming = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Download the proof" }).click();
+  const download = await coming;
+  expect(download.suggestedFilename()).toBe("frond-proof.json");
+  const proof = JSON.parse(await readFile(await download.path(), "utf8")) as Certificate;
+  expect(proof.maps).toHaveLength(3);
+  expect(new Set(proof.side)).toEqual(new Set([0, 1]));
+  expect(proof.pairs.length).toBeGreaterThan(0);
+  // It is about these maps only.
+  await studio.time.focus();
+  await studio.time.press("ArrowRight");
+  await expect(page.getByRole("button", { name: "Check the proof" })).toBeVisible();
+});

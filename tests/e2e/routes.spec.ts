@@ -1,0 +1,80 @@
+import { expect, test } from "./fixture";
+
+test("a path is proved end to end, until it changes", async ({ studio, page }) => {
+  await studio.open("a=gasket&b=gasket&path=drawn:0.5,0.5");
+  await studio.idle();
+  await page.getByRole("button", { name: "Prove it, end to end" }).click();
+  await expect(
+    page.getByText(/anywhere on this path: proved with|everywhere on this path: proved/),
+  ).toBeVisible();
+  await studio.way(1).focus();
+  await page.keyboard.press("ArrowRight");
+  await expect(page.getByRole("button", { name: "Prove it, end to end" })).toBeVisible();
+});
+
+test("a way point says where the path breaks, and takes a third number", async ({ studio, page }) => {
+  await studio.open("a=dragon-3&b=gasket&path=drawn:0.6,0.5");
+  await studio.idle();
+  await studio.way(1).focus();
+  await expect(page.locator(".way-point legend")).toHaveText(
+    /Way point 1 of 1 broken, breaks on the way to it/,
+  );
+  const w = page.getByRole("spinbutton", { name: "stretch ahead, w" });
+  await expect(w).toHaveCount(0);
+  await page.locator(".way-tools").getByText("w", { exact: true }).click();
+  await w.fill("0.25");
+  await w.press("Enter");
+  expect((await studio.scene()).path.points).toEqual([[0.6, 0.5, 0.25]]);
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  expect((await studio.scene()).path.points).toEqual([[0.6, 0.5]]);
+});
+
+test("another way to match is one step", async ({ studio, page }) => {
+  await studio.open("a=dragon-3&b=gasket");
+  await studio.idle();
+  const before = await studio.scene();
+  await page.getByText("Which map becomes which").click();
+  await page.getByText("Other ways to match").click();
+  const ways = page.getByRole("radiogroup", { name: "Ways to match" }).getByRole("radio");
+  await expect(page.getByText(/^The best first/)).toBeVisible();
+  expect(await ways.count()).toBeGreaterThan(1);
+  await expect(ways.first()).toHaveAccessibleName(/: (holds all the way|gap [\d.]+%)$/);
+  await expect(page.getByRole("radio", { name: /^each keeps its number: / })).toBeChecked();
+  await page
+    .getByRole("radio", { name: /becomes/ })
+    .first()
+    .check();
+  const after = await studio.scene();
+  expect(after.correspondence.length).toBe(3);
+  expect(after.path.kind).toBe("auto");
+  await studio.idle();
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  // The path is automatic, and found anew.
+  expect(await studio.scene()).toMatchObject({
+    correspondence: before.correspondence,
+    turns: before.turns,
+    path: { kind: "auto" },
+  });
+});
+
+test("shapes that reflect oppositely have ways across", async ({ studio, page }) => {
+  await studio.open("a=fern&b=maple");
+  await studio.idle();
+  const before = await studio.scene();
+  await page.locator(".notes").getByRole("button", { name: "Other ways across" }).click();
+  const ways = page.getByRole("radiogroup", { name: "Ways across" }).getByRole("radio");
+  await expect(ways.first()).toBeAttached();
+  // What happens if nothing is chosen comes first.
+  await expect(ways.first()).toBeChecked();
+  await ways.nth(1).check();
+  await studio.idle();
+  const after = await studio.scene();
+  expect([after.a.name, after.b.name]).toEqual([before.a.name, before.b.name]);
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  const { a, b, correspondence } = await studio.scene();
+  expect({ a, b, correspondence }).toEqual({
+    a: before.a,
+    b: before.b,
+    correspondence: before.correspondence,
+  });
+});
