@@ -10,7 +10,7 @@ import { IconButton } from "../../ui/Button";
 import { Graph } from "../../ui/Graph";
 import { Switch } from "../../ui/Switch";
 import { Proof } from "./Proof";
-import { accountOf, gapWords, groupWords, linkWords } from "./words";
+import { accountOf, addressWords, gapWords, groupWords, linkWords } from "./words";
 
 export const PANEL_ID = "evidence";
 /** What opens the panel, and has the focus again when it closes. */
@@ -75,32 +75,33 @@ function Account({ answer }: { answer: Connectedness }) {
   );
 }
 
-const MOST_LINKS = 4;
-
-const MOST_READINGS = 3;
+const MOST_LINKS = 12;
 
 /** What holds it together, and on which readings of numbers that hangs, if on any. */
 function Because({ reason }: { reason: Reason }) {
   const { text, assuming, links } = reason;
-  const shownLinks = links.slice(0, MOST_LINKS);
+  const example = links.find(({ kind }) => kind === "point")?.words[0];
   return (
     <div class="evidence-reason">
       <p>{text}</p>
       {assuming.length > 0 && (
-        <p class="dim">
-          Read so: {assuming.slice(0, MOST_READINGS).join("; ")}
-          {assuming.length > MOST_READINGS && `, and ${assuming.length - MOST_READINGS} more`}. As they are
-          given the numbers only come near, so this is no proof.
-        </p>
+        <details>
+          <summary>As they are given, the numbers only come near</summary>
+          <p>That is why it is no proof. They are read so: {assuming.join("; ")}.</p>
+        </details>
       )}
-      {shownLinks.length > 0 && (
-        <ul>
-          {shownLinks.map((link) => (
-            <li key={`${link.kind} ${link.pair.join()} ${link.words.join()}`}>{linkWords(link)}</li>
-          ))}
-        </ul>
+      {links.length > 0 && (
+        <details>
+          <summary>Where they hold on to each other</summary>
+          <ul>
+            {links.slice(0, MOST_LINKS).map((link) => (
+              <li key={`${link.kind} ${link.pair.join()} ${link.words.join()}`}>{linkWords(link)}</li>
+            ))}
+            {links.length > MOST_LINKS && <li>And {links.length - MOST_LINKS} more like these.</li>}
+          </ul>
+          {example !== undefined && <p>{addressWords(example)}</p>}
+        </details>
       )}
-      {links.length > MOST_LINKS && <p class="dim">And {links.length - MOST_LINKS} more like these.</p>}
     </div>
   );
 }

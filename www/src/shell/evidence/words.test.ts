@@ -1,6 +1,15 @@
 import { describe, expect, it } from "vitest";
 import type { Connectedness } from "../../engine/api";
-import { accountOf, checkWords, gapWords, groupWords, linkWords, numbersWords, shareWords } from "./words";
+import {
+  accountOf,
+  addressWords,
+  checkWords,
+  gapWords,
+  groupWords,
+  linkWords,
+  numbersWords,
+  shareWords,
+} from "./words";
 
 const answer = (of: Partial<Connectedness>): Connectedness => ({
   verdict: "touching",
@@ -81,6 +90,17 @@ describe("links and checks", () => {
     expect(linkWords({ kind: "point", pair: [0, 1], words: ["1(2)", "2(1)"], at: [-0.25, 5.6e-17] })).toBe(
       "Pieces 1 and 2 share the point (−0.25, 0), address 1(2) = 2(1).",
     );
+  });
+
+  it("explains an address", () => {
+    expect(addressWords("1(2)")).toBe(
+      "1(2) is short for 12222…: each letter is a piece within the one before.",
+    );
+    expect(addressWords("12(31)")).toBe(
+      "12(31) is short for 12313…: each letter is a piece within the one before.",
+    );
+    expect(addressWords("11 3(2 12)")).toMatch(/^In an address each letter/);
+    expect(addressWords("nonsense")).toBe("");
   });
 
   it("says what was checked, or what is wrong", () => {

@@ -135,6 +135,19 @@ export function linkWords({ kind, pair: [i, j], words, at }: Link): string {
   return `${pieces} share the point (${place}), address ${words[0]} = ${words[1]}.`;
 }
 
+/** How an address is read: "1(2)" is 1222.., each letter a piece of the one before. */
+export function addressWords(address: string): string {
+  const [, first = "", cycle = ""] = /^([\d ,.]*)\(([^)]*)\)/.exec(address) ?? [];
+  if (cycle === "") return "";
+  const written = /^\d*$/.test(first + cycle)
+    ? `${(first + cycle.repeat(4)).slice(0, Math.max(5, first.length + 2))}…`
+    : "";
+  const meaning = "each letter is a piece within the one before";
+  return written === ""
+    ? `In an address ${meaning}; what is in brackets goes on for ever.`
+    : `${address} is short for ${written}: ${meaning}.`;
+}
+
 /** What the checker said. */
 export function checkWords(check: CertificateCheck): string {
   if (!check.valid) return `The check failed: ${check.text}`;
