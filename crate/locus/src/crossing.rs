@@ -61,6 +61,8 @@ pub(crate) struct Effort {
     pub looks: usize,
     /// Pairs of words to try for each two maps.
     pub tries: usize,
+    /// A bound of the gap that is good enough.
+    pub near: f64,
 }
 
 /// Proves an attractor connected by pieces that cross, if it can: enough crossings to join all maps.
@@ -90,7 +92,7 @@ pub fn crossings(maps: &[Affine2], gap: f64, slack: f64) -> Option<Vec<Crossing>
     let to_round = Affine2::new(descent.lanes.from_round, DVec2::ZERO).inverse()?.norm();
     descent.lanes.rounding += 2.0 * slack * to_round;
     let known = gap.max(0.0) * to_round;
-    let found = descent.cross(known, Effort { looks: 150, tries: 300 })?;
+    let found = descent.cross(known, Effort { looks: 150, tries: 300, near: 2e-3 })?;
     Some(found.iter().map(|&(couple, corners)| descent.crossing(couple, corners.map(|[p]| p))).collect())
 }
 
@@ -141,7 +143,7 @@ impl<const L: usize> Descent<L> {
             if !self.components.join(usize::from(pair.i), usize::from(pair.j)) && self.count > 4 {
                 continue;
             }
-            self.dive(pair, effort.looks);
+            self.dive(pair, effort);
         }
         let found = if self.components.count() == 1 {
             let gap = self.bottleneck().min(known);
@@ -221,14 +223,13 @@ impl<const L: usize> Descent<L> {
 
     /// Follows the parts of a pair that overlap most down, for points of the two attractorlets that are near each
     /// other.
-    fn dive(&mut self, pair: Couple, looks: usize) {
+    fn dive(&mut self, pair: Couple, effort: Effort) {
         let k = usize::from(pair.i) * self.count + usize::from(pair.j);
-        let enough = 2e-3;
-        let end = self.nodes + looks;
+        let end = self.nodes + effort.looks;
         self.open.clear();
         self.open.push(pair);
         while let Some(couple) = self.open.pop() {
-            if self.nodes >= end || self.upper[k] < enough {
+            if self.nodes >= end || self.upper[k] < effort.near {
                 return;
             }
             let (parts, first) = self.parts_of_larger(couple.u, couple.v);

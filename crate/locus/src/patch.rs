@@ -84,7 +84,7 @@ const LEAST_CROSSED: usize = 40;
 /// Looks spent at most on telling the pieces of a box apart.
 const LOOKS: usize = 150;
 /// How hard to look for crossings in a box.
-const EFFORT: Effort = Effort { looks: 80, tries: 150 };
+const EFFORT: Effort = Effort { looks: 80, tries: 150, near: 2e-3 };
 /// Where points move farther than this over a box, in parts of the attractor's size, no crossing is likely to last.
 const STRAY: f64 = 0.03;
 
