@@ -57,6 +57,8 @@ test("every figure is clean and opens in the studio", async ({ page }) => {
 
 for (const lesson of LESSONS) {
   test(`lesson ${lesson} asks before it tells`, async ({ page }) => {
+    // Without motion, so that no colour is half-way between two.
+    await page.emulateMedia({ reducedMotion: "reduce" });
     await open(page, lesson);
     await expect(page.getByRole("main").getByText("by Frond", { exact: true })).toBeVisible();
     // The finished picture: more than one colour on it, and words for those who do not see it.
@@ -95,6 +97,21 @@ function colours(picture: Element): number {
   const image = picture.getContext("2d")?.getImageData(0, 0, picture.width, picture.height);
   return image ? new Set(new Uint32Array(image.data.buffer)).size : 0;
 }
+
+test("every lesson is clean in the dark, with its answer", async ({ page }) => {
+  await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
+  for (const lesson of LESSONS) {
+    await test.step(lesson, async () => {
+      await open(page, lesson);
+      const question = page.getByRole("region", { name: "What do you think?" });
+      const input = question.locator("input").first();
+      if ((await input.getAttribute("type")) !== "range") await input.check();
+      await question.getByRole("button", { name: "Show me" }).click();
+      await expect(question.locator(".truth")).toBeVisible();
+      await expectClean(page);
+    });
+  }
+});
 
 test("Lesson 2 takes its throws by keys", async ({ page }) => {
   await open(page, "e2");

@@ -39,7 +39,7 @@ export function Choices<T extends string>({ ask, options, prediction, truth }: C
             <span class="option-text">{label}</span>
             {shown && (
               <span class="option-mark">
-                {[value === guess ? "your guess" : "", so ? "so it is" : ""].filter(Boolean).join(", ")}
+                {[value === guess ? "your guess" : "", so ? "this is it" : ""].filter(Boolean).join(", ")}
               </span>
             )}
           </label>
@@ -69,7 +69,7 @@ export function Guess({ ask, label, symbol, min, max, step, format, prediction, 
   const at = truth === null ? null : Math.min(1, Math.max(0, (truth - min) / (max - min)));
   const told = shown && truth !== null;
   return (
-    <fieldset class="choices guess">
+    <fieldset class="choices guess" disabled={shown}>
       <legend>{ask}</legend>
       <Control
         label={shown ? "Your guess" : label}

@@ -142,9 +142,9 @@ function When({ prediction }: { prediction: Prediction<number> }) {
           line={`You said n = ${guess}. It is proved at n = ${truth}. ${nearWords(guess, truth, { close: 0, fair: 1 })}`}
         >
           <p>
-            The bound falls by nearly a half with each step, without end. The distance falls too, but only to
-            the gap itself, which is 1 − 2r = {fixed(1 - 2 * ASKED)}. So the bound must get below it at last.
-            The narrower the gap, the longer it takes.
+            The bound falls to about half with each step, without end. The distance falls too, but only to the
+            gap itself, which is 1 − 2r = {fixed(1 - 2 * ASKED)}. So the bound must get below it at last. The
+            narrower the gap, the longer it takes.
           </p>
         </Truth>
       }

@@ -120,9 +120,9 @@ function Turn({ prediction, time }: TurnProps) {
       answer={
         <Truth line="Half-way it is a single point: every number of the map is 0.">
           <p>
-            A half turn changes the sign of all four numbers of the turn, ½ to −½. Their mean is 0, so the map
-            sends everything to one place, and the piece vanishes. How much of an area a map leaves is told by
-            its <em>determinant</em>: it falls to 0 in the middle, while by turning it never changes.
+            A half turn changes the sign of every number: ½ becomes −½. Their mean is 0, so the map sends
+            everything to one place, and the piece vanishes. How much of an area a map leaves is told by its{" "}
+            <em>determinant</em>: it falls to 0 in the middle, while by turning it never changes.
           </p>
         </Truth>
       }

@@ -10,7 +10,7 @@ import { Guess } from "./choices";
 import { Drawn } from "./drawn";
 import { Control, type Heading } from "./frame";
 import { Lesson, Question, Truth } from "./lesson";
-import { boxAround, framesAlong, mapsAt, STRAIGHT } from "./morphs";
+import { boxAround, type Ends, framesAlong, mapsAt, STRAIGHT } from "./morphs";
 import { Picture } from "./picture";
 import { nearWords, type Prediction, usePrediction } from "./predict";
 import { Square } from "./square";
@@ -25,7 +25,13 @@ const SAMPLES = 301;
 const SIZE = 121;
 const STILLS = 10;
 
-const ends = () => ({ from: preset(FROM).maps, to: preset(TO).maps });
+let kept: Ends | null = null;
+
+/** Both shapes, read from the gallery once. */
+function ends(): Ends {
+  kept ??= { from: preset(FROM).maps, to: preset(TO).maps };
+  return kept;
+}
 
 /** Straight against drawn path. */
 export function Lesson7(heading: Heading) {

@@ -5,15 +5,14 @@ import type { LocusResult } from "../engine/results";
 import type { Uv } from "../state/path";
 import { Button } from "../ui/Button";
 import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
 import { Choices } from "./choices";
-import { Control, type Heading } from "./frame";
+import { complexWords, Disc, Sliders } from "./disc";
+import type { Heading } from "./frame";
 import { Lesson, Question, Truth } from "./lesson";
 import { boxAround } from "./morphs";
-import { BOUNDS, type Complex, DUST, hasFamilies, mapsOf, quarterJob, unfolded, WHOLE } from "./mset";
+import { type Complex, hasFamilies, mapsOf, quarterJob, unfolded } from "./mset";
 import { Picture } from "./picture";
 import { type Prediction, usePrediction } from "./predict";
-import { Plane } from "./square";
 import { studioHref } from "./studio";
 import { ExactChip, exactWords } from "./verdict";
 import { useChannel, useValue, useVerdict } from "./work";
@@ -94,16 +93,12 @@ export function Lesson8(heading: Heading) {
   );
 }
 
-function complexWords([re, im]: Complex): string {
-  return `${fixed(re, 3)} ${im < 0 ? "−" : "+"} ${fixed(Math.abs(im), 3)}i`;
-}
-
 function Sources() {
   return (
     <>
       <p>
-        Michael Barnsley and Andrew Harrington introduced M in 1985, after Mandelbrot’s set, which it
-        resembles in what it is for. Thierry Bousch proved that M itself is in one piece.
+        Michael Barnsley and Andrew Harrington introduced M in 1985 by analogy with Mandelbrot’s set, which is
+        also a map of what holds together. Thierry Bousch proved that M itself is in one piece.
       </p>
       <p>
         Christoph Bandt proved in 2002 that M has a hole, and conjectured that, away from the real line, M is
@@ -213,83 +208,6 @@ function Where({ prediction, s, onS }: WhereProps) {
       />
       {!shown && <Sliders s={s} onMove={move} />}
     </Question>
-  );
-}
-
-interface DiscProps {
-  field: LocusResult | null;
-  s: Complex;
-  shown: boolean;
-  onMove: (s: Uv) => void;
-}
-
-/** The plane of s with its two circles, and M on it once it is shown. */
-function Disc({ field, s, shown, onMove }: DiscProps) {
-  return (
-    <Plane
-      field={field}
-      bounds={BOUNDS}
-      point={s}
-      onMove={onMove}
-      label={
-        shown
-          ? `The set M, symmetric on four sides, ragged between the circles of size one half and 0.7071, with spikes along the real line; s is at ${complexWords(s)}.`
-          : `The plane of s with two circles, of size one half and 0.7071; s is at ${complexWords(s)}.`
-      }
-    >
-      {(place) => {
-        const [x, y] = place([0, 0]);
-        return (
-          <g class={shown ? "disc shown" : "disc"}>
-            {!shown && <path class="disc-axis" d={`M0 ${y}H300M${x} 0V300`} />}
-            {[DUST, WHOLE].map((size) => (
-              <g key={size}>
-                <circle cx={x} cy={y} r={place([size, 0])[0] - x} />
-                {!shown && (
-                  <text x={x + 4} y={place([0, -size])[1] - 4}>
-                    {size === DUST ? "½" : "0.7071"}
-                  </text>
-                )}
-              </g>
-            ))}
-            {!shown && (
-              <text x={x} y={y - 6} text-anchor="middle">
-                dust
-              </text>
-            )}
-          </g>
-        );
-      }}
-    </Plane>
-  );
-}
-
-function Sliders({ s: [re, im], onMove }: { s: Complex; onMove: (s: Uv) => void }) {
-  return (
-    <div class="controls">
-      <Control label="real part of" symbol="s" value={fixed(re, 3)}>
-        <Slider
-          label="Real part of s"
-          min={-0.74}
-          max={0.74}
-          step={0.01}
-          value={re}
-          valueText={complexWords([re, im])}
-          onChange={(next) => onMove([next, im])}
-        />
-      </Control>
-      <Control label="imaginary part of" symbol="s" value={fixed(im, 3)}>
-        <Slider
-          label="Imaginary part of s"
-          min={-0.74}
-          max={0.74}
-          step={0.01}
-          value={im}
-          valueText={complexWords([re, im])}
-          onChange={(next) => onMove([re, next])}
-        />
-      </Control>
-    </div>
   );
 }
 

@@ -52,9 +52,8 @@ export function Lesson9(heading: Heading) {
       ]}
       sources={
         <p>
-          The gap as the widest edge of the shortest tree, and its use as a measure for morphs, are Frond’s.
-          That the tree decides follows from Hata’s theorem (1985); that a tree of shortest edges has the
-          least widest one is a fact of graph theory as old as Borůvka’s (1926).
+          To measure a shape, and a morph, by the widest edge of the shortest tree between its pieces is
+          Frond’s. That it is 0 exactly when the shape is in one piece follows from Hata’s theorem (1985).
         </p>
       }
       studio={{

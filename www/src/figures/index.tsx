@@ -2,7 +2,7 @@ import "./figures.css";
 import "./lesson.css";
 import "./parts.css";
 import { useEffect, useRef } from "preact/hooks";
-import { type Entry, find } from "./catalogue";
+import { type Entry, find, LESSONS } from "./catalogue";
 import { Overview } from "./overview";
 
 /** The figures of the paper and the lessons as live pages: all of them, or the one that the address names. */
@@ -39,7 +39,7 @@ export function Figures({ figure }: { figure: string | null }) {
 /** Every page of the same row by its number. */
 function TopNav({ row, here }: { row: readonly Entry[]; here: string }) {
   return (
-    <nav class="figure-top" aria-label="Figures">
+    <nav class="figure-top" aria-label={row === LESSONS ? "Lessons" : "Figures"}>
       <a href="#figures">All figures</a>
       <ol>
         {row.map(({ id, number, short }) => (
