@@ -144,7 +144,12 @@ pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
         let mut pairs = search.may_meet();
         pairs.truncate(PAIRS);
         let points = Points::find(maps, &frame, &outline, &pairs);
-        points.as_given().or_else(|| points.as_meant())
+        let gap = search.reach().upper * (1.0 + 1e-9);
+        points
+            .as_given()
+            .or_else(|shared| reason::by_crossings(maps, shared, gap).ok_or(()))
+            .ok()
+            .or_else(|| points.as_meant())
     });
     let proved = reason.as_ref().is_some_and(Reason::is_proof);
     let (verdict, components) = if proved {

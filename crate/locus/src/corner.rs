@@ -15,7 +15,7 @@ const GRID: f64 = 67_108_864.0;
 /// Words of two letters are tried up to this many maps.
 const FEW: usize = 16;
 /// Points that are looked at most.
-const POINTS: usize = 4096;
+const POINTS: usize = 2048;
 
 /// What pieces seem to share, in coordinates where the attractor is of size 1: images, under one to three maps, of the fixed
 /// points of words of one or two letters.

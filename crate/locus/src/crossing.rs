@@ -83,6 +83,17 @@ pub(crate) struct Effort {
 /// ```
 #[must_use]
 pub fn crossings(maps: &[Affine2], gap: f64, slack: f64) -> Option<Vec<Crossing>> {
+    crossings_beside(&[], maps, gap, slack)
+}
+
+/// The same, where pairs of maps are known to meet for another reason: no crossings are needed for these. The proof stays:
+/// their distance is 0, below any gap.
+pub(crate) fn crossings_beside(
+    met: &[(usize, usize)],
+    maps: &[Affine2],
+    gap: f64,
+    slack: f64,
+) -> Option<Vec<Crossing>> {
     let mut descent = Descent::<1>::default();
     let extent = Extent { middle: DVec2::ZERO, half: DVec2::ZERO };
     let slack = if slack.is_nan() { f64::INFINITY } else { slack.max(0.0) };
@@ -92,7 +103,7 @@ pub fn crossings(maps: &[Affine2], gap: f64, slack: f64) -> Option<Vec<Crossing>
     let to_round = Affine2::new(descent.lanes.from_round, DVec2::ZERO).inverse()?.norm();
     descent.lanes.rounding += 2.0 * slack * to_round;
     let known = gap.max(0.0) * to_round;
-    let found = descent.cross(known, Effort { looks: 150, tries: 300, near: 2e-3 })?;
+    let found = descent.cross_beside(met, known, Effort { looks: 150, tries: 300, near: 2e-3 })?;
     Some(found.iter().map(|&(couple, corners)| descent.crossing(couple, corners.map(|[p]| p))).collect())
 }
 
@@ -122,8 +133,13 @@ impl<const L: usize> Descent<L> {
     /// Proves the attractors of the whole box connected by crossings; `None` if that is not seen. `known` is an upper
     /// bound of their widest gap in the lanes' units.
     pub fn cross(&mut self, known: f64, effort: Effort) -> Option<Vec<Found<L>>> {
+        self.cross_beside(&[], known, effort)
+    }
+
+    /// The same, where some pairs of maps are known to meet.
+    fn cross_beside(&mut self, met: &[(usize, usize)], known: f64, effort: Effort) -> Option<Vec<Found<L>>> {
         self.reset();
-        let mut filled = Vec::new();
+        let mut filled = met.to_vec();
         for i in 0..self.count {
             for j in i + 1..self.count {
                 let sight = self.look(i as u32, j as u32);

@@ -56,13 +56,23 @@ impl Periodic {
 impl fmt::Display for Periodic {
     /// As people read it: letters from 1, "1(2)" for 1222..; with dots between them where one has two digits.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let wide = self.head.iter().chain(&self.repeat).any(|i| *i > 8);
-        let letters = |part: &[u8]| {
-            let letters: Vec<String> = part.iter().map(|i| (usize::from(*i) + 1).to_string()).collect();
-            letters.join(if wide { "." } else { "" })
-        };
-        write!(f, "{}({})", letters(&self.head), letters(&self.repeat))
+        let wide = is_wide(&self.head) || is_wide(&self.repeat);
+        write!(f, "{}({})", letters(&self.head, wide), letters(&self.repeat, wide))
     }
+}
+
+/// A word as people read it beside such addresses.
+pub(crate) fn shown(word: &[u8]) -> String {
+    letters(word, is_wide(word))
+}
+
+fn is_wide(word: &[u8]) -> bool {
+    word.iter().any(|i| *i > 8)
+}
+
+fn letters(word: &[u8], wide: bool) -> String {
+    let letters: Vec<String> = word.iter().map(|i| (usize::from(*i) + 1).to_string()).collect();
+    letters.join(if wide { "." } else { "" })
 }
 
 #[cfg(test)]
@@ -79,6 +89,7 @@ mod tests {
         assert_eq!(shown(&[0, 1, 2], &[1, 2, 1, 2]), "1(23)");
         assert_eq!(shown(&[0, 2], &[1, 2]), "1(32)");
         assert_eq!(shown(&[9], &[0, 10]), "10(1.11)");
+        assert_eq!((super::shown(&[0, 8]), super::shown(&[0, 9])), ("19".into(), "1.10".into()));
         assert_eq!(Periodic::new(vec![1], vec![]), None);
     }
 

@@ -14,13 +14,14 @@ pub(crate) struct Reading {
     pub assuming: Vec<String>,
 }
 
-/// `(p + r sqrt(d)) / q`, q positive.
+/// `(p + r sqrt(d)) / q`, q positive; times the sine of 72 degrees if it is of a pentagon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Value {
     p: i64,
     r: i64,
     q: i64,
     d: u8,
+    of_pentagon: bool,
 }
 
 /// A number of a system: read as this, or as itself.
@@ -30,8 +31,21 @@ enum Read {
     As(Value),
 }
 
-/// Roots that numbers may hold; one for all numbers of a system.
-const ROOTS: [u8; 3] = [2, 3, 5];
+/// Where roots may be in the numbers of a system: one root, and for pentagons the axis along which all is measured in
+/// sines of 72 degrees.
+#[derive(Clone, Copy, Debug)]
+struct Guess {
+    d: u8,
+    axis: Option<usize>,
+}
+
+const GUESSES: [Guess; 5] = [
+    Guess { d: 3, axis: None },
+    Guess { d: 2, axis: None },
+    Guess { d: 5, axis: None },
+    Guess { d: 5, axis: Some(0) },
+    Guess { d: 5, axis: Some(1) },
+];
 /// The largest denominator of a fraction, and of a number with a root.
 const DENOMINATOR: i64 = 1000;
 const ROOT_DENOMINATOR: i64 = 48;
@@ -42,67 +56,83 @@ const SHORT: i64 = 20;
 /// Numbers of a system that fit nothing, after which none of it is read.
 const STRANGE: usize = 4;
 
+/// A number, where it is in a row, and how far off it may be.
+type Number = (f64, usize, f64);
+/// A row of numbers with what they stand for.
+type Row = [(f64, Read); 6];
+
 /// Reads the maps with roots of as few kinds as will do; `None` if nothing would change, or too many numbers are strange.
 pub(crate) fn read(maps: &[Affine2]) -> Option<Reading> {
     // Rounding leaves more where numbers were added up: ulps of the largest that are of a kind.
     let largest = |of: fn(&Affine2) -> f64| maps.iter().map(of).fold(0.0, f64::max);
     let linear = largest(|map| map.to_row()[..4].iter().fold(0.0, |most, x| x.abs().max(most)));
     let shift = largest(|map| map.translation.abs().max_element());
-    let tolerance = |k: usize, x: f64| {
+    let number = |k: usize, x: f64| -> Number {
         let rough = if k < 4 { 2.0 * linear } else { 4.0 * shift };
-        f64::EPSILON * rough.max(4.0 * x.abs())
+        (x, k, f64::EPSILON * rough.max(4.0 * x.abs()))
     };
-    let numbers: Vec<(f64, f64)> = maps
-        .iter()
-        .flat_map(|map| map.to_row().into_iter().enumerate().collect::<Vec<_>>())
-        .map(|(k, x)| (x, tolerance(k, x)))
-        .collect();
-    let mut rational: HashMap<u64, Option<Read>> = HashMap::new();
-    for &(x, off) in &numbers {
-        rational.entry(x.to_bits()).or_insert_with(|| of_fraction(x, off));
+    let rows = maps.iter().map(|map| map.to_row());
+    let rows: Vec<[Number; 6]> = rows.map(|row| std::array::from_fn(|k| number(k, row[k]))).collect();
+    let mut fractions: HashMap<u64, Option<Read>> = HashMap::new();
+    for &(x, _, off) in rows.iter().flatten() {
+        fractions.entry(x.to_bits()).or_insert_with(|| of_fraction(x, off));
     }
-    let strange: Vec<(f64, f64)> =
-        distinct(numbers.iter().copied().filter(|(x, _)| rational[&x.to_bits()].is_none()));
-    // The root that explains most of what is left.
-    let best = ROOTS
-        .iter()
-        .map(|&d| {
-            let mut missed = 0;
-            let found: HashMap<u64, Read> = strange
-                .iter()
-                .filter_map(|&(x, off)| {
-                    if missed >= STRANGE {
-                        return None;
-                    }
-                    let value = with_root(x, off, d);
-                    missed += usize::from(value.is_none());
-                    value.map(|value| (x.to_bits(), Read::As(value)))
-                })
-                .collect();
-            (missed, found)
-        })
-        .min_by_key(|(missed, _)| *missed)?;
-    if best.0 >= STRANGE {
-        return None;
-    }
-    let meaning =
-        |x: f64| rational[&x.to_bits()].or_else(|| best.1.get(&x.to_bits()).copied()).unwrap_or(Read::Itself);
-    let rows: Vec<[(f64, Read); 6]> = maps.iter().map(|map| map.to_row().map(|x| (x, meaning(x)))).collect();
-    let assuming = assumptions(&rows);
-    (!assuming.is_empty()).then(|| Reading { system: system(&rows), assuming })
+    let guesses = GUESSES.iter().filter_map(|guess| Some((guess, guess.read(&rows, &fractions)?)));
+    let (guess, (_, best)) = guesses.min_by_key(|(_, found)| found.0)?;
+    let assuming = assumptions(&best);
+    (!assuming.is_empty()).then(|| Reading { system: system(&best, guess.axis), assuming })
 }
 
-fn distinct(numbers: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
-    let mut list: Vec<(f64, f64)> = Vec::new();
-    for (x, off) in numbers {
-        if !list.iter().any(|(y, _)| y.to_bits() == x.to_bits()) {
-            list.push((x, off));
-        }
+impl Guess {
+    /// How many numbers stand for nothing but themselves, and what each stands for.
+    fn read(self, rows: &[[Number; 6]], fractions: &HashMap<u64, Option<Read>>) -> Option<(usize, Vec<Row>)> {
+        let mut strange = 0;
+        let mut known: HashMap<(u64, bool), Read> = HashMap::new();
+        let mut read = |&(x, k, off): &Number| -> Option<(f64, Read)> {
+            let of_pentagon = self.axis.is_some_and(|axis| k == 1 || k == 2 || k == 4 + axis);
+            let key = (x.to_bits(), of_pentagon);
+            if let Some(&read) = known.get(&key) {
+                return Some((x, read));
+            }
+            let found = if of_pentagon {
+                // What is measured so must all be.
+                if x == 0.0 { Read::Itself } else { Read::As(in_sines(x, off)?) }
+            } else if let Some(read) = fractions[&x.to_bits()] {
+                read
+            } else if strange >= STRANGE {
+                return None;
+            } else {
+                let value = with_root(x, off, self.d);
+                strange += usize::from(value.is_none());
+                value.map_or(Read::Itself, Read::As)
+            };
+            known.insert(key, found);
+            Some((x, found))
+        };
+        let mut row = |row: &[Number; 6]| -> Option<Row> {
+            let row: Vec<_> = row.iter().map(&mut read).collect::<Option<_>>()?;
+            row.try_into().ok()
+        };
+        let rows = rows.iter().map(&mut row).collect::<Option<_>>()?;
+        (strange < STRANGE).then_some((strange, rows))
     }
-    list
 }
 
-fn assumptions(rows: &[[(f64, Read); 6]]) -> Vec<String> {
+/// The sine of 72 degrees; its square is (5 + sqrt 5) / 8.
+const SINE: f64 = 0.951_056_516_295_153_6;
+
+/// A number of a pentagon, as a multiple of the sine of 72 degrees.
+fn in_sines(x: f64, off: f64) -> Option<Value> {
+    let (x, off) = (x / SINE, off / SINE + 4.0 * f64::EPSILON * x.abs());
+    if x.abs() <= off {
+        return Some(Value { p: 0, r: 0, q: 1, d: 0, of_pentagon: false });
+    }
+    let short = |(p, q)| Value { p, r: 0, q, d: 5, of_pentagon: true };
+    let value = short_fraction(x, off).map(short).or_else(|| with_root(x, off, 5))?;
+    Some(Value { of_pentagon: true, ..value })
+}
+
+fn assumptions(rows: &[Row]) -> Vec<String> {
     let mut said: Vec<String> = Vec::new();
     for (x, read) in rows.iter().flatten() {
         if let Read::As(value) = read {
@@ -118,7 +148,7 @@ fn assumptions(rows: &[[(f64, Read); 6]]) -> Vec<String> {
 }
 
 /// All over one denominator.
-fn system(rows: &[[(f64, Read); 6]]) -> SurdSystem {
+fn system(rows: &[Row], axis: Option<usize>) -> SurdSystem {
     let (mut over, mut power) = (BigInt::from(1), 0);
     for (x, read) in rows.iter().flatten() {
         match read {
@@ -130,7 +160,8 @@ fn system(rows: &[[(f64, Read); 6]]) -> SurdSystem {
         }
     }
     let two = |power: i64| BigInt::from(1) << power;
-    let over = over * two(power);
+    // Eighths for the square of the sine.
+    let over = over * two(power + 3);
     let surd = |(x, read): &(f64, Read)| match read {
         Read::Itself => {
             let (digits, power) = dyadic(*x);
@@ -143,8 +174,24 @@ fn system(rows: &[[(f64, Read); 6]]) -> SurdSystem {
             Surd { a: &scale * value.p, b: &scale * value.r, d }
         }
     };
-    let rows = rows.iter().map(|row| std::array::from_fn(|k| surd(&row[k]))).collect();
+    // Seen in coordinates where the axis of a pentagon is measured in sines, its shift and the number that leads to it are
+    // multiples of 1, and the number that leads from it is a multiple of the square of the sine.
+    let from = if axis == Some(0) { 2 } else { 1 };
+    let entry = |row: &Row, k: usize| {
+        let plain = surd(&row[k]);
+        if k == from && of_pentagon(row[k].1) {
+            let times = &plain * &Surd { a: 5.into(), b: 1.into(), d: 5 };
+            Surd { a: times.a / 8, b: times.b / 8, d: 5 }
+        } else {
+            plain
+        }
+    };
+    let rows = rows.iter().map(|row| std::array::from_fn(|k| entry(row, k))).collect();
     SurdSystem::new(rows, &Surd::whole(over.clone()))
+}
+
+fn of_pentagon(read: Read) -> bool {
+    matches!(read, Read::As(Value { of_pentagon: true, .. }))
 }
 
 fn gcd(mut a: BigInt, mut b: BigInt) -> BigInt {
@@ -160,16 +207,15 @@ fn of_fraction(x: f64, off: f64) -> Option<Read> {
         return Some(Read::Itself);
     }
     if x.abs() <= off {
-        return Some(Read::As(Value { p: 0, r: 0, q: 1, d: 0 }));
+        return Some(Read::As(Value { p: 0, r: 0, q: 1, d: 0, of_pentagon: false }));
     }
     let (p, q) = fraction(x, off)?;
-    let value = Value { p, r: 0, q, d: 0 };
+    let value = Value { p, r: 0, q, d: 0, of_pentagon: false };
     Some(if p as f64 / q as f64 == x && q.count_ones() == 1 { Read::Itself } else { Read::As(value) })
 }
 
-/// The simplest fraction within `off` of `x`: a short one by the continued fraction, or one that is written in a few
-/// decimals.
-fn fraction(x: f64, off: f64) -> Option<(i64, i64)> {
+/// The simplest fraction of small numbers within `off` of `x`, by the continued fraction.
+fn short_fraction(x: f64, off: f64) -> Option<(i64, i64)> {
     let ((mut p0, mut q0), (mut p1, mut q1)) = ((0_i64, 1_i64), (1_i64, 0_i64));
     let mut rest = x.abs();
     for _ in 0..16 {
@@ -186,6 +232,14 @@ fn fraction(x: f64, off: f64) -> Option<(i64, i64)> {
         }
         ((p0, q0), (p1, q1)) = ((p1, q1), (p, q));
         rest = 1.0 / (rest - whole);
+    }
+    None
+}
+
+/// The same, or a fraction that is written in a few decimals.
+fn fraction(x: f64, off: f64) -> Option<(i64, i64)> {
+    if let Some(short) = short_fraction(x, off) {
+        return Some(short);
     }
     // The shortest decimal that is this double: what a person typed has few digits.
     let text = format!("{x}");
@@ -219,7 +273,7 @@ fn with_root(x: f64, off: f64, d: u8) -> Option<Value> {
                 let away = (scaled - r as f64 * root - p).abs();
                 // The root itself is rounded, too.
                 if away <= off * q as f64 + 2.0 * f64::EPSILON * (r as f64).abs() && p.abs() < 1e6 {
-                    return Some(Value { p: p as i64, r, q, d });
+                    return Some(Value { p: p as i64, r, q, d, of_pentagon: false });
                 }
             }
         }
@@ -229,7 +283,11 @@ fn with_root(x: f64, off: f64, d: u8) -> Option<Value> {
 
 impl Value {
     fn shown(&self) -> String {
-        let Self { p, r, q, d } = *self;
+        let Self { p, r, q, d, of_pentagon } = *self;
+        if of_pentagon {
+            let value = Self { of_pentagon: false, ..*self }.shown();
+            return if value == "1" { "sin(72°)".to_owned() } else { format!("{value} sin(72°)") };
+        }
         let over = |text: String| if q == 1 { text } else { format!("{text}/{q}") };
         if r == 0 {
             return over(p.to_string());
@@ -254,7 +312,7 @@ mod tests {
         match of_fraction(x, off) {
             Some(Read::Itself) => Some("itself".into()),
             Some(Read::As(value)) => Some(value.shown()),
-            None => ROOTS.iter().find_map(|&d| with_root(x, off, d)).map(|value| value.shown()),
+            None => [2, 3, 5].iter().find_map(|&d| with_root(x, off, d)).map(|value| value.shown()),
         }
     }
 
@@ -308,6 +366,15 @@ mod tests {
         // The golden ratio beside sqrt(3): only one of them is read, which helps nobody, but does no harm.
         let odd = Affine2::from_row([0.381_966_011_250_105_2, 0.0, 0.0, 3.0_f64.sqrt() / 6.0, 0.0, 0.0]);
         assert_eq!(read(&[odd]).unwrap().assuming.len(), 1);
+        // Turned by a quarter, a pentagon has its sines on the other axis.
+        let ratio = f64::midpoint(3.0, -(5.0_f64.sqrt()));
+        for quarter in [0.0, std::f64::consts::FRAC_PI_2] {
+            let corner = |k| glam::DVec2::from_angle(quarter + std::f64::consts::TAU / 5.0 * f64::from(k));
+            let maps: Vec<_> =
+                (0..5).map(|k| Affine2::similitude(ratio, 0.0, corner(k) * (1.0 - ratio))).collect();
+            let reading = read(&maps).unwrap();
+            assert!(reading.assuming.iter().any(|text| text.contains("sin(72")), "{:?}", reading.assuming);
+        }
         let random = Affine2::from_row([
             0.1234567890123,
             0.2345678901234,

@@ -4,11 +4,12 @@ use frond_core::Affine2;
 use glam::DVec2;
 
 use crate::corner::{Shared, corners};
+use crate::crossing::crossings_beside;
 use crate::frame::Frame;
 use crate::graph::OverlapGraph;
 use crate::neighbours::Neighbours;
 use crate::outline::Outline;
-use crate::periodic::Periodic;
+use crate::periodic::{Periodic, shown};
 use crate::proof;
 use crate::reading::{self, Reading};
 use crate::surd::SurdSystem;
@@ -22,7 +23,7 @@ pub enum ReasonKind {
     EqualMaps,
     /// All maps leave one point where it is: it is the attractor.
     CommonPoint,
-    /// Two maps whose determinants leave no room between the pieces.
+    /// Two maps whose determinants leave no room between the pieces; or several such pairs.
     Area,
     /// Enough pairs of pieces have a point in common.
     SharedPoints,
@@ -118,6 +119,7 @@ impl Reason {
             let [a, b] = &link.words;
             format!("{a} and {b}")
         });
+        let points = self.links.iter().filter(|link| link.kind == LinkKind::Point).count();
         let text = match self.kind {
             ReasonKind::OneMap => "There is one map, and its attractor is one point.".to_owned(),
             ReasonKind::EqualMaps => "All maps are the same, and so are all pieces.".to_owned(),
@@ -135,12 +137,19 @@ impl Reason {
                     "Pieces share {count} points, and these reach every piece: {example} are addresses of the first."
                 ),
             },
-            ReasonKind::Crossings => match self.links.len() {
-                1 => format!("The pieces {example} lie across each other, so that they must meet."),
-                count => format!(
-                    "{count} pairs of pieces lie across each other, so that they must meet: {example} are the first."
-                ),
-            },
+            ReasonKind::Crossings => {
+                let text = match self.links.len() - points {
+                    1 => format!("The pieces {example} lie across each other, so that they must meet."),
+                    count => format!(
+                        "{count} pairs of pieces lie across each other, so that they must meet: {example} are the first."
+                    ),
+                };
+                match points {
+                    0 => text,
+                    1 => format!("{text} Two others share a point."),
+                    _ => format!("{text} {points} others share points."),
+                }
+            }
             ReasonKind::Neighbours => {
                 let ways = self.neighbours.unwrap_or(0);
                 format!(
@@ -174,6 +183,31 @@ pub(crate) fn one_point(maps: &[Affine2]) -> Option<Reason> {
     Some(Reason { assuming: reading.assuming, ..reason })
 }
 
+/// A proof by pieces that lie across each other, beside points that are shared, where no gap is known to be wider than `gap`
+/// (in the plane).
+pub(crate) fn by_crossings(maps: &[Affine2], shared: Vec<Link>, gap: f64) -> Option<Reason> {
+    let met: Vec<(usize, usize)> = shared.iter().map(|link| link.pair).collect();
+    let found = crossings_beside(&met, maps, gap, 0.0)?;
+    let crossings = found.into_iter().map(|crossing| {
+        let corners = crossing.corners.to_vec();
+        Link {
+            kind: LinkKind::Crossing,
+            pair: (crossing.i, crossing.j),
+            words: [crossing.u, crossing.v].map(|word| shown(&word)),
+            at: corners.iter().sum::<DVec2>() / corners.len() as f64,
+            corners,
+        }
+    });
+    let links: Vec<Link> = crossings.chain(shared).collect();
+    // Where the pieces fill too much to leave room, none need cross.
+    let crosses = links.iter().any(|link| link.kind == LinkKind::Crossing);
+    let kind = if crosses { ReasonKind::Crossings } else { ReasonKind::Area };
+    Some(Reason { links, ..Reason::of(kind) })
+}
+
+/// Points of two pieces that are checked at most.
+const TRIES: usize = 4;
+
 /// Points that pieces share, proposed by floating point and checked without rounding.
 pub(crate) struct Points<'a> {
     maps: &'a [Affine2],
@@ -199,9 +233,10 @@ impl<'a> Points<'a> {
         Self { maps, pairs, found, graph }
     }
 
-    /// A proof for the maps as they are given.
-    pub fn as_given(&self) -> Option<Reason> {
-        self.reason(&SurdSystem::as_given(self.maps)?)
+    /// A proof for the maps as they are given; or else the points that they do share.
+    pub fn as_given(&self) -> Result<Reason, Vec<Link>> {
+        let system = SurdSystem::as_given(self.maps).ok_or_else(Vec::new)?;
+        self.reason(&system)
     }
 
     /// A proof for the numbers that they come near.
@@ -210,7 +245,7 @@ impl<'a> Points<'a> {
             return None;
         }
         let Reading { system, assuming } = reading::read(self.maps)?;
-        Some(Reason { assuming, ..self.reason(&system)? })
+        Some(Reason { assuming, ..self.reason(&system).ok()? })
     }
 
     /// Whether all of them together, if they were shared, would reach every piece.
@@ -222,15 +257,19 @@ impl<'a> Points<'a> {
         graph.is_connected()
     }
 
-    fn reason(&self, system: &SurdSystem) -> Option<Reason> {
-        if !self.is_enough() {
-            return None;
-        }
+    fn reason(&self, system: &SurdSystem) -> Result<Reason, Vec<Link>> {
         let mut graph = OverlapGraph::new(self.maps.len());
         let mut links = Vec::new();
+        let mut tried = vec![0; self.maps.len() * self.maps.len()];
         for (a, b) in &self.found {
             let (i, j) = (a.first(), b.first());
-            if i == j || graph.components().joined(i, j) || !system.coincide(a, b) {
+            if i == j || graph.components().joined(i, j) {
+                continue;
+            }
+            // Where some points do not fit, others that lie together in the same way hardly will.
+            let tries = &mut tried[i * self.maps.len() + j];
+            *tries += 1;
+            if *tries > TRIES || !system.coincide(a, b) {
                 continue;
             }
             graph.add(i, j);
@@ -242,10 +281,10 @@ impl<'a> Points<'a> {
                 corners: Vec::new(),
             });
         }
-        if !graph.is_connected() {
-            return None;
-        }
         links.sort_by_key(|link| link.pair);
+        if !graph.is_connected() {
+            return Err(links);
+        }
         let closed = self.graph.as_ref().filter(|graph| {
             !self.pairs.is_empty() && graph.is_closed() && graph.types() > 0 && graph.is_exact(system)
         });
@@ -253,6 +292,6 @@ impl<'a> Points<'a> {
             Some(graph) if graph.share_many() => ReasonKind::Neighbours,
             _ => ReasonKind::SharedPoints,
         };
-        Some(Reason { links, neighbours: closed.map(Neighbours::types), ..Reason::of(kind) })
+        Ok(Reason { links, neighbours: closed.map(Neighbours::types), ..Reason::of(kind) })
     }
 }

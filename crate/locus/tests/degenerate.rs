@@ -138,8 +138,9 @@ fn contractive_only_in_longer_words() {
     let k = 0.6;
     let maps = rows(&[[k, k, 0.0, k, 0.0, 0.0], [k, 0.0, k, k, 1.0, 0.0]]);
     let (full, fast) = answer(&maps, 1e-3);
-    // |det| is 0.36 each: they need not meet, but each of its answers must be the other's.
-    assert!(full.verdict.holds() == fast.holds() || full.verdict == Verdict::Undecided, "{full:?} {fast:?}");
+    // |det| is 0.36 each: they need not meet, but neither answer may contradict the other.
+    let open = full.verdict == Verdict::Undecided || fast == State::Undecided;
+    assert!(full.verdict.holds() == fast.holds() || open, "{full:?} {fast:?}");
     let nilpotent = rows(&[[0.0, 1.2, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.6, 0.0, 1.0, 1.0]]);
     apart(&nilpotent, 1e-6);
 }
