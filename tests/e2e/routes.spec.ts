@@ -67,7 +67,6 @@ test("shapes that reflect oppositely have ways across", async ({ studio, page })
   // What happens if nothing is chosen comes first.
   await expect(ways.first()).toBeChecked();
   await ways.nth(1).check();
-  await studio.idle();
   const after = await studio.scene();
   expect([after.a.name, after.b.name]).toEqual([before.a.name, before.b.name]);
   await page.getByRole("button", { name: "Undo", exact: true }).click();
