@@ -4,8 +4,9 @@ use std::cmp::Ordering;
 
 use frond_core::Morph;
 
+use crate::find::improve;
 use crate::grid::{Bounds, Locus, LocusGrid};
-use crate::path::{PathError, PathPlan, field_of, improve};
+use crate::path::{PathError, PathPlan, field_of};
 
 /// How closely to look at a matching.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,11 +8,14 @@ use glam::DVec3;
 
 use crate::decide::{Scratch, decide};
 use crate::field::{Field, Lattice, UNSEEN, gap_of};
+use crate::find::{CHECKS, PathOptions, improve};
 use crate::grid::LocusGrid;
-use crate::path::{CHECKS, ENDS, PathOptions, PathPlan, improve};
+use crate::path::{ENDS, PathPlan};
 
 /// The steps to the unit of the lattices that are looked through, one after the other.
 const STEPS: [usize; 2] = [8, 16];
+/// Above so many maps only the first is.
+const MANY: usize = 16;
 /// How many ways are looked for in each of them.
 const WAYS: usize = 4;
 /// How far round a coarse way is looked at finely, in fine steps.
@@ -23,6 +26,10 @@ const AROUND: f64 = 3.0;
 pub(crate) fn find(morph: &Morph, options: &PathOptions) -> PathPlan {
     let mut best: Option<PathPlan> = None;
     for steps in STEPS {
+        // The decisions for many maps take long.
+        if best.is_some() && morph.len() > MANY {
+            break;
+        }
         let mut space = Space::new(morph, options.epsilon, steps);
         let mut apart = None;
         for _ in 0..WAYS {
