@@ -1,4 +1,5 @@
 import { useMemo, useState } from "preact/hooks";
+import { frond } from "../engine/wasm";
 import { fixed } from "../ui/number";
 import { Segmented } from "../ui/Segmented";
 import { barnsley, type Round } from "./barnsley";
@@ -10,7 +11,7 @@ import { Plot } from "./plot";
 import { nearWords, type Prediction, usePrediction } from "./predict";
 import { Rows } from "./rows";
 import { studioHref } from "./studio";
-import { Chip } from "./verdict";
+import { Chip, reasonWords } from "./verdict";
 
 /** The dust of the finished picture, and the one that is asked about. */
 const [SHOWN, ASKED] = [0.45, 0.49];
@@ -171,6 +172,7 @@ function Never() {
   const r = Number(scale);
   const rounds = useMemo(() => barnsley(r, MOST), [r]);
   const apart = rounds.at(-1)?.apart === true;
+  const proof = useMemo(() => frond.connectedness({ maps: dust(0.5) }, { epsilon: 1e-6 }).reason, []);
   return (
     <div class="two-columns even">
       <Closing rounds={rounds} r={r} />
@@ -185,7 +187,7 @@ function Never() {
           At ½ the pieces meet, and the two curves fall side by side for ever. The test can only say “apart”
           or nothing; it can never say “together”. Its silence after a thousand steps may mean that the pieces
           touch, or that the gap is too narrow yet. To prove that something is in one piece takes a reason of
-          another kind.
+          another kind.{proof && ` Here is Frond’s for ½: ${reasonWords(proof.text)}`}
         </p>
       </div>
     </div>

@@ -14,7 +14,7 @@ import { type Complex, hasFamilies, mapsOf, quarterJob, unfolded } from "./mset"
 import { Picture } from "./picture";
 import { type Prediction, usePrediction } from "./predict";
 import { studioHref } from "./studio";
-import { ExactChip, exactWords } from "./verdict";
+import { ExactChip, exactWords, Why } from "./verdict";
 import { useChannel, useValue, useVerdict } from "./work";
 
 const EXACT = 1e-6;
@@ -81,6 +81,7 @@ export function Lesson8(heading: Heading) {
         href: studioHref({
           a: { name: `s = ${complexWords(s)}`, maps: mapsOf(s) },
           b: { name: "Twin-dragon", maps: mapsOf([0.5, 0.5]) },
+          locus: { family: "polygon", sides: 2, x: 0, y: 0, zoom: 1, w: 0, at: shortened(s) },
         }),
       }}
     >
@@ -122,6 +123,12 @@ function Shape({ s, text }: { s: Complex; text: string }) {
       </figcaption>
     </figure>
   );
+}
+
+/** Short in a link, and still far nearer than the eye tells. */
+function shortened([re, im]: Complex): Complex {
+  const short = (x: number) => Math.round(x * 1e6) / 1e6;
+  return [short(re), short(im)];
 }
 
 function kindOf(answer: Connectedness | undefined): Which | null {
@@ -187,10 +194,10 @@ function Where({ prediction, s, onS }: WhereProps) {
             line={`You said ${prediction.guess === "whole" ? "one piece" : "dust"}. At s = ${complexWords(asked)} ${foundWords(judged?.answer)}.`}
           >
             <p>
-              The light part is M, as far as a ten-thousandth of each shape tells. It is the same on all four
-              sides: turn the sign of the angle, and the shape is mirrored; turn the sign of s, and it stays
-              as it is. Two spikes run inward along the real line to ½ and −½, and the edge between the two
-              circles is ragged however closely one looks.
+              The light part is M, as far as a ten-thousandth of each shape tells; the darker, the wider the
+              gap. It is the same on all four sides: turn the sign of the angle, and the shape is mirrored;
+              turn the sign of s, and it stays as it is. Two spikes run inward along the real line to ½ and
+              −½, and the edge between the two circles is ragged however closely one looks.
             </p>
           </Truth>
         )
@@ -227,6 +234,7 @@ function Here({ s, onMove }: { s: Complex; onMove: (s: Uv) => void }) {
       <div class="ask">
         <p>Move the ring on, or go to a landmark.</p>
         <ExactChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
+        <Why answer={judged?.answer} />
         <Sliders s={s} onMove={onMove} />
         <div class="buttons">
           {LANDMARKS.map(({ s: at, name }) => (

@@ -11,6 +11,8 @@ export interface Opening {
   path?: Scene["path"];
   /** For each map of A the map of B that it becomes; the same number by default. */
   correspondence?: number[];
+  /** How the map of shapes is looked at. */
+  locus?: NonNullable<Scene["locus"]>;
 }
 
 /** A link that opens the studio on a figure: the document is in its fragment. */
@@ -22,6 +24,7 @@ export function studioHref({
   compare = false,
   path,
   correspondence = [],
+  locus,
 }: Opening): string {
   const scene: Scene = {
     a: tidy(a),
@@ -33,6 +36,7 @@ export function studioHref({
     turns: [],
     colouring: "map",
     compare,
+    ...(locus ? { locus } : {}),
   };
   return `#${frond.encodeScene(scene)}`;
 }

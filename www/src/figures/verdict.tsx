@@ -51,6 +51,20 @@ export function exactWords(answer: Connectedness | null): { tone: Tone; text: st
   }
 }
 
+/** The reason of a proof that a shape is in one piece, where there is one. */
+export function Why({ answer }: { answer: Connectedness | undefined }) {
+  const reason = answer?.verdict === "connected" ? answer.reason : undefined;
+  return reason ? <p class="why">{reasonWords(reason.text)}</p> : null;
+}
+
+/** A reason with its addresses explained, where it has any. */
+export function reasonWords(text: string): string {
+  const address = /\b(\d)\((\d)\)/.exec(text);
+  if (!address) return text;
+  const [read, first, then] = address;
+  return `${text} (${read} reads: in piece ${first}, in its part ${then}, in the part ${then} of that, and so on for ever.)`;
+}
+
 export interface ChipProps {
   tone: Tone;
   text: string;
