@@ -1,6 +1,8 @@
 import type { Renderer } from "./frond-webgl2.js";
+import type { LocusCompute } from "./frond-webgpu.js";
 
 export type { Renderer } from "./frond-webgl2.js";
+export type { LocusCompute } from "./frond-webgpu.js";
 
 export interface RendererOptions {
   /** Default `auto`: WebGPU, or WebGL2 where that is missing. */
@@ -14,3 +16,30 @@ export function createRenderer(
   canvas: HTMLCanvasElement | OffscreenCanvas,
   options?: RendererOptions,
 ): Promise<Renderer>;
+
+/**
+ * A device that decides loci by WebGPU, on the page's thread or in a worker; `undefined` where there is none, or where
+ * the processor stands in for a graphics card, unless `software` is true.
+ */
+export function createLocusCompute(options?: { software?: boolean }): Promise<LocusCompute | undefined>;
+
+export interface LocusTimes {
+  /** Which of the two is to be used. */
+  faster: "gpu" | "cpu";
+  /** Milliseconds of the graphics card, with what it leaves to the processor. */
+  gpu: number;
+  /** Milliseconds of the processor. */
+  cpu: number;
+}
+
+type Maps = { maps: [number, number, number, number, number, number][] };
+
+/**
+ * Times one locus on the graphics card and by `cpu`, which is to do what `locus` does, on this thread or in workers. Do it
+ * once, while nothing else is at work. The morph is that of a dragon to a gasket if none is given, 128 x 128 samples.
+ */
+export function timeLocus(
+  compute: LocusCompute,
+  cpu: (from: Maps, to: Maps, options: { width: number; height: number; epsilon: number }) => unknown,
+  options?: { from?: Maps; to?: Maps; size?: number; epsilon?: number },
+): Promise<LocusTimes>;

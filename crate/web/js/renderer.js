@@ -1,5 +1,5 @@
 // Chooses the graphics interface: WebGPU, or WebGL2 where that is missing. Each has a module of its own, loaded when it
-// is wanted.
+// is wanted. What computes needs WebGPU.
 
 const modules = {
   webgpu: () => import("./frond-webgpu.js"),
@@ -11,7 +11,7 @@ function load(backend) {
   loading[backend] ??= (async () => {
     const module = await modules[backend]();
     await module.default();
-    return module.Renderer;
+    return module;
   })();
   // A download that failed may succeed the next time.
   loading[backend].catch(() => delete loading[backend]);
@@ -31,10 +31,57 @@ export async function createRenderer(canvas, options = {}) {
   const { backend: wanted = "auto" } = options;
   if (wanted === "webgpu" || (wanted === "auto" && (await hasWebGpu()))) {
     try {
-      return await (await load("webgpu")).create(canvas, { ...options, backend: "webgpu" });
+      return await (await load("webgpu")).Renderer.create(canvas, { ...options, backend: "webgpu" });
     } catch (problem) {
       if (wanted === "webgpu") throw problem;
     }
   }
-  return (await load("webgl2")).create(canvas, { ...options, backend: "webgl2" });
+  return (await load("webgl2")).Renderer.create(canvas, { ...options, backend: "webgl2" });
+}
+
+export async function createLocusCompute({ software = false } = {}) {
+  if (!(await hasWebGpu())) return undefined;
+  let compute;
+  try {
+    compute = await (await load("webgpu")).LocusCompute.create();
+  } catch {
+    return undefined;
+  }
+  if (compute.software && !software) {
+    compute.free();
+    return undefined;
+  }
+  return compute;
+}
+
+// The morph that is timed: the dragon as three maps to the gasket.
+const dragon = {
+  maps: [
+    [0.5, -0.5, 0.5, 0.5, 0, 0],
+    [-0.5, 0, 0, -0.5, 1, 0],
+    [0, 0.5, -0.5, 0, 0.5, 0.5],
+  ],
+};
+const gasket = {
+  maps: [
+    [0.5, 0, 0, 0.5, 0, 0],
+    [0.5, 0, 0, 0.5, 0.5, 0],
+    [0.5, 0, 0, 0.5, 0.25, 0.433],
+  ],
+};
+
+export async function timeLocus(compute, cpu, options = {}) {
+  const { from = dragon, to = gasket, size = 128, epsilon = 1 / 600 } = options;
+  const sampling = { width: size, height: size, epsilon };
+  if (compute.software) return { faster: "cpu", gpu: Infinity, cpu: 0 };
+  // The first run compiles the shader.
+  await compute.run(from, to, { ...sampling, width: 8, height: 8 });
+  await cpu(from, to, { ...sampling, width: 8, height: 8 });
+  const { milliseconds, left } = await compute.run(from, to, sampling);
+  const start = performance.now();
+  await cpu(from, to, sampling);
+  const cpuTime = performance.now() - start;
+  // What is left is for the processor, and the hardest.
+  const gpu = milliseconds + (4 * cpuTime * left) / (size * size);
+  return { faster: gpu < cpuTime ? "gpu" : "cpu", gpu, cpu: cpuTime };
 }

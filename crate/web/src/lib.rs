@@ -9,6 +9,8 @@
 #![allow(clippy::missing_errors_doc)]
 #![cfg_attr(not(feature = "compute"), expect(dead_code, reason = "a renderer alone needs few conversions"))]
 
+#[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
+mod card;
 #[cfg(feature = "compute")]
 mod connect;
 #[cfg(feature = "compute")]
@@ -28,12 +30,18 @@ mod renderer;
 #[cfg(feature = "compute")]
 mod routes;
 #[cfg(feature = "compute")]
+mod settle;
+#[cfg(feature = "compute")]
 mod shape;
 mod value;
 
 #[cfg(feature = "compute")]
 pub use {connect::*, document::*, locus::*, path::*, proof::*, raster::*, routes::*, shape::*};
 
+#[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
+pub use card::*;
+#[cfg(feature = "compute")]
+pub use settle::*;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 pub use renderer::*;
 

@@ -205,7 +205,8 @@ impl Gpu {
         }
         let events = Events::new(Rc::clone(listener));
         events.watch(&device);
-        let software = is_software(&adapter.get_info(), &description);
+        let software =
+            super::is_software(adapter.get_info().device_type == wgpu::DeviceType::Cpu, &description);
         let max_side = device.limits().max_texture_dimension_2d;
         Ok(Self {
             device,
@@ -278,15 +279,8 @@ impl Gpu {
     }
 }
 
-/// Whether the processor stands in for a graphics card. WebGPU says so; WebGL gives a name.
-fn is_software(info: &wgpu::AdapterInfo, names: &str) -> bool {
-    const NAMES: [&str; 4] = ["swiftshader", "llvmpipe", "software", "basic render"];
-    let names = names.to_lowercase();
-    info.device_type == wgpu::DeviceType::Cpu || NAMES.iter().any(|name| names.contains(name))
-}
-
 /// What WebGPU tells of its adapter, which wgpu does not pass on. Empty where anything is missing.
-async fn webgpu_names() -> String {
+pub(super) async fn webgpu_names() -> String {
     async fn info() -> Result<JsValue, JsValue> {
         let gpu = Reflect::get(&Reflect::get(&global(), &"navigator".into())?, &"gpu".into())?;
         let request: Function = Reflect::get(&gpu, &"requestAdapter".into())?.dyn_into()?;

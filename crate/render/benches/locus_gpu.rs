@@ -1,0 +1,116 @@
+//! How long a graphics card takes for a locus, against one core of the processor in the same run:
+//! `cargo bench -p frond-render --bench locus_gpu`.
+//!
+//! The morph is that of Burch & Hart's Fig 7, as in the bench of crate/locus.
+
+#[cfg(not(target_arch = "wasm32"))]
+#[path = "../src/gpu/mod.rs"]
+mod gpu;
+
+#[cfg(not(target_arch = "wasm32"))]
+mod measure {
+    use std::future::Future;
+    use std::pin::pin;
+    use std::task::{Context, Poll, Waker};
+    use std::time::Instant;
+
+    use crate::gpu::{LocusError, LocusGpu, LocusJob};
+    use frond_core::{Affine2, Morph, MorphOptions};
+    use frond_locus::{Bounds, LocusGrid, Sample, Scratch, SingleLocus, State, decide, unpack_single};
+    use glam::DVec2;
+
+    fn dragon_to_gasket() -> Morph {
+        let a = Affine2::from_row([0.5, -0.5, 0.5, 0.5, 0.0, 0.0]);
+        let b = Affine2::from_row([-0.5, -0.5, 0.5, -0.5, 1.0, 0.0]);
+        let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.75_f64.sqrt()]].map(DVec2::from_array);
+        let gasket = corners.map(|c| Affine2::similitude(0.5, 0.0, c * 0.5));
+        Morph::new(&[a, b * a, b * b], &gasket, &MorphOptions::default()).expect("three maps each")
+    }
+
+    /// Natively a run waits for the card by itself, so that its future is ready when it is asked.
+    fn wait<F: Future>(future: F) -> F::Output {
+        let mut future = pin!(future);
+        let mut context = Context::from_waker(Waker::noop());
+        loop {
+            if let Poll::Ready(output) = future.as_mut().poll(&mut context) {
+                return output;
+            }
+            std::thread::yield_now();
+        }
+    }
+
+    /// The least milliseconds of some runs.
+    fn least(runs: usize, mut run: impl FnMut()) -> f64 {
+        let time = |()| {
+            let start = Instant::now();
+            run();
+            start.elapsed().as_secs_f64() * 1e3
+        };
+        std::iter::repeat_n((), runs).map(time).fold(f64::INFINITY, f64::min)
+    }
+
+    pub fn main() {
+        let gpu = match wait(LocusGpu::open()) {
+            Ok(gpu) => gpu,
+            Err(problem) => return println!("not measured, {}: {problem}", problem.code()),
+        };
+        let software = if gpu.software { " (no graphics card: this says nothing of speed)" } else { "" };
+        println!("adapter: {}{software}", gpu.description);
+        let morph = dragon_to_gasket();
+        let sizes = if gpu.software { vec![128, 256] } else { vec![128, 256, 1024] };
+        for size in sizes {
+            for epsilon in [1.0 / 600.0, 1e-4, 1e-5] {
+                let grid = LocusGrid::new(Bounds::default(), size, size).expect("a grid");
+                let runs = if gpu.software { 1 } else { 10 };
+                let mut answers = Vec::new();
+                let card = least(runs, || answers = run(&gpu, &morph, &grid, epsilon).expect("an answer"));
+                let samples: Vec<Sample> = answers.iter().copied().map(unpack_single).collect();
+                let left = samples.iter().filter(|sample| sample.state == State::Undecided).count();
+                let settle = least(1, || settle(&morph, &grid, epsilon, &samples));
+                // A part of the rows stands for all.
+                let part = 16.min(size);
+                let cpu = least(3, || rows(&morph, &grid, epsilon, part)) * size as f64 / part as f64;
+                println!(
+                    "{size} x {size}, epsilon {epsilon:.0e}: card {card:.1} ms and {settle:.1} ms for the {left} it leaves, \
+                     one core {cpu:.0} ms: {:.1} times as fast",
+                    cpu / (card + settle)
+                );
+            }
+        }
+    }
+
+    fn run(gpu: &LocusGpu, morph: &Morph, grid: &LocusGrid, epsilon: f64) -> Result<Vec<u32>, LocusError> {
+        let single = SingleLocus::of_morph(morph, 0.0, grid, epsilon).expect("three maps");
+        wait(gpu.run(LocusJob {
+            maps: single.maps(),
+            epsilon: single.epsilon(),
+            columns: single.columns(),
+            rows: single.rows(),
+        }))
+    }
+
+    fn settle(morph: &Morph, grid: &LocusGrid, epsilon: f64, samples: &[Sample]) {
+        let (mut maps, mut scratch) = (Vec::new(), Scratch::default());
+        for (k, _) in samples.iter().enumerate().filter(|(_, sample)| sample.state == State::Undecided) {
+            morph.fill(grid.u(k % grid.width()), grid.v(k / grid.width()), &mut maps);
+            std::hint::black_box(decide(&maps, epsilon, LocusGrid::BUDGET, &mut scratch));
+        }
+    }
+
+    /// Rows spread over the grid, by the processor.
+    fn rows(morph: &Morph, grid: &LocusGrid, epsilon: f64, part: usize) {
+        let (mut maps, mut scratch) = (Vec::new(), Scratch::default());
+        for k in 0..part {
+            let v = grid.v((2 * k + 1) * grid.height() / (2 * part));
+            for x in 0..grid.width() {
+                morph.fill(grid.u(x), v, &mut maps);
+                std::hint::black_box(decide(&maps, epsilon, LocusGrid::BUDGET, &mut scratch));
+            }
+        }
+    }
+}
+
+fn main() {
+    #[cfg(not(target_arch = "wasm32"))]
+    measure::main();
+}
