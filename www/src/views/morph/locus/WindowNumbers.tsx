@@ -4,6 +4,9 @@ import { digitsOf } from "./geometry";
 import { epsilon, family, inDigits, picked, pickPoint, setView, shownWindow, view } from "./view";
 import { epsilonWords, zoomWords } from "./words";
 
+/** Nearer than this, a number takes a line of its own. */
+const LONG = 1e4;
+
 /** What the square shows, in numbers that can be typed over. */
 export function WindowNumbers() {
   const { x, y, zoom } = view.value;
@@ -14,7 +17,12 @@ export function WindowNumbers() {
     <details class="fold window-numbers">
       <summary>
         <span class="window-words number">
-          {across} {inDigits(u0)} to {inDigits(u1)}, {up} {inDigits(v0)} to {inDigits(v1)}
+          <span>
+            {across} {inDigits(u0)} to {inDigits(u1)}
+          </span>{" "}
+          <span>
+            {up} {inDigits(v0)} to {inDigits(v1)}
+          </span>
         </span>
         <span class="dim number">{zoomWords(zoom)}</span>
       </summary>
@@ -22,7 +30,7 @@ export function WindowNumbers() {
         Pieces within {epsilonWords(epsilon.value)} of the shape count as touching
         {epsilon.value === LEAST_EPSILON ? ": finer than this, numbers of 64 bits cannot tell." : "."}
       </p>
-      <div class="window-fields">
+      <div class={`window-fields ${zoom > LONG ? "long" : ""}`}>
         <NumberField
           label="Middle"
           symbol={across}
@@ -60,7 +68,7 @@ function PickedFields({ across, up }: { across: string; up: string }) {
   const { zoom } = view.value;
   const digits = Math.min(18, digitsOf(zoom) + 2);
   return (
-    <div class="window-fields">
+    <div class={`window-fields ${zoom > LONG ? "long" : ""}`}>
       <NumberField
         label="Show the shape at"
         symbol={across}

@@ -27,10 +27,12 @@ export const picked: ReadonlySignal<Uv | null> = computed(() => view.value.at ??
 /** A parameter of the window that is shown, with as many digits as it needs. */
 export const inDigits = (x: number): string => fixed(x, digitsOf(view.value.zoom));
 
+const isWhole = ({ family: kind, zoom, w, at }: LocusView) =>
+  kind === "morph" && zoom === 1 && w === 0 && at === undefined;
+
 /** The view as it belongs in the document: what is seen anyway is left out. */
 function kindOf(next: LocusView): { locus?: LocusView } {
-  const whole = next.family === "morph" && next.zoom === 1 && next.w === 0 && next.at === undefined;
-  return whole ? {} : { locus: next };
+  return isWhole(next) ? {} : { locus: next };
 }
 
 function withView(next: LocusView) {
@@ -114,6 +116,12 @@ export function backToPath(): void {
     untracked(() => replace(withView(unpicked(view.peek()))));
   });
 }
+
+// Whoever lets a point go may leave a view that says nothing.
+effect(() => {
+  const { locus, ...rest } = scene.value;
+  if (locus && isWhole(locus) && viewProblem(locus) === null) untracked(() => replace(rest));
+});
 
 // What a link asks for and cannot be shown is said, once, and not kept.
 effect(() => {
