@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { HEIGHT } from "./families";
 import { CORNERS, hash, holes, isInMiddle, START, Throws, weights } from "./throws";
 
 describe("the chaos game by hand", () => {
@@ -35,6 +36,9 @@ it("weighs corners", () => {
     expect(found.reduce((sum, weight) => sum + weight)).toBeCloseTo(1, 12);
   }
   expect(isInMiddle([0.5, 0])).toBe(false);
+  // Weights 0.45, 0.45 and 0.1: near the edge of the middle, and in it.
+  expect(isInMiddle([0.5, 0.1 * HEIGHT])).toBe(true);
+  expect(isInMiddle([0.5, 0.51 * HEIGHT])).toBe(false);
 });
 
 it("names the holes of each level", () => {
