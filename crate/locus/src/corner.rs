@@ -99,7 +99,8 @@ mod tests {
         let gasket =
             [[0.0, 0.0], [0.5, 0.0], [0.1, 0.5]].map(|[e, f]| Affine2::from_row([0.5, 0.0, 0.0, 0.5, e, f]));
         let found = corners(&gasket);
-        let shown: Vec<String> = found.iter().take(3).map(|(a, b)| format!("{a} {b}")).collect();
+        let shown: Vec<String> =
+            found.iter().take(3).map(|(a, b)| format!("{} {}", a.shown(3), b.shown(3))).collect();
         assert_eq!(shown, ["1(2) 2(1)", "1(3) 3(1)", "2(3) 3(2)"]);
     }
 

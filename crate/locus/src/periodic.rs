@@ -1,7 +1,5 @@
 //! Addresses that repeat.
 
-use std::fmt;
-
 use frond_core::Affine2;
 use glam::DVec2;
 
@@ -53,26 +51,18 @@ impl Periodic {
     }
 }
 
-impl fmt::Display for Periodic {
-    /// As people read it: letters from 1, "1(2)" for 1222..; with dots between them where one has two digits.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let wide = is_wide(&self.head) || is_wide(&self.repeat);
-        write!(f, "{}({})", letters(&self.head, wide), letters(&self.repeat, wide))
+impl Periodic {
+    /// As people read it: letters from 1, "1(2)" for 1222.. Where there are more than nine maps letters are joined by dots:
+    /// "12.3(10)".
+    pub fn shown(&self, maps: usize) -> String {
+        format!("{}({})", shown(&self.head, maps), shown(&self.repeat, maps))
     }
 }
 
 /// A word as people read it beside such addresses.
-pub(crate) fn shown(word: &[u8]) -> String {
-    letters(word, is_wide(word))
-}
-
-fn is_wide(word: &[u8]) -> bool {
-    word.iter().any(|i| *i > 8)
-}
-
-fn letters(word: &[u8], wide: bool) -> String {
+pub(crate) fn shown(word: &[u8], maps: usize) -> String {
     let letters: Vec<String> = word.iter().map(|i| (usize::from(*i) + 1).to_string()).collect();
-    letters.join(if wide { "." } else { "" })
+    letters.join(if maps > 9 { "." } else { "" })
 }
 
 #[cfg(test)]
@@ -82,14 +72,13 @@ mod tests {
     #[test]
     fn addresses_take_their_shortest_form() {
         let shown =
-            |head: &[u8], repeat: &[u8]| Periodic::new(head.to_vec(), repeat.to_vec()).unwrap().to_string();
+            |head: &[u8], repeat: &[u8]| Periodic::new(head.to_vec(), repeat.to_vec()).unwrap().shown(9);
         assert_eq!(shown(&[0], &[1, 1, 1]), "1(2)");
         assert_eq!(shown(&[0, 1], &[1]), "1(2)");
         assert_eq!(shown(&[1, 1], &[1]), "(2)");
         assert_eq!(shown(&[0, 1, 2], &[1, 2, 1, 2]), "1(23)");
         assert_eq!(shown(&[0, 2], &[1, 2]), "1(32)");
-        assert_eq!(shown(&[9], &[0, 10]), "10(1.11)");
-        assert_eq!((super::shown(&[0, 8]), super::shown(&[0, 9])), ("19".into(), "1.10".into()));
+        assert_eq!(Periodic::new(vec![9, 0], vec![1, 10]).unwrap().shown(64), "10.1(2.11)");
         assert_eq!(Periodic::new(vec![1], vec![]), None);
     }
 

@@ -193,7 +193,7 @@ pub(crate) fn by_crossings(maps: &[Affine2], shared: Vec<Link>, gap: f64) -> Opt
         Link {
             kind: LinkKind::Crossing,
             pair: (crossing.i, crossing.j),
-            words: [crossing.u, crossing.v].map(|word| shown(&word)),
+            words: [crossing.u, crossing.v].map(|word| shown(&word, maps.len())),
             at: corners.iter().sum::<DVec2>() / corners.len() as f64,
             corners,
         }
@@ -276,7 +276,7 @@ impl<'a> Points<'a> {
             links.push(Link {
                 kind: LinkKind::Point,
                 pair: (i.min(j), i.max(j)),
-                words: [a.to_string(), b.to_string()],
+                words: [a, b].map(|address| address.shown(self.maps.len())),
                 at: a.point(self.maps).unwrap_or(DVec2::ZERO),
                 corners: Vec::new(),
             });
