@@ -165,6 +165,15 @@ export const SHORTCUTS: readonly { title: string; rows: readonly ShortcutRow[] }
     ],
   },
   {
+    title: "Map, in focus",
+    rows: [
+      { keys: [["←"], ["→"], ["↑"], ["↓"]], does: "Move the cross; Shift finer, Alt farther" },
+      { keys: [["+"], ["−"], ["0"]], does: "Nearer, farther, all of it" },
+      { keys: [["Enter"]], does: "Show the shape under the cross" },
+      { keys: [["A"]], does: "Make it a way point" },
+    ],
+  },
+  {
     title: "Shapes and picture",
     rows: [
       { keys: [["G"]], does: "Gallery" },

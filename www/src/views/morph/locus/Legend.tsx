@@ -1,24 +1,16 @@
-import { useComputed } from "@preact/signals";
+import { computed } from "@preact/signals";
 import { STATE } from "../../../engine/breaks";
-import { locusWindow } from "../../../engine/results";
 import { gradient } from "../../../style/ramp";
 import { decades, type LocusStyle } from "./paint";
-import { epsilon, shownWindow, view } from "./view";
+import { shownField } from "./shown";
+import { epsilon } from "./view";
 import { epsilonWords, partWords } from "./words";
 
 /** Which states there are in the window: only those are explained. */
-function useStates() {
-  return useComputed(() => {
-    const { pyramid } = locusWindow.value ?? {};
-    const seen = new Set<number>();
-    if (!pyramid || pyramid.family !== view.value.family) return "";
-    for (const state of pyramid.read(shownWindow.value, view.value.zoom).state) seen.add(state);
-    return [...seen].sort().join();
-  });
-}
+const present = computed(() => [...new Set(shownField.value?.state)].sort().join());
 
 export function Legend({ style }: { style: LocusStyle }) {
-  const states = new Set(useStates().value.split(",").filter(Boolean).map(Number));
+  const states = new Set(present.value.split(",").filter(Boolean).map(Number));
   const broken = states.has(STATE.disconnected);
   return (
     <ul class="legend" aria-label="Legend">

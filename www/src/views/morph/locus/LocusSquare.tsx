@@ -10,6 +10,7 @@ import { followPointer } from "./hover";
 import { End, PathLines, PickedMark } from "./marks";
 import { Preview } from "./Preview";
 import type { LocusStyle } from "./paint";
+import { shownField } from "./shown";
 import { family, shownWindow, view } from "./view";
 import { WorstMark } from "./WorstMark";
 import { chosen, place, way } from "./way";
@@ -42,13 +43,7 @@ export function LocusSquare({ style }: { style: LocusStyle }) {
         onKeyDown={crossKey}
         {...cross}
       >
-        <Field
-          found={locusWindow.value}
-          frame={shownWindow.value}
-          family={family.value}
-          zoom={zoom}
-          style={style}
-        />
+        <Field samples={shownField.value} frame={shownWindow.value} style={style} />
       </div>
       {family.value === "morph" ? <OnMorph /> : <FamilyLines />}
       <PickedMark />

@@ -142,7 +142,7 @@ function WayNone() {
       >
         Add way point
       </Button>
-      <span class="hint">or press twice above</span>
+      <span class="hint">or press twice on the path</span>
     </div>
   );
 }

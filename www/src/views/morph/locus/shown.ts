@@ -1,0 +1,14 @@
+import { computed, type ReadonlySignal } from "@preact/signals";
+import type { Field } from "../../../engine/pyramid";
+import { locusWindow } from "../../../engine/results";
+import { shownWindow, view } from "./view";
+
+/**
+ * What is known of the window that is shown, read anew for every picture: coarser samples stand in for those that are not
+ * there yet, so that moving about never leaves it blank. Null before anything is known of the plane.
+ */
+export const shownField: ReadonlySignal<Field | null> = computed(() => {
+  const { pyramid } = locusWindow.value ?? {};
+  const { family, zoom } = view.value;
+  return pyramid?.family === family ? pyramid.read(shownWindow.value, zoom) : null;
+});
