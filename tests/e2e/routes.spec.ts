@@ -77,3 +77,18 @@ test("shapes that reflect oppositely have ways across", async ({ studio, page })
     correspondence: before.correspondence,
   });
 });
+
+test("where the plane has no path, the third parameter has one", async ({ studio, page }) => {
+  await studio.open("a=gasket&b=terdragon-mirrored");
+  await studio.idle();
+  const words = page.locator(".path-verdict");
+  await expect(words).toHaveText(/^Breaks /);
+  await expect(page.locator(".worst-mark")).toBeAttached();
+  const third = page.getByRole("switch", { name: /third parameter/ });
+  await third.check();
+  await expect(words).toHaveText(/^In one piece all the way/);
+  const { points } = (await studio.scene()).path;
+  expect(points.some(([, , w = 0]) => w !== 0)).toBe(true);
+  await third.uncheck();
+  await expect(words).toHaveText(/^Breaks /);
+});

@@ -163,6 +163,8 @@ export interface PathPlan {
   clearance: number;
   /** Where the gap is widest; absent if it holds. */
   worst?: PathPoint;
+  /** Whether the ends lie in different components of what holds on the samples looked at: then no path within them holds. */
+  apart?: boolean;
 }
 
 export interface PathOptions extends MorphOptions {

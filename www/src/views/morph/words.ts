@@ -122,11 +122,12 @@ export function shareWords(share: number): string {
   return up === 0 ? "0.000001%" : `${Number(up.toFixed(digits))}%`;
 }
 
-/** The best that a plan could do where no path holds. */
-export function bestWords(worst: { t: number; gap: number } | null, third: boolean): string {
-  const where = third ? "even with the third parameter" : "on this square";
-  const best = worst ? `: the best one breaks at ${percent(worst.t)}, gap ${gapWords(worst.gap)}` : "";
-  return `No path ${where} was found to hold all the way${best}.`;
+/** What is known where the best path breaks. `apart`: on the samples there is no way that does not. */
+export function bestWords(apart: boolean, third: boolean): string {
+  const where = third ? "Even with the third parameter no path" : "No path on this square";
+  return apart
+    ? `${where} can hold all the way, as far as the map is known: this one breaks least.`
+    : `${where} was found to hold all the way: this one breaks least.`;
 }
 
 /** The whole path in one sentence. */

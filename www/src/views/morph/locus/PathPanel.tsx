@@ -101,12 +101,11 @@ function NoWay() {
   // Who has met the third parameter may choose it; nobody else has to know of it while the plane has a path.
   const met = locusView.value.w !== 0 || thirdShown.value;
   if (!(third.value || looking || stuck || met)) return null;
+  const best = plan3.value?.plan ?? found;
   const inVain = plan3.value?.plan != null && !third.value;
   return (
     <div class="path-else">
-      {stuck && !looking && (
-        <p class="hint">{bestWords(exact.worst, leavesPlane(pathPoints.value) || plan3.value !== null)}</p>
-      )}
+      {stuck && !looking && <p class="hint">{bestWords(best?.apart === true, plan3.value?.plan != null)}</p>}
       {mode.value === "polar" && (
         <Switch
           checked={third.value}
