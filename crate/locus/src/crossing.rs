@@ -264,6 +264,7 @@ impl<const L: usize> Descent<L> {
 
     /// Whether two pieces cross, over the whole box, if no gap is wider than `gap`: two points of the first and
     /// two of the second that show it.
+    #[expect(clippy::needless_range_loop, reason = "a lane is the same place in several arrays")]
     fn corners(&self, u: u32, v: u32, gap: f64) -> Option<[Points<L>; 4]> {
         let [near, far] = [u, v].map(|piece| &self.parts[piece as usize]);
         let swell = [near, far].map(|part| 0.5 * part.norm * gap * (1.0 + 1e-12));

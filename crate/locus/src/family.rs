@@ -83,6 +83,25 @@ impl Family for Slice<'_> {
     }
 }
 
+/// The plane w = 0. For patches a [`Slice`] is faster.
+impl Family for Morph {
+    fn len(&self) -> usize {
+        Self::len(self)
+    }
+
+    fn fill(&self, x: f64, y: f64, maps: &mut Vec<Affine2>) {
+        Self::fill(self, x, y, maps);
+    }
+
+    fn drift(&self, axis: usize, at: DVec2, half: f64, drifts: &mut Vec<Drift>) {
+        Slice::new(self, 0.0).drift(axis, at, half, drifts);
+    }
+
+    fn seam(&self) -> f64 {
+        Ways::of(self).seam
+    }
+}
+
 /// A straight way through the parameters of a morph, from x = 0 to x = 1; y changes nothing.
 #[derive(Clone, Debug)]
 pub(crate) struct Leg<'a> {

@@ -1,4 +1,5 @@
 //! The outline of an attractor in several systems at once.
+#![expect(clippy::needless_range_loop, reason = "a lane is the same place in several arrays")]
 
 use frond_core::Affine2;
 use glam::DVec2;

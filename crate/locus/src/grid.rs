@@ -2,10 +2,11 @@
 
 use std::ops::Range;
 
-use frond_core::{Affine2, Morph};
+use frond_core::Affine2;
 use thiserror::Error;
 
 use crate::decide::{Sample, Scratch, State, decide};
+use crate::family::Family;
 
 /// A rectangle of the (u, v) plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -133,23 +134,24 @@ impl LocusGrid {
     /// unless this is the `first` pass, not on that of twice the stride, which the pass before has done. So
     /// the passes 8 (first), 4, 2, 1, over any split of the rows, visit every sample once.
     ///
-    /// `epsilon` is relative to the diameter of each attractor.
-    pub fn run(
+    /// `epsilon` is relative to the diameter of each attractor. A [`Morph`](frond_core::Morph) is the family of its
+    /// plane w = 0; [`LocusGrid::patch`] needs fewer decisions where there is no need for passes.
+    pub fn run<F: Family + ?Sized>(
         &self,
-        morph: &Morph,
+        family: &F,
         epsilon: f64,
         pass: &Pass,
         scratch: &mut Scratch,
         mut visit: impl FnMut(usize, usize, Sample),
     ) {
-        let mut maps: Vec<Affine2> = Vec::with_capacity(morph.len());
+        let mut maps: Vec<Affine2> = Vec::with_capacity(family.len());
         let stride = pass.stride.max(1);
         let end = pass.rows.end.min(self.height);
         for y in (pass.rows.start.next_multiple_of(stride)..end).step_by(stride) {
             let done_before = !pass.first && y % (2 * stride) == 0;
             let (start, step) = if done_before { (stride, 2 * stride) } else { (0, stride) };
             for x in (start..self.width).step_by(step) {
-                morph.fill(self.u(x), self.v(y), &mut maps);
+                family.fill(self.u(x), self.v(y), &mut maps);
                 visit(x, y, decide(&maps, epsilon, Self::budget(maps.len()), scratch));
             }
         }
@@ -158,13 +160,19 @@ impl LocusGrid {
     /// [`LocusGrid::run`] into arrays of the full width: one row for each row of the range that is a multiple
     /// of the stride. Samples of other passes are [`LocusGrid::UNTOUCHED`] and NaN.
     #[must_use]
-    pub fn tile(&self, morph: &Morph, epsilon: f64, pass: &Pass, scratch: &mut Scratch) -> Tile {
+    pub fn tile<F: Family + ?Sized>(
+        &self,
+        family: &F,
+        epsilon: f64,
+        pass: &Pass,
+        scratch: &mut Scratch,
+    ) -> Tile {
         let stride = pass.stride.max(1);
         let start = pass.rows.start.next_multiple_of(stride);
         let rows = pass.rows.end.min(self.height).saturating_sub(start).div_ceil(stride);
         let mut tile =
             Tile { state: vec![Self::UNTOUCHED; rows * self.width], gap: vec![f32::NAN; rows * self.width] };
-        self.run(morph, epsilon, pass, scratch, |x, y, sample| {
+        self.run(family, epsilon, pass, scratch, |x, y, sample| {
             let i = (y - start) / stride * self.width + x;
             tile.state[i] = sample.state as u8;
             tile.gap[i] = sample.gap;
@@ -174,9 +182,9 @@ impl LocusGrid {
 
     /// The whole locus in one pass.
     #[must_use]
-    pub fn locus(&self, morph: &Morph, epsilon: f64) -> Locus {
+    pub fn locus<F: Family + ?Sized>(&self, family: &F, epsilon: f64) -> Locus {
         let pass = Pass { rows: 0..self.height, stride: 1, first: true };
-        let Tile { state, gap } = self.tile(morph, epsilon, &pass, &mut Scratch::default());
+        let Tile { state, gap } = self.tile(family, epsilon, &pass, &mut Scratch::default());
         Locus { grid: *self, state, gap }
     }
 }
@@ -271,7 +279,7 @@ impl Locus {
 
 #[cfg(test)]
 mod tests {
-    use frond_core::MorphOptions;
+    use frond_core::{Morph, MorphOptions};
 
     use super::*;
 

@@ -12,10 +12,14 @@
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
 mod card;
 #[cfg(feature = "compute")]
+mod certify;
+#[cfg(feature = "compute")]
 mod connect;
 #[cfg(feature = "compute")]
 mod document;
 mod error;
+#[cfg(feature = "compute")]
+mod family;
 #[cfg(feature = "compute")]
 mod locus;
 mod look;
@@ -36,7 +40,10 @@ mod shape;
 mod value;
 
 #[cfg(feature = "compute")]
-pub use {connect::*, document::*, locus::*, path::*, proof::*, raster::*, routes::*, shape::*};
+pub use {
+    certify::*, connect::*, document::*, family::*, locus::*, path::*, proof::*, raster::*, routes::*,
+    shape::*,
+};
 
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
 pub use card::*;

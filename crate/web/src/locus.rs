@@ -1,12 +1,12 @@
 //! The connectedness locus, whole or in tiles.
 
 use frond_core::Morph;
-use frond_locus::{Bounds, GridError, Locus, LocusGrid, Pass, Scratch};
+use frond_locus::{Bounds, GridError, Locus, LocusGrid, Pass, Scratch, Slice, Tile};
 use js_sys::{Float32Array, Reflect, Uint8Array};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use crate::error::failure;
+use crate::error::{bad_input, failure};
 use crate::value::{object, read, read_morph};
 
 #[derive(Clone, Copy, Deserialize)]
@@ -38,7 +38,24 @@ pub(crate) fn of_grid(error: &GridError) -> JsValue {
     failure(error.code(), &error.to_string())
 }
 
-fn read_grid(options: &JsValue) -> Result<(LocusGrid, f64), JsValue> {
+/// Which plane of the parameters: how far the stretch is ahead of the turn.
+fn read_w(options: &JsValue) -> Result<f64, JsValue> {
+    let w = Reflect::get(options, &"w".into()).unwrap_or(JsValue::UNDEFINED);
+    match w.as_f64() {
+        Some(w) if w.is_finite() => Ok(w),
+        None if w.is_undefined() || w.is_null() => Ok(0.0),
+        _ => Err(bad_input("w", "a finite number is needed")),
+    }
+}
+
+pub(crate) fn write_tile(tile: &Tile) -> JsValue {
+    object(&[
+        ("state", Uint8Array::from(&tile.state[..]).into()),
+        ("gap", Float32Array::from(&tile.gap[..]).into()),
+    ])
+}
+
+pub(crate) fn read_grid(options: &JsValue) -> Result<(LocusGrid, f64), JsValue> {
     let plain: Sampling = read("The options", options.clone())?;
     let bounds = plain.bounds.map_or_else(Bounds::default, Bounds::from);
     // A cast of NaN or a negative number gives 0, which the grid refuses.
@@ -80,7 +97,8 @@ pub fn locus(
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph(&from, &to, &options)?;
     let (grid, epsilon) = read_grid(&options)?;
-    let (state, gap) = grid.locus(&morph, epsilon).into_parts();
+    let slice = Slice::new(&morph, read_w(&options)?);
+    let (state, gap) = grid.locus(&slice, epsilon).into_parts();
     Ok(write_samples(grid.width(), grid.height(), &state, &gap))
 }
 
@@ -88,6 +106,7 @@ pub fn locus(
 #[wasm_bindgen]
 pub struct LocusTiles {
     morph: Morph,
+    w: f64,
     grid: LocusGrid,
     epsilon: f64,
     scratch: Scratch,
@@ -104,7 +123,8 @@ impl LocusTiles {
     ) -> Result<Self, JsValue> {
         let morph = read_morph(&from, &to, &options)?;
         let (grid, epsilon) = read_grid(&options)?;
-        Ok(Self { morph, grid, epsilon, scratch: Scratch::default() })
+        let w = read_w(&options)?;
+        Ok(Self { morph, w, grid, epsilon, scratch: Scratch::default() })
     }
 
     /// Decides the samples of rows `r0` to `r1` (exclusive) that lie on the grid of every `stride`-th row and
@@ -114,10 +134,15 @@ impl LocusTiles {
     #[wasm_bindgen(unchecked_return_type = "{ state: Uint8Array; gap: Float32Array }")]
     pub fn run(&mut self, r0: usize, r1: usize, stride: usize, first: bool) -> JsValue {
         let pass = Pass { rows: r0..r1, stride, first };
-        let tile = self.grid.tile(&self.morph, self.epsilon, &pass, &mut self.scratch);
-        object(&[
-            ("state", Uint8Array::from(&tile.state[..]).into()),
-            ("gap", Float32Array::from(&tile.gap[..]).into()),
-        ])
+        let slice = Slice::new(&self.morph, self.w);
+        write_tile(&self.grid.tile(&slice, self.epsilon, &pass, &mut self.scratch))
+    }
+
+    /// Decides all samples of columns `x0` to `x1` and rows `y0` to `y1` (both exclusive at their ends), whole boxes at
+    /// once: the arrays hold them row by row.
+    #[wasm_bindgen(unchecked_return_type = "{ state: Uint8Array; gap: Float32Array }")]
+    pub fn patch(&mut self, x0: usize, y0: usize, x1: usize, y1: usize) -> JsValue {
+        let slice = Slice::new(&self.morph, self.w);
+        write_tile(&self.grid.patch(&slice, self.epsilon, x0..x1, y0..y1, &mut self.scratch))
     }
 }

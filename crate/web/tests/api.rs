@@ -225,3 +225,61 @@ fn routes_are_explained() {
     assert_eq!(kinds("fern", "maple"), ["collapse", "symmetry"]);
     assert_eq!(kinds("dragon", "gasket")[0], "refine");
 }
+
+#[wasm_bindgen_test]
+fn patches_and_families_agree_with_rows() {
+    let options = |more: &str| json(&format!("{{\"width\": 25, \"height\": 22{more}}}"));
+    let holds = |tile: &JsValue| {
+        let states: Uint8Array = get(tile, "state").unchecked_into();
+        states.to_vec().into_iter().map(|state| state < 2).collect::<Vec<_>>()
+    };
+    for more in ["", ", \"w\": 0.25"] {
+        let (from, to) = (maps_of("dragon-3"), maps_of("gasket"));
+        let mut tiles = frond_web::LocusTiles::new(from, to, options(more)).unwrap();
+        let (rows, patch) = (tiles.run(0, 22, 1, true), tiles.patch(0, 0, 25, 22));
+        assert_eq!(holds(&rows), holds(&patch));
+        let part = holds(&tiles.patch(3, 5, 10, 9));
+        assert_eq!(part.len(), 7 * 4);
+        assert!((0..28).all(|k| part[k] == holds(&rows)[(5 + k / 7) * 25 + 3 + k % 7]));
+    }
+    let code_of = |more: &str| {
+        code(frond_web::LocusTiles::new(maps_of("dragon-3"), maps_of("gasket"), options(more)).map(|_| ()))
+    };
+    assert_eq!(code_of(", \"w\": \"far\""), "bad-input");
+    let bounds = ", \"bounds\": {\"u0\": -0.75, \"v0\": 0, \"u1\": 0.75, \"v1\": 0.75}";
+    let mut tiles = frond_web::FamilyTiles::new(json("{\"sides\": 2}"), options(bounds)).unwrap();
+    let (rows, patch) = (tiles.run(0, 22, 1, true), tiles.patch(0, 0, 25, 22));
+    assert_eq!(holds(&rows), holds(&patch));
+    assert!(holds(&rows)[0] && !holds(&rows)[12], "s = -0.75 holds and s = 0 does not");
+    for sides in ["1", "2.5", "65", "\"two\"", "null"] {
+        let family = json(&format!("{{\"sides\": {sides}}}"));
+        assert_eq!(code(frond_web::FamilyTiles::new(family, options(bounds)).map(|_| ())), "bad-input");
+    }
+    assert!((frond_web::critical_scale(6.0).unwrap() - 1.0 / 3.0).abs() < 1e-15);
+    assert_eq!(code(frond_web::critical_scale(f64::NAN)), "bad-input");
+    let maps: Array =
+        get(&frond_web::family_maps(json("{\"sides\": 2}"), json("[0.5, 0.25]")).unwrap(), "maps")
+            .unchecked_into();
+    assert_eq!(JSON::stringify(&maps).unwrap(), "[[0.5,-0.25,0.25,0.5,1,0],[0.5,-0.25,0.25,0.5,-1,0]]");
+    assert_eq!(code(frond_web::family_maps(json("{\"sides\": 2}"), json("[0.5]"))), "bad-input");
+}
+
+#[wasm_bindgen_test]
+fn paths_are_proved_a_stretch_at_a_time() {
+    let prove = |points: &str, options: &str| {
+        frond_web::certify_path(maps_of("gasket"), maps_of("gasket"), json(points), json(options))
+    };
+    let still = prove("[[0, 0], [1, 1]]", "{\"within\": 1e-4}").unwrap();
+    assert_eq!(get(&still, "holds"), true);
+    assert_eq!(get(&still, "complete"), true);
+    assert!(get(&still, "gap").as_f64().unwrap() <= 1e-4);
+    let part =
+        prove("[[0, 0], [0.5, 0.2, 0.1], [1, 1]]", "{\"t0\": 0.25, \"t1\": 0.5, \"budget\": 50}").unwrap();
+    let worst = get(&part, "worst").as_f64().unwrap();
+    assert!((0.25..=0.5).contains(&worst), "{worst}");
+    for (points, options) in
+        [("[[0]]", "{}"), ("[[0, 0, 0, 0]]", "{}"), ("5", "{}"), ("[]", "{\"within\": \"x\"}")]
+    {
+        assert_eq!(code(prove(points, options)), "bad-input", "{points}");
+    }
+}
