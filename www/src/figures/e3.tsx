@@ -125,6 +125,9 @@ function Edges({ prediction }: { prediction: Prediction<readonly string[]> }) {
             label="A curve like Koch’s whose peak is cut open: pieces 2 and 3 do not meet on top."
           />
           <Graph count={COUNT} angles={ANGLES} still edges={shown ? found.map(edge) : []} expected={drawn} />
+          <p class="hint graph-key">
+            {shown ? "Solid: these touch. Dotted: your lines." : "Dotted: your lines."}
+          </p>
         </>
       }
       answer={judged && <Answer found={found} drawn={drawn} count={judged.answer.count} />}

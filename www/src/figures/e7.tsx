@@ -186,8 +186,9 @@ function Leading({ way, onWay }: { way: Uv; onWay: (way: Uv) => void }) {
       <div class="ask">
         <p>
           This is the map of shapes: where it is light the shape is in one piece, and the darker, the wider
-          the gap. Now lead the morph. Drag the ring, or the two sliders, until the orange way stays in the
-          light. How good a way is, its <em>widest gap</em> tells: the widest that opens anywhere on it.
+          the gap. Now lead the morph. Drag the ring, or the two sliders, until the solid line stays in the
+          light; the dashed one is the straight way. How good a way is, its <em>widest gap</em> tells: the
+          widest that opens anywhere on it.
         </p>
         <div aria-live="polite">
           <Chip

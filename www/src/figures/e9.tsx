@@ -1,13 +1,14 @@
-import { useMemo } from "preact/hooks";
+import { useMemo, useState } from "preact/hooks";
 import type { MapRow } from "../engine/api";
 import type { Box } from "../state/fit";
 import { lengthWords } from "../state/words";
 import { fixed } from "../ui/number";
+import { Slider } from "../ui/Slider";
 import { type Apart, distances, spanningTree } from "./apart";
 import { Choices } from "./choices";
 import { Drawn, middles, PieceNames, type Place, Span } from "./drawn";
 import { HEIGHT, unevenGasket } from "./families";
-import type { Heading } from "./frame";
+import { Control, type Heading } from "./frame";
 import { Lesson, Question, Truth } from "./lesson";
 import { boxAround } from "./morphs";
 import { mapsOf } from "./mset";
@@ -110,27 +111,7 @@ function Widest({ prediction }: { prediction: Prediction<Gap> }) {
   return (
     <Question
       prediction={prediction}
-      beside={
-        <Drawn
-          maps={maps}
-          box={WHOLE}
-          label={`Three pieces. ${all.map(({ between: [i, j], upper }) => `${i + 1} and ${j + 1} are ${fixed(upper)} apart`).join(", ")}.`}
-        >
-          {(place) => (
-            <>
-              <PieceNames at={middles(maps, WHOLE).map(place)} />
-              {all.map((pair) => (
-                <Distance
-                  key={pair.between.join()}
-                  pair={pair}
-                  place={place}
-                  kind={!shown ? "" : pair === widest ? "strong" : edges.includes(pair) ? "" : "light"}
-                />
-              ))}
-            </>
-          )}
-        </Drawn>
-      }
+      beside={<Measured maps={maps} all={all} tree={shown ? edges : null} />}
       answer={
         <Truth
           line={`The gap is ${fixed(tree)}${found === undefined ? "" : `; Frond’s verdict says ${lengthWords(found)}`}.`}
@@ -144,6 +125,7 @@ function Widest({ prediction }: { prediction: Prediction<Gap> }) {
           </p>
         </Truth>
       }
+      after={<Explore />}
     >
       <Choices<Gap>
         ask="Here are three pieces and their distances. You may step from piece to piece as you like, and want to reach all. How wide is the widest step that you cannot avoid?"
@@ -157,6 +139,70 @@ function Widest({ prediction }: { prediction: Prediction<Gap> }) {
         truth="tree"
       />
     </Question>
+  );
+}
+
+interface MeasuredProps {
+  maps: MapRow[];
+  all: readonly Apart[];
+  /** The edges of the shortest tree, the widest last; null while they are not told. */
+  tree: readonly Apart[] | null;
+}
+
+/** Three pieces with what is between them. */
+function Measured({ maps, all, tree }: MeasuredProps) {
+  const kind = (pair: Apart) =>
+    tree === null ? "" : pair === tree.at(-1) ? "strong" : tree.includes(pair) ? "" : "light";
+  return (
+    <Drawn
+      maps={maps}
+      box={WHOLE}
+      label={`Three pieces. ${all.map(({ between: [i, j], upper }) => `${i + 1} and ${j + 1} are ${fixed(upper)} apart`).join(", ")}.`}
+    >
+      {(place) => (
+        <>
+          <PieceNames at={middles(maps, WHOLE).map(place)} />
+          {all.map((pair) => (
+            <Distance key={pair.between.join()} pair={pair} place={place} kind={kind(pair)} />
+          ))}
+        </>
+      )}
+    </Drawn>
+  );
+}
+
+/** The same three with scales to play with. */
+function Explore() {
+  const [scales, setScales] = useState<[number, number, number]>([...THREE]);
+  const maps = useMemo(() => unevenGasket(scales), [scales]);
+  const all = useMemo(() => distances(maps, 1e-3), [maps]);
+  const { edges } = useMemo(() => spanningTree(3, all), [all]);
+  const judged = useVerdict(maps, EXACT);
+  return (
+    <div class="two-columns even">
+      <Measured maps={maps} all={all} tree={edges} />
+      <div class="ask">
+        <p>Now change the pieces. Which distances matter, and which may grow without harm?</p>
+        {scales.map((scale, i) => (
+          <Control key={`${i + 1}`} label={`scale of piece ${i + 1}`} value={fixed(scale)}>
+            <Slider
+              label={`Scale of piece ${i + 1}`}
+              min={0.2}
+              max={0.6}
+              step={0.01}
+              value={scale}
+              valueText={fixed(scale)}
+              onChange={(next) => {
+                const changed: [number, number, number] = [...scales];
+                changed[i] = next;
+                setScales(changed);
+              }}
+            />
+          </Control>
+        ))}
+        <ExactChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
+      </div>
+    </div>
   );
 }
 
