@@ -1,4 +1,5 @@
 import { LEAST_EPSILON, MOST_ZOOM } from "../../../engine/window";
+import { endGesture } from "../../../state/scene";
 import { NumberField } from "../../../ui/NumberField";
 import { digitsOf } from "./geometry";
 import { epsilon, family, inDigits, picked, pickPoint, setView, shownWindow, view } from "./view";
@@ -76,6 +77,7 @@ function PickedFields({ across, up }: { across: string; up: string }) {
         digits={digits}
         step={0.1 / zoom}
         onChange={(next) => pickPoint([next, at[1]], "pick-number")}
+        onDone={endGesture}
       />
       <NumberField
         label="and"
@@ -84,6 +86,7 @@ function PickedFields({ across, up }: { across: string; up: string }) {
         digits={digits}
         step={0.1 / zoom}
         onChange={(next) => pickPoint([at[0], next], "pick-number")}
+        onDone={endGesture}
       />
     </div>
   );
