@@ -214,17 +214,19 @@ fn touch(reach: f32) -> bool {
 
 fn descend(root: Pair, shade: f32, limit: u32) -> u32 {
     var level = 0u;
+    // The first level that is still remembered.
+    var floor_level = 0u;
     stack[0] = root;
     var fresh = true;
     lower = FAR;
     loop {
-        let pair = stack[level];
+        let pair = stack[level % DEPTH];
         if fresh {
             let sizes = norm(pair.a) + norm(pair.b);
             if sizes <= job.epsilon && shade == 0.0 {
                 return MET;
             }
-            if sizes <= margin || level + 1u == DEPTH || looks >= limit {
+            if sizes <= margin || looks >= limit {
                 return UNKNOWN;
             }
             let first = dot(pair.a, pair.a) >= dot(pair.b, pair.b);
@@ -255,21 +257,22 @@ fn descend(root: Pair, shade: f32, limit: u32) -> u32 {
                 keys[least] = FAR;
                 plan |= least << (3u * place);
             }
-            plans[level] = plan;
+            plans[level % DEPTH] = plan;
         }
-        let plan = plans[level];
+        let plan = plans[level % DEPTH];
         if ((plan >> 24u) & 15u) == 0u {
-            if level == 0u {
-                return APART;
+            if level == floor_level {
+                return select(UNKNOWN, APART, floor_level == 0u);
             }
             level -= 1u;
             fresh = false;
             continue;
         }
         let rest = (plan & 0x00ffffffu) >> 3u;
-        plans[level] = rest | ((plan & 0xff000000u) - 0x01000000u);
-        stack[level + 1u] = part_of(pair, plan & 7u, (plan >> 31u) == 1u);
+        plans[level % DEPTH] = rest | ((plan & 0xff000000u) - 0x01000000u);
         level += 1u;
+        floor_level = max(floor_level + DEPTH, level + 1u) - DEPTH;
+        stack[level % DEPTH] = part_of(pair, plan & 7u, (plan >> 31u) == 1u);
         fresh = true;
     }
     // Some compilers want to see it.
@@ -280,7 +283,7 @@ fn descend(root: Pair, shade: f32, limit: u32) -> u32 {
 
 const PLAIN = 0.97;
 const FAN_ROUNDS = 48u;
-const LOOKS = 1500u;
+const LOOKS = 3000u;
 const SHADING = 400u;
 const SHADE = 0.95;
 const COARSE = 0.01;

@@ -7,7 +7,7 @@ use super::fan::{Fan, Map, image, norm, product, pulled};
 
 /// The most maps of a system.
 pub(super) const MAX_MAPS: usize = 8;
-/// The most pieces that a pair may be split into one after the other.
+/// How far a descent can go back. It may go deeper: that finds points that touch all the same.
 const DEPTH: usize = 64;
 /// Directions tried on a pair.
 const ROUNDS: usize = 2;
@@ -120,17 +120,19 @@ impl Descent<'_> {
         // whether it is the first piece that was split in bit 31.
         let mut plans = [0_u32; DEPTH];
         let mut level = 0;
+        // The first level that is still remembered.
+        let mut floor = 0;
         stack[0] = root;
         let mut fresh = true;
         self.lower = FAR;
         loop {
-            let pair = stack[level];
+            let pair = stack[level % DEPTH];
             if fresh {
                 let sizes = norm(pair.a) + norm(pair.b);
                 if sizes <= self.small && shade == 0.0 {
                     return End::Met;
                 }
-                if sizes <= self.margin || level + 1 == DEPTH || self.looks >= limit {
+                if sizes <= self.margin || self.looks >= limit {
                     return End::Unknown;
                 }
                 let first = pair.a.dot(pair.a) >= pair.b.dot(pair.b);
@@ -161,12 +163,12 @@ impl Descent<'_> {
                     keys[least] = FAR;
                     plan |= (least as u32) << (3 * place);
                 }
-                plans[level] = plan;
+                plans[level % DEPTH] = plan;
             }
-            let plan = plans[level];
+            let plan = plans[level % DEPTH];
             if plan >> 24 & 15 == 0 {
-                if level == 0 {
-                    return End::Apart;
+                if level == floor {
+                    return if floor == 0 { End::Apart } else { End::Unknown };
                 }
                 level -= 1;
                 fresh = false;
@@ -174,9 +176,10 @@ impl Descent<'_> {
             }
             // The next part goes, the others move up.
             let rest = (plan & 0x00ff_ffff) >> 3;
-            plans[level] = rest | ((plan & 0xff00_0000) - (1 << 24));
-            stack[level + 1] = self.part(&pair, (plan & 7) as usize, plan >> 31 == 1);
+            plans[level % DEPTH] = rest | ((plan & 0xff00_0000) - (1 << 24));
             level += 1;
+            floor = floor.max((level + 1).saturating_sub(DEPTH));
+            stack[level % DEPTH] = self.part(&pair, (plan & 7) as usize, plan >> 31 == 1);
             fresh = true;
         }
     }

@@ -12,7 +12,7 @@ const PLAIN: f32 = 0.97;
 /// Rounds of lowering the support values at most.
 const ROUNDS: usize = 48;
 /// Looks spent at most on the verdict, and on measuring a gap after it.
-const LOOKS: u32 = 1500;
+const LOOKS: u32 = 3000;
 const SHADING: u32 = 400;
 /// How near to each other the bounds of a gap shall come.
 const SHADE: f32 = 0.95;

@@ -96,7 +96,7 @@ struct Job {
 const GROUP: u32 = 8;
 /// The most samples of one command: each takes microseconds of one core of the card at most, and a card that does not
 /// answer for seconds is taken to hang.
-const BAND: u32 = 1 << 16;
+const BAND: u32 = 1 << 15;
 /// The most samples of a job.
 const MOST: usize = 1 << 24;
 
