@@ -30,7 +30,9 @@ function goTo(id: string): void {
   // It is drawn after the state has changed.
   requestAnimationFrame(() => {
     const summary = document.getElementById(id)?.querySelector<HTMLElement>("summary");
-    summary?.focus({ preventScroll: true });
-    summary?.scrollIntoView({ block: "start" });
+    const panel = summary?.closest<HTMLElement>(".side");
+    if (!summary || !panel) return;
+    summary.focus({ preventScroll: true });
+    panel.scrollTop += summary.getBoundingClientRect().top - panel.getBoundingClientRect().top;
   });
 }

@@ -4,7 +4,7 @@ import { along, pathBreaks } from "../../../engine/results";
 import { locusView } from "../../../state/morph";
 import { loop, pause, play, playing, speed } from "../../../state/playback";
 import { endGesture, scene } from "../../../state/scene";
-import { Button, IconButton } from "../../../ui/Button";
+import { IconButton } from "../../../ui/Button";
 import { media } from "../../../ui/media";
 import { NumberField } from "../../../ui/NumberField";
 import { Segmented } from "../../../ui/Segmented";
@@ -22,10 +22,9 @@ export function MorphStrip() {
   return (
     <section class="strip" aria-label="Time" style={{ "--frames": String(Math.max(1, frames.value.length)) }}>
       <PlayButton />
-      <div class="strip-film">
+      <div class={`strip-film ${offPath.value ? "off-path" : ""}`}>
         <Scrub />
         <FilmStrip />
-        {offPath.value && <OffPath />}
       </div>
       {!narrow.value && <PlaybackOptions />}
     </section>
@@ -55,7 +54,7 @@ function Scrub() {
   const worst = along.value?.worst ?? null;
   return (
     <Slider
-      class={`scrub ${off ? "off-path" : ""}`}
+      class="scrub"
       label="Time"
       value={t}
       step={0.01}
@@ -70,6 +69,12 @@ function Scrub() {
           style={{ left: `${100 * t0}%`, width: `max(3px, ${100 * (t1 - t0)}%)` }}
         />
       ))}
+      {off && (
+        // On the half where the thumb is not.
+        <span class="scrub-off" style={{ left: t < 0.5 ? "75%" : "25%" }}>
+          picture off the path
+        </span>
+      )}
       {worst && (
         <span
           class="scrub-worst"
@@ -78,18 +83,6 @@ function Scrub() {
         />
       )}
     </Slider>
-  );
-}
-
-/** The picture is elsewhere: says so, and leads back. */
-function OffPath() {
-  return (
-    <p class="off-path-note">
-      The picture is off the path.
-      <Button kind="quiet" onClick={() => scrubTo(scene.peek().t)}>
-        Back to it
-      </Button>
-    </p>
   );
 }
 
