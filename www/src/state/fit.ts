@@ -2,7 +2,7 @@ import { computed, type ReadonlySignal } from "@preact/signals";
 import type { MapRow } from "../engine/api";
 import { frond } from "../engine/wasm";
 import { type Box, calmTrack, stillTrack, type Track, union } from "./camera";
-import { mapsAt, morphOptions, pairing, pathPoints, selection, shown } from "./morph";
+import { locusView, mapsAt, morphOptions, pairing, pathPoints, selection, shown } from "./morph";
 import { uvAt } from "./path";
 
 export { type Box, diagonal } from "./camera";
@@ -36,10 +36,14 @@ export const pairBox: ReadonlySignal<Box> = computed(() => {
   return union(boxes.filter((box) => box !== null));
 });
 
-/** What the stage fits: the morph, or the shape that is being edited. */
-export const stageTrack: ReadonlySignal<Track> = computed(() =>
-  selection.value ? stillTrack(editBox(shown.value), LOOKS) : pathTrack.value,
-);
+/** Whether the picture is off the path, or not of this morph at all. */
+const elsewhere = computed(() => locusView.value.at !== undefined || locusView.value.family === "polygon");
+
+/** What the stage fits: the morph, the shape that is being edited, or what was picked off the path. */
+export const stageTrack: ReadonlySignal<Track> = computed(() => {
+  if (selection.value) return stillTrack(editBox(shown.value), LOOKS);
+  return elsewhere.value ? stillTrack(boxOf(shown.value) ?? pairBox.value, LOOKS) : pathTrack.value;
+});
 
 /** A shape with the parallelograms of its maps, so that no handle is out of reach. */
 function editBox(maps: MapRow[]): Box {

@@ -78,6 +78,7 @@ describe("numbers", () => {
 describe("groupWords", () => {
   it("names who hangs together and who stands alone", () => {
     expect(groupWords([0, 0, 0])).toEqual(["All 3 pieces hang together."]);
+    expect(groupWords([4, 4])).toEqual(["Both pieces hang together."]);
     expect(groupWords([0])).toEqual(["There is a single piece."]);
     expect(groupWords([0, 1, 0])).toEqual(["Pieces 1 and 3 hang together.", "Piece 2 stands alone."]);
     expect(groupWords([0, 1, 2])).toEqual(["Pieces 1 to 3 stand alone, each by itself."]);
