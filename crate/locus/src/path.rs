@@ -204,11 +204,54 @@ mod tests {
     fn where_it_must_break_the_gap_is_least_and_walls_are_last() {
         let locus = drawn(&["##9####", "##9####", "##3####", "##1####", "##2####", "##8####", "##x####"]);
         let plan = plan_path(&locus, 0.0).unwrap();
-        assert!((plan.gap - 0.1).abs() < 1e-6 && !plan.holds, "{plan:?}");
+        assert!((plan.gap - 0.1).abs() < 1e-6 && !plan.holds && plan.apart, "{plan:?}");
+        // Column 2 of 0 to 6 and row 3, where the gap is least.
+        let worst = plan.worst.unwrap();
+        assert!((worst.x - 2.0 / 6.0).abs() < 0.1 && (worst.y - 0.5).abs() < 0.1, "{worst}");
+        assert_eq!(plan.clearance, 0.0);
         assert!((met(&locus, &plan.points) - 0.1).abs() < 1e-6);
         assert!(plan_path(&locus, 0.1001).unwrap().holds);
         let walled = plan_path(&drawn(&["##x##", "##x##", "##x##"]), 0.0).unwrap();
         assert!(walled.gap.is_infinite() && !walled.holds);
+    }
+
+    #[test]
+    fn the_roomier_way_is_taken_though_it_is_longer() {
+        // A wall from side to side with two doors: one sample wide in the middle of the straight way, and nine wide.
+        let mut rows = vec!["#".repeat(41); 41];
+        for row in &mut rows[18..23] {
+            let doors = |x: usize| x == 20 || (30..39).contains(&x);
+            *row = (0..41).map(|x| if doors(x) { '#' } else { '5' }).collect();
+        }
+        let rows: Vec<&str> = rows.iter().map(String::as_str).collect();
+        let plan = plan_path(&drawn(&rows), 0.0).unwrap();
+        let at_wall: Vec<f64> = (0..=1000)
+            .map(|k| along(&plan.points, f64::from(k) / 1000.0))
+            .filter(|p| (p.y - 0.5).abs() < 0.05)
+            .map(|p| p.x)
+            .collect();
+        assert!(at_wall.iter().all(|x| (0.74..0.96).contains(x)), "{plan:?}");
+        assert!(plan.holds && !plan.apart && plan.worst.is_none());
+        // Of the 5 samples from the middle of the door to the wall, those that leave the way straight.
+        assert!(plan.clearance >= 2.9 / 40.0 && plan.clearance <= 5.0 / 40.0, "{plan:?}");
+    }
+
+    #[test]
+    fn what_breaks_next_to_an_end_is_marked_beside_it() {
+        let locus = drawn(&["#####"; 5]);
+        let mut field = field_of(&locus, 0.0).unwrap();
+        let [from, _] = field.ends;
+        assert_eq!(field.culprit(DVec3::new(0.5, 0.5, 0.0)), Some(12));
+        for (at, wanted) in [([0.1, 0.0], 1), ([0.1, 0.1], 6), ([0.0, 0.1], 5)] {
+            let at = DVec3::new(at[0], at[1], 0.0);
+            assert_eq!(field.culprit(at), Some(wanted), "{at}");
+            // Marked so, the end can still be left another way.
+            let culprit = field.culprit(at).unwrap();
+            assert_ne!(culprit, from);
+            field.mark(&[culprit], 0.3);
+        }
+        assert!(!plan_in(&field).holds);
+        assert_eq!(field.culprit(DVec3::new(-0.5, 0.0, 0.0)), None);
     }
 
     #[test]
