@@ -72,7 +72,7 @@ impl LocusCompute {
     /// and `milliseconds` how long it took until the answer was back. Rejects with `single-maps` (more than
     /// 8), `single-fine` (epsilon or the step below what single precision tells apart), `gpu-size` or `gpu-fault`:
     /// leave it to `LocusTiles` then; with `device-lost` forever.
-    #[wasm_bindgen(unchecked_return_type = "Promise<ComputedLocus>")]
+    #[wasm_bindgen(unchecked_return_type = "Promise<Locus & { milliseconds: number; left: number }>")]
     pub fn run(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
@@ -92,7 +92,7 @@ impl LocusCompute {
     }
 
     /// The locus of the systems s z + exp(2 pi i k / sides) over the complex s; else as `run`.
-    #[wasm_bindgen(js_name = runFamily, unchecked_return_type = "Promise<ComputedLocus>")]
+    #[wasm_bindgen(js_name = runFamily, unchecked_return_type = "Promise<Locus & { milliseconds: number; left: number }>")]
     pub fn run_family(
         &self,
         #[wasm_bindgen(unchecked_param_type = "PolygonFamily")] family: JsValue,
