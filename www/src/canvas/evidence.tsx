@@ -13,6 +13,9 @@ const MOST_LINKS = 150;
 /** Pieces of a proof that are drawn. */
 const MOST_HULLS = 400;
 
+/** The least length of a chord on the stage. */
+const SHORTEST = 16;
+
 type Point = { x: number; y: number };
 const place = ([x, y]: readonly [number, number]): Point =>
   toScreen(world(x, y), effectiveView.value, stageSize.value);
@@ -64,7 +67,9 @@ function Links({ links }: { links: readonly Link[] }) {
       {links.slice(0, MOST_LINKS).map((link) => {
         const key = `${link.kind} ${link.pair.join()} ${link.words.join()}`;
         const [p1, p2, q1, q2] = link.corners ?? [];
-        if (link.kind === "crossing" && p1 && p2 && q1 && q2)
+        const crossing = link.kind === "crossing" && p1 && p2 && q1 && q2;
+        // Chords that are too short to be seen as such are a place like any other.
+        if (crossing && Math.max(lengthOf(p1, p2), lengthOf(q1, q2)) >= SHORTEST)
           return (
             <g key={key}>
               <Chord from={p1} to={p2} colour={colourOf(link.pair[0])} />
@@ -81,6 +86,13 @@ function Links({ links }: { links: readonly Link[] }) {
       })}
     </g>
   );
+}
+
+/** In CSS pixels. */
+function lengthOf(from: [number, number], to: [number, number]): number {
+  const p = place(from);
+  const q = place(to);
+  return Math.hypot(q.x - p.x, q.y - p.y);
 }
 
 function Chord({ from, to, colour }: { from: [number, number]; to: [number, number]; colour: string }) {

@@ -112,9 +112,9 @@ export function groupWords(components: readonly number[]): string[] {
   const sorted = [...groups.values()].sort((p, q) => q.length - p.length);
   if (sorted.length === 1) {
     const [all] = sorted;
-    return [
-      (all?.length ?? 0) === 1 ? "There is a single piece." : `All ${all?.length} pieces hang together.`,
-    ];
+    const count = all?.length ?? 0;
+    if (count === 1) return ["There is a single piece."];
+    return [count === 2 ? "Both pieces hang together." : `All ${count} pieces hang together.`];
   }
   const alone = sorted.filter((group) => group.length === 1).flat();
   const words = sorted
@@ -130,6 +130,7 @@ export function linkWords({ kind, pair: [i, j], words, at }: Link): string {
   const pieces = `Pieces ${i + 1} and ${j + 1}`;
   if (kind === "crossing")
     return `${pieces} cross: a path through copy ${words[0]} has to meet one through copy ${words[1]}.`;
+  if (kind === "area") return `${pieces} are too large to leave room between them.`;
   // Rounding leaves a trace where a number is 0.
   const place = at.map((x) => lengthWords(Math.abs(x) < 1e-12 ? 0 : x).replace("-", "−")).join(", ");
   return `${pieces} share the point (${place}), address ${words[0]} = ${words[1]}.`;
