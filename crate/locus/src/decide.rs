@@ -1,14 +1,17 @@
 //! The fast answer: one parameter of a locus.
 
 use frond_core::{Affine2, IfsError};
-use glam::DMat2;
+use glam::{DMat2, DVec2};
 
 use crate::bounded::Bounded;
 use crate::dive::Dive;
+use crate::equal::{self, Differences, Translates};
 use crate::frame::Frame;
 use crate::outline::Outline;
+use crate::pieces::Pieces;
 use crate::proof;
-use crate::rift::{Bracket, Rift};
+use crate::rift::Rift;
+use crate::words::Words;
 
 /// What is known of one parameter. The numbers are those of the state arrays of a locus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -64,6 +67,9 @@ pub struct Scratch {
     pub(crate) frame: Frame,
     pub(crate) outline: Outline,
     pub(crate) dive: Dive,
+    pub(crate) pieces: Pieces,
+    differences: Differences,
+    maps: Vec<Affine2>,
     pub(crate) rift: Rift,
 }
 
@@ -74,7 +80,7 @@ pub struct Scratch {
 /// for before. For bounds of the gap use [`decide_bounds`], for the components and points
 /// [`connectedness`](crate::connectedness).
 pub fn decide(maps: &[Affine2], epsilon: f64, budget: usize, scratch: &mut Scratch) -> Sample {
-    scratch.decide(maps, epsilon, budget, false).sample
+    scratch.decide(maps, epsilon, budget, Ask { polygon: false, bounds: false }).sample
 }
 
 /// [`decide`], with what is proved about the widest gap and about where the attractor lies.
@@ -90,13 +96,68 @@ pub fn decide(maps: &[Affine2], epsilon: f64, budget: usize, scratch: &mut Scrat
 /// assert!(known.lower * known.diameter <= 2.0 * third && 2.0 * third <= known.upper * known.diameter);
 /// ```
 pub fn decide_bounds(maps: &[Affine2], epsilon: f64, budget: usize, scratch: &mut Scratch) -> Bounded {
-    scratch.decide(maps, epsilon, budget, true)
+    scratch.decide(maps, epsilon, budget, Ask { polygon: false, bounds: true })
+}
+
+/// [`decide`] for the maps `s z + exp(2 pi i k / sides)`, k = 0, 1, .. of the complex plane: `s` is `[re, im]`,
+/// and there are 2 to 64 sides. For other numbers of sides there is no attractor.
+///
+/// All pairs of pieces that are as far round from each other are alike; so this is faster where there are
+/// many sides. With 2 sides it is the set M of Barnsley & Harrington (1985).
+///
+/// ```
+/// use frond_locus::{Scratch, State, decide_polygon};
+///
+/// // The hole of M that they found.
+/// let hole = decide_polygon(2, [0.0227, 0.703], 1e-6, 20_000, &mut Scratch::default());
+/// assert_eq!(hole.state, State::Disconnected);
+/// ```
+pub fn decide_polygon(
+    sides: usize,
+    s: [f64; 2],
+    epsilon: f64,
+    budget: usize,
+    scratch: &mut Scratch,
+) -> Sample {
+    if !(2..=64).contains(&sides) {
+        return Bounded::unknown(State::NoAttractor).sample;
+    }
+    let mut maps = std::mem::take(&mut scratch.maps);
+    maps.clear();
+    let linear = DMat2::from_cols(DVec2::new(s[0], s[1]), DVec2::new(-s[1], s[0]));
+    maps.extend((0..sides).map(|k| Affine2::new(linear, corner(sides, k))));
+    let sample = scratch.decide(&maps, epsilon, budget, Ask { polygon: true, bounds: false }).sample;
+    scratch.maps = maps;
+    sample
+}
+
+/// Corner `k` of the regular polygon; of those of 2 and 4 sides exactly.
+fn corner(sides: usize, k: usize) -> DVec2 {
+    match 4 * k % sides {
+        0 => [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y][4 * k / sides],
+        _ => DVec2::from_angle(std::f64::consts::TAU * k as f64 / sides as f64),
+    }
+}
+
+/// What is asked for.
+#[derive(Clone, Copy)]
+struct Ask {
+    /// The maps are those of a regular polygon.
+    polygon: bool,
+    /// Also the diameter and bounds where the verdict does not need them.
+    bounds: bool,
 }
 
 impl Scratch {
-    /// Without `bounds`, the diameter and the bounds are not computed where the verdict does not need them.
-    fn decide(&mut self, maps: &[Affine2], epsilon: f64, budget: usize, bounds: bool) -> Bounded {
-        let Self { frame, outline, dive, rift } = self;
+    fn decide(&mut self, maps: &[Affine2], epsilon: f64, budget: usize, ask: Ask) -> Bounded {
+        let Ask { polygon, bounds } = ask;
+        let Self { frame, outline, dive, pieces, differences, rift, .. } = self;
+        let equal = polygon || equal::are_equal(maps);
+        let proved = equal && equal::fill(&maps[0]);
+        if proved && !bounds && maps[0].norm() < 1.0 - 1e-9 && maps.iter().all(|map| map.is_finite()) {
+            let sample = Sample { state: State::Connected, gap: 0.0 };
+            return Bounded { sample, ..Bounded::unknown(State::Connected) };
+        }
         match frame.set(maps) {
             Ok(()) => {}
             Err(IfsError::Unproved) => return Bounded::unknown(State::Undecided),
@@ -110,7 +171,8 @@ impl Scratch {
             diameter,
             ellipse,
         };
-        let proved = proof::at_once(maps);
+        let equal = equal && frame.length == 1;
+        let proved = proved || proof::at_once(maps);
         if frame.point {
             return whole(if proved { State::Connected } else { State::Touching }, 0.0, 0.0);
         }
@@ -118,26 +180,39 @@ impl Scratch {
             // The attractor lies in the unit disc of the frame.
             return whole(State::Connected, 0.0, 2.0 * frame.stretch);
         }
-        let count = maps.len();
-        rift.begin(frame, count);
-        if !rift.is_whole() && dive.set(frame) {
-            let near = epsilon * epsilon * dive.extent(frame);
-            rift.join_near(|i, j| dive.meet(frame, i, j, near));
-        }
-        if rift.is_whole() && !bounds {
-            return whole(State::Touching, f64::INFINITY, f64::NAN);
-        }
-        if frame.factor < SWIFT {
-            outline.sketch(&frame.maps, 0.02 * (1.0 - frame.factor), 64);
-        } else {
-            outline.set(&frame.maps, 0.012 * (1.0 - frame.factor), 64);
-        }
-        let diameter = outline.diameter(frame.from_round);
-        let bracket = if rift.is_whole() {
-            Bracket { lower: 0.0, upper: 0.0 }
-        } else {
+        rift.begin(maps.len(), polygon);
+        let (bracket, diameter) = if equal {
+            differences.set(frame, outline, polygon);
+            let near = epsilon * epsilon * differences.extent(frame);
+            rift.join_near(|i, j| differences.meet(frame, i, j, near));
+            if rift.is_whole() && !bounds {
+                return whole(State::Touching, f64::INFINITY, f64::NAN);
+            }
+            // The differences reach as far to both sides.
+            let diameter = 0.5 * outline.diameter(frame.from_round);
             let resolution = frame.resolution(epsilon, diameter);
-            rift.bracket(frame, outline, resolution, outline.diameter(DMat2::IDENTITY), budget)
+            let size = 0.5 * outline.diameter(DMat2::IDENTITY);
+            let mut translates = Translates::new(frame, outline, differences, resolution, size);
+            (rift.bracket(&mut translates, resolution, budget), diameter)
+        } else {
+            let met = |i: usize, j: usize| (frame.maps[i] == frame.maps[j]).then_some(0.0);
+            if dive.set(frame) {
+                let near = epsilon * epsilon * dive.extent(frame);
+                rift.join_near(|i, j| met(i, j).or_else(|| dive.meet(frame, i, j, near)));
+            } else {
+                rift.join_near(met);
+            }
+            if rift.is_whole() && !bounds {
+                return whole(State::Touching, f64::INFINITY, f64::NAN);
+            }
+            if frame.factor < SWIFT {
+                outline.sketch(&frame.maps, 0.02 * (1.0 - frame.factor), 64);
+            } else {
+                outline.set(&frame.maps, 0.012 * (1.0 - frame.factor), 64);
+            }
+            let diameter = outline.diameter(frame.from_round);
+            let resolution = frame.resolution(epsilon, diameter);
+            (rift.bracket(&mut Words::new(frame, outline, pieces, resolution), resolution, budget), diameter)
         };
         // Points are computed: they may be this far off.
         let off = frame.rounding * frame.stretch;

@@ -116,12 +116,40 @@ impl Gauge {
         Distances { apart, overlap, reach }
     }
 
-    /// `PLAIN` where lengths are those of the plane.
+    /// The same for sets of differences: bounds the distances of four points from the image, under `power`, of the
+    /// attractor that `outline` bounds, which is symmetric about 0.
+    pub fn differences(&self, outline: &Outline, power: DMat2, offsets: Vec4) -> Distances {
+        let m = Linear4::splat(power);
+        let see = |normal: Vec4| {
+            let (far, p) = outline.support4(m.transposed_times(normal));
+            (far, [m.times(p), offsets])
+        };
+        let Looks { apart, overlap, reach, .. } = if self.plain.is_some() {
+            self.steps::<true>(offsets, see)
+        } else {
+            self.steps::<false>(offsets, see)
+        };
+        Distances { apart, overlap, reach }
+    }
+
     #[inline(always)]
     fn look_as<const PLAIN: bool>(&self, outline: &Outline, parts: &[Piece], other: &Affine2) -> Looks {
-        let sides = Sides::new(parts, other);
-        let middle = sides.b0 - sides.a0;
-        let first = self.along::<PLAIN>(outline, &sides, middle);
+        let Sides { a, b, a0, b0 } = Sides::new(parts, other);
+        self.steps::<PLAIN>(b0 - a0, |normal| {
+            let (far_a, p) = outline.support4(a.transposed_times(normal));
+            let pulled = b.transposed_times(normal);
+            let (far_b, q) = outline.support4(Vec4 { x: -pulled.x, y: -pulled.y });
+            (far_a + far_b, [a.times(p) + a0, b.times(q) + b0])
+        })
+    }
+
+    /// Looks along `middle`, from one middle to the other, then along a better direction. `see` gives for a
+    /// normal how far the two reach towards each other, and points of both that do.
+    ///
+    /// `PLAIN` where lengths are those of the plane, but for a factor.
+    #[inline(always)]
+    fn steps<const PLAIN: bool>(&self, middle: Vec4, see: impl Fn(Vec4) -> (Four, [Vec4; 2])) -> Looks {
+        let first = self.along::<PLAIN>(middle, middle, &see);
         if first.apart.0.iter().all(|&apart| apart > 0.0) {
             return Looks {
                 apart: distance(first.apart, first.scale).0,
@@ -130,13 +158,13 @@ impl Gauge {
                 points: first.points,
             };
         }
-        // The point nearest to the origin between `middle` and `between`, both differences of points of the
-        // two hulls.
+        // The point nearest to the origin between `middle` and the difference of the points, both of them
+        // differences of points of the two hulls.
         let turn = middle - (first.points[1] - first.points[0]);
         let length = turn.dot(if PLAIN { turn } else { Linear4::splat(self.lean).times(turn) });
         let t = (first.normal.dot(turn) / length).max(Four::default()).min(Four::splat(1.0));
         let step = Vec4 { x: middle.x - turn.x * t, y: middle.y - turn.y * t };
-        let second = self.along::<PLAIN>(outline, &sides, step);
+        let second = self.along::<PLAIN>(middle, step, &see);
         // The greater of the two bounds: of their squares, with their signs, lest a root be taken for each.
         let signed = |a: Four, other: Four| a * a.abs() * other;
         let (a, b) = (signed(first.apart, second.scale), signed(second.apart, first.scale));
@@ -157,15 +185,15 @@ impl Gauge {
 
     /// What is seen along lines of the directions `step`.
     #[inline(always)]
-    fn along<const PLAIN: bool>(&self, outline: &Outline, sides: &Sides, step: Vec4) -> View {
-        let Sides { a, b, a0, b0 } = sides;
+    fn along<const PLAIN: bool>(
+        &self,
+        middle: Vec4,
+        step: Vec4,
+        see: &impl Fn(Vec4) -> (Four, [Vec4; 2]),
+    ) -> View {
         let normal = if PLAIN { step } else { Linear4::splat(self.lean).times(step) };
-        let (far_a, p) = outline.support4(a.transposed_times(normal));
-        let pulled = b.transposed_times(normal);
-        let (far_b, q) = outline.support4(Vec4 { x: -pulled.x, y: -pulled.y });
-        let along = normal.dot(*b0 - *a0);
-        let reach = far_a + far_b;
-        let points = [a.times(p) + *a0, b.times(q) + *b0];
+        let (reach, points) = see(normal);
+        let along = normal.dot(middle);
         let between = points[1] - points[0];
         // Rounding outward; the sum of the sides is no shorter than the normal.
         let off = Four::splat(self.rounding) * (normal.x.abs() + normal.y.abs());

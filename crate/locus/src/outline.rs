@@ -102,6 +102,45 @@ impl Outline {
         self.bound(ROUGH, maps, accuracy, rounds);
     }
 
+    /// Bounds the differences of two points of the attractor of maps that share one linear part, `powers[1]`: sums
+    /// of `powers[k]` times a difference of two `shifts`, over all k. `rest` bounds the lengths of what the
+    /// powers leave out.
+    ///
+    /// In a direction of the fan the sum of the widths of the shifts is what the support is, exactly; the
+    /// differences that reach farthest, and 0 for ever after, add up to a point.
+    pub fn set_differences(&mut self, powers: &[DMat2], shifts: &[DVec2], rest: f64) {
+        self.per = ROUGH;
+        self.values = [4.0; TABLE];
+        self.points = [DVec2::ZERO; TABLE];
+        let half = 2 * self.per;
+        for k in (0..half).step_by(4) {
+            let four = [k, k + 1, k + 2, k + 3].map(|k| self.direction(k));
+            let d = Vec4 { x: Four(four.map(|d| d.x)), y: Four(four.map(|d| d.y)) };
+            let mut far = d.dot(d).sqrt() * Four::splat(rest);
+            let mut point = Vec4::default();
+            for power in powers {
+                let pulled =
+                    Vec4 { x: Vec4::splat(power.x_axis).dot(d), y: Vec4::splat(power.y_axis).dot(d) };
+                let (wide, difference) = match shifts {
+                    [a, b] => width_of_two(*a - *b, pulled),
+                    _ => width(shifts, pulled),
+                };
+                far = far + wide;
+                let (x, y) = (Vec4::splat(power.x_axis), Vec4::splat(power.y_axis));
+                point.x = point.x + x.x * difference.x + y.x * difference.y;
+                point.y = point.y + x.y * difference.x + y.y * difference.y;
+            }
+            for l in 0..4 {
+                let p = point.at(l);
+                (self.values[k + l], self.points[k + l]) = (far.0[l] * (1.0 + 1e-12), p);
+                (self.values[k + l + half], self.points[k + l + half]) = (self.values[k + l], -p);
+            }
+        }
+        self.wrap(|outline, k, from| {
+            (outline.values[k], outline.points[k]) = (outline.values[from], outline.points[from]);
+        });
+    }
+
     /// Whether it was last made by [`Outline::set`].
     pub fn is_fine(&self) -> bool {
         self.per == FINE
@@ -243,4 +282,31 @@ impl Outline {
         let cosine = if self.per == FINE { 0.992_507_556 } else { 0.973_248_989 };
         widest.0.into_iter().fold(0.0, f64::max) / cosine
     }
+}
+
+/// The widths of points in four directions, and the differences that they are the lengths of.
+#[inline(always)]
+fn width(points: &[DVec2], d: Vec4) -> (Four, Vec4) {
+    let (mut most, mut least) = (Four::splat(f64::NEG_INFINITY), Four::splat(f64::INFINITY));
+    let (mut first, mut last) = (Vec4::default(), Vec4::default());
+    for &point in points {
+        let p = Vec4::splat(point);
+        let along = p.dot(d);
+        let choose = |a: Four, b: Four, old: Vec4| Vec4 {
+            x: a.choose_less(b, p.x, old.x),
+            y: a.choose_less(b, p.y, old.y),
+        };
+        (first, last) = (choose(most, along, first), choose(along, least, last));
+        (most, least) = (most.max(along), least.min(along));
+    }
+    (most - least, first - last)
+}
+
+/// [`width`] of two points with this difference.
+#[inline(always)]
+fn width_of_two(difference: DVec2, d: Vec4) -> (Four, Vec4) {
+    let p = Vec4::splat(difference);
+    let along = p.dot(d);
+    let signed = |x: Four| along.choose_less(Four::default(), -x, x);
+    (along.abs(), Vec4 { x: signed(p.x), y: signed(p.y) })
 }

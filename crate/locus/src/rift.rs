@@ -1,13 +1,42 @@
 //! The widest gap of one parameter, bracketed.
 
 use std::collections::BinaryHeap;
+use std::ops::Range;
 
-use crate::frame::Frame;
 use crate::graph::Components;
-use crate::look::{Distances, Gauge};
-use crate::outline::Outline;
+use crate::look::Distances;
 use crate::pair::Pair;
-use crate::pieces::Pieces;
+use crate::tree::Tree;
+
+/// How pairs of pieces are looked at and split.
+pub(crate) trait Explore {
+    /// Gets ready to tell pieces apart, or to measure how far apart they are.
+    fn lean(&mut self, to_measure: bool);
+    /// Looks at attractorlet `i` and one to four others.
+    fn first(&mut self, i: u32, others: Range<u32>) -> Distances;
+    /// The numbers by which it knows two attractorlets.
+    fn root(&mut self, i: u8, j: u8) -> (u32, u32);
+    /// Whether both pieces of a pair are so small that they are taken to meet if they are not known to be apart.
+    fn is_small(&self, pair: &Pair) -> bool;
+    /// Splits a pair into parts.
+    fn split(&mut self, pair: &Pair, into: &mut Vec<Part>);
+}
+
+/// One of the pairs that a pair was split into.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Part {
+    pair: Pair,
+    overlap: f64,
+    reach: f64,
+}
+
+impl Part {
+    /// What was seen in lane `k` of the pieces `u` and `v`, parts of `whole`: they are no nearer than that.
+    pub fn new(looks: &Distances, k: usize, whole: &Pair, u: u32, v: u32) -> Self {
+        let pair = Pair { key: looks.apart[k].max(whole.key), u, v, ..*whole };
+        Self { pair, overlap: looks.overlap[k], reach: looks.reach[k] }
+    }
+}
 
 /// What the search for the widest gap needs, kept for the next.
 ///
@@ -18,24 +47,24 @@ use crate::pieces::Pieces;
 /// others only those parts that may be nearer than what bridges it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Rift {
-    pieces: Pieces,
     stack: Vec<Pair>,
     /// The parts of one, by how deep they overlap.
-    parts: Vec<(f64, Pair, f64)>,
+    parts: Vec<Part>,
     /// Pairs that are apart.
     apart: Vec<Pair>,
     by_distance: BinaryHeap<Pair>,
     edges: Vec<Edge>,
     order: Vec<(f64, u8, u8)>,
     tree: Tree,
-    gauge: Gauge,
+    /// Which pairs lie across the cut.
+    across: Vec<bool>,
     /// Pieces that meet, as far as the resolution tells.
     met: Components,
     /// The same, and those that were not told apart within the budget.
     coarse: Components,
     count: usize,
+    turn: bool,
     resolution: f64,
-    small: f64,
     /// Pairs looked at.
     pub nodes: usize,
 }
@@ -51,18 +80,6 @@ struct Edge {
     apart: bool,
 }
 
-/// Prim's algorithm.
-#[derive(Clone, Debug, Default)]
-struct Tree {
-    distance: Vec<f64>,
-    from: Vec<u8>,
-    outside: Vec<u8>,
-    /// Which end each piece hangs on, in the order they were taken in.
-    steps: Vec<(u8, u8)>,
-    /// Whether a piece lies beyond the widest edge.
-    beyond: Vec<bool>,
-}
-
 /// The widest gap, in the plane.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bracket {
@@ -74,50 +91,70 @@ pub(crate) struct Bracket {
 const CLOSE: f64 = 0.095;
 /// Looks spent at most on measuring a gap that is there.
 const MEASURE: usize = 2000;
-/// After so many looks a finer outline pays.
-const ROUGH: usize = 150;
 /// How many pairs are followed down after a search that was cut short, and how far.
 const DIVES: usize = 8;
 const DEPTH: usize = 24;
 
 impl Rift {
     /// Begins with the pieces of the maps; those that are known to meet may be joined in `met` then.
-    pub fn begin(&mut self, frame: &Frame, count: usize) {
+    ///
+    /// Where a `turn` takes each piece to the next, pairs that are as far round from each other are alike, and only
+    /// those with piece 0 are looked at.
+    pub fn begin(&mut self, count: usize, turn: bool) {
         self.count = count;
+        self.turn = turn;
         self.met.reset(count);
         self.edges.clear();
         self.edges.resize(count * count, Edge { lower: 0.0, reach: f64::INFINITY, apart: false });
         self.nodes = 0;
-        for i in 0..count {
-            for j in i + 1..count {
-                if frame.maps[i] == frame.maps[j] {
-                    self.join(i, j, 0.0);
-                }
-            }
-        }
+    }
+
+    /// The place of a pair among the edges.
+    #[inline]
+    fn edge(&self, i: usize, j: usize) -> usize {
+        place(self.turn, self.count, i, j)
+    }
+
+    fn turns(&self) -> Option<usize> {
+        self.turn.then_some(self.count)
+    }
+
+    /// The pairs `i < j` that stand for all.
+    fn pairs(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let (count, turn) = (self.count, self.turn);
+        let (rows, columns) = if turn { (1, count / 2 + 1) } else { (count, count) };
+        (0..rows).flat_map(move |i| (i + 1..columns).map(move |j| (i, j)))
     }
 
     /// Takes note that points of two pieces, `i < j`, are near: the square of their distance is `reach`.
-    pub fn join(&mut self, i: usize, j: usize, reach: f64) {
-        self.met.join(i, j);
-        let edge = &mut self.edges[i * self.count + j];
-        edge.reach = edge.reach.min(reach);
+    fn join(&mut self, i: usize, j: usize, reach: f64) {
+        let at = self.edge(i, j);
+        self.edges[at].reach = self.edges[at].reach.min(reach);
+        {
+            let turns = self.turns();
+            join(&mut self.met, turns, i, j);
+        }
     }
 
     /// Joins pieces for which `meet` gives the square of a small distance, until all hang together or some do
     /// not.
     pub fn join_near(&mut self, mut meet: impl FnMut(usize, usize) -> Option<f64>) {
-        for i in 0..self.count {
-            for j in i + 1..self.count {
-                if !self.met.joined(i, j)
-                    && let Some(reach) = meet(i, j)
-                {
-                    self.join(i, j, reach);
+        let mut row = 0;
+        for (i, j) in self.pairs() {
+            if i > row {
+                // All that could join these to the others was tried.
+                if (row + 1..self.count).all(|j| !self.met.joined(row, j)) {
+                    return;
                 }
+                row = i;
             }
-            // All that could join these to the others was tried.
-            if !self.is_whole() && (i + 1..self.count).all(|j| !self.met.joined(i, j)) {
-                return;
+            if !self.met.joined(i, j)
+                && let Some(reach) = meet(i, j)
+            {
+                self.join(i, j, reach);
+                if self.is_whole() {
+                    return;
+                }
             }
         }
     }
@@ -125,33 +162,23 @@ impl Rift {
     /// Bounds the widest gap until it is known whether it is one and how wide about, or `budget` looks are spent.
     /// The lower bound is 0 unless the attractor is proved to be in several pieces.
     ///
-    /// `resolution` is in the plane, `diameter` that of the attractor in the frame.
-    pub fn bracket(
-        &mut self,
-        frame: &Frame,
-        outline: &mut Outline,
-        resolution: f64,
-        diameter: f64,
-        budget: usize,
-    ) -> Bracket {
+    /// `resolution` is in the plane.
+    pub fn bracket(&mut self, explore: &mut impl Explore, resolution: f64, budget: usize) -> Bracket {
         self.resolution = resolution;
-        // Where rounding is coarser than the resolution, nothing is small.
-        self.small = if frame.rounding * frame.stretch <= resolution { resolution / diameter } else { -1.0 };
-        self.gauge = Gauge::to_separate(frame);
-        self.pieces.begin(frame);
+        explore.lean(false);
         self.apart.clear();
-        self.look_at_all(outline);
+        self.look_at_all(explore);
         self.coarse.clone_from(&self.met);
         let (mut spent, mut rounds) = (0, 0);
         let mut found = Bracket { lower: 0.0, upper: f64::INFINITY };
         while self.coarse.count() > 1 {
             let bridge = self.cut();
-            if !self.prove(frame, outline, budget) {
+            if !self.prove(explore, budget) {
                 // The cut is none.
                 continue;
             }
             let before = self.nodes;
-            let lower = self.measure(frame, outline, bridge, MEASURE.saturating_sub(spent));
+            let lower = self.measure(explore, bridge, MEASURE.saturating_sub(spent));
             spent += self.nodes - before;
             let upper = self.cut();
             // Each cut shows that the gap is at least so wide.
@@ -166,19 +193,18 @@ impl Rift {
     }
 
     /// Tells all pairs apart that lie across the cut, the nearest first; `false` if two turn out to meet, or this is not found out.
-    fn prove(&mut self, frame: &Frame, outline: &mut Outline, budget: usize) -> bool {
+    fn prove(&mut self, explore: &mut impl Explore, budget: usize) -> bool {
+        explore.lean(false);
         self.order.clear();
-        for i in 0..self.count {
-            for j in i + 1..self.count {
-                let edge = &self.edges[i * self.count + j];
-                if self.tree.beyond[i] != self.tree.beyond[j] && !edge.apart {
-                    self.order.push((edge.reach, i as u8, j as u8));
-                }
+        for (i, j) in self.pairs() {
+            let at = self.edge(i, j);
+            if self.across[at] && !self.edges[at].apart {
+                self.order.push((self.edges[at].reach, i as u8, j as u8));
             }
         }
         self.order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         let order = std::mem::take(&mut self.order);
-        let done = order.iter().all(|&(_, i, j)| self.tell_apart(frame, outline, i, j, budget));
+        let done = order.iter().all(|&(_, i, j)| self.tell_apart(explore, i, j, budget));
         self.order = order;
         done
     }
@@ -189,21 +215,22 @@ impl Rift {
     }
 
     /// Looks at every two attractorlets once.
-    fn look_at_all(&mut self, outline: &mut Outline) {
-        let count = self.count as u32;
-        for i in 0..count {
-            for first in (i + 1..count).step_by(4) {
-                let others = first..count.min(first + 4);
-                let looks =
-                    self.gauge.distances(outline, self.pieces.range(others.clone()), &self.pieces.get(i).map);
+    fn look_at_all(&mut self, explore: &mut impl Explore) {
+        let (rows, columns) = if self.turn { (1, self.count / 2 + 1) } else { (self.count, self.count) };
+        for i in 0..rows {
+            for first in (i + 1..columns).step_by(4) {
+                let others = first..columns.min(first + 4);
+                let looks = explore.first(i as u32, others.start as u32..others.end as u32);
                 self.nodes += others.len();
                 for (k, j) in others.enumerate() {
-                    let (i, j) = (i as usize, j as usize);
-                    let edge = &mut self.edges[i * self.count + j];
-                    edge.lower = looks.apart[k];
-                    edge.reach = edge.reach.min(looks.reach[k]);
-                    if edge.reach <= self.resolution * self.resolution {
-                        self.met.join(i, j);
+                    let at = self.edge(i, j);
+                    self.edges[at].lower = looks.apart[k];
+                    self.edges[at].reach = self.edges[at].reach.min(looks.reach[k]);
+                    if self.edges[at].reach <= self.resolution * self.resolution {
+                        {
+                            let turns = self.turns();
+                            join(&mut self.met, turns, i, j);
+                        }
                     }
                 }
             }
@@ -213,74 +240,75 @@ impl Rift {
     /// Finds the least spanning tree of the components by the points known, and the cut that its widest edge bridges;
     /// returns the length of that edge.
     fn cut(&mut self) -> f64 {
-        let Self { tree, edges, coarse, count, .. } = self;
-        let count = *count;
+        let Self { tree, edges, coarse, count, turn, across, .. } = self;
+        let (count, turn) = (*count, *turn);
         let between = |i: u8, j: u8| {
             let (i, j) = (usize::from(i), usize::from(j));
-            if coarse.joined(i, j) { 0.0 } else { edges[i.min(j) * count + i.max(j)].reach }
+            if coarse.joined(i, j) { 0.0 } else { edges[place(turn, count, i.min(j), i.max(j))].reach }
         };
-        let widest = tree.grow(count, between);
-        tree.beyond.clear();
-        tree.beyond.resize(count, false);
-        if let Some((bridge, _)) = widest {
-            for k in bridge..tree.steps.len() {
-                let (piece, from) = tree.steps[k];
-                tree.beyond[usize::from(piece)] = k == bridge || tree.beyond[usize::from(from)];
+        let widest = tree.cut(count, between);
+        across.clear();
+        across.resize(edges.len(), false);
+        for i in 0..count {
+            for j in i + 1..count {
+                across[place(turn, count, i, j)] |= tree.beyond[i] != tree.beyond[j];
             }
         }
-        widest.map_or(0.0, |(_, length)| length.sqrt())
+        widest.sqrt()
     }
 
     /// The widest edge of the least spanning tree of the nearest points known: an upper bound of the widest gap.
     pub fn bottleneck(&mut self) -> f64 {
-        let Self { tree, edges, count, .. } = self;
-        let between = |i: u8, j: u8| edges[usize::from(i.min(j)) * *count + usize::from(i.max(j))].reach;
-        tree.grow(*count, between).map_or(0.0, |(_, length)| length.sqrt())
+        let Self { tree, edges, count, turn, .. } = self;
+        let between = |i: u8, j: u8| edges[place(*turn, *count, i.min(j).into(), i.max(j).into())].reach;
+        tree.cut(*count, between).sqrt()
     }
 
     /// Looks into two attractorlets until all pairs of parts are apart; `false` if they turn out to meet, or it is
     /// not found out.
-    fn tell_apart(&mut self, frame: &Frame, outline: &mut Outline, i: u8, j: u8, budget: usize) -> bool {
-        self.gauge = Gauge::to_separate(frame);
-        let edge = self.edges[usize::from(i) * self.count + usize::from(j)];
+    fn tell_apart(&mut self, explore: &mut impl Explore, i: u8, j: u8, budget: usize) -> bool {
+        let at = self.edge(i.into(), j.into());
         let found = self.apart.len();
         self.stack.clear();
-        self.stack.push(Pair { key: edge.lower, u: u32::from(i), v: u32::from(j), i, j });
+        let (u, v) = explore.root(i, j);
+        self.stack.push(Pair { key: self.edges[at].lower, u, v, i, j });
         while let Some(pair) = self.stack.pop() {
             if pair.key > 0.0 {
                 self.apart.push(pair);
                 continue;
             }
-            let small = self.pieces.are_small(pair.u, pair.v, self.small);
-            let near = !small && self.nodes < budget && self.split(frame, outline, pair) <= self.resolution;
+            let small = explore.is_small(&pair);
+            let near = !small && self.nodes < budget && self.split(explore, pair) <= self.resolution;
             if small || near {
-                self.met.join(usize::from(i), usize::from(j));
+                {
+                    let turns = self.turns();
+                    join(&mut self.met, turns, i.into(), j.into());
+                }
             } else if self.nodes < budget {
                 continue;
             }
-            self.coarse.join(usize::from(i), usize::from(j));
+            {
+                let turns = self.turns();
+                join(&mut self.coarse, turns, i.into(), j.into());
+            }
             self.apart.truncate(found);
             return false;
         }
-        self.edges[usize::from(i) * self.count + usize::from(j)].apart = true;
+        self.edges[at].apart = true;
         true
     }
 
     /// Looks into the pairs across the cut, which are all apart, the nearest first, until the nearest is not much nearer than the
     /// `bridge`, or `budget` looks are spent; returns a lower bound of their distances.
-    fn measure(&mut self, frame: &Frame, outline: &mut Outline, mut bridge: f64, budget: usize) -> f64 {
-        self.gauge = Gauge::to_measure(frame);
+    fn measure(&mut self, explore: &mut impl Explore, mut bridge: f64, budget: usize) -> f64 {
+        explore.lean(true);
         let limit = self.nodes + budget;
-        let Self { apart, by_distance, tree, .. } = self;
+        let Self { apart, by_distance, across, edges, turn, count, .. } = self;
         by_distance.clear();
-        by_distance.extend(
-            apart.extract_if(.., |pair| tree.beyond[usize::from(pair.i)] != tree.beyond[usize::from(pair.j)]),
-        );
-        for k in 0..self.edges.len() {
-            let (i, j) = (k / self.count, k % self.count);
-            if i < j && self.tree.beyond[i] != self.tree.beyond[j] {
-                bridge = bridge.min(self.edges[k].reach.sqrt());
-            }
+        let is_across = |pair: &mut Pair| across[place(*turn, *count, pair.i.into(), pair.j.into())];
+        by_distance.extend(apart.extract_if(.., is_across));
+        for (edge, _) in edges.iter().zip(across).filter(|(_, across)| **across) {
+            bridge = bridge.min(edge.reach.sqrt());
         }
         let mut lower = f64::INFINITY;
         while let Some(pair) = self.by_distance.pop() {
@@ -290,10 +318,10 @@ impl Rift {
                 break;
             }
             if self.nodes >= limit {
-                self.follow(frame, outline, pair);
+                self.follow(explore, pair);
                 break;
             }
-            bridge = bridge.min(self.split(frame, outline, pair));
+            bridge = bridge.min(self.split(explore, pair));
             self.by_distance.extend(self.stack.drain(..));
         }
         self.apart.extend(self.by_distance.drain());
@@ -302,15 +330,15 @@ impl Rift {
 
     /// Follows the nearest parts of some of the nearest pairs down, for points that are nearer than those met
     /// by a search that was cut short.
-    fn follow(&mut self, frame: &Frame, outline: &mut Outline, first: Pair) {
+    fn follow(&mut self, explore: &mut impl Explore, first: Pair) {
         let mut next = Some(first);
         for _ in 0..DIVES {
             let Some(mut pair) = next else { return };
             self.apart.push(pair);
             for _ in 0..DEPTH {
-                self.split(frame, outline, pair);
-                let near = self.parts.iter().min_by(|a, b| a.2.total_cmp(&b.2));
-                pair = near.map_or(pair, |part| part.1);
+                self.split(explore, pair);
+                let near = self.parts.iter().min_by(|a, b| a.reach.total_cmp(&b.reach));
+                pair = near.map_or(pair, |part| part.pair);
                 self.stack.clear();
             }
             next = self.by_distance.pop();
@@ -318,66 +346,33 @@ impl Rift {
         self.apart.extend(next);
     }
 
-    /// Puts the parts of the larger piece of a pair on the stack, the nearest on top; returns the least distance
-    /// known of the two attractorlets.
-    fn split(&mut self, frame: &Frame, outline: &mut Outline, pair: Pair) -> f64 {
-        if self.nodes > ROUGH && !outline.is_fine() {
-            outline.set(&frame.maps, 0.012 * (1.0 - frame.factor), 64);
-        }
-        let (parts, first) = self.pieces.parts_of_larger(frame, pair.u, pair.v);
-        let other = if first { pair.v } else { pair.u };
-        let mut least = f64::INFINITY;
+    /// Puts the parts of a pair on the stack, the one that overlaps most on top; returns the least distance known
+    /// of the two attractorlets.
+    fn split(&mut self, explore: &mut impl Explore, pair: Pair) -> f64 {
         self.parts.clear();
-        for four in parts.clone().step_by(4) {
-            let four = four..parts.end.min(four + 4);
-            let Distances { apart, overlap, reach } =
-                self.gauge.distances(outline, self.pieces.range(four.clone()), &self.pieces.get(other).map);
-            self.nodes += four.len();
-            for (k, part) in four.enumerate() {
-                let (u, v) = if first { (part, other) } else { (other, part) };
-                least = least.min(reach[k]);
-                // Parts are no nearer than what they are parts of.
-                self.parts.push((overlap[k], Pair { key: apart[k].max(pair.key), u, v, ..pair }, reach[k]));
-            }
-        }
-        self.parts.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        self.stack.extend(self.parts.iter().map(|part| part.1));
-        let edge = &mut self.edges[usize::from(pair.i) * self.count + usize::from(pair.j)];
-        edge.reach = edge.reach.min(least);
-        edge.reach.sqrt()
+        explore.split(&pair, &mut self.parts);
+        self.nodes += self.parts.len();
+        self.parts.sort_unstable_by(|a, b| b.overlap.total_cmp(&a.overlap).then(a.pair.cmp(&b.pair)));
+        self.stack.extend(self.parts.iter().map(|part| part.pair));
+        let at = self.edge(pair.i.into(), pair.j.into());
+        let least = self.parts.iter().map(|part| part.reach).fold(f64::INFINITY, f64::min);
+        self.edges[at].reach = self.edges[at].reach.min(least);
+        self.edges[at].reach.sqrt()
     }
 }
 
-impl Tree {
-    /// Grows the least spanning tree of `count` pieces from the first; returns the place of its widest edge among the steps, and its
-    /// weight.
-    fn grow(&mut self, count: usize, between: impl Fn(u8, u8) -> f64) -> Option<(usize, f64)> {
-        let Self { distance, from, outside, steps, .. } = self;
-        distance.clear();
-        distance.extend((0..count).map(|i| if i == 0 { 0.0 } else { between(0, i as u8) }));
-        from.clear();
-        from.resize(count, 0);
-        outside.clear();
-        outside.extend(1..count as u8);
-        steps.clear();
-        let mut widest: Option<(usize, f64)> = None;
-        while !outside.is_empty() {
-            let far = |k: &usize| distance[usize::from(outside[*k])];
-            let nearest = (0..outside.len()).min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0);
-            let next = outside.swap_remove(nearest);
-            let weight = distance[usize::from(next)];
-            if widest.is_none_or(|(_, most)| weight > most) {
-                widest = Some((steps.len(), weight));
-            }
-            steps.push((next, from[usize::from(next)]));
-            for &i in outside.iter() {
-                let d = between(next, i);
-                if d < distance[usize::from(i)] {
-                    distance[usize::from(i)] = d;
-                    from[usize::from(i)] = next;
-                }
-            }
+/// The place of a pair `i < j` of `count` pieces among the edges: with a turn by how far round it goes.
+#[inline]
+fn place(turn: bool, count: usize, i: usize, j: usize) -> usize {
+    if turn { (j - i).min(count - (j - i)) } else { i * count + j }
+}
+
+/// Joins two pieces and, with a turn of so many pieces, all that are alike.
+fn join(components: &mut Components, turn: Option<usize>, i: usize, j: usize) {
+    components.join(i, j);
+    if let Some(count) = turn {
+        for k in 1..count {
+            components.join((i + k) % count, (j + k) % count);
         }
-        widest
     }
 }
