@@ -86,26 +86,47 @@ export function breaksAlong(
 const NEAR_END = 0.125;
 
 /** How far a path in the plane of a field keeps from what is broken there; Infinity where nothing is. */
-export function clearanceOf(field: Locus & { bounds: Bounds }, points: readonly Uv[], samples = 400): number {
-  const { width, height, bounds, state } = field;
-  const at = (x: number, low: number, high: number, count: number) => low + (x / (count - 1)) * (high - low);
-  const border: [number, number][] = [];
-  for (let row = 0; row < height; row++) {
-    for (let column = 0; column < width; column++) {
-      const i = row * width + column;
-      if (!isBroken(state[i] ?? STATE.pending)) continue;
-      const next = [column > 0 ? i - 1 : i, column < width - 1 ? i + 1 : i, i - width, i + width];
-      if (next.every((k) => isBroken(state[k] ?? STATE.disconnected))) continue;
-      border.push([at(column, bounds.u0, bounds.u1, width), at(row, bounds.v0, bounds.v1, height)]);
-    }
-  }
+export function clearanceOf(field: Field, points: readonly Uv[], samples = 240): number {
+  const border = borderOf(field);
   let least = Number.POSITIVE_INFINITY;
   for (let i = 0; i < samples; i++) {
     const [u, v] = uvAt(points, i / (samples - 1));
     if (Math.hypot(u, v) < NEAR_END || Math.hypot(u - 1, v - 1) < NEAR_END) continue;
-    for (const [x, y] of border) least = Math.min(least, (x - u) ** 2 + (y - v) ** 2);
+    for (let k = 0; k < border.length; k += 2) {
+      const [x, y] = [(border[k] ?? 0) - u, (border[k + 1] ?? 0) - v];
+      least = Math.min(least, x * x + y * y);
+    }
   }
   return Math.sqrt(least);
+}
+
+type Field = Locus & { bounds: Bounds };
+/** The same field is asked for every path that is dragged through it. */
+const borders = new WeakMap<Field, Float64Array>();
+
+/** Broken samples next to others: u0, v0, u1, v1, .. */
+function borderOf(field: Field): Float64Array {
+  const known = borders.get(field);
+  if (known) return known;
+  const { width, height, bounds, state } = field;
+  const at = (x: number, low: number, high: number, count: number) => low + (x / (count - 1)) * (high - low);
+  const broken = (i: number) => isBroken(state[i] ?? STATE.disconnected);
+  const found: number[] = [];
+  for (let row = 0; row < height; row++) {
+    for (let column = 0; column < width; column++) {
+      const i = row * width + column;
+      if (!broken(i)) continue;
+      const inside =
+        (column === 0 || broken(i - 1)) &&
+        (column === width - 1 || broken(i + 1)) &&
+        broken(i - width) &&
+        broken(i + width);
+      if (!inside) found.push(at(column, bounds.u0, bounds.u1, width), at(row, bounds.v0, bounds.v1, height));
+    }
+  }
+  const border = Float64Array.from(found);
+  borders.set(field, border);
+  return border;
 }
 
 /** The best state of the corners of the cell that holds a point: a thin isthmus must not read as a break. */
