@@ -258,7 +258,7 @@ function useQuarter(wanted: boolean): LocusResult | null {
   useEffect(() => {
     if (!wanted || quarter?.progress === 1) return;
     const families = hasFamilies();
-    submit(quarterJob(channel, families ? 301 : 111, families, setQuarter));
+    submit(quarterJob(channel, families ? 361 : 111, families, setQuarter));
   }, [wanted, channel, host]);
   return useMemo(() => (quarter ? unfolded(quarter) : null), [quarter]);
 }

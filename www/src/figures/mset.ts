@@ -84,9 +84,11 @@ export function quarterJob(
   const total = patches.length + points.length;
   const where = new Map<object, number>();
   let done = 0;
+  // Unfolding and painting takes longer than deciding: a few times in all will do.
+  const often = families ? 9 : 400;
   const tell = () => {
     done++;
-    if (families || done % 200 === 0 || done === total) show({ ...quarter, progress: done / total });
+    if (done % often === 0 || done === total) show({ ...quarter, progress: done / total });
   };
   const options = { bounds: quarter.bounds, width: size, height: size, epsilon: EPSILON };
   return {
