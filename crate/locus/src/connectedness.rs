@@ -145,9 +145,13 @@ pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
         pairs.truncate(PAIRS);
         let points = Points::find(maps, &frame, &outline, &pairs);
         let gap = search.reach().upper * (1.0 + 1e-9);
+        let near = |i: usize, j: usize| {
+            let nearest = search.nearest[i * maps.len() + j];
+            frame.to_plane(nearest.from.midpoint(nearest.to))
+        };
         points
             .as_given()
-            .or_else(|shared| reason::by_crossings(maps, shared, gap).ok_or(()))
+            .or_else(|shared| reason::by_crossings(maps, shared, gap, near).ok_or(()))
             .ok()
             .or_else(|| points.as_meant())
     });

@@ -45,6 +45,7 @@ mod frame;
 mod graph;
 mod grid;
 mod index_buffer;
+mod line;
 mod look;
 mod motion;
 mod neighbours;

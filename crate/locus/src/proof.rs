@@ -28,7 +28,7 @@ pub(crate) fn at_once(maps: &[Affine2]) -> bool {
 }
 
 /// Whether `|det a| + |det b| >= 1`, decided exactly for the numbers as they are given.
-fn areas_fill(a: &Affine2, b: &Affine2) -> bool {
+pub(crate) fn areas_fill(a: &Affine2, b: &Affine2) -> bool {
     let products = |map: &Affine2| {
         let [p, q, r, s, ..] = map.to_row();
         [(p, s), (-q, r)]

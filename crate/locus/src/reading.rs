@@ -138,7 +138,7 @@ fn assumptions(rows: &[Row]) -> Vec<String> {
         if let Read::As(value) = read {
             // A number and its opposite are one assumption.
             let value = if *x < 0.0 { Value { p: -value.p, r: -value.r, ..*value } } else { *value };
-            let text = format!("{} is {}", x.abs(), value.shown());
+            let text = format!("{:?} is {}", x.abs(), value.shown());
             if !said.contains(&text) {
                 said.push(text);
             }
@@ -286,7 +286,12 @@ impl Value {
         let Self { p, r, q, d, of_pentagon } = *self;
         if of_pentagon {
             let value = Self { of_pentagon: false, ..*self }.shown();
-            return if value == "1" { "sin(72°)".to_owned() } else { format!("{value} sin(72°)") };
+            return match value.as_str() {
+                "1" => "sin(72°)".to_owned(),
+                "-1" => "-sin(72°)".to_owned(),
+                _ if q == 1 && p != 0 && r != 0 => format!("({value}) sin(72°)"),
+                _ => format!("{value} sin(72°)"),
+            };
         }
         let over = |text: String| if q == 1 { text } else { format!("{text}/{q}") };
         if r == 0 {

@@ -7,6 +7,7 @@ use crate::corner::{Shared, corners};
 use crate::crossing::crossings_beside;
 use crate::frame::Frame;
 use crate::graph::OverlapGraph;
+use crate::line::overlaps_on_a_line;
 use crate::neighbours::Neighbours;
 use crate::outline::Outline;
 use crate::periodic::{Periodic, shown};
@@ -56,6 +57,8 @@ pub enum LinkKind {
     Point,
     /// Two paths that must cross.
     Crossing,
+    /// Too much area to lie side by side.
+    Area,
 }
 
 impl LinkKind {
@@ -65,6 +68,7 @@ impl LinkKind {
         match self {
             Self::Point => "point",
             Self::Crossing => "crossing",
+            Self::Area => "area",
         }
     }
 }
@@ -76,10 +80,10 @@ pub struct Link {
     pub kind: LinkKind,
     /// Two maps, from 0, the smaller index first.
     pub pair: (usize, usize),
-    /// The addresses of the point in the first piece and in the second, or the words of the crossing pieces, as people
-    /// read them: letters from 1, "1(2)" for 1222..
+    /// The addresses of the point in the first piece and in the second, or the words of the pieces that cross or are too
+    /// large, as people read them: letters from 1, "1(2)" for 1222..
     pub words: [String; 2],
-    /// The shared point, to rounding, or the middle of the crossing; in the plane.
+    /// The shared point, to rounding, the middle of the crossing, or where large pieces come near; in the plane.
     pub at: DVec2,
     /// Of a crossing: two far points of the first piece, then two of the second. Otherwise empty.
     pub corners: Vec<DVec2>,
@@ -119,18 +123,21 @@ impl Reason {
             let [a, b] = &link.words;
             format!("{a} and {b}")
         });
-        let points = self.links.iter().filter(|link| link.kind == LinkKind::Point).count();
+        let count = |kind| self.links.iter().filter(|link| link.kind == kind).count();
         let text = match self.kind {
             ReasonKind::OneMap => "There is one map, and its attractor is one point.".to_owned(),
             ReasonKind::EqualMaps => "All maps are the same, and so are all pieces.".to_owned(),
             ReasonKind::CommonPoint => {
                 "All maps leave the same point where it is, and the attractor is this point.".to_owned()
             }
-            ReasonKind::Area => {
-                "The two maps scale areas by factors whose sum is 1 or more. Pieces that did not \
-                                 meet would need room between them, and a sum below 1."
+            ReasonKind::Area if self.links.len() < 2 => {
+                "Two pieces that did not meet would have room between them. These have none: the factors by which their maps \
+                 scale areas have a sum of 1 or more."
                     .to_owned()
             }
+            ReasonKind::Area => "Pieces that did not meet would have room between them. Enough of these have none: the \
+                                 factors by which two maps scale areas have a sum of 1 or more."
+                .to_owned(),
             ReasonKind::SharedPoints => match self.links.len() {
                 1 => format!("The pieces share a point: {example} are addresses of the same one."),
                 count => format!(
@@ -138,16 +145,16 @@ impl Reason {
                 ),
             },
             ReasonKind::Crossings => {
-                let text = match self.links.len() - points {
+                let text = match count(LinkKind::Crossing) {
                     1 => format!("The pieces {example} lie across each other, so that they must meet."),
                     count => format!(
                         "{count} pairs of pieces lie across each other, so that they must meet: {example} are the first."
                     ),
                 };
-                match points {
+                match self.links.len() - count(LinkKind::Crossing) {
                     0 => text,
                     1 => format!("{text} Two others share a point."),
-                    _ => format!("{text} {points} others share points."),
+                    others => format!("{text} {others} other pairs share points."),
                 }
             }
             ReasonKind::Neighbours => {
@@ -184,10 +191,15 @@ pub(crate) fn one_point(maps: &[Affine2]) -> Option<Reason> {
 }
 
 /// A proof by pieces that lie across each other, beside points that are shared, where no gap is known to be wider than `gap`
-/// (in the plane).
-pub(crate) fn by_crossings(maps: &[Affine2], shared: Vec<Link>, gap: f64) -> Option<Reason> {
+/// (in the plane). `near` is where two pieces come near each other.
+pub(crate) fn by_crossings(
+    maps: &[Affine2],
+    shared: Vec<Link>,
+    gap: f64,
+    near: impl Fn(usize, usize) -> DVec2,
+) -> Option<Reason> {
     let met: Vec<(usize, usize)> = shared.iter().map(|link| link.pair).collect();
-    let found = crossings_beside(&met, maps, gap, 0.0)?;
+    let found = overlaps_on_a_line(&met, maps).or_else(|| crossings_beside(&met, maps, gap, 0.0))?;
     let crossings = found.into_iter().map(|crossing| {
         let corners = crossing.corners.to_vec();
         Link {
@@ -198,11 +210,29 @@ pub(crate) fn by_crossings(maps: &[Affine2], shared: Vec<Link>, gap: f64) -> Opt
             corners,
         }
     });
-    let links: Vec<Link> = crossings.chain(shared).collect();
-    // Where the pieces fill too much to leave room, none need cross.
+    let mut links: Vec<Link> = crossings.chain(shared).collect();
+    let mut graph = OverlapGraph::new(maps.len());
+    for link in &links {
+        graph.add(link.pair.0, link.pair.1);
+    }
+    // Where pieces fill too much to leave room, none need cross.
+    for i in 0..maps.len() {
+        for j in i + 1..maps.len() {
+            if !graph.components().joined(i, j) && proof::areas_fill(&maps[i], &maps[j]) {
+                graph.add(i, j);
+                links.push(Link {
+                    kind: LinkKind::Area,
+                    pair: (i, j),
+                    words: [i, j].map(|i| shown(&[i as u8], maps.len())),
+                    at: near(i, j),
+                    corners: Vec::new(),
+                });
+            }
+        }
+    }
     let crosses = links.iter().any(|link| link.kind == LinkKind::Crossing);
     let kind = if crosses { ReasonKind::Crossings } else { ReasonKind::Area };
-    Some(Reason { links, ..Reason::of(kind) })
+    graph.is_connected().then(|| Reason { links, ..Reason::of(kind) })
 }
 
 /// Points of two pieces that are checked at most.

@@ -1,8 +1,10 @@
 //! What must not change a verdict, and what a verdict must not contradict.
 
+use frond_check::{Pair, check};
 use frond_core::{Affine2, Ifs, hash};
 use frond_locus::{
-    Components, Connectedness, Options, Reason, Scratch, State, Verdict, connectedness, decide,
+    Components, Connectedness, Options, Reason, Scratch, Separation, State, Verdict, certificate,
+    connectedness, decide,
 };
 use glam::{DMat2, DVec2};
 use proptest::prelude::*;
@@ -68,6 +70,35 @@ fn contradict(a: &Connectedness, b: &Connectedness, epsilon: f64, slack: f64) ->
         || (apart(b) && proved(a))
 }
 
+/// The proof that comes with a verdict, if any, and that there is none for the opposite.
+fn proved(ifs: &Ifs, a: &Connectedness) -> Result<(), TestCaseError> {
+    let certificate = certificate(ifs, &Options { epsilon: EPSILON, budget: BUDGET });
+    match (a.verdict, certificate) {
+        (Verdict::Disconnected, Some(found)) => {
+            let pair = |pair: &Separation| Pair {
+                u: pair.u.clone(),
+                v: pair.v.clone(),
+                normal: pair.normal.to_array(),
+            };
+            let plain = frond_check::Certificate {
+                maps: found.maps.clone(),
+                polygon: found.polygon.iter().map(|p| p.to_array()).collect(),
+                letters: found.letters,
+                side: found.side.clone(),
+                pairs: found.pairs.iter().map(pair).collect(),
+            };
+            prop_assert!(check(&plain).is_ok(), "{:?} {:?}", check(&plain), a);
+        }
+        (verdict, found) => prop_assert!(
+            found.is_none() && verdict != Verdict::Disconnected
+                || verdict == Verdict::Disconnected && a.gap.upper < 1e-9 * a.diameter,
+            "{:?}",
+            a
+        ),
+    }
+    Ok(())
+}
+
 fn well_formed(ifs: &Ifs, a: &Connectedness) -> Result<(), TestCaseError> {
     prop_assert_eq!(a.components.len(), ifs.len());
     prop_assert_eq!(a.components.iter().max().unwrap() + 1, a.count);
@@ -127,12 +158,13 @@ fn widest_gap(clouds: &[Vec<DVec2>]) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn answers_are_well_formed_and_no_gap_is_wider_than_points_show(ifs in any_ifs()) {
         let a = answer(&ifs, EPSILON);
         well_formed(&ifs, &a)?;
+        proved(&ifs, &a)?;
         let seen = widest_gap(&clouds(&ifs, 250));
         prop_assert!(a.gap.lower <= seen * (1.0 + 1e-9) + 1e-12 * a.diameter, "{} {:?}", seen, a);
     }

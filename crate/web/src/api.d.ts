@@ -62,9 +62,9 @@ export interface Reason {
   neighbours?: number;
 }
 
-/** What holds two pieces together: a point that both have, or two paths that must cross. */
+/** What holds two pieces together: a point that both have, two paths that must cross, or areas too large to leave room. */
 export interface Link {
-  kind: "point" | "crossing";
+  kind: "point" | "crossing" | "area";
   /** Two maps, the smaller index first. */
   pair: [i: number, j: number];
   /** The addresses of the point, or the words of the crossing pieces, as people read them: letters from 1, "1(2)" is 1222.. */
