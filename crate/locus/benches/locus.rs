@@ -3,6 +3,8 @@
 //! The morph is that of Burch & Hart's Fig 7, reconstructed: Heighway's dragon as three maps
 //! {w1, w2 w1, w2 w2} to the Sierpinski gasket, over [-1, 2] x [-1, 2], on one core.
 
+mod boxes;
+
 use std::time::Instant;
 
 use frond_core::{Affine2, Ifs, Morph, MorphOptions};
@@ -72,4 +74,5 @@ fn main() {
         let seconds = least_time(20, || drop(std::hint::black_box(connectedness(&ifs, &Options::default()))));
         println!("full answer, {name}: {:.1} us", seconds * 1e6);
     }
+    boxes::report(&morph, buffer);
 }

@@ -46,8 +46,19 @@ impl LocusGrid {
         let (width, left, bottom) = (x.len(), x.start, y.start);
         let maps = Vec::with_capacity(family.len());
         let descent = Descent::default();
-        let mut patch =
-            Patch { grid: self, family, epsilon, width, left, bottom, tile, scratch, maps, descent };
+        let mut patch = Patch {
+            grid: self,
+            family,
+            epsilon,
+            width,
+            left,
+            bottom,
+            tile,
+            scratch,
+            maps,
+            descent,
+            debt: 0.0,
+        };
         if count > 0 {
             patch.fill(Area { x0: x.start, y0: y.start, x1: x.end - 1, y1: y.end - 1 });
         }
@@ -75,6 +86,8 @@ struct Patch<'a, F: ?Sized> {
     scratch: &'a mut Scratch,
     maps: Vec<Affine2>,
     descent: Descent<6>,
+    /// Looks that were spent on crossings in vain, less what the samples decided since then are worth.
+    debt: f64,
 }
 
 /// Boxes of fewer open samples are not worth an attempt.
@@ -85,6 +98,10 @@ const LEAST_CROSSED: usize = 40;
 const LOOKS: usize = 150;
 /// How hard to look for crossings in a box.
 const EFFORT: Effort = Effort { looks: 80, tries: 150, near: 2e-3 };
+/// Looks that a sample decided on its own is worth: where crossings are hard to find, at most about as long is spent on
+/// them in vain as on the samples.
+const WORTH: f64 = 3.0;
+const MOST_DEBT: f64 = 4000.0;
 /// Where points move farther than this over a box, in parts of the attractor's size, no crossing is likely to last.
 const STRAY: f64 = 0.03;
 
@@ -102,6 +119,7 @@ impl<F: Family + ?Sized> Patch<'_, F> {
         self.family.fill(self.grid.u(x), self.grid.v(y), &mut self.maps);
         let budget = LocusGrid::budget(self.maps.len());
         let sample = decide(&self.maps, self.epsilon, budget, self.scratch);
+        self.debt = (self.debt - WORTH).max(0.0);
         self.tile.state[i] = sample.state as u8;
         self.tile.gap[i] = sample.gap;
         sample
@@ -198,11 +216,12 @@ impl<F: Family + ?Sized> Patch<'_, F> {
     fn join(&mut self, area: Area, open: usize) -> bool {
         let filled = self.descent.lanes.areas_fill();
         if !filled {
-            if open < LEAST_CROSSED || self.descent.lanes.stray() > STRAY {
+            if open < LEAST_CROSSED || self.descent.lanes.stray() > STRAY || self.debt > MOST_DEBT {
                 return false;
             }
             self.descent.outline();
             if self.descent.cross(f64::INFINITY, EFFORT).is_none() {
+                self.debt += self.descent.nodes as f64;
                 return false;
             }
         }
