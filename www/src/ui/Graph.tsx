@@ -16,7 +16,7 @@ const MIDDLE = SIDE / 2;
 
 /** Nodes in a ring, joined where two belong together. Each has its number and a pattern beside its colour. */
 export function Graph({ count, angles, edges, colours, label }: GraphProps) {
-  const knob = Math.min(17, (0.8 * Math.PI * 55) / Math.max(1, count));
+  const knob = Math.min(17, (0.55 * Math.PI * 55) / Math.max(1, count));
   const places = count === 1 ? [[MIDDLE, MIDDLE] as const] : evenPlaces(angles, MIDDLE - knob - 3);
   return (
     <svg class="graph-drawing" viewBox={`0 0 ${SIDE} ${SIDE}`} role="img" aria-label={label}>

@@ -86,8 +86,8 @@ function Because({ reason }: { reason: Reason }) {
       <p>{text}</p>
       {assuming.length > 0 && (
         <details>
-          <summary>As they are given, the numbers only come near</summary>
-          <p>That is why it is no proof. They are read so: {assuming.join("; ")}.</p>
+          <summary>How the numbers are read</summary>
+          <p>As they are given they only come near, so this is no proof. Read so: {assuming.join("; ")}.</p>
         </details>
       )}
       {links.length > 0 && (

@@ -26,10 +26,11 @@ export function accountOf(answer: Connectedness): Account {
       if (verdictWords(answer).tone === "close")
         return {
           title: "No gap can be seen, but there is one.",
-          why: `It is proved to be in ${piecesWords(answer.count)}. They lie nearer to each other than 600 pixels can show.`,
+          why: `It is proved to be in at least ${piecesWords(answer.count)}. They lie nearer to each other than 600 pixels can show.`,
         };
       return {
-        title: `It is in ${piecesWords(answer.count)}.`,
+        // Each of its pieces falls apart the same way: the groups of the largest ones are only the first to be seen.
+        title: `It is in at least ${piecesWords(answer.count)}.`,
         why: "That is proved: no matter how closely one looks, nothing bridges the gap between them.",
       };
     case "undecided":
