@@ -1,14 +1,18 @@
+import { STATE } from "../../../engine/breaks";
 import { FIRST_S, uv } from "../../../state/morph";
 import { announce, notify } from "../../../state/notice";
+import type { Uv } from "../../../state/path";
 import { edit } from "../../../state/scene";
 import { Button } from "../../../ui/Button";
 import { fixed } from "../../../ui/number";
 import { type End, nameOf } from "../changes";
 import { digitsOf } from "./geometry";
+import { isOff } from "./Handles";
 import { familyMaps } from "./hover";
-import { backToPath, family, picked, setPlane, sides, view } from "./view";
+import { sampleAt } from "./shown";
+import { backToPath, epsilon, family, picked, setPlane, sides, view } from "./view";
 import { addAt } from "./way";
-import { complexWords } from "./words";
+import { complexWords, sampleWords } from "./words";
 
 /** Where the picture is now, in numbers, and what can be done with a point that was taken off the path. */
 export function Now() {
@@ -28,9 +32,9 @@ function OfMorph() {
         <Value name="move" symbol="v" value={fixed(v, digits)} />
         {third && <Value name="stretch ahead" symbol="w" value={fixed(w, 2)} />}
       </dl>
+      {at && <There at={at} />}
       {at && (
         <div class="locus-act">
-          <span class="hint">Off the path.</span>
           <Button onClick={backToPath}>Back to the path</Button>
           <Button
             onClick={() => {
@@ -45,6 +49,15 @@ function OfMorph() {
       )}
     </div>
   );
+}
+
+/** What the map says of a point, as finely as it is looked at: the picture is judged as 600 pixels show it. */
+function There({ at }: { at: Uv }) {
+  const found = sampleAt(at);
+  if (!found || found.state === STATE.pending) return null;
+  const off = family.value === "morph" && isOff(at, view.value.w);
+  if (off) return null;
+  return <p class="hint">On this map: {sampleWords(found.state, found.gap, epsilon.value)}.</p>;
 }
 
 function Value({ name, symbol, value }: { name: string; symbol: string; value: string }) {
@@ -67,6 +80,7 @@ function OfFamily() {
       <dl>
         <Value name="turn and shrink by" symbol="s" value={words} />
       </dl>
+      <There at={s} />
       <div class="locus-act">
         <Button onClick={() => use("a", n, s)} description="This shape is where the morph starts">
           Use as A

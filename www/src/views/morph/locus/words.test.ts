@@ -1,6 +1,15 @@
 import { describe, expect, it } from "vitest";
 import type { Connectedness } from "../../../engine/api";
-import { complexWords, epsilonWords, knownWords, lowered, partWords, powerWords, zoomWords } from "./words";
+import {
+  complexWords,
+  epsilonWords,
+  knownWords,
+  lowered,
+  partWords,
+  powerWords,
+  sampleWords,
+  zoomWords,
+} from "./words";
 
 describe("numbers in words", () => {
   it("tells how near one is", () => {
@@ -36,6 +45,15 @@ describe("numbers in words", () => {
     expect(complexWords([-0.5, 0.7035], 3)).toBe("−0.500 + 0.704 i");
     expect(lowered(12)).toBe("₁₂");
     expect(powerWords(0)).toBe("0");
+  });
+});
+
+describe("sampleWords", () => {
+  it("names every state, and the gap of a break", () => {
+    const words = [0, 1, 2, 3, 4, 255].map((state) => sampleWords(state, 0.02, 1 / 600));
+    expect(new Set(words).size).toBe(6);
+    expect(words[0]).toMatch(/proved/);
+    expect(words[2]).toBe("broken, gap 2% of the shape");
   });
 });
 

@@ -1,5 +1,6 @@
 /** The locus in words. */
 import type { Connectedness } from "../../../engine/api";
+import { STATE } from "../../../engine/breaks";
 import type { Uv } from "../../../state/path";
 import { fixed, formatNumber } from "../../../ui/number";
 import { gapWords } from "../words";
@@ -55,6 +56,24 @@ export const partWords = (gap: number): string =>
 export function complexWords([re, im]: Uv, digits: number): string {
   const sign = im < 0 ? "−" : "+";
   return `${fixed(re, digits)} ${sign} ${fixed(Math.abs(im), digits)} i`;
+}
+
+/** What a sample of the map says. */
+export function sampleWords(state: number, gap: number, epsilon: number): string {
+  switch (state) {
+    case STATE.connected:
+      return "in one piece, proved";
+    case STATE.touching:
+      return `in one piece, to ${epsilonWords(epsilon)}`;
+    case STATE.disconnected:
+      return `broken, gap ${partWords(gap)} of the shape`;
+    case STATE.undecided:
+      return "not decided";
+    case STATE.none:
+      return "no shape";
+    default:
+      return "not looked at yet";
+  }
 }
 
 /** What is known of one parameter, as a person would say it. Only a proof is said to be one. */
