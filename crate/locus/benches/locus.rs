@@ -4,6 +4,7 @@
 //! {w1, w2 w1, w2 w2} to the Sierpinski gasket, over [-1, 2] x [-1, 2], on one core.
 
 mod boxes;
+mod set_m;
 
 use std::time::Instant;
 
@@ -66,6 +67,8 @@ fn main() {
             buffer / each,
         );
     }
+
+    set_m::report(&morph.at(0.3, 0.4));
 
     for (name, maps) in
         [("dragon", morph.at(0.0, 0.0)), ("gasket", morph.at(1.0, 1.0)), ("between", morph.at(0.6, 0.5))]
