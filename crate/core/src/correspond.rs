@@ -339,6 +339,16 @@ mod tests {
     }
 
     #[test]
+    fn equal_maps_are_not_swapped() {
+        let twice = corners(0.3, &[[0.0, 0.0], [1.0, 0.0], [1.0, 0.0]]);
+        let three = corners(0.0, &[[0.0, 0.0], [1.0, 0.0], [0.4, 0.9]]);
+        // Three orders instead of six, with 27 windings each.
+        assert_eq!(candidates(&twice, &three, 1000).unwrap().len(), 81);
+        assert_eq!(candidates(&three, &twice, 1000).unwrap().len(), 81);
+        assert_eq!(candidates(&three, &three, 1000).unwrap().len(), 162);
+    }
+
+    #[test]
     fn any_matching_has_a_cost() {
         let places = [[0.0, 0.0], [1.0, 0.0]];
         let (from, to) = (corners(0.0, &places), corners(1.0, &places));

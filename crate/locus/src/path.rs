@@ -217,23 +217,18 @@ mod tests {
 
     #[test]
     fn the_roomier_way_is_taken_though_it_is_longer() {
-        // A wall from side to side with two doors: one sample wide in the middle of the straight way, and nine wide.
+        // A wall from side to side with two doors: one three samples wide on the straight way, and one of ten.
         let mut rows = vec!["#".repeat(41); 41];
-        for row in &mut rows[18..23] {
-            let doors = |x: usize| x == 20 || (30..39).contains(&x);
-            *row = (0..41).map(|x| if doors(x) { '#' } else { '5' }).collect();
-        }
+        rows[10] =
+            (0..41).map(|x| if (29..32).contains(&x) || (2..12).contains(&x) { '#' } else { '5' }).collect();
         let rows: Vec<&str> = rows.iter().map(String::as_str).collect();
         let plan = plan_path(&drawn(&rows), 0.0).unwrap();
-        let at_wall: Vec<f64> = (0..=1000)
-            .map(|k| along(&plan.points, f64::from(k) / 1000.0))
-            .filter(|p| (p.y - 0.5).abs() < 0.05)
-            .map(|p| p.x)
-            .collect();
-        assert!(at_wall.iter().all(|x| (0.74..0.96).contains(x)), "{plan:?}");
+        let met = (0..=1000).map(|k| along(&plan.points, f64::from(k) / 1000.0));
+        let at_wall: Vec<f64> = met.filter(|p| (p.y - 0.75).abs() < 0.02).map(|p| p.x).collect();
+        assert!(at_wall.iter().all(|x| (3.0 / 40.0..10.0 / 40.0).contains(x)), "{plan:?}");
         assert!(plan.holds && !plan.apart && plan.worst.is_none());
-        // Of the 5 samples from the middle of the door to the wall, those that leave the way straight.
-        assert!(plan.clearance >= 2.9 / 40.0 && plan.clearance <= 5.0 / 40.0, "{plan:?}");
+        // The middle of the door is five and a half samples from the wall; straightness may cost a part of that.
+        assert!(plan.clearance >= 2.0 / 40.0 && plan.clearance <= 6.0 / 40.0, "{plan:?}");
     }
 
     #[test]

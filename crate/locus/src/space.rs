@@ -235,3 +235,50 @@ impl Ord for Step {
         by.then_with(|| other.cell.cmp(&self.cell))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use frond_core::MorphOptions;
+
+    use super::*;
+
+    fn morph(ratio: f64) -> Morph {
+        let maps = |ratio: f64, angle: f64| {
+            let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.8]].map(glam::DVec2::from_array);
+            corners.map(|corner| Affine2::similitude(ratio, angle, (1.0 - ratio) * corner))
+        };
+        Morph::new(&maps(0.5, 0.0), &maps(ratio, 2.5), &MorphOptions::default()).unwrap()
+    }
+
+    #[test]
+    fn no_way_over_the_lattice_has_a_smaller_gap_than_the_one_found() {
+        for ratio in [0.5, 0.45, 0.3, 0.62] {
+            let morph = morph(ratio);
+            let mut space = Space::new(&morph, 1e-3, 3);
+            let (gap, way) = space.search();
+            let all: Vec<f64> = (0..space.gap.len()).map(|cell| space.gap(cell)).collect();
+            assert_eq!(way.iter().map(|&cell| all[cell]).fold(0.0, f64::max), gap, "{ratio}");
+            let touching = |a: usize, b: usize| space.lattice.neighbours(a).any(|(next, _)| next == b);
+            assert!(way.windows(2).all(|two| touching(two[0], two[1])), "{ratio}");
+            assert_eq!([way[0], way[way.len() - 1]], space.ends);
+            // Everything that can be reached over smaller gaps only.
+            let mut seen = vec![false; all.len()];
+            let mut open = vec![space.ends[0]];
+            while let Some(cell) = open.pop() {
+                if all[cell] < gap && !std::mem::replace(&mut seen[cell], true) {
+                    open.extend(space.lattice.neighbours(cell).map(|(next, _)| next));
+                }
+            }
+            assert!(!seen[space.ends[1]], "{ratio}: {gap}");
+        }
+    }
+
+    #[test]
+    fn where_the_way_is_open_few_parameters_are_decided() {
+        let morph = morph(0.62);
+        let mut space = Space::new(&morph, 1e-2, 8);
+        let (gap, way) = space.search();
+        let decided = space.gap.iter().filter(|gap| !gap.is_nan()).count();
+        assert!(gap == 0.0 && decided < space.gap.len() / 4, "{gap} {decided} {}", way.len());
+    }
+}
