@@ -3,6 +3,7 @@
 mod descent;
 mod fan;
 mod sample;
+mod system;
 
 use frond_core::{Affine2, Morph};
 use glam::{DMat2, DVec2};
@@ -51,7 +52,7 @@ pub type SingleMap = [f32; 8];
 /// Coordinates are centred on the attractor of the middle sample and of about its size.
 ///
 /// What is said: `Disconnected` and `Connected` are proved, the rounding of every step from the exact maps on reckoned with
-/// (see `System` in single/sample.rs); `Touching` means that points of the attractor come within epsilon; so two
+/// (see single/system.rs); `Touching` means that points of the attractor come within epsilon; so two
 /// answers differ only where the gap is between zero and epsilon. Whatever single precision cannot tell is
 /// `Undecided`: maps that do not contract in the plane's own norm, expansions, points, budgets spent. Those
 /// are for [`decide`](crate::decide), and both together are right everywhere.

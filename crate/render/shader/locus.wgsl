@@ -279,7 +279,7 @@ fn descend(root: Pair, shade: f32, limit: u32) -> u32 {
     return UNKNOWN;
 }
 
-// --- One sample: src/single/sample.rs.
+// --- One sample: src/single/system.rs and sample.rs.
 
 const PLAIN = 0.97;
 const FAN_ROUNDS = 48u;

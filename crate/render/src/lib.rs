@@ -13,7 +13,8 @@
 //! - A lit pixel holds a code, the first [`Letters`] of its piece. A [`Look`] makes colours of codes.
 //! - A [`Density`] spreads samples after the measure; [`tone`] makes light of it.
 //!
-//! Each shader in `shader/` has a twin here with the same arithmetic, and tests that compare them.
+//! Each shader in `shader/` has a twin with the same arithmetic, and tests that compare them. The twins are here, but for
+//! that of the locus, which is in crate/locus: what runs on the card for it is `gpu::LocusGpu`.
 
 mod bitmap;
 mod colour;
