@@ -19,6 +19,10 @@
 //! Where the plane has none that holds, [`Axes::Three`] lets the stretch run ahead of the turn, which often
 //! does; and [`rate`] compares ways to match the maps by the paths that they leave open.
 //!
+//! What holds at one parameter often holds around it, and that is proved as well: [`LocusGrid::patch`] decides whole boxes
+//! of a [`Family`] at once, [`certify_path`] bounds the gap along all of a path, and [`crossings`] are a reason to be
+//! connected that survives small changes.
+//!
 //! Gaps and distances of [`connectedness`] are in units of the plane. Epsilon, and the gaps of [`Sample`],
 //! [`Locus`] and [`PathPlan`], are relative to the diameter of the attractor.
 
