@@ -1,8 +1,9 @@
+import { MOST_ZOOM } from "../../../engine/window";
 import { Button } from "../../../ui/Button";
 import { critical, criticalScale } from "./critical";
 import { landmarksOf, symmetryWords, theoremWords } from "./families";
 import { fly, pickPoint, sides } from "./view";
-import { lowered } from "./words";
+import { lowered, powerWords } from "./words";
 
 /** What others proved of a family, beside what Frond computes, and places to go to. */
 export function FamilyNotes() {
@@ -16,7 +17,7 @@ export function FamilyNotes() {
               class="chip-button"
               description={about}
               onClick={() => {
-                pickPoint(s);
+                pickPoint(s, undefined, MOST_ZOOM);
                 fly({ x: s[0], y: s[1], zoom });
               }}
             >
@@ -54,11 +55,7 @@ function Computed() {
   return (
     <>
       <dd class="number">{((found.broken + found.holds) / 2).toFixed(9)}</dd>
-      <dd class="hint">
-        {found.done
-          ? `to ${(found.holds - found.broken).toExponential(0).replace("-", "−")}`
-          : "closing in …"}
-      </dd>
+      <dd class="hint">{found.done ? `to ${powerWords(found.holds - found.broken)}` : "closing in …"}</dd>
     </>
   );
 }

@@ -17,14 +17,7 @@ export interface Critical {
 
 /** The least real s > 0 at which a family is in one piece; half for two sides. A theorem. */
 export function criticalScale(sides: number): number {
-  try {
-    return frond.criticalScale(sides);
-  } catch {
-    // Written out, where the package does not know it yet.
-    let sum = 0;
-    for (let k = 1; k <= Math.floor(sides / 4); k++) sum += Math.cos((2 * Math.PI * k) / sides);
-    return 1 / (2 * (1 + sum));
-  }
+  return frond.criticalScale(sides);
 }
 
 const state = signal<Critical | null>(null);

@@ -80,10 +80,16 @@ const OF_M: readonly Landmark[] = [
     zoom: 6,
   },
   {
-    name: "A hole",
-    about: "Near s = 0.0227 + 0.703 i: broken, though all around it holds together",
+    name: "A bay",
+    about: "s = 0.0227 + 0.703 i: broken, deep in what holds together",
     s: [0.0227, 0.703],
-    zoom: 60,
+    zoom: 300,
+  },
+  {
+    name: "Spiral of holes",
+    about: "Near s = 0.371859 + 0.519411 i: tiny islands of broken shapes, ever smaller, around one point",
+    s: [0.371859, 0.519411],
+    zoom: 1500,
   },
 ];
 

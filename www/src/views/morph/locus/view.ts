@@ -81,9 +81,9 @@ export function setPlane(kind: Family, n: number): void {
   replace(withView(lastViews.get(memory(next)) ?? next));
 }
 
-/** Takes a point as what the picture shows: a step of undo. */
-export function pickPoint(point: Uv, gesture?: string): void {
-  const { zoom, family: kind, w } = view.peek();
+/** Takes a point as what the picture shows, as exactly as a zoom needs: a step of undo. */
+export function pickPoint(point: Uv, gesture?: string, zoom = view.peek().zoom): void {
+  const { family: kind, w } = view.peek();
   const [u, v] = [kept(point[0], zoom), kept(point[1], zoom)];
   const third = kind === "morph" ? (point[2] ?? w) : 0;
   const at: Uv = third === 0 ? [u, v] : [u, v, third];
