@@ -55,7 +55,7 @@ pub type SingleMap = [f32; 8];
 /// (see single/system.rs); `Touching` means that points of the attractor come within epsilon; so two
 /// answers differ only where the gap is between zero and epsilon. Whatever single precision cannot tell is
 /// `Undecided`: maps that do not contract in the plane's own norm, expansions, points, budgets spent. Those
-/// are for [`decide`](crate::decide), and both together are right everywhere.
+/// are for [`decide()`](crate::decide()), and both together are right everywhere.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SingleLocus {
     maps: usize,

@@ -47,10 +47,10 @@ pub use {
 
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
 pub use card::*;
-#[cfg(feature = "compute")]
-pub use settle::*;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 pub use renderer::*;
+#[cfg(feature = "compute")]
+pub use settle::*;
 
 use wasm_bindgen::prelude::*;
 

@@ -15,7 +15,7 @@ const COARSE: f32 = 0.01;
 ///
 /// # Margin
 ///
-/// Let `e` be [`ULP`], `s` the contraction factor, and `o` the origin and `r` the radius of the frame, which are
+/// Let `e` be `ULP`, `s` the contraction factor, and `o` the origin and `r` the radius of the frame, which are
 /// exact by definition. The maps of the frame are off by `d`: what they were given with, and for the translation
 /// `(M o + t - o) / r` the rounding of two products and three sums, at most `5 e (|M o| + |t| + |o|) / r`, and
 /// of a division, `2.5 e |t'|`. An attractor whose maps are off by `d` in the unit disc is off by at most
@@ -26,7 +26,7 @@ const COARSE: f32 = 0.01;
 /// product of matrices adds two roundings a product, over the absolute values of the entries, which is twice
 /// the product of the norms), which sums up to `4 e s / (1 - s)` on each side; the products with `t_i` and
 /// their sums add `3 e` on each side, and the subtractions, where the step is no longer than both pieces together,
-/// `4 e s / (1 - s)`. The support values are raised by their own error ([`Fan::new`]), and the products of a look are
+/// `4 e s / (1 - s)`. The support values are raised by their own error (`Fan::new`), and the products of a look are
 /// off by `6 e` at most. In all `e (16 + 12 s / (1 - s))`; a quarter is added.
 pub(super) struct System {
     pub count: usize,
