@@ -28,3 +28,24 @@ test("no figure is wider than a phone", async ({ page }) => {
     expect(over, figure).toBe(0);
   }
 });
+
+test("nothing moves on a phone when the truth comes", async ({ page }) => {
+  for (let lesson = 1; lesson <= 10; lesson++) {
+    await page.goto("about:blank");
+    await page.goto(`./#figures/e${lesson}`);
+    const question = page.getByRole("region", { name: "What do you think?" });
+    const input = question.locator("fieldset input").first();
+    await input.waitFor();
+    if ((await input.getAttribute("type")) !== "range") await input.check();
+    const button = question.getByRole("button", { name: "Show me" });
+    const place = (element: typeof button) =>
+      element.evaluate(
+        (it) => it.getBoundingClientRect().top + (it.closest("main")?.scrollTop ?? Number.NaN),
+      );
+    const before = await place(button);
+    await button.click();
+    await question.locator(".truth").waitFor();
+    const after = await place(question.getByRole("button", { name: "Think again" }));
+    expect(after, `lesson ${lesson}`).toBeCloseTo(before, 0);
+  }
+});

@@ -1,5 +1,5 @@
 import AxeBuilder from "@axe-core/playwright";
-import type { Page } from "@playwright/test";
+import type { Locator, Page } from "@playwright/test";
 import { expect, test } from "./fixture";
 
 const PAGES = ["1", "2", "3", "5", "6", "7", "table-1"];
@@ -70,14 +70,18 @@ for (const lesson of LESSONS) {
     // A prediction by keys alone, and then the truth beside it.
     const question = page.getByRole("region", { name: "What do you think?" });
     await expect(question.locator(".truth")).toHaveCount(0);
-    const input = question.locator("input").first();
+    const input = question.locator("fieldset input").first();
     await input.focus();
     await page.keyboard.press((await input.getAttribute("type")) === "range" ? "ArrowLeft" : "Space");
     const button = question.getByRole("button", { name: "Show me" });
     await button.focus();
+    const before = await placeOf(button);
     await page.keyboard.press("Enter");
     await expect(question.locator(".truth")).toBeVisible();
-    await expect(question.getByRole("button", { name: "Think again" })).toBeFocused();
+    const again = question.getByRole("button", { name: "Think again" });
+    await expect(again).toBeFocused();
+    // What was there stays where it was.
+    expect(await placeOf(again)).toBeCloseTo(before, 0);
     await expectClean(page);
     await page.keyboard.press("Enter");
     await expect(question.locator(".truth")).toHaveCount(0);
@@ -86,6 +90,13 @@ for (const lesson of LESSONS) {
     await expect(page.getByRole("slider", { name: "Time", exact: true })).toBeVisible();
     await expect(page.getByRole("alert")).toHaveCount(0);
   });
+}
+
+/** How far down the page an element begins. */
+function placeOf(element: Locator): Promise<number> {
+  return element.evaluate(
+    (it) => it.getBoundingClientRect().top + (it.closest("main")?.scrollTop ?? Number.NaN),
+  );
 }
 
 /** How many colours a canvas holds, or a drawing uses. */
@@ -104,7 +115,7 @@ test("every lesson is clean in the dark, with its answer", async ({ page }) => {
     await test.step(lesson, async () => {
       await open(page, lesson);
       const question = page.getByRole("region", { name: "What do you think?" });
-      const input = question.locator("input").first();
+      const input = question.locator("fieldset input").first();
       if ((await input.getAttribute("type")) !== "range") await input.check();
       await question.getByRole("button", { name: "Show me" }).click();
       await expect(question.locator(".truth")).toBeVisible();

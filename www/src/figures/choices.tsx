@@ -17,6 +17,8 @@ export interface ChoicesProps<T extends string> {
   truth: T | null;
 }
 
+const LONGEST = "your guess, this is it";
+
 /** A question with a few answers, one to a line. What was guessed and what is so are marked in words. */
 export function Choices<T extends string>({ ask, options, prediction, truth }: ChoicesProps<T>) {
   const name = useOwnId("guess");
@@ -26,6 +28,9 @@ export function Choices<T extends string>({ ask, options, prediction, truth }: C
       <legend>{ask}</legend>
       {options.map(({ value, label }) => {
         const so = shown && value === truth;
+        const marks = [value === guess ? "your guess" : "", so ? "this is it" : ""]
+          .filter(Boolean)
+          .join(", ");
         return (
           <label key={value} class={`option ${so ? "so" : ""}`}>
             <input
@@ -37,11 +42,10 @@ export function Choices<T extends string>({ ask, options, prediction, truth }: C
               onChange={() => prediction.say(value)}
             />
             <span class="option-text">{label}</span>
-            {shown && (
-              <span class="option-mark">
-                {[value === guess ? "your guess" : "", so ? "this is it" : ""].filter(Boolean).join(", ")}
-              </span>
-            )}
+            {/* Its room is kept, so that nothing moves when it comes. */}
+            <span class="option-mark" aria-hidden={!shown} data-kept={shown ? undefined : ""}>
+              {shown ? marks : LONGEST}
+            </span>
           </label>
         );
       })}

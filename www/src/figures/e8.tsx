@@ -187,7 +187,12 @@ function Where({ prediction, s, onS }: WhereProps) {
   return (
     <Question
       prediction={prediction}
-      beside={<Disc field={shown ? whole : null} s={s} shown={shown} onMove={move} />}
+      beside={
+        <>
+          <Disc field={shown ? whole : null} s={s} shown={shown} onMove={move} />
+          <Sliders s={s} onMove={move} />
+        </>
+      }
       answer={
         truth && (
           <Truth
@@ -213,7 +218,6 @@ function Where({ prediction, s, onS }: WhereProps) {
         prediction={prediction}
         truth={truth}
       />
-      {!shown && <Sliders s={s} onMove={move} />}
     </Question>
   );
 }
@@ -235,7 +239,6 @@ function Here({ s, onMove }: { s: Complex; onMove: (s: Uv) => void }) {
         <p>Move the ring on, or go to a landmark.</p>
         <ExactChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
         <Why answer={judged?.answer} />
-        <Sliders s={s} onMove={onMove} />
         <div class="buttons">
           {LANDMARKS.map(({ s: at, name }) => (
             <Button key={name} pressed={landmark?.name === name} onClick={() => onMove(at)}>
