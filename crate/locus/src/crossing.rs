@@ -77,9 +77,15 @@ pub(crate) struct Effort {
 /// use frond_core::Affine2;
 /// use frond_locus::crossings;
 ///
-/// // Two thin bars laid across each other.
-/// let maps = [[0.0, -0.1, 0.9, 0.0, 0.0, 0.0], [0.9, 0.0, 0.0, 0.1, 0.0, 0.0]].map(Affine2::from_row);
-/// # let _ = crossings(&maps, f64::INFINITY, 0.0);
+/// // Two thin bars laid across each other, each of two halves that reach a little beyond the middle.
+/// let bars = [
+///     [0.6, 0.0, 0.0, 0.05, -0.4, 0.0],
+///     [0.6, 0.0, 0.0, 0.05, 0.4, 0.0],
+///     [0.05, 0.0, 0.0, 0.6, 0.02, -0.37],
+///     [0.05, 0.0, 0.0, 0.6, 0.02, 0.43],
+/// ];
+/// let found = crossings(&bars.map(Affine2::from_row), f64::INFINITY, 0.0).expect("a plus");
+/// assert_eq!(found.len(), 3);
 /// ```
 #[must_use]
 pub fn crossings(maps: &[Affine2], gap: f64, slack: f64) -> Option<Vec<Crossing>> {
@@ -341,7 +347,7 @@ impl<const L: usize> Descent<L> {
     /// They meet where `p - q` is of the form `a e - b d` with `a, b >= 0`. It is not if the product with
     /// one normal is negative whose product with e and with -d is not; the two on the sides of that cone serve
     /// for all.
-    pub fn disjoint(&self, p: &Points<L>, d: DVec2, q: &Points<L>, e: DVec2) -> bool {
+    fn disjoint(&self, p: &Points<L>, d: DVec2, q: &Points<L>, e: DVec2) -> bool {
         let turn = d.perp_dot(e);
         let normals = if turn == 0.0 {
             if d.dot(e) > 0.0 { [d.perp(), -d.perp(), DVec2::ZERO] } else { [d.perp(), -d.perp(), e] }
@@ -392,3 +398,38 @@ impl<const L: usize> Descent<L> {
 
 /// Two convex pieces take more turns than this only where the points of one hardly reach beyond the other.
 const MOST_TURNS: usize = 12;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rays_that_meet_are_told_from_those_that_do_not() {
+        let descent = Descent::<1>::default();
+        let disjoint = |p: [f64; 2], d: [f64; 2], q: [f64; 2], e: [f64; 2]| {
+            let [p, d, q, e] = [p, d, q, e].map(DVec2::from_array);
+            let one = descent.disjoint(&[p], d, &[q], e);
+            assert_eq!(one, descent.disjoint(&[q], e, &[p], d), "whichever comes first");
+            one
+        };
+        let (o, right, up) = ([0.0, 0.0], [1.0, 0.0], [0.0, 1.0]);
+        assert!(!disjoint(o, right, [1.0, -1.0], up));
+        assert!(disjoint(o, right, [1.0, 0.1], up), "it begins beyond");
+        assert!(disjoint(o, right, [-0.1, -1.0], up), "it passes behind");
+        assert!(disjoint(o, right, [1.0, -1.0], [0.0, -1.0]), "it goes the other way");
+        assert!(!disjoint(o, right, [1.0, 0.0], up), "it begins on the other");
+        // Parallel ones, side by side, on one line, and towards each other.
+        assert!(disjoint(o, right, [0.0, 0.1], right));
+        assert!(!disjoint(o, right, [5.0, 0.0], right));
+        assert!(!disjoint(o, right, [5.0, 0.0], [-1.0, 0.0]));
+        assert!(disjoint(o, right, [-0.1, 0.0], [-1.0, 0.0]));
+    }
+
+    #[test]
+    fn a_little_play_may_let_rays_meet() {
+        let mut descent = Descent::<1>::default();
+        descent.lanes.rounding = 0.2;
+        let rays = |up: f64| descent.disjoint(&[DVec2::ZERO], DVec2::X, &[DVec2::new(1.0, up)], DVec2::Y);
+        assert!(!rays(0.1) && rays(0.3));
+    }
+}

@@ -406,8 +406,8 @@ mod tests {
         lanes.from_round.inverse() * (x - lanes.origin)
     }
 
-    /// Tries the bounds of a box on addresses and directions; returns how many times the margin was used up to a
-    /// tenth at least, so that one knows it is not idle.
+    /// Tries the bounds of a box on addresses and directions; returns how many times most of the margin was
+    /// used, so that one knows that none could be narrower.
     fn try_box<F: Family>(family: &F, extent: Extent, seed: u32) -> Option<usize> {
         let mut lanes = Lanes::<6>::default();
         if !lanes.set(family, extent, &mut Frame::default()) {
@@ -421,7 +421,20 @@ mod tests {
             let letter = |k: u32| (unit(seed ^ 77, 100 * n + k) * 3.0) as usize % family.len();
             let words: [Vec<usize>; 2] =
                 [0, 1].map(|side| (0..40).map(|k| letter(50 * side + k)).collect::<Vec<_>>());
-            let normal = DVec2::from_angle(unit(seed, 900 + n) * 6.3);
+            let between = |l: usize| {
+                let [p, q] = [0, 1].map(|side: usize| {
+                    point(family, extent.place::<6>(l), &words[side], &lanes)
+                });
+                q - p
+            };
+            // Every other time a direction along which nothing changes from left to middle: then the lowest value
+            // lies halfway.
+            let turned = (between(1) - between(0)).perp();
+            let normal = if n % 2 == 0 || turned.length() < 1e-9 {
+                DVec2::from_angle(unit(seed, 900 + n) * 6.3)
+            } else {
+                turned.normalize() * (1.0 - f64::from(n % 4) + 1.0).signum()
+            };
             let value = |at: DVec2| {
                 let [p, q] = [0, 1].map(|side: usize| point(family, at, &words[side], &lanes));
                 assert!(p.length() <= 1.0 + 1e-9 && q.length() <= 1.0 + 1e-9, "outside the disc");
@@ -440,12 +453,15 @@ mod tests {
                 assert!(off <= sag + 1e-12, "c is {off} off, not {sag}");
             }
             for k in 0..60 {
-                let place = DVec2::new(unit(seed, 1000 + 2 * k), unit(seed, 1001 + 2 * k)) * 2.0 - 1.0;
+                let place = match k {
+                    0 => DVec2::new(-0.5, -1.0),
+                    _ => DVec2::new(unit(seed, 1000 + 2 * k), unit(seed, 1001 + 2 * k)) * 2.0 - 1.0,
+                };
                 let at = extent.middle + extent.half * place;
                 let dip = least - value(at).2;
                 let margin = lanes.margin(bow).min(lanes.widest_margin());
                 assert!(dip <= margin + 1e-12, "{dip} > {margin} at {at} in {extent:?}, seed {seed}");
-                used += usize::from(dip > 0.1 * margin && margin > 1e-9);
+                used += usize::from(dip > 0.7 * margin && margin > 1e-9);
                 let moved = point(family, at, &words[0], &lanes).distance(point(
                     family,
                     extent.middle,
@@ -483,7 +499,7 @@ mod tests {
                 (boxes, used) = (boxes + 1, used + more);
             }
         }
-        assert!(boxes > 200 && used > 200, "{boxes} boxes, {used} margins used");
+        assert!(boxes > 200 && used > 20, "{boxes} boxes, {used} margins used");
     }
 
     #[test]
