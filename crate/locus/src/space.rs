@@ -252,14 +252,19 @@ mod tests {
 
     #[test]
     fn no_way_over_the_lattice_has_a_smaller_gap_than_the_one_found() {
-        for ratio in [0.5, 0.45, 0.3, 0.62] {
-            let morph = morph(ratio);
-            let mut space = Space::new(&morph, 1e-3, 3);
+        let morph = morph(0.5);
+        for seed in 0..30 {
+            let mut space = Space::new(&morph, 1e-3, 2);
+            for cell in 0..space.gap.len() {
+                // Most of the lattice is broken, so that the ways are few.
+                let drawn = f64::from(frond_core::hash::counter(seed, cell as u32) % 1000) / 1000.0;
+                space.gap[cell] = if drawn < 0.05 || space.ends.contains(&cell) { 0.0 } else { drawn };
+            }
+            let all = space.gap.clone();
             let (gap, way) = space.search();
-            let all: Vec<f64> = (0..space.gap.len()).map(|cell| space.gap(cell)).collect();
-            assert_eq!(way.iter().map(|&cell| all[cell]).fold(0.0, f64::max), gap, "{ratio}");
+            assert_eq!(way.iter().map(|&cell| all[cell]).fold(0.0, f64::max), gap);
             let touching = |a: usize, b: usize| space.lattice.neighbours(a).any(|(next, _)| next == b);
-            assert!(way.windows(2).all(|two| touching(two[0], two[1])), "{ratio}");
+            assert!(way.windows(2).all(|two| touching(two[0], two[1])));
             assert_eq!([way[0], way[way.len() - 1]], space.ends);
             // Everything that can be reached over smaller gaps only.
             let mut seen = vec![false; all.len()];
@@ -269,7 +274,7 @@ mod tests {
                     open.extend(space.lattice.neighbours(cell).map(|(next, _)| next));
                 }
             }
-            assert!(!seen[space.ends[1]], "{ratio}: {gap}");
+            assert!(!seen[space.ends[1]], "{seed}: {gap}");
         }
     }
 
