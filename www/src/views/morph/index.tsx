@@ -3,7 +3,7 @@ import { useEffect } from "preact/hooks";
 import { selection } from "../../state/morph";
 import { Button } from "../../ui/Button";
 import { help } from "./dialogs";
-import { LocusPanel } from "./locus/LocusPanel";
+import { LocusBeside, LocusPanel } from "./locus/LocusPanel";
 import { PathPanel } from "./locus/PathPanel";
 import { MotionPanel } from "./MotionPanel";
 import { MapEditor } from "./maps/MapEditor";
@@ -27,7 +27,10 @@ export function MorphPanel() {
       {editing === null ? (
         <Morph />
       ) : (
-        <MapEditor key={editing.target} target={editing.target} chosen={editing.map} />
+        <>
+          <LocusBeside />
+          <MapEditor key={editing.target} target={editing.target} chosen={editing.map} />
+        </>
       )}
       <footer class="panel-foot">
         <Button

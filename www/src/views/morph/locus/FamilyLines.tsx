@@ -52,7 +52,7 @@ export function FamilyLines() {
         })}
       </svg>
       {circlesOf(n).map(({ radius, name, kind }, i) => {
-        const angle = ((45 - 16 * i) * Math.PI) / 180;
+        const angle = ((225 + 16 * i) * Math.PI) / 180;
         return (
           <Note
             key={kind}

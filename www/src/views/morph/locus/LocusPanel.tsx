@@ -18,6 +18,23 @@ import { WindowNumbers } from "./WindowNumbers";
 /** How the field is shown: a way of looking, no part of the document. */
 const style = signal<LocusStyle>("gap");
 
+/** The map alone, to be watched while a shape is changed. */
+export function LocusBeside() {
+  return (
+    <section class="locus beside" aria-labelledby="beside-title">
+      <h2 id="beside-title" class="beside-title">
+        Where the morph holds together
+      </h2>
+      <div class="locus-plot">
+        <Ticks axis="v" />
+        <LocusSquare style={style.value} />
+        <Ticks axis="u" />
+      </div>
+      <Legend style={style.value} />
+    </section>
+  );
+}
+
 /** Where the morph holds together: the map of its parameters with the path through it, or that of a famous family. */
 export function LocusPanel() {
   useEffect(followCritical, []);

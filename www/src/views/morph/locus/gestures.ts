@@ -1,7 +1,7 @@
 /** What pointers do on the square: they drag what lies on the path, move and enlarge the view, look, and pick. */
 import type { RefObject } from "preact";
 import { useRef } from "preact/hooks";
-import { pathPoints, uv } from "../../../state/morph";
+import { pathPoints, selection, uv } from "../../../state/morph";
 import type { Uv } from "../../../state/path";
 import { endGesture } from "../../../state/scene";
 import { scrubTo } from "../strip/scrub";
@@ -279,7 +279,11 @@ export function useGestures(square: RefObject<HTMLElement | null>) {
     else if (line) {
       if (view.peek().at) backToPath();
       scrubTo(line.t);
-    } else if (what === "ground") pickPoint(point);
+    } else if (what === "ground") {
+      pickPoint(point);
+      // Whoever points at a shape wants to see it, not the one that is being edited.
+      selection.value = null;
+    }
   }
 }
 

@@ -4,7 +4,7 @@ import { pathPoints } from "../../../state/morph";
 import type { Uv } from "../../../state/path";
 import { twins } from "./families";
 import { isOff, isOutside } from "./Handles";
-import { piecesIn, slice } from "./polyline";
+import { piecesIn, slice, sliced } from "./polyline";
 import { family, picked, shownWindow, sides, view } from "./view";
 import { place } from "./way";
 
@@ -47,14 +47,15 @@ export function around(): { u0: number; v0: number; u1: number; v1: number } {
   return { u0: u0 - du, v0: v0 - dv, u1: u1 + du, v1: v1 + dv };
 }
 
+/** How far from the slice the path is still drawn as in it. */
+const THICK = 0.02;
+
 /** The path, and its broken stretches dashed over it; what lies off the slice is faint. */
 export function PathLines() {
   const points = pathPoints.value;
   const slicedAt = view.value.w;
   const within = around();
-  const segments = points.slice(1).map((to, i): [Uv, Uv] => [points[i] ?? to, to]);
-  const near = segments.filter(([p, q]) => !(isOff(p, slicedAt) && isOff(q, slicedAt)));
-  const far = segments.filter(([p, q]) => isOff(p, slicedAt) && isOff(q, slicedAt));
+  const { near, far } = sliced(points, slicedAt, THICK);
   const drawn = (line: [Uv, Uv][]) => linePath(line.flatMap((piece) => piecesIn(piece, within)));
   return (
     <svg class="locus-path" viewBox="0 0 100 100" preserveAspectRatio="none" aria-hidden="true">
@@ -67,11 +68,13 @@ export function PathLines() {
       <path class="path-casing" d={drawn(near)} />
       <path class="path-core" d={drawn(near)} />
       {pathBreaks.value.map(({ t0, t1 }) => {
-        const d = linePath(piecesIn(slice(points, t0, t1), within));
+        const broken = sliced(slice(points, t0, t1), slicedAt, THICK);
         return (
           <g key={`${t0}-${t1}`}>
-            <path class="path-casing broken" d={d} />
-            <path class="path-core broken" d={d} />
+            <path class="path-casing broken off" d={drawn(broken.far)} />
+            <path class="path-core broken off" d={drawn(broken.far)} />
+            <path class="path-casing broken" d={drawn(broken.near)} />
+            <path class="path-core broken" d={drawn(broken.near)} />
           </g>
         );
       })}

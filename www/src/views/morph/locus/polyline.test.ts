@@ -1,6 +1,18 @@
 import { describe, expect, it } from "vitest";
 import type { Uv } from "../../../state/path";
-import { clamp, hitHandle, insert, move, nearestOn, remove, slice, widestAlong } from "./polyline";
+import {
+  clamp,
+  clipped,
+  hitHandle,
+  insert,
+  move,
+  nearestOn,
+  piecesIn,
+  remove,
+  slice,
+  sliced,
+  widestAlong,
+} from "./polyline";
 
 const bent: Uv[] = [
   [0, 0],
@@ -94,5 +106,62 @@ describe("widestAlong", () => {
   it("is null where nothing is decided yet, or off the field", () => {
     expect(along([0, 1], [0.2, 1])).toBeNull();
     expect(along([5, 5], [6, 6])).toBeNull();
+  });
+});
+
+describe("a line in a window", () => {
+  const frame = { u0: 0, v0: 0, u1: 1, v1: 1 };
+  it("is cut at its edges", () => {
+    expect(clipped([-1, 0.5], [3, 0.5], frame)).toEqual([
+      [0, 0.5],
+      [1, 0.5],
+    ]);
+    expect(clipped([0.2, 0.3], [0.4, 0.5], frame)).toEqual([
+      [0.2, 0.3],
+      [0.4, 0.5],
+    ]);
+    expect(clipped([-1, 0.5], [0.5, 2.5], frame)).toBeNull();
+    expect(clipped([2, -5], [2, 5], frame)).toBeNull();
+    expect(clipped([0.5, 0.5], [0.5, 0.5], frame)).not.toBeNull();
+  });
+  it("keeps to numbers that can be drawn, however small the window", () => {
+    const deep = { u0: 0.3, v0: 0.3, u1: 0.3 + 1e-12, v1: 0.3 + 1e-12 };
+    const pieces = piecesIn(
+      [
+        [0, 0],
+        [1, 1],
+      ],
+      deep,
+    );
+    expect(pieces).toHaveLength(1);
+    for (const [u, v] of pieces.flat()) {
+      expect(Math.abs(u - 0.3)).toBeLessThan(2e-12);
+      expect(Math.abs(v - 0.3)).toBeLessThan(2e-12);
+    }
+  });
+  it("is near to a slice where its w is", () => {
+    const { near, far } = sliced(
+      [
+        [0, 0],
+        [1, 0, 1],
+        [2, 0, 1],
+      ],
+      0.5,
+      0.1,
+    );
+    expect(near).toHaveLength(1);
+    expect(near[0]?.[0][0]).toBeCloseTo(0.4, 9);
+    expect(near[0]?.[1][0]).toBeCloseTo(0.6, 9);
+    expect(far).toHaveLength(3);
+    expect(
+      sliced(
+        [
+          [0, 0],
+          [1, 1],
+        ],
+        0,
+        0.1,
+      ).far,
+    ).toEqual([]);
   });
 });

@@ -97,6 +97,29 @@ export function clipped(from: Readonly<Uv>, to: Readonly<Uv>, { u0, v0, u1, v1 }
   return [s0 === 0 ? [from[0], from[1]] : at(s0), s1 === 1 ? [to[0], to[1]] : at(s1)];
 }
 
+/** A line as its pieces within a slice, `thick` to both sides of w, and those beyond it. */
+export function sliced(
+  points: readonly Uv[],
+  slice: number,
+  thick: number,
+): { near: [Uv, Uv][]; far: [Uv, Uv][] } {
+  const near: [Uv, Uv][] = [];
+  const far: [Uv, Uv][] = [];
+  points.slice(1).forEach((to, i) => {
+    const from = points[i] ?? to;
+    const [w0, w1] = [(from[2] ?? 0) - slice, (to[2] ?? 0) - slice];
+    const cuts = w0 === w1 ? [] : [(-thick - w0) / (w1 - w0), (thick - w0) / (w1 - w0)];
+    const at = (s: number): Uv => [from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1])];
+    const ends = [0, ...cuts.filter((s) => s > 0 && s < 1).sort((p, q) => p - q), 1];
+    ends.slice(1).forEach((s1, k) => {
+      const s0 = ends[k] ?? 0;
+      const middle = w0 + ((s0 + s1) / 2) * (w1 - w0);
+      (Math.abs(middle) <= thick ? near : far).push([at(s0), at(s1)]);
+    });
+  });
+  return { near, far };
+}
+
 /** A line as the pieces of it that lie in a rectangle, each of two points. */
 export function piecesIn(points: readonly Uv[], within: Bounds): [Uv, Uv][] {
   return points.slice(1).flatMap((to, i) => {
