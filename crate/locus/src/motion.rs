@@ -391,7 +391,7 @@ mod tests {
                 |i: u32| std::array::from_fn(|k| number(6 * i + k as u32, if k < 4 { 0.5 } else { 2.0 }));
             (0..3).map(|i| Affine2::from_row(row(i))).collect()
         };
-        let mode = if seed % 4 == 0 { Mode::Linear } else { Mode::Polar };
+        let mode = if seed.is_multiple_of(4) { Mode::Linear } else { Mode::Polar };
         let options =
             MorphOptions { mode, turns: vec![0, (seed % 3) as i32 - 1, 0], ..MorphOptions::default() };
         Morph::new(&end(2 * seed), &end(2 * seed + 1), &options).unwrap()
@@ -422,9 +422,8 @@ mod tests {
             let words: [Vec<usize>; 2] =
                 [0, 1].map(|side| (0..40).map(|k| letter(50 * side + k)).collect::<Vec<_>>());
             let between = |l: usize| {
-                let [p, q] = [0, 1].map(|side: usize| {
-                    point(family, extent.place::<6>(l), &words[side], &lanes)
-                });
+                let [p, q] =
+                    [0, 1].map(|side: usize| point(family, extent.place::<6>(l), &words[side], &lanes));
                 q - p
             };
             // Every other time a direction along which nothing changes from left to middle: then the lowest value

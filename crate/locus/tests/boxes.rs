@@ -177,7 +177,7 @@ fn patches_agree_with_their_samples_on_random_morphs() {
     for seed in 0..40 {
         let (from, mut to) = (any_maps(2 * seed), any_maps(2 * seed + 1));
         to.resize(from.len(), Affine2::similitude(0.4, 1.0, DVec2::X));
-        let mode = if seed % 4 == 0 { Mode::Linear } else { Mode::Polar };
+        let mode = if seed.is_multiple_of(4) { Mode::Linear } else { Mode::Polar };
         let morph = Morph::new(&from, &to, &MorphOptions { mode, ..MorphOptions::default() }).unwrap();
         let size = [3.0, 0.3, 0.02][seed as usize % 3];
         let (u, v) = (unit(seed, 800) * 3.0 - 1.0, unit(seed, 801) * 3.0 - 1.0);

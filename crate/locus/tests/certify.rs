@@ -52,7 +52,7 @@ fn gaps_that_are_there_are_never_excluded() {
             points.insert(1, DVec3::new(at(3 * k), at(3 * k + 1), 0.3 * (at(3 * k + 2) - 0.5)));
         }
         let within = [0.0, 1e-3, 0.02, 0.1][seed as usize % 4];
-        let (t0, t1) = if seed % 5 == 0 { (0.2, 0.6) } else { (0.0, 1.0) };
+        let (t0, t1) = if seed.is_multiple_of(5) { (0.2, 0.6) } else { (0.0, 1.0) };
         let proved = certify_path(&morph, &points, &CertifyOptions { within, budget: 120, t0, t1 });
         let there = sure(&morph, &points, 300, (t0, t1));
         assert!(proved.gap >= there, "seed {seed}: {proved:?}, {there}");
