@@ -13,6 +13,11 @@
 //!   other. It measures the widest gap, too: the widest edge of the least spanning tree of the distances
 //!   between pieces, which is zero exactly where the attractor is connected, and continuous in the maps.
 //!
+//! Both verdicts come with what shows them. A [`Reason`] is a point that pieces share, given by its addresses and checked
+//! in whole numbers of any length, or pieces that cross, or a finite graph of neighbours; where numbers only come near
+//! to those that it needs (1/3, sqrt(3)/6), it says so, and the verdict stays `Touching`. A [`certificate`] of
+//! disconnection is a polygon and pairs of words that are apart, for the crate `frond-check` to replay.
+//!
 //! [`decide`] is the same in microseconds, for one parameter of a locus; [`LocusGrid`] samples a locus with
 //! it, in tiles and from coarse to fine; [`plan_path`] and [`find_path`] look for the way from (0, 0) to
 //! (1, 1) whose widest gap is least, and of such ways for one with room on both sides, short and of few corners.
