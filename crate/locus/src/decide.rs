@@ -181,6 +181,13 @@ impl Scratch {
             return whole(State::Connected, 0.0, 2.0 * frame.stretch);
         }
         rift.begin(maps.len(), polygon);
+        let areas = || maps.iter().map(equal::area);
+        if areas().any(|area| area >= 0.5) {
+            rift.join_proved(|i, j| equal::area(&maps[i]) + equal::area(&maps[j]) >= 1.0);
+            if rift.is_whole() {
+                return whole(State::Connected, 0.0, 2.0 * frame.stretch);
+            }
+        }
         let (bracket, diameter) = if equal {
             differences.set(frame, outline, polygon);
             let near = epsilon * epsilon * differences.extent(frame);

@@ -56,14 +56,20 @@ pub(crate) fn are_equal(maps: &[Affine2]) -> bool {
     (2..=MOST).contains(&maps.len()) && maps[1..].iter().all(|map| map.linear == maps[0].linear)
 }
 
-/// Whether any two of these maps, which share one linear part, have pieces that meet, since their areas leave no room
-/// between them: were the pieces of two maps apart, a small enough neighbourhood of the attractor of these two
-/// would hold its two disjoint images and more.
+/// Whether any two of these maps, which share one linear part, have pieces that meet: see [`area`].
 pub(crate) fn fill(map: &Affine2) -> bool {
+    area(map) >= 0.5
+}
+
+/// By how much a map shrinks areas, at least.
+///
+/// Where those of two maps add up to 1 or more, their pieces meet: were they apart, a small enough neighbourhood
+/// of the attractor of these two alone would hold its two disjoint images and more.
+pub(crate) fn area(map: &Affine2) -> f64 {
     let [a, b, c, d, ..] = map.to_row();
     let (ad, bc) = (a * d, b * c);
-    // Each product and their difference are off by half an ulp.
-    (ad - bc).abs() - 2.0 * f64::EPSILON * (ad.abs() + bc.abs()) >= 0.5
+    // Each product and their difference are off by half an ulp, and so may be a sum of two areas.
+    (ad - bc).abs() - 4.0 * f64::EPSILON * (ad.abs() + bc.abs())
 }
 
 impl Differences {

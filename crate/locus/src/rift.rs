@@ -136,6 +136,15 @@ impl Rift {
         }
     }
 
+    /// Joins pieces that `meet`, for certain.
+    pub fn join_proved(&mut self, meet: impl Fn(usize, usize) -> bool) {
+        for (i, j) in self.pairs() {
+            if meet(i, j) {
+                self.join(i, j, 0.0);
+            }
+        }
+    }
+
     /// Joins pieces for which `meet` gives the square of a small distance, until all hang together or some do
     /// not.
     pub fn join_near(&mut self, mut meet: impl FnMut(usize, usize) -> Option<f64>) {
