@@ -54,6 +54,20 @@ function open(text: string): void {
 }
 
 describe("Link", () => {
+  it("does not write over a link that was followed while it waited", () => {
+    open("t=0.5&turn=1");
+    replace({ ...scene.peek(), t: 0.75 });
+    bar.text = "t=0.25&turn=2";
+    vi.advanceTimersByTime(5000);
+    expect(bar.text).toBe("t=0.25&turn=2");
+    link.follow();
+    expect(scene.value).toMatchObject({ t: 0.25, turns: [2] });
+    // From then on it is kept as ever.
+    replace({ ...scene.peek(), t: 0.5 });
+    vi.advanceTimersByTime(5000);
+    expect(bar.text).toBe("t=0.5&turn=2");
+  });
+
   it("opens the default without a fragment and leaves the address alone", () => {
     open("");
     vi.advanceTimersByTime(5000);

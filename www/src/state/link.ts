@@ -38,6 +38,8 @@ export class Link {
   #timer: ReturnType<typeof setTimeout> | null = null;
   /** The document that the address stands for. */
   #kept: Scene | null = null;
+  /** The fragment that was last read or written. */
+  #seen = "";
 
   readonly #onOpen: () => void;
 
@@ -50,6 +52,7 @@ export class Link {
   /** Reads the address for the first time. */
   open(): void {
     const fragment = this.#address.read();
+    this.#seen = fragment;
     routed.value = parseRoute(fragment);
     const text = routed.peek().page === "studio" ? fragment : "";
     start(this.#decode(text));
@@ -60,6 +63,7 @@ export class Link {
   follow(): void {
     this.#stop();
     const fragment = this.#address.read();
+    this.#seen = fragment;
     const next = parseRoute(fragment);
     routed.value = next;
     if (next.page !== "studio") return;
@@ -99,8 +103,11 @@ export class Link {
     this.#stop();
     const now = scene.peek();
     if (routed.peek().page !== "studio" || now === this.#kept) return;
+    // A link was followed this moment, and the word of it is still on its way: writing would lose it.
+    if (this.#address.read() !== this.#seen) return;
     try {
       this.#address.write(this.#codec.encodeScene(now));
+      this.#seen = this.#address.read();
       this.#kept = now;
     } catch (problem) {
       notify({ kind: "error", text: `This document does not fit into a link: ${wordsOf(problem)}` });
