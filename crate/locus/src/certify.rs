@@ -83,6 +83,8 @@ const SHORTEST: f64 = 1e-12;
 const TIGHT: f64 = 1.1;
 /// Where points move farther than this over a segment, no crossing is likely to last.
 const STRAY: f64 = 0.1;
+/// Where they move less than this, it is worth looking long for points that are near.
+const CLOSE: f64 = 0.01;
 
 /// Proves as small a bound as it can of the widest gap along a path through (u, v, w): it covers the path with
 /// segments, each of which is decided as a whole, and splits the worst until the bound is within what is
@@ -207,9 +209,11 @@ impl Work<'_> {
         }
         let (long, short) = Affine2::new(self.descent.lanes.from_round, DVec2::ZERO).singular_values();
         let unit = self.descent.diameter().0 * short / long * (1.0 - 1e-12);
+        // The shorter the segment, the nearer points there may be that stay near.
+        let stray = self.descent.lanes.stray();
         let effort = Effort {
-            looks: 150,
-            tries: if self.descent.lanes.stray() < STRAY { 150 } else { 0 },
+            looks: if stray < CLOSE { 2000 } else { 150 },
+            tries: if stray < STRAY { 150 } else { 0 },
             near: 0.2 * self.within * unit,
         };
         let joined = self.descent.cross(f64::INFINITY, effort).is_some();

@@ -132,6 +132,11 @@ impl Family for Fixed<'_> {
     }
 }
 
+/// How promising a pair is: by its overlap, below 1; behind those the pairs apart, by their distance.
+fn reaching(sight: &Sight) -> f64 {
+    if sight.apart > 0.0 { 1.0 + sight.apart } else { sight.overlap.min(1.0 - f64::EPSILON) }
+}
+
 /// A pair of crossing pieces and the four points that show it, in all lanes.
 pub(crate) type Found<const L: usize> = (Couple, [Points<L>; 4]);
 
@@ -153,16 +158,15 @@ impl<const L: usize> Descent<L> {
                 if self.lanes.areas[i] + self.lanes.areas[j] > 1.0 {
                     filled.push((i, j));
                 }
-                if sight.apart <= 0.0 {
-                    let overlap = sight.overlap;
-                    self.open.push(Couple { overlap, u: i as u32, v: j as u32, i: i as u8, j: j as u8 });
-                }
+                let overlap = reaching(&sight);
+                self.open.push(Couple { overlap, u: i as u32, v: j as u32, i: i as u8, j: j as u8 });
             }
         }
         self.open.sort_unstable_by(|a, b| a.overlap.total_cmp(&b.overlap));
         let pairs = std::mem::take(&mut self.open);
         for &pair in &pairs {
-            if !self.components.join(usize::from(pair.i), usize::from(pair.j)) && self.count > 4 {
+            let joins = self.components.join(usize::from(pair.i), usize::from(pair.j));
+            if !joins && (self.count > 4 || pair.overlap >= 1.0) {
                 continue;
             }
             self.dive(pair, effort);
@@ -195,7 +199,7 @@ impl<const L: usize> Descent<L> {
         let mut found = Vec::with_capacity(self.count - 1);
         for &pair in pairs {
             let (i, j) = (usize::from(pair.i), usize::from(pair.j));
-            if self.components.joined(i, j) {
+            if self.components.joined(i, j) || pair.overlap >= 1.0 {
                 continue;
             }
             if let Some(crossing) = self.crossing_of(pair, gap, effort.tries) {
@@ -250,7 +254,22 @@ impl<const L: usize> Descent<L> {
         let end = self.nodes + effort.looks;
         self.open.clear();
         self.open.push(pair);
-        while let Some(couple) = self.open.pop() {
+        // Parts that are apart may still be the nearest there are: they come last, the nearest first.
+        let mut beyond: Vec<Couple> = Vec::new();
+        loop {
+            let nearest = |list: &[Couple]| {
+                (0..list.len()).min_by(|&a, &b| list[a].overlap.total_cmp(&list[b].overlap))
+            };
+            let couple = match self.open.pop() {
+                Some(couple) => couple,
+                None => match nearest(&beyond) {
+                    Some(best) => beyond.swap_remove(best),
+                    None => return,
+                },
+            };
+            if couple.overlap >= 1.0 + self.upper[k] {
+                continue;
+            }
             if self.nodes >= end || self.upper[k] < effort.near {
                 return;
             }
@@ -260,9 +279,8 @@ impl<const L: usize> Descent<L> {
                 let (u, v) = if first { (part, couple.v) } else { (couple.u, part) };
                 let sight = self.look(u, v);
                 self.note(&sight, usize::from(pair.i), usize::from(pair.j));
-                if sight.apart <= 0.0 {
-                    self.open.push(Couple { overlap: sight.overlap, u, v, ..couple });
-                }
+                let couple = Couple { overlap: reaching(&sight), u, v, ..couple };
+                if sight.apart > 0.0 { beyond.push(couple) } else { self.open.push(couple) }
             }
             self.open[before..].sort_unstable_by(|a, b| b.overlap.total_cmp(&a.overlap));
         }

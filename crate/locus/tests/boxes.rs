@@ -166,7 +166,7 @@ fn patches_agree_with_their_samples_on_a_morph() {
             let near = Bounds { u0: u, v0: v, u1: u + 0.02, v1: v + 0.02 };
             let grid = LocusGrid::new(near, 65, 65).unwrap();
             let (states, better) = compare(&slice, &grid, 1e-5, "magnified");
-            assert!(states[2] > 4000 || better > 500, "{states:?}, {better}");
+            assert!(states[2] > 4000 || better > 100, "{states:?}, {better}");
         }
     }
 }
