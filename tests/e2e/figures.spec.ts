@@ -165,7 +165,7 @@ test("Lesson 8 shows M, with its landmarks", async ({ page }) => {
   await page.getByRole("button", { name: "Show me" }).click();
   const map = page.getByRole("img", { name: /^The set M/ });
   await expect.poll(() => map.evaluate(colours)).toBeGreaterThan(50);
-  await page.getByRole("button", { name: /a hole$/ }).click();
+  await page.getByRole("button", { name: /, dust$/ }).click();
   await expect(page.getByText("proved, with a gap of 0.0016")).toBeVisible();
   await page.getByRole("button", { name: /^½ \+ ½i/ }).click();
   await expect(page.getByText(/^The twin-dragon, whose/)).toBeVisible();

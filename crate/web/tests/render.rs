@@ -261,13 +261,16 @@ async fn densities_are_those_of_the_twins() {
     }
 }
 
-/// Shares of lit pixels that one picture has and the other has not.
+/// Shares of lit pixels that one picture has and the other has not. One pixel is allowed for: of a view with few, such as
+/// the thread at the end of a frond, it is a share that says nothing, and single precision may put a point that lies on the
+/// border of two pixels into the other one.
 fn disagreement(seen: &[u8], truth: &[u8]) -> (f64, f64) {
     let pixels = || seen.chunks_exact(4).zip(truth.chunks_exact(4));
-    let lit = pixels().filter(|(_, b)| b[3] > 0).count() as f64;
-    let missed = pixels().filter(|(a, b)| a[3] == 0 && b[3] > 0).count() as f64;
-    let extra = pixels().filter(|(a, b)| a[3] > 0 && b[3] == 0).count() as f64;
-    (missed / lit, extra / lit)
+    let lit = pixels().filter(|(_, b)| b[3] > 0).count();
+    let missed = pixels().filter(|(a, b)| a[3] == 0 && b[3] > 0).count();
+    let extra = pixels().filter(|(a, b)| a[3] > 0 && b[3] == 0).count();
+    let share = |count: usize| count.saturating_sub(1) as f64 / lit as f64;
+    (share(missed), share(extra))
 }
 
 #[wasm_bindgen_test]

@@ -39,9 +39,9 @@ const LANDMARKS: readonly { s: Complex; name: string; about: string }[] = [
   },
   {
     s: [0.0227, 0.703],
-    name: "0.0227 + 0.703i, a hole",
+    name: "0.0227 + 0.703i, dust",
     about:
-      "A hole in M: dust, with shapes in one piece all around. The hole is too small for this map, and the gap too narrow for the picture.",
+      "Dust, and proved so, although |s| is 0.7034 and from 0.7071 on everything is in one piece: the edge of M runs in bays and spirals that are too fine for this map. The gap is too narrow for the picture.",
   },
 ];
 
