@@ -88,7 +88,8 @@ function useAnnouncement() {
 }
 
 const zoomWords = computed(() => {
-  const z = zoom.value;
+  // A quarter more is a quarter more, whatever rounding made of it.
+  const z = Number(zoom.value.toPrecision(9));
   if (z < 10) return `×${z.toFixed(1)}`;
   return z < 1e4 ? `×${Math.round(z)}` : `×${z.toExponential(1)}`;
 });
