@@ -45,6 +45,19 @@ await light.waitForTimeout(1000);
 await light.getByRole("dialog").screenshot({ path: path("gallery") });
 await light.context().close();
 
+const evidence = await studio("#v=1&a=dragon-3&b=gasket&t=1");
+await evidence.getByTestId("verdict").click();
+await evidence.waitForTimeout(1500);
+await evidence.evaluate(() => window.frond.idle());
+await evidence.screenshot({ path: path("evidence") });
+await evidence.context().close();
+
+const tame = await studio("#v=1&a=dragon-3&b=gasket&locus=m:0,0,1&at=0.25,0.6614378277661477");
+await tame.waitForTimeout(3000);
+await tame.evaluate(() => window.frond.idle());
+await tame.screenshot({ path: path("set-m") });
+await tame.context().close();
+
 const figure = await open("#figures/7");
 await figure.getByRole("heading", { level: 1 }).waitFor();
 await figure.waitForTimeout(8000);
