@@ -44,15 +44,15 @@ export function executor(
       return { state, gap };
     },
     plan(task) {
-      const plan = frond.planPathIn(task.locus, task.bounds);
-      if (!task.refine) return plan;
+      if (!task.refine) return frond.planPathIn(task.locus, task.bounds);
       const { from, to, options } = task.refine;
       const ends: [Ifs, Ifs] = [{ maps: from }, { maps: to }];
-      const check = frond.checkPath(...ends, plan.points, options);
-      const checked = { ...plan, gap: check.gap, holds: check.holds };
-      if (check.holds) return checked;
+      // With the maps at hand it looks between the samples, and leaves out every corner that it can do without.
       const finer = frond.planPath(...ends, options);
-      return finer.holds || finer.gap < check.gap ? finer : checked;
+      if (finer.holds) return finer;
+      const plan = frond.planPathIn(task.locus, task.bounds);
+      const check = frond.checkPath(...ends, plan.points, options);
+      return finer.gap <= check.gap ? finer : { ...plan, gap: check.gap, holds: check.holds };
     },
     patch({ key, of, x0, y0, x1, y1 }) {
       const locus = prepared(key, () =>

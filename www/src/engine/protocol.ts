@@ -53,7 +53,7 @@ export interface Tasks {
     x1: number;
     y1: number;
   };
-  /** With `refine` the plan is checked between the samples, and planned anew on finer ones where it breaks. */
+  /** From the samples alone; with `refine` it looks between them, and straightens what it can. */
   plan: {
     kind: "plan";
     locus: Locus;
