@@ -55,6 +55,39 @@ function run(milliseconds: number, patches = false) {
 }
 
 describe("LocusWork", () => {
+  it("takes all samples at once, and leaves to the patches what is undecided there", () => {
+    const stage = vi.fn();
+    const watch = {
+      painted: vi.fn(),
+      stage: (_: LocusWork, stride: number) => stage(stride),
+      failed: vi.fn(),
+    };
+    const work = new LocusWork(inputs, watch, () => 1e9, { patches: true, priorities: () => [50, 15] });
+    const job = work.job();
+    const coarse = job.next();
+    const state = new Uint8Array(SIZE * SIZE).fill(STATE.touching);
+    // One sample of the last patch, and one of the coarse picture.
+    state[SIZE * SIZE - 2] = STATE.undecided;
+    state[0] = STATE.undecided;
+    work.acceptWhole({ state, gap: new Float32Array(SIZE * SIZE) });
+    expect(work.progress).toBeCloseTo(1 - 2 / (SIZE * SIZE), 9);
+    expect(stage).not.toHaveBeenCalled();
+    if (coarse?.kind !== "locus") throw new Error("the coarse picture comes first");
+    job.accept(coarse, answer(coarse), 1);
+    expect(stage.mock.calls).toEqual([[4]]);
+    const patches: Task<"patch">[] = [];
+    for (let task = job.next(); task; task = job.next()) {
+      if (task.kind !== "patch") throw new Error("then the patches");
+      patches.push(task);
+      job.accept(task, answer(task), 1);
+    }
+    expect(patches).toHaveLength(1);
+    expect(patches[0]).toMatchObject({ x1: SIZE, y1: SIZE });
+    expect(work.progress).toBe(1);
+    expect(stage.mock.calls).toEqual([[4], [1]]);
+    expect(work.raw.state[SIZE]).toBe(STATE.touching);
+  });
+
   it.each([0.01, 10, 1000])("asks for every sample exactly once when a slice takes %d ms", (milliseconds) => {
     const { work, count, stage } = run(milliseconds);
     expect(count).toBe(SIZE * SIZE);

@@ -107,19 +107,45 @@ export class LocusWork {
   }
 
   #acceptPatch({ x0, y0, x1, y1 }: Task<"patch">, { state, gap }: Result<"patch">): void {
-    let count = 0;
     for (let r = y0, k = 0; r < y1; r++) {
-      for (let c = x0; c < x1; c++, k++) {
-        const g = gap[k] ?? Number.NaN;
-        const at = r * SIZE + c;
-        if (r % STRIDES[0] !== 0 || c % STRIDES[0] !== 0) count++;
-        this.raw.state[at] = atResolution(state[k] ?? STATE.undecided, g, EPSILON);
-        this.raw.gap[at] = g;
-        this.filled.state[at] = this.raw.state[at] ?? STATE.undecided;
-        this.filled.gap[at] = g;
+      for (let c = x0; c < x1; c++, k++) this.#take(r, c, state[k] ?? STATE.undecided, gap[k] ?? Number.NaN);
+    }
+    this.#tell();
+  }
+
+  /** All samples at once, from elsewhere. What is undecided there is left to the patches. */
+  acceptWhole({ state, gap }: Pick<Locus, "state" | "gap">): void {
+    for (let r = 0, k = 0; r < SIZE; r++) {
+      for (let c = 0; c < SIZE; c++, k++) {
+        const s = state[k] ?? STATE.undecided;
+        if (s !== STATE.undecided && this.raw.state[k] === STATE.pending)
+          this.#take(r, c, s, gap[k] ?? Number.NaN);
       }
     }
-    this.#count(1, count);
+    const open = this.#patches.filter((patch) => this.#isOpen(patch));
+    this.#patches.splice(0, this.#patches.length, ...open);
+    this.#tell();
+  }
+
+  #isOpen({ x0, y0, x1, y1 }: Rectangle): boolean {
+    for (let r = y0; r < y1; r++) {
+      if (this.raw.state.subarray(r * SIZE + x0, r * SIZE + x1).includes(STATE.pending)) return true;
+    }
+    return false;
+  }
+
+  /** One sample. Those that are told twice count once. */
+  #take(r: number, c: number, state: number, gap: number): void {
+    const at = r * SIZE + c;
+    if (this.raw.state[at] === STATE.pending) {
+      const stage = this.#strides.findIndex((stride) => r % stride === 0 && c % stride === 0);
+      this.#open[stage] = Math.max(0, (this.#open[stage] ?? 0) - 1);
+    }
+    const s = atResolution(state, gap, EPSILON);
+    this.raw.state[at] = s;
+    this.raw.gap[at] = gap;
+    this.filled.state[at] = s;
+    this.filled.gap[at] = gap;
   }
 
   #next(): Task<"locus"> | null {
@@ -139,25 +165,24 @@ export class LocusWork {
   }
 
   #accept(task: Task<"locus">, { state, gap }: Result<"locus">, milliseconds: number): void {
-    const { r0, r1, stride, first } = task;
+    const { r0, r1, stride } = task;
     let count = 0;
     for (let r = r0, from = 0; r < r1; r += stride, from += SIZE) {
       for (let c = 0; c < SIZE; c += stride) {
         const found = state[from + c];
         if (found === undefined || found === STATE.pending) continue;
-        const s = atResolution(found, gap[from + c] ?? Number.NaN, EPSILON);
+        const g = gap[from + c] ?? Number.NaN;
         count++;
-        this.raw.state[r * SIZE + c] = s;
-        this.raw.gap[r * SIZE + c] = gap[from + c] ?? Number.NaN;
-        this.#fill(r, c, stride, s, gap[from + c] ?? Number.NaN);
+        this.#take(r, c, found, g);
+        this.#fill(r, c, stride, atResolution(found, g, EPSILON), g);
       }
     }
     if (count > 0) this.#msPerSample += 0.3 * (milliseconds / count - this.#msPerSample);
-    this.#count(first ? 0 : STRIDES.indexOf(stride as 4 | 2 | 1), count);
+    this.#tell();
   }
 
-  #count(stage: number, count: number): void {
-    this.#open[stage] = Math.max(0, (this.#open[stage] ?? 0) - count);
+  /** Says how far it is. */
+  #tell(): void {
     const left = this.#open.reduce((sum, n) => sum + n, 0);
     this.progress = 1 - left / (SIZE * SIZE);
     // A slice that a dying worker left behind may come after finer ones: a stage counts once the coarser ones do.

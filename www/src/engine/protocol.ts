@@ -150,6 +150,7 @@ export type Channel =
   | "candidates"
   | "routes"
   | "hover"
+  | "card"
   | "window"
   | "scale"
   | `figure:${string}`;

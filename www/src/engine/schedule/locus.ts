@@ -1,7 +1,9 @@
 import { effect, untracked } from "@preact/signals";
 import { notify, wordsOf } from "../../state/notice";
+import { type Ends, findCard, hasCard, locusByCard } from "../card";
 import { cancel, epoch, sliceMilliseconds, submit } from "../engine";
-import { BOUNDS, type LocusInputs, LocusWork, STRIDES } from "../locus-job";
+import { BOUNDS, EPSILON, type LocusInputs, LocusWork, nextKey, SIZE, STRIDES } from "../locus-job";
+import type { Task } from "../protocol";
 import { publish } from "../results";
 import { inputs as morph } from "./inputs";
 import { planFrom } from "./plan";
@@ -53,6 +55,7 @@ function start(inputs: LocusInputs): void {
       stage: (w, stride) => {
         if (w !== work) return;
         if (stride === COARSEST) paint();
+        if (stride === 1) considerCard();
         if (inputs === morph.peek()) planFrom(w, stride);
         else if (waiting) {
           // The grace was for this much; now for what has been asked since.
@@ -71,6 +74,51 @@ function start(inputs: LocusInputs): void {
     { patches: hasPatches(), priorities },
   );
   submit(work.job());
+  if (hasCard()) askCard(work);
+}
+
+/** The card decides all samples at once; what it leaves open, and what comes before it is done, the workers do. */
+async function askCard(asked: LocusWork): Promise<void> {
+  const { from, to, options } = asked.inputs;
+  const sampling = { bounds: BOUNDS, width: SIZE, height: SIZE, epsilon: EPSILON };
+  const whole = await locusByCard({ from, to, options: { ...options, ...sampling } });
+  if (asked === work) {
+    if (whole) asked.acceptWhole(whole);
+  } else if (whole && work && hasCard() && !work.coarse) askCard(work);
+}
+
+/** A card is looked for when the page has come to rest: the first picture of the locus does not wait for it. */
+const REST_MS = 2000;
+let considered = false;
+
+function considerCard(): void {
+  if (considered) return;
+  considered = true;
+  const software = new URLSearchParams(location.search).get("card") === "software";
+  setTimeout(() => void findCard(onProcessor, software), REST_MS);
+}
+
+/** All rows by all workers. */
+function onProcessor({ from, to, options }: Ends): Promise<void> {
+  const key = nextKey();
+  const part = Math.ceil(options.height / 8);
+  let r0 = 0;
+  return new Promise((resolve, reject) => {
+    submit({
+      channel: "card",
+      priority: () => 5,
+      next() {
+        if (r0 >= options.height) return null;
+        const r1 = Math.min(options.height, r0 + part);
+        const task: Task<"locus"> = { kind: "locus", key, from, to, options, r0, r1, stride: 1, first: true };
+        r0 = r1;
+        return task;
+      },
+      accept() {},
+      fail: (_, error) => reject(error),
+      done: resolve,
+    });
+  });
 }
 
 /** A busy graphics card makes frames wait; the field does not wait longer than this with it. */
