@@ -89,7 +89,7 @@ describe("LocusWork", () => {
     ]);
     expect(work.progress).toBe(1);
     expect(stage.mock.calls).toEqual([[4], [1]]);
-    expect(work.raw.state[SIZE]).toBe(STATE.touching);
+    expect(work.raw.state[126 * SIZE + 127]).toBe(STATE.touching);
   });
 
   it.each([0.01, 10, 1000])("asks for every sample exactly once when a slice takes %d ms", (milliseconds) => {
