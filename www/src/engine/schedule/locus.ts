@@ -94,8 +94,9 @@ let considered = false;
 function considerCard(): void {
   if (considered) return;
   considered = true;
-  const software = new URLSearchParams(location.search).get("card") === "software";
-  setTimeout(() => void findCard(onProcessor, software), REST_MS);
+  // On request only, until it has been tried on a real card: a second device disturbs the picture's on a software one.
+  const asked = new URLSearchParams(location.search).get("card");
+  if (asked) setTimeout(() => void findCard(onProcessor, asked === "software"), REST_MS);
 }
 
 /** All rows by all workers. */
