@@ -252,7 +252,8 @@ export interface Shape {
 }
 
 export type PathKind = "auto" | "straight" | "drawn";
-export type Colouring = "map" | "address" | "density";
+/** `"grid"`: the colours of a bend's tint; without one it is `"map"`. */
+export type Colouring = "map" | "address" | "density" | "grid";
 
 /** The document: what a link holds. */
 export interface Scene {
@@ -277,6 +278,92 @@ export interface Scene {
   view?: { x: number; y: number; zoom: number };
   /** How the locus is looked at. Absent: all of the morph's plane, and the picture is where the path is. */
   locus?: LocusView;
+  /** The tool that is open. Absent: the morph. */
+  tool?: Tool;
+  /** What bends the shape. Absent: nothing does. */
+  deform?: Deformation;
+}
+
+export type Tool = "morph" | "deform";
+
+/** How a displacement turns with the piece it is given to: not at all, by the orthogonal polar factor, by its rotation, by A / ||A||. */
+export type Spin = "none" | "orthogonal" | "rotation" | "scaled";
+
+/**
+ * What keeps neighbouring pieces together: shared corners, a splat for each level, nothing, or the paper's averages over a
+ * Delaunay triangulation. `"auto"` takes what fits the shape.
+ */
+export type Continuity = "auto" | "corners" | "splat" | "raw" | "average";
+
+/** A fractal deformation at one moment (Fujimoto et al., eqs 12 and 18). Lengths are units of the plane. */
+export interface Bend {
+  /** Control points a side of the mesh, 2 to 16 each. */
+  columns: number;
+  rows: number;
+  /** The mesh at rest: [minX, minY, maxX, maxY]. */
+  box: [number, number, number, number];
+  /** dx, dy of each control point, row by row from the lower left. */
+  moves: number[];
+  /** Locality: letters that stay. 0 to ke, whole or not (eq 19). */
+  kb: number;
+  /** Detail: the last letter that is shuffled. */
+  ke: number;
+  /** Roughness, 0 or more: one number, or four at the lower left, lower right, upper left and upper right of the box. */
+  delta: number | [number, number, number, number];
+  spin: Spin;
+  continuity: Continuity;
+  /** The sum of all terms kb to ke (eq 12), or the last alone (eq 11). */
+  superposed: boolean;
+  tint?: Tint;
+}
+
+/** A colour function carried along: colours of the control points, blended and shuffled like displacements. */
+export interface Tint {
+  /** "#rrggbb", one a control point. */
+  colours: string[];
+  kb: number;
+  ke: number;
+  delta: number;
+  superposed: boolean;
+}
+
+/** The mesh at one moment of the time line. */
+export interface DeformKey {
+  /** 0 to 1, below 1 where it loops. */
+  at: number;
+  /** As in `Bend`. */
+  moves: number[];
+}
+
+/** What a document says of bending: a bend whose mesh moves in time. */
+export interface Deformation extends Omit<Bend, "moves"> {
+  /** Whether the morph shows it, too. */
+  on: boolean;
+  /** The shape of the studio, or a picture on the unit square. */
+  subject: "shape" | "picture";
+  /** Parts each way that the square of a picture is taken apart into. */
+  parts: 2 | 3;
+  /** 1 to 32, in order. One alone is the mesh at all times. */
+  keys: DeformKey[];
+  /** The moment: 0 to 1. */
+  phase: number;
+  /** How long once through takes: 0.5 to 60. */
+  seconds: number;
+  /** Whether the last key goes on to the first. */
+  loop: boolean;
+}
+
+/** What comes of a bend on a shape. */
+export interface BendFacts {
+  /** What `"auto"` came to, and whether what was asked for can be had. */
+  continuity: Exclude<Continuity, "auto">;
+  /** As used: within what memory allows. */
+  kb: number;
+  ke: number;
+  /** The deepest that memory allows for this shape. */
+  deepest: number;
+  /** No displacement is longer. */
+  reach: number;
 }
 
 export interface LocusView {
@@ -338,6 +425,8 @@ export interface RasterOptions {
   smooth?: boolean;
   /** How bright a density is. Default 1. */
   exposure?: number;
+  /** What bends the attractor. */
+  bend?: Bend;
 }
 
 export interface BoundingBox {

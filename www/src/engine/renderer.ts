@@ -7,7 +7,7 @@ export interface RendererOptions {
 }
 
 /** Loads the renderer for the graphics interface that there is: a module of its own, after the first picture. */
-export const createRenderer = create as (
+export const createRenderer = create as unknown as (
   canvas: HTMLCanvasElement | OffscreenCanvas,
   options: RendererOptions,
 ) => Promise<Renderer>;

@@ -2,6 +2,8 @@ import init, * as bindings from "../../pkg/frond.js";
 import wasmUrl from "../../pkg/frond_bg.wasm?url";
 import type {
   BarnsleyTest,
+  Bend,
+  BendFacts,
   BoundingBox,
   Bounds,
   Candidate,
@@ -61,6 +63,8 @@ export interface Renderer {
   setIfs(maps: Float64Array, probabilities?: Float64Array): void;
   setView(x: number, y: number, scale: number): void;
   setStyle(style: RenderStyle): void;
+  /** What bends it, or null. Throws a `FrondError` when it cannot; the last one stays. Moving the mesh alone is cheap. */
+  setBend(bend: Bend | null): void;
   draw(budget: number): { complete: boolean; settled: boolean; points: number };
   /** RGBA of the last picture, row 0 on top. */
   readPixels(): Promise<Uint8Array>;
@@ -118,6 +122,14 @@ export interface Frond {
   attractor(ifs: Ifs, options: { points: number; seed: number }): PointCloud;
   bounds(ifs: Ifs): BoundingBox;
   rasterize(ifs: Ifs, options: RasterOptions): Uint8ClampedArray;
+  /** What comes of a bend on a shape. Throws where it cannot be had. */
+  bendFacts(ifs: Ifs, bend: Bend): BendFacts;
+  /** Where count x count points of the mesh go, x0, y0, x1, y1, .. row by row from the lower left: the display grid. */
+  meshGrid(bend: Bend, count: number): Float64Array;
+  /** Where points of the shape go: codes (letters from 0, at least ke of them) and the points their maps take there. */
+  deform(ifs: Ifs, bend: Bend, codes: number[][], tails: [number, number][]): Float64Array;
+  /** D_e-uni: reverses the letters kb + 1 to ke (Fujimoto et al., eq 4). */
+  shuffle(symbols: number, kb: number, ke: number, code: number[]): number[];
   polar(map: MapRow): {
     angle: number;
     reflects: boolean;
