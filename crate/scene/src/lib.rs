@@ -3,10 +3,14 @@
 //! [`Scene`] is what a person works on. [`encode`] writes it as the fragment of a URL, [`decode`] reads it
 //! back and never fails: what is damaged opens as the default, with a reason. [`presets`] is the gallery.
 
+mod deformation;
 mod link;
 mod preset;
 mod scene;
 
+pub use deformation::{
+    ContinuityName, Deformation, Key, MAX_KEYS, MAX_SIDE, RoughnessValue, SpinName, Subject, Tint, Tool,
+};
 pub use link::{LinkError, MAX_LINK, VERSION, decode, encode};
 pub use preset::{Preset, Row, preset, presets};
 pub use scene::{

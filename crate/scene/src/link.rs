@@ -16,12 +16,15 @@ use std::fmt::Write as _;
 use frond_core::{IfsError, MAX_MAPS};
 use thiserror::Error;
 
+use crate::deformation::Tool;
 use crate::preset::{Row, preset};
 use crate::scene::{Colouring, ModeName, PathKind, Scene, Shape, Window};
 
+mod deform;
 mod locus;
 mod words;
 
+use deform::{read_deform, write_deform};
 use locus::{read_locus, read_way, write_locus};
 use words::{choice, damaged, escape, number, numbers, read_list, read_numbers, tidy, unescape, within};
 
@@ -114,6 +117,7 @@ pub fn encode(scene: &Scene) -> String {
         Colouring::Map => {}
         Colouring::Address => link.push_str("&colour=address"),
         Colouring::Density => link.push_str("&colour=density"),
+        Colouring::Grid => link.push_str("&colour=grid"),
     }
     if scene.compare {
         link.push_str("&compare=1");
@@ -123,6 +127,12 @@ pub fn encode(scene: &Scene) -> String {
     }
     if let Some(view) = scene.locus {
         write_locus(&mut link, &view);
+    }
+    if scene.tool == Tool::Deform {
+        link.push_str("&tool=deform");
+    }
+    if let Some(deform) = &scene.deform {
+        write_deform(&mut link, deform);
     }
     link
 }
@@ -189,7 +199,12 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
         let turns = turns.filter(|turns| turns.len() == maps && turns.iter().all(|t| (-16..=16).contains(t)));
         scene.turns = turns.ok_or_else(|| damaged("turns", text))?;
     }
-    let colours = [("map", Colouring::Map), ("address", Colouring::Address), ("density", Colouring::Density)];
+    let colours = [
+        ("map", Colouring::Map),
+        ("address", Colouring::Address),
+        ("density", Colouring::Density),
+        ("grid", Colouring::Grid),
+    ];
     scene.colouring = choice("colour", get("colour"), &colours)?;
     scene.compare = choice("compare", get("compare"), &[("0", false), ("1", true)])?;
     if let Some(text) = get("view") {
@@ -200,6 +215,8 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
         scene.view = Some(Window { x, y, zoom });
     }
     scene.locus = read_locus(&get)?;
+    scene.tool = choice("tool", get("tool"), &[("morph", Tool::Morph), ("deform", Tool::Deform)])?;
+    scene.deform = read_deform(&get)?;
     Ok((scene, later))
 }
 

@@ -3,6 +3,7 @@
 use frond_core::{Affine2, Ifs, IfsError, Mode, MorphOptions};
 use serde::{Deserialize, Serialize};
 
+use crate::deformation::{Deformation, Tool};
 use crate::preset::{Row, preset};
 
 /// The most way points a path may have between its ends.
@@ -162,6 +163,8 @@ pub enum Colouring {
     Address,
     /// How often the chaos game comes by.
     Density,
+    /// The colours of the deformation grid.
+    Grid,
 }
 
 /// How the linear parts are interpolated: [`Mode`] as it is written in documents.
@@ -229,6 +232,16 @@ pub struct Scene {
     /// How the locus is looked at; all of the morph's where absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub locus: Option<LocusView>,
+    /// The tool that is open.
+    #[serde(default, skip_serializing_if = "is_morph")]
+    pub tool: Tool,
+    /// What bends the shape; nothing where absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub deform: Option<Deformation>,
+}
+
+fn is_morph(tool: &Tool) -> bool {
+    *tool == Tool::Morph
 }
 
 impl Default for Scene {
@@ -247,6 +260,8 @@ impl Default for Scene {
             compare: false,
             view: None,
             locus: None,
+            tool: Tool::Morph,
+            deform: None,
         }
     }
 }

@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::deformation::*;
 use crate::scene::{FamilyName, LocusView, MAX_WAY_POINTS, Path, WayPoint};
 
 fn any_shape() -> impl Strategy<Value = Shape> {
@@ -44,12 +45,53 @@ fn any_locus() -> impl Strategy<Value = LocusView> {
 }
 
 prop_compose! {
+    fn any_deform()(
+        columns in 2..=5_usize,
+        rows in 2..=4_usize,
+        moved in proptest::collection::vec((0..40_usize, prop_oneof![Just(0.0), -2.0..2.0_f64]), 0..9),
+        corner in (-3.0..3.0_f64, -3.0..3.0_f64, 1e-3..9.0_f64, 1e-3..9.0_f64),
+        times in proptest::collection::btree_set(0..1000_u32, 1..5),
+        (kb, more) in prop_oneof![Just((0.0, 9.0)), (0.0..4.0_f64, 0.0..4.0_f64)],
+        delta in prop_oneof![
+            (0.0..2.0_f64).prop_map(RoughnessValue::Constant),
+            proptest::array::uniform4(0.0..2.0_f64).prop_map(RoughnessValue::Corners)
+        ],
+        spin in proptest::sample::select(vec![SpinName::None, SpinName::Orthogonal, SpinName::Rotation, SpinName::Scaled]),
+        continuity in proptest::sample::select(vec![ContinuityName::Auto, ContinuityName::Corners, ContinuityName::Splat, ContinuityName::Raw, ContinuityName::Average]),
+        flags: [bool; 5],
+        phase in 0.0..=1.0_f64,
+        seconds in 0.5..=60.0_f64,
+        colour in 0..0x0100_0000_u32,
+    ) -> Deformation {
+        let [on, picture, looped, superposed, tinted] = flags;
+        let (x, y, width, height) = corner;
+        let count = columns * rows;
+        let keys = times.into_iter().enumerate().map(|(k, at)| {
+            let mut moves = vec![0.0; 2 * count];
+            for (i, x) in &moved {
+                moves[(i + k) % (2 * count)] = *x;
+            }
+            Key { at: f64::from(at) / 1000.0, moves }
+        });
+        let tint = Tint { colours: vec![format!("#{colour:06x}"); count], kb, ke: kb + more, delta: 1.0, superposed };
+        Deformation {
+            on, columns, rows, phase, seconds, looped, kb, ke: kb + more, delta, spin, continuity, superposed,
+            subject: if picture { Subject::Picture } else { Subject::Shape },
+            parts: if picture && on { 3 } else { 2 },
+            bounds: [x, y, x + width, y + height],
+            keys: keys.collect(),
+            tint: tinted.then_some(tint),
+        }
+    }
+}
+
+prop_compose! {
     fn any_scene()(
         a in any_shape(),
         b in any_shape(),
         points in proptest::collection::vec(any_point(), 0..6),
         kind in proptest::sample::select(vec![PathKind::Auto, PathKind::Straight, PathKind::Drawn]),
-        colouring in proptest::sample::select(vec![Colouring::Map, Colouring::Address, Colouring::Density]),
+        colouring in proptest::sample::select(vec![Colouring::Map, Colouring::Address, Colouring::Density, Colouring::Grid]),
         linear: bool,
         compare: bool,
         t in 0.0..=1.0_f64,
@@ -57,6 +99,8 @@ prop_compose! {
         turn in -2..=2_i32,
         view in proptest::option::of((-5.0..5.0_f64, -5.0..5.0_f64, 0.1..1e9_f64)),
         locus in proptest::option::of(any_locus()),
+        deform in proptest::option::of(any_deform()),
+        open: bool,
     ) -> Scene {
         let maps = a.maps.len().max(b.maps.len());
         Scene {
@@ -67,6 +111,8 @@ prop_compose! {
             turns: if turn == 0 { Vec::new() } else { vec![turn; maps] },
             view: view.map(|(x, y, zoom)| Window { x, y, zoom }),
             locus,
+            tool: if open { Tool::Deform } else { Tool::Morph },
+            deform,
         }
     }
 }
@@ -240,4 +286,54 @@ fn old_links_still_open() {
         count += 1;
     }
     assert!(count >= 8);
+}
+
+#[test]
+fn a_deformation_reads_like_words() {
+    let mut deform = Deformation::at_rest([0.0, 0.0, 1.0, 1.0]);
+    let moves = &mut deform.keys[0].moves;
+    (moves[10], moves[11]) = (0.1, 0.25);
+    let scene = Scene { tool: Tool::Deform, deform: Some(deform), ..Scene::default() };
+    let words = "v=1&a=dragon-3&b=gasket&tool=deform&mesh=4x4:0,0,1,1&bend=0,9,0.75&keys=0:6,0.1,0.25";
+    assert_eq!(encode(&scene), words);
+    assert_eq!(decode(words), (scene, None));
+}
+
+#[test]
+fn damaged_deformations_say_which_word_is() {
+    let key_of = |words: &str| match decode(&format!("v=1&a=gasket&b=gasket&{words}")).1 {
+        Some(LinkError::Value { key, .. }) => key,
+        other => panic!("{words}: {other:?}"),
+    };
+    for (words, key) in [
+        ("tool=hammer", "tool"),
+        ("mesh=4x4", "mesh"),
+        ("mesh=1x4:0,0,1,1", "mesh"),
+        ("mesh=17x4:0,0,1,1", "mesh"),
+        ("mesh=99999999999999999999x4:0,0,1,1", "mesh"),
+        ("mesh=4x4:0,0,0,1", "mesh"),
+        ("mesh=4x4:0,0,NaN,1", "mesh"),
+        ("mesh=4x4:0,0,1,1&keys=0:17,0,0", "keys"),
+        ("mesh=4x4:0,0,1,1&keys=0:0,1,1", "keys"),
+        ("mesh=4x4:0,0,1,1&keys=0:1,1", "keys"),
+        ("mesh=4x4:0,0,1,1&keys=0:1,1,inf", "keys"),
+        ("mesh=4x4:0,0,1,1&keys=0.5:;0.5:", "keys"),
+        ("mesh=4x4:0,0,1,1&keys=2:", "keys"),
+        ("mesh=4x4:0,0,1,1&bend=3,2,0.5", "bend"),
+        ("mesh=4x4:0,0,1,1&bend=0,1e9,0.5", "bend"),
+        ("mesh=4x4:0,0,1,1&bend=0,2,-1", "bend"),
+        ("mesh=4x4:0,0,1,1&bend=0,2,NaN", "bend"),
+        ("mesh=4x4:0,0,1,1&bend=0,2,0.5,0.5", "bend"),
+        ("mesh=4x4:0,0,1,1&loop=0", "loop"),
+        ("mesh=4x4:0,0,1,1&spin=fast", "spin"),
+        ("mesh=4x4:0,0,1,1&join=glue", "join"),
+        ("mesh=4x4:0,0,1,1&picture=4", "picture"),
+        ("mesh=4x4:0,0,1,1&tint=0,9,1:all:ff0000", "tint"),
+        ("mesh=2x2:0,0,1,1&tint=0,9,1:all:ff0000,00ff00,0000ff,gggggg", "tint"),
+        ("mesh=2x2:0,0,1,1&tint=0,9,1:some:ff0000,00ff00,0000ff,000000", "tint"),
+    ] {
+        assert_eq!(key_of(words), key, "{words}");
+    }
+    let many: Vec<String> = (0..40).map(|i| format!("{}:", f64::from(i) / 40.0)).collect();
+    assert_eq!(key_of(&format!("mesh=4x4:0,0,1,1&keys={}", many.join(";"))), "keys");
 }
