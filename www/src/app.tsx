@@ -6,6 +6,7 @@ import { Stage } from "./canvas/stage";
 import { EvidencePanel } from "./shell/evidence/Panel";
 import { Header } from "./shell/header";
 import { Readout, VerdictChip } from "./shell/readouts";
+import { tool } from "./state/bend";
 import { route } from "./state/link";
 import { announcement, dismiss, notices, notify, wordsOf } from "./state/notice";
 import { Toasts } from "./ui/Toasts";
@@ -40,24 +41,44 @@ function Notices() {
   );
 }
 
+/** The tools share the stage; each brings its own panel and its own time strip. */
 function Studio({ backend }: { backend: "auto" | PainterBackend }) {
+  const bending = tool.value === "deform";
+  useEffect(() => {
+    if (bending) loadDeform();
+  }, [bending]);
+  const Deform = deform.value;
   return (
     <main class="studio">
-      <h1 class="unseen">Frond: morph one fractal into another</h1>
-      <Stage backend={backend}>
+      <h1 class="unseen">
+        {bending ? "Frond: bend a fractal by a grid" : "Frond: morph one fractal into another"}
+      </h1>
+      <Stage backend={backend} overlay={bending ? Deform !== null && <Deform.DeformOverlay /> : undefined}>
         <div class="stage-foot">
-          <VerdictChip />
+          {!bending && <VerdictChip />}
           <Readout />
         </div>
-        <EvidencePanel />
+        {!bending && <EvidencePanel />}
       </Stage>
-      <aside class="side" aria-label="Shapes and path">
-        <MorphPanel />
+      <aside class="side" aria-label={bending ? "Shape and grid" : "Shapes and path"}>
+        {bending ? Deform && <Deform.DeformPanel /> : <MorphPanel />}
       </aside>
-      <div class="time">
-        <MorphStrip />
-      </div>
+      <div class="time">{bending ? Deform && <Deform.DeformStrip /> : <MorphStrip />}</div>
     </main>
+  );
+}
+
+const deform = signal<typeof import("./views/deform") | null>(null);
+
+/** The deformation tool is loaded when it is first opened. */
+function loadDeform(): void {
+  if (deform.peek()) return;
+  import("./views/deform").then(
+    (module) => {
+      deform.value = module;
+    },
+    (problem) =>
+      notify({ kind: "error", text: `The deformation grid could not be loaded: ${wordsOf(problem)}` }),
   );
 }
 

@@ -1,4 +1,4 @@
-import type { MapRow } from "../engine/api";
+import type { Bend, MapRow } from "../engine/api";
 import type { Renderer, RenderStyle } from "../engine/wasm";
 import type { View } from "./geometry";
 import type { Drawn, Pixels, Surface } from "./surface";
@@ -15,6 +15,10 @@ export class Accelerated implements Surface {
 
   setMaps(maps: MapRow[]): void {
     this.#renderer.setIfs(new Float64Array(maps.flat()));
+  }
+
+  setBend(bend: Bend | null): void {
+    this.#renderer.setBend(bend);
   }
 
   setView(view: View, ratio: number): void {

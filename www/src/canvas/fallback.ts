@@ -1,4 +1,4 @@
-import type { MapRow } from "../engine/api";
+import type { Bend, MapRow } from "../engine/api";
 import { Coalesce } from "../engine/coalesce";
 import { submit } from "../engine/engine";
 import { type Channel, type Job, single } from "../engine/protocol";
@@ -6,10 +6,11 @@ import { frond, type RenderStyle } from "../engine/wasm";
 import type { View } from "./geometry";
 import type { Drawn, Pixels, Surface } from "./surface";
 
-const KEYS = ["maps", "view", "style", "width", "height"] as const;
+const KEYS = ["maps", "bend", "view", "style", "width", "height"] as const;
 
 interface Request {
   maps: MapRow[];
+  bend: Bend | null;
   view: View;
   style: RenderStyle;
   width: number;
@@ -41,6 +42,13 @@ export class Fallback implements Surface {
     this.#wanted = { ...this.#wanted, maps };
   }
 
+  setBend(bend: Bend | null): void {
+    const { maps } = this.#wanted;
+    // Throws where it cannot be had, as the renderer does.
+    if (bend && maps) frond.bendFacts({ maps }, bend);
+    this.#wanted = { ...this.#wanted, bend };
+  }
+
   setView(view: View, ratio: number): void {
     this.#wanted = { ...this.#wanted, view: { ...view, scale: view.scale * ratio } };
   }
@@ -54,10 +62,10 @@ export class Fallback implements Surface {
   }
 
   draw(_budget: number): Drawn {
-    const { maps, view, style, width, height } = this.#wanted;
+    const { maps, bend = null, view, style, width, height } = this.#wanted;
     if (!maps || !view || !style || !width || !height) return { complete: true, settled: true, points: 0 };
     const asked = this.#asked;
-    const request: Request = { maps, view, style, width, height };
+    const request: Request = { maps, bend, view, style, width, height };
     if (!asked || KEYS.some((key) => asked[key] !== request[key])) {
       this.#asked = request;
       this.#queue.request(() => this.#job(request, COARSE));
@@ -67,13 +75,14 @@ export class Fallback implements Surface {
   }
 
   #job(request: Request, coarse: number): Job<"picture"> {
-    const { maps, view, style } = request;
+    const { maps, bend, view, style } = request;
     const options = {
       width: Math.ceil(request.width / coarse),
       height: Math.ceil(request.height / coarse),
       view: { ...view, scale: view.scale / coarse },
       colouring: style.colouring,
       palette: style.palette,
+      ...(bend ? { bend } : {}),
     };
     const arrived = () => {
       if (coarse > 1 && request === this.#asked) this.#queue.request(() => this.#job(request, 1));

@@ -1,4 +1,4 @@
-import type { MapRow } from "../engine/api";
+import type { Bend, MapRow } from "../engine/api";
 import type { Channel } from "../engine/protocol";
 import { createRenderer } from "../engine/renderer";
 import type { Backend, Renderer, RenderStyle } from "../engine/wasm";
@@ -29,10 +29,13 @@ export interface PainterOptions {
   /** Where pixels are asked for when there is no graphics device. */
   channel: Channel;
   onState: (state: PainterState) => void;
+  /** A bend that cannot be had, in words, or null once one can. */
+  onBendProblem?: (problem: string | null) => void;
 }
 
 interface Wanted {
   maps: MapRow[];
+  bend: Bend | null;
   view: View;
   style: RenderStyle;
   width: number;
@@ -238,10 +241,21 @@ export class Painter {
       }
       if (this.#canvas) this.#canvas.style.visibility = this.#empty ? "hidden" : "visible";
     }
+    if (wanted.bend !== given.bend) this.#bend(surface, wanted.bend);
     if (wanted.view !== given.view || wanted.ratio !== given.ratio || wanted.maps !== given.maps) {
       surface.setView(wanted.view, wanted.ratio);
     }
     this.#given = wanted;
+  }
+
+  #bend(surface: Surface, bend: Bend | null): void {
+    let problem: string | null = null;
+    try {
+      surface.setBend(bend);
+    } catch (cause) {
+      problem = wordsOf(cause);
+    }
+    this.#options.onBendProblem?.(problem);
   }
 
   #set(change: Partial<PainterState>): void {

@@ -1,6 +1,7 @@
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import type { MapRow } from "../engine/api";
+import type { Bend, MapRow } from "../engine/api";
+import { bendProblem } from "../state/bend";
 import { attachGestures } from "./gestures";
 import { stageStyle } from "./look";
 import { Painter, type PainterBackend, type PainterState } from "./painter";
@@ -8,6 +9,7 @@ import { effectiveView, stageSize } from "./view";
 
 interface PictureProps {
   maps: ReadonlySignal<MapRow[]>;
+  bend: ReadonlySignal<Bend | null>;
   backend: "auto" | PainterBackend;
   /** The one that the readouts, the export and the tests speak of; else it stands beside it to compare. */
   main?: boolean;
@@ -18,12 +20,19 @@ interface PictureProps {
 const MOST_PIXELS = 8192;
 
 /** One canvas that shows one attractor, sized to its place down to the device pixel. */
-export function Picture({ maps, backend, main = false, onState, onPainter }: PictureProps) {
+export function Picture({ maps, bend, backend, main = false, onState, onPainter }: PictureProps) {
   const host = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const element = host.current;
     if (!element) return;
-    const painter = new Painter(element, { backend, channel: main ? "picture" : "compare", onState });
+    const painter = new Painter(element, {
+      backend,
+      channel: main ? "picture" : "compare",
+      onState,
+      onBendProblem: (problem) => {
+        if (main) bendProblem.value = problem;
+      },
+    });
     onPainter?.(painter);
     const device = signal({ width: 0, height: 0, ratio: 1 });
     const stopSize = watchSize(element, (css, pixels) => {
@@ -36,7 +45,13 @@ export function Picture({ maps, backend, main = false, onState, onPainter }: Pic
     const stopShow = effect(() => {
       const size = device.value;
       if (size.width === 0 || size.height === 0) return;
-      painter.show({ ...size, maps: maps.value, view: effectiveView.value, style: stageStyle.value });
+      painter.show({
+        ...size,
+        maps: maps.value,
+        bend: bend.value,
+        view: effectiveView.value,
+        style: stageStyle.value,
+      });
     });
     const stopGestures = attachGestures(element);
     return () => {
@@ -46,7 +61,7 @@ export function Picture({ maps, backend, main = false, onState, onPainter }: Pic
       onPainter?.(null);
       painter.close();
     };
-  }, [maps, backend, main, onState, onPainter]);
+  }, [maps, bend, backend, main, onState, onPainter]);
   return <div ref={host} class="picture" />;
 }
 

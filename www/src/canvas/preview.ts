@@ -1,9 +1,10 @@
-import type { MapRow } from "../engine/api";
+import type { Bend, MapRow } from "../engine/api";
 import { frond, type RenderStyle } from "../engine/wasm";
 import type { View } from "./geometry";
 
 interface Request {
   maps: MapRow[];
+  bend: Bend | null;
   view: View;
   style: RenderStyle;
   width: number;
@@ -26,9 +27,10 @@ export class Preview {
 
   /** Whether there is something to see now. */
   show(request: Request): boolean {
-    const { maps, view, style, ratio } = request;
+    const { maps, bend, view, style, ratio } = request;
     const last = this.#last;
-    if (last && last.maps === maps && last.view === view && last.width === request.width) return true;
+    const same = last?.maps === maps && last.bend === bend && last.view === view;
+    if (same && last.width === request.width) return true;
     this.#last = request;
     const coarse = Math.max(1, Math.sqrt((request.width * request.height) / PIXELS));
     const width = Math.ceil(request.width / coarse);
@@ -43,6 +45,7 @@ export class Preview {
           view: { ...view, scale: (view.scale * ratio) / coarse },
           colouring: style.colouring === "density" ? "map" : style.colouring,
           palette: style.palette,
+          ...(bend ? { bend } : {}),
         },
       );
       this.#canvas.width = width;

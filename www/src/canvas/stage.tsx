@@ -1,6 +1,7 @@
 import { computed, signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
+import { bend, tool } from "../state/bend";
 import { linear, mapsAt, morphOptions, selection, shown, uv } from "../state/morph";
 import { scene } from "../state/scene";
 import { Evidence } from "./evidence";
@@ -26,7 +27,9 @@ export const mainPainter = signal<Painter | null>(null);
 export const linearPicture = signal<PainterState | null>(null);
 export const linearPainter = signal<Painter | null>(null);
 
-const comparing = computed(() => scene.value.compare && selection.value === null);
+const comparing = computed(() => scene.value.compare && selection.value === null && tool.value === "morph");
+/** Whoever edits maps sees them as they are. */
+const mainBend = computed(() => (selection.value === null ? bend.value : null));
 const polar = computed(() => mapsAt(uv.value, { ...morphOptions.value, mode: "polar" }));
 const mainMaps = computed(() => (comparing.value ? polar.value : shown.value));
 const setPicture = (state: PainterState) => {
@@ -48,9 +51,12 @@ const setLinearPainter = (painter: Painter | null) => {
 /** The picture, as large as it can be: every tool draws on this one. */
 export function Stage({
   backend,
+  overlay,
   children,
 }: {
   backend: "auto" | PainterBackend;
+  /** What a tool lays over the picture; the morph's evidence and handles where there is none. */
+  overlay?: ComponentChildren;
   children?: ComponentChildren;
 }) {
   useEffect(() => {
@@ -75,15 +81,27 @@ export function Stage({
         }}
       >
         <div class="pane">
-          <Picture maps={mainMaps} backend={backend} main onState={setPicture} onPainter={setPainter} />
+          <Picture
+            maps={mainMaps}
+            bend={mainBend}
+            backend={backend}
+            main
+            onState={setPicture}
+            onPainter={setPainter}
+          />
           {both && <p class="pane-label">Turning and stretching (polar)</p>}
-          {!both && <Evidence />}
-          <Handles />
+          {overlay ?? (
+            <>
+              {!both && <Evidence />}
+              <Handles />
+            </>
+          )}
         </div>
         {both && (
           <div class="pane">
             <Picture
               maps={linear}
+              bend={mainBend}
               backend={backend}
               onState={setLinearPicture}
               onPainter={setLinearPainter}

@@ -1,4 +1,4 @@
-import type { MapRow } from "../engine/api";
+import type { Bend, MapRow } from "../engine/api";
 import type { RenderStyle } from "../engine/wasm";
 import type { View } from "./geometry";
 
@@ -21,6 +21,8 @@ export interface Drawn {
 export interface Surface {
   readonly canvas: HTMLCanvasElement;
   setMaps(maps: MapRow[]): void;
+  /** Throws where it cannot be had; the last one stays. */
+  setBend(bend: Bend | null): void;
   setView(view: View, ratio: number): void;
   setStyle(style: RenderStyle): void;
   resize(width: number, height: number): void;

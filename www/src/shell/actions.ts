@@ -1,9 +1,11 @@
 import { stageStyle } from "../canvas/look";
 import { effectiveView, stageSize } from "../canvas/view";
+import type { Tool } from "../engine/api";
 import { submit } from "../engine/engine";
 import { single } from "../engine/protocol";
 import { adoptPath } from "../engine/schedule";
 import { frond } from "../engine/wasm";
+import { bend } from "../state/bend";
 import { addressBar, Link } from "../state/link";
 import { selection, shown } from "../state/morph";
 import { notify, wordsOf } from "../state/notice";
@@ -15,9 +17,9 @@ export const link = new Link(frond, addressBar, () => {
   adoptPath();
 });
 
-/** Where the studio is, with the document as it stands now. */
-export function studioHref(): string {
-  return `#${link.fragment() ?? ""}`;
+/** Where the studio is, with the document as it stands now and a tool, that which is open by default. */
+export function studioHref(tool?: Tool): string {
+  return `#${link.fragment(tool ? { tool } : {}) ?? ""}`;
 }
 
 /** Puts the address of the present document on the clipboard. */
@@ -42,7 +44,9 @@ export function savePicture(): void {
   const width = Math.max(1, Math.round(size.width * larger));
   const height = Math.max(1, Math.round(size.height * larger));
   const { colouring, palette } = stageStyle.peek();
-  const options = { width, height, view: { ...view, scale: view.scale * larger }, colouring, palette };
+  const bent = selection.peek() ? null : bend.peek();
+  const shownView = { ...view, scale: view.scale * larger };
+  const options = { width, height, view: shownView, colouring, palette, ...(bent ? { bend: bent } : {}) };
   notify({ kind: "info", text: "Drawing the picture to save …" });
   submit(
     single<"picture">(

@@ -1,5 +1,8 @@
 import type { ComponentChildren } from "preact";
+import type { Tool as ToolName } from "../engine/api";
+import { openTool, tool } from "../state/bend";
 import { route } from "../state/link";
+import { selection } from "../state/morph";
 import { setTheme, type Theme, theme } from "../state/preferences";
 import { canRedo, canUndo, redo, undo } from "../state/scene";
 import { Menu, type MenuItem } from "../ui/Menu";
@@ -24,9 +27,8 @@ export function Header() {
         Frond
       </a>
       <nav class="places" aria-label="Places">
-        <Place href={studioHref()} here={studio}>
-          Morph
-        </Place>
+        <ToolPlace name="morph">Morph</ToolPlace>
+        <ToolPlace name="deform">Deform</ToolPlace>
         <Place href="#figures" here={!studio}>
           Figures
         </Place>
@@ -91,6 +93,28 @@ function stay(event: MouseEvent): void {
 function Place({ href, here, children }: { href: string; here: boolean; children: ComponentChildren }) {
   return (
     <a href={href} aria-current={here ? "page" : undefined} onClick={here ? stay : undefined}>
+      {children}
+    </a>
+  );
+}
+
+/** A tool of the studio: another one of the same document. */
+function ToolPlace({ name, children }: { name: ToolName; children: ComponentChildren }) {
+  const studio = route.value.page === "studio";
+  const here = studio && tool.value === name;
+  return (
+    <a
+      href={studioHref(name)}
+      aria-current={here ? "page" : undefined}
+      onClick={(event) => {
+        if (event.button !== 0 || event.ctrlKey || event.metaKey) return;
+        if (studio) {
+          event.preventDefault();
+          selection.value = null;
+        }
+        openTool(name);
+      }}
+    >
       {children}
     </a>
   );

@@ -7,7 +7,8 @@ import type { Scene } from "../engine/api";
 import { killWorker } from "../engine/engine";
 import { locus, verdict, workers } from "../engine/results";
 import { frond } from "../engine/wasm";
-import { linear, shown } from "../state/morph";
+import { bend } from "../state/bend";
+import { linear, selection, shown } from "../state/morph";
 import { scene } from "../state/scene";
 
 /** The picture on the stage, or the linear one beside it. */
@@ -63,7 +64,11 @@ async function twin(which: Which = "main"): Promise<Pixels> {
   const view = { x, y, scale: scale * ratio };
   const { colouring, palette } = stageStyle.peek();
   const maps = (which === "main" ? shown : linear).peek();
-  const data = frond.rasterize({ maps }, { width, height, view, colouring, palette });
+  const bent = selection.peek() ? null : bend.peek();
+  const data = frond.rasterize(
+    { maps },
+    { width, height, view, colouring, palette, ...(bent ? { bend: bent } : {}) },
+  );
   return { width, height, data };
 }
 

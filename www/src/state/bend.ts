@@ -1,8 +1,10 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { Bend, Deformation, DeformKey, Scene } from "../engine/api";
+import type { Bend, Deformation, DeformKey, MapRow, Scene, Tool } from "../engine/api";
+import { boxOf } from "./fit";
+import { current } from "./morph";
 import { edit, replace, scene } from "./scene";
 
-/** A mesh of four by four at rest, over the unit square: what a document that says nothing of bending stands for. */
+/** A mesh of four by four at rest, over the unit square. */
 export const AT_REST: Deformation = {
   on: true,
   subject: "shape",
@@ -22,8 +24,24 @@ export const AT_REST: Deformation = {
   superposed: true,
 };
 
-/** What the document says of bending. The view puts its box around the shape when it makes the first one. */
-export const deformation: ReadonlySignal<Deformation> = computed(() => scene.value.deform ?? AT_REST);
+/** How much larger than the shape its mesh is, on each side. */
+const MARGIN = 0.05;
+
+/** Where a mesh belongs around a shape: around its box, which is never without an area. */
+export function boxAround(maps: MapRow[]): Deformation["box"] {
+  const box = boxOf(maps) ?? { x0: 0, y0: 0, x1: 1, y1: 1 };
+  const size = Math.max(box.x1 - box.x0, box.y1 - box.y0, 1e-9);
+  const [x, y] = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2];
+  const half = (extent: number) => (MARGIN + 0.5) * Math.max(extent, 0.25 * size);
+  const [across, up] = [half(box.x1 - box.x0), half(box.y1 - box.y0)];
+  return [x - across, y - up, x + across, y + up];
+}
+
+/** What stands for a document that says nothing of bending. */
+const none: ReadonlySignal<Deformation> = computed(() => ({ ...AT_REST, box: boxAround(current.value) }));
+
+/** What the document says of bending; a mesh at rest around the shape where it says nothing. */
+export const deformation: ReadonlySignal<Deformation> = computed(() => scene.value.deform ?? none.value);
 
 /** One undo step, or a part of one (see `edit`). */
 export function changeDeformation(
@@ -39,7 +57,7 @@ export function replaceDeformation(change: (deformation: Deformation) => Deforma
 }
 
 function withDeformation(now: Scene, change: (deformation: Deformation) => Deformation): Scene {
-  const before = now.deform ?? AT_REST;
+  const before = now.deform ?? none.peek();
   const after = change(before);
   return after === before ? now : { ...now, deform: after };
 }
@@ -48,7 +66,17 @@ function withDeformation(now: Scene, change: (deformation: Deformation) => Defor
 export const phasePlaying = signal(false);
 
 /** The tool that is open. */
-export const tool = computed(() => scene.value.tool ?? "morph");
+export const tool: ReadonlySignal<Tool> = computed(() => scene.value.tool ?? "morph");
+
+/** Opens a tool: where one is is part of the document, but going there is nothing to undo. */
+export function openTool(next: Tool): void {
+  if (next === tool.peek()) return;
+  phasePlaying.value = false;
+  replace({ ...scene.peek(), tool: next });
+}
+
+/** Why the bend that is asked for cannot be had, in words; the last one is shown meanwhile. */
+export const bendProblem = signal<string | null>(null);
 
 /** What the stage draws the shape with: null where nothing bends it. */
 export const bend: ReadonlySignal<Bend | null> = computed(() => {

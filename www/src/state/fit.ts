@@ -2,8 +2,9 @@ import { computed, type ReadonlySignal } from "@preact/signals";
 import type { MapRow } from "../engine/api";
 import { frond } from "../engine/wasm";
 import { type Box, calmTrack, stillTrack, type Track, union } from "./camera";
-import { locusView, mapsAt, morphOptions, pairing, pathPoints, selection, shown } from "./morph";
+import { current, locusView, mapsAt, morphOptions, pairing, pathPoints, selection, shown } from "./morph";
 import { uvAt } from "./path";
+import { scene } from "./scene";
 
 export { type Box, diagonal } from "./camera";
 
@@ -39,8 +40,20 @@ export const pairBox: ReadonlySignal<Box> = computed(() => {
 /** Whether the picture is off the path, or not of this morph at all. */
 const elsewhere = computed(() => locusView.value.at !== undefined || locusView.value.family === "polygon");
 
+const opened = computed(() => scene.value.tool);
+const deform = computed(() => scene.value.deform);
+
+/** The mesh at rest, where the tool that shows it is open and the document has one. */
+const meshBox: ReadonlySignal<Box | null> = computed(() => {
+  if (opened.value !== "deform") return null;
+  const box = deform.value?.box;
+  return box ? { x0: box[0], y0: box[1], x1: box[2], y1: box[3] } : boxOf(current.value);
+});
+
 /** What the stage fits: the morph, the shape that is being edited, or what was picked off the path. */
 export const stageTrack: ReadonlySignal<Track> = computed(() => {
+  const mesh = meshBox.value;
+  if (mesh) return stillTrack(union([boxOf(current.value) ?? mesh, mesh]), LOOKS);
   if (selection.value) return stillTrack(editBox(shown.value), LOOKS);
   return elsewhere.value ? stillTrack(boxOf(shown.value) ?? pairBox.value, LOOKS) : pathTrack.value;
 });

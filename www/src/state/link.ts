@@ -1,5 +1,6 @@
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
 import type { FrondError, Scene } from "../engine/api";
+import { phasePlaying } from "./bend";
 import { notify, wordsOf } from "./notice";
 import { playing } from "./playback";
 import { edit, inGesture, scene, start } from "./scene";
@@ -74,10 +75,10 @@ export class Link {
     this.#kept = scene.peek();
   }
 
-  /** The present document as a fragment, or null when it is too long for one. */
-  fragment(): string | null {
+  /** The present document, with a change, as a fragment; null when it is too long for one. */
+  fragment(change: Partial<Scene> = {}): string | null {
     try {
-      return this.#codec.encodeScene(scene.peek());
+      return this.#codec.encodeScene({ ...scene.peek(), ...change });
     } catch {
       return null;
     }
@@ -88,7 +89,7 @@ export class Link {
     const stop = effect(() => {
       const now = scene.value;
       // While it moves there is nothing worth keeping, and browsers count how often the address is written.
-      if (playing.value || inGesture.value || now === this.#kept) return;
+      if (playing.value || phasePlaying.value || inGesture.value || now === this.#kept) return;
       this.#stop();
       this.#timer = setTimeout(() => this.flush(), REST_MS);
     });
