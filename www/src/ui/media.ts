@@ -10,3 +10,6 @@ export function media(query: string): ReadonlySignal<boolean> {
   });
   return matches;
 }
+
+/** Where there is no room beside the time strip its settings go to the panel. */
+export const narrow: ReadonlySignal<boolean> = media("(max-width: 859px)");

@@ -1,6 +1,6 @@
+import { help } from "../../state/help";
 import { Dialog } from "../../ui/Dialog";
 import { ShortcutTable } from "../../ui/ShortcutTable";
-import { help } from "./dialogs";
 import { SHORTCUTS } from "./shortcuts";
 
 /** The list of keys, opened by "?" or by its button. */

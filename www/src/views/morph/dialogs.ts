@@ -4,9 +4,6 @@ import type { End } from "./changes";
 /** The end whose shape is being chosen; null while the gallery is closed. */
 export const gallery = signal<End | null>(null);
 
-/** Whether the list of keyboard shortcuts is open. */
-export const help = signal(false);
-
 /** Whether the list of pairs is open, and in it the other ways to match, and the ways across. */
 export const pairsOpen = signal(false);
 export const matchingOpen = signal(false);

@@ -1,8 +1,9 @@
 /** The morph tool: its side panel and its time strip. */
 import { useEffect } from "preact/hooks";
+import { help } from "../../state/help";
 import { selection } from "../../state/morph";
 import { Button } from "../../ui/Button";
-import { help } from "./dialogs";
+import { narrow } from "../../ui/media";
 import { LocusBeside, LocusPanel } from "./locus/LocusPanel";
 import { PathPanel } from "./locus/PathPanel";
 import { MotionPanel } from "./MotionPanel";
@@ -12,7 +13,8 @@ import { ShortcutsDialog } from "./ShortcutsDialog";
 import { Ends } from "./shapes/Ends";
 import { Gallery } from "./shapes/Gallery";
 import { listen } from "./shortcuts";
-import { narrow, PlaybackOptions } from "./strip/MorphStrip";
+import { PlaybackOptions } from "./strip/MorphStrip";
+import "../../ui/panel.css";
 import "./morph.css";
 
 export { MorphStrip } from "./strip/MorphStrip";
@@ -22,7 +24,7 @@ export function MorphPanel() {
   useEffect(listen, []);
   const editing = selection.value;
   return (
-    <div class="morph-panel">
+    <div class="panel morph-panel">
       <Ends />
       {editing === null ? (
         <Morph />

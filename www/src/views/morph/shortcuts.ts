@@ -1,34 +1,22 @@
 /** Keys that work anywhere on the page, unless something is being typed or a dialog is open. */
 import { fitStage } from "../../canvas/gestures";
 import type { Colouring } from "../../engine/api";
+import { help } from "../../state/help";
 import { selection } from "../../state/morph";
 import { pause, play, playing } from "../../state/playback";
 import { edit, redo, scene, undo } from "../../state/scene";
+import { type Focus, focusOf, type KeyPress } from "../../ui/focus";
 import { addStep } from "../../ui/number";
 import type { ShortcutRow } from "../../ui/ShortcutTable";
-import { gallery, help } from "./dialogs";
+import { gallery } from "./dialogs";
 import { frames } from "./strip/FilmStrip";
 import { scrubTo } from "./strip/scrub";
-
-export interface KeyPress {
-  key: string;
-  shiftKey: boolean;
-  ctrlKey: boolean;
-  metaKey: boolean;
-  altKey: boolean;
-}
 
 export type Command =
   | { do: "play" | "undo" | "redo" | "fit" | "edit" | "gallery" | "help" }
   | { do: "scrub"; by: number }
   | { do: "frame"; by: 1 | -1 }
   | { do: "colour"; by: Colouring };
-
-/**
- * What has the focus: typing takes every key, a field where nothing typed is waiting leaves the chords, a control keeps
- * the keys that it lives by.
- */
-export type Focus = "typing" | "field" | "slider" | "control" | "none";
 
 const COLOURS: Record<string, Colouring> = { "1": "map", "2": "address", "3": "density" };
 
@@ -74,18 +62,6 @@ export function nextFrame(moments: readonly number[], t: number, by: 1 | -1): nu
   const sorted = [...moments].sort((x, y) => x - y);
   const ahead = by > 0 ? sorted.find((x) => x > t + 1e-6) : sorted.findLast((x) => x < t - 1e-6);
   return ahead ?? (by > 0 ? 1 : 0);
-}
-
-function focusOf(target: EventTarget | null): Focus {
-  if (!(target instanceof HTMLElement)) return "none";
-  if (target.isContentEditable || target.matches("textarea, select")) return "typing";
-  if (target instanceof HTMLInputElement) {
-    if (target.type === "range") return "slider";
-    if (target.type === "radio" || target.type === "checkbox") return "control";
-    return target.dataset["settled"] === "true" ? "field" : "typing";
-  }
-  if (target.getAttribute("role") === "slider") return "slider";
-  return target.closest("button, a[href], summary, [role=menu]") === null ? "none" : "control";
 }
 
 function run(command: Command): void {

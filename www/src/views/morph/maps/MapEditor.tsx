@@ -1,6 +1,7 @@
 import "./maps.css";
 import { useState } from "preact/hooks";
 import type { MapRow } from "../../../engine/api";
+import { originOf } from "../../../engine/presets";
 import { frond } from "../../../engine/wasm";
 import { selection } from "../../../state/morph";
 import { announce, wordsOf } from "../../../state/notice";
@@ -9,7 +10,6 @@ import { Button, IconButton } from "../../../ui/Button";
 import { Segmented } from "../../../ui/Segmented";
 import { type End, MOST_MAPS, nameOf, setMaps } from "../changes";
 import { shapes } from "../parts";
-import { originOf } from "../presets";
 import { Swatch } from "../shapes/Swatch";
 import { halfAbout, mapWords, reflect } from "./affine";
 import { NumberFields, PartFields } from "./MapFields";

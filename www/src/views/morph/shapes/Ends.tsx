@@ -5,10 +5,10 @@ import { announce } from "../../../state/notice";
 import { edit, scene } from "../../../state/scene";
 import { IconButton } from "../../../ui/Button";
 import { Menu } from "../../../ui/Menu";
+import { Thumbnail } from "../../../ui/Thumbnail";
 import { asBoth, type End, nameOf, other, swap } from "../changes";
 import { gallery } from "../dialogs";
 import { shapes } from "../parts";
-import { Thumbnail } from "./Thumbnail";
 
 /** The two ends of the morph, with the arrow that swaps them. */
 export function Ends() {

@@ -3,7 +3,7 @@ import { useRef } from "preact/hooks";
 import { type Frame, strip } from "../../../engine/results";
 import { scene } from "../../../state/scene";
 import { media } from "../../../ui/media";
-import { Thumbnail } from "../shapes/Thumbnail";
+import { Thumbnail } from "../../../ui/Thumbnail";
 import { percent, verdictWords } from "../words";
 import { evenly } from "./evenly";
 import { scrubTo } from "./scrub";

@@ -1,3 +1,4 @@
+import "../../../ui/strip.css";
 import "./strip.css";
 import { computed } from "@preact/signals";
 import { along, pathBreaks } from "../../../engine/results";
@@ -5,7 +6,7 @@ import { locusView } from "../../../state/morph";
 import { loop, pause, play, playing, speed } from "../../../state/playback";
 import { endGesture, scene } from "../../../state/scene";
 import { IconButton } from "../../../ui/Button";
-import { media } from "../../../ui/media";
+import { narrow } from "../../../ui/media";
 import { NumberField } from "../../../ui/NumberField";
 import { Segmented } from "../../../ui/Segmented";
 import { Slider } from "../../../ui/Slider";
@@ -13,9 +14,6 @@ import { stateOn } from "../locus/way";
 import { gapWords, percent } from "../words";
 import { FilmStrip, frames } from "./FilmStrip";
 import { scrubTo } from "./scrub";
-
-/** Where there is no room beside the strip its settings go to the panel. */
-export const narrow = media("(max-width: 859px)");
 
 /** Time: play, scrub, and the film of the whole morph. */
 export function MorphStrip() {

@@ -1,3 +1,4 @@
+import "./thumbnail.css";
 import { useLayoutEffect, useRef } from "preact/hooks";
 
 /** A picture made by the program. Whatever holds it says what it shows. */

@@ -1,5 +1,5 @@
-import type { Preset, Shape } from "../../engine/api";
-import { frond } from "../../engine/wasm";
+import type { Preset, Shape } from "./api";
+import { frond } from "./wasm";
 
 let loaded: readonly Preset[] | null = null;
 

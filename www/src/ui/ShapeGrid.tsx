@@ -1,0 +1,65 @@
+import "./shape-grid.css";
+import { useRef, useState } from "preact/hooks";
+import type { Preset } from "../engine/api";
+import { Thumbnail } from "./Thumbnail";
+
+export interface ShapeGridProps {
+  presets: readonly Preset[];
+  /** By preset id. */
+  pictures: ReadonlyMap<string, ImageBitmap>;
+  /** The id of the one that is there now. */
+  chosen: string | undefined;
+  onChoose: (preset: Preset) => void;
+}
+
+/** Every preset, with its picture and one sentence; arrows walk the grid. */
+export function ShapeGrid({ presets: all, pictures, chosen, onChoose }: ShapeGridProps) {
+  const [active, setActive] = useState(() =>
+    Math.max(
+      0,
+      all.findIndex((preset) => preset.id === chosen),
+    ),
+  );
+  const list = useRef<HTMLUListElement>(null);
+
+  const walk = (event: KeyboardEvent) => {
+    const items = [...(list.current?.querySelectorAll<HTMLButtonElement>("button") ?? [])];
+    // The style sheet decides how many are in a row: count those at the height of the first.
+    const top = items[0]?.offsetTop ?? 0;
+    const across = Math.max(1, items.filter((item) => item.offsetTop === top).length);
+    const by = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: across, ArrowUp: -across }[event.key];
+    const to =
+      event.key === "Home" ? 0 : event.key === "End" ? items.length - 1 : by === undefined ? -1 : active + by;
+    if (to < 0 || to >= items.length) return;
+    event.preventDefault();
+    setActive(to);
+    items[to]?.focus();
+  };
+
+  return (
+    <ul class="gallery" ref={list} onKeyDown={walk}>
+      {all.map((preset, index) => (
+        <li key={preset.id}>
+          <button
+            type="button"
+            class="gallery-item"
+            tabIndex={index === active ? 0 : -1}
+            autofocus={index === active}
+            aria-current={preset.id === chosen ? "true" : undefined}
+            onFocus={() => setActive(index)}
+            onClick={() => onChoose(preset)}
+          >
+            <Thumbnail bitmap={pictures.get(preset.id)} />
+            <span class="gallery-name">
+              {preset.name}
+              <small>
+                {preset.maps.length} {preset.maps.length === 1 ? "map" : "maps"}
+              </small>
+            </span>
+            <span class="gallery-about">{preset.about}</span>
+          </button>
+        </li>
+      ))}
+    </ul>
+  );
+}
