@@ -31,6 +31,7 @@ mod points;
 mod probe;
 mod raster;
 mod resolve;
+mod sheet;
 mod sweep;
 #[cfg(test)]
 mod testing;
@@ -50,6 +51,7 @@ pub use plan::{Batch, Detail, Plan};
 pub use points::{Instance, Vertex};
 pub use raster::{MAX_SIDE, RasterOptions, RenderError, codes, rasterize};
 pub use resolve::{picture_of_codes, picture_of_density, resolve_codes, resolve_density, to_bytes};
+pub use sheet::{Level, Photo, PhotoError, Sheet, SheetOptions, draw_sheet};
 pub use sweep::{Hit, Progress, Sweep};
 pub use view::View;
 pub use window::{Extent, PixelBox, Window};
