@@ -78,11 +78,15 @@ export function openTool(next: Tool): void {
 /** Why the bend that is asked for cannot be had, in words; the last one is shown meanwhile. */
 export const bendProblem = signal<string | null>(null);
 
+/** Whether the plain bend is looked at for a moment: the document stays what it is. */
+export const heldPlain = signal(false);
+
 /** What the stage draws the shape with: null where nothing bends it. */
 export const bend: ReadonlySignal<Bend | null> = computed(() => {
   const document = scene.value.deform;
   if (!document || !(document.on || tool.value === "deform")) return null;
-  return bendAt(document, document.phase);
+  const now = bendAt(document, document.phase);
+  return heldPlain.value ? { ...now, kb: now.ke } : now;
 });
 
 /** The bend at a moment. */
