@@ -1,4 +1,5 @@
 /** The deformation tool: its side panel, its time strip, and what it lays over the picture. Loaded when it is first asked for. */
+export { DeformOverlay } from "./mesh/Overlay";
 
 export function DeformPanel() {
   return <div class="deform-panel" />;
@@ -6,8 +7,4 @@ export function DeformPanel() {
 
 export function DeformStrip() {
   return <section class="strip" aria-label="Time" />;
-}
-
-export function DeformOverlay() {
-  return null;
 }
