@@ -1,10 +1,51 @@
-/** The deformation tool: its side panel, its time strip, and what it lays over the picture. Loaded when it is first asked for. */
+/** The deformation tool: its side panel, its time strip, and what it lays over the picture. Loaded when it is first opened. */
+import { useEffect } from "preact/hooks";
+import { help } from "../../state/help";
+import { Button } from "../../ui/Button";
+import { ColourPanel } from "./colour/ColourPanel";
+import { HandleFields } from "./mesh/HandleFields";
+import { MotionPanel } from "./motion/MotionPanel";
+import { ShortcutsDialog } from "./ShortcutsDialog";
+import { Start } from "./Start";
+import { BendPanel } from "./settings/BendPanel";
+import { ContinuityFold, SpinFold } from "./settings/Folds";
+import { Gallery, ShapePanel } from "./shape/ShapePanel";
+import { listen } from "./shortcuts";
+import "../../ui/panel.css";
+import "./deform.css";
+
 export { DeformOverlay } from "./mesh/Overlay";
+export { DeformStrip } from "./strip/DeformStrip";
 
+/** Everything beside the picture: what is bent, how its parts answer, how it moves, and its colours. */
 export function DeformPanel() {
-  return <div class="deform-panel" />;
-}
-
-export function DeformStrip() {
-  return <section class="strip" aria-label="Time" />;
+  useEffect(listen, []);
+  return (
+    <div class="panel deform-panel">
+      <ShapePanel />
+      <Start />
+      <HandleFields />
+      <BendPanel />
+      <MotionPanel />
+      <ColourPanel />
+      <div class="folds">
+        <SpinFold />
+        <ContinuityFold />
+      </div>
+      <footer class="panel-foot">
+        <Button
+          kind="quiet"
+          icon="keyboard"
+          popup="dialog"
+          onClick={() => {
+            help.value = true;
+          }}
+        >
+          Keyboard shortcuts
+        </Button>
+      </footer>
+      <Gallery />
+      <ShortcutsDialog />
+    </div>
+  );
 }

@@ -1,0 +1,56 @@
+import { computed } from "@preact/signals";
+import { frond } from "../../engine/wasm";
+import { changeDeformation, deformation, phasePlaying } from "../../state/bend";
+import { announce } from "../../state/notice";
+import { edit, scene } from "../../state/scene";
+import { Button } from "../../ui/Button";
+import { isAtRest } from "./changes";
+import { presentPhase } from "./clock";
+import { exampleOf } from "./examples";
+import { maps } from "./facts";
+
+const rests = computed(() => isAtRest(deformation.value));
+
+/** Where to begin; once something is bent, the way back to there. */
+export function Start() {
+  if (!rests.value)
+    return (
+      <div class="start over">
+        <Button kind="quiet" icon="reset" onClick={startOver}>
+          Start over
+        </Button>
+      </div>
+    );
+  return (
+    <div class="start notes">
+      <p>
+        <strong>Drag a point of the grid.</strong> Every part of the shape, at every scale, answers with it.
+      </p>
+      <Button kind="primary" onClick={showMe}>
+        Show me
+      </Button>
+    </div>
+  );
+}
+
+/** A bend that shows best on the shape that is there. */
+function showMe(): void {
+  const { t, a } = scene.peek();
+  const { subject } = deformation.peek();
+  const shape = subject === "shape" && t === 0 ? a : {};
+  const example = exampleOf(deformation.peek(), shape, frond.bounds({ maps: maps.peek() }));
+  changeDeformation(() => example.deformation);
+  announce(example.words);
+  if (example.moves) presentPhase();
+}
+
+function startOver(): void {
+  phasePlaying.value = false;
+  edit(({ deform, ...rest }) => {
+    // A picture stays what is bent; a shape needs nothing that says so.
+    if (deform?.subject !== "picture") return rest;
+    const moves = new Array<number>(2 * deform.columns * deform.rows).fill(0);
+    return { ...rest, deform: { ...deform, keys: [{ at: 0, moves }], phase: 0 } };
+  });
+  announce("The grid is at rest.");
+}

@@ -1,0 +1,183 @@
+import { computed } from "@preact/signals";
+import type { Colouring, Tint } from "../../../engine/api";
+import { changeDeformation, deformation } from "../../../state/bend";
+import { edit, endGesture, scene } from "../../../state/scene";
+import { Button } from "../../../ui/Button";
+import { useOwnId } from "../../../ui/id";
+import { Segmented } from "../../../ui/Segmented";
+import { Switch } from "../../../ui/Switch";
+import { MOST_ROUGHNESS } from "../changes";
+import { deepest, rough } from "../facts";
+import { chosen } from "../mesh/chosen";
+import { SliderField } from "../settings/SliderField";
+import { blended, cornersOf, firstTint, isBlended, withColouring, withCorner } from "../tint";
+import { detailWords, localityWords, roughnessWords } from "../words";
+
+const COLOURINGS: readonly { value: Colouring; label: string; description: string }[] = [
+  { value: "map", label: "Map", description: "One colour for each of the largest copies" },
+  { value: "address", label: "Address", description: "A shade for each copy of a copy" },
+  { value: "density", label: "Density", description: "Brighter where points fall more often" },
+  { value: "grid", label: "Grid", description: "Colours of the grid, handed on to all parts like the bend" },
+];
+
+const colouring = computed(() => scene.value.colouring);
+const tint = computed(() => deformation.value.tint ?? null);
+const subject = computed(() => deformation.value.subject);
+const columns = computed(() => deformation.value.columns);
+const rows = computed(() => deformation.value.rows);
+
+/** How the shape is coloured; a picture has its own colours. */
+export function ColourPanel() {
+  if (subject.value === "picture") return null;
+  return (
+    <section class="colour-panel" aria-label="Colour">
+      <div class="row">
+        <span class="row-name" aria-hidden="true">
+          Colour by
+        </span>
+        <Segmented
+          label="Colour by"
+          value={colouring.value}
+          options={COLOURINGS}
+          onChange={(next) => edit((before) => withColouring(before, next, deformation.peek()))}
+        />
+      </div>
+      {colouring.value === "grid" && <GridColours now={tint.value ?? firstTint(deformation.value)} />}
+    </section>
+  );
+}
+
+function changeTint(change: (tint: Tint) => Tint, gesture?: string): void {
+  changeDeformation(
+    (d) => ({ ...d, tint: change(d.tint ?? firstTint(d)) }),
+    gesture === undefined ? {} : { gesture },
+  );
+}
+
+/** Upper ones first, as they are seen. */
+const CORNERS = [
+  { corner: 2, name: "Upper left" },
+  { corner: 3, name: "Upper right" },
+  { corner: 0, name: "Lower left" },
+  { corner: 1, name: "Lower right" },
+] as const;
+
+function GridColours({ now }: { now: Tint }) {
+  const sides = { columns: columns.value, rows: rows.value };
+  const four = cornersOf(now.colours, sides);
+  const some = [...chosen.value];
+  const first = some[0];
+  return (
+    <>
+      <div class="tint-corners">
+        {CORNERS.map(({ corner, name }) => (
+          <ColourField
+            key={corner}
+            label={name}
+            value={four[corner]}
+            onChange={(next) =>
+              changeTint(
+                (tint) => ({ ...tint, colours: withCorner(tint.colours, sides, corner, next) }),
+                name,
+              )
+            }
+          />
+        ))}
+      </div>
+      <div class="row">
+        {first === undefined ? (
+          <p class="hint">Choose handles on the grid to colour them one by one.</p>
+        ) : (
+          <ColourField
+            label={some.length === 1 ? "The chosen handle" : `The ${some.length} chosen handles`}
+            value={now.colours[first] ?? "#808080"}
+            onChange={(next) =>
+              changeTint(
+                (tint) => ({ ...tint, colours: tint.colours.map((c, i) => (some.includes(i) ? next : c)) }),
+                "tint chosen",
+              )
+            }
+          />
+        )}
+        {!isBlended(now.colours, sides) && (
+          <Button
+            kind="quiet"
+            icon="reset"
+            onClick={() => changeTint((tint) => ({ ...tint, colours: blended(four, sides) }))}
+          >
+            Blend the corners
+          </Button>
+        )}
+      </div>
+      <details class="fold">
+        <summary>
+          <span>How small parts take colour</span>
+        </summary>
+        <TintNumbers now={now} />
+      </details>
+    </>
+  );
+}
+
+function TintNumbers({ now }: { now: Tint }) {
+  return (
+    <div class="tint-numbers">
+      <SliderField
+        label="Locality of colours"
+        symbol="kb"
+        value={now.kb}
+        max={now.ke}
+        step={0.1}
+        words={localityWords(now.kb, now.ke)}
+        onChange={(kb) => changeTint((tint) => ({ ...tint, kb: Math.min(kb, tint.ke) }), "tint kb")}
+      />
+      <SliderField
+        label="Roughness of colours"
+        symbol="δ"
+        value={now.delta}
+        max={MOST_ROUGHNESS}
+        words={roughnessWords(now.delta, rough.value)}
+        onChange={(delta) => changeTint((tint) => ({ ...tint, delta }), "tint delta")}
+      />
+      <SliderField
+        label="Detail of colours"
+        symbol="ke"
+        value={now.ke}
+        max={deepest.value}
+        step={0.1}
+        words={detailWords(now.ke)}
+        onChange={(ke) => changeTint((tint) => ({ ...tint, ke, kb: Math.min(tint.kb, ke) }), "tint ke")}
+      />
+      <Switch
+        checked={now.superposed}
+        onChange={(superposed) => changeTint((tint) => ({ ...tint, superposed }))}
+      >
+        All scales together
+      </Switch>
+    </div>
+  );
+}
+
+interface ColourFieldProps {
+  label: string;
+  value: string;
+  onChange: (value: string) => void;
+}
+
+function ColourField({ label, value, onChange }: ColourFieldProps) {
+  const id = useOwnId("colour");
+  return (
+    <div class="colour-field">
+      <input
+        id={id}
+        type="color"
+        value={value}
+        onInput={(event) => onChange(event.currentTarget.value)}
+        onChange={endGesture}
+        onBlur={endGesture}
+      />
+      <label for={id}>{label}</label>
+      <span class="number">{value}</span>
+    </div>
+  );
+}

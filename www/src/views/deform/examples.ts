@@ -1,0 +1,81 @@
+/** A bend to begin with, for whoever wants to be shown. */
+import type { BoundingBox, Deformation, Shape } from "../../engine/api";
+import { type Point, rest } from "../../state/mesh";
+import { rounder, withMotion } from "./motions";
+
+/** Shapes that grow from the ground. */
+const GROWN: readonly string[] = ["fern", "tree", "twigs", "maple"];
+
+export interface Example {
+  deformation: Deformation;
+  /** What is to be seen, in a sentence. */
+  words: string;
+  moves: boolean;
+}
+
+/** What shows best on a shape: what grows sways, of all else the longest side is lifted in the middle. */
+export function exampleOf(
+  deformation: Deformation,
+  shape: Pick<Shape, "preset">,
+  { hull }: Pick<BoundingBox, "hull">,
+): Example {
+  const plain: Deformation = { ...deformation, kb: 0, ke: 9, delta: 0.75, superposed: true, on: true };
+  if (shape.preset !== undefined && GROWN.includes(shape.preset))
+    return {
+      deformation: withMotion(flat(plain), "sway"),
+      words: "It sways, and every part of it sways about its own stem.",
+      moves: true,
+    };
+  return {
+    deformation: { ...lifted(plain, hull), spin: "none" },
+    words: "One side is lifted in the middle, and every part at every scale is lifted with it.",
+    moves: false,
+  };
+}
+
+/** At rest, at all times. */
+function flat(deformation: Deformation): Deformation {
+  const { columns, rows } = deformation;
+  return {
+    ...deformation,
+    keys: [{ at: 0, moves: new Array<number>(2 * columns * rows).fill(0) }],
+    phase: 0,
+  };
+}
+
+/** How far the middle of the side goes, and how wide its influence is, in parts of the box's larger side. */
+const FAR = 0.45;
+const WIDE = 0.3;
+
+function lifted(deformation: Deformation, hull: readonly Point[]): Deformation {
+  const { columns, rows, box } = deformation;
+  const size = Math.max(box[2] - box[0], box[3] - box[1]);
+  const { middle, outward } = longestSide(hull);
+  const round = rounder(size);
+  const moves = Array.from({ length: columns * rows }, (_, i) => {
+    const [x, y] = rest(deformation, i);
+    const far = Math.hypot(x - middle[0], y - middle[1]) / (WIDE * size);
+    const much = FAR * size * Math.exp(-far * far);
+    return [round(much * outward[0]), round(much * outward[1])];
+  }).flat();
+  return { ...deformation, keys: [{ at: 0, moves }], phase: 0 };
+}
+
+/** Of sides of the same length the one that lies highest and most to the right. */
+function longestSide(hull: readonly Point[]): { middle: Point; outward: Point } {
+  let best = { middle: [0.5, 0.5] as Point, outward: [0, 1] as Point };
+  let most = Number.NEGATIVE_INFINITY;
+  hull.forEach(([x0, y0], i) => {
+    const [x1, y1] = hull[(i + 1) % hull.length] ?? [x0, y0];
+    const length = Math.hypot(x1 - x0, y1 - y0);
+    const rank = length + 1e-3 * (x0 + x1 + y0 + y1);
+    if (!(length > 0) || rank <= most) return;
+    most = rank;
+    // Counter-clockwise: the outside is on the right.
+    best = {
+      middle: [(x0 + x1) / 2, (y0 + y1) / 2],
+      outward: [(y1 - y0) / length, (x0 - x1) / length],
+    };
+  });
+  return best;
+}

@@ -1,0 +1,51 @@
+/** What comes of the present settings, and what is wrong with them. */
+import { computed, type ReadonlySignal } from "@preact/signals";
+import type { Bend, BendFacts, MapRow } from "../../engine/api";
+import { frond } from "../../engine/wasm";
+import { bendProblem, deformation } from "../../state/bend";
+import { current } from "../../state/morph";
+import { wordsOf } from "../../state/notice";
+import { pictureMaps } from "../../state/picture";
+import { DEEPEST, roughFrom } from "./changes";
+
+/** The maps that are bent. */
+export const maps: ReadonlySignal<MapRow[]> = computed(() =>
+  deformation.value.subject === "picture" ? pictureMaps.value : current.value,
+);
+
+/** All that the facts hang on, as text: the moment and the moves are not part of it. */
+const settings = computed(() => {
+  const { columns, rows, box, kb, ke, delta, spin, continuity, superposed } = deformation.value;
+  return JSON.stringify({ columns, rows, box, kb, ke, delta, spin, continuity, superposed });
+});
+
+type Answer = { facts: BendFacts | null; problem: string | null };
+
+const answer: ReadonlySignal<Answer> = computed(() => {
+  const plain = JSON.parse(settings.value) as Omit<Bend, "moves">;
+  const bend: Bend = { ...plain, moves: new Array<number>(2 * plain.columns * plain.rows).fill(0) };
+  try {
+    return { facts: frond.bendFacts({ maps: maps.value }, bend), problem: null };
+  } catch (problem) {
+    return { facts: null, problem: wordsOf(problem) };
+  }
+});
+
+/** Null where there is no bend to be had. */
+export const facts: ReadonlySignal<BendFacts | null> = computed(() => answer.value.facts);
+
+/** Why what is asked for cannot be had; the last good bend is shown meanwhile. */
+export const problem: ReadonlySignal<string | null> = computed(
+  () => bendProblem.value ?? answer.value.problem,
+);
+
+/** Sliders go no further, however much memory there is: beyond, nothing is seen. */
+const MOST_DETAIL = 24;
+
+/** The largest detail to choose. */
+export const deepest: ReadonlySignal<number> = computed(() => {
+  const most = facts.value?.deepest ?? DEEPEST;
+  return Math.max(1, Math.min(MOST_DETAIL, most), Math.min(MOST_DETAIL, deformation.value.ke));
+});
+
+export const rough: ReadonlySignal<number> = computed(() => roughFrom(maps.value));

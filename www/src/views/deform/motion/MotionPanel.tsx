@@ -1,0 +1,61 @@
+import { computed } from "@preact/signals";
+import { changeDeformation, deformation, phasePlaying } from "../../../state/bend";
+import { announce } from "../../../state/notice";
+import { reducedMotion } from "../../../state/preferences";
+import { Button } from "../../../ui/Button";
+import { narrow } from "../../../ui/media";
+import { presentPhase } from "../clock";
+import { MOTIONS, type Motion, motionOf, withMotion } from "../motions";
+import { TimeOptions } from "../strip/TimeOptions";
+
+// The moment is no part of it.
+const keys = computed(() => deformation.value.keys);
+const box = computed(() => deformation.value.box);
+const now = computed(() => {
+  keys.value;
+  box.value;
+  return motionOf(deformation.peek());
+});
+
+/** Motions to begin with, and, where the strip has no room for it, what belongs to time. */
+export function MotionPanel() {
+  return (
+    <section class="motions" aria-label="Motion">
+      <div class="section-head">
+        <h2>Motion</h2>
+        <span class="hint">{now.value === null ? `${keys.value.length} key frames of your own` : ""}</span>
+      </div>
+      <div class="motion-list">
+        {MOTIONS.map((motion) => (
+          <Button
+            key={motion.id}
+            pressed={now.value === motion.id}
+            description={motion.about}
+            onClick={() => apply(motion)}
+          >
+            {motion.name}
+          </Button>
+        ))}
+      </div>
+      {narrow.value && <TimeOptions />}
+    </section>
+  );
+}
+
+function apply({ id, name, about }: Motion): void {
+  if (now.peek() === id) {
+    if (id !== "still") presentPhase();
+    return;
+  }
+  phasePlaying.value = false;
+  changeDeformation((d) => withMotion(d, id));
+  if (id === "still") {
+    announce("Still: one grid for all times.");
+    return;
+  }
+  const { keys, seconds, spin } = deformation.peek();
+  const turns = id === "sway" && spin === "scaled" ? " Every part sways about its own stem." : "";
+  const hint = reducedMotion.peek() ? " Press Play to see it." : "";
+  announce(`${name}: ${about}. ${keys.length} key frames in ${seconds} seconds.${turns}${hint}`);
+  presentPhase();
+}

@@ -1,0 +1,159 @@
+import { computed } from "@preact/signals";
+import { useRef } from "preact/hooks";
+import { changeDeformation, deformation } from "../../../state/bend";
+import { endGesture } from "../../../state/scene";
+import { NumberField } from "../../../ui/NumberField";
+import { formatNumber } from "../../../ui/number";
+import { Segmented } from "../../../ui/Segmented";
+import { Switch } from "../../../ui/Switch";
+import { MOST_ROUGHNESS, withCorners, withDetail, withLocality } from "../changes";
+import { deepest, problem, rough } from "../facts";
+import { detailWords, localityWords, roughnessWords } from "../words";
+import { PlainButton } from "./PlainButton";
+import { SliderField } from "./SliderField";
+
+const kb = computed(() => deformation.value.kb);
+const ke = computed(() => deformation.value.ke);
+const delta = computed(() => deformation.value.delta);
+const superposed = computed(() => deformation.value.superposed);
+
+/** How the displacements are handed on to the small parts. */
+export function BendPanel() {
+  return (
+    <section class="bend-panel" aria-label="Bend">
+      <div class="section-head">
+        <h2>How the small parts answer</h2>
+        <PlainButton />
+      </div>
+      <Locality />
+      <Roughness />
+      <Detail />
+      <div class="row">
+        <span class="row-name" aria-hidden="true">
+          Scales
+        </span>
+        <Segmented
+          label="Scales"
+          value={superposed.value ? "all" : "last"}
+          options={[
+            { value: "all", label: "All together", description: "The sum of all scales, kb to ke" },
+            { value: "last", label: "Smallest only", description: "Only the last shuffle, down to ke" },
+          ]}
+          onChange={(next) => changeDeformation((d) => ({ ...d, superposed: next === "all" }))}
+        />
+      </div>
+      {problem.value !== null && (
+        <p class="bend-problem" role="alert">
+          {problem.value} <span class="dim">What is shown is the last that worked.</span>
+        </p>
+      )}
+    </section>
+  );
+}
+
+function Locality() {
+  return (
+    <SliderField
+      label="Locality"
+      symbol="kb"
+      value={kb.value}
+      max={ke.value}
+      step={0.1}
+      words={localityWords(kb.value, ke.value)}
+      ends={["scattered: every part answers", "plain"]}
+      onChange={(next) => changeDeformation((d) => withLocality(d, next), { gesture: "kb" })}
+    />
+  );
+}
+
+function Detail() {
+  const wished = useRef<number | null>(null);
+  return (
+    <SliderField
+      label="Detail"
+      symbol="ke"
+      value={ke.value}
+      max={deepest.value}
+      step={0.1}
+      words={detailWords(ke.value)}
+      ends={["the whole", "the smallest parts"]}
+      onChange={(next) => {
+        wished.current ??= kb.peek();
+        const wish = wished.current;
+        changeDeformation((d) => withDetail(d, next, wish), { gesture: "ke" });
+      }}
+      onDone={() => {
+        wished.current = null;
+      }}
+    />
+  );
+}
+
+/** Upper ones first, as they are seen: their places in the list of four. */
+const CORNERS = [
+  { index: 2, name: "Upper left" },
+  { index: 3, name: "Upper right" },
+  { index: 0, name: "Lower left" },
+  { index: 1, name: "Lower right" },
+] as const;
+
+function Roughness() {
+  const now = delta.value;
+  return (
+    <div class="roughness">
+      {Array.isArray(now) ? (
+        <fieldset class="corners">
+          <legend class="row-name">
+            Roughness <span class="symbol">δ</span>
+          </legend>
+          {CORNERS.map(({ index, name }) => (
+            <NumberField
+              key={index}
+              label={name}
+              value={now[index]}
+              min={0}
+              max={MOST_ROUGHNESS}
+              step={0.05}
+              digits={3}
+              onChange={(next) =>
+                changeDeformation(
+                  (d) =>
+                    Array.isArray(d.delta)
+                      ? { ...d, delta: d.delta.map((x, i) => (i === index ? next : x)) as typeof now }
+                      : d,
+                  { gesture: `delta ${index}` },
+                )
+              }
+              onDone={endGesture}
+            />
+          ))}
+        </fieldset>
+      ) : (
+        <SliderField
+          label="Roughness"
+          symbol="δ"
+          value={now}
+          max={MOST_ROUGHNESS}
+          words={roughnessWords(now, rough.value)}
+          ends={["smooth", "rough"]}
+          onChange={(next) => changeDeformation((d) => ({ ...d, delta: next }), { gesture: "delta" })}
+        >
+          {rough.value < MOST_ROUGHNESS && (
+            <span
+              class="slider-mark"
+              style={{ left: `${(100 * rough.value) / MOST_ROUGHNESS}%` }}
+              title={`From ${formatNumber(rough.value, 2)} on it is rough: each scale answers more than it is smaller`}
+            />
+          )}
+        </SliderField>
+      )}
+      <Switch
+        checked={Array.isArray(now)}
+        description="Four numbers, blended over the shape"
+        onChange={(apart) => changeDeformation((d) => withCorners(d, apart))}
+      >
+        Differs from corner to corner
+      </Switch>
+    </div>
+  );
+}

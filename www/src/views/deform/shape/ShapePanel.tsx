@@ -1,0 +1,179 @@
+import { computed } from "@preact/signals";
+import { originOf, presets } from "../../../engine/presets";
+import { strip, thumbnails } from "../../../engine/results";
+import { boxAround, changeDeformation, deformation } from "../../../state/bend";
+import { current } from "../../../state/morph";
+import { announce } from "../../../state/notice";
+import { pictureMaps } from "../../../state/picture";
+import { pause, setT } from "../../../state/playback";
+import { edit, replace, scene } from "../../../state/scene";
+import { Button } from "../../../ui/Button";
+import { Dialog } from "../../../ui/Dialog";
+import { formatNumber } from "../../../ui/number";
+import { Segmented } from "../../../ui/Segmented";
+import { ShapeGrid } from "../../../ui/ShapeGrid";
+import { Slider } from "../../../ui/Slider";
+import { Switch } from "../../../ui/Switch";
+import { Thumbnail } from "../../../ui/Thumbnail";
+import { choose, inBox, onPath, sameBox, sameShapes } from "../changes";
+import { gallery } from "../dialogs";
+import { maps } from "../facts";
+import { PicturePanel } from "../picture/PicturePanel";
+
+const subject = computed(() => deformation.value.subject);
+const parts = computed(() => deformation.value.parts);
+const on = computed(() => deformation.value.on);
+const box = computed(() => deformation.value.box);
+const bent = computed(() => scene.value.deform !== undefined);
+const a = computed(() => scene.value.a);
+const b = computed(() => scene.value.b);
+const t = computed(() => scene.value.t);
+
+/** What is bent: a shape, the morph as it stands, or a picture. */
+export function ShapePanel() {
+  return (
+    <section class="shape-panel" aria-label="What is bent">
+      <Segmented
+        label="What is bent"
+        value={subject.value}
+        options={[
+          { value: "shape", label: "A shape" },
+          { value: "picture", label: "A picture" },
+        ]}
+        onChange={(next) =>
+          changeDeformation((d) => {
+            const around = boxAround(next === "picture" ? pictureMaps.peek() : current.peek());
+            return inBox({ ...d, subject: next }, around);
+          })
+        }
+      />
+      {subject.value === "picture" ? <Picture /> : <Shape />}
+      {bent.value && !sameBox(box.value, boxAround(maps.value)) && (
+        <Button
+          kind="quiet"
+          icon="whole"
+          onClick={() => {
+            changeDeformation((d) => inBox(d, boxAround(maps.peek())));
+            announce("The grid is around the shape again.");
+          }}
+        >
+          Fit the grid to the shape
+        </Button>
+      )}
+    </section>
+  );
+}
+
+function Picture() {
+  return (
+    <>
+      <PicturePanel />
+      <div class="row">
+        <span class="row-name" aria-hidden="true">
+          Taken apart into
+        </span>
+        <Segmented
+          label="Parts each way"
+          value={parts.value === 2 ? "2" : "3"}
+          options={[
+            { value: "2", label: "2 × 2" },
+            { value: "3", label: "3 × 3" },
+          ]}
+          onChange={(next) => changeDeformation((d) => ({ ...d, parts: next === "2" ? 2 : 3 }))}
+        />
+      </div>
+    </>
+  );
+}
+
+function Shape() {
+  const morphs = !sameShapes(a.value, b.value);
+  const { name, maps: all, preset } = a.value;
+  const between = t.value > 0 && morphs;
+  return (
+    <>
+      <button
+        type="button"
+        class="subject"
+        aria-haspopup="dialog"
+        aria-label={`${between ? `Between ${name} and ${b.value.name}` : name}. Choose another shape`}
+        title="Choose another shape"
+        onClick={() => {
+          gallery.value = true;
+        }}
+      >
+        <Thumbnail
+          bitmap={
+            between ? frameAt(t.value) : (thumbnails.value.get("a") ?? thumbnails.value.get(preset ?? ""))
+          }
+        />
+        <span class="subject-name">{between ? `${name} to ${b.value.name}` : name}</span>
+        <span class="subject-about">
+          {between
+            ? `the morph at ${formatNumber(100 * t.value, 1)}%`
+            : `${all.length} ${all.length === 1 ? "map" : "maps"}${preset === undefined ? ", edited" : ""}`}
+        </span>
+      </button>
+      {morphs && (
+        <>
+          <div class="morph-time">
+            <span class="row-name">{name}</span>
+            <Slider
+              label={`Morph from ${name} to ${b.value.name}`}
+              value={t.value}
+              valueText={`${formatNumber(100 * t.value, 1)}%`}
+              onChange={(next) => {
+                pause();
+                replace(onPath(scene.peek()));
+                setT(next);
+              }}
+            />
+            <span class="row-name">{b.value.name}</span>
+          </div>
+          {bent.value && (
+            <Switch
+              checked={on.value}
+              description="What is bent here is bent while the morph plays, too"
+              onChange={(next) => changeDeformation((d) => ({ ...d, on: next }))}
+            >
+              Bend it in the morph, too
+            </Switch>
+          )}
+        </>
+      )}
+    </>
+  );
+}
+
+function frameAt(at: number): ImageBitmap | null {
+  const frames = strip.value;
+  const away = frames.map((frame) => Math.abs(frame.t - at));
+  return frames[away.indexOf(Math.min(...away))]?.bitmap ?? null;
+}
+
+/** Every preset, to be bent. */
+export function Gallery() {
+  if (!gallery.value) return null;
+  const close = () => {
+    gallery.value = false;
+  };
+  return (
+    <Dialog
+      wide
+      title="A shape to bend"
+      about="The grid is put around it. Shape A of the morph becomes it, too."
+      onClose={close}
+    >
+      <ShapeGrid
+        presets={presets()}
+        pictures={thumbnails.value}
+        chosen={originOf(a.value)?.id}
+        onChoose={(preset) => {
+          edit((before) => choose(before, preset, boxAround(preset.maps)));
+          announce(`${preset.name}, with the grid around it.`);
+          close();
+        }}
+      />
+    </Dialog>
+  );
+}

@@ -1,0 +1,47 @@
+import "../../../ui/strip.css";
+import "./strip.css";
+import { deformation, phasePlaying } from "../../../state/bend";
+import { IconButton } from "../../../ui/Button";
+import { narrow } from "../../../ui/media";
+import { Slider } from "../../../ui/Slider";
+import { pausePhase, playPhase, scrubPhase } from "../clock";
+import { KeyTrack } from "./KeyTrack";
+import { TimeOptions } from "./TimeOptions";
+import { momentWords } from "./words";
+
+/** Time: play, scrub, and the key frames of the mesh. */
+export function DeformStrip() {
+  const { phase } = deformation.value;
+  return (
+    <section class="strip deform-strip" aria-label="Time">
+      <PlayButton />
+      <div class="strip-film key-film">
+        <Slider
+          class="key-scrub"
+          label="Time"
+          value={phase}
+          step={0.01}
+          valueText={momentWords(deformation.value)}
+          onChange={scrubPhase}
+        />
+        <KeyTrack />
+      </div>
+      {!narrow.value && <TimeOptions />}
+    </section>
+  );
+}
+
+function PlayButton() {
+  const on = phasePlaying.value;
+  const still = deformation.value.keys.length < 2;
+  return (
+    <IconButton
+      class="play"
+      icon={on ? "pause" : "play"}
+      label={on ? "Pause" : "Play"}
+      disabled={still}
+      {...(still ? { description: "one key frame does not move: choose a motion, or add another" } : {})}
+      onClick={() => (on ? pausePhase() : playPhase())}
+    />
+  );
+}

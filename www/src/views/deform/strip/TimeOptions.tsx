@@ -1,0 +1,118 @@
+import { changeDeformation, deformation, movesAt } from "../../../state/bend";
+import { keyNear, MOST_KEYS } from "../../../state/keys";
+import { announce } from "../../../state/notice";
+import { endGesture } from "../../../state/scene";
+import { Button, IconButton } from "../../../ui/Button";
+import { NumberField } from "../../../ui/NumberField";
+import { withKey, withKeyAt, withLoop, withoutKey } from "../changes";
+import { pausePhase, scrubPhase } from "../clock";
+import { percentWords } from "./words";
+
+/** The numbers of the time line, and what can be done with its keys. */
+export function TimeOptions() {
+  const { phase, seconds, loop } = deformation.value;
+  return (
+    <div class="time-options">
+      <NumberField
+        terse
+        label="Time in percent"
+        value={100 * phase}
+        min={0}
+        max={100}
+        step={1}
+        digits={1}
+        unit="%"
+        onChange={(percentage) => scrubPhase(percentage / 100)}
+      />
+      <NumberField
+        terse
+        label="Seconds once through"
+        value={seconds}
+        min={0.5}
+        max={60}
+        step={0.5}
+        digits={2}
+        unit="s"
+        onChange={(next) => changeDeformation((d) => ({ ...d, seconds: next }), { gesture: "seconds" })}
+        onDone={endGesture}
+      />
+      <IconButton
+        icon="loop"
+        label="Round and round"
+        kind="quiet"
+        pressed={loop}
+        onClick={() => changeDeformation((d) => withLoop(d, !d.loop))}
+      />
+      <KeyOptions />
+    </div>
+  );
+}
+
+/** Of the key at the present moment; where there is none, one can be made. */
+function KeyOptions() {
+  const { keys, phase } = deformation.value;
+  const alone = keys.length === 1;
+  const near = keyNear(deformation.value, phase);
+  const key = keys[near];
+  const away = alone && key !== undefined && Math.abs(key.at - phase) > 1e-3;
+  if (key === undefined || away)
+    return (
+      <Button
+        class="key-add"
+        icon="add"
+        disabled={keys.length >= MOST_KEYS}
+        description={
+          keys.length >= MOST_KEYS
+            ? `There are ${MOST_KEYS} key frames already`
+            : "Keep the grid of this moment"
+        }
+        onClick={addKey}
+      >
+        Add key frame
+      </Button>
+    );
+  return (
+    <div class="key-options">
+      <NumberField
+        label={`Key ${near + 1} of ${keys.length}`}
+        value={100 * key.at}
+        min={0}
+        max={100}
+        step={1}
+        digits={1}
+        unit="%"
+        onChange={(percentage) => {
+          pausePhase();
+          changeDeformation((d) => withKeyAt(d, near, percentage / 100), { gesture: `key ${near}` });
+        }}
+        onDone={endGesture}
+      />
+      <IconButton
+        icon="bin"
+        label={`Delete key frame ${near + 1}`}
+        kind="quiet"
+        disabled={alone}
+        onClick={() => removeKey(near)}
+      />
+    </div>
+  );
+}
+
+/** Keeps the mesh of the present moment. */
+export function addKey(): void {
+  pausePhase();
+  const before = deformation.peek();
+  changeDeformation((d) => withKey(d, d.phase, movesAt(d.keys, d.phase, d.loop)));
+  const after = deformation.peek();
+  if (after === before) return;
+  announce(
+    `Key frame at ${percentWords(after.phase)}, ${keyNear(after, after.phase) + 1} of ${after.keys.length}.`,
+  );
+}
+
+export function removeKey(index: number): void {
+  if (deformation.peek().keys.length < 2) return;
+  pausePhase();
+  changeDeformation((d) => withoutKey(d, index));
+  announce(`Key frame ${index + 1} deleted. ${deformation.peek().keys.length} left.`);
+}
