@@ -8,13 +8,18 @@ struct Look {
     contrast: f32,
     gain: f32,
     premultiply: f32,
-    padding: f32,
+    // 1 where codes are colours, eight bits each.
+    tinted: f32,
 }
 
 @group(0) @binding(1) var<uniform> look: Look;
 
 fn colour_of(code: u32) -> vec3<f32> {
     let packed = code - 1u;
+    if look.tinted > 0.5 {
+        let bytes = vec3<u32>(packed >> 16u, packed >> 8u, packed) & vec3<u32>(255u);
+        return vec3<f32>(bytes) / 255.0;
+    }
     let base = look.palette[(packed >> 12u) & 63u].rgb;
     let second = f32((packed >> 6u) & 63u);
     let third = f32(packed & 63u);

@@ -5,7 +5,10 @@ struct Screen {
     size: vec2<f32>,
     // What masses are multiplied by.
     mass: f32,
-    padding: f32,
+    // 1 where pieces have colours of their own.
+    tinted: f32,
+    // Row by row: from the unit disc to the two sides along which pieces are twisted.
+    sides: vec4<f32>,
 }
 
 @group(0) @binding(0) var<uniform> screen: Screen;
@@ -25,6 +28,10 @@ struct Piece {
     // As above, and their count from bit 18 on.
     @location(5) letters: u32,
     @location(6) mass: f32,
+    // What is added, times how far along the one side and along the other.
+    @location(7) twist: vec2<f32>,
+    // A colour, eight bits each.
+    @location(8) tint: u32,
 }
 
 // One more than the largest code.
@@ -33,9 +40,11 @@ const CODES: f32 = 262145.0;
 // The middle of the pixel that a point falls on, so that no rule of rasterising and no rounding of it
 // moves the point to another one.
 fn place(point: Point, piece: Piece, depth: f32) -> vec4<f32> {
+    let along = screen.sides.x * point.position.x + screen.sides.y * point.position.y;
+    let up = screen.sides.z * point.position.x + screen.sides.w * point.position.y;
     let x = piece.linear.x * point.position.x + piece.linear.y * point.position.y + piece.translation.x;
     let y = piece.linear.z * point.position.x + piece.linear.w * point.position.y + piece.translation.y;
-    let pixel = floor(vec2<f32>(x, y));
+    let pixel = floor(vec2<f32>(x, y) + piece.twist * (along * up));
     if !(pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < screen.size.x && pixel.y < screen.size.y) {
         // Outside of what is clipped.
         return vec4<f32>(2.0, 2.0, 0.0, 1.0);
@@ -58,7 +67,8 @@ struct Coded {
 @vertex
 fn codes_vertex(point: Point, piece: Piece) -> Coded {
     let code = code_of(point, piece);
-    return Coded(place(point, piece, f32(code) / CODES), code);
+    // Later maps lie on top, whatever the colour.
+    return Coded(place(point, piece, f32(code) / CODES), select(code, piece.tint + 1u, screen.tinted > 0.5));
 }
 
 @fragment

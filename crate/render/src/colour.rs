@@ -14,6 +14,8 @@ pub enum Colouring {
     Address,
     /// Each map has a colour, and points are the brighter the more of the measure falls on them.
     Density,
+    /// Each piece has the colour that a bend carries to it (a `Tint`). By map where there is none.
+    Grid,
 }
 
 /// The colours of Okabe & Ito (2008), which most people with colour-blindness can tell apart.
@@ -48,8 +50,8 @@ pub struct Look {
     pub gain: f32,
     /// 1 to multiply colours by alpha, as a canvas wants them, 0 to leave them.
     pub premultiply: f32,
-    /// A uniform buffer is a multiple of 16 bytes long.
-    pub padding: f32,
+    /// 1 where codes are colours, see [`code_of_colour`], 0 where they are letters.
+    pub tinted: f32,
 }
 
 impl Look {
@@ -69,16 +71,20 @@ impl Look {
             contrast: if colouring == Colouring::Address { CONTRAST } else { 0.0 },
             gain: 0.0,
             premultiply: 0.0,
-            padding: 0.0,
+            tinted: 0.0,
         }
     }
 
-    /// The colour of a lit pixel, from its code.
+    /// The colour of a lit pixel, from its code: a colour itself, or letters.
     ///
     /// The second letter moves the colour of the first towards white or black in equal steps, the third
     /// does so in finer ones.
     #[must_use]
     pub fn colour(&self, code: u32) -> [f32; 3] {
+        if self.tinted > 0.5 {
+            let packed = code.wrapping_sub(1);
+            return [packed >> 16, packed >> 8, packed].map(|c| (c & 255) as f32 / 255.0);
+        }
         let [first, second, third] = Letters::of_code(code).unwrap_or_default();
         let [r, g, b, _] = self.palette[first];
         let place = (second as f32 + (third as f32 + 0.5) / self.maps) / self.maps;
@@ -86,6 +92,19 @@ impl Look {
         let towards = if shift > 0.0 { 1.0 } else { 0.0 };
         [r, g, b].map(|c| c + (towards - c) * shift.abs())
     }
+}
+
+/// A colour, sRGB from 0 to 1, as 24 bits: the red ones first.
+#[must_use]
+pub fn pack_colour(colour: [f64; 3]) -> u32 {
+    // A cast of NaN gives 0.
+    colour.iter().fold(0, |packed, c| packed << 8 | (c.clamp(0.0, 1.0) * 255.0).round() as u32)
+}
+
+/// The code of a lit pixel that has such a colour.
+#[must_use]
+pub fn code_of_colour(packed: u32) -> u32 {
+    packed + 1
 }
 
 #[cfg(test)]
@@ -115,6 +134,17 @@ mod tests {
         let (a, b) = (look.colour(code([1, 1, 1])), by_map.colour(code([1, 1, 1])));
         assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-6));
         assert!(look.colour(code([63, 63, 63])).iter().all(|c| c.is_finite()));
+    }
+
+    #[test]
+    fn colours_of_their_own_come_back_from_their_codes() {
+        let look = Look { tinted: 1.0, ..Look::new(Colouring::Grid, &[], 3) };
+        for colour in [[0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [1.0, 0.0, 51.0 / 255.0]] {
+            let code = code_of_colour(pack_colour(colour));
+            assert!(code > 0, "0 is dark");
+            assert_eq!(look.colour(code), colour.map(|c| c as f32));
+        }
+        assert_eq!(pack_colour([f64::NAN, -3.0, 9.0]), 255);
     }
 
     #[test]

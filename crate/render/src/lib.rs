@@ -40,7 +40,7 @@ mod view;
 mod window;
 
 pub use bitmap::Bitmap;
-pub use colour::{Colouring, Look, OKABE_ITO};
+pub use colour::{Colouring, Look, OKABE_ITO, code_of_colour, pack_colour};
 pub use cut::{Piece, cut, cut_at_random};
 pub use density::Density;
 pub use flood::{CloudPoint, Flood};

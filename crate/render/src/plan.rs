@@ -9,7 +9,7 @@ use crate::cut::{Piece, cut, cut_at_random};
 use crate::flood::Flood;
 use crate::frame::Frame;
 use crate::letters::Letters;
-use crate::points::{Instance, Vertex};
+use crate::points::{Instance, Sides, Vertex};
 use crate::sweep::{Sweep, Walk};
 use crate::window::Window;
 
@@ -70,6 +70,10 @@ pub struct Plan {
     pub batches: Vec<Batch>,
     /// Whether these are all the pieces, each with all of its points.
     pub exact: bool,
+    /// Whether the pieces have colours of their own.
+    pub tinted: bool,
+    /// Along which sides the pieces are twisted, where the shape is bent.
+    pub sides: Sides,
     pieces: Vec<Piece>,
     /// How many times larger than usual the pieces had to be last time, as a power of two.
     doublings: u32,
@@ -152,7 +156,7 @@ impl Plan {
     }
 
     /// Adds a cloud for pieces of a size.
-    fn cloud(&mut self, frame: &Frame, size: f64, detail: Detail) -> Range<u32> {
+    pub(crate) fn cloud(&mut self, frame: &Frame, size: f64, detail: Detail) -> Range<u32> {
         let first = self.vertices.len() as u32;
         let side = (size / detail.cell).ceil().clamp(1.0, 8192.0);
         let half = 0.5 * side;
@@ -228,7 +232,7 @@ mod tests {
             let range = |range: &Range<u32>| range.start as usize..range.end as usize;
             for instance in &plan.instances[range(&batch.instances)] {
                 for vertex in &plan.vertices[range(&batch.vertices)] {
-                    if let Some((x, y)) = instance.place(vertex, WINDOW) {
+                    if let Some((x, y)) = instance.place(vertex, &[0.0; 4], WINDOW) {
                         let pixel = &mut picture[(y * WINDOW.width + x) as usize];
                         *pixel = (*pixel).max(instance.code(vertex));
                     }

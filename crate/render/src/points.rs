@@ -30,7 +30,15 @@ pub struct Instance {
     pub letters: u32,
     /// Its part of the measure, scaled.
     pub mass: f32,
+    /// What is added to a point, times how far along the one side and along the other it is: see [`Sides`].
+    pub twist: [f32; 2],
+    /// Its colour, eight bits each, where pieces have colours of their own.
+    pub tint: u32,
 }
+
+/// From the unit disc to how far along two sides a point is, row by row: for pieces that are bent as a
+/// parallelogram is taken to any quadrilateral.
+pub type Sides = [f32; 4];
 
 /// Where the count of letters begins in [`Instance::letters`].
 const COUNT: u32 = 18;
@@ -49,16 +57,27 @@ impl Instance {
     pub fn new(map: &Affine2, letters: Letters, mass: f32) -> Self {
         let [a, b, c, d, e, f] = map.to_row().map(|x| x as f32);
         let count = u32::from(letters.count()) << COUNT;
-        Self { linear: [a, b, c, d], translation: [e, f], letters: letters.packed() | count, mass }
+        Self {
+            linear: [a, b, c, d],
+            translation: [e, f],
+            letters: letters.packed() | count,
+            mass,
+            twist: [0.0; 2],
+            tint: 0,
+        }
     }
 
     /// The pixel that a point of a cloud falls on under this piece, if it is in the window.
     #[must_use]
-    pub fn place(&self, vertex: &Vertex, window: Window) -> Option<(u32, u32)> {
+    pub fn place(&self, vertex: &Vertex, sides: &Sides, window: Window) -> Option<(u32, u32)> {
         let [x, y] = vertex.position;
         let [a, b, c, d] = self.linear;
-        let pixel =
-            [a * x + b * y + self.translation[0], c * x + d * y + self.translation[1]].map(f32::floor);
+        let turn = (sides[0] * x + sides[1] * y) * (sides[2] * x + sides[3] * y);
+        let pixel = [
+            a * x + b * y + self.translation[0] + self.twist[0] * turn,
+            c * x + d * y + self.translation[1] + self.twist[1] * turn,
+        ]
+        .map(f32::floor);
         let inside = pixel[0] >= 0.0
             && pixel[1] >= 0.0
             && pixel[0] < window.width as f32
@@ -105,12 +124,25 @@ mod tests {
     fn points_fall_on_the_pixels_that_hold_them() {
         let window = Window { width: 10, height: 8 };
         let instance = Instance::new(&Affine2::from_row([4.0, 1.0, 0.5, -2.0, 5.0, 4.0]), Letters::NONE, 1.0);
-        let at = |x, y| instance.place(&Vertex::new([x, y], Letters::NONE, 1.0), window);
+        let at = |x, y| instance.place(&Vertex::new([x, y], Letters::NONE, 1.0), &[0.0; 4], window);
         assert_eq!(at(0.0, 0.0), Some((5, 4)));
         assert_eq!(at(1.0, 0.9), Some((9, 2)));
         for outside in [(2.0, 0.0), (-2.0, 0.0), (0.0, 3.0), (0.0, -3.0), (f32::NAN, 0.0)] {
             assert_eq!(at(outside.0, outside.1), None);
         }
+    }
+
+    #[test]
+    fn twists_take_a_square_to_a_quadrilateral() {
+        let window = Window { width: 100, height: 100 };
+        let mut instance =
+            Instance::new(&Affine2::from_row([20.0, 0.0, 0.0, 20.0, 50.5, 50.5]), Letters::NONE, 1.0);
+        instance.twist = [8.0, -4.0];
+        let sides = [1.0, 0.0, 0.0, 1.0];
+        let at = |x, y| instance.place(&Vertex::new([x, y], Letters::NONE, 1.0), &sides, window);
+        assert_eq!(at(1.0, 0.0), Some((70, 50)), "the sides through the middle stay");
+        assert_eq!((at(1.0, 1.0), at(-1.0, -1.0)), (Some((78, 66)), Some((38, 26))));
+        assert_eq!((at(-1.0, 1.0), at(1.0, -1.0)), (Some((22, 74)), Some((62, 34))));
     }
 
     #[test]
@@ -125,6 +157,6 @@ mod tests {
 
     #[test]
     fn the_layouts_are_those_of_the_vertex_buffers() {
-        assert_eq!((size_of::<Vertex>(), size_of::<Instance>()), (16, 32));
+        assert_eq!((size_of::<Vertex>(), size_of::<Instance>()), (16, 44));
     }
 }

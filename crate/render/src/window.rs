@@ -65,12 +65,19 @@ impl Window {
     #[inline]
     #[must_use]
     pub fn extent(self, map: &Affine2) -> Option<Extent> {
+        self.extent_within(map, 0.0)
+    }
+
+    /// Where what is at most `slack` pixels away from that image lies.
+    #[inline]
+    #[must_use]
+    pub fn extent_within(self, map: &Affine2, slack: f64) -> Option<Extent> {
         let m = map.linear;
         // The reach of an ellipse along an axis is the length of that row of its matrix.
         let reach = DVec2::new(
             (m.x_axis.x * m.x_axis.x + m.y_axis.x * m.y_axis.x).sqrt(),
             (m.x_axis.y * m.x_axis.y + m.y_axis.y * m.y_axis.y).sqrt(),
-        );
+        ) + DVec2::splat(slack);
         let (low, high) = (map.translation - reach, map.translation + reach);
         let (width, height) = (f64::from(self.width), f64::from(self.height));
         let touches = high.x >= 0.0 && high.y >= 0.0 && low.x < width && low.y < height;
@@ -103,6 +110,15 @@ mod tests {
         assert!(WINDOW.extent(&far).is_none());
         assert!(WINDOW.extent(&Affine2::from_row([f64::NAN; 6])).is_none());
         assert!(Window { width: 0, height: 0 }.extent(&Affine2::IDENTITY).is_none());
+    }
+
+    #[test]
+    fn slack_is_on_all_sides() {
+        let map = Affine2::from_row([3.0, 0.0, 0.0, 2.0, -4.0, 50.0]);
+        assert!(WINDOW.extent(&map).is_none());
+        let extent = WINDOW.extent_within(&map, 1.5).unwrap();
+        assert_eq!((extent.pixels, extent.size), (PixelBox { x: (0, 0), y: (46, 53) }, 9.0));
+        assert!(WINDOW.extent_within(&map, f64::NAN).is_none());
     }
 
     #[test]

@@ -170,7 +170,7 @@ fn by_twins(subject: &Subject, colouring: Colouring, factor: f64, plan: &Plan) -
         let range = |range: &std::ops::Range<u32>| range.start as usize..range.end as usize;
         for instance in &plan.instances[range(&batch.instances)] {
             for vertex in &plan.vertices[range(&batch.vertices)] {
-                if let Some((x, y)) = instance.place(vertex, target) {
+                if let Some((x, y)) = instance.place(vertex, &plan.sides, target) {
                     let pixel = &mut codes[(y * target.width + x) as usize];
                     *pixel = (*pixel).max(instance.code(vertex));
                 }

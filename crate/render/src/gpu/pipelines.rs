@@ -164,7 +164,9 @@ fn draw(
     let instances = wgpu::VertexBufferLayout {
         array_stride: size_of::<Instance>() as u64,
         step_mode: wgpu::VertexStepMode::Instance,
-        attributes: &wgpu::vertex_attr_array![3 => Float32x4, 4 => Float32x2, 5 => Uint32, 6 => Float32],
+        attributes: &wgpu::vertex_attr_array![
+            3 => Float32x4, 4 => Float32x2, 5 => Uint32, 6 => Float32, 7 => Float32x2, 8 => Uint32
+        ],
     };
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(vertex),

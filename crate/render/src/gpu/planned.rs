@@ -41,7 +41,7 @@ impl Planned {
     pub fn begin(&mut self, gpu: &Gpu, target: &Target) {
         self.vertices.fill(&gpu.device, &gpu.queue, &self.plan.vertices);
         self.instances.fill(&gpu.device, &gpu.queue, &self.plan.instances);
-        target.prepare(gpu, 1.0);
+        target.prepare(gpu, 1.0, self.plan.tinted, self.plan.sides);
         self.next = (0, 0);
         self.clear = true;
     }

@@ -6,7 +6,7 @@ use super::buffer::{Buffer, uniform};
 use super::device::Gpu;
 use super::pipelines::{CODES, DEPTH, Kind, Pipelines, READ};
 use crate::plan::Batch;
-use crate::points::{Instance, Vertex};
+use crate::points::{Instance, Sides, Vertex};
 use crate::window::Window;
 
 /// A texture of codes, sums or colours, and what is needed to draw points into it and to show it.
@@ -27,7 +27,8 @@ pub(super) struct Target {
 struct Screen {
     size: [f32; 2],
     mass: f32,
-    padding: f32,
+    tinted: f32,
+    sides: Sides,
 }
 
 impl Target {
@@ -78,10 +79,12 @@ impl Target {
         );
     }
 
-    /// Sets what masses are multiplied by.
-    pub fn prepare(&self, gpu: &Gpu, mass: f32) {
+    /// Sets what masses are multiplied by, whether pieces have colours of their own, and along which sides they
+    /// are twisted.
+    pub fn prepare(&self, gpu: &Gpu, mass: f32, tinted: bool, sides: Sides) {
         let size = [self.window.width as f32, self.window.height as f32];
-        gpu.queue.write_buffer(&self.screen, 0, bytemuck::bytes_of(&Screen { size, mass, padding: 0.0 }));
+        let screen = Screen { size, mass, tinted: f32::from(u8::from(tinted)), sides };
+        gpu.queue.write_buffer(&self.screen, 0, bytemuck::bytes_of(&screen));
     }
 
     /// Draws batches of points, on nothing or on what was drawn before.

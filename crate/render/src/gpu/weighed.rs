@@ -81,7 +81,7 @@ impl Weighed {
         let Some(density) = &mut self.density else { return true };
         let wanted = (density.lit as u64 * POINTS_A_PIXEL).min(MOST_POINTS);
         let end = (self.points + budget).min(wanted);
-        target.prepare(gpu, SCALE);
+        target.prepare(gpu, SCALE, false, [0.0; 4]);
         loop {
             density.sampler.fill(frame, &mut self.samples);
             self.cloud.clear();
