@@ -103,16 +103,38 @@ impl Sheet {
         DVec2::new((i % across) as f64, (self.side - i / across) as f64) / self.side as f64
     }
 
-    /// The corners of all triangles, two a cell, in the order in which they are drawn: the upper rows first, so that what
-    /// lies lower in the picture covers what is above where it is folded over.
-    pub fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
-        let (side, across) = (self.side as u32, self.side as u32 + 1);
-        (0..side).rev().flat_map(move |row| {
-            (0..side).flat_map(move |column| {
+    /// The corners of all triangles, two for each `step` x `step` cells, from the front to the back: where the sheet is
+    /// folded over, what lies lower in the picture covers what is above. `step` is a divisor of [`Sheet::side`].
+    pub fn triangles(&self, step: usize) -> impl Iterator<Item = [u32; 3]> {
+        let (across, step) = (self.side as u32 + 1, step.max(1));
+        let along = move || (0..across - 1).step_by(step);
+        let (right, up) = (step as u32, step as u32 * across);
+        along().flat_map(move |row| {
+            along().flat_map(move |column| {
                 let a = row * across + column;
-                [[a, a + 1, a + across], [a + 1, a + across + 1, a + across]]
+                [[a, a + right, a + up], [a + right, a + right + up, a + up]]
             })
         })
+    }
+
+    /// How many cells to draw as one, each way, so that a sheet that is crumpled together does not keep whoever draws it
+    /// busy for minutes: as few as possible with no more than `most` layers on the average over the window. `screen` is
+    /// where the corners are on it.
+    #[must_use]
+    pub fn step(&self, screen: &[DVec2], window: Window, most: f64) -> usize {
+        let end = DVec2::new(f64::from(window.width), f64::from(window.height));
+        let work = |triangle: [u32; 3]| {
+            let [a, b, c] = triangle.map(|i| screen[i as usize]);
+            let low = a.min(b).min(c).clamp(DVec2::ZERO, end);
+            let size = a.max(b).max(c).clamp(DVec2::ZERO, end) - low;
+            // Half of its box, as far as it is in the window, and what it takes to begin a row.
+            let work = 0.5 * size.x * size.y + size.y;
+            if work > 0.0 { work } else { 0.0 }
+        };
+        let fits =
+            |step: &usize| self.triangles(*step).map(work).sum::<f64>() <= most * (end.x * end.y).max(1.0);
+        let divisors = (1..=self.side).filter(|step| self.side.is_multiple_of(*step));
+        divisors.into_iter().find(fits).unwrap_or(self.side)
     }
 
     /// The view that shows all of it, with `margin` of the shorter side left free.
@@ -145,9 +167,11 @@ pub struct SheetOptions {
 
 /// Rows that are drawn at once: what is held in memory besides the picture.
 const ROWS: u32 = 256;
+/// The most layers on the average before a sheet is drawn coarser.
+const LAYERS: f64 = 40.0;
 
 /// Draws a photograph on a sheet: RGBA with straight alpha, row 0 on top, on a transparent background. Where the sheet
-/// is folded over, what is drawn later lies on top; corners that are no numbers leave holes.
+/// is folded over, what is lower in the picture lies on top; corners that are no numbers leave holes.
 ///
 /// # Errors
 /// [`RenderError::TooLarge`] and [`RenderError::View`].
@@ -166,11 +190,13 @@ pub fn draw_sheet(photo: &Photo, sheet: &Sheet, options: &SheetOptions) -> Resul
     }
     let view = options.view.unwrap_or_else(|| sheet.fit(width, height, 0.05));
     let factor = if options.smooth { 2 } else { 1 };
-    let corners: Vec<Corner> = on_target(sheet, view, window, f64::from(factor)).map(corner).collect();
+    let screen: Vec<DVec2> = on_target(sheet, view, window, f64::from(factor)).collect();
+    let step = sheet.step(&screen, Window { width: width * factor, height: height * factor }, LAYERS);
+    let corners: Vec<Corner> = screen.into_iter().map(corner).collect();
     for top in (0..height).step_by(ROWS as usize) {
         let rows = ROWS.min(height - top);
         let mut band = Band::new(Window { width: width * factor, height: rows * factor }, top * factor);
-        for triangle in sheet.triangles() {
+        for triangle in sheet.triangles(step) {
             let [Some(a), Some(b), Some(c)] = triangle.map(|i| corners[i as usize]) else { continue };
             band.fill(photo, [a, b, c], triangle.map(|i| sheet.place(i as usize)));
         }
@@ -206,8 +232,7 @@ fn resolve(pixels: &[[u8; 4]], window: Window, factor: usize, picture: &mut Vec<
                 }
             }
             let (count, alpha) = ((factor * factor) as u32, sum[3]);
-            let straight =
-                |c: u32| if alpha == 0 { 0 } else { ((c * 255 + alpha / 2) / alpha).min(255) as u8 };
+            let straight = |c: u32| (c * 255 + alpha / 2).checked_div(alpha).unwrap_or(0).min(255) as u8;
             picture.extend([straight(sum[0]), straight(sum[1]), straight(sum[2])]);
             picture.push(((alpha + count / 2) / count) as u8);
         }

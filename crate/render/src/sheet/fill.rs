@@ -38,7 +38,8 @@ impl Band {
         Self { window, top, pixels: vec![[0; 4]; window.area()] }
     }
 
-    /// Draws a triangle: its corners on the screen and the places of the photograph that they show, over what is there.
+    /// Draws a triangle: its corners on the screen and the places of the photograph that they show, under what is
+    /// there.
     pub fn fill(&mut self, photo: &Photo, corners: [[i64; 2]; 3], places: [DVec2; 3]) {
         let low = |i: usize| corners[0][i].min(corners[1][i]).min(corners[2][i]);
         let high = |i: usize| corners[0][i].max(corners[1][i]).max(corners[2][i]);
@@ -70,8 +71,12 @@ impl Band {
             let line = &mut self.pixels[row as usize * self.window.width as usize..];
             let middle = DVec2::new(0.5, f64::from(self.top + row) + 0.5);
             for x in first..last {
+                let slot = &mut line[x as usize];
+                if slot[3] == 255 {
+                    continue;
+                }
                 let place = places[0] + slopes * (middle + DVec2::new(f64::from(x), 0.0) - a);
-                over(photo.sample(place, level), &mut line[x as usize]);
+                lay_under(photo.sample(place, level), slot);
             }
         }
     }
@@ -115,11 +120,11 @@ macro_rules! span {
 span!(near_span, i64);
 span!(wide_span, i128);
 
-/// Lays a colour over another, both premultiplied.
-fn over(colour: [f32; 4], under: &mut [u8; 4]) {
-    let through = 1.0 - colour[3] / 255.0;
-    for (slot, c) in under.iter_mut().zip(colour) {
-        *slot = (c + f32::from(*slot) * through + 0.5) as u8;
+/// Lays a colour under another, both premultiplied.
+fn lay_under(colour: [f32; 4], above: &mut [u8; 4]) {
+    let through = 1.0 - f32::from(above[3]) / 255.0;
+    for (slot, c) in above.iter_mut().zip(colour) {
+        *slot = (f32::from(*slot) + c * through + 0.5) as u8;
     }
 }
 

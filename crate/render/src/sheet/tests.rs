@@ -78,14 +78,14 @@ fn nothing_is_missing_inside_however_rough_it_is() {
     for seed in 0..6 {
         let rough = [0.0, 0.002, 0.02, 0.2, 1.0, 30.0][seed as usize];
         let mut n = 0;
-        let sheet = Sheet::new(1.0, 81, |p| {
+        let sheet = Sheet::new(1.0, 27, |p| {
             n += 2;
             let noise = |i: u32| f64::from(counter(seed, n + i) % 2001) / 1000.0 - 1.0;
             let rim = p.x == 0.0 || p.y == 0.0 || p.x == 1.0 || p.y == 1.0;
             if rim { p } else { p + DVec2::new(noise(0), noise(1)) * rough }
         });
         for smooth in [false, true] {
-            let picture = draw_sheet(&photo(64, 64), &sheet, &options(200, 200, smooth)).unwrap();
+            let picture = draw_sheet(&photo(64, 64), &sheet, &options(120, 120, smooth)).unwrap();
             let holes = picture.chunks_exact(4).filter(|pixel| pixel[3] != 255).count();
             assert_eq!(holes, 0, "{rough} {smooth}");
         }
@@ -155,4 +155,34 @@ fn cells_are_as_fine_as_the_pieces() {
     assert_eq!(Sheet::resolution(2, 1e9, 128), (128, 7));
     let maps = Sheet::maps(1.5, 3);
     assert_eq!(maps[5].apply(DVec2::ZERO), DVec2::new(1.0, 1.0 / 3.0));
+}
+
+#[test]
+fn a_crumpled_sheet_is_drawn_coarser_and_still_whole() {
+    let mut n = 0;
+    let sheet = Sheet::new(1.0, 360, |p| {
+        n += 1;
+        p + DVec2::new(f64::from(n % 13), f64::from(n % 17)) * 5.0 - 40.0
+    });
+    let window = Window { width: 100, height: 100 };
+    let view = options(100, 100, false).view.unwrap();
+    let screen: Vec<DVec2> = on_target(&sheet, view, window, 1.0).collect();
+    let step = sheet.step(&screen, window, LAYERS);
+    assert!(step > 1 && sheet.side().is_multiple_of(step), "{step}");
+    let flat = Sheet::new(1.0, 360, |p| p);
+    let screen: Vec<DVec2> = on_target(&flat, view, window, 1.0).collect();
+    assert_eq!(flat.step(&screen, window, LAYERS), 1);
+    let none = Sheet::new(1.0, 360, |_| DVec2::NAN);
+    let screen: Vec<DVec2> = on_target(&none, view, window, 1.0).collect();
+    assert_eq!(none.step(&screen, window, LAYERS), 1);
+}
+
+#[test]
+fn what_is_lower_in_the_picture_covers_what_is_above() {
+    let photo = Photo::new(&[[255, 0, 0, 255], [0, 0, 255, 255]].concat(), 1, 2).unwrap();
+    // Both halves on the same place.
+    let sheet = Sheet::new(1.0, 2, |p| DVec2::new(p.x, 1.0 - 2.0 * (p.y - 0.5).abs()));
+    let picture = draw_sheet(&photo, &sheet, &options(20, 20, true)).unwrap();
+    let [red, _, blue, alpha] = [0, 1, 2, 3].map(|i| picture[(3 * 20 + 10) * 4 + i]);
+    assert!(blue > 150 && red < 100 && alpha == 255, "{red} {blue} {alpha}");
 }
