@@ -14,24 +14,34 @@
 //! [`Spin`] turns the displacement with the piece. [`Cube`] gives codes to the points of a unit square, so that
 //! pictures can be bent like attractors.
 
+mod bend;
 mod code;
 mod corners;
 mod cube;
+mod cursor;
+mod error;
 mod field;
 mod lattice;
 mod mesh;
+mod raw;
+mod settings;
 mod skin;
 mod smooth;
 mod spin;
 mod splat;
+mod terms;
 mod weight;
 
+pub use bend::Bend;
 pub use code::{MAX_SYMBOLS, permutation, shuffle, step};
 pub use corners::Corners;
 pub use cube::Cube;
+pub use cursor::Cursor;
+pub use error::BendError;
 pub use field::{Field, Place};
 pub use lattice::{Lattice, Level};
 pub use mesh::{Mesh, MeshError};
+pub use settings::{Continuity, Roughness, Settings, Tint};
 pub use skin::{Pull, Skin, Turns};
 pub use smooth::{Attribute, Depths, Smooth};
 pub use spin::Spin;

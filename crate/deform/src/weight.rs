@@ -7,21 +7,25 @@
 /// negative counts as 0, and `ke` below `kb` as `kb`.
 #[must_use]
 pub fn weights(delta: f64, kb: usize, ke: usize) -> Vec<f64> {
-    let last = ke.saturating_sub(kb);
+    let mut list = vec![0.0; ke.saturating_sub(kb) + 1];
+    weigh(delta, &mut list);
+    list
+}
+
+/// [`weights`] of as many terms as there is room for.
+pub(crate) fn weigh(delta: f64, list: &mut [f64]) {
     // Above 1 the powers are counted from the other end, so that none overflows.
     let (ratio, from_end) = if delta > 1.0 { (1.0 / delta, true) } else { (delta.max(0.0), false) };
-    let mut power = 1.0;
-    let mut list: Vec<f64> = Vec::with_capacity(last + 1);
-    for _ in 0..=last {
-        list.push(power);
+    let (mut power, mut sum) = (1.0, 0.0);
+    for slot in &mut *list {
+        *slot = power;
+        sum += power;
         power *= ratio;
     }
     if from_end {
         list.reverse();
     }
-    let sum: f64 = list.iter().sum();
     list.iter_mut().for_each(|weight| *weight /= sum);
-    list
 }
 
 #[cfg(test)]
