@@ -22,7 +22,7 @@ export function Start() {
       </div>
     );
   return (
-    <div class="start notes">
+    <div class="start">
       <p>
         <strong>Drag a point of the grid.</strong> Every part of the shape, at every scale, answers with it.
       </p>

@@ -22,7 +22,7 @@ export function BendPanel() {
   return (
     <section class="bend-panel" aria-label="Bend">
       <div class="section-head">
-        <h2>How the small parts answer</h2>
+        <h2>How the parts answer</h2>
         <PlainButton />
       </div>
       <Locality />

@@ -3,13 +3,19 @@ import type { Deformation } from "../../../engine/api";
 import { deformation } from "../../../state/bend";
 import { placed } from "../../../state/mesh";
 
+// The moment is no part of it: nothing of this is drawn again while it plays.
+const keys = computed(() => deformation.value.keys);
+const columns = computed(() => deformation.value.columns);
+const rows = computed(() => deformation.value.rows);
+const box = computed(() => deformation.value.box);
+const sides = computed(() => ({ columns: columns.value, rows: rows.value, box: box.value }));
+
 /** All meshes of the time line in one frame, so that they can be compared. */
-const frame = computed(() => frameOf(deformation.value));
+const frame = computed(() => frameOf({ ...sides.value, keys: keys.value }));
 
 /** The control mesh of a key, small. */
 export function MeshIcon({ index }: { index: number }) {
-  const { columns, rows, box, keys } = deformation.value;
-  const key = keys[index];
+  const key = keys.value[index];
   if (!key) return null;
   const [x0, y0, x1, y1] = frame.value;
   const edge = 0.06 * Math.max(x1 - x0, y1 - y0);
@@ -21,7 +27,7 @@ export function MeshIcon({ index }: { index: number }) {
         .map((x) => x.toPrecision(5))
         .join(" ")}
     >
-      <path d={linesOf({ columns, rows, box }, key.moves)} vector-effect="non-scaling-stroke" />
+      <path d={linesOf(sides.value, key.moves)} vector-effect="non-scaling-stroke" />
     </svg>
   );
 }
