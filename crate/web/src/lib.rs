@@ -9,12 +9,16 @@
 #![allow(clippy::missing_errors_doc)]
 #![cfg_attr(not(feature = "compute"), expect(dead_code, reason = "a renderer alone needs few conversions"))]
 
+#[cfg(any(feature = "compute", feature = "webgpu", feature = "webgl2"))]
+mod bend;
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
 mod card;
 #[cfg(feature = "compute")]
 mod certify;
 #[cfg(feature = "compute")]
 mod connect;
+#[cfg(feature = "compute")]
+mod deform;
 #[cfg(feature = "compute")]
 mod document;
 mod error;
@@ -41,7 +45,7 @@ mod value;
 
 #[cfg(feature = "compute")]
 pub use {
-    certify::*, connect::*, document::*, family::*, locus::*, path::*, proof::*, raster::*, routes::*,
+*, connect::*, document::*,::    certify::*, connect::*, deform::*, document::*,::*, connect::*, document::*, family::*, locus::*, path::*, proof::*, raster::*, routes::*,
     shape::*,
 };
 

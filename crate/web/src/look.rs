@@ -13,6 +13,7 @@ pub(crate) enum ColouringName {
     Map,
     Address,
     Density,
+    Grid,
 }
 
 impl From<ColouringName> for Colouring {
@@ -21,6 +22,7 @@ impl From<ColouringName> for Colouring {
             ColouringName::Map => Self::Map,
             ColouringName::Address => Self::Address,
             ColouringName::Density => Self::Density,
+            ColouringName::Grid => Self::Grid,
         }
     }
 }
