@@ -98,6 +98,12 @@ impl Bend {
         Ok(())
     }
 
+    /// The mesh as it is.
+    #[must_use]
+    pub const fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
     /// What keeps pieces together: what [`Continuity::Auto`] came to, or what is had instead of what was asked for.
     #[must_use]
     pub const fn continuity(&self) -> Continuity {
