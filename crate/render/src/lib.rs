@@ -51,7 +51,7 @@ pub use plan::{Batch, Detail, Plan};
 pub use points::{Instance, Vertex};
 pub use raster::{MAX_SIDE, RasterOptions, RenderError, codes, rasterize};
 pub use resolve::{picture_of_codes, picture_of_density, resolve_codes, resolve_density, to_bytes};
-pub use sheet::{Level, Photo, PhotoError, Sheet, SheetOptions, draw_sheet};
+pub use sheet::{BentSheet, Level, Photo, PhotoError, Sheet, SheetOptions, draw_sheet};
 pub use sweep::{Hit, Progress, Sweep};
 pub use view::View;
 pub use window::{Extent, PixelBox, Window};

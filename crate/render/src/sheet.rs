@@ -1,5 +1,6 @@
 //! A photograph on a sheet that is bent.
 
+mod bent;
 mod fill;
 mod photo;
 #[cfg(test)]
@@ -8,6 +9,7 @@ mod tests;
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
+pub use self::bent::BentSheet;
 use self::fill::{Band, Corner, corner};
 pub use self::photo::{Level, Photo, PhotoError};
 use crate::raster::{MAX_SIDE, RenderError};

@@ -186,3 +186,93 @@ fn what_is_lower_in_the_picture_covers_what_is_above() {
     let [red, _, blue, alpha] = [0, 1, 2, 3].map(|i| picture[(3 * 20 + 10) * 4 + i]);
     assert!(blue > 150 && red < 100 && alpha == 255, "{red} {blue} {alpha}");
 }
+
+mod bent {
+    use frond_deform::{Bend, Continuity, Mesh, Roughness, Settings, Spin};
+
+    use super::*;
+
+    fn bend(aspect: f64, parts: usize, kb: f64, ke: f64, delta: f64, moves: &[DVec2]) -> Bend {
+        let mesh = Mesh::new(DVec2::ZERO, DVec2::new(aspect, 1.0), 4, 4, moves.to_vec()).unwrap();
+        let settings = Settings {
+            kb,
+            ke,
+            roughness: Roughness::Constant(delta),
+            spin: Spin::None,
+            continuity: Continuity::Auto,
+            superposed: true,
+        };
+        Bend::new(&Sheet::maps(aspect, parts), mesh, settings, None).unwrap()
+    }
+
+    fn moves(seed: u32, size: f64) -> Vec<DVec2> {
+        let noise = |i: u32| f64::from(counter(seed, i) % 2001) / 1000.0 - 1.0;
+        (0..16).map(|i| DVec2::new(noise(2 * i), noise(2 * i + 1)) * size).collect()
+    }
+
+    #[test]
+    fn corners_go_where_the_bend_takes_them() {
+        for seed in 0..60 {
+            let number = |i: u32, low: f64, high: f64| {
+                low + (high - low) * f64::from(counter(seed, i)) / 4_294_967_295.0
+            };
+            let (parts, aspect) = (2 + seed as usize % 2, number(90, 0.3, 3.0));
+            let kb = number(91, 0.0, 4.0);
+            let bend =
+                bend(aspect, parts, kb, kb + number(92, 0.0, 3.0), number(93, 0.0, 1.2), &moves(seed, 0.2));
+            let bent = BentSheet::new(&bend, aspect, parts, 81);
+            let sheet = bent.sheet();
+            let side = sheet.side();
+            let (i, j) = (
+                (number(94, 0.0, 1.0) * side as f64) as usize,
+                (number(95, 0.0, 1.0) * side as f64) as usize,
+            );
+            // Letter by letter from the place at rest.
+            let mut cursor = bend.whole();
+            let mut z = DVec2::new(i as f64 / side as f64 * aspect, j as f64 / side as f64);
+            while !bend.even(&cursor) {
+                let digit = |t: f64| ((t * parts as f64 + 1e-9) as usize).min(parts - 1);
+                let (dx, dy) = (digit(z.x / aspect), digit(z.y));
+                cursor = bend.child(&cursor, dx + parts * dy);
+                z = z * parts as f64 - DVec2::new(dx as f64 * aspect, dy as f64);
+            }
+            let wanted = bend.point(&cursor, z);
+            let [fx, fy] = sheet.corners()[j * (side + 1) + i];
+            let found = DVec2::new(f64::from(fx), f64::from(fy));
+            assert!((found - wanted).length() < 1e-4, "{seed}: {found} {wanted} {side}");
+        }
+    }
+
+    #[test]
+    fn there_is_no_hole_at_any_locality_and_detail() {
+        let photo = photo(64, 64);
+        for parts in [2, 3] {
+            for (kb, ke) in [(0.0, 0.0), (0.0, 5.0), (1.0, 5.0), (2.5, 4.5), (3.0, 3.0), (0.0, 12.0)] {
+                // The rim of the mesh stays outside of what is looked at.
+                let mut moves = moves(parts as u32, 0.15);
+                for i in [0, 1, 2, 3, 4, 7, 8, 11, 12, 13, 14, 15] {
+                    moves[i] = DVec2::ZERO;
+                }
+                let bent = BentSheet::new(&bend(1.0, parts, kb, ke, 0.6, &moves), 1.0, parts, 243);
+                let view = Some(View { x: 0.5, y: 0.5, scale: 300.0 });
+                let picture =
+                    draw_sheet(&photo, bent.sheet(), &SheetOptions { view, ..options(120, 120, true) })
+                        .unwrap();
+                let holes = picture.chunks_exact(4).filter(|pixel| pixel[3] != 255).count();
+                assert_eq!(holes, 0, "{parts} {kb} {ke}");
+            }
+        }
+    }
+
+    #[test]
+    fn moving_the_mesh_is_making_it_anew() {
+        let (first, second) = (moves(3, 0.2), moves(4, 0.2));
+        let mut moved = BentSheet::new(&bend(1.4, 2, 1.0, 5.0, 0.7, &first), 1.4, 2, 128);
+        let made = BentSheet::new(&bend(1.4, 2, 1.0, 5.0, 0.7, &second), 1.4, 2, 128);
+        assert_ne!(moved.sheet(), made.sheet());
+        moved.follow(&second);
+        assert_eq!(moved.sheet(), made.sheet());
+        moved.follow(&[]);
+        assert_eq!(moved.sheet(), &Sheet::new(1.4, moved.sheet().side(), |p| p));
+    }
+}
