@@ -6,6 +6,7 @@ import { route } from "../state/link";
 import { selection } from "../state/morph";
 import { setTheme, type Theme, theme } from "../state/preferences";
 import { canRedo, canUndo, redo, undo } from "../state/scene";
+import { Icon } from "../ui/Icon";
 import { Menu, type MenuItem } from "../ui/Menu";
 import { savePicture, shareLink, studioHref } from "./actions";
 import { Glyph, type GlyphName } from "./glyphs";
@@ -33,6 +34,7 @@ export function Header() {
           Figures
         </Place>
       </nav>
+      <PlaceChoice />
       <div class="tools">
         {studio && <StudioTools />}
         <Tool
@@ -98,6 +100,37 @@ function Place({ href, here, children }: { href: string; here: boolean; children
   );
 }
 
+/** The places as one choice, where there is no room to name them all. */
+function PlaceChoice() {
+  const here = route.value.page === "studio" ? tool.value : "figures";
+  return (
+    <div class="place-choice">
+      <select
+        aria-label="Tool or page"
+        value={here}
+        onChange={(event) => {
+          const to = event.currentTarget.value as ToolName | "figures";
+          if (to === "figures") location.hash = "#figures";
+          else {
+            if (here === "figures") location.hash = studioHref(to);
+            enter(to);
+          }
+        }}
+      >
+        <option value="morph">Morph</option>
+        <option value="deform">Deform</option>
+        <option value="figures">Figures</option>
+      </select>
+      <Icon name="down" size={16} />
+    </div>
+  );
+}
+
+function enter(to: ToolName): void {
+  selection.value = null;
+  openTool(to);
+}
+
 /** A tool of the studio: another one of the same document. */
 function ToolPlace({ name, children }: { name: ToolName; children: ComponentChildren }) {
   const studio = route.value.page === "studio";
@@ -108,11 +141,8 @@ function ToolPlace({ name, children }: { name: ToolName; children: ComponentChil
       aria-current={here ? "page" : undefined}
       onClick={(event) => {
         if (event.button !== 0 || event.ctrlKey || event.metaKey) return;
-        if (studio) {
-          event.preventDefault();
-          selection.value = null;
-        }
-        openTool(name);
+        if (studio) event.preventDefault();
+        enter(name);
       }}
     >
       {children}
