@@ -1,4 +1,5 @@
 import type { ComponentType } from "preact";
+import { DEFORMS } from "./deforms";
 import { Figure1 } from "./fig1";
 import { Figure2 } from "./fig2";
 import { Figure5 } from "./fig5";
@@ -92,12 +93,12 @@ export const CATALOGUE: readonly Entry[] = [
   },
 ];
 
-export { LESSONS };
+export { DEFORMS, LESSONS };
 
 /** Where an address leads: one of a row of pages, with the row that it is in. */
 export function find(id: string): { row: readonly Entry[]; index: number } | null {
   const asked = id.toLowerCase();
-  for (const row of [CATALOGUE, LESSONS]) {
+  for (const row of [CATALOGUE, DEFORMS, LESSONS]) {
     const index = row.findIndex((entry) => entry.id === asked || entry.also?.includes(asked));
     if (index >= 0) return { row, index };
   }

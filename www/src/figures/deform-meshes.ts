@@ -79,16 +79,16 @@ export function thirds(x: number, y: number): Rgb {
   return [(1 - x) * y, x * y + (1 - x) * (1 - y), x * (1 - y)];
 }
 
-/** Parts as a colour on screen, 0 to 255: evenly bright, whatever the mixture. */
-export function shade(parts: Rgb): [number, number, number] {
+/** Parts as a colour on screen, 0 to 255: evenly bright, whatever the mixture, and none of them glaring. */
+export function shade(parts: Rgb): Rgb {
   const most = Math.max(...parts, 1e-9);
   // Half-way between the plain parts, which are dull where they are mixed, and the brightest of that hue.
-  return parts.map((part) => Math.round(255 * Math.sqrt((0.35 * part + 0.65 * (part / most)) * part))) as [
-    number,
-    number,
-    number,
-  ];
+  const bright = parts.map((part) => Math.sqrt((0.35 * part + 0.65 * (part / most)) * part));
+  return bright.map((part, i) => Math.round(28 + part * (STRENGTH[i] ?? 0))) as unknown as Rgb;
 }
+
+/** Of red, green and blue: green looks brightest. */
+const STRENGTH: Rgb = [208, 152, 214];
 
 /** Figure 6, (Y): four colours at the corners of the mesh, blended. */
 const CORNER_COLOURS: readonly Rgb[] = [

@@ -1,8 +1,9 @@
 import "./figures.css";
+import "./deform.css";
 import "./lesson.css";
 import "./parts.css";
 import { useEffect, useRef } from "preact/hooks";
-import { type Entry, find, LESSONS } from "./catalogue";
+import { DEFORMS, type Entry, find, LESSONS } from "./catalogue";
 import { Overview } from "./overview";
 
 /** The figures of the paper and the lessons as live pages: all of them, or the one that the address names. */
@@ -36,10 +37,15 @@ export function Figures({ figure }: { figure: string | null }) {
   );
 }
 
+function rowName(row: readonly Entry[]): string {
+  if (row === LESSONS) return "Lessons";
+  return row === DEFORMS ? "Figures of the deformation" : "Figures";
+}
+
 /** Every page of the same row by its number. */
 function TopNav({ row, here }: { row: readonly Entry[]; here: string }) {
   return (
-    <nav class="figure-top" aria-label={row === LESSONS ? "Lessons" : "Figures"}>
+    <nav class="figure-top" aria-label={rowName(row)}>
       <a href="#figures">All figures</a>
       <ol>
         {row.map(({ id, number, short }) => (

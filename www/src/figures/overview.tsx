@@ -1,4 +1,4 @@
-import { CATALOGUE, type Entry, LESSONS } from "./catalogue";
+import { CATALOGUE, DEFORMS, type Entry, LESSONS } from "./catalogue";
 
 /** All figures and lessons, each with a small picture that the program made. */
 export function Overview({ missing }: { missing: string | null }) {
@@ -13,13 +13,22 @@ export function Overview({ missing }: { missing: string | null }) {
         )}
       </header>
       <section aria-labelledby="from-the-paper">
-        <h2 id="from-the-paper">From the paper</h2>
+        <h2 id="from-the-paper">Shapes that turn into others</h2>
         <p class="figure-lead">
           The figures and the table of “Linear Fractal Shape Interpolation” by Brandon Burch and John C. Hart
           (Graphics Interface 1997), as pages in which everything moves. All of it is computed here, while you
           look.
         </p>
         <Cards row={CATALOGUE} />
+      </section>
+      <section aria-labelledby="deformation">
+        <h2 id="deformation">Shapes that are bent at every scale</h2>
+        <p class="figure-lead">
+          The figures of “Fractal Deformation Using Displacement Vectors Based on Extended Iterated Shuffle
+          Transformation” by Tadahiro Fujimoto, Yoshio Ohno, Kazunobu Muraoka and Norishige Chiba: pull a
+          grid, and every part of the shape answers.
+        </p>
+        <Cards row={DEFORMS} />
       </section>
       <section aria-labelledby="ten-lessons">
         <h2 id="ten-lessons">Ten lessons</h2>

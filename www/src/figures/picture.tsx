@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import type { MapRow } from "../engine/api";
+import type { Bend, Colouring, MapRow } from "../engine/api";
 import type { Task } from "../engine/protocol";
 import { type Box, fitFor } from "../state/fit";
 import { dark } from "../state/preferences";
@@ -14,29 +14,47 @@ export interface PictureProps {
   label: string | null;
   margin?: number;
   priority?: number;
+  colouring?: Colouring;
+  /** What bends it. While it changes the picture is coarse, so that it follows. */
+  bend?: Bend;
 }
 
 const MOST_RATIO = 2;
+/** So long after the last change, in milliseconds, the picture is drawn in full. */
+const REST = 150;
+/** How much coarser it is until then. */
+const COARSE = 2;
 
 /** An attractor, drawn by a worker, as large as its place. */
-export function Picture({ maps, box, label, margin = 0.05, priority = 44 }: PictureProps) {
+export function Picture({
+  maps,
+  box,
+  label,
+  margin = 0.05,
+  priority = 44,
+  colouring = "map",
+  bend,
+}: PictureProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
-  const size = usePixels(canvas);
+  const full = usePixels(canvas);
   const onDark = useValue(dark);
+  const coarse = !useRest(bend);
   const task = useMemo<Task<"picture"> | null>(() => {
-    if (size === null) return null;
+    if (full === null) return null;
+    const size = coarse ? coarser(full) : full;
     const view = fitFor(box, size, margin);
     const colours = palette(onDark ? "dark" : "light");
-    return { kind: "picture", maps, options: { ...size, view, colouring: "map", palette: colours } };
-  }, [maps, box, size, margin, onDark]);
+    const options = { ...size, view, colouring, palette: colours };
+    return { kind: "picture", maps, options: bend ? { ...options, bend } : options };
+  }, [maps, box, full, coarse, margin, onDark, colouring, bend]);
   useAsk<"picture">(task, priority, {
     accept(_, bitmap) {
       if (canvas.current) paint(canvas.current, bitmap);
       bitmap.close();
     },
-    // Without an attractor there is nothing to see, and the verdict beside it says so.
-    fail() {
-      if (canvas.current) canvas.current.width += 0;
+    // Without an attractor there is nothing to see, and the verdict beside it says so. What cannot be bent stays as it was.
+    fail(about) {
+      if (canvas.current && !about.options.bend) canvas.current.width += 0;
     },
   });
   return (
@@ -52,6 +70,20 @@ function paint(canvas: HTMLCanvasElement, bitmap: ImageBitmap): void {
   canvas.width = bitmap.width;
   canvas.height = bitmap.height;
   canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
+}
+
+function coarser({ width, height }: { width: number; height: number }) {
+  return { width: Math.max(1, Math.round(width / COARSE)), height: Math.max(1, Math.round(height / COARSE)) };
+}
+
+/** Whether a value has stayed the same for a moment. */
+function useRest(value: unknown): boolean {
+  const [rested, setRested] = useState(value);
+  useEffect(() => {
+    const timer = setTimeout(() => setRested(() => value), REST);
+    return () => clearTimeout(timer);
+  }, [value]);
+  return rested === value;
 }
 
 /** The size of an element in device pixels, or null while it has none. */

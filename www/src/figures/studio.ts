@@ -1,4 +1,4 @@
-import type { MapRow, Mode, Scene, Shape } from "../engine/api";
+import type { Deformation, MapRow, Mode, Scene, Shape } from "../engine/api";
 import { frond } from "../engine/wasm";
 import type { Uv } from "../state/path";
 
@@ -13,6 +13,8 @@ export interface Opening {
   correspondence?: number[];
   /** How the map of shapes is looked at. */
   locus?: NonNullable<Scene["locus"]>;
+  /** Opens the tool that bends shapes. */
+  deform?: Deformation;
 }
 
 /** A link that opens the studio on a figure: the document is in its fragment. */
@@ -25,6 +27,7 @@ export function studioHref({
   path,
   correspondence = [],
   locus,
+  deform,
 }: Opening): string {
   const scene: Scene = {
     a: tidy(a),
@@ -34,9 +37,10 @@ export function studioHref({
     t: Math.min(1, Math.max(0, t)),
     correspondence,
     turns: [],
-    colouring: "map",
+    colouring: deform?.tint ? "grid" : "map",
     compare,
     ...(locus ? { locus } : {}),
+    ...(deform ? { tool: "deform", deform } : {}),
   };
   return `#${frond.encodeScene(scene)}`;
 }

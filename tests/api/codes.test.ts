@@ -1,10 +1,18 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { allCodes, type Cube, cellOf, codeOf, codeWords, lettersOf, shuffled } from "./codes";
+import {
+  allCodes,
+  type Cube,
+  cellOf,
+  codeOf,
+  codeWords,
+  lettersOf,
+  shuffled,
+} from "../../www/src/figures/codes";
 
 /** The project's own copy, or the directory that FROND_KNOWN names. */
 function known<T>(name: string): T[] {
-  const folder = process.env["FROND_KNOWN"] ?? new URL("../../../tests/known", import.meta.url).pathname;
+  const folder = process.env["FROND_KNOWN"] ?? "tests/known";
   return JSON.parse(readFileSync(`${folder}/deform/${name}.json`, "utf8")).cases;
 }
 

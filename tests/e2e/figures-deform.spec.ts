@@ -1,0 +1,187 @@
+import AxeBuilder from "@axe-core/playwright";
+import type { Locator, Page } from "@playwright/test";
+import { expect, test } from "./fixture";
+
+const PAGES = ["d1", "d2", "d3", "d4", "d5", "d6"];
+
+async function open(page: Page, figure: string): Promise<void> {
+  if (page.url() !== "about:blank") await page.goto("about:blank");
+  await page.goto(`./#figures/${figure}`);
+  await page.getByRole("heading", { level: 1 }).waitFor();
+}
+
+async function expectClean(page: Page): Promise<void> {
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(
+    violations.map(({ id, nodes }) => `${id}: ${nodes.map((n) => n.target.join(" ")).join(", ")}`),
+  ).toEqual([]);
+}
+
+interface Look {
+  /** Parts of the picture that hold something. */
+  lit: number;
+  colours: number;
+  hash: number;
+}
+
+/** What is on a canvas. */
+function look(picture: Locator): Promise<Look> {
+  return picture.evaluate((canvas) => {
+    if (!(canvas instanceof HTMLCanvasElement)) throw new Error("not a canvas");
+    const { width, height } = canvas;
+    const image = canvas.getContext("2d")?.getImageData(0, 0, width, height);
+    const pixels = new Uint32Array(image?.data.buffer ?? new ArrayBuffer(0));
+    const held = pixels.filter((pixel) => pixel >>> 24 > 0);
+    return {
+      lit: held.length / Math.max(1, pixels.length),
+      colours: new Set(held).size,
+      hash: pixels.reduce((hash, pixel) => Math.imul(hash ^ pixel, 0x01000193), 0x811c9dc5),
+    };
+  });
+}
+
+/** The picture of that name when it is drawn in full: the same twice, with some time between. */
+async function settled(picture: Locator): Promise<Look> {
+  let last = await look(picture);
+  await expect
+    .poll(
+      async () => {
+        const now = await look(picture);
+        const same = now.hash === last.hash && now.lit > 0;
+        last = now;
+        return same;
+      },
+      { intervals: [600] },
+    )
+    .toBe(true);
+  return last;
+}
+
+for (const figure of PAGES) {
+  test(`${figure} is clean, and opens the tool that bends`, async ({ page }) => {
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await open(page, figure);
+    await expect(page.getByRole("main").getByText("reconstructed", { exact: true })).toBeVisible();
+    await expectClean(page);
+    await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
+    await expectClean(page);
+    await page.getByRole("link", { name: /in the studio$/ }).click();
+    await expect(page.getByRole("region", { name: "Picture" })).toBeVisible();
+    await expect.poll(() => page.evaluate(() => window.frond?.scene().tool)).toBe("deform");
+    await expect(page.getByRole("alert")).toHaveCount(0);
+  });
+}
+
+test("all are in the index, and lead on to each other", async ({ page }) => {
+  await open(page, "");
+  const section = page.getByRole("region", { name: "Shapes that are bent at every scale" });
+  await expect(section.getByRole("listitem")).toHaveCount(PAGES.length);
+  await section.getByRole("link", { name: /A picture, shuffled/ }).click();
+  await expect(page).toHaveTitle(/^Deformation, Figure 3/);
+  await page.getByRole("navigation", { name: "Before and after" }).getByRole("link").last().click();
+  await expect(page.getByRole("heading", { level: 1, name: "One pull" })).toBeFocused();
+});
+
+test("Figure 1 tells the code of the place that is pressed", async ({ page }) => {
+  await open(page, "d1");
+  const square = page.getByRole("img", { name: /^\(c\)/ });
+  await expect(square).toHaveAccessibleName(/has the code 23\.$/);
+  const box = await square.boundingBox();
+  if (!box) throw new Error("the square is not on the page");
+  await page.mouse.click(box.x + 0.1 * box.width, box.y + 0.1 * box.height);
+  await expect(square).toHaveAccessibleName(/has the code 33\.$/);
+  await page.getByRole("slider", { name: "Letters" }).press("ArrowRight");
+  await expect(square).toHaveAccessibleName(/has the code 333\.$/);
+  await page.getByRole("slider", { name: "The point, across" }).press("End");
+  await expect(page.getByRole("img", { name: /^\(a\)/ })).toHaveAccessibleName(/has the code 222\.$/);
+});
+
+test("Figure 2 tells all addresses of a place", async ({ page }) => {
+  await open(page, "d2");
+  await expect(page.getByText("2 addresses in (a) and 4 addresses in (b)")).toBeVisible();
+  await expect(page.getByText("122222…")).toBeVisible();
+  const across = page.getByRole("slider", { name: "The ring, across" });
+  await across.press("Home");
+  await expect(page.getByText("one address in (a) and one address in (b)")).toBeVisible();
+});
+
+test("Figure 3 tells where a colour came from", async ({ page }) => {
+  await open(page, "d3");
+  const image = (name: string) => page.getByRole("button", { name, exact: true });
+  const canvas = (name: string) => image(name).locator("canvas");
+  const plain = await look(canvas("kb 0, ke 0"));
+  // Where the block has at most one letter, nothing is shuffled.
+  for (const same of ["kb 0, ke 1", "kb 1, ke 1", "kb 2, ke 3"]) {
+    expect((await look(canvas(same))).hash, same).toBe(plain.hash);
+  }
+  const different = ["kb 0, ke 2", "kb 0, ke 5", "kb 1, ke 5", "kb 0, all ke to 5 superposed"];
+  const hashes = await Promise.all(different.map(async (name) => (await look(canvas(name))).hash));
+  expect(new Set([plain.hash, ...hashes]).size).toBe(5);
+
+  const source = page.getByRole("img", { name: /^Before the shuffle/ });
+  await expect(source).toHaveAccessibleName("Before the shuffle: cell 21441 takes its colour from 41241.");
+  await image("kb 0, ke 3").focus();
+  await page.keyboard.press("ArrowRight");
+  await expect(image("kb 0, ke 4")).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(source).toHaveAccessibleName("Before the shuffle: cell 21441 takes its colour from 44121.");
+  await page.getByRole("radio", { name: /Gasket/ }).check();
+  expect((await look(canvas("kb 0, ke 0"))).lit).toBeCloseTo((3 / 4) ** 7, 6);
+});
+
+test("Figure 4 lifts all eight gaskets, and slides from fractal to plain", async ({ page }) => {
+  await open(page, "d4");
+  const picture = (name: RegExp) => page.locator("canvas[role=img]").and(page.getByRole("img", { name }));
+  const [a, b, f, h] = [/plain, kb 9/, /fractal, kb 0/, /as A, kb 9/, /smooth to rough/].map(picture);
+  const big = picture(/at locality/);
+  if (!a || !b || !f || !h) throw new Error("a panel is missing");
+  const lifted = { a: await settled(a), b: await settled(b), f: await settled(f), h: await settled(h) };
+  for (const panel of Object.values(lifted)) {
+    expect(panel.lit).toBeGreaterThan(0.02);
+    expect(panel.colours).toBeGreaterThan(3);
+  }
+  expect(lifted.f.hash).toBe(lifted.a.hash);
+  expect(new Set([lifted.a.hash, lifted.b.hash, lifted.h.hash]).size).toBe(3);
+
+  const slide = page.getByRole("slider", { name: "Locality" });
+  const fractal = await settled(big);
+  await slide.press("End");
+  await expect.poll(async () => (await look(big)).hash).not.toBe(fractal.hash);
+  const plain = await settled(big);
+  await slide.press("ArrowLeft");
+  await expect.poll(async () => (await look(big)).hash).not.toBe(plain.hash);
+
+  // At rest all are the same.
+  await page.getByRole("radio", { name: "t₀" }).check();
+  await expect.poll(async () => (await look(b)).hash).not.toBe(lifted.b.hash);
+  expect((await settled(b)).hash).toBe((await settled(a)).hash);
+  expect((await settled(h)).hash).toBe((await settled(a)).hash);
+});
+
+test("Figure 5 sways, and turns by choice", async ({ page }) => {
+  await open(page, "d5");
+  const b = page.getByRole("img", { name: /^The fern fractal/ });
+  const part = page.getByRole("img", { name: /^B-1: / });
+  const [first, magnified] = [await settled(b), await settled(part)];
+  expect(first.colours).toBeGreaterThan(3);
+  expect(magnified.lit).toBeGreaterThan(0.02);
+  await page.getByRole("radio", { name: "None" }).check();
+  await expect.poll(async () => (await settled(b)).hash).not.toBe(first.hash);
+  await page.getByRole("radio", { name: "Scaled" }).check();
+  await expect.poll(async () => (await settled(b)).hash).toBe(first.hash);
+  const time = page.getByRole("slider", { name: "Time t" });
+  for (let i = 0; i < 5; i++) await time.press("PageUp");
+  await expect.poll(async () => (await settled(b)).hash).not.toBe(first.hash);
+  await expect.poll(async () => (await settled(part)).hash).not.toBe(magnified.hash);
+});
+
+test("Figure 6 has colours of its own, and draws them with it", async ({ page }) => {
+  await open(page, "d6");
+  const b = page.getByRole("img", { name: /^The twin-dragon fractal/ });
+  const drawn = await settled(b);
+  // Blended and shuffled: far more colours than the maps have.
+  expect(drawn.colours).toBeGreaterThan(100);
+  expect(drawn.lit).toBeGreaterThan(0.1);
+  await page.getByRole("slider", { name: "Time t" }).press("Home");
+  await expect.poll(async () => (await settled(b)).hash).not.toBe(drawn.hash);
+});

@@ -1,0 +1,131 @@
+import { useCallback, useMemo, useState } from "preact/hooks";
+import type { Deformation, MapRow, Spin } from "../engine/api";
+import { bendAt } from "../state/bend";
+import type { Box } from "../state/fit";
+import { fixed } from "../ui/number";
+import { Segmented } from "../ui/Segmented";
+import { SWAY } from "./deform-meshes";
+import { deformationBy, numbersOf, type Panel, toAndFro } from "./deformations";
+import { Frame, type Heading } from "./frame";
+import { type Lens, Magnified } from "./magnified";
+import { Panels } from "./panels";
+import { studioHref } from "./studio";
+import { Sway, useSway } from "./sway";
+
+/** The paper's maps in the paper's order. */
+export const FERN: MapRow[] = [
+  [0.85, 0.04, -0.04, 0.85, 0, 1.6],
+  [0.2, -0.26, 0.23, 0.22, 0, 1.6],
+  [-0.15, 0.28, 0.26, 0.24, 0, 0.44],
+  [0, 0, 0, 0.16, 0, 0],
+];
+const BOX: Box = { x0: -3.6, y0: -0.2, x1: 3.9, y1: 10.6 };
+export const FERN_BOX = BOX;
+const KE = 6;
+
+const PANELS: readonly Panel[] = [
+  { letter: "A", words: "plain", settings: { kb: KE, delta: 0.75 } },
+  { letter: "B", words: "fractal", settings: { kb: 0, delta: 0.75 } },
+  { letter: "C", words: "", settings: { kb: 1, delta: 0.65 } },
+  { letter: "D", words: "", settings: { kb: 2, delta: 0.55 } },
+  { letter: "E", words: "", settings: { kb: 4, delta: 0.45 } },
+];
+const B = PANELS[1]?.settings ?? {};
+
+const LENSES: readonly Lens[] = [
+  { number: 1, kind: "red", about: "a leaf in the middle", x: 1.45, y: 4.6, width: 2.1 },
+  { number: 2, kind: "blue", about: "the lowest leaf", x: -1.35, y: 2.6, width: 2.1 },
+  { number: 3, kind: "green", about: "the tip", x: 0.95, y: 9.0, width: 2.1 },
+];
+
+const SPINS = [
+  { value: "scaled", label: "Scaled", description: "by A / ‖A‖: less across a flat map" },
+  { value: "rotation", label: "Rotation", description: "the rotation, with reflections split off" },
+  { value: "orthogonal", label: "Orthogonal", description: "the orthogonal factor, reflections included" },
+  { value: "none", label: "None", description: "displacements keep their direction" },
+] as const;
+
+/** The fern in the wind. */
+export function Deformation5(heading: Heading) {
+  const sway = useSway(0.2);
+  const [spin, setSpin] = useState<Spin>("scaled");
+  const deformationOf = useCallback(
+    (settings: Partial<Deformation>) => swayOf({ ...settings, spin }),
+    [spin],
+  );
+  const bend = useMemo(() => bendAt(swayOf({ ...B, spin }), sway.t), [spin, sway.t]);
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          A grid sways a fern’s upper part from side to side. Press play. A goes with the grid, stiff as a
+          board. In B every leaf sways about its own stem, and every leaflet about its leaf’s, since the
+          displacement that reaches a part is turned as the part is; look at the magnified parts. From C to E
+          the sway draws back to the upper part.
+        </p>
+      }
+      found={
+        <p>
+          The paper turns the displacements by “the rotation factors” of the maps and does not say what those
+          are for a map that also shears, mirrors, or is flat, as the stem’s is. Four answers are to choose
+          from above. Dividing each matrix by its largest stretch needs no cases, is the same for all maps
+          that only turn and scale, and looks best on this fern. Nothing has to be kept together here: a leaf
+          is attached by a single point, and pieces are cut until they are too small to show it.
+        </p>
+      }
+      parameters={[
+        { name: "Maps", symbol: "w", value: "the paper’s four, in its order" },
+        { name: "Detail", symbol: "ke", value: String(KE) },
+        { name: "Locality", symbol: "kb", value: "A plain, B 0, C 1, D 2, E 4 (C to E reconstructed)" },
+        {
+          name: "Roughness",
+          symbol: "δ",
+          value: "0.75, 0.65, 0.55, 0.45 (reconstructed: smaller as kb grows)",
+        },
+        { name: "Rotation", value: SPINS.find(({ value }) => value === spin)?.description ?? "" },
+        { name: "Control points", value: "4 × 4 over [−3, 3] × [0, 10.2] (reconstructed)" },
+        { name: "Time", symbol: "t", value: `${fixed(sway.t)} of one sway` },
+      ]}
+      captions={["Figure 5: Fractal deformations of a Black Spleenwort fern. ke = 6."]}
+      reconstructed="The maps, ke and the kb of B are printed (section 5.3, example 2, eq 18), and that δ falls as kb grows. The mesh, the other kb, all values of δ and the magnified parts are made from the text. Its (X), the addressing rule, is the order of the maps."
+      studio={{ href: hrefOf(swayOf({ ...B, spin, phase: sway.t })) }}
+    >
+      <Sway sway={sway} />
+      <div class="controls">
+        <div class="choice">
+          <span class="choice-label">Rotation</span>
+          <Segmented<Spin> label="Rotation" options={SPINS} value={spin} onChange={setSpin} />
+        </div>
+      </div>
+      <Panels
+        panels={PANELS}
+        maps={FERN}
+        box={BOX}
+        t={sway.t}
+        aspect={0.7}
+        deformationOf={deformationOf}
+        words={(panel) =>
+          `The fern ${panel.words === "" ? "in between" : panel.words}, ${numbersOf(panel)}, at ${fixed(sway.t)} of one sway`
+        }
+      />
+      <Magnified name="B" maps={FERN} bend={bend} box={BOX} aspect={0.7} lenses={LENSES} />
+    </Frame>
+  );
+}
+
+export function swayOf(settings: Partial<Deformation>): Deformation {
+  return deformationBy(SWAY, {
+    ke: KE,
+    spin: "scaled",
+    keys: toAndFro(SWAY),
+    loop: true,
+    seconds: 6,
+    ...settings,
+  });
+}
+
+function hrefOf(deform: Deformation): string {
+  const fern = { name: "Black spleenwort fern", maps: FERN };
+  return studioHref({ a: fern, b: fern, deform });
+}

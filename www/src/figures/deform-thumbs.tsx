@@ -1,0 +1,68 @@
+/** Small pictures of the figures on fractal deformation, made by the same parts as the figures themselves. */
+import { useMemo } from "preact/hooks";
+import type { Bend, Colouring, MapRow } from "../engine/api";
+import { bendAt } from "../state/bend";
+import type { Box } from "../state/fit";
+import { pieceOf, rightGasket } from "./addresses";
+import { Bent } from "./bent";
+import { CubeSquare } from "./cube-square";
+import { GASKET, LIFT_BOX, liftOf } from "./d4";
+import { FERN, FERN_BOX, swayOf } from "./d5";
+import { drawnOf, TWIN, TWIN_BOX } from "./d6";
+import { Cell } from "./matrix";
+import { Steps } from "./steps";
+
+export function Codes() {
+  return <CubeSquare cube={{ dimensions: 2, parts: 2 }} letters={2} point={[0.62, 0.3]} label={null} />;
+}
+
+export function Addresses() {
+  return (
+    <Steps
+      r={0.55}
+      depth={2}
+      point={[0.5, 0]}
+      here={[
+        [0, 1],
+        [1, 0],
+      ].map((word) => pieceOf(rightGasket(0.55), word))}
+      label={null}
+    />
+  );
+}
+
+export function Colours() {
+  return (
+    <span class="thumb-pair">
+      <Cell subject="square" chosen={{ kb: 0, ke: 3, superposed: false }} label={null} />
+      <Cell subject="gasket" chosen={{ kb: 1, ke: 5, superposed: true }} label={null} />
+    </span>
+  );
+}
+
+export function Lifted() {
+  const bend = useMemo(() => bendAt(liftOf({ kb: 0 }), 1), []);
+  return <Still maps={GASKET} box={LIFT_BOX} bend={bend} />;
+}
+
+export function Swaying() {
+  const bend = useMemo(() => bendAt(swayOf({ kb: 0 }), 0.2), []);
+  return <Still maps={FERN} box={FERN_BOX} bend={bend} aspect={0.7} />;
+}
+
+export function Drawn() {
+  const bend = useMemo(() => bendAt(drawnOf({ kb: 0 }), 0.8), []);
+  return <Still maps={TWIN} box={TWIN_BOX} bend={bend} aspect={1.24} colouring="grid" />;
+}
+
+interface StillProps {
+  maps: MapRow[];
+  box: Box;
+  bend: Bend;
+  aspect?: number;
+  colouring?: Colouring;
+}
+
+function Still(props: StillProps) {
+  return <Bent {...props} grid={0} label={null} />;
+}
