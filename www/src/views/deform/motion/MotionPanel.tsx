@@ -4,7 +4,7 @@ import { announce } from "../../../state/notice";
 import { reducedMotion } from "../../../state/preferences";
 import { Button } from "../../../ui/Button";
 import { narrow } from "../../../ui/media";
-import { presentPhase } from "../clock";
+import { pausePhase, playPhase, presentPhase } from "../clock";
 import { MOTIONS, type Motion, motionOf, withMotion } from "../motions";
 import { TimeOptions } from "../strip/TimeOptions";
 
@@ -44,7 +44,9 @@ export function MotionPanel() {
 
 function apply({ id, name, about }: Motion): void {
   if (now.peek() === id) {
-    if (id !== "still") presentPhase();
+    // Space on the button that was just pressed is play and pause, as everywhere.
+    if (phasePlaying.peek()) pausePhase();
+    else playPhase();
     return;
   }
   phasePlaying.value = false;

@@ -1,5 +1,5 @@
 import { changeDeformation, deformation, movesAt } from "../../../state/bend";
-import { keyNear, MOST_KEYS } from "../../../state/keys";
+import { keyNear, MOST_KEYS, momentOf, SAME } from "../../../state/keys";
 import { announce } from "../../../state/notice";
 import { endGesture } from "../../../state/scene";
 import { Button, IconButton } from "../../../ui/Button";
@@ -54,7 +54,8 @@ function KeyOptions() {
   const alone = keys.length === 1;
   const near = keyNear(deformation.value, phase);
   const key = keys[near];
-  const away = alone && key !== undefined && Math.abs(key.at - phase) > 1e-3;
+  // One key alone is the mesh at all times, but it stands at one of them.
+  const away = alone && key !== undefined && Math.abs(key.at - momentOf(deformation.value, phase)) > SAME;
   if (key === undefined || away)
     return (
       <Button
