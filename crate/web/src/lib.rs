@@ -29,6 +29,8 @@ mod locus;
 mod look;
 #[cfg(feature = "compute")]
 mod path;
+#[cfg(any(feature = "compute", feature = "webgpu", feature = "webgl2"))]
+mod photo;
 #[cfg(feature = "compute")]
 mod proof;
 #[cfg(feature = "compute")]
@@ -41,12 +43,14 @@ mod routes;
 mod settle;
 #[cfg(feature = "compute")]
 mod shape;
+#[cfg(feature = "compute")]
+mod sheet;
 mod value;
 
 #[cfg(feature = "compute")]
 pub use {
-*, connect::*, document::*,::    certify::*, connect::*, deform::*, document::*,::*, connect::*, document::*, family::*, locus::*, path::*, proof::*, raster::*, routes::*,
-    shape::*,
+    certify::*, connect::*, deform::*, document::*, family::*, locus::*, path::*, proof::*, raster::*,
+    routes::*, shape::*, sheet::*,
 };
 
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
