@@ -18,6 +18,13 @@ const HANDS: readonly { value: Hand; label: string; description: string }[] = [
 export function HandBar() {
   return (
     <div class="mesh-bar">
+      {chosen.value.size > 0 && (
+        <IconButton
+          icon="reset"
+          label={chosen.value.size === 1 ? "Put the handle back" : "Put the chosen handles back"}
+          onClick={resetChosen}
+        />
+      )}
       <Segmented
         label="What a drag on the picture does"
         options={HANDS}
@@ -26,13 +33,6 @@ export function HandBar() {
           hand.value = next;
         }}
       />
-      {chosen.value.size > 0 && (
-        <IconButton
-          icon="reset"
-          label={chosen.value.size === 1 ? "Put the handle back" : "Put the chosen handles back"}
-          onClick={resetChosen}
-        />
-      )}
     </div>
   );
 }

@@ -41,8 +41,8 @@ interface Drag {
   before: readonly number[];
   /** What was chosen when it began. */
   had: ReadonlySet<number>;
-  /** Whether the press itself has chosen the handle, or is to choose it alone when it turns out a tap. */
-  tap: "nothing" | "alone";
+  /** What is to come of it when it turns out a tap: the handle is chosen alone, or let go. */
+  tap: "nothing" | "alone" | "drop";
 }
 
 /** The rectangle that chooses what lies in it, while it is drawn. */
@@ -147,6 +147,7 @@ export function attachPointer(pane: HTMLElement, root: HTMLElement): () => void 
     rest();
     if (aim.kind === "handle" && moved) announce(handleWords(mesh.peek(), aim.index));
     else if (aim.kind === "handle" && tap === "alone") choose([aim.index], aim.index);
+    else if (aim.kind === "handle" && tap === "drop") toggle(aim.index);
     else if (aim.kind === "frame") {
       if (!moved) clearChosen();
       const [first] = chosen.peek();
@@ -240,14 +241,13 @@ export function attachPointer(pane: HTMLElement, root: HTMLElement): () => void 
   };
 }
 
-/** A press takes hold of a handle: what it chooses at once, and what it is to choose when it turns out a tap. */
+/** A press takes hold of a handle: it is chosen at once, and what is let go is let go by a tap, not by a drag. */
 function take(index: number, event: PointerEvent): Drag["tap"] {
   const many = event.shiftKey || event.ctrlKey || event.metaKey || hand.peek() === "choose";
   const was = chosen.peek().has(index);
-  if (many) toggle(index);
-  else if (!was) choose([index], index);
+  if (!was) choose(many ? [...chosen.peek(), index] : [index], index);
   focusKeeping(index);
-  return was && !many ? "alone" : "nothing";
+  return was ? (many ? "drop" : "alone") : "nothing";
 }
 
 /** The keys go on where the pointer was, and the choice stays as it is. */
