@@ -1,0 +1,389 @@
+//! The paper's fit of a closed outline: collage least squares (Cochran, Hart & Flynn, section 3.2).
+
+use glam::{DMat2, DVec2};
+use thiserror::Error;
+
+use crate::curve::FractalCurve;
+use crate::error::FunctionError;
+use crate::piece::{Piece, spectral_norm};
+
+/// The most votes of range against domain.
+const MAX_PAIRS: usize = 1 << 24;
+
+/// Which parts of the outline may be copied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Domains {
+    /// Those that begin where a range begins: the fit is an RFIF.
+    Recurrent,
+    /// Those that begin at any feature point: the fit is a PFIF.
+    Partitioned,
+}
+
+/// How a ring of feature points is fitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CollageOptions {
+    /// How many maps; each covers M = points / maps intervals, and copies 2M.
+    pub maps: usize,
+    /// Whether x and y are copied apart from each other (eq 8) or together (eq 9).
+    pub separable: bool,
+    /// The bound of the factor's norm, in (0, 1).
+    pub bound: f64,
+    /// Whether copies end where their ranges do. The paper's do not, and leave gaps.
+    pub tied: bool,
+    /// Which parts may be copied.
+    pub domains: Domains,
+}
+
+impl Default for CollageOptions {
+    fn default() -> Self {
+        Self { maps: 29, separable: false, bound: 0.95, tied: false, domains: Domains::Recurrent }
+    }
+}
+
+/// Why a ring of points cannot be fitted so.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+pub enum CollageError {
+    /// A copied part must be longer than the piece and not longer than the ring: two maps and two intervals a map.
+    #[error(
+        "{points} feature points are too few for {maps} maps. Take at least twice as many points as maps, and two maps."
+    )]
+    TooFewPoints {
+        /// Feature points.
+        points: usize,
+        /// Maps asked for.
+        maps: usize,
+    },
+    /// More than 2^24 pairs of a piece and a part to copy.
+    #[error("{points} feature points and {maps} maps would take too long. Ask for fewer.")]
+    TooMany {
+        /// Feature points.
+        points: usize,
+        /// Maps asked for.
+        maps: usize,
+    },
+    /// A point is not finite.
+    #[error("Feature point {} is not finite. Mend it or leave it out.", .index + 1)]
+    NotFinite {
+        /// Index of the point.
+        index: usize,
+    },
+    /// The bound is not between 0 and 1.
+    #[error("The bound of the factors must lie between 0 and 1.")]
+    BadBound,
+}
+
+impl CollageError {
+    /// A name that does not change, for programs.
+    #[must_use]
+    pub const fn code(&self) -> &'static str {
+        match self {
+            Self::TooFewPoints { .. } => "too-few-points",
+            Self::TooMany { .. } => "too-many",
+            Self::NotFinite { .. } => "not-finite",
+            Self::BadBound => "bad-bound",
+        }
+    }
+}
+
+/// One map of the fit: range point m (0 to M) is `offset + step * m / M + factor * (point 2m of the domain)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RingMap {
+    /// The feature point where the domain begins.
+    pub start: usize,
+    /// Whether the domain is run through from its other end.
+    pub reversed: bool,
+    /// The matrix of c's.
+    pub factor: DMat2,
+    /// b, for the whole range.
+    pub step: DVec2,
+    /// e.
+    pub offset: DVec2,
+}
+
+/// The paper's fit of a ring of feature points: the first maps * M of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CollageFit {
+    /// The maps, in the order of their ranges.
+    pub maps: Vec<RingMap>,
+    /// M, the intervals of a range.
+    pub intervals: usize,
+    /// The sum of squares of eq 15 over all ranges.
+    pub collage: f64,
+}
+
+/// Fits a ring of feature points by the collage: for each range the domain, way round and factors of least squares.
+///
+/// Of equals the first in the order of `start`, forwards before reversed. Points beyond maps * M are left out.
+///
+/// # Errors
+/// Where there are too few or too many points, one is not finite, or the bound is not in (0, 1).
+pub fn fit_collage(points: &[DVec2], options: &CollageOptions) -> Result<CollageFit, CollageError> {
+    let maps = options.maps;
+    let intervals = points.len().checked_div(maps).unwrap_or(0);
+    if maps < 2 || intervals < 2 {
+        return Err(CollageError::TooFewPoints { points: points.len(), maps });
+    }
+    let ring = &points[..maps * intervals];
+    let step = if options.domains == Domains::Recurrent { intervals } else { 1 };
+    if (ring.len() / step).saturating_mul(maps) > MAX_PAIRS {
+        return Err(CollageError::TooMany { points: points.len(), maps });
+    }
+    if let Some(index) = ring.iter().position(|p| p.is_nan() || p.abs().max_element() > 1e100) {
+        return Err(CollageError::NotFinite { index });
+    }
+    if !(options.bound > 0.0 && options.bound < 1.0) {
+        return Err(CollageError::BadBound);
+    }
+    let mut fit = CollageFit { maps: Vec::with_capacity(maps), intervals, collage: 0.0 };
+    let (mut range, mut domain) = (Vec::new(), Vec::new());
+    for k in 0..maps {
+        range.clear();
+        range.extend((0..=intervals).map(|m| ring[(k * intervals + m) % ring.len()]));
+        let mut best = None;
+        for start in (0..ring.len()).step_by(step) {
+            for reversed in [false, true] {
+                domain.clear();
+                domain
+                    .extend((0..=intervals).map(|m| ring[source(start, reversed, m, intervals, ring.len())]));
+                let (factor, step, offset) = solve(&domain, &range, options);
+                let squares = misfit(&domain, &range, factor, step, offset);
+                if best.as_ref().is_none_or(|&(least, _)| squares < least) {
+                    best = Some((squares, RingMap { start, reversed, factor, step, offset }));
+                }
+            }
+        }
+        if let Some((squares, map)) = best {
+            fit.collage += squares;
+            fit.maps.push(map);
+        }
+    }
+    if options.tied && options.domains == Domains::Partitioned {
+        tie(&mut fit, ring);
+    }
+    Ok(fit)
+}
+
+/// Ties the ends through the attractor: where a domain ends inside a piece, the curve does not pass through the feature
+/// point there, and a map that brings feature points to feature points leaves a gap.
+fn tie(fit: &mut CollageFit, ring: &[DVec2]) {
+    for _ in 0..1000 {
+        let (points, _) = fit.attractor();
+        let mut moved: f64 = 0.0;
+        for (k, map) in fit.maps.iter_mut().enumerate() {
+            let knot = |k: usize| ring[k * fit.intervals % ring.len()];
+            let end = |m| points[source(map.start, map.reversed, m, fit.intervals, ring.len())];
+            let (first, last) = (end(0), end(fit.intervals));
+            let offset = knot(k) - map.factor * first;
+            let step = knot(k + 1) - knot(k) - map.factor * (last - first);
+            moved = moved.max(offset.distance(map.offset) + step.distance(map.step));
+            (map.offset, map.step) = (offset, step);
+        }
+        if moved <= 1e-14 * ring[0].length() {
+            break;
+        }
+    }
+}
+
+/// The ring index of sample m of a domain.
+fn source(start: usize, reversed: bool, m: usize, intervals: usize, count: usize) -> usize {
+    (start + 2 * if reversed { intervals - m } else { m }) % count
+}
+
+fn misfit(domain: &[DVec2], range: &[DVec2], factor: DMat2, step: DVec2, offset: DVec2) -> f64 {
+    let last = (range.len() - 1) as f64;
+    let place = |m: usize| offset + step * (m as f64 / last) + factor * domain[m];
+    range.iter().enumerate().map(|(m, p)| place(m).distance_squared(*p)).sum()
+}
+
+/// The factor, b and e of least squares under the bound.
+///
+/// b and e are linear in the rest, so both sides are first freed of what b and e can do: of their regression on m, or,
+/// with tied ends, of their chords. What is left is a regression of two or of one unknown a coordinate.
+fn solve(domain: &[DVec2], range: &[DVec2], options: &CollageOptions) -> (DMat2, DVec2, DVec2) {
+    let (d, r) = (line(domain, options.tied), line(range, options.tied));
+    let last = (range.len() - 1) as f64;
+    let (mut square, mut cross) = (DMat2::ZERO, DMat2::ZERO);
+    for (m, (p, q)) in domain.iter().zip(range).enumerate() {
+        let share = m as f64 / last;
+        let (x, y) = (*p - d.0 - d.1 * share, *q - r.0 - r.1 * share);
+        // Column j of each: what coordinate j of the domain meets.
+        square += DMat2::from_cols(x * x.x, x * x.y);
+        cross += DMat2::from_cols(y * x.x, y * x.y);
+    }
+    let size = square.x_axis.x + square.y_axis.y;
+    let determinant = square.determinant();
+    let apart = |above: f64, below: f64| if below > 1e-24 * size { above / below } else { 0.0 };
+    let mut factor = if options.separable || determinant <= 1e-20 * size * size {
+        DMat2::from_diagonal(DVec2::new(
+            apart(cross.x_axis.x, square.x_axis.x),
+            apart(cross.y_axis.y, square.y_axis.y),
+        ))
+    } else {
+        cross * square.inverse()
+    };
+    if spectral_norm(factor) > options.bound {
+        factor = limited(factor, options.bound);
+    }
+    (factor, r.1 - factor * d.1, r.0 - factor * d.0)
+}
+
+/// The matrix with its singular values cut to a bound: the nearest of all within it.
+fn limited(m: DMat2, bound: f64) -> DMat2 {
+    // A turn with a stretch p, plus a mirror with a stretch q; the singular values are p + q and |p - q|.
+    let (x, y) = (m.x_axis, m.y_axis);
+    let turn = DVec2::new(x.x + y.y, x.y - y.x) / 2.0;
+    let mirror = DVec2::new(x.x - y.y, x.y + y.x) / 2.0;
+    let (p, q) = (turn.length(), mirror.length());
+    let (sum, rest) = ((p + q).min(bound), (p - q).clamp(-bound, bound));
+    let turn = turn.normalize_or_zero() * f64::midpoint(sum, rest);
+    let mirror = mirror.normalize_or_zero() * f64::midpoint(sum, -rest);
+    DMat2::from_cols(
+        DVec2::new(turn.x + mirror.x, turn.y + mirror.y),
+        DVec2::new(mirror.y - turn.y, turn.x - mirror.x),
+    )
+}
+
+/// Start and step of the line through samples: of least squares, or from end to end.
+fn line(samples: &[DVec2], tied: bool) -> (DVec2, DVec2) {
+    let last = samples.len() - 1;
+    if tied {
+        return (samples[0], samples[last] - samples[0]);
+    }
+    let mean: DVec2 = samples.iter().sum::<DVec2>() / samples.len() as f64;
+    let share = |m: usize| m as f64 / last as f64 - 0.5;
+    let above: DVec2 = samples.iter().enumerate().map(|(m, &p)| (p - mean) * share(m)).sum();
+    let below: f64 = (0..samples.len()).map(|m| share(m) * share(m)).sum();
+    let step = above / below;
+    (mean - step * 0.5, step)
+}
+
+impl CollageFit {
+    /// How many numbers it is made of: factors, b and e, and the domain with its way round.
+    #[must_use]
+    pub fn numbers(&self) -> usize {
+        self.maps.len() * 10
+    }
+
+    /// The point of the fit at each feature point (the first of the two where pieces do not meet), and where each piece
+    /// ends.
+    #[must_use]
+    pub fn attractor(&self) -> (Vec<DVec2>, Vec<DVec2>) {
+        let count = self.maps.len() * self.intervals;
+        let image = |points: &[DVec2], k: usize, m: usize| {
+            let map = &self.maps[k];
+            let from = source(map.start, map.reversed, m, self.intervals, count);
+            map.offset + map.step * (m as f64 / self.intervals as f64) + map.factor * points[from]
+        };
+        let mut points = vec![DVec2::ZERO; count];
+        // The norms are below 1, and 0.95 to the power of 1000 is below the last digit.
+        for _ in 0..10_000 {
+            let next: Vec<_> =
+                (0..count).map(|i| image(&points, i / self.intervals, i % self.intervals)).collect();
+            let size = next.iter().map(|p| p.length()).fold(0.0, f64::max);
+            let moved = points.iter().zip(&next).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+            points = next;
+            if moved <= 1e-15 * size {
+                break;
+            }
+        }
+        let ends = (0..self.maps.len()).map(|k| image(&points, k, self.intervals)).collect();
+        (points, ends)
+    }
+
+    /// The widest and the mean gap between neighbouring pieces, in plane units.
+    #[must_use]
+    pub fn gaps(&self) -> (f64, f64) {
+        let (points, ends) = self.attractor();
+        let next = |k: usize| points[(k + 1) * self.intervals % points.len()];
+        let gaps = ends.iter().enumerate().map(|(k, end)| end.distance(next(k)));
+        let (widest, sum) = gaps.fold((0.0_f64, 0.0), |(widest, sum), gap| (widest.max(gap), sum + gap));
+        (widest, sum / ends.len() as f64)
+    }
+
+    /// The fit as a fractal curve over [0, 2]: twice round, since a domain may run over the seam. Feature point i of n
+    /// is at i / n, and again one later.
+    ///
+    /// # Errors
+    /// None for a fit that [`fit_collage`] made; else as [`FractalCurve::new`].
+    pub fn curve(&self) -> Result<FractalCurve, FunctionError> {
+        let maps = self.maps.len();
+        let count = (maps * self.intervals) as f64;
+        let pieces = (0..2 * maps).map(|k| {
+            let map = &self.maps[k % maps];
+            let range = [k as f64 / maps as f64, (k + 1) as f64 / maps as f64];
+            let start = map.start as f64 / count;
+            let domain = [start, start + 2.0 / maps as f64];
+            // m / M is the share of the domain that has been run through.
+            let rate = maps as f64 / 2.0 * if map.reversed { -1.0 } else { 1.0 };
+            let from = domain[usize::from(map.reversed)];
+            let shear = map.step * rate;
+            Piece {
+                range,
+                domain,
+                reflected: map.reversed,
+                shear,
+                factor: map.factor,
+                offset: map.offset - shear * from,
+            }
+        });
+        FractalCurve::new(pieces.collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ring(count: usize) -> Vec<DVec2> {
+        let point = |i: usize| {
+            let angle = std::f64::consts::TAU * i as f64 / count as f64;
+            DVec2::from_angle(angle) * (2.0 + (5.0 * angle).sin() + 0.3 * (23.0 * angle).cos())
+        };
+        (0..count).map(point).collect()
+    }
+
+    #[test]
+    fn tied_ends_leave_no_gap_and_free_ones_fit_better() {
+        for separable in [false, true] {
+            for domains in [Domains::Recurrent, Domains::Partitioned] {
+                // With a bound of 0.95 what rounding does to a periodic address would be seen.
+                let options =
+                    CollageOptions { maps: 20, separable, domains, bound: 0.5, ..CollageOptions::default() };
+                let free = fit_collage(&ring(120), &options).unwrap();
+                let tied = fit_collage(&ring(120), &CollageOptions { tied: true, ..options }).unwrap();
+                assert!(tied.gaps().0 < 1e-12, "{:?}", tied.gaps());
+                assert!(free.gaps().0 > 1e-3);
+                assert!(free.collage < tied.collage);
+                assert!(tied.maps.iter().all(|map| spectral_norm(map.factor) <= 0.5 + 1e-12));
+                let curve = tied.curve().unwrap();
+                for (i, p) in tied.attractor().0.into_iter().enumerate() {
+                    assert!(curve.at(i as f64 / 120.0).distance(p) < 1e-9, "point {i}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn more_freedom_never_fits_worse() {
+        let fit = |separable, domains| {
+            let options = CollageOptions { maps: 15, separable, domains, ..CollageOptions::default() };
+            fit_collage(&ring(120), &options).unwrap().collage
+        };
+        assert!(fit(false, Domains::Partitioned) <= fit(false, Domains::Recurrent));
+        assert!(fit(false, Domains::Recurrent) <= fit(true, Domains::Recurrent));
+    }
+
+    #[test]
+    fn bad_input_has_codes_and_no_panics() {
+        let fit = |points: &[DVec2], maps, bound| {
+            let options = CollageOptions { maps, bound, ..CollageOptions::default() };
+            fit_collage(points, &options).map_err(|error| error.code())
+        };
+        assert_eq!(fit(&[], 0, 0.9), Err("too-few-points"));
+        assert_eq!(fit(&ring(10), 6, 0.9), Err("too-few-points"));
+        assert_eq!(fit(&ring(100), 10, f64::NAN), Err("bad-bound"));
+        assert_eq!(fit(&[DVec2::NAN; 30], 3, 0.9), Err("not-finite"));
+        assert_eq!(fit(&vec![DVec2::ZERO; 1 << 20], 1 << 19, 0.9), Err("too-many"));
+        assert!(fit(&[DVec2::ONE; 30], 3, 0.9).unwrap().collage < 1e-20);
+    }
+}

@@ -1,0 +1,80 @@
+//! What can be wrong with a fractal function or with what is to be fitted.
+
+use thiserror::Error;
+
+/// The most pieces or points that are taken.
+pub const MAX_POINTS: usize = 1 << 20;
+
+/// Why there is no fractal function or curve. Indices count from 0 here and from 1 in messages.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum FunctionError {
+    /// Fewer than two points, or no piece.
+    #[error("There are {count} points, and a curve needs two or more. Add some.")]
+    TooFewPoints {
+        /// How many there are.
+        count: usize,
+    },
+    /// More than [`MAX_POINTS`].
+    #[error("There are {count} points, and the most is 1048576. Take every second one, or fewer.")]
+    TooManyPoints {
+        /// How many there are, or were when counting stopped.
+        count: usize,
+    },
+    /// A number is NaN, infinite or beyond 1e100.
+    #[error("Point or piece {} holds a number that is not finite or is too large. Mend it or leave it out.", .index + 1)]
+    NotFinite {
+        /// Index of the point or piece.
+        index: usize,
+    },
+    /// The parameters do not increase from point to point.
+    #[error("Point {} does not lie to the right of the one before it. Sort the points, and keep one of equals.", .index + 1)]
+    NotIncreasing {
+        /// Index of the second of the two.
+        index: usize,
+    },
+    /// As many factors and domains are needed as there are pieces.
+    #[error("There are {pieces} pieces, but {given} factors, turns or domains. Give one for each piece.")]
+    WrongCount {
+        /// Pieces between the points.
+        pieces: usize,
+        /// What was given.
+        given: usize,
+    },
+    /// A vertical factor of 1 or more: copies do not shrink.
+    #[error("Piece {} multiplies heights by {factor:.4}. Make it less than 1.", .piece + 1)]
+    NotContractive {
+        /// Index of the piece.
+        piece: usize,
+        /// Its factor: |c|, or the norm of the matrix.
+        factor: f64,
+    },
+    /// The domain of a piece is not longer than the piece itself, or not inside the curve.
+    #[error("Piece {} copies a part that is not longer than itself, or not inside the curve. Choose a longer part.", .piece + 1)]
+    BadDomain {
+        /// Index of the piece.
+        piece: usize,
+    },
+    /// The pieces leave a hole or lie over each other.
+    #[error("Piece {} does not begin where the one before it ends.", .piece + 1)]
+    NotJoined {
+        /// Index of the second of the two.
+        piece: usize,
+    },
+}
+
+impl FunctionError {
+    /// A name that does not change, for programs.
+    #[must_use]
+    pub const fn code(&self) -> &'static str {
+        match self {
+            Self::TooFewPoints { .. } => "too-few-points",
+            Self::TooManyPoints { .. } => "too-many-points",
+            Self::NotFinite { .. } => "not-finite",
+            Self::NotIncreasing { .. } => "not-increasing",
+            Self::WrongCount { .. } => "wrong-count",
+            Self::NotContractive { .. } => "not-contractive",
+            Self::BadDomain { .. } => "bad-domain",
+            Self::NotJoined { .. } => "not-joined",
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! From an outline to its formula: fractal functions and curves, and how they are fitted.
+//!
+//! After Cochran, Hart and Flynn, "On Approximating Rough Curves With Fractal Functions", and beyond it.
+//!
+//! - [`FractalFunction`] and [`FractalCurve`] are made of smaller copies of parts of themselves: FIF, where each piece
+//!   copies the whole; RFIF, where it copies what lies between two knots; PFIF, where it copies any part.
+//! - [`fit_collage`] is the paper's fit of a ring of feature points.
+//! - [`Outline`] is a closed polyline that is to be fitted; [`features`] finds its feature points, [`fidelity`] says how
+//!   near a fit is to it.
+//!
+//! Conventions: y points up, outlines run counter-clockwise, indices count from 0 in code and from 1 in messages.
+//! No panics on any input, no unsafe code, no web, no pictures.
+
+mod collage;
+mod curve;
+mod error;
+mod function;
+mod outline;
+mod piece;
+mod sample;
+
+pub use collage::{CollageError, CollageFit, CollageOptions, Domains, RingMap, fit_collage};
+pub use curve::{FractalCurve, Side};
+pub use error::{FunctionError, MAX_POINTS};
+pub use function::{Dimension, FractalFunction};
+pub use outline::{
+    Fidelity, Near, Nearest, Outline, OutlineError, box_count, box_slope, box_slope_of, crossings, features,
+    fidelity,
+};
+pub use piece::{Piece, spectral_norm};

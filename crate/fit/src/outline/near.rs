@@ -1,0 +1,199 @@
+//! The nearest point of a polyline, by a grid of cells.
+
+use glam::DVec2;
+
+use super::bounds;
+
+/// Where the nearest point of a polyline lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Near {
+    /// The side, from its point of this index to the next one.
+    pub side: usize,
+    /// How far along the side, from 0 to 1.
+    pub share: f64,
+    /// The square of the distance.
+    pub squared: f64,
+}
+
+/// Finds the nearest point of a polyline.
+#[derive(Clone, Debug)]
+pub struct Nearest {
+    points: Vec<DVec2>,
+    sides: usize,
+    low: DVec2,
+    cell: f64,
+    columns: usize,
+    rows: usize,
+    starts: Vec<u32>,
+    items: Vec<u32>,
+}
+
+impl Nearest {
+    /// Prepares a polyline of one point or more; `closed` adds the side from the last to the first.
+    ///
+    /// With no point every answer is side 0 at an infinite distance.
+    #[must_use]
+    pub fn new(points: &[DVec2], closed: bool) -> Self {
+        let sides = if closed { points.len() } else { points.len().saturating_sub(1) };
+        let (low, high) = if points.is_empty() { (DVec2::ZERO, DVec2::ZERO) } else { bounds(points) };
+        let size = high - low;
+        let cells = (points.len() as f64).sqrt().clamp(8.0, 512.0) * 1.5;
+        // Not finer than the mean side: then a side is in few cells, however tangled the polyline is.
+        let length: f64 = points.windows(2).map(|w| w[0].distance(w[1])).sum();
+        let side = length / sides.max(1) as f64;
+        let cell =
+            (size.max_element() / cells).max(side.min(size.max_element() / 8.0)).max(f64::MIN_POSITIVE);
+        let columns = ((size.x / cell) as usize).min(2048) + 1;
+        let rows = ((size.y / cell) as usize).min(2048) + 1;
+        let mut grid = Self {
+            points: points.to_vec(),
+            sides,
+            low,
+            cell,
+            columns,
+            rows,
+            starts: vec![0; columns * rows + 1],
+            items: Vec::new(),
+        };
+        for side in 0..sides {
+            grid.each_cell(side, |grid, cell| grid.starts[cell + 1] += 1);
+        }
+        for i in 1..grid.starts.len() {
+            grid.starts[i] += grid.starts[i - 1];
+        }
+        grid.items = vec![0; grid.starts[columns * rows] as usize];
+        let mut filled = grid.starts.clone();
+        for side in 0..sides {
+            grid.each_cell(side, |grid, cell| {
+                grid.items[filled[cell] as usize] = side as u32;
+                filled[cell] += 1;
+            });
+        }
+        grid
+    }
+
+    fn ends(&self, side: usize) -> (DVec2, DVec2) {
+        (self.points[side], self.points[if side + 1 == self.points.len() { 0 } else { side + 1 }])
+    }
+
+    fn place(&self, p: DVec2) -> (usize, usize) {
+        let at = (p - self.low) / self.cell;
+        // A cast takes negative numbers and NaN to 0.
+        ((at.x as usize).min(self.columns - 1), (at.y as usize).min(self.rows - 1))
+    }
+
+    /// The cells that a side may touch: row by row, those between its ends there and one more on each side.
+    fn each_cell(&mut self, side: usize, mut act: impl FnMut(&mut Self, usize)) {
+        let (mut a, mut b) = self.ends(side);
+        if a.y > b.y {
+            (a, b) = (b, a);
+        }
+        let (bottom, top) = (self.place(a).1, self.place(b).1);
+        let slope = if b.y > a.y { (b.x - a.x) / (b.y - a.y) } else { 0.0 };
+        for row in bottom..=top {
+            let y = |r: usize| (self.low.y + r as f64 * self.cell).clamp(a.y, b.y);
+            let mut x = [a.x + slope * (y(row) - a.y), a.x + slope * (y(row + 1) - a.y)];
+            if bottom == top || slope == 0.0 {
+                x = [a.x, b.x];
+            }
+            let margin = 1e-9 * self.cell;
+            let left = self.place(DVec2::new(x[0].min(x[1]) - margin, a.y)).0;
+            let right = self.place(DVec2::new(x[0].max(x[1]) + margin, a.y)).0;
+            for column in left..=right {
+                act(self, row * self.columns + column);
+            }
+        }
+    }
+
+    /// The sides that a cell may hold, for all cells.
+    pub(crate) fn cells(&self) -> impl Iterator<Item = &[u32]> {
+        self.starts.windows(2).map(|w| &self.items[w[0] as usize..w[1] as usize])
+    }
+
+    /// The nearest point of the polyline to `p`.
+    #[must_use]
+    pub fn to(&self, p: DVec2) -> Near {
+        let mut best = Near { side: 0, share: 0.0, squared: f64::INFINITY };
+        if self.sides == 0 {
+            if let Some(point) = self.points.first() {
+                best.squared = point.distance_squared(p);
+            }
+            return best;
+        }
+        let (column, row) = self.place(p);
+        let most = self.columns.max(self.rows);
+        for ring in 0..=most {
+            let left = column.saturating_sub(ring);
+            let right = (column + ring).min(self.columns - 1);
+            let bottom = row.saturating_sub(ring);
+            let top = (row + ring).min(self.rows - 1);
+            for r in bottom..=top {
+                let inner = r.abs_diff(row) < ring;
+                let mut c = left;
+                while c <= right {
+                    if inner && c.abs_diff(column) < ring {
+                        // Only the two ends of a row inside the ring belong to it.
+                        c = (column + ring).min(self.columns);
+                        continue;
+                    }
+                    self.visit(r * self.columns + c, p, &mut best);
+                    c += 1;
+                }
+            }
+            let reach = ring as f64 * self.cell;
+            if best.squared <= reach * reach {
+                break;
+            }
+        }
+        best
+    }
+
+    fn visit(&self, cell: usize, p: DVec2, best: &mut Near) {
+        for &side in &self.items[self.starts[cell] as usize..self.starts[cell + 1] as usize] {
+            let (a, b) = self.ends(side as usize);
+            let (share, squared) = to_side(p, a, b);
+            if squared < best.squared {
+                *best = Near { side: side as usize, share, squared };
+            }
+        }
+    }
+}
+
+/// The nearest point of a side: how far along it, and the square of the distance.
+pub(crate) fn to_side(p: DVec2, a: DVec2, b: DVec2) -> (f64, f64) {
+    let chord = b - a;
+    let scale = chord.length_squared();
+    let share = if scale > 0.0 { ((p - a).dot(chord) / scale).clamp(0.0, 1.0) } else { 0.0 };
+    (share, p.distance_squared(a + chord * share))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use frond_core::hash;
+
+    fn random(i: u32) -> f64 {
+        f64::from(hash::unit(hash::counter(7, i)))
+    }
+
+    #[test]
+    fn the_grid_finds_what_a_search_of_all_sides_finds() {
+        let points: Vec<_> = (0..200).map(|i| DVec2::new(random(2 * i), 0.1 * random(2 * i + 1))).collect();
+        let nearest = Nearest::new(&points, true);
+        for i in 0..500 {
+            let p = DVec2::new(3.0 * random(1000 + 2 * i) - 1.0, 3.0 * random(1001 + 2 * i) - 1.0);
+            let all = (0..points.len()).map(|s| to_side(p, points[s], points[(s + 1) % points.len()]).1);
+            assert_eq!(nearest.to(p).squared, all.fold(f64::INFINITY, f64::min), "{p}");
+        }
+    }
+
+    #[test]
+    fn degenerate_polylines_have_answers() {
+        assert_eq!(Nearest::new(&[], true).to(DVec2::ONE).squared, f64::INFINITY);
+        assert_eq!(Nearest::new(&[DVec2::ZERO], false).to(DVec2::X).squared, 1.0);
+        assert_eq!(Nearest::new(&[DVec2::ZERO; 4], true).to(DVec2::X).squared, 1.0);
+        assert_eq!(Nearest::new(&[DVec2::ZERO, DVec2::X], true).to(DVec2::NAN).squared, f64::INFINITY);
+        let upright = Nearest::new(&[DVec2::ZERO, DVec2::Y * 5.0], false);
+        assert_eq!(upright.to(DVec2::new(2.0, 3.0)), Near { side: 0, share: 0.6, squared: 4.0 });
+    }
+}

@@ -1,0 +1,144 @@
+//! One map of a fractal curve, with the interval it copies.
+
+use glam::{DMat2, DVec2};
+
+/// One piece of a fractal curve: over `range` the curve is a copy of itself over `domain`.
+///
+/// ```text
+///     | t |     | a   0   0 | | t |   | d |
+///   P | x |  =  | bx  cx cxy| | x | + | ex|        Cochran, Hart & Flynn, eq 9; eq 8 where the factor is diagonal;
+///     | y |     | by cyx  cy| | y |   | ey|        eq 1 where y is nothing
+/// ```
+///
+/// a and d are not stored: they follow from the two intervals and from whether the copy is reflected.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// The interval of t that the piece fills.
+    pub range: [f64; 2],
+    /// The interval of t that it copies; longer than the range.
+    pub domain: [f64; 2],
+    /// Whether the copy runs backwards: a < 0.
+    pub reflected: bool,
+    /// (bx, by): what a unit of t adds.
+    pub shear: DVec2,
+    /// The matrix of c's: the roughness.
+    pub factor: DMat2,
+    /// (ex, ey).
+    pub offset: DVec2,
+}
+
+impl Piece {
+    /// The piece whose ends lie where they should: the copy of `domain_ends` is `range_ends` (in the order of t).
+    #[must_use]
+    pub fn through(
+        [range, domain]: [[f64; 2]; 2],
+        reflected: bool,
+        factor: DMat2,
+        range_ends: [DVec2; 2],
+        domain_ends: [DVec2; 2],
+    ) -> Self {
+        let [first, last] = if reflected { [range_ends[1], range_ends[0]] } else { range_ends };
+        let rest = (last - factor * domain_ends[1]) - (first - factor * domain_ends[0]);
+        let shear = rest / (domain[1] - domain[0]);
+        let offset = first - factor * domain_ends[0] - shear * domain[0];
+        Self { range, domain, reflected, shear, factor, offset }
+    }
+
+    /// The piece of a scalar map `[a, b, c, d, e]` (eq 1) over a domain.
+    #[must_use]
+    pub fn from_map([a, b, c, d, e]: [f64; 5], domain: [f64; 2]) -> Self {
+        let ends = domain.map(|t| a * t + d);
+        let range = if a < 0.0 { [ends[1], ends[0]] } else { ends };
+        let factor = DMat2::from_cols(DVec2::new(c, 0.0), DVec2::ZERO);
+        Self {
+            range,
+            domain,
+            reflected: a < 0.0,
+            shear: DVec2::new(b, 0.0),
+            factor,
+            offset: DVec2::new(e, 0.0),
+        }
+    }
+
+    /// The factor of t: negative where reflected, of size below 1.
+    #[must_use]
+    pub fn a(&self) -> f64 {
+        let size = (self.range[1] - self.range[0]) / (self.domain[1] - self.domain[0]);
+        if self.reflected { -size } else { size }
+    }
+
+    /// The shift of t.
+    #[must_use]
+    pub fn d(&self) -> f64 {
+        self.range[0] - self.a() * self.domain[usize::from(self.reflected)]
+    }
+
+    /// `[a, b, c, d, e]` of the x coordinate (eq 1).
+    #[must_use]
+    pub fn map(&self) -> [f64; 5] {
+        [self.a(), self.shear.x, self.factor.x_axis.x, self.d(), self.offset.x]
+    }
+
+    /// Where in the domain the value at `t` of the range comes from. Ends go to ends exactly.
+    #[must_use]
+    pub fn source(&self, t: f64) -> f64 {
+        let [start, end] = if self.reflected { [self.domain[1], self.domain[0]] } else { self.domain };
+        if t <= self.range[0] {
+            return start;
+        }
+        if t >= self.range[1] {
+            return end;
+        }
+        let share = (t - self.range[0]) / (self.range[1] - self.range[0]);
+        (start + share * (end - start)).clamp(self.domain[0], self.domain[1])
+    }
+
+    /// The norm of the factor: how much heights are multiplied by at most.
+    #[must_use]
+    pub fn gain(&self) -> f64 {
+        spectral_norm(self.factor)
+    }
+
+    pub(crate) fn is_finite(&self) -> bool {
+        let numbers = [self.range, self.domain].into_iter().flatten();
+        let values = [self.shear, self.offset, self.factor.x_axis, self.factor.y_axis];
+        numbers.chain(values.into_iter().flat_map(|v| v.to_array())).all(|x| x.abs() <= 1e100)
+    }
+}
+
+/// The largest singular value.
+#[must_use]
+pub fn spectral_norm(m: DMat2) -> f64 {
+    // Of [[a, c], [b, d]]: half the sum of the lengths of its conformal and its anticonformal part, doubled.
+    let (x, y) = (m.x_axis, m.y_axis);
+    let turn = f64::hypot(x.x + y.y, x.y - y.x);
+    let mirror = f64::hypot(x.x - y.y, x.y + y.x);
+    0.5 * (turn + mirror)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_norm_is_the_longest_image_of_a_unit_vector() {
+        for (m, norm) in [
+            (DMat2::from_diagonal(DVec2::new(0.3, -0.7)), 0.7),
+            (DMat2::from_angle(0.4) * 0.5, 0.5),
+            (DMat2::from_cols(DVec2::new(0.0, 0.0), DVec2::new(2.0, 0.0)), 2.0),
+        ] {
+            assert!((spectral_norm(m) - norm).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn a_map_comes_back_from_its_piece() {
+        for map in [[0.5, 0.746, 0.5, -0.5, 0.246], [-0.4, -1.35, -0.5, 0.6, 1.25]] {
+            let piece = Piece::from_map(map, [-1.0, 1.0]);
+            for (a, b) in piece.map().into_iter().zip(map) {
+                assert!((a - b).abs() < 1e-15);
+            }
+            assert_eq!(piece.reflected, map[0] < 0.0);
+        }
+    }
+}
