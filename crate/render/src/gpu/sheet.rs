@@ -1,0 +1,420 @@
+//! A photograph on a sheet, by the graphics card.
+
+use bytemuck::{Pod, Zeroable};
+use glam::DVec2;
+
+use super::buffer::uniform;
+use super::device::Gpu;
+use super::pipelines::READ;
+use crate::sheet::{Photo, Sheet, SheetOptions, draw_sheet, on_target};
+use crate::view::View;
+use crate::window::Window;
+
+/// Corners further away than so many pixels have too few digits on the card: such a close view is drawn on the processor,
+/// where it has few triangles.
+const FARTHEST: f64 = 1e6;
+/// The most layers on the average before a sheet is drawn coarser: by a card, and by the processor in its place.
+const LAYERS: (f64, f64) = (64.0, 16.0);
+
+/// What `shader/sheet.wgsl` calls `Shown`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+struct Shown {
+    size: [f32; 2],
+    factor: i32,
+    premultiply: f32,
+}
+
+/// The photograph on the card, the sheet, and what it was drawn to.
+#[derive(Debug)]
+pub(super) struct SheetGpu {
+    draw: wgpu::RenderPipeline,
+    show: wgpu::RenderPipeline,
+    read: wgpu::RenderPipeline,
+    resolve_layout: wgpu::BindGroupLayout,
+    photo: wgpu::BindGroup,
+    /// While drawing, while showing, while reading.
+    shown: [wgpu::Buffer; 3],
+    corners: wgpu::Buffer,
+    places: wgpu::Buffer,
+    indices: wgpu::Buffer,
+    /// How many indices there are, and the sheet's cells and step that they are for.
+    count: u32,
+    cells: (usize, usize),
+    screen: Vec<[f32; 2]>,
+    target: Option<Drawn>,
+}
+
+/// What was drawn.
+#[derive(Debug)]
+struct Drawn {
+    texture: wgpu::Texture,
+    view: wgpu::TextureView,
+    window: Window,
+    factor: u32,
+}
+
+impl SheetGpu {
+    pub fn new(gpu: &Gpu, photo: &Photo) -> Self {
+        let device = &gpu.device;
+        let source = wgpu::ShaderSource::Wgsl(include_str!("../../shader/sheet.wgsl").into());
+        let module =
+            device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("sheet"), source });
+        let layout = |entries: &[wgpu::BindGroupLayoutEntry]| {
+            device
+                .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("sheet"), entries })
+        };
+        let photo_layout = layout(&[uniform_entry(), texture_entry(1, true), sampler_entry(2)]);
+        let resolve_layout = layout(&[uniform_entry(), texture_entry(3, false)]);
+        let shown = ["drawn sheet", "shown sheet", "read sheet"].map(|label| uniform::<Shown>(device, label));
+        Self {
+            draw: draw_pipeline(device, &module, &photo_layout),
+            show: resolve_pipeline(device, &module, &resolve_layout, gpu.format()),
+            read: resolve_pipeline(device, &module, &resolve_layout, READ),
+            resolve_layout,
+            photo: upload(gpu, photo, &photo_layout, &shown[0]),
+            shown,
+            corners: buffer(device, "corners", 4, wgpu::BufferUsages::VERTEX),
+            places: buffer(device, "places", 4, wgpu::BufferUsages::VERTEX),
+            indices: buffer(device, "triangles", 4, wgpu::BufferUsages::INDEX),
+            count: 0,
+            cells: (0, 0),
+            screen: Vec::new(),
+            target: None,
+        }
+    }
+
+    /// Draws a sheet, with `factor` x `factor` samples for each pixel of the window. Returns how many triangles it took.
+    pub fn draw(
+        &mut self,
+        gpu: &Gpu,
+        photo: &Photo,
+        sheet: &Sheet,
+        view: View,
+        window: Window,
+        factor: u32,
+    ) -> u64 {
+        let target = Window { width: window.width * factor, height: window.height * factor };
+        let screen: Vec<DVec2> = on_target(sheet, view, window, f64::from(factor)).collect();
+        // Not a number is not near either.
+        if !screen.iter().all(|p| p.x.abs() < FARTHEST && p.y.abs() < FARTHEST) {
+            self.draw_without(gpu, photo, sheet, view, window);
+            return sheet.side().pow(2) as u64 * 2;
+        }
+        let step = sheet.step(&screen, target, if gpu.software { LAYERS.1 } else { LAYERS.0 });
+        self.prepare(gpu, sheet, step);
+        self.screen.clear();
+        self.screen.extend(screen.iter().map(|p| p.as_vec2().to_array()));
+        gpu.queue.write_buffer(&self.corners, 0, bytemuck::cast_slice(&self.screen));
+        let size = [target.width as f32, target.height as f32];
+        let shown = Shown { size, factor: factor as i32, premultiply: 1.0 };
+        gpu.queue.write_buffer(&self.shown[0], 0, bytemuck::bytes_of(&shown));
+        let drawn = self.fit(gpu, target, factor);
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let mut pass = begin(&mut encoder, "sheet", &drawn.view);
+            pass.set_pipeline(&self.draw);
+            pass.set_bind_group(0, &self.photo, &[]);
+            pass.set_vertex_buffer(0, self.corners.slice(..));
+            pass.set_vertex_buffer(1, self.places.slice(..));
+            pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+            pass.draw_indexed(0..self.count, 0, 0..1);
+        }
+        gpu.queue.submit([encoder.finish()]);
+        self.target = Some(drawn);
+        u64::from(self.count / 3)
+    }
+
+    /// The same on the processor.
+    fn draw_without(&mut self, gpu: &Gpu, photo: &Photo, sheet: &Sheet, view: View, window: Window) {
+        let options =
+            SheetOptions { width: window.width, height: window.height, view: Some(view), smooth: true };
+        let Ok(mut picture) = draw_sheet(photo, sheet, &options) else { return };
+        for pixel in picture.as_chunks_mut::<4>().0 {
+            let [r, g, b, a] = pixel.map(u32::from);
+            *pixel = [r, g, b, 255].map(|c| ((c * a + 127) / 255) as u8);
+        }
+        let drawn = self.fit(gpu, window, 1);
+        gpu.queue.write_texture(
+            drawn.texture.as_image_copy(),
+            &picture,
+            rows(window.width),
+            extent(window.width, window.height),
+        );
+        self.target = Some(drawn);
+    }
+
+    /// The target, of the right size.
+    fn fit(&mut self, gpu: &Gpu, window: Window, factor: u32) -> Drawn {
+        if let Some(kept) = self.target.take().filter(|kept| kept.window == window) {
+            return Drawn { factor, ..kept };
+        }
+        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("sheet"),
+            size: extent(window.width, window.height),
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: READ,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+                | wgpu::TextureUsages::TEXTURE_BINDING
+                | wgpu::TextureUsages::COPY_DST,
+            view_formats: &[],
+        });
+        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        Drawn { texture, view, window, factor }
+    }
+
+    /// Fills the buffers that hold whatever the corners are, but where they are.
+    fn prepare(&mut self, gpu: &Gpu, sheet: &Sheet, step: usize) {
+        if self.cells == (sheet.side(), step) {
+            return;
+        }
+        let vertices = sheet.corners().len();
+        if self.cells.0 != sheet.side() {
+            let places: Vec<[f32; 2]> = (0..vertices).map(|i| sheet.place(i).as_vec2().to_array()).collect();
+            let size = size_of::<[f32; 2]>() * vertices;
+            self.corners = buffer(&gpu.device, "corners", size, wgpu::BufferUsages::VERTEX);
+            self.places = buffer(&gpu.device, "places", size, wgpu::BufferUsages::VERTEX);
+            gpu.queue.write_buffer(&self.places, 0, bytemuck::cast_slice(&places));
+        }
+        let indices: Vec<u32> = sheet.triangles(step).flatten().collect();
+        self.indices = buffer(&gpu.device, "triangles", size_of_val(&indices[..]), wgpu::BufferUsages::INDEX);
+        gpu.queue.write_buffer(&self.indices, 0, bytemuck::cast_slice(&indices));
+        self.count = indices.len() as u32;
+        self.cells = (sheet.side(), step);
+    }
+
+    /// Makes a picture of what was drawn, if anything was: for the canvas, or straight for reading.
+    pub fn resolve(
+        &self,
+        gpu: &Gpu,
+        straight: bool,
+        picture: &wgpu::TextureView,
+    ) -> Option<wgpu::CommandEncoder> {
+        let drawn = self.target.as_ref()?;
+        let (pipeline, buffer, premultiply) =
+            if straight { (&self.read, &self.shown[2], 0.0) } else { (&self.show, &self.shown[1], 1.0) };
+        let size = [drawn.window.width as f32, drawn.window.height as f32];
+        let shown = Shown { size, factor: drawn.factor as i32, premultiply };
+        gpu.queue.write_buffer(buffer, 0, bytemuck::bytes_of(&shown));
+        let bindings = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("sheet"),
+            layout: &self.resolve_layout,
+            entries: &[
+                wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() },
+                wgpu::BindGroupEntry {
+                    binding: 3,
+                    resource: wgpu::BindingResource::TextureView(&drawn.view),
+                },
+            ],
+        });
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let mut pass = begin(&mut encoder, "resolve a sheet", picture);
+            pass.set_pipeline(pipeline);
+            pass.set_bind_group(0, &bindings, &[]);
+            pass.draw(0..3, 0..1);
+        }
+        Some(encoder)
+    }
+}
+
+/// A pass onto nothing.
+fn begin<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    label: &str,
+    view: &'a wgpu::TextureView,
+) -> wgpu::RenderPass<'a> {
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some(label),
+        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+            view,
+            depth_slice: None,
+            resolve_target: None,
+            ops: wgpu::Operations {
+                load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                store: wgpu::StoreOp::Store,
+            },
+        })],
+        ..wgpu::RenderPassDescriptor::default()
+    })
+}
+
+/// The photograph with its halvings, as far as the card takes them.
+fn upload(gpu: &Gpu, photo: &Photo, layout: &wgpu::BindGroupLayout, shown: &wgpu::Buffer) -> wgpu::BindGroup {
+    let fits = |level: &&crate::sheet::Level| level.width.max(level.height) <= gpu.max_side;
+    let levels: Vec<_> = photo.levels().iter().filter(fits).collect();
+    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("photograph"),
+        size: levels.first().map_or(extent(1, 1), |level| extent(level.width, level.height)),
+        mip_level_count: levels.len().max(1) as u32,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: READ,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+        view_formats: &[],
+    });
+    for (i, level) in levels.iter().enumerate() {
+        let place = wgpu::TexelCopyTextureInfo { mip_level: i as u32, ..texture.as_image_copy() };
+        let size = extent(level.width, level.height);
+        gpu.queue.write_texture(place, level.pixels.as_flattened(), rows(level.width), size);
+    }
+    let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("between"),
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        mipmap_filter: wgpu::MipmapFilterMode::Linear,
+        ..wgpu::SamplerDescriptor::default()
+    });
+    let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("photograph"),
+        layout,
+        entries: &[
+            wgpu::BindGroupEntry { binding: 0, resource: shown.as_entire_binding() },
+            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&view) },
+            wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&sampler) },
+        ],
+    })
+}
+
+fn extent(width: u32, height: u32) -> wgpu::Extent3d {
+    wgpu::Extent3d { width, height, depth_or_array_layers: 1 }
+}
+
+fn rows(width: u32) -> wgpu::TexelCopyBufferLayout {
+    wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(width * 4), rows_per_image: None }
+}
+
+fn buffer(
+    device: &wgpu::Device,
+    label: &'static str,
+    size: usize,
+    usage: wgpu::BufferUsages,
+) -> wgpu::Buffer {
+    device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size: size as u64,
+        usage: usage | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
+}
+
+fn uniform_entry() -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding: 0,
+        visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        },
+        count: None,
+    }
+}
+
+fn texture_entry(binding: u32, filterable: bool) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::FRAGMENT,
+        ty: wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Float { filterable },
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        },
+        count: None,
+    }
+}
+
+fn sampler_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::FRAGMENT,
+        ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+        count: None,
+    }
+}
+
+fn pipeline_layout(device: &wgpu::Device, bindings: &wgpu::BindGroupLayout) -> wgpu::PipelineLayout {
+    device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        bind_group_layouts: &[Some(bindings)],
+        ..wgpu::PipelineLayoutDescriptor::default()
+    })
+}
+
+fn draw_pipeline(
+    device: &wgpu::Device,
+    module: &wgpu::ShaderModule,
+    bindings: &wgpu::BindGroupLayout,
+) -> wgpu::RenderPipeline {
+    let corner = |attributes| wgpu::VertexBufferLayout {
+        array_stride: size_of::<[f32; 2]>() as u64,
+        step_mode: wgpu::VertexStepMode::Vertex,
+        attributes,
+    };
+    // Triangles come from the front to the back: each is laid under what is there.
+    let under = wgpu::BlendComponent {
+        src_factor: wgpu::BlendFactor::OneMinusDstAlpha,
+        dst_factor: wgpu::BlendFactor::One,
+        operation: wgpu::BlendOperation::Add,
+    };
+    let blend = Some(wgpu::BlendState { color: under, alpha: under });
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("sheet"),
+        layout: Some(&pipeline_layout(device, bindings)),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some("sheet_vertex"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[
+                Some(corner(&wgpu::vertex_attr_array![0 => Float32x2])),
+                Some(corner(&wgpu::vertex_attr_array![1 => Float32x2])),
+            ],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: None,
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some("sheet_fragment"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(wgpu::ColorTargetState {
+                format: READ,
+                blend,
+                write_mask: wgpu::ColorWrites::ALL,
+            })],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
+fn resolve_pipeline(
+    device: &wgpu::Device,
+    module: &wgpu::ShaderModule,
+    bindings: &wgpu::BindGroupLayout,
+    format: wgpu::TextureFormat,
+) -> wgpu::RenderPipeline {
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("resolve a sheet"),
+        layout: Some(&pipeline_layout(device, bindings)),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some("sheet_screen"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: None,
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some("sheet_resolve"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(format.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
