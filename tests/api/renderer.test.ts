@@ -1,6 +1,23 @@
-import { describe, expect, it } from "vitest";
+import { afterEach, describe, expect, it, vi } from "vitest";
 import type { LocusCompute } from "../../www/pkg/renderer.js";
 import { createLocusCompute, timeLocus } from "../../www/pkg/renderer.js";
+
+const { open, opened } = vi.hoisted(() => {
+  const opened = { software: false, free: () => undefined };
+  return { opened, open: vi.fn(async () => opened) };
+});
+vi.mock("../../www/pkg/frond-webgpu.js", () => ({
+  default: async () => undefined,
+  LocusCompute: { create: open },
+}));
+
+/** A browser with this adapter. */
+function pretend(adapter: object) {
+  open.mockClear();
+  vi.stubGlobal("navigator", { gpu: { requestAdapter: async () => adapter } });
+}
+
+afterEach(() => void vi.unstubAllGlobals());
 
 type Answer = { milliseconds: number; left: number };
 
@@ -36,6 +53,23 @@ describe("which of the two decides a locus", () => {
     const { compute, sizes } = card({ milliseconds: 0, left: 0 }, true);
     expect((await timeLocus(compute, slow)).faster).toBe("cpu");
     expect(sizes).toEqual([]);
+  });
+
+  it.each([
+    { info: { vendor: "google", architecture: "swiftshader" } },
+    { info: { vendor: "mesa", description: "llvmpipe (LLVM 19, 256 bits)" } },
+    { info: { vendor: "nvidia", architecture: "", isFallbackAdapter: true } },
+    { isFallbackAdapter: true },
+  ])("is not even loaded on a processor that stands in for a card: %o", async (adapter) => {
+    pretend(adapter);
+    expect(await createLocusCompute()).toBeUndefined();
+    expect(open).not.toHaveBeenCalled();
+    expect(await createLocusCompute({ software: true })).toBe(opened);
+  });
+
+  it("is opened on a card", async () => {
+    pretend({ info: { vendor: "nvidia", architecture: "hopper", isFallbackAdapter: false } });
+    expect(await createLocusCompute()).toBe(opened);
   });
 
   it("is not asked for where there is no WebGPU", async () => {

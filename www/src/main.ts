@@ -30,7 +30,7 @@ async function begin(root: HTMLElement): Promise<void> {
   render(h(App, { backend: parameters.backend }), root);
   await whenFirstPicture();
   startEngine(module, { workers: parameters.workers });
-  startSchedules();
+  startSchedules({ card: parameters.card });
 }
 
 const root = document.getElementById("app");

@@ -227,7 +227,7 @@ fn descend(root: Pair, shade: f32, limit: u32) -> u32 {
                 return MET;
             }
             if sizes <= margin || looks >= limit {
-                return UNKNOWN;
+                break;
             }
             let first = dot(pair.a, pair.a) >= dot(pair.b, pair.b);
             var keys = array<f32, 8>(FAR, FAR, FAR, FAR, FAR, FAR, FAR, FAR);
@@ -275,7 +275,6 @@ fn descend(root: Pair, shade: f32, limit: u32) -> u32 {
         stack[level % DEPTH] = part_of(pair, plan & 7u, (plan >> 31u) == 1u);
         fresh = true;
     }
-    // Some compilers want to see it.
     return UNKNOWN;
 }
 

@@ -18,18 +18,26 @@ function load(backend) {
   return loading[backend];
 }
 
-/** Whether there is a WebGPU adapter: some browsers have the interface and no adapter behind it. */
-async function hasWebGpu() {
+/** The adapter of WebGPU: some browsers have the interface and none behind it. */
+async function adapter() {
   try {
-    return Boolean(await globalThis.navigator?.gpu?.requestAdapter());
+    return (await globalThis.navigator?.gpu?.requestAdapter()) ?? undefined;
   } catch {
-    return false;
+    return undefined;
   }
+}
+
+/** Whether the processor stands in for a graphics card, as far as the browser tells without a device. */
+function isSoftware(adapter) {
+  const info = adapter.info ?? {};
+  const names = [info.vendor, info.architecture, info.device, info.description].join(" ");
+  const fallback = info.isFallbackAdapter ?? adapter.isFallbackAdapter ?? false;
+  return fallback || /swiftshader|llvmpipe|lavapipe|software|basic render|\bwarp\b/i.test(names);
 }
 
 export async function createRenderer(canvas, options = {}) {
   const { backend: wanted = "auto" } = options;
-  if (wanted === "webgpu" || (wanted === "auto" && (await hasWebGpu()))) {
+  if (wanted === "webgpu" || (wanted === "auto" && (await adapter()))) {
     try {
       return await (await load("webgpu")).Renderer.create(canvas, { ...options, backend: "webgpu" });
     } catch (problem) {
@@ -40,7 +48,9 @@ export async function createRenderer(canvas, options = {}) {
 }
 
 export async function createLocusCompute({ software = false } = {}) {
-  if (!(await hasWebGpu())) return undefined;
+  const found = await adapter();
+  // Before anything is loaded or opened: a device on the processor would take time from the page.
+  if (!found || (!software && isSoftware(found))) return undefined;
   let compute;
   try {
     compute = await (await load("webgpu")).LocusCompute.create();

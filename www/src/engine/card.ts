@@ -13,28 +13,30 @@ export interface Ends {
 export type OnProcessor = (ends: Ends) => Promise<unknown>;
 
 let card: LocusCompute | null = null;
-let asked = false;
 let busy = false;
 
 export const hasCard = (): boolean => card !== null;
 
-/**
- * Looks for a card once and times it against the processor. `software` takes one that is none, and untimed: for trying this
- * where there is no card.
- */
-export async function findCard(processor: OnProcessor, software = false): Promise<void> {
-  if (asked) return;
-  asked = true;
-  const found = await createLocusCompute({ software });
-  if (!found) return;
+/** From here on loci are decided by this card. */
+export function adoptCard(found: LocusCompute): void {
+  card = found;
+}
+
+/** A card, if there is one. `software` takes one that the processor stands in for: for trying this without a card. */
+export async function openCard(software: boolean): Promise<LocusCompute | null> {
+  return (await createLocusCompute({ software })) ?? null;
+}
+
+/** Times a card against the processor. */
+export async function isFaster(found: LocusCompute, processor: OnProcessor): Promise<boolean> {
   const onProcessor = (from: { maps: MapRow[] }, to: { maps: MapRow[] }, options: LocusOptions) =>
     processor({ from: from.maps, to: to.maps, options });
   try {
-    if (software || (await timeLocus(found, onProcessor)).faster === "gpu") card = found;
+    return (await timeLocus(found, onProcessor)).faster === "gpu";
   } catch {
     // A card that cannot do it is no card.
+    return false;
   }
-  if (card !== found) found.free();
 }
 
 /**

@@ -1,19 +1,29 @@
 import type { PainterBackend } from "../canvas/painter";
+import type { CardChoice } from "../engine/schedule/card";
 
 export interface Parameters {
   backend: "auto" | PainterBackend;
   /** How many workers; null for as many as the machine has room for. */
   workers: number | null;
+  /** What decides loci besides the workers. */
+  card: CardChoice;
 }
 
 const BACKENDS: readonly string[] = ["webgpu", "webgl2", "canvas"];
+const CARDS: readonly string[] = ["auto", "software", "none"];
 
-/** `?backend=webgl2`, `?workers=0`: for trying the page as another machine would run it. */
+/** A machine without WebGPU has no card for the locus, either. */
+const cardBeside = (backend: string): CardChoice =>
+  backend === "webgl2" || backend === "canvas" ? "none" : "auto";
+
+/** `?backend=webgl2`, `?workers=0`, `?card=none`: for trying the page as another machine would run it. */
 export function readParameters(search: string): Parameters {
   const query = new URLSearchParams(search);
   const backend = query.get("backend") ?? "";
+  const card = query.get("card") ?? "";
   return {
     backend: BACKENDS.includes(backend) ? (backend as PainterBackend) : "auto",
     workers: /^[0-8]$/.test(query.get("workers") ?? "") ? Number(query.get("workers")) : null,
+    card: CARDS.includes(card) ? (card as CardChoice) : cardBeside(backend),
   };
 }

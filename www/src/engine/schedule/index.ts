@@ -1,3 +1,4 @@
+import type { CardChoice } from "./card";
 import { scheduleCertify } from "./certify";
 import { scheduleLocus } from "./locus";
 import { scheduleMatching } from "./matching";
@@ -11,10 +12,10 @@ import { scheduleVerdict } from "./verdict";
 export { adoptPath } from "./plan";
 
 /** Ties the engine to the document: from here on every change asks for what follows from it. */
-export function startSchedules(): void {
+export function startSchedules(options: { card: CardChoice }): void {
   adoptPath();
   scheduleVerdict();
-  scheduleLocus();
+  scheduleLocus(options.card);
   schedulePlan();
   scheduleThumbnails();
   scheduleBreaks();

@@ -1,10 +1,10 @@
 import { effect, untracked } from "@preact/signals";
 import { notify, wordsOf } from "../../state/notice";
-import { type Ends, findCard, hasCard, locusByCard } from "../card";
+import { hasCard, locusByCard } from "../card";
 import { cancel, epoch, sliceMilliseconds, submit } from "../engine";
-import { BOUNDS, EPSILON, type LocusInputs, LocusWork, nextKey, SIZE, STRIDES } from "../locus-job";
-import type { Task } from "../protocol";
+import { BOUNDS, EPSILON, type LocusInputs, LocusWork, SIZE, STRIDES } from "../locus-job";
 import { publish } from "../results";
+import { type CardChoice, lookForCard } from "./card";
 import { inputs as morph } from "./inputs";
 import { planFrom } from "./plan";
 import { hasPatches, homeIsSeen, scheduleWindow } from "./window";
@@ -16,6 +16,7 @@ const COARSEST = STRIDES[0];
 const PATIENCE_MS = 250;
 
 let work: LocusWork | null = null;
+let choice: CardChoice = "none";
 let waiting: ReturnType<typeof setTimeout> | null = null;
 let frame = 0;
 let late: ReturnType<typeof setTimeout> | null = null;
@@ -23,7 +24,8 @@ let late: ReturnType<typeof setTimeout> | null = null;
 /** The paths are planned from the whole plane, but while another part or plane is looked at, that comes first. */
 const priorities = (): [number, number] => (homeIsSeen.peek() ? [50, 15] : [38, 8]);
 
-export function scheduleLocus(): void {
+export function scheduleLocus(card: CardChoice): void {
+  choice = card;
   effect(() => {
     const inputs = morph.value;
     epoch.value;
@@ -87,39 +89,12 @@ async function askCard(asked: LocusWork): Promise<void> {
   } else if (whole && work && hasCard() && !work.coarse) askCard(work);
 }
 
-/** A card is looked for when the page has come to rest: the first picture of the locus does not wait for it. */
-const REST_MS = 2000;
 let considered = false;
 
 function considerCard(): void {
   if (considered) return;
   considered = true;
-  // On request only, until it has been tried on a real card: a second device disturbs the picture's on a software one.
-  const asked = new URLSearchParams(location.search).get("card");
-  if (asked) setTimeout(() => void findCard(onProcessor, asked === "software"), REST_MS);
-}
-
-/** All rows by all workers. */
-function onProcessor({ from, to, options }: Ends): Promise<void> {
-  const key = nextKey();
-  const part = Math.ceil(options.height / 8);
-  let r0 = 0;
-  return new Promise((resolve, reject) => {
-    submit({
-      channel: "card",
-      priority: () => 5,
-      next() {
-        if (r0 >= options.height) return null;
-        const r1 = Math.min(options.height, r0 + part);
-        const task: Task<"locus"> = { kind: "locus", key, from, to, options, r0, r1, stride: 1, first: true };
-        r0 = r1;
-        return task;
-      },
-      accept() {},
-      fail: (_, error) => reject(error),
-      done: resolve,
-    });
-  });
+  void lookForCard(choice);
 }
 
 /** A busy graphics card makes frames wait; the field does not wait longer than this with it. */
