@@ -16,6 +16,7 @@
 //! Each shader in `shader/` has a twin with the same arithmetic, and tests that compare them. The twins are here, but for
 //! that of the locus, which is in crate/locus: what runs on the card for it is `gpu::LocusGpu`.
 
+pub mod bent;
 mod bitmap;
 mod colour;
 mod cut;

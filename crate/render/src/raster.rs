@@ -1,8 +1,10 @@
 //! Pictures made on the CPU.
 
 use frond_core::{Affine2, Hull, Ifs};
+use frond_deform::Bend;
 use thiserror::Error;
 
+use crate::bent::{Bent, BentSweep, Slack};
 use crate::colour::{Colouring, Look};
 use crate::density::Density;
 use crate::frame::Frame;
@@ -18,7 +20,7 @@ pub struct RasterOptions<'a> {
     pub width: u32,
     /// Rows, at most [`MAX_SIDE`].
     pub height: u32,
-    /// What part of the plane. Default: all of the attractor with a margin of a twentieth.
+    /// What part of the plane. Default: all of the attractor, at rest, with a margin of a twentieth.
     pub view: Option<View>,
     /// How pieces are coloured.
     pub colouring: Colouring,
@@ -28,6 +30,8 @@ pub struct RasterOptions<'a> {
     pub smooth: bool,
     /// How bright a density is: 1 by default.
     pub exposure: f32,
+    /// What bends the attractor. It must have been made for the same maps.
+    pub bend: Option<&'a Bend>,
 }
 
 impl Default for RasterOptions<'_> {
@@ -40,6 +44,7 @@ impl Default for RasterOptions<'_> {
             palette: &[],
             smooth: true,
             exposure: 1.0,
+            bend: None,
         }
     }
 }
@@ -97,16 +102,34 @@ pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, Rend
         return Ok(Vec::new());
     }
     let mut look = Look::new(options.colouring, options.palette, ifs.len());
+    let bent = options.bend.map(|bend| (bend, Slack::of(&frame, bend)));
     if options.colouring == Colouring::Density {
-        let (sums, gain) = densities(&frame, view, window, &look);
+        let density = match &bent {
+            Some((bend, slack)) => {
+                let bent = Bent::new(&frame, bend, slack, (view, window), (window, 1.0));
+                Density::bent(&bent, BENT.0, BENT.1, BENT.2)
+            }
+            None => Density::new(&frame, view, window, 128, 512),
+        };
+        let (sums, gain) = densities(&frame, density, window, &look);
         look.source = [width as i32, height as i32];
         look.gain = gain * options.exposure.max(0.0);
         Ok(picture_of_density(&look, &sums, window))
     } else {
         let factor = if options.smooth { 2 } else { 1 };
         let fine = Window { width: width * factor, height: height * factor };
-        let to_screen = view.onto_target(frame.to_world, window, f64::from(factor));
-        let codes = codes(&frame, to_screen, fine, DETAIL * f64::from(factor)).0;
+        let (scale, detail) = (f64::from(factor), DETAIL * f64::from(factor));
+        let codes = if let Some((bend, slack)) = &bent {
+            let bent = Bent::new(&frame, bend, slack, (view, window), (fine, scale));
+            let coloured = options.colouring == Colouring::Grid && bent.has_colours();
+            look.tinted = f32::from(u8::from(coloured));
+            let mut sweep = BentSweep::new();
+            sweep.begin(&bent, detail, coloured);
+            sweep.run(&bent, u64::MAX);
+            sweep.into_codes()
+        } else {
+            codes(&frame, view.onto_target(frame.to_world, window, scale), fine, detail).0
+        };
         look.source = [fine.width as i32, fine.height as i32];
         look.factor = factor as f32;
         Ok(picture_of_codes(&look, &codes, window))
@@ -115,6 +138,8 @@ pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, Rend
 
 /// How far, in pixels, the attractor must reach into a pixel to light it for certain.
 const DETAIL: f64 = 0.0625;
+/// The density of a bent attractor: the size of its pieces, their number at most, and points in a pass.
+const BENT: (f64, usize, usize) = (16.0, 60_000, 65_536);
 
 /// The codes of the pixels of a window (see [`crate::Letters`]), 0 where nothing is, and whether they are
 /// known to be all. `to_screen` takes unit coordinates to pixels.
@@ -134,8 +159,7 @@ const POINTS_A_PIXEL: usize = 40;
 const POINTS: usize = 40_000_000;
 
 /// The densities of the pixels, and what multiplied by makes their mean 1.
-fn densities(frame: &Frame, view: View, window: Window, look: &Look) -> (Vec<[f32; 4]>, f32) {
-    let mut density = Density::new(frame, view, window, 128, 512);
+fn densities(frame: &Frame, mut density: Density, window: Window, look: &Look) -> (Vec<[f32; 4]>, f32) {
     let mut sums = vec![[0.0; 4]; window.area()];
     let mut samples = Vec::new();
     let wanted = (density.lit * POINTS_A_PIXEL).min(POINTS);

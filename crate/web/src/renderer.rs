@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use frond_core::{Affine2, Ifs};
+use frond_deform::Bend;
 use frond_render::View;
 use frond_render::gpu::{Canvas, Drawn, Event, Gpu, ReadBack, Stage, Style, Wanted};
 use js_sys::{Array, Function, Promise, Reflect, Uint8Array, global};
@@ -12,6 +13,7 @@ use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::{JsFuture, future_to_promise, spawn_local};
 use web_sys::{EventTarget, HtmlCanvasElement, OffscreenCanvas};
 
+use crate::bend::{PlainBend, of_bend};
 use crate::error::{bad_input, failure, of_ifs};
 use crate::look::{ColouringName, read_palette};
 use crate::value::{object, read};
@@ -23,6 +25,9 @@ use crate::value::{object, read};
 pub struct Renderer {
     stage: Stage,
     canvas: Canvas,
+    maps: Vec<Affine2>,
+    /// What bends them.
+    bend: Option<PlainBend>,
     context_lost: Closure<dyn Fn()>,
 }
 
@@ -80,7 +85,7 @@ impl Renderer {
         let callback = context_lost.as_ref().unchecked_ref();
         // It fails for no event name that is a string.
         let _ = events_of(&canvas).add_event_listener_with_callback(CONTEXT_LOST, callback);
-        Ok(Self { stage: Stage::new(gpu), canvas, context_lost })
+        Ok(Self { stage: Stage::new(gpu), canvas, maps: Vec::new(), bend: None, context_lost })
     }
 
     /// `"webgpu"` or `"webgl2"`.
@@ -107,19 +112,50 @@ impl Renderer {
         self.stage.resize(width, height, pixel_ratio.or_else(own).unwrap_or(1.0));
     }
 
-    /// Sets what is drawn: six numbers a map. Throws when the maps have no attractor; the picture stays then.
+    /// Sets what is drawn: six numbers a map. What bends the shape bends the new one. Throws when the maps have no
+    /// attractor; the picture stays then.
     #[wasm_bindgen(js_name = setIfs)]
     pub fn set_ifs(&mut self, maps: &[f64], probabilities: Option<Vec<f64>>) -> Result<(), JsValue> {
         let (rows, rest) = maps.as_chunks::<6>();
         if !rest.is_empty() {
             return Err(bad_input("The list of maps", "six numbers a map are needed"));
         }
-        let maps = rows.iter().map(|row| Affine2::from_row(*row)).collect();
-        let mut ifs = Ifs::new(maps).map_err(|error| of_ifs(&error))?;
+        let maps: Vec<Affine2> = rows.iter().map(|row| Affine2::from_row(*row)).collect();
+        let mut ifs = Ifs::new(maps.clone()).map_err(|error| of_ifs(&error))?;
         if let Some(list) = probabilities {
             ifs = ifs.with_probabilities(&list).map_err(|error| of_ifs(&error))?;
         }
+        let other = maps != self.maps;
+        let bend = self.bend.as_ref().filter(|_| other).map(|plain| made(&maps, plain)).transpose()?;
         self.stage.set_ifs(&ifs);
+        if bend.is_some() {
+            self.stage.set_bend(bend);
+        }
+        self.maps = maps;
+        Ok(())
+    }
+
+    /// Bends what is drawn, or no longer. Where nothing but the moves of its mesh is new this is cheap. Throws when there
+    /// is no such bend; the picture stays then.
+    #[wasm_bindgen(js_name = setBend)]
+    pub fn set_bend(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Bend | null | undefined")] bend: JsValue,
+    ) -> Result<(), JsValue> {
+        if bend.is_undefined() || bend.is_null() {
+            self.bend = None;
+            self.stage.set_bend(None);
+            return Ok(());
+        }
+        let plain = PlainBend::read(&bend)?;
+        let moved = self.bend.as_ref().is_some_and(|last| last.same_but_moved(&plain));
+        if !moved || !self.stage.move_mesh(&plain.displacements()) {
+            // Without maps it waits for them.
+            let ready = !self.maps.is_empty();
+            let bend = ready.then(|| made(&self.maps, &plain)).transpose()?;
+            self.stage.set_bend(bend);
+        }
+        self.bend = Some(plain);
         Ok(())
     }
 
@@ -194,6 +230,11 @@ impl Drop for Renderer {
         let callback = self.context_lost.as_ref().unchecked_ref();
         let _ = events_of(&self.canvas).remove_event_listener_with_callback(CONTEXT_LOST, callback);
     }
+}
+
+fn made(maps: &[Affine2], plain: &PlainBend) -> Result<Bend, JsValue> {
+    let (mesh, settings, tint) = plain.parts()?;
+    Bend::new(maps, mesh, settings, tint).map_err(|error| of_bend(&error))
 }
 
 const CONTEXT_LOST: &str = "webglcontextlost";

@@ -4,6 +4,8 @@
 //! at once and complete after some frames. [`LocusGpu`] decides the samples of a connectedness locus.
 
 #[cfg(target_arch = "wasm32")]
+mod bending;
+#[cfg(target_arch = "wasm32")]
 mod buffer;
 #[cfg(target_arch = "wasm32")]
 mod device;
@@ -17,6 +19,10 @@ mod pipelines;
 mod planned;
 #[cfg(target_arch = "wasm32")]
 mod readback;
+#[cfg(target_arch = "wasm32")]
+mod sheet;
+#[cfg(target_arch = "wasm32")]
+mod sheeted;
 #[cfg(target_arch = "wasm32")]
 mod stage;
 #[cfg(target_arch = "wasm32")]

@@ -1,19 +1,14 @@
 //! Pictures of planned points.
 
-use frond_core::Affine2;
-
 use super::buffer::Buffer;
 use super::device::Gpu;
 use super::pipelines::Pipelines;
 use super::target::Target;
-use crate::frame::Frame;
-use crate::plan::{Batch, Detail, Plan};
-use crate::window::Window;
+use crate::plan::{Batch, Plan};
 
 /// A [`Plan`] that is drawn, all at once or bit by bit.
 #[derive(Debug)]
 pub(super) struct Planned {
-    pub plan: Plan,
     vertices: Buffer,
     instances: Buffer,
     /// What is drawn next: a batch, and an instance within it.
@@ -24,7 +19,6 @@ pub(super) struct Planned {
 impl Planned {
     pub fn new(gpu: &Gpu) -> Self {
         Self {
-            plan: Plan::default(),
             vertices: Buffer::new(&gpu.device, "vertices"),
             instances: Buffer::new(&gpu.device, "instances"),
             next: (0, 0),
@@ -32,32 +26,34 @@ impl Planned {
         }
     }
 
-    /// Plans a picture.
-    pub fn make(&mut self, frame: &Frame, to_target: Affine2, window: Window, detail: Detail) {
-        self.plan.make(frame, to_target, window, detail);
-    }
-
-    /// Begins to draw what was planned last.
-    pub fn begin(&mut self, gpu: &Gpu, target: &Target) {
-        self.vertices.fill(&gpu.device, &gpu.queue, &self.plan.vertices);
-        self.instances.fill(&gpu.device, &gpu.queue, &self.plan.instances);
-        target.prepare(gpu, 1.0, self.plan.tinted, self.plan.sides);
+    /// Begins to draw what was planned.
+    pub fn begin(&mut self, gpu: &Gpu, plan: &Plan, target: &Target) {
+        self.vertices.fill(&gpu.device, &gpu.queue, &plan.vertices);
+        self.instances.fill(&gpu.device, &gpu.queue, &plan.instances);
+        target.prepare(gpu, 1.0, plan.tinted, plan.sides);
         self.next = (0, 0);
         self.clear = true;
     }
 
     /// Draws about `budget` more points. Returns whether all are drawn.
-    pub fn go_on(&mut self, gpu: &Gpu, pipelines: &Pipelines, target: &Target, budget: u64) -> bool {
-        let portion = self.portion(budget);
+    pub fn go_on(
+        &mut self,
+        gpu: &Gpu,
+        pipelines: &Pipelines,
+        plan: &Plan,
+        target: &Target,
+        budget: u64,
+    ) -> bool {
+        let portion = self.portion(plan, budget);
         target.draw(gpu, pipelines, self.clear, &self.vertices, &self.instances, &portion);
         self.clear = false;
-        self.next.0 >= self.plan.batches.len()
+        self.next.0 >= plan.batches.len()
     }
 
     /// The batches of the next points.
-    fn portion(&mut self, mut budget: u64) -> Vec<Batch> {
+    fn portion(&mut self, plan: &Plan, mut budget: u64) -> Vec<Batch> {
         let mut portion = Vec::new();
-        while let Some(batch) = self.plan.batches.get(self.next.0) {
+        while let Some(batch) = plan.batches.get(self.next.0) {
             let instance = self.next.1;
             let each = batch.vertices.len() as u64;
             let waiting = batch.instances.len() as u32 - instance;

@@ -2,17 +2,20 @@
 
 use frond_core::{Hull, Ifs};
 
+use super::bending::Bending;
 use super::buffer::uniform;
 use super::device::Gpu;
 use super::pipelines::Pipelines;
 use super::planned::Planned;
 use super::readback::ReadBack;
+use super::sheeted::Sheeted;
 use super::swept::Swept;
 use super::target::Target;
 use super::weighed::Weighed;
 use super::work::{Shown, Work};
 use crate::colour::{Colouring, Look};
 use crate::frame::Frame;
+use crate::plan::Plan;
 use crate::raster::MAX_SIDE;
 use crate::resolve::{picture_of_codes, picture_of_density};
 use crate::view::View;
@@ -80,7 +83,12 @@ pub struct Stage {
     pub(super) painted: Option<Target>,
     pub(super) look: wgpu::Buffer,
     pub(super) straight_look: wgpu::Buffer,
+    pub(super) plan: Plan,
     pub(super) planned: Planned,
+    /// What follows the mesh of a bend.
+    pub(super) followed: Planned,
+    pub(super) bending: Option<Bending>,
+    pub(super) sheeted: Option<Sheeted>,
     /// At once, and complete.
     pub(super) swept: [Swept; 2],
     pub(super) weighed: Weighed,
@@ -109,7 +117,11 @@ impl Stage {
             painted: None,
             look: uniform::<Look>(&gpu.device, "look"),
             straight_look: uniform::<Look>(&gpu.device, "straight look"),
+            plan: Plan::default(),
             planned: Planned::new(&gpu),
+            followed: Planned::new(&gpu),
+            bending: None,
+            sheeted: None,
             swept: [Swept::new(), Swept::new()],
             weighed: Weighed::new(&gpu),
             halvings: 1,
@@ -135,10 +147,16 @@ impl Stage {
         self.work = Work::Anew;
     }
 
-    /// Sets what is drawn.
+    /// Sets what is drawn. A bend stays, so that one for the new maps must follow if there is any.
     pub fn set_ifs(&mut self, ifs: &Ifs) {
         let hull = Hull::of(ifs);
         self.frame = Some(Frame::within(ifs, &hull));
+        if let Some(bending) = &mut self.bending {
+            bending.forget();
+        }
+        if let Some(sheeted) = &mut self.sheeted {
+            sheeted.set_maps(ifs.len());
+        }
         self.work = Work::Anew;
     }
 
@@ -157,8 +175,10 @@ impl Stage {
     /// Sets how it looks.
     pub fn set_style(&mut self, style: Style) {
         let dense = |style: &Style| style.colouring == Colouring::Density;
-        // Codes hold for all colours, sums for one palette.
-        if dense(&style) != dense(&self.style) || (dense(&style) && style.palette != self.style.palette) {
+        let carried = |style: &Style| style.colouring == Colouring::Grid;
+        // Codes hold for all colours, sums for one palette, and colours for themselves.
+        let other = dense(&style) != dense(&self.style) || carried(&style) != carried(&self.style);
+        if other || (dense(&style) && style.palette != self.style.palette) {
             self.work = Work::Anew;
         }
         self.stale |= style != self.style;
@@ -172,10 +192,14 @@ impl Stage {
             return Drawn { complete: false, settled: true, points: 0 };
         };
         if let Some(view) = self.view.filter(|_| ready) {
-            self.advance(&frame, view, budget.max(10_000));
-            if self.stale {
-                self.paint(&frame);
-                self.present(&frame);
+            if self.sheeted.is_some() {
+                self.draw_sheet(view);
+            } else {
+                self.advance(&frame, view, budget.max(10_000));
+                if self.stale {
+                    self.paint(&frame);
+                    self.present(&frame);
+                }
             }
         }
         self.frame = Some(frame);
@@ -190,6 +214,7 @@ impl Stage {
             source: [source.width as i32, source.height as i32],
             factor: factor as f32,
             gain: self.style.exposure.max(0.0) * gain,
+            tinted: f32::from(u8::from(self.coloured(frame))),
             ..Look::new(self.style.colouring, &self.style.palette, frame.maps.len())
         }
     }
@@ -199,7 +224,11 @@ impl Stage {
         let Some((shown, factor)) = self.shown else { return };
         let bytes = match shown {
             Shown::SweptFront | Shown::SweptBack => {
-                let (codes, source) = self.swept[usize::from(shown == Shown::SweptBack)].codes();
+                let back = usize::from(shown == Shown::SweptBack);
+                let (codes, source) = match &self.bending {
+                    Some(bending) => bending.sweeps[back].codes(),
+                    None => self.swept[back].codes(),
+                };
                 picture_of_codes(&self.look(frame, source, factor, 0.0), codes, self.window)
             }
             Shown::SoftSums => {
@@ -244,6 +273,9 @@ impl Stage {
     #[must_use]
     pub fn read(&self) -> Option<ReadBack> {
         let frame = self.frame.as_ref().filter(|_| !self.gpu.is_lost() && self.window.area() > 0)?;
+        if let Some(sheeted) = &self.sheeted {
+            return self.read_sheet(sheeted);
+        }
         let (target, look) = self.picture(frame, false)?;
         let texture = ReadBack::texture(&self.gpu, self.window);
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());

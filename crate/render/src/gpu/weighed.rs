@@ -54,10 +54,14 @@ impl Weighed {
         }
     }
 
-    /// Begins a picture, in passes of at most about half of `budget` points.
-    pub fn begin(&mut self, gpu: &Gpu, frame: &Frame, view: View, window: Window, budget: u64) {
+    /// The density of a picture, in passes of at most about half of `budget` points.
+    pub fn density(frame: &Frame, view: View, window: Window, budget: u64) -> Density {
         let samples = (budget as usize / (2 * PIECES)).clamp(SAMPLES.0, SAMPLES.1);
-        let density = Density::new(frame, view, window, PIECES, samples);
+        Density::new(frame, view, window, PIECES, samples)
+    }
+
+    /// Begins a picture.
+    pub fn begin(&mut self, gpu: &Gpu, density: Density) {
         let pieces = density.pieces.iter();
         let instances: Vec<_> = pieces
             .map(|piece| Instance::new(&piece.map, piece.letters, piece.mass as f32 * density.gain))

@@ -5,6 +5,7 @@ use frond_core::Affine2;
 use super::pipelines::Kind;
 use super::stage::Stage;
 use super::target::Target;
+use super::weighed::Weighed;
 use crate::colour::Colouring;
 use crate::frame::Frame;
 use crate::plan::Detail;
@@ -13,11 +14,11 @@ use crate::view::View;
 use crate::window::Window;
 
 /// The most points of a complete picture.
-const MOST_POINTS: u64 = 32_000_000;
+pub(super) const MOST_POINTS: u64 = 32_000_000;
 /// Visits of a sweep in each frame: some milliseconds. Twice that where nothing else is to be done.
-const VISITS: u64 = 150_000;
+pub(super) const VISITS: u64 = 150_000;
 /// How fine sweeps are, in pixels of what is drawn to: at once, and when complete.
-const SWEEPS: (f64, f64) = (0.5, 0.125);
+pub(super) const SWEEPS: (f64, f64) = (0.5, 0.125);
 /// The most halvings of the number of pixels each way in a picture that is made at once.
 const HALVINGS: u32 = 4;
 
@@ -26,8 +27,12 @@ const HALVINGS: u32 = 4;
 pub(super) enum Work {
     /// Everything.
     Anew,
+    /// Everything, but only the mesh of the bend has moved.
+    Moved,
     /// To choose how to draw the complete picture.
     Choose,
+    /// To plan more of a bent one.
+    Plan,
     /// To draw more of its points.
     Points,
     /// To sweep more of its pixels.
@@ -57,12 +62,16 @@ pub(super) enum Shown {
 
 impl Stage {
     pub(super) fn advance(&mut self, frame: &Frame, view: View, budget: u64) {
+        if self.bending.is_some() {
+            self.advance_bent(frame, view, budget);
+            return;
+        }
         match self.work {
-            Work::Anew => {
+            Work::Anew | Work::Moved | Work::Plan => {
                 self.complete = false;
                 self.work = Work::Choose;
                 if self.style.colouring == Colouring::Density && self.gpu.densities {
-                    self.weighed.begin(&self.gpu, frame, view, self.window, budget);
+                    self.weighed.begin(&self.gpu, Weighed::density(frame, view, self.window, budget));
                     self.add_density(frame, budget);
                 } else if self.gpu.software {
                     self.sweep_at_once(frame, view, budget);
@@ -73,8 +82,8 @@ impl Stage {
             Work::Choose => self.choose(frame, view, budget),
             Work::Points => {
                 let Some(back) = &self.back else { return };
-                if self.planned.go_on(&self.gpu, &self.pipelines, back, budget) {
-                    self.finish(Shown::Back, self.planned.plan.exact, self.planned.plan.points());
+                if self.planned.go_on(&self.gpu, &self.pipelines, &self.plan, back, budget) {
+                    self.finish(Shown::Back, self.plan.exact, self.plan.points());
                 }
             }
             Work::Sweep => {
@@ -89,7 +98,7 @@ impl Stage {
     }
 
     /// The window of a target of `factor` times as many pixels each way.
-    fn target_window(&self, factor: f64) -> Window {
+    pub(super) fn target_window(&self, factor: f64) -> Window {
         let side = |pixels: u32| ((f64::from(pixels) * factor).ceil() as u32).max(1);
         Window { width: side(self.window.width), height: side(self.window.height) }
     }
@@ -112,8 +121,15 @@ impl Stage {
     }
 
     /// Pixels of a picture that is made at once, each way, for each one shown.
-    fn factor(&self) -> f64 {
+    pub(super) fn factor(&self) -> f64 {
         self.sampling * 0.5_f64.powi(self.halvings as i32)
+    }
+
+    /// Takes half of the pixels each way, if that is allowed.
+    pub(super) fn halve(&mut self) -> bool {
+        let may = self.halvings < HALVINGS;
+        self.halvings += u32::from(may);
+        may
     }
 
     /// Makes a whole picture within the budget, of fewer pixels if need be.
@@ -122,10 +138,9 @@ impl Stage {
         loop {
             let factor = self.factor();
             let to_target = self.to_target(frame, view, factor);
-            self.planned.make(frame, to_target, self.target_window(factor), Detail::LADDER[0]);
-            let points = self.planned.plan.points();
-            if points > budget && self.halvings < HALVINGS {
-                self.halvings += 1;
+            self.plan.make(frame, to_target, self.target_window(factor), Detail::LADDER[0]);
+            let points = self.plan.points();
+            if points > budget && self.halve() {
                 coarser = true;
             } else if !coarser && self.halvings > 0 && points * 5 < budget {
                 // Twice the pixels each way take at most some four times the points.
@@ -136,10 +151,10 @@ impl Stage {
         }
         let factor = self.factor();
         let target = self.fit(Shown::Front, factor);
-        self.planned.begin(&self.gpu, &target);
-        self.planned.go_on(&self.gpu, &self.pipelines, &target, u64::MAX);
+        self.planned.begin(&self.gpu, &self.plan, &target);
+        self.planned.go_on(&self.gpu, &self.pipelines, &self.plan, &target, u64::MAX);
         self.front = Some(target);
-        self.show(Shown::Front, factor, self.planned.plan.points());
+        self.show(Shown::Front, factor, self.plan.points());
     }
 
     /// The same by a sweep: a visit takes about as long as a point does where there is no graphics card.
@@ -149,10 +164,9 @@ impl Stage {
             let factor = self.factor();
             let to_target = self.to_target(frame, view, factor);
             self.swept[0].begin(frame, to_target, self.target_window(factor), SWEEPS.0);
-            if self.swept[0].go_on(visits) != Progress::Working || self.halvings >= HALVINGS {
+            if self.swept[0].go_on(visits) != Progress::Working || !self.halve() {
                 break;
             }
-            self.halvings += 1;
         }
         self.show(Shown::SweptFront, self.factor(), self.swept[0].lit);
         if self.halvings > 0 && self.swept[0].visited() * 5 < visits {
@@ -170,24 +184,24 @@ impl Stage {
         // A sweep takes about as many visits as the coarsest plan has points.
         let mut most = MOST_POINTS;
         for detail in Detail::LADDER.into_iter().filter(|_| !self.gpu.software) {
-            self.planned.make(frame, to_target, window, detail);
-            let points = self.planned.plan.points();
+            self.plan.make(frame, to_target, window, detail);
+            let points = self.plan.points();
             if finest.is_none() {
                 most = most.min(points.div_ceil(VISITS).saturating_mul(2 * budget));
             }
-            if !self.planned.plan.exact || points > most {
+            if !self.plan.exact || points > most {
                 break;
             }
             finest = Some(detail);
             // The next would have two to four times as many.
-            if points * 3 > most || self.planned.plan.vertices.len() > 60_000 {
+            if points * 3 > most || self.plan.vertices.len() > 60_000 {
                 break;
             }
         }
         if let Some(detail) = finest {
-            self.planned.make(frame, to_target, window, detail);
+            self.plan.make(frame, to_target, window, detail);
             let target = self.fit(Shown::Back, factor);
-            self.planned.begin(&self.gpu, &target);
+            self.planned.begin(&self.gpu, &self.plan, &target);
             self.back = Some(target);
             self.work = Work::Points;
         } else {
@@ -197,20 +211,20 @@ impl Stage {
     }
 
     /// The complete picture is ready.
-    fn finish(&mut self, shown: Shown, complete: bool, points: u64) {
+    pub(super) fn finish(&mut self, shown: Shown, complete: bool, points: u64) {
         self.complete = complete;
         self.work = Work::Done;
         self.show(shown, self.sampling, points);
     }
 
-    fn show(&mut self, shown: Shown, factor: f64, points: u64) {
+    pub(super) fn show(&mut self, shown: Shown, factor: f64, points: u64) {
         self.shown = Some((shown, factor));
         self.points = points;
         self.stale = true;
     }
 
     /// Adds samples to a density. Points are coloured as they are drawn.
-    fn add_density(&mut self, frame: &Frame, budget: u64) {
+    pub(super) fn add_density(&mut self, frame: &Frame, budget: u64) {
         let look = self.look(frame, self.window, 1.0, 0.0);
         let (enough, shown) = if self.gpu.software {
             (self.weighed.go_on_without(frame, &look, self.window), Shown::SoftSums)
