@@ -1,5 +1,6 @@
 import type { Bend, MapRow } from "../engine/api";
 import type { Renderer, RenderStyle } from "../engine/wasm";
+import type { Photograph } from "../state/photograph";
 import type { View } from "./geometry";
 import type { Drawn, Pixels, Surface } from "./surface";
 
@@ -15,6 +16,10 @@ export class Accelerated implements Surface {
 
   setMaps(maps: MapRow[]): void {
     this.#renderer.setIfs(new Float64Array(maps.flat()));
+  }
+
+  setPicture(picture: Photograph | null): void {
+    this.#renderer.setPicture(picture?.pixels ?? null, picture?.width ?? 0, picture?.height ?? 0);
   }
 
   setBend(bend: Bend | null): void {

@@ -3,7 +3,9 @@ import { Coalesce } from "../engine/coalesce";
 import { submit } from "../engine/engine";
 import { type Channel, type Job, single } from "../engine/protocol";
 import { frond, type RenderStyle } from "../engine/wasm";
+import type { Photograph } from "../state/photograph";
 import type { View } from "./geometry";
+import { partsOf, SheetPainter } from "./sheet";
 import type { Drawn, Pixels, Surface } from "./surface";
 
 const KEYS = ["maps", "bend", "view", "style", "width", "height"] as const;
@@ -27,6 +29,7 @@ export class Fallback implements Surface {
   readonly #queue = new Coalesce(submit);
   readonly #channel: Channel;
   #wanted: Partial<Request> = {};
+  #sheet: SheetPainter | null = null;
   #asked: Request | null = null;
   #arrived: Request | null = null;
 
@@ -40,6 +43,13 @@ export class Fallback implements Surface {
     // Throws where there is no attractor, as the renderer does.
     frond.bounds({ maps });
     this.#wanted = { ...this.#wanted, maps };
+  }
+
+  setPicture(picture: Photograph | null): void {
+    if (this.#sheet?.shows(picture)) return;
+    this.#sheet?.free();
+    this.#sheet = picture && new SheetPainter(picture);
+    this.#asked = null;
   }
 
   setBend(bend: Bend | null): void {
@@ -64,6 +74,9 @@ export class Fallback implements Surface {
   draw(_budget: number): Drawn {
     const { maps, bend = null, view, style, width, height } = this.#wanted;
     if (!maps || !view || !style || !width || !height) return { complete: true, settled: true, points: 0 };
+    if (this.#sheet) {
+      return this.#sheet.draw(this.canvas, { bend, parts: partsOf(maps), view, width, height });
+    }
     const asked = this.#asked;
     const request: Request = { maps, bend, view, style, width, height };
     if (!asked || KEYS.some((key) => asked[key] !== request[key])) {
@@ -117,5 +130,8 @@ export class Fallback implements Surface {
     return { width, height, data: image.data };
   }
 
-  free(): void {}
+  free(): void {
+    this.#sheet?.free();
+    this.#sheet = null;
+  }
 }

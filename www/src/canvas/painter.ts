@@ -3,6 +3,7 @@ import type { Channel } from "../engine/protocol";
 import { createRenderer } from "../engine/renderer";
 import type { Backend, Renderer, RenderStyle } from "../engine/wasm";
 import { notify, wordsOf } from "../state/notice";
+import type { Photograph } from "../state/photograph";
 import { Accelerated } from "./accelerated";
 import { Fallback } from "./fallback";
 import type { View } from "./geometry";
@@ -36,6 +37,7 @@ export interface PainterOptions {
 interface Wanted {
   maps: MapRow[];
   bend: Bend | null;
+  picture: Photograph | null;
   view: View;
   style: RenderStyle;
   width: number;
@@ -241,6 +243,7 @@ export class Painter {
       }
       if (this.#canvas) this.#canvas.style.visibility = this.#empty ? "hidden" : "visible";
     }
+    if (wanted.picture !== (given.picture ?? null)) surface.setPicture(wanted.picture);
     if (wanted.bend !== given.bend) this.#bend(surface, wanted.bend);
     if (wanted.view !== given.view || wanted.ratio !== given.ratio || wanted.maps !== given.maps) {
       surface.setView(wanted.view, wanted.ratio);

@@ -2,6 +2,7 @@ import { effect, type ReadonlySignal, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { Bend, MapRow } from "../engine/api";
 import { bendProblem } from "../state/bend";
+import type { Photograph } from "../state/photograph";
 import { attachGestures } from "./gestures";
 import { stageStyle } from "./look";
 import { Painter, type PainterBackend, type PainterState } from "./painter";
@@ -10,6 +11,8 @@ import { effectiveView, stageSize } from "./view";
 interface PictureProps {
   maps: ReadonlySignal<MapRow[]>;
   bend: ReadonlySignal<Bend | null>;
+  /** What takes the place of the attractor. */
+  photograph?: ReadonlySignal<Photograph | null>;
   backend: "auto" | PainterBackend;
   /** The one that the readouts, the export and the tests speak of; else it stands beside it to compare. */
   main?: boolean;
@@ -20,7 +23,7 @@ interface PictureProps {
 const MOST_PIXELS = 8192;
 
 /** One canvas that shows one attractor, sized to its place down to the device pixel. */
-export function Picture({ maps, bend, backend, main = false, onState, onPainter }: PictureProps) {
+export function Picture({ maps, bend, photograph, backend, main = false, onState, onPainter }: PictureProps) {
   const host = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const element = host.current;
@@ -49,6 +52,7 @@ export function Picture({ maps, bend, backend, main = false, onState, onPainter 
         ...size,
         maps: maps.value,
         bend: bend.value,
+        picture: photograph?.value ?? null,
         view: effectiveView.value,
         style: stageStyle.value,
       });
@@ -61,7 +65,7 @@ export function Picture({ maps, bend, backend, main = false, onState, onPainter 
       onPainter?.(null);
       painter.close();
     };
-  }, [maps, bend, backend, main, onState, onPainter]);
+  }, [maps, bend, photograph, backend, main, onState, onPainter]);
   return <div ref={host} class="picture" />;
 }
 

@@ -1,10 +1,12 @@
 import type { Bend, MapRow } from "../engine/api";
 import { frond, type RenderStyle } from "../engine/wasm";
+import type { Photograph } from "../state/photograph";
 import type { View } from "./geometry";
 
 interface Request {
   maps: MapRow[];
   bend: Bend | null;
+  picture: Photograph | null;
   view: View;
   style: RenderStyle;
   width: number;
@@ -28,6 +30,7 @@ export class Preview {
   /** Whether there is something to see now. */
   show(request: Request): boolean {
     const { maps, bend, view, style, ratio } = request;
+    if (request.picture) return false;
     const last = this.#last;
     const same = last?.maps === maps && last.bend === bend && last.view === view;
     if (same && last.width === request.width) return true;

@@ -3,6 +3,7 @@ import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
 import { bend, tool } from "../state/bend";
 import { linear, mapsAt, morphOptions, selection, shown, uv } from "../state/morph";
+import { pictureMaps, pictureShown, watchPicture } from "../state/picture";
 import { scene } from "../state/scene";
 import { Evidence } from "./evidence";
 import { stageKey } from "./gestures";
@@ -31,7 +32,10 @@ const comparing = computed(() => scene.value.compare && selection.value === null
 /** Whoever edits maps sees them as they are. */
 const mainBend = computed(() => (selection.value === null ? bend.value : null));
 const polar = computed(() => mapsAt(uv.value, { ...morphOptions.value, mode: "polar" }));
-const mainMaps = computed(() => (comparing.value ? polar.value : shown.value));
+const mainMaps = computed(() => {
+  if (pictureShown.value) return pictureMaps.value;
+  return comparing.value ? polar.value : shown.value;
+});
 const setPicture = (state: PainterState) => {
   picture.value = state;
 };
@@ -62,7 +66,9 @@ export function Stage({
   useEffect(() => {
     const stopLink = linkView();
     const stopFit = followFit(everyFrame);
+    const stopPicture = watchPicture();
     return () => {
+      stopPicture();
       stopFit();
       stopLink();
     };
@@ -84,6 +90,7 @@ export function Stage({
           <Picture
             maps={mainMaps}
             bend={mainBend}
+            photograph={pictureShown}
             backend={backend}
             main
             onState={setPicture}

@@ -1,5 +1,6 @@
 import type { Bend, MapRow } from "../engine/api";
 import type { RenderStyle } from "../engine/wasm";
+import type { Photograph } from "../state/photograph";
 import type { View } from "./geometry";
 
 /** Straight alpha, row 0 on top. */
@@ -21,6 +22,8 @@ export interface Drawn {
 export interface Surface {
   readonly canvas: HTMLCanvasElement;
   setMaps(maps: MapRow[]): void;
+  /** A picture in place of the attractor, or null: the maps are then those of the rectangle that it lies on. */
+  setPicture(picture: Photograph | null): void;
   /** Throws where it cannot be had; the last one stays. */
   setBend(bend: Bend | null): void;
   setView(view: View, ratio: number): void;

@@ -65,10 +65,31 @@ export interface Renderer {
   setStyle(style: RenderStyle): void;
   /** What bends it, or null. Throws a `FrondError` when it cannot; the last one stays. Moving the mesh alone is cheap. */
   setBend(bend: Bend | null): void;
+  /**
+   * A picture (RGBA, straight alpha, row 0 on top) in place of the attractor, on [0, width / height] x [0, 1]; null goes
+   * back. The maps must be the parts of that rectangle for a bend to fit it.
+   */
+  setPicture(rgba: Uint8Array | Uint8ClampedArray | null, width: number, height: number): void;
   draw(budget: number): { complete: boolean; settled: boolean; points: number };
   /** RGBA of the last picture, row 0 on top. */
   readPixels(): Promise<Uint8Array>;
   forceLoss(): void;
+  free(): void;
+}
+
+/** A picture on the rectangle [0, width / height] x [0, 1], bent without a graphics card. */
+export interface SheetHandle {
+  /** `parts` x `parts` maps, 2 or 3. Throws a `FrondError` where the bend cannot be had. */
+  draw(
+    bend: Bend | null,
+    parts: number,
+    options: {
+      width: number;
+      height: number;
+      view?: { x: number; y: number; scale: number };
+      smooth?: boolean;
+    },
+  ): Uint8ClampedArray<ArrayBuffer>;
   free(): void;
 }
 
@@ -130,6 +151,7 @@ export interface Frond {
   deform(ifs: Ifs, bend: Bend, codes: number[][], tails: [number, number][]): Float64Array;
   /** D_e-uni: reverses the letters kb + 1 to ke (Fujimoto et al., eq 4). */
   shuffle(symbols: number, kb: number, ke: number, code: number[]): number[];
+  Sheet: new (rgba: Uint8Array | Uint8ClampedArray, width: number, height: number) => SheetHandle;
   polar(map: MapRow): {
     angle: number;
     reflects: boolean;

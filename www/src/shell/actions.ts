@@ -1,14 +1,17 @@
 import { stageStyle } from "../canvas/look";
+import { bentPicture, type SheetRequest } from "../canvas/sheet";
 import { effectiveView, stageSize } from "../canvas/view";
 import type { Tool } from "../engine/api";
 import { submit } from "../engine/engine";
 import { single } from "../engine/protocol";
 import { adoptPath } from "../engine/schedule";
 import { frond } from "../engine/wasm";
-import { bend } from "../state/bend";
+import { bend, deformation } from "../state/bend";
 import { addressBar, Link } from "../state/link";
 import { selection, shown } from "../state/morph";
 import { notify, wordsOf } from "../state/notice";
+import type { Photograph } from "../state/photograph";
+import { pictureShown } from "../state/picture";
 import { scene } from "../state/scene";
 
 /** The one link between this page's document and its address. */
@@ -48,6 +51,11 @@ export function savePicture(): void {
   const shownView = { ...view, scale: view.scale * larger };
   const options = { width, height, view: shownView, colouring, palette, ...(bent ? { bend: bent } : {}) };
   notify({ kind: "info", text: "Drawing the picture to save …" });
+  const photograph = pictureShown.peek();
+  if (photograph) {
+    saveBent(photograph, { bend: bent, parts: deformation.peek().parts, view: shownView, width, height });
+    return;
+  }
   submit(
     single<"picture">(
       "export",
@@ -55,10 +63,25 @@ export function savePicture(): void {
       { kind: "picture", maps: shown.peek(), options },
       {
         accept: (bitmap) => void download(bitmap),
-        fail: (error) => notify({ kind: "error", text: `The picture could not be saved: ${error.message}` }),
+        fail: notSaved,
       },
     ),
   );
+}
+
+/** Once the notice is seen. */
+function saveBent(photograph: Photograph, request: SheetRequest): void {
+  setTimeout(() => {
+    try {
+      createImageBitmap(bentPicture(photograph, request)).then(download, notSaved);
+    } catch (problem) {
+      notSaved(problem);
+    }
+  });
+}
+
+function notSaved(problem: unknown): void {
+  notify({ kind: "error", text: `The picture could not be saved: ${wordsOf(problem)}` });
 }
 
 async function download(bitmap: ImageBitmap): Promise<void> {
@@ -76,7 +99,7 @@ async function download(bitmap: ImageBitmap): Promise<void> {
     anchor.click();
     setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
   } catch (problem) {
-    notify({ kind: "error", text: `The picture could not be saved: ${wordsOf(problem)}` });
+    notSaved(problem);
   }
 }
 

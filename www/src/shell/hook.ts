@@ -1,5 +1,6 @@
 import { effect } from "@preact/signals";
 import { stageStyle } from "../canvas/look";
+import { bentPicture } from "../canvas/sheet";
 import { linearPainter, linearPicture, mainPainter, picture } from "../canvas/stage";
 import type { Pixels } from "../canvas/surface";
 import { effectiveView, stageSize } from "../canvas/view";
@@ -7,8 +8,9 @@ import type { Scene } from "../engine/api";
 import { killWorker } from "../engine/engine";
 import { locus, verdict, workers } from "../engine/results";
 import { frond } from "../engine/wasm";
-import { bend } from "../state/bend";
+import { bend, deformation } from "../state/bend";
 import { linear, selection, shown } from "../state/morph";
+import { pictureShown } from "../state/picture";
 import { scene } from "../state/scene";
 
 /** The picture on the stage, or the linear one beside it. */
@@ -65,6 +67,10 @@ async function twin(which: Which = "main"): Promise<Pixels> {
   const { colouring, palette } = stageStyle.peek();
   const maps = (which === "main" ? shown : linear).peek();
   const bent = selection.peek() ? null : bend.peek();
+  const photograph = which === "main" ? pictureShown.peek() : null;
+  if (photograph) {
+    return bentPicture(photograph, { bend: bent, parts: deformation.peek().parts, view, width, height });
+  }
   const data = frond.rasterize(
     { maps },
     { width, height, view, colouring, palette, ...(bent ? { bend: bent } : {}) },

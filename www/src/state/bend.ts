@@ -85,6 +85,8 @@ export const heldPlain = signal(false);
 export const bend: ReadonlySignal<Bend | null> = computed(() => {
   const document = scene.value.deform;
   if (!document || !(document.on || tool.value === "deform")) return null;
+  // A picture is bent where it is shown: the morph has no place for one.
+  if (document.subject === "picture" && tool.value !== "deform") return null;
   const now = bendAt(document, document.phase);
   return heldPlain.value ? { ...now, kb: now.ke } : now;
 });

@@ -4,6 +4,7 @@ import { frond } from "../engine/wasm";
 import { type Box, calmTrack, stillTrack, type Track, union } from "./camera";
 import { current, locusView, mapsAt, morphOptions, pairing, pathPoints, selection, shown } from "./morph";
 import { uvAt } from "./path";
+import { aspect, mapsOfRectangle } from "./photograph";
 import { scene } from "./scene";
 
 export { type Box, diagonal } from "./camera";
@@ -43,6 +44,11 @@ const elsewhere = computed(() => locusView.value.at !== undefined || locusView.v
 const opened = computed(() => scene.value.tool);
 const deform = computed(() => scene.value.deform);
 
+/** The maps of what is bent. */
+const bentMaps = computed(() =>
+  deform.value?.subject === "picture" ? mapsOfRectangle(aspect.value, deform.value.parts) : current.value,
+);
+
 /** The mesh at rest, where the tool that shows it is open and the document has one. */
 const meshBox: ReadonlySignal<Box | null> = computed(() => {
   if (opened.value !== "deform") return null;
@@ -53,7 +59,7 @@ const meshBox: ReadonlySignal<Box | null> = computed(() => {
 /** What the stage fits: the morph, the shape that is being edited, or what was picked off the path. */
 export const stageTrack: ReadonlySignal<Track> = computed(() => {
   const mesh = meshBox.value;
-  if (mesh) return stillTrack(union([boxOf(current.value) ?? mesh, mesh]), LOOKS);
+  if (mesh) return stillTrack(union([boxOf(bentMaps.value) ?? mesh, mesh]), LOOKS);
   if (selection.value) return stillTrack(editBox(shown.value), LOOKS);
   return elsewhere.value ? stillTrack(boxOf(shown.value) ?? pairBox.value, LOOKS) : pathTrack.value;
 });
