@@ -5,6 +5,7 @@ use js_sys::Uint8ClampedArray;
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
+use crate::bend::bend_on;
 use crate::error::failure;
 use crate::look::{ColouringName, read_palette};
 use crate::value::{read, read_ifs};
@@ -37,6 +38,8 @@ pub fn rasterize(
     #[wasm_bindgen(unchecked_param_type = "RasterOptions")] options: JsValue,
 ) -> Result<Uint8ClampedArray, JsValue> {
     let ifs = read_ifs(&ifs)?;
+    let bend = js_sys::Reflect::get(&options, &"bend".into()).ok().filter(|bend| bend.is_object());
+    let bend = bend.map(|bend| bend_on(ifs.maps(), &bend)).transpose()?;
     let plain: Plain = read("The options", options)?;
     let palette = read_palette(&plain.palette)?;
     let options = RasterOptions {
@@ -48,6 +51,7 @@ pub fn rasterize(
         palette: &palette,
         smooth: plain.smooth.unwrap_or(true),
         exposure: plain.exposure.unwrap_or(1.0),
+        bend: bend.as_ref(),
     };
     let pixels = draw(&ifs, &options).map_err(|error| failure(error.code(), &error.to_string()))?;
     Ok(Uint8ClampedArray::from(&pixels[..]))
