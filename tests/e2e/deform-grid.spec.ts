@@ -133,6 +133,81 @@ test("the mesh is one stop of Tab, and keys do all that a hand does", async ({ s
   expect(await grid.count()).toBe(1);
 });
 
+test("what is moved is mirrored", async ({ studio, page }) => {
+  const grid = new Grid(page, studio);
+  await grid.open();
+  await page.getByRole("radio", { name: "Left, right" }).check();
+  await grid.drag(await grid.place(1, 3), -30, -20);
+  const [dx = 0, dy = 0] = await grid.moved(1, 3);
+  expect(dx).toBeLessThan(0);
+  expect(await grid.moved(4, 3)).toEqual([-dx, dy]);
+  expect(await grid.count()).toBe(2);
+  await page.getByRole("radio", { name: "Point" }).check();
+  await grid.handle(2, 2).focus();
+  await page.keyboard.press("ArrowUp");
+  const [, up = 0] = await grid.moved(2, 2);
+  expect(up).toBeGreaterThan(0);
+  expect(await grid.moved(3, 3)).toEqual([0, -up]);
+  // It mirrors what is taken back, too.
+  await page.keyboard.press("Delete");
+  expect(await grid.count()).toBe(2);
+  await page.getByRole("button", { name: "All back" }).click();
+  expect(await grid.count()).toBe(0);
+  await expect(page.getByRole("button", { name: "All back" })).toBeDisabled();
+});
+
+test("what is chosen is moved by numbers", async ({ studio, page }) => {
+  const grid = new Grid(page, studio);
+  await grid.open();
+  const right = page.getByRole("spinbutton", { name: "Moved right" });
+  await expect(right).toHaveCount(0);
+  const [first, second] = [await grid.place(2, 2), await grid.place(3, 2)];
+  await page.mouse.click(first.x, first.y);
+  await page.keyboard.down("Shift");
+  await page.mouse.click(second.x, second.y);
+  await page.keyboard.up("Shift");
+  await right.fill("1/8");
+  await right.press("Enter");
+  expect(await grid.moved(2, 2)).toEqual([0.125, 0]);
+  expect(await grid.moved(3, 2)).toEqual([0.125, 0]);
+  await right.fill("1e300");
+  await right.press("Enter");
+  await expect(page.getByText(/^At most /)).toBeVisible();
+  expect(await grid.moved(3, 2)).toEqual([0.125, 0]);
+  await right.press("Escape");
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  expect(await grid.count()).toBe(0);
+});
+
+test("the grid has more handles, or fewer, and none when it is not shown", async ({ studio, page }) => {
+  const grid = new Grid(page, studio);
+  await grid.open();
+  await grid.drag(await grid.place(2, 3), 30, -50);
+  const columns = page.getByRole("spinbutton", { name: "Columns" });
+  await columns.fill("6");
+  await columns.press("Enter");
+  await expect(page.locator(".mesh-handle")).toHaveCount(24);
+  expect((await studio.scene()).deform).toMatchObject({ columns: 6, rows: 4 });
+  for (const wrong of ["17", "1", "2.5", "many"]) {
+    await columns.fill(wrong);
+    await columns.press("Enter");
+    await expect(columns).toHaveAttribute("aria-invalid", "true");
+    expect((await studio.scene()).deform).toMatchObject({ columns: 6, rows: 4 });
+  }
+  await columns.press("Escape");
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  expect((await studio.scene()).deform).toMatchObject({ columns: 4, rows: 4 });
+  expect(await grid.count()).toBe(1);
+  const at = await grid.place(2, 3);
+  await page.getByRole("switch", { name: "Show it" }).uncheck();
+  await expect(page.locator(".mesh-handle")).toHaveCount(0);
+  // The picture has the whole stage to itself.
+  const view = (await studio.scene()).view;
+  await grid.drag(at, 30, 30);
+  expect(await grid.count()).toBe(1);
+  expect((await studio.scene()).view).not.toEqual(view);
+});
+
 test("chosen handles are put back by the button", async ({ studio, page }) => {
   const grid = new Grid(page, studio);
   await grid.open();

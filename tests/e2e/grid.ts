@@ -17,12 +17,8 @@ export class Grid {
     this.#studio = studio;
   }
 
-  async open(fragment = "a=gasket&b=dragon-3"): Promise<void> {
+  async open(fragment = "v=1&a=gasket&b=dragon-3&tool=deform"): Promise<void> {
     await this.#studio.open(fragment);
-    await this.#page
-      .getByRole("link", { name: "Deform" })
-      .or(this.#page.getByRole("button", { name: "Deform" }))
-      .click();
     await this.handle(1, 1).waitFor();
     await this.#studio.drawn();
   }
