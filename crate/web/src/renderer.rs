@@ -16,6 +16,7 @@ use web_sys::{EventTarget, HtmlCanvasElement, OffscreenCanvas};
 use crate::bend::{PlainBend, of_bend};
 use crate::error::{bad_input, failure, of_ifs};
 use crate::look::{ColouringName, read_palette};
+use crate::photo::read_photo;
 use crate::value::{object, read};
 
 /// Draws one attractor on one canvas, on WebGPU or WebGL2. Lengths are device pixels.
@@ -156,6 +157,22 @@ impl Renderer {
             self.stage.set_bend(bend);
         }
         self.bend = Some(plain);
+        Ok(())
+    }
+
+    /// Draws a picture in place of the attractor: RGBA with straight alpha, row 0 on top, at most 4096 pixels either way,
+    /// on the rectangle [0, width / height] x [0, 1]; `null` goes back. For a bend to fit it, the maps must be the 4 or 9
+    /// parts of that rectangle, x first, from the lower left. Throws when it is no picture; the last one stays then.
+    #[wasm_bindgen(js_name = setPicture)]
+    pub fn set_picture(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Uint8Array | Uint8ClampedArray | null")] rgba: &JsValue,
+        width: f64,
+        height: f64,
+    ) -> Result<(), JsValue> {
+        let none = rgba.is_null() || rgba.is_undefined();
+        let photo = if none { None } else { Some(read_photo(rgba, width, height)?) };
+        self.stage.set_photo(photo);
         Ok(())
     }
 

@@ -173,7 +173,7 @@ impl SheetGpu {
         let vertices = sheet.corners().len();
         if self.cells.0 != sheet.side() {
             let places: Vec<[f32; 2]> = (0..vertices).map(|i| sheet.place(i).as_vec2().to_array()).collect();
-            let size = size_of::<[f32; 2]>() * vertices;
+            let size = size_of_val(sheet.corners());
             self.corners = buffer(&gpu.device, "corners", size, wgpu::BufferUsages::VERTEX);
             self.places = buffer(&gpu.device, "places", size, wgpu::BufferUsages::VERTEX);
             gpu.queue.write_buffer(&self.places, 0, bytemuck::cast_slice(&places));

@@ -1,0 +1,205 @@
+//! Bent photographs: what the graphics card draws against what the processor does, on both backends, and the handle for
+//! JavaScript.
+#![cfg(target_arch = "wasm32")]
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may fail so")]
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use frond_core::Ifs;
+use frond_deform::{Bend, Continuity, Mesh, Roughness, Settings, Spin};
+use frond_render::gpu::{Canvas, Event, Gpu, Stage, Wanted};
+use frond_render::{BentSheet, Photo, Sheet, SheetOptions, View, draw_sheet};
+use glam::DVec2;
+use js_sys::{Function, Promise, Reflect, Uint8Array, global};
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::JsFuture;
+use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
+use web_sys::OffscreenCanvas;
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+const SIZE: (u32, u32) = (180, 120);
+
+/// A photograph whose colours tell the place, with a corner that can be seen through.
+fn bytes(width: u32, height: u32) -> Vec<u8> {
+    let pixel = |i: u32| {
+        let (x, y) = (i % width, i / width);
+        let blue = if (x / 5 + y / 5) % 2 == 0 { 40 } else { 190 };
+        let alpha = if x + y < 20 { 90 } else { 255 };
+        [(x * 255 / width) as u8, (y * 255 / height) as u8, blue, alpha]
+    };
+    (0..width * height).flat_map(pixel).collect()
+}
+
+fn moves(size: f64) -> Vec<DVec2> {
+    (0..16)
+        .map(|i| DVec2::new(f64::from(i * 7 % 16) - 7.5, f64::from(i * 5 % 16) - 7.5) * size / 8.0)
+        .collect()
+}
+
+fn bend(aspect: f64, parts: usize, kb: f64, ke: f64, size: f64) -> Bend {
+    let mesh = Mesh::new(DVec2::ZERO, DVec2::new(aspect, 1.0), 4, 4, moves(size)).unwrap();
+    let settings = Settings {
+        kb,
+        ke,
+        roughness: Roughness::Constant(0.4),
+        spin: Spin::None,
+        continuity: Continuity::Auto,
+        superposed: true,
+    };
+    Bend::new(&Sheet::maps(aspect, parts), mesh, settings, None).unwrap()
+}
+
+async fn pause() {
+    let mut wait = |resolve: Function, _| {
+        let timer: Function = Reflect::get(&global(), &"setTimeout".into()).unwrap().dyn_into().unwrap();
+        timer.call2(&JsValue::UNDEFINED, &resolve, &1.into()).unwrap();
+    };
+    JsFuture::from(Promise::new(&mut wait)).await.unwrap();
+}
+
+async fn pixels(stage: &Stage) -> Vec<u8> {
+    let read = stage.read().unwrap();
+    loop {
+        if let Some(picture) = read.take() {
+            return picture.unwrap();
+        }
+        pause().await;
+    }
+}
+
+type Faults = Rc<RefCell<Vec<Event>>>;
+
+/// A stage of the backend; `None` where the browser has no such backend, which may be so with WebGPU only.
+async fn stage(wanted: Wanted) -> Option<(Stage, Faults)> {
+    let canvas = Canvas::Offscreen(OffscreenCanvas::new(SIZE.0, SIZE.1).unwrap());
+    let events = Faults::default();
+    let heard = Rc::clone(&events);
+    match Gpu::open(&canvas, wanted, Rc::new(move |e: &Event| heard.borrow_mut().push(e.clone()))).await {
+        Ok(gpu) => Some((Stage::new(gpu), events)),
+        Err(error) if wanted == Wanted::WebGpu => {
+            console_log!("not tested on WebGPU: {error}");
+            None
+        }
+        Err(error) => panic!("{wanted:?}: {error}"),
+    }
+}
+
+fn settle(stage: &mut Stage) {
+    for _ in 0..10 {
+        let drawn = stage.draw(1_000_000);
+        if drawn.settled {
+            assert!(drawn.complete && drawn.points > 0);
+            return;
+        }
+    }
+    panic!("it does not come to an end");
+}
+
+/// The mean difference of bytes, and the share of pixels that are clearly others.
+fn differences(a: &[u8], b: &[u8]) -> (f64, f64) {
+    assert_eq!(a.len(), b.len());
+    let sum: u64 = a.iter().zip(b).map(|(x, y)| u64::from(x.abs_diff(*y))).sum();
+    let far = |(p, q): (&[u8; 4], &[u8; 4])| p.iter().zip(q).any(|(x, y)| x.abs_diff(*y) > 40);
+    let others = a.as_chunks::<4>().0.iter().zip(b.as_chunks::<4>().0).filter(|pair| far(*pair)).count();
+    (sum as f64 / a.len() as f64, others as f64 / (a.len() / 4) as f64)
+}
+
+/// What the stage shows must be what the processor draws.
+async fn compare(stage: &mut Stage, photo: &Photo, sheet: &Sheet, view: View, what: &str) {
+    settle(stage);
+    let seen = pixels(stage).await;
+    let options = SheetOptions { width: SIZE.0, height: SIZE.1, view: Some(view), smooth: true };
+    let twin = draw_sheet(photo, sheet, &options).unwrap();
+    let (mean, others) = differences(&seen, &twin);
+    console_log!("{what}: {mean:.3} a byte, {others:.4} of the pixels");
+    assert!(mean < 1.5 && others < 0.01, "{what}: {mean} {others}");
+    let lit = |picture: &[u8]| picture.as_chunks::<4>().0.iter().filter(|p| p[3] > 0).count();
+    assert!(lit(&seen).abs_diff(lit(&twin)) * 200 < lit(&twin).max(200), "{what}");
+}
+
+#[wasm_bindgen_test]
+async fn the_card_draws_what_the_processor_does() {
+    let photo = Photo::new(&bytes(150, 100), 150, 100).unwrap();
+    let aspect = photo.aspect();
+    for wanted in [Wanted::WebGl2, Wanted::WebGpu] {
+        let Some((mut stage, events)) = stage(wanted).await else { continue };
+        stage.resize(SIZE.0, SIZE.1, 1.0);
+        stage.set_ifs(&Ifs::new(Sheet::maps(aspect, 2)).unwrap());
+        stage.set_photo(Some(photo.clone()));
+        let near = View { x: 0.75, y: 0.5, scale: 100.0 };
+        assert!(stage.set_view(near));
+        compare(&mut stage, &photo, &Sheet::at_rest(aspect), near, "at rest").await;
+        for (parts, kb, ke) in [(2, 0.0, 4.0), (2, 1.0, 6.0), (3, 0.5, 3.0), (2, 5.0, 5.0)] {
+            stage.set_ifs(&Ifs::new(Sheet::maps(aspect, parts)).unwrap());
+            stage.set_bend(Some(bend(aspect, parts, kb, ke, 0.2)));
+            let mut bent = BentSheet::new(&bend(aspect, parts, kb, ke, 0.2), aspect, parts, Sheet::FINEST);
+            compare(&mut stage, &photo, bent.sheet(), near, &format!("{parts} {kb} {ke}")).await;
+            // The mesh moves, and nothing else.
+            assert!(stage.move_mesh(&moves(-0.1)));
+            bent.follow(&moves(-0.1));
+            compare(&mut stage, &photo, bent.sheet(), near, "moved").await;
+            // Close, and so close that the card has not digits enough.
+            for scale in [3e3, 1e8] {
+                let close = View { x: 0.61, y: 0.43, scale };
+                assert!(stage.set_view(close));
+                compare(&mut stage, &photo, bent.sheet(), close, &format!("at {scale}")).await;
+            }
+            assert!(stage.set_view(near));
+        }
+        // Back to the attractor, which the bend still bends.
+        stage.set_bend(None);
+        stage.set_photo(None);
+        let mut steps = 0;
+        while !stage.draw(10_000_000).settled {
+            steps += 1;
+            assert!(steps < 1000);
+        }
+        let seen = pixels(&stage).await;
+        assert!(seen.as_chunks::<4>().0.iter().filter(|p| p[3] > 0).count() > 10_000);
+        let faults = events.borrow();
+        assert!(faults.is_empty(), "{faults:?}");
+    }
+}
+
+fn object(text: &str) -> JsValue {
+    js_sys::JSON::parse(text).unwrap()
+}
+
+fn bend_object(moves: &str) -> JsValue {
+    object(&format!(
+        r#"{{"columns":2,"rows":2,"box":[0,0,1.5,1],"moves":{moves},"kb":1,"ke":4,"delta":0.5,"spin":"none",
+        "continuity":"auto","superposed":true}}"#
+    ))
+}
+
+#[wasm_bindgen_test]
+fn the_handle_draws_and_refuses() {
+    let code = |error: JsValue| Reflect::get(&error, &"code".into()).unwrap().as_string().unwrap();
+    let rgba = JsValue::from(Uint8Array::from(&bytes(30, 20)[..]));
+    let mut sheet = frond_web::Sheet::new(&rgba, 30.0, 20.0).ok().unwrap();
+    let options = || object(r#"{"width":60,"height":40}"#);
+    let at_rest = sheet.draw(JsValue::NULL, 2.0, options()).unwrap().to_vec();
+    assert_eq!(at_rest.len(), 60 * 40 * 4);
+    let still = sheet.draw(bend_object("[0,0,0,0,0,0,0,0]"), 2.0, options()).unwrap().to_vec();
+    assert!(differences(&at_rest, &still).0 < 1.0);
+    let bent = sheet.draw(bend_object("[0,0,0.3,0,0,0,0,0.4]"), 2.0, options()).unwrap().to_vec();
+    assert!(differences(&at_rest, &bent).1 > 0.1);
+    // As if it had been made anew.
+    let mut other = frond_web::Sheet::new(&rgba, 30.0, 20.0).ok().unwrap();
+    let anew = other.draw(bend_object("[0,0,0.3,0,0,0,0,0.4]"), 2.0, options()).unwrap().to_vec();
+    assert_eq!(bent, anew);
+
+    assert_eq!(code(sheet.draw(bend_object("[0,0]"), 2.0, options()).unwrap_err()), "mesh-count");
+    assert_eq!(code(sheet.draw(bend_object("[0,0,0,0,0,0,0,0]"), 5.0, options()).unwrap_err()), "bad-input");
+    let huge = object(r#"{"width":60000,"height":40}"#);
+    assert_eq!(code(sheet.draw(JsValue::NULL, 2.0, huge).unwrap_err()), "picture-too-large");
+    let new = |rgba: &JsValue, w, h| frond_web::Sheet::new(rgba, w, h).map(|_| ());
+    assert_eq!(code(new(&rgba, 31.0, 20.0).unwrap_err()), "photo-bytes");
+    assert_eq!(code(new(&rgba, f64::NAN, 20.0).unwrap_err()), "photo-size");
+    assert_eq!(code(new(&rgba, 10_000.0, 10_000.0).unwrap_err()), "photo-size");
+    assert_eq!(code(new(&"picture".into(), 30.0, 20.0).unwrap_err()), "bad-input");
+    // And it still draws.
+    assert_eq!(sheet.draw(JsValue::NULL, 2.0, options()).unwrap().to_vec(), at_rest);
+}
