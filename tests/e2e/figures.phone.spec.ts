@@ -26,6 +26,7 @@ test("no figure is wider than a phone", async ({ page }) => {
     "/e8",
     "/e9",
     "/e10",
+    "/e11",
   ]) {
     await page.goto("about:blank");
     await page.goto(`./#figures${figure}`);
@@ -36,7 +37,7 @@ test("no figure is wider than a phone", async ({ page }) => {
 });
 
 test("nothing moves on a phone when the truth comes", async ({ page }) => {
-  for (let lesson = 1; lesson <= 10; lesson++) {
+  for (let lesson = 1; lesson <= 11; lesson++) {
     await page.goto("about:blank");
     await page.goto(`./#figures/e${lesson}`);
     const question = page.getByRole("region", { name: "What do you think?" });

@@ -7,7 +7,7 @@ const PAGES = ["1", "2", "3", "5", "6", "7", "table-1"];
 /** Those on fractal deformation have tests of their own. */
 const DEFORMS = ["d1", "d2", "d3", "d4", "d5", "d6"];
 
-const LESSONS = ["e1", "e2", "e3", "e4", "e5", "e6", "e7", "e8", "e9", "e10"];
+const LESSONS = ["e1", "e2", "e3", "e4", "e5", "e6", "e7", "e8", "e9", "e10", "e11"];
 
 async function open(page: Page, figure: string): Promise<void> {
   if (page.url() !== "about:blank") await page.goto("about:blank");
@@ -90,7 +90,7 @@ for (const lesson of LESSONS) {
     await expect(question.locator(".truth")).toHaveCount(0);
 
     await page.getByRole("link", { name: "Open in the studio" }).click();
-    await expect(page.getByRole("slider", { name: "Time", exact: true })).toBeVisible();
+    await expect(page.getByRole("region", { name: "Picture" })).toBeVisible();
     await expect(page.getByRole("alert")).toHaveCount(0);
   });
 }

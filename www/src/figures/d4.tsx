@@ -67,7 +67,11 @@ export function Deformation4(heading: Heading) {
           symbol: "δ",
           value: "0.75; G 0.50; H 0.50 lower left, 0.67 lower right, 0.75 upper left",
         },
-        { name: "Locality", symbol: "kb", value: "A plain, B 0, C 1, D 2, E 4 (C to E reconstructed), F 9" },
+        {
+          name: "Locality",
+          symbol: "kb",
+          value: "A plain (eq 16), B 0, C 1, D 2, E 4 (C to E reconstructed), F 9",
+        },
         { name: "Control points", value: "4 × 4, of degree 3 (reconstructed)" },
         { name: "Time", symbol: "t", value: `${fixed(t)}; t₀ = 0, t₁ = ½, t₂ = 1 (reconstructed)` },
         { name: "Corner of H that no piece reaches", value: "0.92, so that δ is even across the shape" },
@@ -93,6 +97,7 @@ export function Deformation4(heading: Heading) {
         maps={GASKET}
         box={LIFT_BOX}
         t={t}
+        columns={4}
         deformationOf={liftOf}
         words={(panel) =>
           `The gasket ${panel.words === "" ? "in between" : panel.words}, ${numbersOf(panel)}, ${Math.round(100 * t)}% lifted`
@@ -157,7 +162,7 @@ export function tears(t: number): { name: string; gap: number }[] {
     const delta = VARIED[part] ?? 0;
     const corner = toward === 0 ? [0, 0] : toward === 1 ? [1, 0] : [0, 1];
     const code = [part, ...new Array<number>(KE - 1).fill(toward)];
-    const bend: Bend = { ...bendAt(liftOf({ kb: 0, delta }), t), continuity: "raw" };
+    const bend: Bend = { ...bendAt(liftOf({ kb: 0, delta }), t), continuity: "corners" };
     const [x = 0, y = 0] = frond.deform({ maps: GASKET }, bend, [code], [corner as [number, number]]);
     return [x, y] as const;
   };

@@ -7,7 +7,7 @@ import { Segmented } from "../ui/Segmented";
 import { SWAY } from "./deform-meshes";
 import { deformationBy, numbersOf, type Panel, toAndFro } from "./deformations";
 import { Frame, type Heading } from "./frame";
-import { type Lens, Magnified } from "./magnified";
+import { type Lens, Magnified, WithFrames } from "./magnified";
 import { Panels } from "./panels";
 import { studioHref } from "./studio";
 import { Sway, useSway } from "./sway";
@@ -19,8 +19,8 @@ export const FERN: MapRow[] = [
   [-0.15, 0.28, 0.26, 0.24, 0, 0.44],
   [0, 0, 0, 0.16, 0, 0],
 ];
-const BOX: Box = { x0: -3.6, y0: -0.2, x1: 3.9, y1: 10.6 };
-export const FERN_BOX = BOX;
+const BOX: Box = { x0: -5.3, y0: -0.5, x1: 5.3, y1: 10.4 };
+const ASPECT = (BOX.x1 - BOX.x0) / (BOX.y1 - BOX.y0);
 const KE = 6;
 
 const PANELS: readonly Panel[] = [
@@ -32,10 +32,12 @@ const PANELS: readonly Panel[] = [
 ];
 const B = PANELS[1]?.settings ?? {};
 
+/** Letters that lead up the fern, piece after piece. */
+const up = (count: number) => new Array<number>(count).fill(0);
 const LENSES: readonly Lens[] = [
-  { number: 1, kind: "red", about: "a leaf in the middle", x: 1.45, y: 4.6, width: 2.1 },
-  { number: 2, kind: "blue", about: "the lowest leaf", x: -1.35, y: 2.6, width: 2.1 },
-  { number: 3, kind: "green", about: "the tip", x: 0.95, y: 9.0, width: 2.1 },
+  { number: 1, kind: "red", about: "a leaf in the middle", code: [...up(3), 2, ...up(5)], width: 2.2 },
+  { number: 2, kind: "blue", about: "the lowest leaf", code: [1, ...up(5)], width: 3 },
+  { number: 3, kind: "green", about: "the tip", code: up(12), width: 2.2 },
 ];
 
 const SPINS = [
@@ -54,6 +56,7 @@ export function Deformation5(heading: Heading) {
     [spin],
   );
   const bend = useMemo(() => bendAt(swayOf({ ...B, spin }), sway.t), [spin, sway.t]);
+  const framed = { name: "B", maps: FERN, bend, box: BOX, lenses: LENSES };
   return (
     <Frame
       {...heading}
@@ -77,7 +80,11 @@ export function Deformation5(heading: Heading) {
       parameters={[
         { name: "Maps", symbol: "w", value: "the paper’s four, in its order" },
         { name: "Detail", symbol: "ke", value: String(KE) },
-        { name: "Locality", symbol: "kb", value: "A plain, B 0, C 1, D 2, E 4 (C to E reconstructed)" },
+        {
+          name: "Locality",
+          symbol: "kb",
+          value: "A plain (eq 16), B 0, C 1, D 2, E 4 (C to E reconstructed)",
+        },
         {
           name: "Roughness",
           symbol: "δ",
@@ -88,7 +95,7 @@ export function Deformation5(heading: Heading) {
         { name: "Time", symbol: "t", value: `${fixed(sway.t)} of one sway` },
       ]}
       captions={["Figure 5: Fractal deformations of a Black Spleenwort fern. ke = 6."]}
-      reconstructed="The maps, ke and the kb of B are printed (section 5.3, example 2, eq 18), and that δ falls as kb grows. The mesh, the other kb, all values of δ and the magnified parts are made from the text. Its (X), the addressing rule, is the order of the maps."
+      reconstructed="The maps, ke and the kb of B are printed (section 5.3, example 2, eq 18), and that δ falls as kb grows. The mesh, the other kb, all values of δ and the magnified parts, whose frames go with what they show, are made from the text. Its (X), the addressing rule, is the order of the maps."
       studio={{ href: hrefOf(swayOf({ ...B, spin, phase: sway.t })) }}
     >
       <Sway sway={sway} />
@@ -103,13 +110,16 @@ export function Deformation5(heading: Heading) {
         maps={FERN}
         box={BOX}
         t={sway.t}
-        aspect={0.7}
+        aspect={ASPECT}
+        columns={3}
         deformationOf={deformationOf}
         words={(panel) =>
           `The fern ${panel.words === "" ? "in between" : panel.words}, ${numbersOf(panel)}, at ${fixed(sway.t)} of one sway`
         }
-      />
-      <Magnified name="B" maps={FERN} bend={bend} box={BOX} aspect={0.7} lenses={LENSES} />
+      >
+        <WithFrames {...framed} aspect={ASPECT} />
+      </Panels>
+      <Magnified {...framed} />
     </Frame>
   );
 }

@@ -6,8 +6,9 @@ import { fixed } from "../ui/number";
 import { Bent } from "./bent";
 import { DRAGON_COLOURS, DRAW } from "./deform-meshes";
 import { deformationBy, numbersOf, type Panel } from "./deformations";
+import { middles, PieceNames } from "./drawn";
 import { Frame, type Heading } from "./frame";
-import { type Lens, Magnified } from "./magnified";
+import { type Lens, Magnified, WithFrames } from "./magnified";
 import { Panels } from "./panels";
 import { studioHref } from "./studio";
 import { Time, useTime } from "./time";
@@ -17,8 +18,10 @@ export const TWIN: MapRow[] = [
   [0.5, 0.5, -0.5, 0.5, -0.5, 0.375],
   [0.5, 0.5, -0.5, 0.5, 0.5, 0.625],
 ];
-const BOX: Box = { x0: -1.05, y0: -0.95, x1: 2.3, y1: 1.75 };
+const BOX: Box = { x0: -1.05, y0: -1.22, x1: 2.65, y1: 1.75 };
 export const TWIN_BOX = BOX;
+/** The dragon itself. */
+const REST: Box = { x0: -0.77, y0: -0.42, x1: 1.77, y1: 1.42 };
 const ASPECT = (BOX.x1 - BOX.x0) / (BOX.y1 - BOX.y0);
 const KE = 8;
 
@@ -31,10 +34,11 @@ const PANELS: readonly Panel[] = [
 ];
 const B = PANELS[1]?.settings ?? {};
 
+const letters = (code: string) => [...code].map(Number);
 const LENSES: readonly Lens[] = [
-  { number: 1, kind: "red", about: "a tip on the left", x: -0.55, y: 0.75, width: 0.7 },
-  { number: 2, kind: "black", about: "the middle", x: 0.5, y: 0.5, width: 0.7 },
-  { number: 3, kind: "green", about: "a tip on the right", x: 1.5, y: 0.25, width: 0.7 },
+  { number: 1, kind: "red", about: "the tip on the left", code: letters("0001111000"), width: 0.8 },
+  { number: 2, kind: "black", about: "the middle", code: letters("0100000000"), width: 0.8 },
+  { number: 3, kind: "green", about: "the tip at the lower right", code: letters("1111000011"), width: 0.8 },
 ];
 
 /** The twin-dragon with colours of its own. */
@@ -43,6 +47,7 @@ export function Deformation6(heading: Heading) {
   const { t } = time;
   const bend = useMemo(() => bendAt(drawnOf(B), t), [t]);
   const colours = useMemo(() => bendAt(drawnOf({ ...PLAIN_TINT }), 0), []);
+  const framed = { name: "B", maps: TWIN, bend, box: BOX, colouring: "grid", lenses: LENSES } as const;
   return (
     <Frame
       {...heading}
@@ -66,7 +71,7 @@ export function Deformation6(heading: Heading) {
         { name: "Maps", symbol: "w", value: "the paper’s two" },
         { name: "Detail", symbol: "ke", value: String(KE) },
         { name: "Roughness", symbol: "δ", value: "1" },
-        { name: "Locality", symbol: "kb", value: "A plain, B 0, C 2, D 4, E 6 (reconstructed)" },
+        { name: "Locality", symbol: "kb", value: "A plain (eq 16), B 0, C 2, D 4, E 6 (reconstructed)" },
         { name: "Rotation", value: "by the maps from kb + 1 on: both turn by −45°" },
         {
           name: "Colours",
@@ -77,7 +82,7 @@ export function Deformation6(heading: Heading) {
         { name: "Time", symbol: "t", value: fixed(t) },
       ]}
       captions={["Figure 6: Fractal deformations of a Twin-Dragon. ke = 8. δv(s) = 1."]}
-      reconstructed="The maps, ke, δ and the numbers of the colouring are printed (section 5.3, example 3, eqs 12 and 18). The mesh, the colour function (Y), the kb of the panels and the magnified parts are made from the text. Its (X), the addressing rule, is the order of the maps."
+      reconstructed="The maps, ke, δ and the numbers of the colouring are printed (section 5.3, example 3, eqs 12 and 18). The mesh, the colour function (Y), the kb of the panels and the magnified parts are made from the text. Of (X), the addressing rule, only the order of the maps is known."
       studio={{ href: hrefOf(drawnOf({ ...B, phase: t })) }}
     >
       <Time time={time} words={t === 0 ? "at rest" : `${Math.round(100 * t)}% drawn`} />
@@ -87,36 +92,50 @@ export function Deformation6(heading: Heading) {
         box={BOX}
         t={t}
         aspect={ASPECT}
+        columns={3}
         colouring="grid"
         deformationOf={drawnOf}
         words={(panel) =>
           `The twin-dragon ${panel.words === "" ? "in between" : panel.words}, ${numbersOf(panel)}, ${Math.round(100 * t)}% drawn`
         }
-      />
-      <Magnified
-        name="B"
-        maps={TWIN}
-        bend={bend}
-        box={BOX}
-        aspect={ASPECT}
-        colouring="grid"
-        lenses={LENSES}
-      />
-      <figure class="panel colour-function">
-        <Bent
-          maps={TWIN}
-          bend={colours}
-          box={BOX}
-          aspect={ASPECT}
-          colouring="grid"
-          label="The colour function on the dragon at rest, before it is shuffled"
-        />
-        <figcaption>
-          <span class="side-name">
-            Y <span>the colours before the shuffle</span>
-          </span>
-        </figcaption>
-      </figure>
+      >
+        <WithFrames {...framed} aspect={ASPECT} />
+      </Panels>
+      <Magnified {...framed} />
+      <div class="magnified">
+        <figure class="panel">
+          <Bent
+            maps={TWIN}
+            bend={colours}
+            box={BOX}
+            aspect={ASPECT}
+            grid={0}
+            label="The dragon at rest: the part of map 1 on the left, that of map 2 on the right"
+          >
+            {(place) => <PieceNames at={middles(TWIN, REST).map(place)} />}
+          </Bent>
+          <figcaption>
+            <span class="side-name">
+              X <span>the letters of the codes</span>
+            </span>
+          </figcaption>
+        </figure>
+        <figure class="panel">
+          <Bent
+            maps={TWIN}
+            bend={colours}
+            box={BOX}
+            aspect={ASPECT}
+            colouring="grid"
+            label="The colour function on the dragon at rest, before it is shuffled"
+          />
+          <figcaption>
+            <span class="side-name">
+              Y <span>the colours before the shuffle</span>
+            </span>
+          </figcaption>
+        </figure>
+      </div>
     </Frame>
   );
 }

@@ -59,7 +59,7 @@ export const DRAW: NamedMesh = mesh(
   "the lower right part is drawn to the lower right",
   [-1, -0.7, 2, 1.7],
   (i, j) => {
-    const pull = 0.9 * (i / 3) ** 2 * (1 - j / 3) ** 2;
+    const pull = 0.6 * ((i / 3) * (1 - j / 3)) ** 1.2;
     return [pull, -0.8 * pull];
   },
 );
@@ -92,10 +92,10 @@ const STRENGTH: Rgb = [208, 152, 214];
 
 /** Figure 6, (Y): four colours at the corners of the mesh, blended. */
 const CORNER_COLOURS: readonly Rgb[] = [
-  [0.8, 0.28, 0.5],
-  [0.0, 0.42, 0.78],
-  [0.93, 0.6, 0.05],
-  [0.0, 0.58, 0.42],
+  [0.84, 0.08, 0.36],
+  [0.04, 0.24, 0.95],
+  [1.0, 0.68, 0.0],
+  [0.0, 0.66, 0.27],
 ];
 
 /** "#rrggbb" of each control point, row by row from the lower left. */

@@ -7,7 +7,7 @@ import { pieceOf, rightGasket } from "./addresses";
 import { Bent } from "./bent";
 import { CubeSquare } from "./cube-square";
 import { GASKET, LIFT_BOX, liftOf } from "./d4";
-import { FERN, FERN_BOX, swayOf } from "./d5";
+import { FERN, swayOf } from "./d5";
 import { drawnOf, TWIN, TWIN_BOX } from "./d6";
 import { Cell } from "./matrix";
 import { Steps } from "./steps";
@@ -45,9 +45,12 @@ export function Lifted() {
   return <Still maps={GASKET} box={LIFT_BOX} bend={bend} />;
 }
 
+/** Where the fern is as it leans to a side. */
+const LEANING: Box = { x0: -2.4, y0: -0.1, x1: 3.9, y1: 10.1 };
+
 export function Swaying() {
   const bend = useMemo(() => bendAt(swayOf({ kb: 0 }), 0.2), []);
-  return <Still maps={FERN} box={FERN_BOX} bend={bend} aspect={0.7} />;
+  return <Still maps={FERN} box={LEANING} bend={bend} aspect={0.62} />;
 }
 
 export function Drawn() {

@@ -1,5 +1,5 @@
 import { useMemo, useState } from "preact/hooks";
-import { frond } from "../engine/wasm";
+import { prover } from "../engine/proof";
 import { fixed } from "../ui/number";
 import { Segmented } from "../ui/Segmented";
 import { barnsley, type Round } from "./barnsley";
@@ -172,7 +172,7 @@ function Never() {
   const r = Number(scale);
   const rounds = useMemo(() => barnsley(r, MOST), [r]);
   const apart = rounds.at(-1)?.apart === true;
-  const proof = useMemo(() => frond.connectedness({ maps: dust(0.5) }, { epsilon: 1e-6 }).reason, []);
+  const proof = useMemo(() => prover().connectedness({ maps: dust(0.5) }, { epsilon: 1e-6 }).reason, []);
   return (
     <div class="two-columns even">
       <Closing rounds={rounds} r={r} />

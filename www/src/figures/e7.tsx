@@ -1,5 +1,5 @@
 import { useMemo, useState } from "preact/hooks";
-import { frond } from "../engine/wasm";
+import { prover } from "../engine/proof";
 import { type Uv, uvAt } from "../state/path";
 import { lengthWords } from "../state/words";
 import { fixed } from "../ui/number";
@@ -165,7 +165,7 @@ function Leading({ way, onWay }: { way: Uv; onWay: (way: Uv) => void }) {
   const points = useMemo((): Uv[] => [[0, 0], way, [1, 1]], [way]);
   const check = useMemo(
     () =>
-      frond.checkPath({ maps: wish.ends.from }, { maps: wish.ends.to }, points, {
+      prover().checkPath({ maps: wish.ends.from }, { maps: wish.ends.to }, points, {
         epsilon: EPSILON,
         samples: SAMPLES,
       }),

@@ -10,7 +10,7 @@ import { complexWords, Disc, Sliders } from "./disc";
 import type { Heading } from "./frame";
 import { Lesson, Question, Truth } from "./lesson";
 import { boxAround } from "./morphs";
-import { type Complex, hasFamilies, mapsOf, quarterJob, unfolded } from "./mset";
+import { type Complex, mapsOf, quarterJob, unfolded } from "./mset";
 import { Picture } from "./picture";
 import { type Prediction, usePrediction } from "./predict";
 import { studioHref } from "./studio";
@@ -260,8 +260,7 @@ function useQuarter(wanted: boolean): LocusResult | null {
   // biome-ignore lint/correctness/useExhaustiveDependencies: another host has to be asked anew
   useEffect(() => {
     if (!wanted || quarter?.progress === 1) return;
-    const families = hasFamilies();
-    submit(quarterJob(channel, families ? 361 : 111, families, setQuarter));
+    submit(quarterJob(channel, 361, true, setQuarter));
   }, [wanted, channel, host]);
   return useMemo(() => (quarter ? unfolded(quarter) : null), [quarter]);
 }

@@ -1,5 +1,5 @@
 import { useMemo, useState } from "preact/hooks";
-import { frond } from "../engine/wasm";
+import { prover } from "../engine/proof";
 import { Button } from "../ui/Button";
 import { fixed } from "../ui/number";
 import { Slider } from "../ui/Slider";
@@ -123,8 +123,8 @@ function Curves({ r, rounds }: { r: number; rounds: readonly Round[] }) {
 
 /** The same question put to the package. */
 function Found({ r }: { r: number }) {
-  const test = useMemo(() => frond.barnsleyTest({ maps: dust(r) }, { iterations: MOST }), [r]);
-  const truth = useMemo(() => frond.connectedness({ maps: dust(r) }, { epsilon: 1e-6 }), [r]);
+  const test = useMemo(() => prover().barnsleyTest({ maps: dust(r) }, { iterations: MOST }), [r]);
+  const truth = useMemo(() => prover().connectedness({ maps: dust(r) }, { epsilon: 1e-6 }), [r]);
   const middle = test.disconnected
     ? `proves it after ${test.iterations} iteration${test.iterations === 1 ? "" : "s"}`
     : "proves nothing either";

@@ -1,9 +1,13 @@
 /** Small pictures of the lessons, made by the same parts as the lessons themselves. */
 import { useMemo } from "preact/hooks";
 import type { MapRow } from "../engine/api";
+import { bendAt } from "../state/bend";
 import { barnsley } from "./barnsley";
+import { Bent } from "./bent";
 import { Board } from "./board";
 import { Buffer } from "./buffer";
+import { GASKET, liftOf } from "./d4";
+import { FAR } from "./e11";
 import { cutKoch, gasket, PEAK, unevenGasket } from "./families";
 import { startRun } from "./fig2";
 import { flagPath, turned } from "./flag";
@@ -101,4 +105,10 @@ function Fitted({ of: maps }: { of: MapRow[] }) {
 
 export function Paired() {
   return <Matching matching={[1, 0, 2]} />;
+}
+
+/** The far corner of a gasket that is pulled elsewhere. */
+export function Far() {
+  const bend = useMemo(() => bendAt(liftOf({ kb: 0 }), 1), []);
+  return <Bent maps={GASKET} box={FAR} bend={bend} grid={0} label={null} />;
 }

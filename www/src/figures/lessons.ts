@@ -1,4 +1,4 @@
-/** The ten lessons, in the order in which they build on each other. */
+/** The lessons, in the order in which they build on each other. */
 import type { Entry } from "./catalogue";
 import { Lesson1 } from "./e1";
 import { Lesson2 } from "./e2";
@@ -10,6 +10,7 @@ import { Lesson7 } from "./e7";
 import { Lesson8 } from "./e8";
 import { Lesson9 } from "./e9";
 import { Lesson10 } from "./e10";
+import { Lesson11 } from "./e11";
 import * as thumbs from "./lesson-thumbs";
 
 export const LESSONS: readonly Entry[] = [
@@ -102,5 +103,14 @@ export const LESSONS: readonly Entry[] = [
     about: "Which piece becomes which decides whether a morph can hold together.",
     Page: Lesson10,
     Thumb: thumbs.Paired,
+  },
+  {
+    id: "e11",
+    number: "Lesson 11",
+    short: "11",
+    title: "Plain or fractal?",
+    about: "Lift one point of a shape: what do the far corners do?",
+    Page: Lesson11,
+    Thumb: thumbs.Far,
   },
 ];

@@ -1,18 +1,20 @@
 import { useMemo } from "preact/hooks";
 import type { Bend, Colouring, MapRow } from "../engine/api";
+import { frond } from "../engine/wasm";
 import type { Box } from "../state/fit";
 import { fixed } from "../ui/number";
 import type { Point } from "./apart";
 import { Bent } from "./bent";
 import type { Place } from "./drawn";
 
-/** A part that is shown larger: its middle and its width. It is as high as it is wide. */
+/** A part that is shown larger. */
 export interface Lens {
   number: number;
   kind: "red" | "blue" | "green" | "black";
   about: string;
-  x: number;
-  y: number;
+  /** The point that stays in its middle, by its code: the frame goes where the bend takes it. */
+  code: number[];
+  /** How wide and how high it is, in units of the plane. */
   width: number;
 }
 
@@ -21,48 +23,72 @@ export interface MagnifiedProps {
   name: string;
   maps: MapRow[];
   bend: Bend;
+  /** What part of the plane the panel shows. */
   box: Box;
   aspect: number;
   colouring?: Colouring;
   lenses: readonly Lens[];
 }
 
-/** A bent shape with frames on it, and what is in the frames. */
-export function Magnified({ name, maps, bend, box, aspect, colouring = "map", lenses }: MagnifiedProps) {
+/** Where the middles of the lenses are. */
+function useMiddles({ maps, bend, lenses }: Pick<MagnifiedProps, "maps" | "bend" | "lenses">): Point[] {
+  return useMemo(() => {
+    const codes = lenses.map(({ code }) => code);
+    const places = frond.deform(
+      { maps },
+      bend,
+      codes,
+      codes.map(() => [0, 0]),
+    );
+    return lenses.map((_, i): Point => [places[2 * i] ?? 0, places[2 * i + 1] ?? 0]);
+  }, [maps, bend, lenses]);
+}
+
+/** A bent shape with a frame on it for each lens. */
+export function WithFrames({ name, aspect, lenses, ...picture }: MagnifiedProps) {
+  const middles = useMiddles({ ...picture, lenses });
+  return (
+    <figure class="panel">
+      <Bent
+        {...picture}
+        aspect={aspect}
+        grid={0}
+        label={`${name} again, with frames round ${lenses.length} parts`}
+      >
+        {(place) =>
+          lenses.map((lens, i) => (
+            <Framed key={lens.number} lens={lens} middle={middles[i] ?? [0, 0]} place={place} />
+          ))
+        }
+      </Bent>
+      <figcaption>
+        <span class="side-name">
+          {name} <span>with {lenses.length} parts framed</span>
+        </span>
+      </figcaption>
+    </figure>
+  );
+}
+
+/** What is in the frames. */
+export function Magnified({ lenses, ...rest }: Omit<MagnifiedProps, "aspect">) {
+  const middles = useMiddles({ ...rest, lenses });
   return (
     <div class="magnified">
-      <figure class="panel">
-        <Bent
-          maps={maps}
-          bend={bend}
-          box={box}
-          aspect={aspect}
-          colouring={colouring}
-          grid={0}
-          label={`${name} again, with frames round three parts`}
-        >
-          {(place) => lenses.map((lens) => <Framed key={lens.number} lens={lens} place={place} />)}
-        </Bent>
-        <figcaption>
-          <span class="side-name">
-            {name} <span>with three parts framed</span>
-          </span>
-        </figcaption>
-      </figure>
-      {lenses.map((lens) => (
-        <Part key={lens.number} lens={lens} {...{ name, maps, bend, box, colouring }} />
+      {lenses.map((lens, i) => (
+        <Part key={lens.number} lens={lens} middle={middles[i] ?? [0, 0]} {...rest} />
       ))}
     </div>
   );
 }
 
-function Framed({ lens, place }: { lens: Lens; place: Place }) {
+function Framed({ lens, middle: [x, y], place }: { lens: Lens; middle: Point; place: Place }) {
   const half = lens.width / 2;
   const corners: Point[] = [
-    [lens.x - half, lens.y - half],
-    [lens.x + half, lens.y - half],
-    [lens.x + half, lens.y + half],
-    [lens.x - half, lens.y + half],
+    [x - half, y - half],
+    [x + half, y - half],
+    [x + half, y + half],
+    [x - half, y + half],
   ];
   const places = corners.map(place);
   const [, , [right = 0, top = 0] = []] = places;
@@ -78,10 +104,11 @@ function Framed({ lens, place }: { lens: Lens; place: Place }) {
 
 interface PartProps extends Omit<MagnifiedProps, "aspect" | "lenses"> {
   lens: Lens;
+  middle: Point;
 }
 
-function Part({ lens, name, maps, bend, box, colouring = "map" }: PartProps) {
-  const { x, y, width, number, kind, about } = lens;
+function Part({ lens, middle: [x, y], name, maps, bend, box, colouring = "map" }: PartProps) {
+  const { width, number, kind, about } = lens;
   const part = useMemo<Box>(() => {
     const half = width / 2;
     return { x0: x - half, y0: y - half, x1: x + half, y1: y + half };

@@ -4,7 +4,6 @@ import { STATE } from "../engine/breaks";
 import { nextKey } from "../engine/locus-job";
 import type { Channel, Job, Result, Task } from "../engine/protocol";
 import type { LocusResult } from "../engine/results";
-import { type Frond, frond } from "../engine/wasm";
 
 export type Complex = [re: number, im: number];
 
@@ -31,11 +30,6 @@ export function knownState([re, im]: Complex): number | null {
   if (size > REACH) return STATE.pending;
   if (size < DUST) return STATE.disconnected;
   return size >= WHOLE ? STATE.connected : null;
-}
-
-/** Whether the program decides whole boxes of this family at once. */
-export function hasFamilies(): boolean {
-  return typeof (frond as Partial<Frond>).FamilyTiles === "function";
 }
 
 function sampleAt(k: number, size: number): Complex {

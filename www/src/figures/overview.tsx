@@ -30,8 +30,8 @@ export function Overview({ missing }: { missing: string | null }) {
         </p>
         <Cards row={DEFORMS} />
       </section>
-      <section aria-labelledby="ten-lessons">
-        <h2 id="ten-lessons">Ten lessons</h2>
+      <section aria-labelledby="lessons">
+        <h2 id="lessons">Eleven lessons</h2>
         <p class="figure-lead">
           One idea a page, in order, for anyone who has never heard of any of this. Each shows a finished
           picture, then asks what you expect before it shows what is so.

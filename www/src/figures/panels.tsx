@@ -1,3 +1,4 @@
+import type { ComponentChildren } from "preact";
 import { useMemo } from "preact/hooks";
 import type { Bend, Colouring, Deformation, MapRow } from "../engine/api";
 import { bendAt } from "../state/bend";
@@ -16,15 +17,20 @@ export interface PanelsProps {
   words: (panel: Panel) => string;
   aspect?: number;
   colouring?: Colouring;
+  /** How many side by side, where there is room. */
+  columns: 3 | 4;
+  /** One more, at the end. */
+  children?: ComponentChildren;
 }
 
 /** The panels of a figure, all at the same moment. */
-export function Panels({ panels, ...rest }: PanelsProps) {
+export function Panels({ panels, columns, children, ...rest }: PanelsProps) {
   return (
-    <div class="bent-panels">
+    <div class="bent-panels" style={{ "--columns": String(columns) }}>
       {panels.map((panel) => (
         <Single key={panel.letter} panel={panel} {...rest} />
       ))}
+      {children}
     </div>
   );
 }
@@ -35,7 +41,7 @@ function Single({
   deformationOf,
   words,
   ...picture
-}: Omit<PanelsProps, "panels"> & { panel: Panel }) {
+}: Omit<PanelsProps, "panels" | "columns" | "children"> & { panel: Panel }) {
   const deformation = useMemo(() => deformationOf(panel.settings), [panel, deformationOf]);
   const bend = useMemo<Bend>(() => bendAt(deformation, t), [deformation, t]);
   return (
