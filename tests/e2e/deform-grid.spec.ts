@@ -7,14 +7,18 @@ test("a handle is dragged: one step of undo", async ({ studio, page }) => {
   await grid.open();
   expect((await studio.scene()).deform).toBeUndefined();
   const at = await grid.place(2, 3);
-  await grid.drag(at, 60, -40);
+  await page.mouse.move(at.x + 4, at.y - 3);
+  await page.mouse.down();
+  await page.mouse.move(at.x + 64, at.y - 43, { steps: 5 });
+  // While it is held, it is under the pointer, as far from it as where it was taken hold of.
+  const now = await grid.place(2, 3);
+  expect(Math.abs(now.x - at.x - 60)).toBeLessThan(2);
+  expect(Math.abs(now.y - at.y + 40)).toBeLessThan(2);
+  await page.mouse.up();
   const [dx, dy] = await grid.moved(2, 3);
   expect(dx).toBeGreaterThan(0);
   expect((dy ?? 0) / (dx ?? 1)).toBeCloseTo(40 / 60, 1);
   expect(await grid.count()).toBe(1);
-  const now = await grid.place(2, 3);
-  expect(now.x).toBeCloseTo(at.x + 60, 0);
-  expect(now.y).toBeCloseTo(at.y - 40, 0);
   await expect(grid.handle(2, 3)).toHaveAccessibleName(/: moved 0\.\d+ right, 0\.\d+ up$/);
   // The keys go on where the pointer was.
   await expect(grid.handle(2, 3)).toBeFocused();
@@ -177,6 +181,27 @@ test("what is chosen is moved by numbers", async ({ studio, page }) => {
   await right.press("Escape");
   await page.getByRole("button", { name: "Undo", exact: true }).click();
   expect(await grid.count()).toBe(0);
+});
+
+test("between two key frames a drag makes a third", async ({ studio, page }) => {
+  const grid = new Grid(page, studio);
+  await grid.open("v=1&a=gasket&b=dragon-3&tool=deform&mesh=4x4:0,0,1,1&keys=0:;0.5:6,0.2,0&phase=0.25");
+  const at = await grid.place(2, 2);
+  await grid.drag(at, 0, -30);
+  const keys = async () => (await studio.scene()).deform?.keys.map(({ at, moves }) => [at, moves[10]]);
+  const [first, made, last] = (await keys()) ?? [];
+  expect([first, last]).toEqual([
+    [0, 0],
+    [0.5, 0.2],
+  ]);
+  expect(made?.[0]).toBe(0.25);
+  expect(made?.[1]).toBeCloseTo(0.1, 1);
+  // There is one now: it changes.
+  await grid.drag(await grid.place(2, 2), 30, 0);
+  expect(await keys()).toHaveLength(3);
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  expect(await keys()).toHaveLength(2);
 });
 
 test("the grid has more handles, or fewer, and none when it is not shown", async ({ studio, page }) => {

@@ -15,6 +15,9 @@ import { Lines } from "./Lines";
 import { attachPointer, under } from "./pointer";
 import { gridShown } from "./shown";
 
+/** So many that their circles would hide the picture. */
+const dense = computed(() => mesh.value.columns * mesh.value.rows > 64);
+
 /** The mesh on the stage: its grid, its handles, and what the hand does with them. */
 export function DeformOverlay() {
   const root = useRef<HTMLDivElement>(null);
@@ -24,7 +27,7 @@ export function DeformOverlay() {
     return element && pane ? attachPointer(pane, element) : undefined;
   }, []);
   return (
-    <div ref={root} class={phasePlaying.value ? "mesh playing" : "mesh"}>
+    <div ref={root} class={`mesh ${phasePlaying.value ? "playing" : ""} ${dense.value ? "dense" : ""}`}>
       {gridShown.value && (
         <>
           <Lines />

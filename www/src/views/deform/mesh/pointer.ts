@@ -52,6 +52,7 @@ export const under = signal<number | Screen | null>(null);
 /** Where the mesh is pulled, while it is. */
 export const grip = signal<Point | null>(null);
 
+const MODIFIERS: ReadonlySet<string> = new Set(["Shift", "Control", "Alt", "Meta"]);
 const GESTURE = "mesh drag";
 
 /** Listens on the part of the stage that holds the picture. `root` keeps the pointers that it has taken. */
@@ -65,12 +66,13 @@ export function attachPointer(pane: HTMLElement, root: HTMLElement): () => void 
     return screen(event.clientX - box.left, event.clientY - box.top);
   };
 
-  const aimOf = (event: PointerEvent): Aim | null => {
+  /** What a press would take hold of. While it only looks, the place of a pull is not worked out. */
+  const aimOf = (event: PointerEvent, looking = false): Aim | null => {
     const point = at(event);
     const finger = event.pointerType !== "mouse";
     const now = mesh.peek();
     const pull = (place: Point): Aim => ({ kind: "pull", place });
-    const here = () => placeAt(now, onPlane(point));
+    const here = (): Point => (looking ? [0, 0] : placeAt(now, onPlane(point)));
     if (event.altKey) return pull(here());
     const index = nearest(handlesOf(now), point, finger ? REACH.finger : REACH.mouse);
     if (index >= 0) return { kind: "handle", index };
@@ -98,6 +100,8 @@ export function attachPointer(pane: HTMLElement, root: HTMLElement): () => void 
     event.stopPropagation();
     root.setPointerCapture(event.pointerId);
     phasePlaying.value = false;
+    // The ring tells where keys go: it comes with the first of them.
+    root.dataset["hand"] = "";
     const start = at(event);
     const had = chosen.peek();
     const finger = event.pointerType !== "mouse";
@@ -196,7 +200,7 @@ export function attachPointer(pane: HTMLElement, root: HTMLElement): () => void 
       delete pane.dataset["mesh"];
       return;
     }
-    const aim = aimOf(event);
+    const aim = aimOf(event, true);
     if (aim) pane.dataset["mesh"] = aim.kind;
     else delete pane.dataset["mesh"];
     if (aim?.kind === "handle") under.value = aim.index;
@@ -215,6 +219,7 @@ export function attachPointer(pane: HTMLElement, root: HTMLElement): () => void 
   };
 
   const key = (event: KeyboardEvent) => {
+    if (!MODIFIERS.has(event.key)) delete root.dataset["hand"];
     if (event.key !== "Escape" || !drag) return;
     event.preventDefault();
     event.stopPropagation();
