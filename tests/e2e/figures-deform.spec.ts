@@ -6,7 +6,7 @@ const PAGES = ["d1", "d2", "d3", "d4", "d5", "d6"];
 
 async function open(page: Page, figure: string): Promise<void> {
   if (page.url() !== "about:blank") await page.goto("about:blank");
-  await page.goto(`./#figures/${figure}`);
+  await page.goto(`./#figures${figure === "" ? "" : `/${figure}`}`);
   await page.getByRole("heading", { level: 1 }).waitFor();
 }
 
