@@ -1,17 +1,79 @@
-import { photograph } from "../../../state/picture";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { ownPicture, type Photograph, photograph } from "../../../state/picture";
+import { Button } from "../../../ui/Button";
+import { Thumbnail } from "../../../ui/Thumbnail";
+import { listenForPictures } from "./arrivals";
+import { takeFile, takeSample } from "./take";
+import "./picture.css";
+
+const ACCEPT = "image/png,image/jpeg,image/webp,image/avif,image/gif,image/bmp";
 
 /** The picture that is bent, and how to take another. */
 export function PicturePanel() {
+  const input = useRef<HTMLInputElement>(null);
+  useEffect(listenForPictures, []);
   const shown = photograph.value;
   return (
-    <section class="panel-part" aria-labelledby="picture-title">
-      <h2 id="picture-title">Your picture</h2>
-      {shown && (
-        <p>
-          {shown.name}, {shown.width} x {shown.height}
-        </p>
-      )}
-      <p class="note">It stays on this device: nothing is uploaded.</p>
+    <section class="picture-panel" aria-label="Your picture">
+      <div class="picture-card">
+        <Thumbnail bitmap={useThumbnail(shown)} />
+        <span class="picture-name">{shown?.name ?? "Drawing the sample …"}</span>
+        <span class="picture-about">{shown ? `${shown.width} × ${shown.height} pixels` : ""}</span>
+      </div>
+      <div class="picture-buttons">
+        <Button onClick={() => input.current?.click()}>Choose a picture</Button>
+        {ownPicture.value && (
+          <Button kind="quiet" onClick={takeSample}>
+            Back to the sample
+          </Button>
+        )}
+        <input
+          ref={input}
+          class="unseen"
+          type="file"
+          accept={ACCEPT}
+          aria-label="Picture file"
+          tabIndex={-1}
+          onChange={(event) => {
+            const [file] = event.currentTarget.files ?? [];
+            if (file) void takeFile(file, file.name);
+            // The same file once more is a choice, too.
+            event.currentTarget.value = "";
+          }}
+        />
+      </div>
+      <p class="hint">
+        Or drop one on the stage, or paste it. It stays in this page: nothing is uploaded, and a link does not
+        hold it.
+      </p>
     </section>
   );
+}
+
+const THUMBNAIL = 160;
+
+/** A small copy, made aside. */
+function useThumbnail(shown: Photograph | null): ImageBitmap | null {
+  const [bitmap, setBitmap] = useState<ImageBitmap | null>(null);
+  useEffect(() => {
+    if (!shown) return;
+    let wanted = true;
+    const { pixels, width, height } = shown;
+    const factor = Math.min(1, THUMBNAIL / Math.max(width, height));
+    createImageBitmap(new ImageData(pixels, width, height), {
+      resizeWidth: Math.max(1, Math.round(width * factor)),
+      resizeHeight: Math.max(1, Math.round(height * factor)),
+      resizeQuality: "medium",
+    }).then(
+      (small) => {
+        if (wanted) setBitmap(small);
+      },
+      // A card without its picture still has its name.
+      () => {},
+    );
+    return () => {
+      wanted = false;
+    };
+  }, [shown]);
+  return bitmap;
 }

@@ -90,5 +90,5 @@ function avif(data: DataView, bytes: Uint8Array): Size {
 }
 
 function isSvg(text: string): boolean {
-  return /^(\xef\xbb\xbf)?\s*(<\?xml|<!--|<!doctype svg|<svg)/i.test(text) && /<svg[\s>]/i.test(text);
+  return /^(\xef\xbb\xbf)?\s*(<\?xml|<!--|<!doctype svg|<svg)/i.test(text) && /<svg[\s/>]/i.test(text);
 }

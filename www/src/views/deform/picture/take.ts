@@ -1,0 +1,67 @@
+import { boxAround, changeDeformation, deformation } from "../../../state/bend";
+import { announce, notify } from "../../../state/notice";
+import { type Photograph, pictureMaps, showPicture } from "../../../state/picture";
+import { inBox } from "../changes";
+import { HEAD_BYTES } from "./header";
+import { damaged, kept, refusal, shortName } from "./words";
+
+let latest = 0;
+
+/** Takes a file as the picture that is bent; says why if it cannot be. The last one that was given counts. */
+export async function takeFile(file: Blob, given: string): Promise<void> {
+  const turn = ++latest;
+  const name = shortName(given);
+  try {
+    const head = new Uint8Array(await file.slice(0, HEAD_BYTES).arrayBuffer());
+    const refused = refusal(name, head);
+    if (refused !== null) {
+      refuse(refused);
+      return;
+    }
+    const photograph = await decode(file, name);
+    if (turn === latest) show(photograph, `${name} is on the stage.`);
+  } catch {
+    if (turn === latest) refuse(damaged(name));
+  }
+}
+
+/** Goes back to the sample. */
+export function takeSample(): void {
+  latest++;
+  show(null, "The sample is on the stage.");
+}
+
+function refuse(text: string): void {
+  notify({ kind: "error", text });
+}
+
+/** Shows it, with the grid round it if it was round the last one. */
+function show(photograph: Photograph | null, words: string): void {
+  const before = boxAround(pictureMaps.peek());
+  const follows = deformation.peek().box.every((side, i) => Math.abs(side - (before[i] ?? side)) < 1e-6);
+  showPicture(photograph);
+  if (follows) changeDeformation((now) => inBox(now, boxAround(pictureMaps.peek())));
+  announce(words);
+}
+
+async function decode(file: Blob, name: string): Promise<Photograph> {
+  let bitmap = await createImageBitmap(file);
+  const { width, height } = kept(bitmap.width, bitmap.height);
+  if (width !== bitmap.width || height !== bitmap.height) {
+    const whole = bitmap;
+    bitmap = await createImageBitmap(whole, {
+      resizeWidth: width,
+      resizeHeight: height,
+      resizeQuality: "high",
+    });
+    whole.close();
+  }
+  const canvas = document.createElement("canvas");
+  canvas.width = width;
+  canvas.height = height;
+  const context = canvas.getContext("2d", { willReadFrequently: true });
+  if (!context) throw new Error("no canvas");
+  context.drawImage(bitmap, 0, 0);
+  bitmap.close();
+  return { pixels: context.getImageData(0, 0, width, height).data, width, height, name };
+}
