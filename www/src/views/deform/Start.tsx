@@ -11,16 +11,9 @@ import { maps } from "./facts";
 
 const rests = computed(() => isAtRest(deformation.value));
 
-/** Where to begin; once something is bent, the way back to there. */
+/** Where to begin, until something is bent. */
 export function Start() {
-  if (!rests.value)
-    return (
-      <div class="start over">
-        <Button kind="quiet" icon="reset" onClick={startOver}>
-          Start over
-        </Button>
-      </div>
-    );
+  if (!rests.value) return null;
   return (
     <div class="start">
       <p>
@@ -30,6 +23,15 @@ export function Start() {
         Show me
       </Button>
     </div>
+  );
+}
+
+/** Back to where one began. */
+export function StartOver() {
+  return (
+    <Button kind="quiet" icon="reset" disabled={rests.value} onClick={startOver}>
+      Start over
+    </Button>
   );
 }
 

@@ -3,10 +3,10 @@ import { useEffect } from "preact/hooks";
 import { help } from "../../state/help";
 import { Button } from "../../ui/Button";
 import { ColourPanel } from "./colour/ColourPanel";
-import { HandleFields } from "./mesh/HandleFields";
+import { GridPanel } from "./mesh/GridPanel";
 import { MotionPanel } from "./motion/MotionPanel";
 import { ShortcutsDialog } from "./ShortcutsDialog";
-import { Start } from "./Start";
+import { Start, StartOver } from "./Start";
 import { BendPanel } from "./settings/BendPanel";
 import { ContinuityFold, SpinFold } from "./settings/Folds";
 import { Gallery, ShapePanel } from "./shape/ShapePanel";
@@ -24,15 +24,16 @@ export function DeformPanel() {
     <div class="panel deform-panel">
       <ShapePanel />
       <Start />
-      <HandleFields />
       <BendPanel />
       <MotionPanel />
+      <GridPanel />
       <ColourPanel />
       <div class="folds">
         <SpinFold />
         <ContinuityFold />
       </div>
       <footer class="panel-foot">
+        <StartOver />
         <Button
           kind="quiet"
           icon="keyboard"

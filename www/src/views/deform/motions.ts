@@ -21,8 +21,14 @@ export const MOTIONS: readonly Motion[] = [
 ];
 
 type Sides = Pick<Mesh, "columns" | "rows" | "box">;
-/** dx and dy at a place of the box, u and v from 0 to 1, in parts of its width and height. */
-type Gesture = (u: number, v: number) => readonly [number, number];
+/** What lengths are measured by: the box, and the geometric mean of its sides. */
+interface Lengths {
+  width: number;
+  height: number;
+  size: number;
+}
+/** dx and dy at a place of the box, u and v from 0 to 1. */
+type Gesture = (u: number, v: number, lengths: Lengths) => readonly [number, number];
 
 interface Recipe {
   seconds: number;
@@ -43,20 +49,26 @@ const RECIPES: Record<Exclude<MotionId, "still">, Recipe> = {
   sway: {
     seconds: 4,
     // What leans over comes down a little, or it would grow.
-    keys: toAndFro((s) => (_, v) => [0.35 * s * v * v, -0.05 * v * v]),
+    keys: toAndFro((s) => (_, v, { size }) => [0.28 * size * s * v * v, -0.04 * size * v * v]),
   },
-  breathe: { seconds: 5, keys: toAndFro((s) => (u, v) => [0.28 * s * (u - 0.5), 0.28 * s * (v - 0.5)]) },
+  breathe: {
+    seconds: 5,
+    keys: toAndFro((s) => (u, v, { width, height }) => [
+      0.24 * s * width * (u - 0.5),
+      0.24 * s * height * (v - 0.5),
+    ]),
+  },
   wave: {
     seconds: 3,
     keys: Array.from({ length: 8 }, (_, i) => ({
       at: i / 8,
-      gesture: (u: number) => [0, 0.25 * Math.sin(2 * Math.PI * (0.75 * u - i / 8))] as const,
+      gesture: (u, _, { size }) => [0, 0.18 * size * Math.sin(2 * Math.PI * (0.75 * u - i / 8))],
     })),
   },
   corner: {
     seconds: 4,
-    keys: toAndFro((s) => (u, v) => {
-      const far = (s > 0 ? 0.4 : -0.2) * (u * v) ** 3;
+    keys: toAndFro((s) => (u, v, { size }) => {
+      const far = (s > 0 ? 0.4 : -0.2) * size * (u * v) ** 3;
       return [far, far];
     }),
   },
@@ -73,13 +85,14 @@ export function poseOf({ keys, loop }: Pick<Deformation, "keys" | "loop">): numb
 export function keysOf(id: Exclude<MotionId, "still">, mesh: Sides, pose: readonly number[]): DeformKey[] {
   const { box } = mesh;
   const [width, height] = [box[2] - box[0], box[3] - box[1]];
+  const lengths: Lengths = { width, height, size: Math.sqrt(width * height) };
   const round = rounder(Math.max(width, height));
   return RECIPES[id].keys.map(({ at, gesture }) => ({
     at,
     moves: Array.from({ length: mesh.columns * mesh.rows }, (_, i) => {
       const [x, y] = rest(mesh, i);
-      const [dx, dy] = gesture((x - box[0]) / width, (y - box[1]) / height);
-      return [round((pose[2 * i] ?? 0) + dx * width), round((pose[2 * i + 1] ?? 0) + dy * height)];
+      const [dx, dy] = gesture((x - box[0]) / width, (y - box[1]) / height, lengths);
+      return [round((pose[2 * i] ?? 0) + dx), round((pose[2 * i + 1] ?? 0) + dy)];
     }).flat(),
   }));
 }

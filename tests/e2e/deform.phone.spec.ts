@@ -1,0 +1,79 @@
+import AxeBuilder from "@axe-core/playwright";
+import { expect, test } from "./fixture";
+
+const GASKET = "v=1&a=gasket&b=dragon-3&tool=deform";
+
+test("a phone shows the picture with its time, and nothing scrolls sideways", async ({ studio, page }) => {
+  await studio.open(GASKET);
+  expect((await studio.look()).lit).toBeGreaterThan(1000);
+  const { width, height } = page.viewportSize() ?? { width: 0, height: 0 };
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+  expect(
+    await page.locator(".side").evaluate((side) => side.scrollWidth - side.clientWidth),
+  ).toBeLessThanOrEqual(0);
+  const stage = await page.locator(".stage").boundingBox();
+  const time = await page.locator(".time").boundingBox();
+  if (!stage || !time) throw new Error("no stage or no time strip");
+  expect(stage.height).toBeGreaterThan(0.25 * height);
+  expect(time.y).toBeGreaterThanOrEqual(stage.y + stage.height - 1);
+  expect(time.y + time.height).toBeLessThanOrEqual(height);
+  await expect(studio.time).toBeInViewport({ ratio: 1 });
+  const strip = page.locator(".time .strip");
+  expect(await strip.evaluate((e) => e.scrollWidth - e.clientWidth)).toBeLessThanOrEqual(0);
+});
+
+test("what a finger presses is large enough", async ({ studio, page }) => {
+  await studio.open(GASKET);
+  await studio.drawn();
+  const small = () =>
+    page.evaluate(() =>
+      [...document.querySelectorAll<HTMLElement>("button, select, summary, .segment, .switch, .choice, a")]
+        .filter((element) => element.getClientRects().length > 0)
+        .map((element) => ({ element, box: element.getBoundingClientRect() }))
+        .filter(({ element, box }) => box.width < 44 || box.height < (element.matches(".segment") ? 38 : 44))
+        .map(
+          ({ element, box }) => `${element.ariaLabel ?? element.textContent}: ${box.width} x ${box.height}`,
+        ),
+    );
+  expect(await small()).toEqual([]);
+  await page.getByRole("radio", { name: "Grid" }).check();
+  for (const summary of await page.locator(".fold > summary").all()) await summary.tap();
+  expect(await small()).toEqual([]);
+});
+
+test("a tap on a motion plays it, and a tap on a key frame goes there", async ({ studio, page }) => {
+  await studio.open(GASKET);
+  await studio.drawn();
+  await page.getByRole("button", { name: "Sway" }).tap();
+  await expect.poll(async () => (await studio.scene()).deform?.phase ?? 0).toBeGreaterThan(0.02);
+  await page.getByRole("slider", { name: /^Key frame 2 of 4/ }).tap();
+  await expect(page.getByRole("button", { name: "Play", exact: true })).toBeVisible();
+  expect((await studio.scene()).deform?.phase).toBe(0.25);
+  await page.getByRole("button", { name: "Delete key frame 2" }).tap();
+  expect((await studio.scene()).deform?.keys).toHaveLength(3);
+});
+
+test("on its side, a phone still shows the picture and the time", async ({ studio, page }) => {
+  await page.setViewportSize({ width: 844, height: 390 });
+  await studio.open(GASKET);
+  expect((await studio.look()).lit).toBeGreaterThan(1000);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(844);
+  await expect(studio.time).toBeInViewport({ ratio: 1 });
+});
+
+for (const colorScheme of ["light", "dark"] as const) {
+  test(`axe finds nothing in the deformation tool on a phone, ${colorScheme}`, async ({ studio, page }) => {
+    await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
+    await studio.open(GASKET);
+    await studio.drawn();
+    const clean = async () => {
+      const { violations } = await new AxeBuilder({ page }).analyze();
+      expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map((n) => n.target.join(" "))}`)).toEqual([]);
+    };
+    await clean();
+    await page.getByRole("button", { name: "Wave" }).tap();
+    for (const summary of await page.locator(".fold > summary").all()) await summary.tap();
+    await studio.drawn();
+    await clean();
+  });
+}
