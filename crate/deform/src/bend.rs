@@ -1,41 +1,81 @@
 //! A shape bent by a mesh, piece by piece.
 
-use frond_core::{Affine2, Hull, Ifs};
-use glam::{DMat2, DVec2};
+use std::sync::OnceLock;
 
-use crate::corners::Corners;
+use frond_core::{Affine2, Ifs};
+use glam::DVec2;
+
 use crate::cursor::Cursor;
 use crate::error::BendError;
+use crate::fill::One;
+use crate::footing::Footing;
 use crate::mesh::Mesh;
 use crate::raw::Raw;
-use crate::settings::{Continuity, Settings, Tint};
-use crate::skin::{Pull, Skin, Turns};
-use crate::smooth::Attribute;
-use crate::terms::{DEEPEST, Terms};
+use crate::region::region;
+use crate::settings::{Continuity, Roughness, Settings, Tint};
+use crate::spin::Spin;
+use crate::support::{Shape, Support};
+use crate::terms::Terms;
 
 /// A fractal deformation at one moment (Fujimoto et al., eqs 12, 18 and 19): where each piece of a shape goes.
 ///
-/// Pieces are reached letter by letter with a [`Cursor`], and each is placed by where its anchors go.
+/// Pieces are reached letter by letter with a [`Cursor`], and each is placed by where its anchors go:
+///
+/// ```
+/// use frond_core::Affine2;
+/// use frond_deform::{Bend, Continuity, Mesh, Roughness, Settings, Spin};
+/// use glam::DVec2;
+///
+/// let corners = [DVec2::ZERO, DVec2::X, DVec2::Y];
+/// let gasket = corners.map(|corner| Affine2::similitude(0.5, 0.0, 0.5 * corner));
+/// let mut mesh = Mesh::at_rest(DVec2::ZERO, DVec2::ONE, 4, 4)?;
+/// let settings = Settings {
+///     kb: 0.0,
+///     ke: 9.0,
+///     roughness: Roughness::Constant(0.75),
+///     spin: Spin::None,
+///     continuity: Continuity::Auto,
+///     superposed: true,
+/// };
+/// let mut bend = Bend::new(&gasket, mesh, settings, None)?;
+/// let mut moves = vec![DVec2::ZERO; 16];
+/// moves[1] = DVec2::new(0.0, 0.3);
+/// bend.set_mesh(&moves)?;
+/// let piece = bend.child(&bend.child(&bend.whole(), 2), 0);
+/// assert!(bend.displaced(&piece)[1].y > 0.5);
+/// # Ok::<(), frond_deform::BendError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Bend {
-    mesh: Mesh,
-    raw: Raw,
+    pub(crate) mesh: Mesh,
+    pub(crate) raw: Raw,
+    pub(crate) terms: Terms,
+    pub(crate) support: Support,
     continuity: Continuity,
-    settings: Settings,
-    terms: Terms,
+    ke: f64,
+    /// How many letters cursors keep, and how many count for the number of a word.
+    pub(crate) kept: usize,
+    counted: usize,
     anchors: Vec<DVec2>,
-    hull: (DVec2, DVec2),
-    tint: Option<(Mesh2, Terms, Vec<[f64; 3]>)>,
-    kept: usize,
+    /// Which corners the anchors are, where there are corners.
+    corners: Vec<usize>,
+    /// What the evaluation may look at.
+    region: (DVec2, DVec2),
+    /// The shuffled terms at the nodes of the support, and the sum of their weights where it is not the same all over.
+    pub(crate) values: Vec<DVec2>,
+    shares: Vec<f64>,
+    /// Where the vertices of the lattice go, where there is one.
+    goals: Vec<DVec2>,
+    tint: Option<(Terms, Vec<[f64; 3]>)>,
+    /// How much each control point moves each node, made when it is first asked for.
+    pub(crate) pulls: OnceLock<Vec<f32>>,
 }
-
-type Mesh2 = ();
 
 impl Bend {
     /// The bend of the shape of `maps` by a mesh.
     ///
     /// # Errors
-    /// [`BendError`].
+    /// [`BendError`]: for maps without an attractor, a locality above the detail, and numbers that are none.
     pub fn new(
         maps: &[Affine2],
         mesh: Mesh,
@@ -43,65 +83,65 @@ impl Bend {
         tint: Option<Tint>,
     ) -> Result<Self, BendError> {
         settings.check()?;
-        let controls = mesh.columns() * mesh.rows();
-        tint.as_ref().map_or(Ok(()), |tint| tint.check(controls))?;
+        tint.as_ref().map_or(Ok(()), |tint| tint.check(mesh.displacements().len()))?;
         let ifs = Ifs::new(maps.to_vec())?;
-        let hull = Hull::of(&ifs);
-        let ke = settings.ke.min(DEEPEST as f64);
-        let settings = Settings { ke, kb: settings.kb.min(ke), ..settings };
-        let terms = |kb, ke: f64, roughness, spin, superposed| {
-            Terms::new(kb, ke.min(DEEPEST as f64), roughness, spin, superposed)
-        };
-        let corners = Corners::find(maps);
-        let continuity = match settings.continuity {
-            Continuity::Auto | Continuity::Corners if corners.is_some() => Continuity::Corners,
-            Continuity::Auto | Continuity::Corners => Continuity::Splat,
-            asked => asked,
-        };
-        let centre = hull.centre();
-        let half = (0.5 * (hull.max() - hull.min())).max(DVec2::splat(1e-3 * hull.radius().max(1e-9)));
-        let anchors = corners.as_ref().filter(|_| continuity == Continuity::Corners).map_or_else(
-            || {
-                [(-0.7, -0.7), (0.7, -0.7), (0.7, 0.7), (-0.7, 0.7)]
-                    .map(|(x, y)| centre + half * DVec2::new(x, y))
-                    .to_vec()
-            },
-            |corners| corners.points().to_vec(),
-        );
-        let own = terms(settings.kb, settings.ke, settings.roughness, settings.spin, settings.superposed);
+        let shape = Shape::of(&ifs, settings.continuity);
+        let continuity = shape.continuity(settings.continuity, maps);
+        let ke = settings.ke.min(Support::deepest(continuity, maps.len()) as f64);
+        let Settings { kb, roughness, spin, superposed, .. } = settings;
+        let terms = Terms::new(kb, ke, roughness, spin, superposed);
         let tint = tint.map(|tint| {
-            let roughness = crate::Roughness::Constant(tint.roughness);
-            ((), terms(tint.kb, tint.ke, roughness, crate::Spin::None, tint.superposed), tint.colours)
+            let Tint { colours, kb, ke, roughness, superposed } = tint;
+            (Terms::new(kb, ke, Roughness::Constant(roughness), Spin::None, superposed), colours)
         });
-        let kept = tint.as_ref().map_or(0, |(_, terms, _)| terms.depth()).max(own.depth());
-        Ok(Self {
-            mesh,
-            raw: Raw::new(maps, settings.spin),
+        let kept = tint.as_ref().map_or(0, |(terms, _)| terms.depth()).max(terms.depth());
+        let anchors = shape.anchors(continuity);
+        let corners = shape.corners.as_ref().map_or_else(Vec::new, |corners| corners.anchors());
+        let mut this = Self {
+            region: region(&ifs, &shape, &anchors),
+            raw: Raw::new(maps, spin),
+            support: Support::new(continuity, maps, &terms, &shape),
+            counted: if continuity == Continuity::Corners { terms.depth() } else { 0 },
             continuity,
-            settings,
-            terms: own,
-            anchors,
-            hull: (hull.min(), hull.max()),
-            tint,
+            ke,
             kept,
-        })
+            anchors,
+            corners,
+            mesh,
+            terms,
+            values: Vec::new(),
+            shares: Vec::new(),
+            goals: Vec::new(),
+            tint,
+            pulls: OnceLock::new(),
+        };
+        if this.terms.fixed().is_none() {
+            let shares = this.support.fill(&One, &this.mesh, &this.terms, &[]);
+            this.shares = shares.into_iter().map(|share| share.x).collect();
+        }
+        this.refresh();
+        Ok(this)
     }
 
-    /// Moves the control points.
+    /// Moves the control points: all that hangs on the shape alone is kept.
     ///
     /// # Errors
     /// [`BendError::Mesh`]; the bend is then as it was.
     pub fn set_mesh(&mut self, displacements: &[DVec2]) -> Result<(), BendError> {
-        let (low, high) = self.mesh.bounds();
-        let (columns, rows) = (self.mesh.columns(), self.mesh.rows());
-        self.mesh = Mesh::new(low, high, columns, rows, displacements.to_vec())?;
+        self.mesh = self.mesh.moved(displacements)?;
+        self.refresh();
         Ok(())
     }
 
-    /// The mesh as it is.
-    #[must_use]
-    pub const fn mesh(&self) -> &Mesh {
-        &self.mesh
+    fn refresh(&mut self) {
+        self.values = self.support.fill(&self.mesh, &self.mesh, &self.terms, self.raw.turning());
+        if let Support::Corners(smooth) = &self.support {
+            let vertices = smooth.lattice().vertices().iter();
+            let goal = |((i, &vertex), value): ((usize, &DVec2), &DVec2)| {
+                vertex + *value + self.mesh.at(vertex) * self.plain(&Footing::of(i as u32))
+            };
+            self.goals = vertices.enumerate().zip(&self.values).map(goal).collect();
+        }
     }
 
     /// What keeps pieces together: what [`Continuity::Auto`] came to, or what is had instead of what was asked for.
@@ -113,20 +153,25 @@ impl Bend {
     /// The detail as it is: what was asked for, or what memory allows.
     #[must_use]
     pub const fn ke(&self) -> f64 {
-        self.settings.ke
+        self.ke
     }
 
-    /// The greatest detail that memory allows for this shape.
+    /// The greatest detail that memory allows for this shape and continuity.
     #[must_use]
-    pub const fn deepest(&self) -> usize {
-        DEEPEST
+    pub fn deepest(&self) -> usize {
+        Support::deepest(self.continuity, self.raw.maps.len())
     }
 
-    /// No displacement of a point of the shape, or of an anchor, is longer.
+    /// The mesh as it is now.
+    #[must_use]
+    pub const fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    /// No displacement of a point of the shape, or of an anchor, is longer; in units of the plane.
     #[must_use]
     pub fn reach(&self) -> f64 {
-        let _ = self.hull;
-        2.0 * self.mesh.displacements().iter().map(|d| d.length()).fold(0.0, f64::max)
+        self.mesh.reach(self.region.0, self.region.1)
     }
 
     /// Three points, or the four corners of a parallelogram in cyclic order, of the plane: those of a piece are their
@@ -143,70 +188,86 @@ impl Bend {
     }
 
     /// One letter more. There must be a map of that number; if there is not, the last is taken.
+    #[inline]
     #[must_use]
     pub fn child(&self, cursor: &Cursor, letter: usize) -> Cursor {
         let letter = letter.min(self.raw.maps.len() - 1);
-        cursor.child(letter, &self.raw.maps[letter], self.kept)
+        cursor.child(letter, &self.raw.maps, self.kept, self.counted)
     }
 
-    /// Whether the displacement is smooth inside of the piece.
+    /// Whether the displacement is smooth inside of the piece: its word is as long as the deepest term that counts.
+    #[inline]
     #[must_use]
     pub fn even(&self, cursor: &Cursor) -> bool {
         cursor.letters() >= self.terms.depth()
     }
 
     /// Where the anchors of the piece go; the fourth repeats the third where there are three.
+    #[inline]
     #[must_use]
     pub fn displaced(&self, cursor: &Cursor) -> [DVec2; 4] {
-        let at = |i: usize| self.point(cursor, self.anchors[i.min(self.anchors.len() - 1)]);
-        [at(0), at(1), at(2), at(3)]
+        let last = self.anchors.len() - 1;
+        if let Support::Corners(smooth) = &self.support
+            && cursor.letters() <= self.counted
+        {
+            let cell = smooth.lattice().cell(cursor.letters(), cursor.index as usize);
+            return std::array::from_fn(|i| self.goals[cell[self.corners[i.min(last)]] as usize]);
+        }
+        let mut list = [DVec2::ZERO; 4];
+        for (slot, &anchor) in list.iter_mut().zip(&self.anchors) {
+            *slot = self.point(cursor, anchor);
+        }
+        if last < 3 {
+            list[3] = list[2];
+        }
+        list
     }
 
     /// Where the point goes that the piece's map takes `z` to.
+    ///
+    /// A word that is too short to be shuffled goes on: with corners, through the pieces that hold the point; else with
+    /// the letter whose fixed point is nearest, over and over.
     #[must_use]
     pub fn point(&self, cursor: &Cursor, z: DVec2) -> DVec2 {
         let rest = cursor.map.apply(z);
-        let weights = self.terms.at(&self.mesh, rest);
+        if let Some(footing) = self.support.footing(cursor, self.kept, z) {
+            let shuffled: DVec2 = footing.iter().map(|(node, share)| self.values[node] * share).sum();
+            let plain = self.plain(&footing);
+            return if plain == 0.0 { rest + shuffled } else { rest + shuffled + self.mesh.at(rest) * plain };
+        }
+        let mut room = None;
+        let weights = self.terms.at(&self.mesh, rest, &mut room);
         let mut sum = self.mesh.at(rest) * weights.plain;
-        self.raw.visit(&self.terms, &weights, cursor, self.kept, z, |from, factor, weight| {
+        self.raw.visit(&self.terms, weights, cursor, self.kept, z, |from, factor, weight| {
             sum += factor * self.mesh.at(from) * weight;
         });
         rest + sum
     }
 
+    /// What the displacement counts that is not shuffled.
+    #[inline]
+    pub(crate) fn plain(&self, footing: &Footing) -> f64 {
+        match self.terms.fixed() {
+            Some(weights) => weights.plain,
+            None => 1.0 - footing.iter().map(|(node, share)| self.shares[node] * share).sum::<f64>(),
+        }
+    }
+
     /// The colour that is carried to that point, sRGB, 0 to 1, if the bend has any.
     #[must_use]
     pub fn colour(&self, cursor: &Cursor, z: DVec2) -> Option<[f64; 3]> {
-        let (_, terms, colours) = self.tint.as_ref()?;
-        let weights = terms.at(&self.mesh, DVec2::ZERO);
+        let (terms, colours) = self.tint.as_ref()?;
+        let mut room = None;
+        let rest = cursor.map.apply(z);
+        let weights = terms.at(&self.mesh, rest, &mut room);
         let mut sum = [0.0; 3];
         let mut add = |from: DVec2, weight: f64| {
             self.mesh.blend(from, |i, share| {
                 sum.iter_mut().zip(colours[i]).for_each(|(sum, x)| *sum += x * share * weight);
             });
         };
-        add(cursor.map.apply(z), weights.plain);
-        self.raw.visit(terms, &weights, cursor, self.kept, z, |from, _, weight| add(from, weight));
+        add(rest, weights.plain);
+        self.raw.visit(terms, weights, cursor, self.kept, z, |from, _, weight| add(from, weight));
         Some(sum.map(|x| x.clamp(0.0, 1.0)))
-    }
-
-    /// These places, points of pieces as in [`Bend::point`], so that they follow the mesh.
-    #[must_use]
-    pub fn skin(&self, places: &[(Cursor, DVec2)]) -> Skin {
-        let turns = Turns::of(&self.raw.factors);
-        let pull = Pull::new(&self.mesh, turns);
-        let mut skin = Skin::new(self.mesh.columns() * self.mesh.rows(), turns);
-        let mut sum = vec![0.0; pull.width()];
-        for (cursor, z) in places {
-            let rest = cursor.map.apply(*z);
-            let weights = self.terms.at(&self.mesh, rest);
-            sum.fill(0.0);
-            pull.add(rest, DMat2::IDENTITY, weights.plain, &mut sum);
-            self.raw.visit(&self.terms, &weights, cursor, self.kept, *z, |from, factor, weight| {
-                pull.add(from, factor, weight, &mut sum);
-            });
-            skin.push(rest, &sum);
-        }
-        skin
     }
 }

@@ -1,6 +1,7 @@
 //! Where one is in the tree of pieces.
 
 use frond_core::Affine2;
+use glam::DVec2;
 
 use crate::terms::DEEPEST;
 
@@ -33,17 +34,29 @@ impl Cursor {
         self.length as usize
     }
 
-    /// One letter more; letters from `kept` on are only kept as a map.
+    /// One letter more; letters from `kept` on are only kept as a map, and those from `counted` on do not count for
+    /// the number of the word.
     #[inline]
-    pub(crate) fn child(&self, letter: usize, map: &Affine2, kept: usize) -> Self {
+    pub(crate) fn child(&self, letter: usize, maps: &[Affine2], kept: usize, counted: usize) -> Self {
+        let map = &maps[letter];
         let mut next = self.clone();
         next.map = self.map * *map;
+        if self.letters() < counted {
+            next.index = self.index * maps.len() as u32 + letter as u32;
+        }
         match next.letters.get_mut(self.length as usize) {
             Some(slot) if (self.length as usize) < kept => *slot = letter as u8,
             _ => next.deep = self.deep * *map,
         }
         next.length = self.length.saturating_add(1);
         next
+    }
+
+    /// The point of the whole that the letters beyond the first so many take `z` to.
+    #[inline]
+    pub(crate) fn behind(&self, letters: usize, kept: usize, maps: &[Affine2], z: DVec2) -> DVec2 {
+        let rest = self.kept(kept).get(letters..).unwrap_or(&[]);
+        rest.iter().rev().fold(self.deep.apply(z), |point, &letter| maps[usize::from(letter)].apply(point))
     }
 
     /// The letters that are kept.

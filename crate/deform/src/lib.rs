@@ -14,6 +14,7 @@
 //! [`Spin`] turns the displacement with the piece. [`Cube`] gives codes to the points of a unit square, so that
 //! pictures can be bent like attractors.
 
+mod average;
 mod bend;
 mod code;
 mod corners;
@@ -21,14 +22,21 @@ mod cube;
 mod cursor;
 mod error;
 mod field;
+mod fill;
+mod follow;
+mod footing;
+mod grid;
 mod lattice;
 mod mesh;
+mod polygon;
 mod raw;
+mod region;
 mod settings;
 mod skin;
 mod smooth;
 mod spin;
 mod splat;
+mod support;
 mod terms;
 mod weight;
 
@@ -43,7 +51,5 @@ pub use lattice::{Lattice, Level};
 pub use mesh::{Mesh, MeshError};
 pub use settings::{Continuity, Roughness, Settings, Tint};
 pub use skin::{Pull, Skin, Turns};
-pub use smooth::{Attribute, Depths, Smooth};
 pub use spin::Spin;
-pub use splat::Splat;
 pub use weight::weights;

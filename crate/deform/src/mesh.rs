@@ -9,6 +9,8 @@ use thiserror::Error;
 pub struct Mesh {
     min: DVec2,
     max: DVec2,
+    /// 1 over the sides of the box.
+    scale: DVec2,
     columns: usize,
     rows: usize,
     displacements: Vec<DVec2>,
@@ -78,7 +80,15 @@ impl Mesh {
         if !(fits(&min) && fits(&max) && displacements.iter().all(fits) && size.x > 0.0 && size.y > 0.0) {
             return Err(MeshError::Numbers);
         }
-        Ok(Self { min, max, columns, rows, displacements })
+        Ok(Self { min, max, scale: size.recip(), columns, rows, displacements })
+    }
+
+    /// The same mesh with other displacements.
+    ///
+    /// # Errors
+    /// [`MeshError::Count`] and [`MeshError::Numbers`].
+    pub fn moved(&self, displacements: &[DVec2]) -> Result<Self, MeshError> {
+        Self::new(self.min, self.max, self.columns, self.rows, displacements.to_vec())
     }
 
     /// A mesh that leaves everything where it is.
@@ -123,8 +133,21 @@ impl Mesh {
     }
 
     /// The displacement F_v at a point (Fujimoto et al., eq 14).
+    #[inline]
     #[must_use]
     pub fn at(&self, point: DVec2) -> DVec2 {
+        if let Some(list) = self.displacements.as_array::<16>().filter(|_| self.columns == 4) {
+            // The usual mesh, looked at by the million.
+            let place = (point - self.min) * self.scale;
+            let (across, up) = (cubic(place.x), cubic(place.y));
+            let row = |j: usize| {
+                list[4 * j] * across[0]
+                    + list[4 * j + 1] * across[1]
+                    + list[4 * j + 2] * across[2]
+                    + list[4 * j + 3] * across[3]
+            };
+            return row(0) * up[0] + row(1) * up[1] + row(2) * up[2] + row(3) * up[3];
+        }
         let mut sum = DVec2::ZERO;
         self.blend(point, |i, weight| sum += self.displacements[i] * weight);
         sum
@@ -133,13 +156,27 @@ impl Mesh {
     /// How much each control point moves a point: their displacements, weighted so, sum to [`Mesh::at`]. The
     /// weights sum to 1.
     pub fn blend(&self, point: DVec2, mut visit: impl FnMut(usize, f64)) {
-        let place = (point - self.min) / (self.max - self.min);
+        let place = (point - self.min) * self.scale;
         let (across, up) = (bernstein(place.x, self.columns), bernstein(place.y, self.rows));
         for (row, &y) in up[..self.rows].iter().enumerate() {
             for (column, &x) in across[..self.columns].iter().enumerate() {
                 visit(row * self.columns + column, x * y);
             }
         }
+    }
+
+    /// No displacement between two points, the lower left and the upper right of a box, is longer: the longest
+    /// displacement of a control point, were the same mesh laid over that box.
+    #[must_use]
+    pub fn reach(&self, low: DVec2, high: DVec2) -> f64 {
+        let (from, to) = ((low - self.min) * self.scale, (high - self.min) * self.scale);
+        let rows = self.displacements.chunks_exact(self.columns);
+        let across: Vec<Vec<DVec2>> = rows.map(|row| laid_over(row, from.x, to.x)).collect();
+        let column = |i: usize| across.iter().map(|row| row[i]).collect::<Vec<_>>();
+        let all = (0..self.columns).flat_map(|i| laid_over(&column(i), from.y, to.y));
+        let longest = all.map(|d| d.length()).fold(0.0, f64::max);
+        // Rounding must not make it too short.
+        longest * (1.0 + 1e-9)
     }
 
     /// The display grid: `count` x `count` points at equal steps over the box, each where the mesh takes it, row
@@ -154,6 +191,30 @@ impl Mesh {
         };
         (0..count).flat_map(|j| (0..count).map(move |i| (i, j))).map(|(i, j)| at(i, j)).collect()
     }
+}
+
+/// The control points over another interval of the line that has these over [0, 1]: the blossom (Ramshaw 1987) at `to`
+/// so many times, at `from` for the rest.
+fn laid_over(line: &[DVec2], from: f64, to: f64) -> Vec<DVec2> {
+    let one = |count: usize| {
+        let mut points = line.to_vec();
+        for step in 1..line.len() {
+            let t = if step <= count { to } else { from };
+            for i in 0..line.len() - step {
+                points[i] = points[i] * (1.0 - t) + points[i + 1] * t;
+            }
+        }
+        points[0]
+    };
+    (0..line.len()).map(one).collect()
+}
+
+/// [`bernstein`] of degree 3.
+#[inline]
+fn cubic(t: f64) -> [f64; 4] {
+    let s = 1.0 - t;
+    let (ss, tt) = (s * s, t * t);
+    [ss * s, 3.0 * ss * t, 3.0 * s * tt, tt * t]
 }
 
 /// The Bernstein polynomials of degree `count - 1` at `t`, by de Casteljau's triangle: no cancellation inside

@@ -23,8 +23,13 @@ impl Raw {
             maps: maps.to_vec(),
             factors: maps.iter().map(|map| spin.factor(map)).collect(),
             fixed: maps.iter().map(|map| map.fixed_point().unwrap_or(map.translation)).collect(),
-            turned: spin != Spin::None,
+            turned: maps.iter().any(|map| spin.factor(map) != DMat2::IDENTITY),
         }
+    }
+
+    /// The factors, or none where nothing turns.
+    pub fn turning(&self) -> &[DMat2] {
+        if self.turned { &self.factors } else { &[] }
     }
 
     /// The letter whose fixed point is nearest.
@@ -68,7 +73,7 @@ impl Raw {
         for family in &terms.families {
             let head = (0..family.kb).fold(Affine2::IDENTITY, |map, i| map * self.maps[letter(i)]);
             let (mut block, mut factor) = (Affine2::IDENTITY, DMat2::IDENTITY);
-            for k in family.kb + 1..family.end {
+            for (k, &rest) in behind.iter().enumerate().take(family.end).skip(family.kb + 1) {
                 let i = letter(k - 1);
                 block = self.maps[i] * block;
                 if self.turned {
@@ -76,7 +81,7 @@ impl Raw {
                 }
                 let weight = if k < family.first { 0.0 } else { weights.list[family.slot(k)] };
                 if weight > 0.0 {
-                    let rest = if k <= word.len() { behind[k] } else { self.fixed[on] };
+                    let rest = if k <= word.len() { rest } else { self.fixed[on] };
                     add(head.apply(block.apply(rest)), factor, weight);
                 }
             }

@@ -3,9 +3,8 @@
 use glam::{DMat2, DVec2};
 
 use crate::mesh::Mesh;
-use crate::smooth::Attribute;
 
-/// How much each control point of a mesh moves a point, as an [`Attribute`]: displacements are linear in the mesh, so
+/// How much each control point of a mesh moves a point, as numbers to sum: displacements are linear in the mesh, so
 /// that these numbers, shuffled once, serve for every position of its control points.
 ///
 /// Two numbers `a`, `b` a control point, the displacement of which is `a d + b i d` (turned by a right angle); where
@@ -59,14 +58,15 @@ impl<'a> Pull<'a> {
     pub const fn new(mesh: &'a Mesh, turns: Turns) -> Self {
         Self { mesh, turns }
     }
-}
 
-impl Attribute for Pull<'_> {
-    fn width(&self) -> usize {
+    /// How many numbers.
+    #[must_use]
+    pub const fn width(&self) -> usize {
         self.mesh.columns() * self.mesh.rows() * self.turns.numbers()
     }
 
-    fn add(&self, point: DVec2, factor: DMat2, weight: f64, sum: &mut [f64]) {
+    /// Adds `weight` times the pull at `point`, turned by `factor`, to `sum`.
+    pub fn add(&self, point: DVec2, factor: DMat2, weight: f64, sum: &mut [f64]) {
         let (x, y) = (factor.x_axis, factor.y_axis);
         // A matrix is a turn with a stretch plus a mirror image with a stretch.
         let parts = [x.x + y.y, x.y - y.x, x.x - y.y, x.y + y.x].map(|part| 0.5 * part * weight);

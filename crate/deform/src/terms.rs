@@ -78,9 +78,19 @@ impl Terms {
         self.families.iter().filter(|f| f.end > f.first).map(|f| f.end - 1).max().unwrap_or(0)
     }
 
-    /// What the terms count at a point at rest.
-    pub fn at(&self, mesh: &Mesh, point: DVec2) -> Weights {
-        self.fixed.unwrap_or_else(|| self.with(self.roughness.at(mesh, point)))
+    /// What the terms count at a point at rest; `room` is where it is put if it is not the same all over.
+    #[inline]
+    pub fn at<'a>(&'a self, mesh: &Mesh, point: DVec2, room: &'a mut Option<Weights>) -> &'a Weights {
+        match &self.fixed {
+            Some(weights) => weights,
+            None => room.insert(self.with(self.roughness.at(mesh, point))),
+        }
+    }
+
+    /// What one term counts at a point at rest.
+    #[inline]
+    pub fn weight(&self, family: &Family, k: usize, mesh: &Mesh, point: DVec2) -> f64 {
+        self.at(mesh, point, &mut None).list[family.slot(k)]
     }
 
     /// The weights where they are the same all over.

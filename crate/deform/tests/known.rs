@@ -5,7 +5,8 @@ use std::path::PathBuf;
 
 use frond_core::Affine2;
 use frond_deform::{
-    Corners, Cube, Depths, Field, Lattice, Mesh, Place, Smooth, Spin, permutation, shuffle, step, weights,
+    Bend, Continuity, Cube, Field, Mesh, Place, Roughness, Settings, Spin, permutation, shuffle, step,
+    weights,
 };
 use glam::DVec2;
 use serde_json::Value;
@@ -215,12 +216,21 @@ fn the_gasket_without_a_tear() {
     let (systems, meshes) = (systems(), meshes());
     for case in cases("gasket_fe") {
         let maps = &systems[case["ifs"].as_str().unwrap()];
-        let lattice = Lattice::new(maps, Corners::find(maps).expect("a triangle"), whole(&case, "ke"));
-        let (kb, ke, delta) = (whole(&case, "kb"), whole(&case, "ke"), number(&case, "delta"));
-        let depths = Depths { kb, ke, delta, spin: Spin::None };
-        let smooth = Smooth::new(&lattice, &meshes[case["mesh"].as_str().unwrap()], depths);
+        let settings = Settings {
+            kb: number(&case, "kb"),
+            ke: number(&case, "ke"),
+            roughness: Roughness::Constant(number(&case, "delta")),
+            spin: Spin::None,
+            continuity: Continuity::Auto,
+            superposed: true,
+        };
+        let mesh = meshes[case["mesh"].as_str().unwrap()].clone();
+        let bend = Bend::new(maps, mesh, settings, None).unwrap();
+        assert_eq!(bend.continuity(), Continuity::Corners);
         let word = code(&case["code"]);
-        let v = smooth.at(Place { code: &word, tail: point(&case["tail"]) });
-        assert_close(DVec2::from_slice(&v), &case["v"], 1e-11, &case);
+        let cursor = word.iter().fold(bend.whole(), |cursor, &i| bend.child(&cursor, usize::from(i)));
+        let tail = point(&case["tail"]);
+        let v = bend.point(&cursor, tail) - cursor.map().apply(tail);
+        assert_close(v, &case["v"], 1e-11, &case);
     }
 }

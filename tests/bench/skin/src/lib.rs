@@ -3,7 +3,9 @@
 use std::cell::RefCell;
 
 use frond_core::{Affine2, hash};
-use frond_deform::{Attribute, Corners, Depths, Field, Lattice, Mesh, Place, Pull, Skin, Smooth, Spin, Turns};
+use frond_deform::{
+    Bend, Continuity, Cursor, Field, Mesh, Place, Pull, Roughness, Settings, Skin, Spin, Turns,
+};
 use glam::{DMat2, DVec2};
 
 const KE: usize = 9;
@@ -73,9 +75,22 @@ pub extern "C" fn formula(count: u32) -> f64 {
 /// All cells down to `ke` letters, through the word tree.
 #[unsafe(no_mangle)]
 pub extern "C" fn tree(ke: u32) -> f64 {
-    let (maps, mesh) = (maps(), mesh());
-    let Some(corners) = Corners::find(&maps) else { return f64::NAN };
-    let lattice = Lattice::new(&maps, corners, ke as usize);
-    let depths = Depths { kb: 0, ke: ke as usize, delta: DELTA, spin: Spin::None };
-    Smooth::new(&lattice, &mesh, depths).at_vertices().iter().sum()
+    let settings = Settings {
+        kb: 0.0,
+        ke: f64::from(ke),
+        roughness: Roughness::Constant(DELTA),
+        spin: Spin::None,
+        continuity: Continuity::Corners,
+        superposed: true,
+    };
+    let Ok(bend) = Bend::new(&maps(), mesh(), settings, None) else { return f64::NAN };
+    walk(&bend, &bend.whole(), ke).x
+}
+
+/// Where the corners of all cells go, in sum.
+fn walk(bend: &Bend, cursor: &Cursor, letters: u32) -> DVec2 {
+    if letters == 0 {
+        return bend.displaced(cursor).into_iter().take(3).sum();
+    }
+    (0..3).map(|letter| walk(bend, &bend.child(cursor, letter), letters - 1)).sum()
 }
