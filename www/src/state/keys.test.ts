@@ -82,4 +82,9 @@ describe("keyNear", () => {
     expect(keyNear(keys, 0.4)).toBe(-1);
     expect(keyNear(withKeys([]), 0.4)).toBe(-1);
   });
+
+  it("looks across the end where it loops", () => {
+    expect(keyNear(withKeys([0.4, 0.9996]), 0.0003)).toBe(1);
+    expect(keyNear(withKeys([0.4, 0.9996], false), 0.0003)).toBe(-1);
+  });
 });
