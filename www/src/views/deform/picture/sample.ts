@@ -149,48 +149,49 @@ function meadow(context: Context): void {
 }
 
 function ferns(context: Context): void {
-  const plants: readonly [x: number, y: number, size: number, turn: number, colour: string][] = [
-    [0.335, 0.985, 0.36, -0.34, "#1c4a35"],
-    [0.9, 0.985, 0.34, 0.22, "#1a4631"],
-    [0.19, 1, 0.62, 0.16, "#2f7a4b"],
-    [0.79, 1, 0.4, -0.3, "#2a6f45"],
-    [0.11, 1.01, 0.5, -0.3, "#3b8f56"],
+  const plants: readonly [x: number, y: number, size: number, turn: number, hue: number, light: number][] = [
+    [0.42, 0.985, 0.3, 0.42, 158, 17],
+    [0.955, 0.985, 0.36, -0.2, 156, 16],
+    [0.33, 0.99, 0.4, -0.5, 154, 19],
+    [0.8, 1, 0.42, -0.42, 148, 22],
+    [0.87, 1.01, 0.46, 0.16, 144, 26],
+    [0.2, 1.01, 0.66, 0.12, 146, 27],
+    [0.13, 1.01, 0.5, -0.46, 140, 31],
+    [0.16, 1.02, 0.42, 0.62, 138, 34],
   ];
-  for (const [x, y, size, turn, colour] of plants) {
+  context.lineCap = "round";
+  for (const [x, y, size, turn, hue, light] of plants) {
     context.save();
     context.translate(x * WIDTH, y * HEIGHT);
     context.rotate(turn);
-    context.strokeStyle = colour;
-    context.lineCap = "round";
-    frond(context, size * HEIGHT, 3);
+    context.strokeStyle = `hsl(${hue} 44% ${light}%)`;
+    frond(context, size * HEIGHT, 22, Math.sign(turn) * 0.026, true);
     context.restore();
   }
 }
 
-/** A stem with leaves that are fronds themselves, so many times over. */
-function frond(context: Context, length: number, times: number): void {
-  const steps = times > 1 ? 26 : 12;
-  const bend = 0.55 / steps;
+/** A stem that curls over, with leaves that taper to its tip and are small fronds themselves. */
+function frond(context: Context, length: number, steps: number, curl: number, whole: boolean): void {
   context.save();
   for (let i = 0; i < steps; i++) {
     const left = 1 - i / steps;
-    const step = (length / steps) * (0.75 + 0.5 * left);
-    context.lineWidth = Math.max(0.7, length * 0.011 * left);
+    const step = (length / steps) * (0.7 + 0.6 * left);
+    context.lineWidth = Math.max(0.8, length * (whole ? 0.014 : 0.02) * left);
     context.beginPath();
     context.moveTo(0, 0);
     context.lineTo(0, -step);
     context.stroke();
     context.translate(0, -step);
-    context.rotate(bend);
-    const leaf =
-      length * 0.42 * Math.sin(Math.PI * Math.min(1, 0.16 + 0.84 * left)) ** 0.8 * (0.35 + 0.65 * left);
-    if (i < 2 || leaf < 2) continue;
+    context.rotate(curl * (1 + 1.6 * (1 - left)));
+    const leaf = length * (whole ? 0.42 : 0.125) * left ** 0.8 * Math.min(1, 0.35 + 0.16 * i);
+    if ((whole && i < 3) || leaf < 1.5) continue;
     for (const side of [-1, 1]) {
       context.save();
-      context.rotate(side * 1.08);
-      if (times > 1) {
-        frond(context, leaf, times - 1);
+      context.rotate(side * (0.75 + 0.4 * left));
+      if (whole) {
+        frond(context, leaf, 14, -0.035 * side, false);
       } else {
+        context.lineWidth = Math.max(0.8, leaf * 0.42);
         context.beginPath();
         context.moveTo(0, 0);
         context.lineTo(0, -leaf);
