@@ -53,7 +53,7 @@ export function GridPanel() {
       <div class="row">
         <Side of="columns" />
         <Side of="rows" />
-        <Button kind="quiet" icon="reset" disabled={rests.value} onClick={resetAll}>
+        <Button kind="quiet" disabled={rests.value} onClick={resetAll}>
           All back
         </Button>
       </div>
