@@ -3,6 +3,7 @@ import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
 import type { PainterBackend } from "./canvas/painter";
 import { Stage } from "./canvas/stage";
+import { loadProof } from "./engine/proof";
 import { EvidencePanel } from "./shell/evidence/Panel";
 import { Header } from "./shell/header";
 import { Readout, VerdictChip } from "./shell/readouts";
@@ -89,8 +90,9 @@ const figures = signal<FiguresComponent | null>(null);
 function FiguresPage({ figure }: { figure: string | null }) {
   useEffect(() => {
     if (figures.peek()) return;
-    import("./figures/index").then(
-      (module) => {
+    // Figures ask for small proofs on the spot.
+    Promise.all([import("./figures/index"), loadProof()]).then(
+      ([module]) => {
         figures.value = module.Figures;
       },
       (problem) => notify({ kind: "error", text: `The figures could not be loaded: ${wordsOf(problem)}` }),

@@ -6,6 +6,7 @@ import { h, render } from "preact";
 import { App } from "./app";
 import { whenFirstPicture } from "./canvas/first";
 import { startEngine } from "./engine/engine";
+import { compileProof } from "./engine/proof";
 import { startSchedules } from "./engine/schedule";
 import { load } from "./engine/wasm";
 import { link } from "./shell/actions";
@@ -17,7 +18,10 @@ reportTrouble();
 
 async function begin(root: HTMLElement): Promise<void> {
   const parameters = readParameters(location.search);
-  const module = await load();
+  const page = await load();
+  // Under way while the first picture is drawn, which does without it. What goes wrong is told where it is waited for.
+  const proof = compileProof();
+  proof.catch(() => {});
   link.open();
   link.watch();
   addEventListener("hashchange", () => link.follow());
@@ -29,7 +33,7 @@ async function begin(root: HTMLElement): Promise<void> {
   root.textContent = "";
   render(h(App, { backend: parameters.backend }), root);
   await whenFirstPicture();
-  startEngine(module, { workers: parameters.workers });
+  startEngine({ page, proof: await proof }, { workers: parameters.workers });
   startSchedules({ card: parameters.card });
 }
 

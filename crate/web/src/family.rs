@@ -1,48 +1,10 @@
-//! The polygon families: systems over one complex number.
+//! The locus of a polygon family, in tiles.
 
-use frond_locus::{Family, LocusGrid, Pass, Polygons, Scratch};
-use serde::Deserialize;
+use frond_locus::{LocusGrid, Pass, Polygons, Scratch};
 use wasm_bindgen::prelude::*;
 
-use crate::error::bad_input;
 use crate::locus::{read_grid, write_tile};
-use crate::value::{read, write_maps};
-
-#[derive(Deserialize)]
-struct PlainFamily {
-    sides: f64,
-}
-
-fn polygons(sides: f64) -> Result<Polygons, JsValue> {
-    if (2.0..=64.0).contains(&sides) && sides.fract() == 0.0 {
-        Ok(Polygons::new(sides as usize))
-    } else {
-        Err(bad_input("sides", "a whole number from 2 to 64 is needed"))
-    }
-}
-
-fn read_family(family: JsValue) -> Result<Polygons, JsValue> {
-    let plain: PlainFamily = read("The family", family)?;
-    polygons(plain.sides)
-}
-
-/// The system of a polygon family at `s`: `s z + exp(2 pi i k / sides)` for each k.
-#[wasm_bindgen(js_name = familyMaps, unchecked_return_type = "Ifs")]
-pub fn family_maps(
-    #[wasm_bindgen(unchecked_param_type = "PolygonFamily")] family: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "[re: number, im: number]")] s: JsValue,
-) -> Result<JsValue, JsValue> {
-    let [re, im]: [f64; 2] = read("s", s)?;
-    let mut maps = Vec::new();
-    read_family(family)?.fill(re, im, &mut maps);
-    write_maps(&maps)
-}
-
-/// The least real s > 0 at which the attractors of a polygon family are in one piece: a theorem.
-#[wasm_bindgen(js_name = criticalScale)]
-pub fn critical_scale(sides: f64) -> Result<f64, JsValue> {
-    Ok(polygons(sides)?.critical_scale())
-}
+use crate::polygon::read_family;
 
 /// The locus of a polygon family over s, a part at a time. For two sides it is the set M.
 #[wasm_bindgen]

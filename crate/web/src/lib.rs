@@ -7,39 +7,44 @@
 //!
 //! [`LocusTiles`]: crate::LocusTiles
 #![allow(clippy::missing_errors_doc)]
-#![cfg_attr(not(feature = "compute"), expect(dead_code, reason = "a renderer alone needs few conversions"))]
+#![cfg_attr(
+    not(all(feature = "compute", feature = "proof")),
+    allow(dead_code, reason = "no module alone needs all conversions")
+)]
 
 #[cfg(any(feature = "compute", feature = "webgpu", feature = "webgl2"))]
 mod bend;
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
 mod card;
-#[cfg(feature = "compute")]
+#[cfg(feature = "proof")]
 mod certify;
-#[cfg(feature = "compute")]
+#[cfg(feature = "proof")]
 mod connect;
 #[cfg(feature = "compute")]
 mod deform;
 #[cfg(feature = "compute")]
 mod document;
 mod error;
-#[cfg(feature = "compute")]
+#[cfg(feature = "proof")]
 mod family;
-#[cfg(feature = "compute")]
+#[cfg(feature = "proof")]
 mod locus;
 mod look;
-#[cfg(feature = "compute")]
+#[cfg(feature = "proof")]
 mod path;
 #[cfg(any(feature = "compute", feature = "webgpu", feature = "webgl2"))]
 mod photo;
-#[cfg(feature = "compute")]
+#[cfg(any(feature = "compute", feature = "proof"))]
+mod polygon;
+#[cfg(feature = "proof")]
 mod proof;
 #[cfg(feature = "compute")]
 mod raster;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 mod renderer;
-#[cfg(feature = "compute")]
+#[cfg(feature = "proof")]
 mod routes;
-#[cfg(feature = "compute")]
+#[cfg(feature = "proof")]
 mod settle;
 #[cfg(feature = "compute")]
 mod shape;
@@ -47,23 +52,30 @@ mod shape;
 mod sheet;
 mod value;
 
+#[cfg(feature = "proof")]
+pub use {certify::*, connect::*, family::*, locus::*, path::*, proof::*, routes::*, settle::*};
 #[cfg(feature = "compute")]
-pub use {
-    certify::*, connect::*, deform::*, document::*, family::*, locus::*, path::*, proof::*, raster::*,
-    routes::*, shape::*, sheet::*,
-};
+pub use {deform::*, document::*, polygon::*, raster::*, shape::*, sheet::*};
 
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
 pub use card::*;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 pub use renderer::*;
-#[cfg(feature = "compute")]
-pub use settle::*;
 
 use wasm_bindgen::prelude::*;
 
+#[cfg(not(all(feature = "proof", not(feature = "compute"))))]
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("api.d.ts");
+
+/// What decides and proves speaks of the same things: where it is a module of its own, it has their names from beside it.
+#[cfg(all(feature = "proof", not(feature = "compute")))]
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"import type {
+  BarnsleyTest, Bounds, Candidate, Certificate, CertificateCheck, CertifyOptions, Connectedness, FamilyOptions, Ifs,
+  IndexBuffer, Locus, LocusOptions, MorphOptions, PathCertificate, PathCheck, PathOptions, PathPlan, PathPoint,
+  PolygonFamily, RatedCandidate, Route
+} from "./frond.js";"#;
 
 /// Makes a failure inside the module say where it was, should one ever happen.
 #[wasm_bindgen(start)]

@@ -7,12 +7,19 @@ use crate::command::{Outcome, root, target};
 use crate::wasm::files;
 
 const MANIFEST: &str = include_str!("package/package.json");
-const NODE: &str = include_str!("package/node.js");
+/// The entries: all that needs no graphics card, in the browser and in Node.
+const ENTRIES: [(&str, &str); 3] = [
+    ("index.js", include_str!("package/index.js")),
+    ("index.d.ts", include_str!("package/index.d.ts")),
+    ("node.js", include_str!("package/node.js")),
+];
 
-/// Writes what makes a folder with wasm-bindgen's files a package: its manifest, and the entry for Node.
+/// Writes what makes a folder with wasm-bindgen's files a package: its manifest and its entries.
 pub fn write_manifest(folder: &Path) -> Outcome {
     fs::write(folder.join("package.json"), MANIFEST.replace("0.0.0", env!("CARGO_PKG_VERSION")))?;
-    fs::write(folder.join("node.js"), NODE)?;
+    for (name, text) in ENTRIES {
+        fs::write(folder.join(name), text)?;
+    }
     Ok(())
 }
 

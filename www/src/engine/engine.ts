@@ -1,15 +1,17 @@
 import { signal } from "@preact/signals";
-import { notify } from "../state/notice";
+import { notify, wordsOf } from "../state/notice";
 import { executor } from "./execute";
 import { Inline } from "./inline";
 import { Pool, type WorkerLike } from "./pool";
-import type { Channel, Job } from "./protocol";
+import { loadProof } from "./proof";
+import type { Channel, Job, Modules } from "./protocol";
 import { publish } from "./results";
 import { frond } from "./wasm";
 
 type Host = Pick<Pool, "submit" | "cancel" | "killOne" | "busy">;
 
 let host: Host | null = null;
+let inline = false;
 const early = new Map<Channel, Job>();
 
 /** Goes up when everything has to be asked again, because the host of the work has changed. */
@@ -36,14 +38,14 @@ export function workerCount(cores: number): number {
 }
 
 /** Called once, after the first picture. */
-export function startEngine(module: WebAssembly.Module, options: { workers: number | null }): void {
-  if (host) return;
+export function startEngine(modules: Modules, options: { workers: number | null }): void {
+  if (host || inline) return;
   if (options.workers === 0 || typeof Worker === "undefined") {
     goInline();
     return;
   }
   const pool = new Pool({
-    module,
+    modules,
     count: options.workers ?? workerCount(navigator.hardwareConcurrency),
     spawn: () =>
       new Worker(new URL("../workers/compute.worker.ts", import.meta.url), {
@@ -59,17 +61,27 @@ export function startEngine(module: WebAssembly.Module, options: { workers: numb
     },
   });
   // Where workers cannot even be made, the pool has given up already, and another does its work.
-  host ??= pool;
+  if (inline) return;
+  host = pool;
   flush();
 }
 
+/** What is asked for until this thread has what it needs is kept, as before the start. */
 function goInline(): void {
   notify({ kind: "info", text: "Running without workers: everything works, but slower." });
-  host = new Inline(executor(frond), ({ busy }) => {
-    publish.workers.value = { count: 0, busy, available: false };
-  });
-  publish.workers.value = { count: 0, busy: false, available: false };
-  flush();
+  inline = true;
+  host = null;
+  publish.workers.value = { count: 0, busy: true, available: false };
+  loadProof().then(
+    (proof) => {
+      host = new Inline(executor({ ...frond, ...proof }), ({ busy }) => {
+        publish.workers.value = { count: 0, busy, available: false };
+      });
+      publish.workers.value = { count: 0, busy: false, available: false };
+      flush();
+    },
+    (problem) => notify({ kind: "error", text: wordsOf(problem) }),
+  );
 }
 
 function flush(): void {

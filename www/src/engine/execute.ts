@@ -1,14 +1,15 @@
 import type { Ifs } from "./api";
 import { atResolution, STATE } from "./breaks";
+import type { LocusTiles, Proof } from "./proof";
 import type { Kind, Result, Task } from "./protocol";
-import type { Frond, LocusTiles } from "./wasm";
+import type { Frond } from "./wasm";
 
 /** How single points are decided: a degenerate locus, all of whose samples are that point. */
 const POINT = { width: 2, height: 2 } as const;
 
 /** Does tasks, one at a time. It keeps the locus it worked on last, so that each slice does not prepare it again. */
 export function executor(
-  frond: Frond,
+  frond: Frond & Proof,
 ): (task: Task) => Promise<{ result: Result; transfer: Transferable[] }> {
   let tiles: { key: number; locus: LocusTiles } | null = null;
 

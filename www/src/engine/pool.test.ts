@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, it, vi } from "vitest";
 import { Coalesce } from "./coalesce";
 import { Inline } from "./inline";
 import { Pool, type WorkerLike } from "./pool";
-import type { Channel, Job, Request, Response, Task } from "./protocol";
+import type { Channel, Job, Modules, Request, Response, Task } from "./protocol";
 
 /** A worker that answers when told to. */
 class FakeWorker implements WorkerLike {
@@ -35,12 +35,12 @@ class FakeWorker implements WorkerLike {
 }
 
 let workers: FakeWorker[];
-const module = {} as WebAssembly.Module;
+const modules = {} as Modules;
 
 function pool(count: number, more: Partial<ConstructorParameters<typeof Pool>[0]> = {}): Pool {
   const made = new Pool({
     count,
-    module,
+    modules,
     spawn: () => {
       const worker = new FakeWorker();
       workers.push(worker);
@@ -183,7 +183,7 @@ describe("Pool", () => {
     const onUnavailable = vi.fn();
     new Pool({
       count: 2,
-      module,
+      modules,
       onUnavailable,
       spawn: () => {
         throw new Error("not allowed");
@@ -199,7 +199,7 @@ describe("Pool", () => {
       workers.push(worker);
       return worker;
     };
-    new Pool({ count: 2, module, onUnavailable, spawn });
+    new Pool({ count: 2, modules, onUnavailable, spawn });
     while (workers.some((w) => !w.terminated)) workers.find((w) => !w.terminated)?.die();
     expect(onUnavailable).toHaveBeenCalledTimes(1);
     expect(workers.length).toBeLessThan(6);

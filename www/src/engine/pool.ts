@@ -1,5 +1,5 @@
 import type { FrondError } from "./api";
-import type { Channel, Job, Request, Response, Task } from "./protocol";
+import type { Channel, Job, Modules, Request, Response, Task } from "./protocol";
 
 /** As much of a `Worker` as the pool needs; the tests put their own in its place. */
 export interface WorkerLike {
@@ -13,7 +13,7 @@ export interface WorkerLike {
 export interface PoolOptions {
   count: number;
   spawn: () => WorkerLike;
-  module: WebAssembly.Module;
+  modules: Modules;
   onChange?: (state: { count: number; busy: boolean }) => void;
   /** No worker could be started: nothing will be handed out any more. */
   onUnavailable?: (jobs: Job[]) => void;
@@ -101,7 +101,7 @@ export class Pool {
     };
     worker.onmessageerror = () => this.#replace(seat);
     this.#watch(seat);
-    worker.postMessage({ type: "start", module: this.#options.module });
+    worker.postMessage({ type: "start", modules: this.#options.modules });
   }
 
   #watch(seat: Seat): void {

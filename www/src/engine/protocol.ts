@@ -124,8 +124,14 @@ export type Kind = keyof Tasks;
 export type Task<K extends Kind = Kind> = Tasks[K];
 export type Result<K extends Kind = Kind> = Results[K];
 
+/** What describes and draws, and what decides and proves. */
+export interface Modules {
+  page: WebAssembly.Module;
+  proof: WebAssembly.Module;
+}
+
 /** Main thread to worker. */
-export type Request = { type: "start"; module: WebAssembly.Module } | { type: "run"; id: number; task: Task };
+export type Request = { type: "start"; modules: Modules } | { type: "run"; id: number; task: Task };
 
 /** Worker to main thread. `fatal`: the instance cannot be trusted any more and asks to be replaced. */
 export type Response =

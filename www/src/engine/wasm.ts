@@ -1,48 +1,22 @@
 import init, * as bindings from "../../pkg/frond.js";
 import wasmUrl from "../../pkg/frond_bg.wasm?url";
 import type {
-  BarnsleyTest,
   Bend,
   BendFacts,
   BoundingBox,
-  Bounds,
-  Candidate,
-  Certificate,
-  CertificateCheck,
-  CertifyOptions,
   Colouring,
-  Connectedness,
-  FamilyOptions,
   FrondError,
   Ifs,
-  IndexBuffer,
-  Locus,
-  LocusOptions,
   MapRow,
   MorphOptions,
   Pairing,
-  PathCertificate,
-  PathCheck,
-  PathOptions,
-  PathPlan,
-  PathPoint,
   PointCloud,
   PolygonFamily,
   Preset,
   RasterOptions,
-  RatedCandidate,
-  Route,
   Scene,
 } from "./api";
-
-/** Parts of a locus, of a morph or of a polygon family. */
-export interface LocusTiles {
-  /** Rows, decided coarse to fine without ever repeating a sample. */
-  run(r0: number, r1: number, stride: number, first: boolean): { state: Uint8Array; gap: Float32Array };
-  /** All samples of a rectangle, row by row: whole boxes are decided at once. */
-  patch(x0: number, y0: number, x1: number, y1: number): { state: Uint8Array; gap: Float32Array };
-  free(): void;
-}
+import { compiled, once } from "./module";
 
 export type Backend = "webgpu" | "webgl2";
 
@@ -93,7 +67,7 @@ export interface SheetHandle {
   free(): void;
 }
 
-/** The package as the page uses it. Functions throw `FrondError` objects. */
+/** The package as the page's own thread uses it: what describes and draws. Functions throw `FrondError` objects. */
 export interface Frond {
   presets(): Preset[];
   defaultScene(): Scene;
@@ -104,37 +78,6 @@ export interface Frond {
   validate(ifs: Ifs): void;
   pair(a: Ifs, b: Ifs): Pairing;
   interpolate(from: Ifs, to: Ifs, options: MorphOptions & { u: number; v: number; w?: number }): Ifs;
-  connectedness(ifs: Ifs, options?: { epsilon?: number; budget?: number }): Connectedness;
-  indexBuffer(
-    ifs: Ifs,
-    options: { size: number; points: number; seed: number; margin?: number; weighted?: boolean },
-  ): IndexBuffer;
-  barnsleyTest(ifs: Ifs, options: { iterations: number }): BarnsleyTest;
-  locus(from: Ifs, to: Ifs, options: LocusOptions): Locus;
-  /** A proof of disconnection; null where there is none to be had. */
-  certificate(ifs: Ifs, options?: { epsilon?: number; budget?: number }): Certificate | null;
-  /** Replays a proof in exact arithmetic. Never throws for a wrong proof: it says what is wrong with it. */
-  checkCertificate(certificate: Certificate): CertificateCheck;
-  planPath(from: Ifs, to: Ifs, options?: PathOptions): PathPlan;
-  planPathIn(locus: Locus, bounds: Bounds): PathPlan;
-  checkPath(
-    from: Ifs,
-    to: Ifs,
-    points: readonly PathPoint[],
-    options?: MorphOptions & { epsilon?: number; samples?: number },
-  ): PathCheck;
-  /** What can be proved of a stretch of a path, by covering it with boxes. */
-  certifyPath(from: Ifs, to: Ifs, points: readonly PathPoint[], options?: CertifyOptions): PathCertificate;
-  /** Ways to match the maps, the plainest first. */
-  candidates(from: Ifs, to: Ifs, options?: { limit?: number }): Candidate[];
-  /** One of them with its path and a small locus. */
-  rateCandidate(
-    from: Ifs,
-    to: Ifs,
-    options: MorphOptions & { size?: number; epsilon?: number },
-  ): RatedCandidate;
-  /** Ways to bring two shapes to a morph, those with maps that reflect oppositely above all. */
-  routes(from: Ifs, to: Ifs): Route[];
   /** The system of a polygon family at s. */
   familyMaps(family: PolygonFamily, s: [re: number, im: number]): Ifs;
   /** The least real s > 0 at which a polygon family is in one piece: a theorem. */
@@ -158,29 +101,12 @@ export interface Frond {
     stretch: [xx: number, xy: number, yy: number];
     determinant: number;
   };
-  LocusTiles: new (from: Ifs, to: Ifs, options: LocusOptions) => LocusTiles;
-  FamilyTiles: new (family: PolygonFamily, options: FamilyOptions) => LocusTiles;
 }
 
 /** The one place where the generated bindings meet the page's types. Usable once `load` or `adopt` has resolved. */
 export const frond = bindings as unknown as Frond;
 
-let compiled: Promise<WebAssembly.Module> | null = null;
-
-/** Fetches and compiles once. */
-function compile(): Promise<WebAssembly.Module> {
-  compiled ??= (async () => {
-    const response = await fetch(wasmUrl);
-    if (!response.ok) throw new Error(`The program could not be loaded (${response.status} for ${wasmUrl}).`);
-    // A static host may send wasm under another type, which the streaming compiler refuses.
-    try {
-      return await WebAssembly.compileStreaming(response.clone());
-    } catch {
-      return WebAssembly.compile(await response.arrayBuffer());
-    }
-  })();
-  return compiled;
-}
+const compile = once(() => compiled(wasmUrl));
 
 /** Main thread: compile, start, and return the module, which the workers are given. */
 export async function load(): Promise<WebAssembly.Module> {

@@ -1,8 +1,10 @@
+import init, * as bindings from "../../pkg/frond-proof.js";
 import { executor } from "../engine/execute";
+import type { Proof } from "../engine/proof";
 import { type Request, type Response, toError } from "../engine/protocol";
 import { adopt, frond } from "../engine/wasm";
 
-const execute = executor(frond);
+const execute = executor({ ...frond, ...(bindings as unknown as Proof) });
 
 function reply(response: Response, transfer: Transferable[] = []): void {
   self.postMessage(response, { transfer });
@@ -11,7 +13,8 @@ function reply(response: Response, transfer: Transferable[] = []): void {
 self.addEventListener("message", async (event: MessageEvent<Request>) => {
   const request = event.data;
   if (request.type === "start") {
-    await adopt(request.module);
+    const { page, proof } = request.modules;
+    await Promise.all([adopt(page), init({ module_or_path: proof })]);
     reply({ type: "ready" });
     return;
   }

@@ -1,9 +1,14 @@
-// The entry for Node, whose fetch() opens no files: without an argument, the module is read from beside this file.
+// The entry for Node, whose fetch() opens no files: without an argument, the modules are read from beside this file.
 import { readFile } from "node:fs/promises";
-import init from "./frond.js";
+import load from "./index.js";
 
-export * from "./frond.js";
+export * from "./index.js";
 
-export default async function load(options) {
-  return init(options ?? { module_or_path: await readFile(new URL("./frond_bg.wasm", import.meta.url)) });
+const beside = (name) => readFile(new URL(`./${name}`, import.meta.url));
+
+export default async function init({ frond, proof } = {}) {
+  await load({
+    frond: frond ?? (await beside("frond_bg.wasm")),
+    proof: proof ?? (await beside("frond-proof_bg.wasm")),
+  });
 }

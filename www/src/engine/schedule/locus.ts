@@ -7,7 +7,7 @@ import { publish } from "../results";
 import { type CardChoice, lookForCard } from "./card";
 import { inputs as morph } from "./inputs";
 import { planFrom } from "./plan";
-import { hasPatches, homeIsSeen, scheduleWindow } from "./window";
+import { homeIsSeen, scheduleWindow } from "./window";
 
 /** While something is dragged, a coarse locus that is nearly done is let finish, so that there is one to see. */
 const GRACE_MS = 150;
@@ -73,7 +73,7 @@ function start(inputs: LocusInputs): void {
       },
     },
     sliceMilliseconds,
-    { patches: hasPatches(), priorities },
+    { patches: true, priorities },
   );
   submit(work.job());
   if (hasCard()) askCard(work);

@@ -7,19 +7,12 @@ import { cancel, epoch, submit } from "../engine";
 import type { LocusInputs } from "../locus-job";
 import { type LocusSource, Pyramid } from "../pyramid";
 import { publish } from "../results";
-import { frond } from "../wasm";
 import { clampedView, levelOf, viewProblem } from "../window";
 import { WindowWork } from "../window-job";
 import { inputs as morph } from "./inputs";
 
 /** While something is dragged, a coarse picture that is nearly done is let finish, so that there is one to see. */
 const GRACE_MS = 150;
-
-/** Whether the program decides whole rectangles at once; older builds of the package do not. */
-export const hasPatches = (): boolean => {
-  const made: unknown = frond.LocusTiles;
-  return typeof made === "function" && "patch" in made.prototype;
-};
 
 const family = computed(() => locusView.value.family);
 const sides = computed(() => locusView.value.sides);
@@ -102,7 +95,7 @@ function start(next: LocusSource): void {
         if (mine === pyramid) fail(error);
       },
     },
-    hasPatches(),
+    true,
   );
   look(locusView.peek());
 }
