@@ -11,7 +11,7 @@ import { addressBar, Link } from "../state/link";
 import { selection, shown } from "../state/morph";
 import { notify, wordsOf } from "../state/notice";
 import type { Photograph } from "../state/photograph";
-import { pictureShown } from "../state/picture";
+import { ownPicture, pictureShown } from "../state/picture";
 import { scene } from "../state/scene";
 
 /** The one link between this page's document and its address. */
@@ -31,7 +31,13 @@ export async function shareLink(): Promise<void> {
   const { href } = location;
   try {
     await navigator.clipboard.writeText(href);
-    notify({ kind: "info", text: "Link copied. Whoever opens it sees the same picture." });
+    const whole = pictureShown.peek() === null || !ownPicture.peek();
+    notify({
+      kind: "info",
+      text: whole
+        ? "Link copied. Whoever opens it sees the same picture."
+        : "Link copied. It holds the bend, and not the picture: that stays here.",
+    });
   } catch {
     notify({ kind: "info", text: "The link is in the address bar: copying it was not allowed here." });
   }
