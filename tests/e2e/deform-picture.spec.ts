@@ -1,0 +1,200 @@
+import { deflateSync } from "node:zlib";
+import type { Page } from "@playwright/test";
+import { expect, test } from "./fixture";
+import type { Studio } from "./studio";
+
+const GASKET = "v=1&a=gasket&b=dragon-3&tool=deform";
+
+/** A PNG of these pixels, three bytes each. */
+function png(
+  width: number,
+  height: number,
+  pixel: (x: number, y: number) => [number, number, number],
+): Buffer {
+  const rows = Array.from({ length: height }, (_, y) => [
+    0,
+    ...Array.from({ length: width }, (_, x) => pixel(x, y)).flat(),
+  ]);
+  const header = Buffer.alloc(13);
+  header.writeUInt32BE(width, 0);
+  header.writeUInt32BE(height, 4);
+  header.set([8, 2, 0, 0, 0], 8);
+  const data = deflateSync(Buffer.from(rows.flat()));
+  const begin = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
+  return Buffer.concat([begin, chunk("IHDR", header), chunk("IDAT", data), chunk("IEND", Buffer.alloc(0))]);
+}
+
+function chunk(name: string, data: Buffer): Buffer {
+  const all = Buffer.alloc(data.length + 12);
+  all.writeUInt32BE(data.length, 0);
+  all.write(name, 4, "latin1");
+  data.copy(all, 8);
+  all.writeUInt32BE(checksum(all.subarray(4, 8 + data.length)), 8 + data.length);
+  return all;
+}
+
+function checksum(bytes: Buffer): number {
+  let c = 0xffffffff;
+  for (const byte of bytes) {
+    c ^= byte;
+    for (let i = 0; i < 8; i++) c = c & 1 ? (c >>> 1) ^ 0xedb88320 : c >>> 1;
+  }
+  return (c ^ 0xffffffff) >>> 0;
+}
+
+/** Red, green, blue and white quarters, twice as wide as high. */
+const quarters = png(240, 120, (x, y) =>
+  x < 120 ? (y < 60 ? [255, 0, 0] : [0, 0, 255]) : y < 60 ? [0, 160, 0] : [255, 255, 255],
+);
+
+const picture = (buffer: Buffer, name: string, mimeType = "image/png") => ({ buffer, name, mimeType });
+const file = (page: Page) => page.getByLabel("Picture file");
+
+/** Opens the tool with the sample on the stage. */
+async function withSample(studio: Studio, page: Page, query = ""): Promise<void> {
+  await studio.open(GASKET, query);
+  await page.getByRole("radio", { name: "A picture" }).check({ force: true });
+  await expect(page.getByText("Sample: ferns at dusk")).toBeVisible();
+}
+
+/** Pixels that are not all covered, in the middle part of the picture. */
+async function holes(studio: Studio, page: Page): Promise<number> {
+  const { box } = await studio.look();
+  return page.evaluate(async ([left, top, right, bottom]) => {
+    const { width, data } = (await window.frond?.readPixels()) ?? { width: 0, data: [] };
+    let open = 0;
+    const inner = (low: number, high: number) =>
+      [low + 0.3 * (high - low), high - 0.3 * (high - low)] as const;
+    const [[x0, x1], [y0, y1]] = [inner(left, right), inner(top, bottom)];
+    for (let y = Math.ceil(y0); y < y1; y++) {
+      for (let x = Math.ceil(x0); x < x1; x++) if (data[4 * (y * width + x) + 3] !== 255) open++;
+    }
+    return open;
+  }, box);
+}
+
+async function pull(page: Page): Promise<void> {
+  await page.getByRole("button", { name: "Show me" }).click();
+}
+
+test("the sample is there at once, whole, and bends without a crack at any locality", async ({
+  studio,
+  page,
+}) => {
+  await withSample(studio, page);
+  const still = await studio.look();
+  const [left, top, right, bottom] = still.box;
+  expect((right - left) / (bottom - top)).toBeCloseTo(4 / 3, 1);
+  expect(still.lit).toBeGreaterThan(0.98 * (right - left) * (bottom - top));
+  expect(still.colours.length).toBeGreaterThan(1000);
+  expect(await studio.likeness()).toBeGreaterThan(0.99);
+
+  await pull(page);
+  const bent = await studio.look();
+  expect(bent.hash).not.toBe(still.hash);
+  expect(await studio.likeness()).toBeGreaterThan(0.98);
+  expect(await holes(studio, page)).toBe(0);
+  const locality = page.getByRole("slider", { name: "Locality", exact: true });
+  await locality.focus();
+  for (const key of ["PageUp", "PageUp", "PageUp", "End"]) {
+    await page.keyboard.press(key);
+    expect(await holes(studio, page)).toBe(0);
+  }
+});
+
+test("a picture of one's own is chosen, bent, and gives way to the sample", async ({ studio, page }) => {
+  await withSample(studio, page);
+  await file(page).setInputFiles(picture(quarters, "flag.png"));
+  await expect(page.getByText("240 × 120 pixels")).toBeVisible();
+  const look = await studio.look();
+  const [left, top, right, bottom] = look.box;
+  expect((right - left) / (bottom - top)).toBeCloseTo(2, 1);
+  expect(look.colours.slice(0, 4).sort()).toEqual(["#0000ff", "#00a000", "#ff0000", "#ffffff"]);
+  const { box } = (await studio.scene()).deform ?? { box: [0, 0, 0, 0] };
+  expect((box[2] - box[0]) / (box[3] - box[1])).toBeCloseTo(2, 6);
+  await pull(page);
+  expect((await studio.look()).hash).not.toBe(look.hash);
+  expect(await studio.likeness()).toBeGreaterThan(0.98);
+  await page.getByRole("button", { name: "Back to the sample" }).click();
+  await expect(page.getByText("Sample: ferns at dusk")).toBeVisible();
+  expect((await studio.look()).colours.length).toBeGreaterThan(500);
+});
+
+test("what cannot be bent is refused with the reason, and the last picture stays", async ({
+  studio,
+  page,
+}) => {
+  await withSample(studio, page);
+  await file(page).setInputFiles(picture(quarters, "flag.png"));
+  await expect(page.getByText("240 × 120 pixels")).toBeVisible();
+  const before = (await studio.look()).hash;
+  const huge = Buffer.from(png(1, 1, () => [0, 0, 0]));
+  huge.writeUInt32BE(10_000, 16);
+  huge.writeUInt32BE(10_000, 20);
+  for (const [given, words] of [
+    [picture(Buffer.from('<svg xmlns="x"/>'), "leaf.svg", "image/svg+xml"), /leaf\.svg.* save it as PNG/],
+    [picture(Buffer.from('<?xml version="1.0"?><svg/>'), "hidden.png"), /hidden\.png.* save it as PNG/],
+    [picture(huge, "huge.png"), /10,000 × 10,000 pixels, 100 megapixels\. Up to 40/],
+    [picture(Buffer.from("milk, bread"), "notes.png"), /notes\.png.* PNG, JPEG, WebP/],
+    [picture(quarters.subarray(0, 60), "half.png"), /half\.png.* ends too soon/],
+    [picture(Buffer.alloc(0), "nothing.png"), /nothing\.png/],
+  ] as const) {
+    await file(page).setInputFiles(given);
+    await expect(studio.alerts.filter({ hasText: words })).toBeVisible();
+    await studio.alerts.first().getByRole("button", { name: "Dismiss" }).click();
+  }
+  await expect(page.getByText("flag.png")).toBeVisible();
+  expect((await studio.look()).hash).toBe(before);
+});
+
+test("pictures are dropped on the stage and pasted", async ({ studio, page }) => {
+  await withSample(studio, page);
+  const bytes = [...quarters];
+  const arrive = (how: "drop" | "paste", name: string) =>
+    page.evaluate(
+      ({ how, name, bytes }) => {
+        const data = new DataTransfer();
+        data.items.add(new File([new Uint8Array(bytes)], name, { type: "image/png" }));
+        const stage = document.querySelector(".stage") ?? document.body;
+        const event =
+          how === "drop"
+            ? new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })
+            : new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true });
+        return !stage.dispatchEvent(event);
+      },
+      { how, name, bytes },
+    );
+  expect(await arrive("drop", "dropped.png")).toBe(true);
+  await expect(page.getByText("dropped.png")).toBeVisible();
+  expect(await arrive("paste", "pasted.png")).toBe(true);
+  await expect(page.getByText("pasted.png")).toBeVisible();
+  expect((await studio.look()).colours[0]).toMatch(/^#(ff0000|00a000|0000ff|ffffff)$/);
+});
+
+test("a link brings the bend and says where the picture is; a shape comes back whole", async ({
+  studio,
+  page,
+}) => {
+  await withSample(studio, page);
+  await pull(page);
+  const bent = (await studio.look()).hash;
+  await expect.poll(() => page.url()).toContain("picture");
+  await studio.open(new URL(page.url()).hash.slice(1));
+  await expect.poll(() => studio.said()).toContain("The picture itself is not in the link: choose it again.");
+  await expect(page.getByText("Sample: ferns at dusk")).toBeVisible();
+  expect((await studio.look()).hash).toBe(bent);
+  await page.getByRole("radio", { name: "A shape" }).check({ force: true });
+  const shape = await studio.look();
+  expect(shape.hash).not.toBe(bent);
+  expect(await studio.likeness()).toBeGreaterThan(0.97);
+});
+
+test("it is the same without a graphics card", async ({ studio, page }) => {
+  await withSample(studio, page, "?backend=canvas");
+  await pull(page);
+  expect(await studio.likeness()).toBe(1);
+  expect(await holes(studio, page)).toBe(0);
+  await file(page).setInputFiles(picture(quarters, "flag.png"));
+  await expect(page.getByText("240 × 120 pixels")).toBeVisible();
+  expect((await studio.look()).colours.length).toBeGreaterThan(3);
+});
