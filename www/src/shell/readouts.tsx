@@ -5,6 +5,7 @@ import { evidenceOpen } from "../canvas/marks";
 import { picture } from "../canvas/stage";
 import { view, zoom } from "../canvas/view";
 import { verdict, workers } from "../engine/results";
+import { tool } from "../state/bend";
 import { here, locusView, selection } from "../state/morph";
 import { announce } from "../state/notice";
 import { playing } from "../state/playback";
@@ -104,7 +105,7 @@ export function Readout() {
   const [x, y] = here.value;
   return (
     <div class="readout number">
-      {!selection.value && (
+      {!selection.value && tool.value === "morph" && (
         <span class="readout-uv">
           {locusView.value.family === "morph"
             ? `u ${signed(x)} v ${signed(y)}`

@@ -1,8 +1,10 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { Bend, Deformation, DeformKey, MapRow, Scene, Tool } from "../engine/api";
-import { boxOf } from "./fit";
+import type { Bend, Deformation, DeformKey, Scene, Tool } from "../engine/api";
+import { boxAround } from "./fit";
 import { current } from "./morph";
 import { edit, replace, scene } from "./scene";
+
+export { boxAround } from "./fit";
 
 /** A mesh of four by four at rest, over the unit square. */
 export const AT_REST: Deformation = {
@@ -23,19 +25,6 @@ export const AT_REST: Deformation = {
   continuity: "auto",
   superposed: true,
 };
-
-/** How much larger than the shape its mesh is, on each side. */
-const MARGIN = 0.05;
-
-/** Where a mesh belongs around a shape: around its box, which is never without an area. */
-export function boxAround(maps: MapRow[]): Deformation["box"] {
-  const box = boxOf(maps) ?? { x0: 0, y0: 0, x1: 1, y1: 1 };
-  const size = Math.max(box.x1 - box.x0, box.y1 - box.y0, 1e-9);
-  const [x, y] = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2];
-  const half = (extent: number) => (MARGIN + 0.5) * Math.max(extent, 0.25 * size);
-  const [across, up] = [half(box.x1 - box.x0), half(box.y1 - box.y0)];
-  return [x - across, y - up, x + across, y + up];
-}
 
 /** What stands for a document that says nothing of bending. */
 const none: ReadonlySignal<Deformation> = computed(() => ({ ...AT_REST, box: boxAround(current.value) }));

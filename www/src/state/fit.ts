@@ -1,5 +1,5 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
-import type { MapRow } from "../engine/api";
+import type { Deformation, MapRow } from "../engine/api";
 import { frond } from "../engine/wasm";
 import { type Box, calmTrack, stillTrack, type Track, union } from "./camera";
 import { current, locusView, mapsAt, morphOptions, pairing, pathPoints, selection, shown } from "./morph";
@@ -41,6 +41,23 @@ export const pairBox: ReadonlySignal<Box> = computed(() => {
 /** Whether the picture is off the path, or not of this morph at all. */
 const elsewhere = computed(() => locusView.value.at !== undefined || locusView.value.family === "polygon");
 
+/** How much larger than the shape a mesh around it is, on each side. */
+const MARGIN = 0.05;
+
+/** Where a mesh belongs around a shape: around its box, which is never without an area, in round numbers. */
+export function boxAround(maps: MapRow[]): Deformation["box"] {
+  const box = boxOf(maps) ?? { x0: 0, y0: 0, x1: 1, y1: 1 };
+  const size = Math.max(box.x1 - box.x0, box.y1 - box.y0, 1e-9);
+  const [x, y] = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2];
+  const half = (extent: number) => (MARGIN + 0.5) * Math.max(extent, 0.25 * size);
+  const [across, up] = [half(box.x1 - box.x0), half(box.y1 - box.y0)];
+  const step = 10 ** Math.floor(Math.log10(size) - 3);
+  // By division, which gives the shortest digits.
+  const round = (z: number) =>
+    step < 1 ? Math.round(z / step) / Math.round(1 / step) : Math.round(z / step) * step;
+  return [round(x - across), round(y - up), round(x + across), round(y + up)];
+}
+
 const opened = computed(() => scene.value.tool);
 const deform = computed(() => scene.value.deform);
 
@@ -49,11 +66,11 @@ const bentMaps = computed(() =>
   deform.value?.subject === "picture" ? mapsOfRectangle(aspect.value, deform.value.parts) : current.value,
 );
 
-/** The mesh at rest, where the tool that shows it is open and the document has one. */
+/** The mesh at rest, where the tool that shows it is open. */
 const meshBox: ReadonlySignal<Box | null> = computed(() => {
   if (opened.value !== "deform") return null;
-  const box = deform.value?.box;
-  return box ? { x0: box[0], y0: box[1], x1: box[2], y1: box[3] } : boxOf(current.value);
+  const [x0, y0, x1, y1] = deform.value?.box ?? boxAround(current.value);
+  return { x0, y0, x1, y1 };
 });
 
 /** What the stage fits: the morph, the shape that is being edited, or what was picked off the path. */

@@ -1,5 +1,6 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { Scene } from "../engine/api";
+import { AT_REST } from "./bend";
 import { LONGEST } from "./history";
 import { canRedo, canUndo, edit, endGesture, inGesture, redo, replace, scene, start, undo } from "./scene";
 
@@ -44,6 +45,17 @@ describe("edit", () => {
     edit(turn([3]), { gesture: "p" });
     undo();
     expect(scene.value.turns).toEqual([2]);
+  });
+
+  it("leaves the tool and the moment of the grid to whoever looks", () => {
+    replace({ ...scene.peek(), tool: "deform", deform: AT_REST });
+    edit((before) => ({ ...before, deform: { ...(before.deform ?? AT_REST), kb: 3 } }));
+    replace({ ...scene.peek(), tool: "morph", deform: { ...AT_REST, kb: 3, phase: 0.5 } });
+    undo();
+    expect(scene.value.tool).toBe("morph");
+    expect(scene.value.deform).toEqual({ ...AT_REST, kb: 0, phase: 0.5 });
+    redo();
+    expect(scene.value.deform).toEqual({ ...AT_REST, kb: 3, phase: 0.5 });
   });
 
   it("does nothing when nothing changes", () => {

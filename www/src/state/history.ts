@@ -33,13 +33,20 @@ export function close(history: History): History {
 }
 
 /**
- * The moment and the view belong to whoever looks, so a step that did not change them leaves them where they are now.
+ * The moment, the view and the tool belong to whoever looks, so a step that did not change them leaves them where they
+ * are now.
  */
 function restore(target: Scene, other: Scene, present: Scene): Scene {
   const scene: Scene = { ...target, t: target.t === other.t ? present.t : target.t };
   const view = target.view === other.view ? present.view : target.view;
   if (view) scene.view = view;
   else delete scene.view;
+  const tool = target.tool === other.tool ? present.tool : target.tool;
+  if (tool) scene.tool = tool;
+  else delete scene.tool;
+  if (scene.deform && present.deform && scene.deform.phase === other.deform?.phase) {
+    scene.deform = { ...scene.deform, phase: present.deform.phase };
+  }
   return scene;
 }
 
