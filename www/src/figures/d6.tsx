@@ -18,7 +18,7 @@ export const TWIN: MapRow[] = [
   [0.5, 0.5, -0.5, 0.5, -0.5, 0.375],
   [0.5, 0.5, -0.5, 0.5, 0.5, 0.625],
 ];
-const BOX: Box = { x0: -1.05, y0: -1.22, x1: 2.65, y1: 1.75 };
+const BOX: Box = { x0: -1.05, y0: -1.42, x1: 2.9, y1: 1.75 };
 export const TWIN_BOX = BOX;
 /** The dragon itself. */
 const REST: Box = { x0: -0.77, y0: -0.42, x1: 1.77, y1: 1.42 };
@@ -36,9 +36,9 @@ const B = PANELS[1]?.settings ?? {};
 
 const letters = (code: string) => [...code].map(Number);
 const LENSES: readonly Lens[] = [
-  { number: 1, kind: "red", about: "the tip on the left", code: letters("0001111000"), width: 0.8 },
-  { number: 2, kind: "black", about: "the middle", code: letters("0100000000"), width: 0.8 },
-  { number: 3, kind: "green", about: "the tip at the lower right", code: letters("1111000011"), width: 0.8 },
+  { number: 1, kind: "red", about: "the tip on the left", code: letters("0001010000"), width: 1 },
+  { number: 2, kind: "black", about: "the middle", code: letters("0100000000"), width: 1 },
+  { number: 3, kind: "green", about: "the tip at the lower right", code: letters("1111010000"), width: 1 },
 ];
 
 /** The twin-dragon with colours of its own. */

@@ -21,7 +21,7 @@ it("does what the paper says of each", () => {
   expect(moveAt(SWAY, 1, 0)).toEqual([0, 0]);
   expect(moveAt(SWAY, 0, 3)).toEqual([2.2, -0.55]);
   // The dragon is drawn at its lower right alone.
-  expect(moveAt(DRAW, 3, 0)).toEqual([0.6, -0.48]);
+  expect(moveAt(DRAW, 3, 0)).toEqual([0.85, -0.68]);
   expect(moveAt(DRAW, 0, 3)).toEqual([0, 0]);
 });
 

@@ -59,7 +59,7 @@ export const DRAW: NamedMesh = mesh(
   "the lower right part is drawn to the lower right",
   [-1, -0.7, 2, 1.7],
   (i, j) => {
-    const pull = 0.6 * ((i / 3) * (1 - j / 3)) ** 1.2;
+    const pull = 0.85 * ((i / 3) * (1 - j / 3)) ** 1.2;
     return [pull, -0.8 * pull];
   },
 );
