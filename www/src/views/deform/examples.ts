@@ -43,13 +43,13 @@ function flat(deformation: Deformation): Deformation {
   };
 }
 
-/** How far the middle of the side goes, and how wide its influence is, in parts of the box's larger side. */
-const FAR = 0.45;
-const WIDE = 0.3;
+/** How far the middle of the side goes, and how wide its influence is, in parts of the box's mean side. */
+const FAR = 0.4;
+const WIDE = 0.35;
 
 function lifted(deformation: Deformation, hull: readonly Point[]): Deformation {
   const { columns, rows, box } = deformation;
-  const size = Math.max(box[2] - box[0], box[3] - box[1]);
+  const size = Math.sqrt((box[2] - box[0]) * (box[3] - box[1]));
   const { middle, outward } = longestSide(hull);
   const round = rounder(size);
   const moves = Array.from({ length: columns * rows }, (_, i) => {
@@ -61,14 +61,14 @@ function lifted(deformation: Deformation, hull: readonly Point[]): Deformation {
   return { ...deformation, keys: [{ at: 0, moves }], phase: 0 };
 }
 
-/** Of sides of the same length the one that lies highest and most to the right. */
+/** Sides that look to the side have more room on a stage; of equal ones it is that which lies highest and most to the right. */
 function longestSide(hull: readonly Point[]): { middle: Point; outward: Point } {
   let best = { middle: [0.5, 0.5] as Point, outward: [0, 1] as Point };
   let most = Number.NEGATIVE_INFINITY;
   hull.forEach(([x0, y0], i) => {
     const [x1, y1] = hull[(i + 1) % hull.length] ?? [x0, y0];
     const length = Math.hypot(x1 - x0, y1 - y0);
-    const rank = length + 1e-3 * (x0 + x1 + y0 + y1);
+    const rank = length + Math.abs(y1 - y0) + 1e-3 * (x0 + x1 + y0 + y1);
     if (!(length > 0) || rank <= most) return;
     most = rank;
     // Counter-clockwise: the outside is on the right.

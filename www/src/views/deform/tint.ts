@@ -46,7 +46,7 @@ export function withCorner(
   return colours.map((c, i) => (i === index ? colour : c));
 }
 
-/** What a colouring by the grid begins with: the bend's own numbers, less deep, so that colours stay apart. */
+/** What a colouring by the grid begins with: less deep and less rough than the bend, so that colours stay apart. */
 export function firstTint(deformation: Deformation): Tint {
   const { kb, ke, superposed } = deformation;
   const most = Math.min(ke, 6);
@@ -54,7 +54,7 @@ export function firstTint(deformation: Deformation): Tint {
     colours: blended(FIRST, deformation),
     kb: Math.min(kb, most),
     ke: most,
-    delta: 0.75,
+    delta: 0.5,
     superposed,
   };
 }

@@ -16,10 +16,10 @@ describe("words of the sliders", () => {
 
 describe("holdWords", () => {
   it("says what automatic came to, and what could not be had", () => {
-    expect(holdWords("auto", "splat")).toBe("automatic: smoothed, scale by scale");
+    expect(holdWords("auto", "splat")).toBe("automatic: smoothing");
     expect(holdWords("auto", null)).toBe("automatic");
     expect(holdWords("corners", "corners")).toBe("shared corners");
-    expect(holdWords("corners", "raw")).toBe("nothing, since this shape has no shared corners");
+    expect(holdWords("corners", "raw")).toBe("nothing: shared corners cannot be had here");
   });
 });
 

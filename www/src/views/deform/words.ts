@@ -37,7 +37,7 @@ export const HOLDS: readonly { value: Continuity; label: string; about: string }
   },
   {
     value: "splat",
-    label: "Smoothed, scale by scale",
+    label: "Smoothing, scale by scale",
     about: "For pieces that tile the plane without corners, such as dragons.",
   },
   {
@@ -54,7 +54,7 @@ export const HOLDS: readonly { value: Continuity; label: string; about: string }
 
 const CAME_TO: Record<BendFacts["continuity"], string> = {
   corners: "shared corners",
-  splat: "smoothed, scale by scale",
+  splat: "smoothing",
   raw: "nothing",
   average: "averages",
 };
@@ -63,5 +63,5 @@ const CAME_TO: Record<BendFacts["continuity"], string> = {
 export function holdWords(asked: Continuity, got: BendFacts["continuity"] | null): string {
   if (got === null) return asked === "auto" ? "automatic" : CAME_TO[asked];
   if (asked === "auto") return `automatic: ${CAME_TO[got]}`;
-  return asked === got ? CAME_TO[got] : `${CAME_TO[got]}, since this shape has no ${CAME_TO[asked]}`;
+  return asked === got ? CAME_TO[got] : `${CAME_TO[got]}: ${CAME_TO[asked]} cannot be had here`;
 }

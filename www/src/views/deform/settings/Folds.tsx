@@ -32,11 +32,11 @@ export function ContinuityFold() {
   return (
     <details class="fold">
       <summary>
-        <span>What keeps neighbours together</span>
+        <span>Kept together by</span>
         <span class="fold-now">{holdWords(continuity.value, got)}</span>
       </summary>
       <Choices
-        label="What keeps neighbours together"
+        label="Kept together by"
         options={HOLDS}
         value={continuity.value}
         onChange={(next) => changeDeformation((d) => ({ ...d, continuity: next }))}
