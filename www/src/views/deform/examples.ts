@@ -68,7 +68,7 @@ function longestSide(hull: readonly Point[]): { middle: Point; outward: Point } 
   hull.forEach(([x0, y0], i) => {
     const [x1, y1] = hull[(i + 1) % hull.length] ?? [x0, y0];
     const length = Math.hypot(x1 - x0, y1 - y0);
-    const rank = length + Math.abs(y1 - y0) + 1e-3 * (x0 + x1 + y0 + y1);
+    const rank = 0.4 * length + Math.abs(y1 - y0) + 1e-3 * (x0 + x1 + y0 + y1);
     if (!(length > 0) || rank <= most) return;
     most = rank;
     // Counter-clockwise: the outside is on the right.
