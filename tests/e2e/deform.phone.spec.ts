@@ -1,4 +1,5 @@
 import AxeBuilder from "@axe-core/playwright";
+import { Finger } from "./finger";
 import { expect, test } from "./fixture";
 
 const GASKET = "v=1&a=gasket&b=dragon-3&tool=deform";
@@ -51,6 +52,26 @@ test("a tap on a motion plays it, and a tap on a key frame goes there", async ({
   expect((await studio.scene()).deform?.phase).toBe(0.25);
   await page.getByRole("button", { name: "Delete key frame 2" }).tap();
   expect((await studio.scene()).deform?.keys).toHaveLength(3);
+});
+
+test("a key frame is dragged with a finger: one step of undo", async ({ studio, page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await studio.open(GASKET);
+  await studio.drawn();
+  await page.getByRole("button", { name: "Breathe" }).tap();
+  const keys = async () => (await studio.scene()).deform?.keys.map(({ at }) => at);
+  const box = await page.getByRole("slider", { name: /^Key frame 4 of 4/ }).boundingBox();
+  const track = await page.locator(".keys").boundingBox();
+  if (!box || !track) throw new Error("no key on the track");
+  const from = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  const finger = await Finger.of(page);
+  await finger.drag(from, { x: from.x + 0.1 * track.width, y: from.y });
+  const moved = await keys();
+  expect(moved?.slice(0, 3)).toEqual([0, 0.25, 0.5]);
+  expect(moved?.[3]).toBeCloseTo(0.85, 1);
+  expect((await studio.scene()).deform?.phase).toBe(moved?.[3]);
+  await page.getByRole("button", { name: "Undo", exact: true }).tap();
+  expect(await keys()).toEqual([0, 0.25, 0.5, 0.75]);
 });
 
 test("on its side, a phone still shows the picture and the time", async ({ studio, page }) => {
