@@ -22,7 +22,13 @@ impl Density {
         let mut cutter = Cutter::default();
         for doublings in -1..FLOORS.1 {
             let floor = if doublings < 0 { 0.0 } else { FLOORS.0 * f64::from(1 << doublings) };
-            let fineness = Fineness { size: size.max(floor), floor, margin: None, affine: true, mass: MASS };
+            let fineness = Fineness {
+                floor,
+                affine: true,
+                mass: MASS,
+                tolerance: 0.25,
+                ..Fineness::complete(size.max(floor))
+            };
             pieces.clear();
             cutter.begin(bent, most);
             let cut = cutter.run(bent, &fineness, u64::MAX, |piece| {

@@ -15,7 +15,7 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 
-use frond_deform::{Bend, Cursor};
+use frond_deform::{Bend, Continuity, Cursor};
 use glam::DVec2;
 
 pub use cutter::{Cut, Cutter, Piece};
@@ -43,6 +43,10 @@ pub struct Bent<'a> {
     pub(crate) eye: Eye,
     pub(crate) sides: Sides,
     slack: &'a Slack,
+    /// Points of the unit disc where large pieces are looked at.
+    probes: Vec<DVec2>,
+    /// Larger ones, in pixels, are.
+    small: f64,
     /// No point is displaced by more pixels.
     reach: f64,
 }
@@ -61,12 +65,14 @@ pub struct Fineness {
     pub affine: bool,
     /// The largest part of the measure that a piece may have.
     pub mass: f64,
+    /// How far off a point of a piece may be drawn.
+    pub tolerance: f64,
 }
 
 impl Fineness {
     /// Complete, with pieces of at most a size.
     pub const fn complete(size: f64) -> Self {
-        Self { size, floor: 0.0, margin: None, affine: false, mass: 1.0 }
+        Self { size, floor: 0.0, margin: None, affine: false, mass: 1.0, tolerance: 1.0 / 64.0 }
     }
 }
 
@@ -83,11 +89,13 @@ pub enum Verdict {
     Rough(Placed),
 }
 
-/// What the middle of a piece may be off, in pixels.
-const TOLERANCE: f64 = 0.25;
 /// Pieces below this many pixels are even enough, those below the second are looked at in one place.
 const TINY: f64 = 1.5;
 const SMALL: f64 = 12.0;
+/// How much a piece may be twisted that is to be placed by an affine map, in pixels.
+const TWIST: f64 = 0.25;
+/// How many tips of a large piece are looked at, and of its parts.
+const PROBES: (usize, usize) = (4, 12);
 /// How much farther off a point may be than those that are looked at.
 const DOUBT: f64 = 3.0;
 /// The same for a piece that still has uneven parts: it goes with its anchors if all of it is within this.
@@ -106,7 +114,14 @@ impl<'a> Bent<'a> {
     ) -> Self {
         let eye = Eye::new(view, window, factor);
         let sides = Sides::of(bend.anchors(), frame.to_world);
-        Self { frame, bend, window: target, eye, sides, slack, reach: bend.reach() * eye.scale() }
+        // Tips may be anchors, which are never off.
+        let inner = frame.maps.iter().flat_map(|map| frame.tips.iter().map(|tip| map.apply(*tip)));
+        let probes = frame.tips.iter().copied().take(PROBES.0).chain(inner.take(PROBES.1)).collect();
+        let reach = bend.reach() * eye.scale();
+        // What is read off a grid or a triangulation has folds.
+        let folds = matches!(bend.continuity(), Continuity::Splat | Continuity::Average);
+        let small = if folds { TINY } else { SMALL };
+        Self { frame, bend, window: target, eye, sides, slack, probes, small, reach }
     }
 
     /// Where the anchors of a piece say that it goes.
@@ -136,15 +151,15 @@ impl<'a> Bent<'a> {
         let even = self.bend.even(cursor);
         let (smooth, off) = if even {
             let miss = self.miss(cursor, &placed, size);
-            (miss <= TOLERANCE, DOUBT * miss)
+            (miss <= fineness.tolerance, DOUBT * miss)
         } else {
-            (fineness.margin.is_none() && slack <= 0.5 * TOLERANCE, slack)
+            (fineness.margin.is_none() && slack <= fineness.tolerance, slack)
         };
-        let near = self.window.extent_within(&placed.map, wobble + off + TOLERANCE + margin);
+        let near = self.window.extent_within(&placed.map, wobble + off + fineness.tolerance + margin);
         if near.is_none() {
             return (Verdict::Outside, None);
         }
-        let straight = !fineness.affine || wobble <= TOLERANCE;
+        let straight = !fineness.affine || wobble <= TWIST;
         let large = size.max(2.0 * rest.norm());
         let fits = smooth && straight && size <= fineness.size && mass <= fineness.mass;
         let speck = !even && large + slack <= SPECK;
@@ -171,10 +186,10 @@ impl<'a> Bent<'a> {
             (seen - placed.at(*point)).length()
         };
         let middle = off(&self.frame.anchor);
-        if size <= SMALL {
+        if size <= self.small {
             return middle;
         }
-        self.frame.tips.iter().map(off).fold(middle, f64::max)
+        self.probes.iter().map(off).fold(middle, f64::max)
     }
 
     /// The colour that the bend carries to a piece, eight bits each; 0 where it carries none.

@@ -31,6 +31,18 @@ impl Moving {
         self.pieces.push((cursor, letters, tint));
     }
 
+    /// How many pieces there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.pieces.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.pieces.is_empty()
+    }
+
     /// Whether single precision is enough. If not, the bend itself must have the mesh that is followed.
     #[must_use]
     pub fn can_skin(bent: &Bent<'_>) -> bool {
