@@ -3,9 +3,9 @@
 use std::rc::Rc;
 
 use frond_core::{Affine2, Ifs};
-use frond_deform::Bend;
+use frond_deform::{Bend, Continuity, Settings};
 use frond_render::View;
-use frond_render::gpu::{Canvas, Drawn, Event, Gpu, ReadBack, Stage, Style, Wanted};
+use frond_render::gpu::{Canvas, Drawn, Event, Gpu, Make, ReadBack, Stage, Style, Wanted};
 use js_sys::{Array, Function, Promise, Reflect, Uint8Array, global};
 use serde::Deserialize;
 use wasm_bindgen::JsCast;
@@ -129,10 +129,10 @@ impl Renderer {
         let other = maps != self.maps;
         let bend = self.bend.as_ref().filter(|_| other).map(|plain| made(&maps, plain)).transpose()?;
         self.stage.set_ifs(&ifs);
-        if bend.is_some() {
-            self.stage.set_bend(bend);
-        }
         self.maps = maps;
+        if let Some(bend) = bend {
+            self.put(bend);
+        }
         Ok(())
     }
 
@@ -153,8 +153,10 @@ impl Renderer {
         if !moved || !self.stage.move_mesh(&plain.displacements()) {
             // Without maps it waits for them.
             let ready = !self.maps.is_empty();
-            let bend = ready.then(|| made(&self.maps, &plain)).transpose()?;
-            self.stage.set_bend(bend);
+            match ready.then(|| made(&self.maps, &plain)).transpose()? {
+                Some(bend) => self.put(bend),
+                None => self.stage.set_bend(None),
+            }
         }
         self.bend = Some(plain);
         Ok(())
@@ -242,6 +244,15 @@ impl Renderer {
     }
 }
 
+impl Renderer {
+    fn put(&mut self, (bend, make): Bends) {
+        self.stage.set_bend(Some(bend));
+        if let Some(make) = make {
+            self.stage.set_bend_at_rest(make);
+        }
+    }
+}
+
 impl Drop for Renderer {
     fn drop(&mut self) {
         let callback = self.context_lost.as_ref().unchecked_ref();
@@ -249,9 +260,28 @@ impl Drop for Renderer {
     }
 }
 
-fn made(maps: &[Affine2], plain: &PlainBend) -> Result<Bend, JsValue> {
+/// A bend to be drawn while things change, and what makes that for when they rest, if it is another one.
+type Bends = (Bend, Option<Make>);
+
+/// The most pieces of the deepest level of a bend that is made within a frame.
+const AT_ONCE: f64 = 20_000.0;
+
+fn made(maps: &[Affine2], plain: &PlainBend) -> Result<Bends, JsValue> {
     let (mesh, settings, tint) = plain.parts()?;
-    Bend::new(maps, mesh, settings, tint).map_err(|error| of_bend(&error))
+    let new =
+        |settings| Bend::new(maps, mesh.clone(), settings, tint.clone()).map_err(|error| of_bend(&error));
+    let deepest = AT_ONCE.log(maps.len().max(2) as f64).floor();
+    if settings.ke <= deepest || settings.kb > settings.ke {
+        return Ok((new(settings)?, None));
+    }
+    let quick = new(Settings { ke: deepest, kb: settings.kb.min(deepest), ..settings })?;
+    // Where no corner of a piece is known beforehand, all depths are made alike.
+    if quick.continuity() == Continuity::Raw {
+        return Ok((new(settings)?, None));
+    }
+    let maps = maps.to_vec();
+    let fine = Box::new(move || Bend::new(&maps, mesh, settings, tint).ok());
+    Ok((quick, Some(fine)))
 }
 
 const CONTEXT_LOST: &str = "webglcontextlost";

@@ -17,11 +17,14 @@ use crate::window::Window;
 /// A bend and what is drawn of it.
 #[derive(Debug)]
 pub(super) struct Bending {
-    bend: Bend,
-    /// Of the bend as it is, once that is known.
-    slack: Option<Slack>,
-    /// Where the control points are to be, if the bend has not followed yet.
-    moved: Option<Vec<DVec2>>,
+    /// What is drawn at once, and at rest too where there is no other.
+    quick: Settled,
+    /// What is drawn at rest.
+    fine: Option<Settled>,
+    /// What makes it when it is first wanted.
+    later: Option<Later>,
+    /// Where the control points are to be.
+    mesh: Vec<DVec2>,
     /// At once, and while the mesh moves.
     front: BentPlan,
     moving: Moving,
@@ -33,6 +36,36 @@ pub(super) struct Bending {
     pub sweeps: [BentSweep; 2],
     /// Doublings of the smallest pieces, at once and complete, where there are too many.
     doublings: [u32; 2],
+}
+
+/// A bend, and its slack once that is known.
+#[derive(Debug)]
+struct Settled {
+    bend: Bend,
+    slack: Option<Slack>,
+}
+
+/// Makes a bend, if it can.
+pub type Make = Box<dyn FnOnce() -> Option<Bend>>;
+
+struct Later(Make);
+
+impl std::fmt::Debug for Later {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str("Later")
+    }
+}
+
+impl Settled {
+    /// Lets the bend follow the control points.
+    fn settle(&mut self, frame: &Frame, mesh: &[DVec2]) {
+        if self.bend.mesh().displacements() != mesh {
+            // They were looked at when they came.
+            let _ = self.bend.set_mesh(mesh);
+            self.slack = None;
+        }
+        self.slack.get_or_insert_with(|| Slack::of(frame, &self.bend));
+    }
 }
 
 /// What a plan that the mesh may move was made for.
@@ -57,6 +90,8 @@ const COLOURED: (f64, f64) = (6.0, 3.0);
 /// The smallest floor, in pixels, and the most times that it is doubled.
 const FLOOR: f64 = 2.0;
 const DOUBLINGS: u32 = 8;
+/// How far off points may be drawn in a picture that is made at once, in pixels.
+const TOLERANCE: f64 = 0.25;
 /// How far out of the window pieces are kept while the mesh moves, for its longer side.
 const MARGIN: f64 = 0.25;
 /// Densities: the largest pieces, in pixels, their number at most, at once and complete, and points in a pass.
@@ -69,33 +104,40 @@ impl Bending {
     pub fn new(bend: Bend, memory: Option<Self>) -> Self {
         let memory = memory.map(|m| (m.front, m.moving, m.back, m.sweeps, m.doublings));
         let (front, moving, back, sweeps, doublings) = memory.unwrap_or_default();
-        Self { bend, slack: None, moved: None, front, moving, made: None, back, sweeps, doublings }
+        let mesh = bend.mesh().displacements().to_vec();
+        let quick = Settled { bend, slack: None };
+        Self { quick, fine: None, later: None, mesh, front, moving, made: None, back, sweeps, doublings }
     }
 
     /// Forgets what it knows of a shape.
     pub fn forget(&mut self) {
-        self.slack = None;
+        self.quick.slack = None;
+        self.fine = None;
+        self.later = None;
         self.made = None;
     }
 
     /// The bend, maybe not where its mesh is to be.
     pub fn bend(&self) -> &Bend {
-        &self.bend
+        &self.quick.bend
     }
 
     /// The control points as they are to be.
     pub fn mesh(&self) -> &[DVec2] {
-        self.moved.as_deref().unwrap_or_else(|| self.bend.mesh().displacements())
+        &self.mesh
     }
 
-    /// Lets the bend follow the control points.
+    /// Lets the bend that is drawn at once follow the control points.
     fn settle(&mut self, frame: &Frame) {
-        if let Some(moved) = self.moved.take() {
-            // They were looked at when they came.
-            let _ = self.bend.set_mesh(&moved);
-            self.slack = None;
+        self.quick.settle(frame, &self.mesh);
+    }
+
+    /// Lets the bend that is drawn at rest follow the control points.
+    fn rest(&mut self, frame: &Frame) {
+        if let Some(Later(make)) = self.later.take() {
+            self.fine = make().map(|bend| Settled { bend, slack: None });
         }
-        self.slack.get_or_insert_with(|| Slack::of(frame, &self.bend));
+        self.fine.as_mut().unwrap_or(&mut self.quick).settle(frame, &self.mesh);
     }
 }
 
@@ -109,8 +151,10 @@ pub(super) struct Sight {
 }
 
 impl Sight {
-    fn bent<'a>(&self, frame: &'a Frame, bend: &'a Bend, slack: &'a Slack) -> Bent<'a> {
-        Bent::new(frame, bend, slack, (self.view, self.window), (self.target, self.factor))
+    /// `None` before the bend is settled.
+    fn bent<'a>(&self, frame: &'a Frame, settled: &'a Settled) -> Option<Bent<'a>> {
+        let slack = settled.slack.as_ref()?;
+        Some(Bent::new(frame, &settled.bend, slack, (self.view, self.window), (self.target, self.factor)))
     }
 }
 
@@ -134,6 +178,14 @@ impl Stage {
         self.work = Work::Anew;
     }
 
+    /// What makes the bend that is drawn at rest, where that takes longer than a frame: the one that was set is drawn
+    /// while things change. Both must have been made of the same mesh and the same maps.
+    pub fn set_bend_at_rest(&mut self, make: Make) {
+        if let Some(bending) = &mut self.bending {
+            bending.later = Some(Later(make));
+        }
+    }
+
     /// Moves the control points of the mesh of the bend: as many as it has, finite. This is cheap. Returns whether there
     /// is such a mesh; if not, nothing changes.
     pub fn move_mesh(&mut self, displacements: &[DVec2]) -> bool {
@@ -142,8 +194,8 @@ impl Stage {
         if displacements.len() != bending.mesh().len() || !displacements.iter().all(fits) {
             return false;
         }
-        if bending.mesh() != displacements {
-            bending.moved = Some(displacements.to_vec());
+        if bending.mesh != displacements {
+            displacements.clone_into(&mut bending.mesh);
             if self.work != Work::Anew {
                 self.work = Work::Moved;
             }
@@ -154,7 +206,7 @@ impl Stage {
     /// Whether codes are colours that the bend carries.
     pub(super) fn coloured(&self, frame: &Frame) -> bool {
         let carries = |bending: &Bending| {
-            bending.bend.colour(&bending.bend.whole(), frame.to_world.translation).is_some()
+            bending.bend().colour(&bending.bend().whole(), frame.to_world.translation).is_some()
         };
         self.style.colouring == Colouring::Grid && self.bending.as_ref().is_some_and(carries)
     }
@@ -182,7 +234,7 @@ impl Stage {
                 self.work = Work::Choose;
                 bending.settle(frame);
                 if dense {
-                    self.begin_bent_density(bending, frame, view, DENSE.0, budget);
+                    self.begin_bent_density(bending, frame, view, false, budget);
                     self.add_density(frame, budget);
                     self.work = Work::Choose;
                 } else if self.gpu.software {
@@ -192,9 +244,9 @@ impl Stage {
                 }
             }
             Work::Choose => {
-                bending.settle(frame);
+                bending.rest(frame);
                 if dense {
-                    self.begin_bent_density(bending, frame, view, DENSE.1, budget);
+                    self.begin_bent_density(bending, frame, view, true, budget);
                     self.add_density(frame, budget);
                 } else if self.gpu.software {
                     self.begin_bent_sweep(bending, frame, view, coloured);
@@ -218,10 +270,10 @@ impl Stage {
             }
             Work::Sweep => {
                 let sight = self.sight(view, self.sampling);
-                let Some(slack) = &bending.slack else { return };
+                let Bending { quick, fine, sweeps: [_, sweep], .. } = bending;
+                let Some(bent) = sight.bent(frame, fine.as_ref().unwrap_or(quick)) else { return };
                 let visits = if self.gpu.software { 2 * VISITS } else { VISITS };
-                let [_, sweep] = &mut bending.sweeps;
-                let progress = sweep.run(&sight.bent(frame, &bending.bend, slack), visits);
+                let progress = sweep.run(&bent, visits);
                 if progress != Progress::Working {
                     let lit = sweep.lit();
                     self.finish(Shown::SweptBack, progress == Progress::Complete, lit);
@@ -257,15 +309,11 @@ impl Stage {
         if !fits {
             return false;
         }
-        let unskinned = bending
-            .slack
-            .as_ref()
-            .is_none_or(|slack| !Moving::can_skin(&sight.bent(frame, &bending.bend, slack)));
-        if unskinned {
+        // Single precision may do; if not, the bend itself must follow.
+        if !sight.bent(frame, &bending.quick).is_some_and(|bent| Moving::can_skin(&bent)) {
             bending.settle(frame);
         }
-        let Some(slack) = &bending.slack else { return false };
-        let bent = sight.bent(frame, &bending.bend, slack);
+        let Some(bent) = sight.bent(frame, &bending.quick) else { return false };
         bending.moving.follow(&bent, &mesh, &mut bending.front);
         bending.front.compose(frame, Detail::LADDER[0]);
         let points = bending.front.plan.points();
@@ -324,10 +372,10 @@ impl Stage {
         coloured: bool,
     ) {
         let visits = budget.clamp(60_000, 400_000);
-        let Bending { bend, slack: Some(slack), sweeps: [sweep, _], .. } = bending else { return };
+        let Bending { quick, sweeps: [sweep, _], .. } = bending;
         loop {
             let bent = self.sight(view, self.factor());
-            let bent = bent.bent(frame, bend, slack);
+            let Some(bent) = bent.bent(frame, quick) else { return };
             sweep.begin(&bent, SWEEPS.0, coloured);
             if sweep.run(&bent, visits) != Progress::Working || !self.halve() {
                 break;
@@ -340,24 +388,18 @@ impl Stage {
     }
 
     fn begin_bent_sweep(&mut self, bending: &mut Bending, frame: &Frame, view: View, coloured: bool) {
-        let Bending { bend, slack: Some(slack), sweeps: [_, sweep], .. } = bending else { return };
+        let Bending { quick, fine, sweeps: [_, sweep], .. } = bending;
         let sight = self.sight(view, self.sampling);
-        sweep.begin(&sight.bent(frame, bend, slack), SWEEPS.1, coloured);
+        let Some(bent) = sight.bent(frame, fine.as_ref().unwrap_or(quick)) else { return };
+        sweep.begin(&bent, SWEEPS.1, coloured);
         self.work = Work::Sweep;
     }
 
-    fn begin_bent_density(
-        &mut self,
-        bending: &Bending,
-        frame: &Frame,
-        view: View,
-        pieces: usize,
-        budget: u64,
-    ) {
-        let Some(slack) = &bending.slack else { return };
-        let bent = self.sight(view, 1.0);
-        let bent = bent.bent(frame, &bending.bend, slack);
+    fn begin_bent_density(&mut self, bending: &Bending, frame: &Frame, view: View, rest: bool, budget: u64) {
+        let settled = bending.fine.as_ref().filter(|_| rest).unwrap_or(&bending.quick);
+        let Some(bent) = self.sight(view, 1.0).bent(frame, settled) else { return };
         let points = (budget / 2).min(DENSE_POINTS) as usize;
+        let pieces = if rest { DENSE.1 } else { DENSE.0 };
         self.weighed.begin(&self.gpu, Density::bent(&bent, DENSE_SIZE, pieces, points));
     }
 
@@ -370,11 +412,9 @@ impl Stage {
         coloured: bool,
         begin: bool,
     ) -> Cut {
-        let Bending { bend, slack: Some(slack), back, doublings: [_, doublings], .. } = bending else {
-            return Cut::TooMany;
-        };
-        let bent = self.sight(view, self.sampling);
-        let bent = bent.bent(frame, bend, slack);
+        let Bending { quick, fine, back, doublings: [_, doublings], .. } = bending;
+        let sight = self.sight(view, self.sampling);
+        let Some(bent) = sight.bent(frame, fine.as_ref().unwrap_or(quick)) else { return Cut::TooMany };
         let size = if coloured { COLOURED.1 } else { LARGEST.1 };
         let floor = if *doublings == 0 { 0.0 } else { 0.5 * f64::from(1_u32 << *doublings) };
         if begin {
@@ -426,17 +466,14 @@ fn margin(target: Window) -> f64 {
 
 /// Cuts pieces that can follow the mesh, fewer and larger ones where there are too many.
 fn cut_at_once(bending: &mut Bending, frame: &Frame, sight: &Sight, coloured: bool) {
-    let mesh = bending.mesh().to_vec();
-    let Bending { bend, slack: Some(slack), front, moving, made, doublings: [doublings, _], .. } = bending
-    else {
-        return;
-    };
-    let bent = sight.bent(frame, bend, slack);
+    let Bending { quick, mesh, front, moving, made, doublings: [doublings, _], .. } = bending;
+    let Some(bent) = sight.bent(frame, quick) else { return };
     loop {
         let floor = FLOOR * f64::from(1_u32 << *doublings);
         let size = if coloured { COLOURED.0 } else { LARGEST.0 };
+        let margin = Some(margin(sight.target));
         let fineness =
-            Fineness { floor, margin: Some(margin(sight.target)), ..Fineness::complete(size.max(floor)) };
+            Fineness { floor, margin, tolerance: TOLERANCE, ..Fineness::complete(size.max(floor)) };
         moving.clear();
         front.begin(&bent, AT_ONCE, coloured);
         let cut = front.run(&bent, &fineness, u64::MAX, Some(moving));
@@ -445,5 +482,6 @@ fn cut_at_once(bending: &mut Bending, frame: &Frame, sight: &Sight, coloured: bo
         }
         *doublings += 1;
     }
+    let mesh = mesh.clone();
     *made = Some(Made { view: sight.view, target: sight.target, factor: sight.factor, coloured, mesh });
 }

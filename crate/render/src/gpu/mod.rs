@@ -35,6 +35,8 @@ mod weighed;
 mod work;
 
 #[cfg(target_arch = "wasm32")]
+pub use bending::Make;
+#[cfg(target_arch = "wasm32")]
 pub use device::{Canvas, Gpu, GpuError, Wanted};
 #[cfg(target_arch = "wasm32")]
 pub use events::{Event, Loss};
