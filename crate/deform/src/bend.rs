@@ -134,14 +134,19 @@ impl Bend {
     }
 
     fn refresh(&mut self) {
-        self.values = self.support.fill(&self.mesh, &self.mesh, &self.terms, self.raw.turning());
-        if let Support::Corners(smooth) = &self.support {
-            let vertices = smooth.lattice().vertices().iter();
-            let goal = |((i, &vertex), value): ((usize, &DVec2), &DVec2)| {
-                vertex + *value + self.mesh.at(vertex) * self.plain(&Footing::of(i as u32))
-            };
-            self.goals = vertices.enumerate().zip(&self.values).map(goal).collect();
-        }
+        let turning = self.raw.turning();
+        let Support::Corners(smooth) = &self.support else {
+            self.values = self.support.fill(&self.mesh, &self.mesh, &self.terms, turning);
+            return;
+        };
+        let samples = smooth.samples(&self.mesh);
+        self.values = smooth.fill_from(&samples, true, &self.mesh, &self.terms, turning);
+        let all = self.terms.fixed().map_or(1.0, |weights| weights.plain);
+        let goal = |(((i, &vertex), value), sample): (((usize, &DVec2), &DVec2), &DVec2)| {
+            vertex + *value + *sample * (all - self.shares.get(i).unwrap_or(&0.0))
+        };
+        let vertices = smooth.lattice().vertices().iter().enumerate();
+        self.goals = vertices.zip(&self.values).zip(&samples).map(goal).collect();
     }
 
     /// What keeps pieces together: what [`Continuity::Auto`] came to, or what is had instead of what was asked for.
@@ -213,6 +218,17 @@ impl Bend {
             let cell = smooth.lattice().cell(cursor.letters(), cursor.index as usize);
             return std::array::from_fn(|i| self.goals[cell[self.corners[i.min(last)]] as usize]);
         }
+        let anchors = |i: usize| self.anchors[i.min(last)];
+        if let (Support::Raw, Some(weights), 2) = (&self.support, self.terms.fixed(), last) {
+            // All at once: what is known of the word serves all three.
+            let zs = [anchors(0), anchors(1), anchors(2)];
+            let mut goals = zs.map(|z| cursor.map.apply(z));
+            goals.iter_mut().for_each(|goal| *goal += self.mesh.at(*goal) * weights.plain);
+            self.raw.visit(&self.terms, weights, cursor, self.kept, zs, |i, from, factor, weight| {
+                goals[i] += factor * self.mesh.at(from) * weight;
+            });
+            return [goals[0], goals[1], goals[2], goals[2]];
+        }
         let mut list = [DVec2::ZERO; 4];
         for (slot, &anchor) in list.iter_mut().zip(&self.anchors) {
             *slot = self.point(cursor, anchor);
@@ -238,7 +254,7 @@ impl Bend {
         let mut room = None;
         let weights = self.terms.at(&self.mesh, rest, &mut room);
         let mut sum = self.mesh.at(rest) * weights.plain;
-        self.raw.visit(&self.terms, weights, cursor, self.kept, z, |from, factor, weight| {
+        self.raw.visit(&self.terms, weights, cursor, self.kept, [z], |_, from, factor, weight| {
             sum += factor * self.mesh.at(from) * weight;
         });
         rest + sum
@@ -267,7 +283,7 @@ impl Bend {
             });
         };
         add(rest, weights.plain);
-        self.raw.visit(terms, weights, cursor, self.kept, z, |from, _, weight| add(from, weight));
+        self.raw.visit(terms, weights, cursor, self.kept, [z], |_, from, _, weight| add(from, weight));
         Some(sum.map(|x| x.clamp(0.0, 1.0)))
     }
 }

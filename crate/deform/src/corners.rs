@@ -21,8 +21,8 @@ pub struct Corners {
 
 /// Distances below this share of the shape's size are none.
 const TOLERANCE: f64 = 1e-9;
-/// How many levels of cells are looked at where they touch.
-const LEVELS: usize = 4;
+/// Where cells touch along a side, their parts are looked at, down to about as many of each.
+const PARTS: usize = 256;
 
 impl Corners {
     /// The most corners that are looked for.
@@ -136,7 +136,8 @@ impl Corners {
             return false;
         }
         let cells: Vec<Cell> = maps.iter().map(|map| self.cell(*map)).collect();
-        (0..cells.len()).all(|i| (0..i).all(|j| self.meet(&cells[i], &cells[j], maps, tolerance, LEVELS)))
+        let levels = PARTS.ilog(maps.len().clamp(2, PARTS)) as usize;
+        (0..cells.len()).all(|i| (0..i).all(|j| self.meet(&cells[i], &cells[j], maps, tolerance, levels)))
     }
 
     fn cell(&self, map: Affine2) -> Cell {
@@ -149,8 +150,7 @@ impl Corners {
     /// Whether two cells do not overlap, and every corner of one that lies in the other is a corner there too; and so
     /// for some levels of their parts.
     fn meet(&self, one: &Cell, other: &Cell, maps: &[Affine2], tolerance: f64, levels: usize) -> bool {
-        let room = DVec2::splat(tolerance);
-        if (one.low - other.high).cmpgt(room).any() || (other.low - one.high).cmpgt(room).any() {
+        if one.apart(other, tolerance) {
             return true;
         }
         if overlap(&one.corners, &other.corners, tolerance) {
@@ -159,12 +159,15 @@ impl Corners {
         let Some(touches) = self.shared(one, other, tolerance).zip(self.shared(other, one, tolerance)) else {
             return false;
         };
-        if touches == (0, 0) || levels == 0 {
+        // What touches in a corner goes on to do so; sides may be cut differently.
+        if touches.0 < 2 || levels == 0 {
             return true;
         }
-        // What touches in a corner goes on to do so; sides may be cut differently.
-        let parts = |cell: &Cell| maps.iter().map(|map| self.cell(cell.map * *map)).collect::<Vec<_>>();
-        let (ones, others) = (parts(one), parts(other));
+        let parts = |cell: &Cell, beside: &Cell| -> Vec<Cell> {
+            let parts = maps.iter().map(|map| self.cell(cell.map * *map));
+            parts.filter(|part| !part.apart(beside, tolerance)).collect()
+        };
+        let (ones, others) = (parts(one, other), parts(other, one));
         ones.iter().all(|one| others.iter().all(|other| self.meet(one, other, maps, tolerance, levels - 1)))
     }
 
@@ -196,6 +199,14 @@ struct Cell {
     corners: Vec<DVec2>,
     low: DVec2,
     high: DVec2,
+}
+
+impl Cell {
+    /// Whether the boxes are.
+    fn apart(&self, other: &Self, tolerance: f64) -> bool {
+        let room = DVec2::splat(tolerance);
+        (self.low - other.high).cmpgt(room).any() || (other.low - self.high).cmpgt(room).any()
+    }
 }
 
 #[cfg(test)]

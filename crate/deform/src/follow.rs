@@ -48,7 +48,7 @@ impl Bend {
                 let mut room = None;
                 let weights = self.terms.at(&self.mesh, rest, &mut room);
                 pull.add(rest, DMat2::IDENTITY, weights.plain, &mut sum);
-                self.raw.visit(&self.terms, weights, cursor, self.kept, *z, |from, factor, weight| {
+                self.raw.visit(&self.terms, weights, cursor, self.kept, [*z], |_, from, factor, weight| {
                     pull.add(from, factor, weight, &mut sum);
                 });
             }

@@ -95,36 +95,34 @@ impl Lattice {
         });
         let mut this =
             Self { maps: maps.to_vec(), corners, vertices, levels: vec![first], slots, parts, meet };
-        let mut cells = vec![Affine2::IDENTITY];
-        for level in 0..depth {
-            this.refine(&cells);
-            if level + 1 < depth {
-                cells = cells.iter().flat_map(|cell| maps.iter().map(move |map| *cell * *map)).collect();
-            }
-        }
+        (0..depth).for_each(|_| this.refine());
         this
     }
 
-    /// Adds a level. `cells` are the maps of the cells of the last one.
+    /// Adds a level.
     ///
     /// Parts of different cells meet in a corner of both, or on a whole side of both, and then at the same vertices
     /// along it: so no vertex need be looked for by its place.
-    fn refine(&mut self, cells: &[Affine2]) {
+    fn refine(&mut self) {
         let count = self.corners.points().len();
         let mut level = Level::default();
         let Some(coarse) = self.levels.last() else { return };
         level.cells.reserve(coarse.cells.len() * self.maps.len());
-        level.fresh.reserve(cells.len() * self.slots.len());
-        let mut sides = Sides::default();
+        level.fresh.reserve(coarse.cells.len() / count * self.slots.len());
+        let room = if self.meet { coarse.cells.len() * 3 / 4 } else { 0 };
+        let mut sides = Sides::with_capacity_and_hasher(room, BuildHasherDefault::default());
         let mut along = vec![0_u32; count];
         for slot in &self.slots {
             if let Some((side, _)) = slot.side {
                 along[side] += 1;
             }
         }
-        for (map, corners) in cells.iter().zip(coarse.cells.chunks_exact(count)) {
+        for corners in coarse.cells.chunks_exact(count) {
             let own = level.fresh.len();
             for slot in &self.slots {
+                // As exact as the map of the cell: shares give back the point.
+                let at = |(&corner, share): (&u32, &f64)| self.vertices[corner as usize] * *share;
+                let place: DVec2 = corners.iter().zip(&slot.shares).map(at).sum();
                 let mut number = self.vertices.len() as u32;
                 if let Some((side, rank)) = slot.side.filter(|_| self.meet) {
                     let (a, b) = (corners[side], corners[(side + 1) % count]);
@@ -137,9 +135,9 @@ impl Lattice {
                         self.vertices.resize(self.vertices.len() + room, DVec2::ZERO);
                     }
                     number = known;
-                    self.vertices[number as usize] = map.apply(slot.point);
+                    self.vertices[number as usize] = place;
                 } else {
-                    self.vertices.push(map.apply(slot.point));
+                    self.vertices.push(place);
                 }
                 level.fresh.push(number);
             }

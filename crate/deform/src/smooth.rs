@@ -8,7 +8,7 @@ use crate::fill::{Source, Words};
 use crate::footing::Footing;
 use crate::lattice::Lattice;
 use crate::mesh::Mesh;
-use crate::terms::Terms;
+use crate::terms::{Family, Terms};
 
 /// A superposed displacement (Fujimoto et al., eq 12) that is continuous over the shape.
 ///
@@ -40,12 +40,29 @@ impl Smooth {
     /// The shuffled terms at each vertex. Displacements that a term takes from elsewhere are those of vertices as well,
     /// since the reversed word is one of the same level: one look at the source for each.
     pub fn fill<S: Source>(&self, source: &S, mesh: &Mesh, terms: &Terms, factors: &[DMat2]) -> Vec<DVec2> {
+        self.fill_from(&self.samples(source), S::TURNS, mesh, terms, factors)
+    }
+
+    /// What the source is at each vertex.
+    pub fn samples<S: Source>(&self, source: &S) -> Vec<DVec2> {
+        self.lattice.vertices().iter().map(|&vertex| source.at(vertex)).collect()
+    }
+
+    /// [`Smooth::fill`] from what the source is at each vertex; `turns` says whether it has a direction.
+    pub fn fill_from(
+        &self,
+        samples: &[DVec2],
+        turns: bool,
+        mesh: &Mesh,
+        terms: &Terms,
+        factors: &[DMat2],
+    ) -> Vec<DVec2> {
+        let turns = turns && !factors.is_empty();
         let vertices = self.lattice.vertices();
-        let samples: Vec<DVec2> = vertices.iter().map(|&vertex| source.at(vertex)).collect();
         let mut values = vec![DVec2::ZERO; vertices.len()];
         let count = self.lattice.corners().points().len();
         let slots = self.lattice.slots();
-        let mut words = Words::new(terms, if S::TURNS { factors } else { &[] });
+        let mut words = Words::new(terms, if turns { factors } else { &[] });
         for (k, pair) in self.lattice.levels().windows(2).enumerate() {
             let [coarse, fine] = pair else { continue };
             if !slots.is_empty() {
@@ -60,29 +77,31 @@ impl Smooth {
                 }
             }
             let k = k + 1;
-            // Per family, 1 over the number of cells times the weight, for each vertex.
-            let each: Vec<Vec<f64>> = terms
-                .families
-                .iter()
-                .map(|family| {
-                    if k < family.first || k >= family.end {
-                        return Vec::new();
-                    }
-                    let weight = |(&shared, &vertex): (&u16, &DVec2)| {
-                        terms.weight(family, k, mesh, vertex) / f64::from(shared)
-                    };
-                    fine.shared.iter().zip(vertices).map(weight).collect()
-                })
-                .collect();
+            // Where the roughness varies, the weights of each family at each vertex.
+            let weighed = |family: &Family| -> Vec<f64> {
+                if terms.fixed().is_some() || k < family.first || k >= family.end {
+                    return Vec::new();
+                }
+                vertices[..fine.vertices]
+                    .iter()
+                    .map(|&vertex| terms.weight(family, k, mesh, vertex))
+                    .collect()
+            };
+            let varying: Vec<Vec<f64>> = terms.families.iter().map(weighed).collect();
             let first = terms.families.first().map_or(0, |family| family.kb);
+            let shares: [f64; 32] = std::array::from_fn(|shared| 1.0 / shared.max(1) as f64);
             words.advance(k, self.lattice.maps().len(), |family, to, from, turn| {
-                let each = &each[family.kb - first];
+                let varying = &varying[family.kb - first];
+                let weight = terms.fixed().map_or(0.0, |weights| weights.list[family.slot(k)]);
                 let (to, from) = (to * count, from * count);
                 let pairs = fine.cells[to..to + count].iter().zip(&fine.cells[from..from + count]);
                 for (&to, &from) in pairs {
-                    let sample = samples[from as usize];
-                    let sample = if S::TURNS && !factors.is_empty() { *turn * sample } else { sample };
-                    values[to as usize] += sample * each[to as usize];
+                    let (to, sample) = (to as usize, samples[from as usize]);
+                    let sample = if turns { *turn * sample } else { sample };
+                    let weight = varying.get(to).copied().unwrap_or(weight);
+                    let shared = usize::from(fine.shared[to]);
+                    let share = shares.get(shared).copied().unwrap_or_else(|| 1.0 / shared as f64);
+                    values[to] += sample * (weight * share);
                 }
             });
         }

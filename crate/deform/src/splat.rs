@@ -40,6 +40,8 @@ struct Layer {
 
 /// The most squares along a side of the finest grid.
 const FINEST: f64 = 512.0;
+/// The most nodes for each cell: a shape that is almost nothing needs no more.
+const MOST_NODES: f64 = 256.0;
 /// The most cells of a level.
 const MOST_CELLS: usize = 1 << 18;
 
@@ -131,7 +133,9 @@ impl Layer {
             looked_at.footing(middle).iter().for_each(|(node, share)| filled[node] |= share >= 0.2);
         }
         let share = filled.iter().filter(|filled| **filled).count() as f64 / filled.len() as f64;
-        let wanted = (0.9 * (size.x * size.y * share / count).sqrt()).max(size.max_element() / FINEST);
+        let area = size.x * size.y / count;
+        let wanted =
+            (0.9 * (area * share).sqrt()).max((area / MOST_NODES).sqrt()).max(size.max_element() / FINEST);
         let (mut grid, mut halvings) = (coarsest, 0);
         while grid.spacing() > 1.4 * wanted {
             grid = grid.halved();

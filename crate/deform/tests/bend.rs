@@ -338,7 +338,7 @@ fn degenerate_shapes_do_no_harm() {
         for continuity in
             [Continuity::Auto, Continuity::Corners, Continuity::Splat, Continuity::Raw, Continuity::Average]
         {
-            for ke in [0.0, 3.7, 6.0] {
+            for ke in [0.0, 2.0, 3.7] {
                 let bend = Bend::new(
                     &maps,
                     unit_mesh(&bumps(0.02)),
