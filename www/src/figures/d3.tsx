@@ -5,7 +5,7 @@ import { Slider } from "../ui/Slider";
 import { rightGasket } from "./addresses";
 import type { Point } from "./apart";
 import { codeOf, codeWords } from "./codes";
-import { LIFT } from "./deform-meshes";
+import { LIFT, plainShade, thirds } from "./deform-meshes";
 import { deformationBy } from "./deformations";
 import { Control, Frame, type Heading } from "./frame";
 import { Cell, type Chosen, COLUMNS, cellWords, Matrix } from "./matrix";
@@ -118,15 +118,10 @@ export function Deformation3(heading: Heading) {
 }
 
 const RIGHT = { name: "Right gasket", maps: rightGasket(0.5) };
-/** Corner colours of a bilinear mesh are enough for the same function, here as 4 x 4. */
-const STUDIO_COLOURS = Array.from({ length: 16 }, (_, n) => {
-  const [x, y] = [(n % 4) / 3, Math.floor(n / 4) / 3];
-  const hex = (part: number) =>
-    Math.round(255 * part)
-      .toString(16)
-      .padStart(2, "0");
-  return `#${[(1 - x) * y, x * y + (1 - x) * (1 - y), x * (1 - y)].map(hex).join("")}`;
-});
+/** The same colour function at 4 x 4 control points. */
+const STUDIO_COLOURS = Array.from({ length: 16 }, (_, n) =>
+  plainShade(thirds((n % 4) / 3, Math.floor(n / 4) / 3)),
+);
 
 /** The cell of the gasket at a point of the square: where both digits would be 1 the upper one is taken for 0. */
 function inGasket([x, y]: Point): Point {

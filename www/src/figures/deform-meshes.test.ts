@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { DRAGON_COLOURS, DRAW, LIFT, movesOf, SWAY, shade, thirds } from "./deform-meshes";
+import { DRAGON_COLOURS, DRAW, LIFT, movesOf, plainShade, SWAY, shade, thirds } from "./deform-meshes";
 
 const moveAt = (mesh: { moves: readonly number[] }, i: number, j: number) => [
   mesh.moves[2 * (4 * j + i)],
@@ -42,6 +42,7 @@ it("mixes colours whose parts sum to one, evenly bright", () => {
   }
   expect(shade(thirds(0, 1))).toEqual([236, 28, 28]);
   expect(shade(thirds(1, 0))).toEqual([28, 28, 242]);
+  expect(plainShade(thirds(0, 1))).toBe("#ec1c1c");
   expect(DRAGON_COLOURS).toHaveLength(16);
   expect(DRAGON_COLOURS.every((colour) => /^#[0-9a-f]{6}$/.test(colour))).toBe(true);
   expect(DRAGON_COLOURS[0]).not.toBe(DRAGON_COLOURS[15]);

@@ -87,6 +87,15 @@ export function shade(parts: Rgb): Rgb {
   return bright.map((part, i) => Math.round(28 + part * (STRENGTH[i] ?? 0))) as unknown as Rgb;
 }
 
+/** The same without the brightening, which a blend of control points knows nothing of: "#rrggbb". */
+export function plainShade(parts: Rgb): string {
+  const hex = (part: number, i: number) =>
+    Math.round(28 + part * (STRENGTH[i] ?? 0))
+      .toString(16)
+      .padStart(2, "0");
+  return `#${parts.map(hex).join("")}`;
+}
+
 /** Of red, green and blue: green looks brightest. */
 const STRENGTH: Rgb = [208, 152, 214];
 
