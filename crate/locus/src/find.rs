@@ -7,7 +7,7 @@ use crate::family::Slice;
 use crate::field::Field;
 use crate::grid::{Bounds, GridError, Locus, LocusGrid};
 use crate::path::{PathError, PathPlan, ROOMY, clearance, field_of, plan_in};
-use crate::space;
+use crate::space::Hunt;
 use crate::walk::{PathCheck, judge};
 
 /// Which parameters a path may take.
@@ -43,17 +43,54 @@ impl Default for PathOptions {
 /// # Errors
 /// [`PathError::Grid`] for a size out of range.
 pub fn find_path(morph: &Morph, options: &PathOptions) -> Result<PathPlan, PathError> {
-    match options.axes {
-        Axes::Two => find_in_plane(morph, options, &[1, 2, 4]),
-        Axes::Three => {
+    let mut search = PathSearch::new(morph.clone(), *options);
+    loop {
+        if let Some(plan) = search.step()? {
+            return Ok(plan);
+        }
+    }
+}
+
+/// The same in parts, of about a second or less each: a search through three parameters may take many.
+#[derive(Clone, Debug)]
+pub struct PathSearch {
+    morph: Morph,
+    options: PathOptions,
+    /// The path in the plane, where there is a third parameter to go on with.
+    plane: Option<PathPlan>,
+    hunt: Hunt,
+}
+
+/// Parameters decided in one part.
+const DECISIONS: usize = 1000;
+
+impl PathSearch {
+    /// Nothing is looked for yet.
+    #[must_use]
+    pub fn new(morph: Morph, options: PathOptions) -> Self {
+        Self { morph, options, plane: None, hunt: Hunt::new() }
+    }
+
+    /// Does the next part. The plan comes with the last; what follows is without meaning.
+    ///
+    /// # Errors
+    /// As [`find_path`].
+    pub fn step(&mut self) -> Result<Option<PathPlan>, PathError> {
+        let Self { morph, options, .. } = self;
+        if options.axes == Axes::Two {
+            return find_in_plane(morph, options, &[1, 2, 4]).map(Some);
+        }
+        let Some(plane) = &self.plane else {
             let plane = find_in_plane(morph, options, &[1])?;
             // A linear morph has no third parameter.
             if plane.holds || morph.mode() == Mode::Linear {
-                return Ok(plane);
+                return Ok(Some(plane));
             }
-            let space = space::find(morph, options);
-            Ok(if space.gap < plane.gap { space } else { plane })
-        }
+            self.plane = Some(plane);
+            return Ok(None);
+        };
+        let found = self.hunt.step(morph, options, DECISIONS);
+        Ok(found.map(|space| if space.gap < plane.gap { space } else { plane.clone() }))
     }
 }
 

@@ -88,7 +88,7 @@ pub use connectedness::{Connectedness, Gap, Options, Verdict, connectedness};
 pub use crossing::{Crossing, crossings};
 pub use decide::{Sample, Scratch, State, decide, decide_bounds, decide_polygon};
 pub use family::{Drift, Family, Polygons, Slice};
-pub use find::{Axes, PathOptions, find_path};
+pub use find::{Axes, PathOptions, PathSearch, find_path};
 pub use graph::{Components, OverlapGraph};
 pub use grid::{Bounds, GridError, Locus, LocusGrid, Pass, Tile};
 pub use index_buffer::{Choice, IndexBuffer, IndexBufferError, IndexBufferOptions};

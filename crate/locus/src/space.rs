@@ -21,42 +21,76 @@ const WAYS: usize = 4;
 /// How far round a coarse way is looked at finely, in fine steps.
 const AROUND: f64 = 3.0;
 
-/// A path from the first shape to the last through (u, v, w), w in [-1, 1]: that of least widest gap over a coarse
-/// lattice, looked at again in a finer tube around it, and checked between the samples of that.
-pub(crate) fn find(morph: &Morph, options: &PathOptions) -> PathPlan {
-    let mut best: Option<PathPlan> = None;
-    for steps in STEPS {
-        // The decisions for many maps take long.
-        if best.is_some() && morph.len() > MANY {
-            break;
-        }
-        let mut space = Space::new(morph, options.epsilon, steps);
-        let mut apart = None;
-        for _ in 0..WAYS {
-            let (gap, way) = space.search();
-            let apart = *apart.get_or_insert(gap > 0.0);
-            let mut field = space.tube(&way);
-            let checks = CHECKS.max(64 * steps);
-            let mut tried = improve(morph, &mut field, options.epsilon, checks, 4);
-            tried.plan.apart = apart && !tried.plan.holds;
-            tried.plan.step = 1.0 / steps as f64;
-            let parameter = |cell| field.lattice.parameter(field.lattice.place(cell));
-            let marked: Vec<DVec3> = tried.marked.iter().map(|&cell| parameter(cell)).collect();
-            let done = tried.plan.holds || tried.final_word || marked.is_empty();
-            let worst = tried.plan.gap;
-            if best.as_ref().is_none_or(|best| tried.plan.gap < best.gap) {
-                best = Some(tried.plan);
-            }
-            if done {
-                break;
-            }
-            space.mark(&marked, worst);
-        }
-        if best.as_ref().is_some_and(|best| best.holds) {
-            break;
-        }
+/// Looks for a path from the first shape to the last through (u, v, w), w in [-1, 1]: that of least widest gap over a
+/// coarse lattice, looked at again in a finer tube around it, and checked between the samples of that. A part at a time.
+#[derive(Clone, Debug)]
+pub(crate) struct Hunt {
+    /// The lattices that are still to be looked through.
+    steps: std::slice::Iter<'static, usize>,
+    space: Option<Space>,
+    /// How many ways were looked for in this lattice, and whether the first of them was broken.
+    ways: usize,
+    apart: bool,
+    best: Option<PathPlan>,
+}
+
+impl Hunt {
+    pub(crate) fn new() -> Self {
+        Self { steps: STEPS.iter(), space: None, ways: 0, apart: false, best: None }
     }
-    let straight = || PathPlan {
+
+    /// Decides so many parameters of a lattice, or looks closely at the way that was found in it. The plan, once it is
+    /// known.
+    pub(crate) fn step(
+        &mut self,
+        morph: &Morph,
+        options: &PathOptions,
+        decisions: usize,
+    ) -> Option<PathPlan> {
+        let Some(mut space) = self.space.take().or_else(|| self.next_space(morph, options)) else {
+            return Some(self.best.take().unwrap_or_else(straight));
+        };
+        let Some((gap, way)) = space.search(decisions) else {
+            self.space = Some(space);
+            return None;
+        };
+        if self.ways == 0 {
+            self.apart = gap > 0.0;
+        }
+        self.ways += 1;
+        let mut field = space.tube(&way);
+        let checks = CHECKS.max(64 * space.steps);
+        let mut tried = improve(morph, &mut field, options.epsilon, checks, 4);
+        tried.plan.apart = self.apart && !tried.plan.holds;
+        tried.plan.step = 1.0 / space.steps as f64;
+        let parameter = |cell| field.lattice.parameter(field.lattice.place(cell));
+        let marked: Vec<DVec3> = tried.marked.iter().map(|&cell| parameter(cell)).collect();
+        let done = tried.plan.holds || tried.final_word || marked.is_empty() || self.ways == WAYS;
+        let worst = tried.plan.gap;
+        if self.best.as_ref().is_none_or(|best| tried.plan.gap < best.gap) {
+            self.best = Some(tried.plan);
+        }
+        if !done {
+            space.mark(&marked, worst);
+            self.space = Some(space);
+        }
+        None
+    }
+
+    /// The next lattice, unless there is a path that holds, or the last was.
+    fn next_space(&mut self, morph: &Morph, options: &PathOptions) -> Option<Space> {
+        // The decisions for many maps take long.
+        let enough = |best: &PathPlan| best.holds || morph.len() > MANY;
+        if self.best.as_ref().is_some_and(enough) {
+            return None;
+        }
+        self.ways = 0;
+        self.steps.next().map(|&steps| Space::new(morph.clone(), options.epsilon, steps))
+    }
+}
+
+fn straight() -> PathPlan {
+    PathPlan {
         points: ENDS.to_vec(),
         gap: f64::INFINITY,
         holds: false,
@@ -64,13 +98,13 @@ pub(crate) fn find(morph: &Morph, options: &PathOptions) -> PathPlan {
         worst: None,
         apart: true,
         step: 1.0,
-    };
-    best.unwrap_or_else(straight)
+    }
 }
 
 /// The box of parameters that is looked through, and what is known of it.
-struct Space<'a> {
-    morph: &'a Morph,
+#[derive(Clone, Debug)]
+struct Space {
+    morph: Morph,
     epsilon: f64,
     steps: usize,
     lattice: Lattice,
@@ -81,8 +115,8 @@ struct Space<'a> {
     maps: Vec<Affine2>,
 }
 
-impl<'a> Space<'a> {
-    fn new(morph: &'a Morph, epsilon: f64, steps: usize) -> Self {
+impl Space {
+    fn new(morph: Morph, epsilon: f64, steps: usize) -> Self {
         let lattice = lattice(steps);
         Self {
             morph,
@@ -121,8 +155,9 @@ impl<'a> Space<'a> {
     }
 
     /// A way of least widest gap, and that gap. The frontier is a heap by the widest gap so far, then by length so far
-    /// and to go, and a parameter is decided when its turn comes: where the way is open, few are.
-    fn search(&mut self) -> (f64, Vec<usize>) {
+    /// and to go, and a parameter is decided when its turn comes: where the way is open, few are. Nothing once so many
+    /// parameters have been decided: what they said is kept, and the next search comes further.
+    fn search(&mut self, mut decisions: usize) -> Option<(f64, Vec<usize>)> {
         let [from, to] = self.ends;
         let goal = self.lattice.place(to);
         let count = self.gap.len();
@@ -135,6 +170,12 @@ impl<'a> Space<'a> {
             let cell = step.cell;
             if settled[cell] {
                 continue;
+            }
+            if self.gap[cell].is_nan() {
+                if decisions == 0 {
+                    return None;
+                }
+                decisions -= 1;
             }
             let own = self.gap(cell);
             if own > step.gap {
@@ -149,7 +190,7 @@ impl<'a> Space<'a> {
                     way.push(before[way[way.len() - 1]]);
                 }
                 way.reverse();
-                return (step.gap, way);
+                return Some((step.gap, way));
             }
             let here = self.lattice.place(cell);
             for (next, _) in self.lattice.neighbours(cell) {
@@ -168,7 +209,7 @@ impl<'a> Space<'a> {
                 }
             }
         }
-        (f64::INFINITY, self.ends.to_vec())
+        Some((f64::INFINITY, self.ends.to_vec()))
     }
 
     /// A lattice of half the step, decided around a way.
@@ -254,14 +295,14 @@ mod tests {
     fn no_way_over_the_lattice_has_a_smaller_gap_than_the_one_found() {
         let morph = morph(0.5);
         for seed in 0..30 {
-            let mut space = Space::new(&morph, 1e-3, 2);
+            let mut space = Space::new(morph.clone(), 1e-3, 2);
             for cell in 0..space.gap.len() {
                 // Most of the lattice is broken, so that the ways are few.
                 let drawn = f64::from(frond_core::hash::counter(seed, cell as u32) % 1000) / 1000.0;
                 space.gap[cell] = if drawn < 0.05 || space.ends.contains(&cell) { 0.0 } else { drawn };
             }
             let all = space.gap.clone();
-            let (gap, way) = space.search();
+            let (gap, way) = space.search(usize::MAX).unwrap();
             assert_eq!(way.iter().map(|&cell| all[cell]).fold(0.0, f64::max), gap);
             let touching = |a: usize, b: usize| space.lattice.neighbours(a).any(|(next, _)| next == b);
             assert!(way.windows(2).all(|two| touching(two[0], two[1])));
@@ -279,10 +320,26 @@ mod tests {
     }
 
     #[test]
+    fn a_search_in_parts_finds_what_it_finds_at_once() {
+        let morph = morph(0.55);
+        let whole = Space::new(morph.clone(), 1e-2, 4).search(usize::MAX);
+        let mut space = Space::new(morph, 1e-2, 4);
+        let mut parts = 0;
+        let found = loop {
+            parts += 1;
+            if let Some(found) = space.search(10) {
+                break found;
+            }
+        };
+        assert!(parts > 3, "{parts}");
+        assert_eq!(Some(found), whole);
+    }
+
+    #[test]
     fn where_the_way_is_open_few_parameters_are_decided() {
         let morph = morph(0.62);
-        let mut space = Space::new(&morph, 1e-2, 8);
-        let (gap, way) = space.search();
+        let mut space = Space::new(morph, 1e-2, 8);
+        let (gap, way) = space.search(usize::MAX).unwrap();
         let decided = space.gap.iter().filter(|gap| !gap.is_nan()).count();
         assert!(gap == 0.0 && decided < space.gap.len() / 4, "{gap} {decided} {}", way.len());
     }

@@ -25,6 +25,10 @@ pub fn plan_path(
     #[wasm_bindgen(unchecked_param_type = "PathOptions | undefined")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph(&from, &to, &options)?;
+    plan(frond_locus::find_path(&morph, &read_planning(options)?))
+}
+
+fn read_planning(options: JsValue) -> Result<PathOptions, JsValue> {
     let plain: Planning = read("The options", options)?;
     let mut options = PathOptions::default();
     if let Some(epsilon) = plain.epsilon {
@@ -38,7 +42,35 @@ pub fn plan_path(
         Some(3.0) => Axes::Three,
         Some(_) => return Err(bad_input("axes", "2 or 3 is needed")),
     };
-    plan(frond_locus::find_path(&morph, &options))
+    Ok(options)
+}
+
+/// The search of `planPath` in parts, so that it can be given up in between.
+#[wasm_bindgen]
+pub struct PathSearch(frond_locus::PathSearch);
+
+#[wasm_bindgen]
+impl PathSearch {
+    /// A search between two systems, with the options of `planPath`. Nothing is looked for yet.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "PathOptions | undefined")] options: JsValue,
+    ) -> Result<Self, JsValue> {
+        let morph = read_morph(&from, &to, &options)?;
+        Ok(Self(frond_locus::PathSearch::new(morph, read_planning(options)?)))
+    }
+
+    /// Does the next part, of about a second or less. The plan comes with the last, `null` before.
+    #[wasm_bindgen(unchecked_return_type = "PathPlan | null")]
+    pub fn step(&mut self) -> Result<JsValue, JsValue> {
+        match self.0.step() {
+            Ok(None) => Ok(JsValue::NULL),
+            Ok(Some(found)) => write_plan(&found),
+            Err(error) => plan(Err(error)),
+        }
+    }
 }
 
 /// Plans a path in a locus that has been computed already, over `bounds` (default [-1, 2] x [-1, 2]).

@@ -7,9 +7,18 @@ import type { Frond } from "./wasm";
 /** How single points are decided: a degenerate locus, all of whose samples are that point. */
 const POINT = { width: 2, height: 2 } as const;
 
-/** Does tasks, one at a time. It keeps the locus it worked on last, so that each slice does not prepare it again. */
+/** Lets others have their turn; throws when the task is not wanted any more. */
+export type Breathe = () => Promise<void>;
+
+const pause: Breathe = () => new Promise((resolve) => setTimeout(resolve));
+
+/**
+ * Does tasks, one at a time. Between the parts of a long one it breathes. It keeps the locus it worked on last, so that
+ * each slice does not prepare it again.
+ */
 export function executor(
   frond: Frond & Proof,
+  breathe: Breathe = pause,
 ): (task: Task) => Promise<{ result: Result; transfer: Transferable[] }> {
   let tiles: { key: number; locus: LocusTiles } | null = null;
 
@@ -64,7 +73,18 @@ export function executor(
       const { state, gap } = locus.patch(x0, y0, x1, y1);
       return { state, gap };
     },
-    plan3: (task) => frond.planPath({ maps: task.from }, { maps: task.to }, task.options),
+    async plan3(task) {
+      const search = new frond.PathSearch({ maps: task.from }, { maps: task.to }, task.options);
+      try {
+        for (;;) {
+          const plan = search.step();
+          if (plan) return plan;
+          await breathe();
+        }
+      } finally {
+        search.free();
+      }
+    },
     certify: (task) => frond.certifyPath({ maps: task.from }, { maps: task.to }, task.points, task.options),
     certificate({ maps, epsilon }) {
       const certificate = frond.certificate({ maps }, { epsilon });

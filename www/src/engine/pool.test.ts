@@ -11,9 +11,11 @@ class FakeWorker implements WorkerLike {
   onmessageerror: WorkerLike["onmessageerror"] = null;
   terminated = false;
   work: { id: number; task: Task }[] = [];
+  stopped: number[] = [];
 
   postMessage(message: Request): void {
     if (message.type === "run") this.work.push(message);
+    if (message.type === "stop") this.stopped.push(message.id);
   }
 
   terminate(): void {
@@ -167,6 +169,29 @@ describe("Pool", () => {
     workers[1]?.say({ type: "ready" });
     workers[1]?.finish();
     expect(log.accepted).toEqual(["locus0"]);
+  });
+
+  it("waits for a long task that breathes, and tells it when it is not wanted any more", () => {
+    vi.useFakeTimers();
+    const one = pool(1);
+    const long = job("plan3", 1);
+    one.submit(long.job);
+    const [worker] = workers;
+    const id = worker?.work[0]?.id ?? -1;
+    for (let seconds = 0; seconds < 60; seconds += 15) {
+      vi.advanceTimersByTime(15_000);
+      worker?.say({ type: "alive", id });
+    }
+    expect([workers.length, worker?.terminated, worker?.stopped]).toEqual([1, false, []]);
+    // The latest request wins.
+    const next = job("plan3", 1);
+    one.submit(next.job);
+    expect(worker?.stopped).toEqual([id]);
+    worker?.work.shift();
+    worker?.say({ type: "failed", id, error: { code: "stopped", message: "" }, fatal: false });
+    worker?.finish();
+    expect([long.log.failed, next.log.accepted]).toEqual([[], ["plan30"]]);
+    vi.useRealTimers();
   });
 
   it("takes a silent worker for dead", () => {

@@ -65,6 +65,9 @@ export class Pool {
     if (!entry) return;
     entry.live = false;
     this.#entries.delete(channel);
+    for (const { work, worker } of this.#seats) {
+      if (work?.entry === entry) worker.postMessage({ type: "stop", id: work.id });
+    }
     this.#report();
   }
 
@@ -110,6 +113,10 @@ export class Pool {
   }
 
   #hear(seat: Seat, response: Response): void {
+    if (response.type === "alive") {
+      if (seat.work?.id === response.id) this.#watch(seat);
+      return;
+    }
     if (seat.watch) clearTimeout(seat.watch);
     seat.watch = null;
     if (response.type === "ready") {

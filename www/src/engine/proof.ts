@@ -33,6 +33,13 @@ export interface LocusTiles {
   free(): void;
 }
 
+/** A search for a path, in parts. */
+export interface PathSearch {
+  /** Does the next part; the plan comes with the last. */
+  step(): PathPlan | null;
+  free(): void;
+}
+
 /** What decides and proves, in a module of its own: the workers have it, and who asks for it. */
 export interface Proof {
   connectedness(ifs: Ifs, options?: { epsilon?: number; budget?: number }): Connectedness;
@@ -47,6 +54,7 @@ export interface Proof {
   /** Replays a proof in exact arithmetic. Never throws for a wrong proof: it says what is wrong with it. */
   checkCertificate(certificate: Certificate): CertificateCheck;
   planPath(from: Ifs, to: Ifs, options?: PathOptions): PathPlan;
+  PathSearch: new (from: Ifs, to: Ifs, options?: PathOptions) => PathSearch;
   planPathIn(locus: Locus, bounds: Bounds): PathPlan;
   checkPath(
     from: Ifs,

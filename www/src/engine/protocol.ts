@@ -29,7 +29,7 @@ export interface IndexBufferOptions {
   weighted?: boolean;
 }
 
-/** What can be asked of a worker, by kind. Every task is one slice: some ten milliseconds of work. */
+/** What can be asked of a worker, by kind. Every task is one slice: some ten milliseconds of work, unless it says so. */
 export interface Tasks {
   /** Rows of a locus. `key` tells loci apart, so that a worker prepares each only once. */
   locus: {
@@ -77,7 +77,7 @@ export interface Tasks {
     options: MorphOptions & { epsilon: number };
     points: readonly PathPoint[];
   };
-  /** A path through three parameters, found from nothing. */
+  /** A path through three parameters, found from nothing: a long task, which breathes. */
   plan3: { kind: "plan3"; from: MapRow[]; to: MapRow[]; options: PathOptions };
   /** What is proved of a stretch of a path. */
   certify: {
@@ -131,11 +131,17 @@ export interface Modules {
 }
 
 /** Main thread to worker. */
-export type Request = { type: "start"; modules: Modules } | { type: "run"; id: number; task: Task };
+export type Request =
+  | { type: "start"; modules: Modules }
+  | { type: "run"; id: number; task: Task }
+  /** The answer is not wanted any more: a long task ends at its next breath. */
+  | { type: "stop"; id: number };
 
 /** Worker to main thread. `fatal`: the instance cannot be trusted any more and asks to be replaced. */
 export type Response =
   | { type: "ready" }
+  /** A long task is under way still. */
+  | { type: "alive"; id: number }
   | { type: "done"; id: number; result: Result; milliseconds: number }
   | { type: "failed"; id: number; error: FrondError; fatal: boolean };
 

@@ -4,7 +4,18 @@ import type { Proof } from "../engine/proof";
 import { type Request, type Response, toError } from "../engine/protocol";
 import { adopt, frond } from "../engine/wasm";
 
-const execute = executor({ ...frond, ...(bindings as unknown as Proof) });
+/** The task under way, and whether its answer is still wanted. */
+let current = 0;
+let stopped = false;
+
+async function breathe(): Promise<void> {
+  reply({ type: "alive", id: current });
+  // Word that it is to stop comes as a message: after this.
+  await new Promise((resolve) => setTimeout(resolve));
+  if (stopped) throw { code: "stopped", message: "Something else was asked for." };
+}
+
+const execute = executor({ ...frond, ...(bindings as unknown as Proof) }, breathe);
 
 function reply(response: Response, transfer: Transferable[] = []): void {
   self.postMessage(response, { transfer });
@@ -18,6 +29,12 @@ self.addEventListener("message", async (event: MessageEvent<Request>) => {
     reply({ type: "ready" });
     return;
   }
+  if (request.type === "stop") {
+    stopped ||= request.id === current;
+    return;
+  }
+  current = request.id;
+  stopped = false;
   const started = performance.now();
   try {
     const { result, transfer } = await execute(request.task);
