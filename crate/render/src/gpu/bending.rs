@@ -83,7 +83,7 @@ struct Made {
 const AT_ONCE: usize = 24_000;
 const COMPLETE: usize = 600_000;
 /// Visits for planning a complete picture in each frame.
-const PLANNING: u64 = 60_000;
+const PLANNING: u64 = 150_000;
 /// The largest pieces, in pixels: at once, and complete, and those of one colour where the bend carries colours.
 const LARGEST: (f64, f64) = (32.0, 64.0);
 const COLOURED: (f64, f64) = (6.0, 3.0);
