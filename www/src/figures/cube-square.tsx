@@ -52,7 +52,13 @@ export function CubeSquare({
           const at = (i * step).toFixed(2);
           return `M${at} 0V${SIDE}M0 ${at}H${SIDE}`;
         });
-        return <path key={depth} class={`cube-lines ${depth === 1 ? "first" : ""}`} d={lines.join("")} />;
+        return (
+          <path
+            key={depth}
+            class={`cube-lines ${depth === 1 ? "first" : depth > named ? "deep" : ""}`}
+            d={lines.join("")}
+          />
+        );
       })}
       {allCodes(lettersOf(cube), named).map((code) => {
         const { corner, side } = cellOf(cube, code);
@@ -60,6 +66,7 @@ export function CubeSquare({
         return (
           <text
             key={codeWords(code)}
+            class={named < letters ? "over" : ""}
             x={(left + side / 2) * SIDE}
             y={(1 - low - side / 2) * SIDE}
             dy="0.35em"

@@ -19,7 +19,6 @@ export const TWIN: MapRow[] = [
   [0.5, 0.5, -0.5, 0.5, 0.5, 0.625],
 ];
 const BOX: Box = { x0: -1.05, y0: -1.42, x1: 2.9, y1: 1.75 };
-export const TWIN_BOX = BOX;
 /** The dragon itself. */
 const REST: Box = { x0: -0.77, y0: -0.42, x1: 1.77, y1: 1.42 };
 const ASPECT = (BOX.x1 - BOX.x0) / (BOX.y1 - BOX.y0);

@@ -8,7 +8,7 @@ import { Bent } from "./bent";
 import { CubeSquare } from "./cube-square";
 import { GASKET, LIFT_BOX, liftOf } from "./d4";
 import { FERN, swayOf } from "./d5";
-import { drawnOf, TWIN, TWIN_BOX } from "./d6";
+import { drawnOf, TWIN } from "./d6";
 import { Cell } from "./matrix";
 import { Steps } from "./steps";
 
@@ -53,9 +53,12 @@ export function Swaying() {
   return <Still maps={FERN} box={LEANING} bend={bend} aspect={0.62} />;
 }
 
+/** Where the dragon is as it is drawn. */
+const DRAWN: Box = { x0: -0.8, y0: -0.5, x1: 1.75, y1: 1.45 };
+
 export function Drawn() {
   const bend = useMemo(() => bendAt(drawnOf({ kb: 0 }), 0.8), []);
-  return <Still maps={TWIN} box={TWIN_BOX} bend={bend} aspect={1.24} colouring="grid" />;
+  return <Still maps={TWIN} box={DRAWN} bend={bend} aspect={1.3} colouring="grid" />;
 }
 
 interface StillProps {
