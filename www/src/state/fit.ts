@@ -58,25 +58,61 @@ export function boxAround(maps: MapRow[]): Deformation["box"] {
   return [round(x - across), round(y - up), round(x + across), round(y + up)];
 }
 
+// Parts of the document, so that nothing is computed again while its moments go by.
 const opened = computed(() => scene.value.tool);
-const deform = computed(() => scene.value.deform);
+const pictured = computed(() => scene.value.deform?.subject === "picture");
+const parts = computed(() => scene.value.deform?.parts ?? 2);
+const restBox = computed(() => scene.value.deform?.box);
+const columns = computed(() => scene.value.deform?.columns ?? 4);
+const keys = computed(() => scene.value.deform?.keys);
 
 /** The maps of what is bent. */
 const bentMaps = computed(() =>
-  deform.value?.subject === "picture" ? mapsOfRectangle(aspect.value, deform.value.parts) : current.value,
+  pictured.value ? mapsOfRectangle(aspect.value, parts.value) : current.value,
 );
 
 /** The mesh at rest, where the tool that shows it is open. */
 const meshBox: ReadonlySignal<Box | null> = computed(() => {
   if (opened.value !== "deform") return null;
-  const [x0, y0, x1, y1] = deform.value?.box ?? boxAround(current.value);
+  const [x0, y0, x1, y1] = restBox.value ?? boxAround(current.value);
   return { x0, y0, x1, y1 };
+});
+
+/** How far beyond the mesh at rest handles are followed, in its own size: farther ones may leave the stage. */
+const FOLLOWED = 0.5;
+
+/** What the deformation tool fits: the shape at rest, and the handles wherever they are in the course of time. */
+const bentBox: ReadonlySignal<Box | null> = computed(() => {
+  const mesh = meshBox.value;
+  if (!mesh) return null;
+  const box = union([boxOf(bentMaps.value) ?? mesh, mesh]);
+  const moves = keys.value?.flatMap((key) => key.moves) ?? [];
+  const across = mesh.x1 - mesh.x0;
+  const up = mesh.y1 - mesh.y0;
+  const count = columns.value;
+  const rows = Math.max(2, (keys.value?.[0]?.moves.length ?? 0) / 2 / count);
+  const far = { ...box };
+  for (let i = 0; 2 * i + 1 < moves.length; i++) {
+    const point = i % (count * rows);
+    const x = mesh.x0 + (across * (point % count)) / (count - 1) + (moves[2 * i] ?? 0);
+    const y = mesh.y0 + (up * Math.floor(point / count)) / (rows - 1) + (moves[2 * i + 1] ?? 0);
+    far.x0 = Math.min(far.x0, x);
+    far.y0 = Math.min(far.y0, y);
+    far.x1 = Math.max(far.x1, x);
+    far.y1 = Math.max(far.y1, y);
+  }
+  return {
+    x0: Math.max(far.x0, box.x0 - FOLLOWED * across),
+    y0: Math.max(far.y0, box.y0 - FOLLOWED * up),
+    x1: Math.min(far.x1, box.x1 + FOLLOWED * across),
+    y1: Math.min(far.y1, box.y1 + FOLLOWED * up),
+  };
 });
 
 /** What the stage fits: the morph, the shape that is being edited, or what was picked off the path. */
 export const stageTrack: ReadonlySignal<Track> = computed(() => {
-  const mesh = meshBox.value;
-  if (mesh) return stillTrack(union([boxOf(bentMaps.value) ?? mesh, mesh]), LOOKS);
+  const bent = bentBox.value;
+  if (bent) return stillTrack(bent, LOOKS);
   if (selection.value) return stillTrack(editBox(shown.value), LOOKS);
   return elsewhere.value ? stillTrack(boxOf(shown.value) ?? pairBox.value, LOOKS) : pathTrack.value;
 });
