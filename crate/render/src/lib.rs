@@ -12,6 +12,8 @@
 //!   pieces overlap without end it goes over to a [`Flood`] of points on a grid.
 //! - A lit pixel holds a code, the first [`Letters`] of its piece. A [`Look`] makes colours of codes.
 //! - A [`Density`] spreads samples after the measure; [`tone`] makes light of it.
+//! - What [`bent`] holds is drawn where a [`Bend`](frond_deform::Bend) takes it: in pieces that are even in themselves, as
+//!   points that follow the mesh, or swept.
 //!
 //! Each shader in `shader/` has a twin with the same arithmetic, and tests that compare them. The twins are here, but for
 //! that of the locus, which is in crate/locus: what runs on the card for it is `gpu::LocusGpu`.
