@@ -48,13 +48,15 @@ const quarters = png(240, 120, (x, y) =>
 );
 
 const picture = (buffer: Buffer, name: string, mimeType = "image/png") => ({ buffer, name, mimeType });
+/** In its card: what is spoken names it, too. */
+const name = (page: Page, text: string) => page.locator(".picture-name", { hasText: text });
 const file = (page: Page) => page.getByLabel("Picture file");
 
 /** Opens the tool with the sample on the stage. */
 async function withSample(studio: Studio, page: Page, query = ""): Promise<void> {
   await studio.open(GASKET, query);
   await page.getByRole("radio", { name: "A picture" }).check({ force: true });
-  await expect(page.getByText("Sample: ferns at dusk")).toBeVisible();
+  await expect(name(page, "Sample: ferns at dusk")).toBeVisible();
 }
 
 /** Pixels that are not all covered, in the middle part of the picture. */
@@ -116,7 +118,7 @@ test("a picture of one's own is chosen, bent, and gives way to the sample", asyn
   expect((await studio.look()).hash).not.toBe(look.hash);
   expect(await studio.likeness()).toBeGreaterThan(0.98);
   await page.getByRole("button", { name: "Back to the sample" }).click();
-  await expect(page.getByText("Sample: ferns at dusk")).toBeVisible();
+  await expect(name(page, "Sample: ferns at dusk")).toBeVisible();
   expect((await studio.look()).colours.length).toBeGreaterThan(500);
 });
 
@@ -143,18 +145,18 @@ test("what cannot be bent is refused with the reason, and the last picture stays
     await expect(studio.alerts.filter({ hasText: words })).toBeVisible();
     await studio.alerts.first().getByRole("button", { name: "Dismiss" }).click();
   }
-  await expect(page.getByText("flag.png")).toBeVisible();
+  await expect(name(page, "flag.png")).toBeVisible();
   expect((await studio.look()).hash).toBe(before);
 });
 
 test("pictures are dropped on the stage and pasted", async ({ studio, page }) => {
   await withSample(studio, page);
   const bytes = [...quarters];
-  const arrive = (how: "drop" | "paste", name: string) =>
+  const arrive = (how: "drop" | "paste", called: string) =>
     page.evaluate(
-      ({ how, name, bytes }) => {
+      ({ how, called, bytes }) => {
         const data = new DataTransfer();
-        data.items.add(new File([new Uint8Array(bytes)], name, { type: "image/png" }));
+        data.items.add(new File([new Uint8Array(bytes)], called, { type: "image/png" }));
         const stage = document.querySelector(".stage") ?? document.body;
         const event =
           how === "drop"
@@ -162,12 +164,12 @@ test("pictures are dropped on the stage and pasted", async ({ studio, page }) =>
             : new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true });
         return !stage.dispatchEvent(event);
       },
-      { how, name, bytes },
+      { how, called, bytes },
     );
   expect(await arrive("drop", "dropped.png")).toBe(true);
-  await expect(page.getByText("dropped.png")).toBeVisible();
+  await expect(name(page, "dropped.png")).toBeVisible();
   expect(await arrive("paste", "pasted.png")).toBe(true);
-  await expect(page.getByText("pasted.png")).toBeVisible();
+  await expect(name(page, "pasted.png")).toBeVisible();
   expect((await studio.look()).colours[0]).toMatch(/^#(ff0000|00a000|0000ff|ffffff)$/);
 });
 
@@ -181,7 +183,7 @@ test("a link brings the bend and says where the picture is; a shape comes back w
   await expect.poll(() => page.url()).toContain("picture");
   await studio.open(new URL(page.url()).hash.slice(1));
   await expect.poll(() => studio.said()).toContain("The picture itself is not in the link: choose it again.");
-  await expect(page.getByText("Sample: ferns at dusk")).toBeVisible();
+  await expect(name(page, "Sample: ferns at dusk")).toBeVisible();
   expect((await studio.look()).hash).toBe(bent);
   await page.getByRole("radio", { name: "A shape" }).check({ force: true });
   const shape = await studio.look();

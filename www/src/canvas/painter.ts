@@ -215,7 +215,8 @@ export class Painter {
       return;
     }
     const { complete, settled, points } = surface.draw(this.#budget);
-    this.#set({ complete, settled, points, empty: false });
+    // A picture is no cloud of points: what its renderer counts are triangles.
+    this.#set({ complete, settled, points: this.#wanted.picture ? 0 : points, empty: false });
     // The renderer begins coarser than the preview is.
     if (complete || (points > 0 && performance.now() > this.#deadline)) this.#endPreview();
     if (!settled) this.#schedule();
