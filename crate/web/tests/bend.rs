@@ -8,7 +8,8 @@ use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
 wasm_bindgen_test_configure!(run_in_browser);
 
-const GASKET: &str = r#"{"maps": [[0.5, 0, 0, 0.5, 0, 0], [0.5, 0, 0, 0.5, 0.5, 0], [0.5, 0, 0, 0.5, 0, 0.5]]}"#;
+const GASKET: &str =
+    r#"{"maps": [[0.5, 0, 0, 0.5, 0, 0], [0.5, 0, 0, 0.5, 0.5, 0], [0.5, 0, 0, 0.5, 0, 0.5]]}"#;
 
 fn json(text: &str) -> JsValue {
     JSON::parse(text).unwrap()
@@ -52,7 +53,8 @@ fn a_block_of_letters_is_reversed() {
     let shuffled = |kb, ke| frond_web::shuffle(5.0, kb, ke, vec![2.0, 4.0, 1.0, 0.0, 1.0]).unwrap();
     assert_eq!(shuffled(1.0, 4.0), [2.0, 0.0, 1.0, 4.0, 1.0]);
     assert_eq!(shuffled(3.0, 3.0), [2.0, 4.0, 1.0, 0.0, 1.0]);
-    let code_of = |symbols, kb, ke, letters: &[f64]| code(frond_web::shuffle(symbols, kb, ke, letters.to_vec()));
+    let code_of =
+        |symbols, kb, ke, letters: &[f64]| code(frond_web::shuffle(symbols, kb, ke, letters.to_vec()));
     for (symbols, kb, ke, letters) in [
         (0.0, 0.0, 1.0, &[0.0][..]),
         (2.0, 0.0, 2.0, &[0.0]),
