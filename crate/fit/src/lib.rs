@@ -5,24 +5,37 @@
 //! - [`FractalFunction`] and [`FractalCurve`] are made of smaller copies of parts of themselves: FIF, where each piece
 //!   copies the whole; RFIF, where it copies what lies between two knots; PFIF, where it copies any part.
 //! - [`fit_collage`] is the paper's fit of a ring of feature points.
+//! - [`Fitter`] fits a [`ClosedCurve`], knots with edges that are straight or copies of arcs, which is closed by
+//!   construction and nearer than a polyline of as many numbers.
 //! - [`Outline`] is a closed polyline that is to be fitted; [`features`] finds its feature points, [`fidelity`] says how
 //!   near a fit is to it.
+//! - [`split_polyline`], [`least_squares_polyline`] and [`fourier`] spend as many numbers in other ways; [`maple_leaf`]
+//!   and [`oak_leaf`] grow outlines to try all this on.
 //!
 //! Conventions: y points up, outlines run counter-clockwise, indices count from 0 in code and from 1 in messages.
 //! No panics on any input, no unsafe code, no web, no pictures.
 
+mod baseline;
+mod closed;
 mod collage;
 mod curve;
 mod error;
 mod function;
+mod grown;
 mod outline;
 mod piece;
 mod sample;
 
+pub use baseline::{fourier, least_squares_polyline, split_polyline};
+pub use closed::{
+    ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, Expansion, FitError, Fitter, MAX_SPAN, Progress, Refiner,
+    Stage, Ties, partition, polyline_error,
+};
 pub use collage::{CollageError, CollageFit, CollageOptions, Domains, RingMap, fit_collage};
 pub use curve::{FractalCurve, Side};
 pub use error::{FunctionError, MAX_POINTS};
 pub use function::{Dimension, FractalFunction};
+pub use grown::{maple_leaf, oak_leaf};
 pub use outline::{
     Fidelity, Near, Nearest, Outline, OutlineError, box_count, box_slope, box_slope_of, crossings, features,
     fidelity,

@@ -177,10 +177,10 @@ impl Outline {
     #[must_use]
     pub fn smoothed(&self, width: f64) -> Self {
         let whole = self.length();
-        let width = width.min(0.1 * whole);
         if width.is_nan() || width <= 0.0 {
             return self.clone();
         }
+        let width = width.min(0.1 * whole);
         let even = self.resampled(self.points.len());
         let count = even.points.len();
         let step = whole / count as f64;

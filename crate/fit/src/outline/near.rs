@@ -72,7 +72,7 @@ impl Nearest {
         grid
     }
 
-    fn ends(&self, side: usize) -> (DVec2, DVec2) {
+    pub(crate) fn ends(&self, side: usize) -> (DVec2, DVec2) {
         (self.points[side], self.points[if side + 1 == self.points.len() { 0 } else { side + 1 }])
     }
 

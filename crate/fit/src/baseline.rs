@@ -1,0 +1,77 @@
+//! What a fit is compared with: other ways to spend as many numbers on an outline.
+
+use std::f64::consts::TAU;
+
+use glam::DVec2;
+
+use crate::closed::{ClosedCurve, Refiner, Ties, partition};
+use crate::outline::{Outline, features};
+
+/// The most steps of least squares.
+const STEPS: usize = 40;
+
+/// A polyline through feature points: 2 numbers each.
+#[must_use]
+pub fn split_polyline(outline: &Outline, numbers: usize) -> Vec<DVec2> {
+    features(outline, numbers / 2).iter().map(|&i| outline.points()[i]).collect()
+}
+
+/// A polyline whose corners were moved by least squares on the outline's points, from the better of two beginnings:
+/// [`features`] and [`partition`]. 2 numbers a corner.
+#[must_use]
+pub fn least_squares_polyline(outline: &Outline, numbers: usize) -> Vec<DVec2> {
+    let begin = |marks: Vec<usize>| {
+        let mut line = ClosedCurve::polygon(marks.iter().map(|&i| outline.points()[i]).collect());
+        if line.knots.len() < 3 {
+            return (f64::INFINITY, line.knots);
+        }
+        let mut refiner = Refiner::new(outline.points().to_vec(), 0.0, 1);
+        // Nothing but the distance from the outline counts: that is what is measured.
+        refiner.set_ties(Ties { back: 0.0, beyond: 0.0, reach: 0.0 });
+        let mut error = refiner.error(&line);
+        for _ in 0..STEPS {
+            let (next, moved) = refiner.step(&mut line, error);
+            if !moved {
+                break;
+            }
+            error = next;
+        }
+        (error, line.knots)
+    };
+    let (a, b) = (begin(features(outline, numbers / 2)), begin(partition(outline, numbers / 2)));
+    if a.0 <= b.0 { a.1 } else { b.1 }
+}
+
+/// Fourier descriptors: the lowest complex frequencies of the outline by arc length, 2 numbers each, at `count` points.
+///
+/// Fewer than 2 numbers are taken for 2, fewer than 3 points for 3.
+#[must_use]
+pub fn fourier(outline: &Outline, numbers: usize, count: usize) -> Vec<DVec2> {
+    let count = count.max(3);
+    let terms = (numbers / 2).max(1) as i64;
+    // 0, 1, -1, 2, -2 ..
+    let frequencies = (0..terms).map(|k| if k % 2 == 1 { (k + 1) / 2 } else { -k / 2 });
+    let even = outline.resampled((8 * terms as usize).max(2048));
+    let samples = even.points();
+    let mut points = vec![DVec2::ZERO; count];
+    for frequency in frequencies {
+        let unit = |i: usize, n: usize| {
+            // The product is reduced first: a large angle would lose digits.
+            let turns = (frequency * i as i64).rem_euclid(n as i64);
+            DVec2::from_angle(TAU * turns as f64 / n as f64)
+        };
+        let sum: DVec2 = samples
+            .iter()
+            .enumerate()
+            .map(|(i, p)| {
+                let turn = unit(i, samples.len());
+                DVec2::new(turn.x, -turn.y).rotate(*p)
+            })
+            .sum();
+        let coefficient = sum / samples.len() as f64;
+        for (i, point) in points.iter_mut().enumerate() {
+            *point += unit(i, count).rotate(coefficient);
+        }
+    }
+    points
+}

@@ -1,0 +1,308 @@
+//! Least squares through the attractor: knots and factors move until the outline lies as near as it can.
+
+use glam::DVec2;
+
+use super::expand::Vertex;
+use super::{CONTRACTION, ClosedCurve};
+use crate::outline::Nearest;
+
+/// What it costs the curve to be off the outline, where the outline's points do not see it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ties {
+    /// Weight of the curve's squared distances from the outline, against those of the outline from the curve.
+    pub back: f64,
+    /// Weight of the square of what is beyond the reach.
+    pub beyond: f64,
+    /// In plane units.
+    pub reach: f64,
+}
+
+/// The sum of squared distances from points to a closed polyline.
+#[must_use]
+pub fn polyline_error(points: &[DVec2], polyline: &[DVec2]) -> f64 {
+    let nearest = Nearest::new(polyline, true);
+    points.iter().map(|&p| nearest.to(p).squared).sum()
+}
+
+/// Levenberg-Marquardt on the distances from points of an outline to a curve.
+///
+/// Each point is tied to the nearest point of the curve as it is now; only the distance across the curve counts, and
+/// along it the point is free to slide, but at corners. The curve in its turn is tied to the outline, with less weight:
+/// else it would reach out where no point of the outline sees it.
+#[derive(Clone, Debug)]
+pub struct Refiner {
+    points: Vec<DVec2>,
+    outline: Nearest,
+    /// Points of the outline for a unit of its length.
+    density: f64,
+    ties: Ties,
+    tolerance: f64,
+    levels: usize,
+    damping: f64,
+}
+
+impl Refiner {
+    /// Prepares for the points of an outline; edges of copies shorter than `tolerance` are not opened.
+    #[must_use]
+    pub fn new(points: Vec<DVec2>, tolerance: f64, levels: usize) -> Self {
+        let outline = Nearest::new(&points, true);
+        let side = |i: usize| points[i].distance(points[(i + 1) % points.len()]);
+        let length: f64 = (0..points.len()).map(side).sum();
+        let density = points.len() as f64 / length.max(f64::MIN_POSITIVE);
+        Self {
+            points,
+            outline,
+            density,
+            ties: Ties { back: 1.0, beyond: 0.0, reach: 0.0 },
+            tolerance,
+            levels,
+            damping: 1e-2,
+        }
+    }
+
+    /// Sets what it costs to be off the outline. At first both directions count alike.
+    pub fn set_ties(&mut self, ties: Ties) {
+        self.ties = ties;
+    }
+
+    /// The points.
+    #[must_use]
+    pub fn points(&self) -> &[DVec2] {
+        &self.points
+    }
+
+    /// The sum of squares of a curve; infinite where it is not sound.
+    #[must_use]
+    pub fn error(&self, curve: &ClosedCurve) -> f64 {
+        if !curve.is_sound() {
+            return f64::INFINITY;
+        }
+        let polyline = curve.polyline(self.tolerance, self.levels);
+        polyline_error(&self.points, &polyline) + self.backward_error(&polyline)
+    }
+
+    /// Like [`error`](Self::error), from the outline to the curve only.
+    #[must_use]
+    pub fn forward_error(&self, curve: &ClosedCurve) -> f64 {
+        polyline_error(&self.points, &curve.polyline(self.tolerance, self.levels))
+    }
+
+    /// For each edge the sum of squares of the points nearest to it, and the index of the farthest of them.
+    #[must_use]
+    pub fn shares(&self, curve: &ClosedCurve) -> Vec<(f64, usize)> {
+        let expansion = curve.expand(self.tolerance, self.levels);
+        let nearest = Nearest::new(&expansion.points(), true);
+        let mut shares = vec![(0.0, 0, -1.0); curve.knots.len()];
+        for (i, &p) in self.points.iter().enumerate() {
+            let near = nearest.to(p);
+            let edge = expansion.starts.partition_point(|&start| start <= near.side) - 1;
+            let Some(share) = shares.get_mut(edge) else { continue };
+            share.0 += near.squared;
+            if near.squared > share.2 {
+                (share.1, share.2) = (i, near.squared);
+            }
+        }
+        shares.into_iter().map(|(sum, farthest, _)| (sum, farthest)).collect()
+    }
+
+    fn backward_error(&self, polyline: &[DVec2]) -> f64 {
+        let square = |p: DVec2| {
+            let squared = self.outline.to(p).squared;
+            let over = (squared.sqrt() - self.ties.reach).max(0.0);
+            self.ties.back * squared + self.ties.beyond * over * over
+        };
+        let side = |i: usize| {
+            let (a, b) = (polyline[i], polyline[(i + 1) % polyline.len()]);
+            0.5 * (square(a) + square(a.midpoint(b))) * a.distance(b)
+        };
+        self.density * (0..polyline.len()).map(side).sum::<f64>()
+    }
+
+    /// Begins anew with weak damping, for another curve.
+    pub fn reset(&mut self) {
+        self.damping = 1e-2;
+    }
+
+    /// One step: the curve is replaced by a better one if one is found, and the sum of squares is given back with
+    /// whether it was.
+    pub fn step(&mut self, curve: &mut ClosedCurve, error: f64) -> (f64, bool) {
+        let system = self.system(curve);
+        for _ in 0..6 {
+            let Some(change) = system.solve(self.damping) else {
+                self.damping *= 8.0;
+                continue;
+            };
+            let moved = moved(curve, &change);
+            let next = self.error(&moved);
+            if next < error {
+                *curve = moved;
+                self.damping = (self.damping * 0.2).max(1e-7);
+                return (next, true);
+            }
+            self.damping = (self.damping * 6.0).min(1e8);
+        }
+        (error, false)
+    }
+
+    /// The normal equations of the present step.
+    fn system(&self, curve: &ClosedCurve) -> Normal {
+        let expansion = curve.expand_with(self.tolerance, self.levels, true);
+        let vertices = &expansion.vertices;
+        let polyline = expansion.points();
+        let nearest = Nearest::new(&polyline, true);
+        let count = curve.knots.len();
+        let mut places = vec![usize::MAX; count];
+        let mut size = 2 * count;
+        for (place, edge) in places.iter_mut().zip(&curve.edges) {
+            if edge.is_some() {
+                *place = size;
+                size += 1;
+            }
+        }
+        let mut normal = Normal::new(size);
+        let mut row: Vec<(usize, f64)> = Vec::new();
+        for &p in &self.points {
+            let near = nearest.to(p);
+            let ends = [near.side, (near.side + 1) % vertices.len()];
+            let weights = [1.0 - near.share, near.share];
+            let at = polyline[ends[0]].lerp(polyline[ends[1]], near.share);
+            let inside = near.share > 0.0 && near.share < 1.0;
+            let across = (polyline[ends[1]] - polyline[ends[0]]).perp().normalize_or_zero();
+            let directions = if inside { [across, DVec2::ZERO] } else { [DVec2::X, DVec2::Y] };
+            for direction in directions {
+                if direction == DVec2::ZERO {
+                    continue;
+                }
+                row.clear();
+                for (vertex, weight) in ends.iter().zip(weights) {
+                    fill(&mut row, &vertices[*vertex], direction * weight, &places);
+                }
+                normal.add(&row, direction.dot(p - at));
+            }
+        }
+        let tied = self.ties.back > 0.0 || self.ties.beyond > 0.0;
+        for i in 0..if tied { vertices.len() } else { 0 } {
+            let next = (i + 1) % vertices.len();
+            let weight = 0.5 * self.density * polyline[i].distance(polyline[next]);
+            for share in [0.0, 0.5] {
+                let at = polyline[i].lerp(polyline[next], share);
+                let near = self.outline.to(at);
+                let (a, b) = self.outline.ends(near.side);
+                let way = a.lerp(b, near.share) - at;
+                // Across the outline, towards it.
+                let far = way.length();
+                let over = (far - self.ties.reach).max(0.0);
+                let both = self.ties.back + if over > 0.0 { self.ties.beyond } else { 0.0 };
+                if both <= 0.0 {
+                    continue;
+                }
+                let scale = (weight * both).sqrt();
+                let direction = way.normalize_or((b - a).perp().normalize_or_zero()) * scale;
+                row.clear();
+                fill(&mut row, &vertices[i], direction * (1.0 - share), &places);
+                fill(&mut row, &vertices[next], direction * share, &places);
+                normal.add(&row, (self.ties.back * far + self.ties.beyond * over) / both * scale);
+            }
+        }
+        normal
+    }
+}
+
+/// Adds what a corner's place along `scaled` owes to each number.
+fn fill(row: &mut Vec<(usize, f64)>, vertex: &Vertex, scaled: DVec2, places: &[usize]) {
+    if scaled == DVec2::ZERO {
+        return;
+    }
+    for &(knot, derivative) in &vertex.knots {
+        let both = derivative.transpose() * scaled;
+        add(row, 2 * knot as usize, both.x);
+        add(row, 2 * knot as usize + 1, both.y);
+    }
+    for &(edge, derivative) in &vertex.factors {
+        add(row, places[edge as usize], derivative.dot(scaled));
+    }
+}
+
+fn add(row: &mut Vec<(usize, f64)>, place: usize, value: f64) {
+    match row.iter_mut().find(|entry| entry.0 == place) {
+        Some(entry) => entry.1 += value,
+        None => row.push((place, value)),
+    }
+}
+
+/// The curve after a change of all its numbers, knots first. Factors are held to what contracts.
+fn moved(curve: &ClosedCurve, change: &[f64]) -> ClosedCurve {
+    let mut moved = curve.clone();
+    for (knot, change) in moved.knots.iter_mut().zip(change.chunks(2)) {
+        *knot += DVec2::from_slice(change);
+    }
+    let mut rest = change[2 * curve.knots.len()..].iter();
+    for i in 0..moved.edges.len() {
+        let Some(mut copy) = moved.edges[i] else { continue };
+        copy.c += rest.next().copied().unwrap_or(0.0);
+        let (first, last) = moved.arc_ends(&copy);
+        let edge = moved.knots[i].distance(moved.knot(i + 1));
+        let most = 0.999 * CONTRACTION * moved.knots[first].distance(moved.knots[last]) / edge;
+        copy.c = copy.c.clamp(-most, most);
+        moved.edges[i] = Some(copy);
+    }
+    moved
+}
+
+/// Normal equations: a symmetric matrix, of which the lower half is kept, and a right side.
+struct Normal {
+    size: usize,
+    matrix: Vec<f64>,
+    right: Vec<f64>,
+}
+
+impl Normal {
+    fn new(size: usize) -> Self {
+        Self { size, matrix: vec![0.0; size * size], right: vec![0.0; size] }
+    }
+
+    fn add(&mut self, row: &[(usize, f64)], value: f64) {
+        for &(i, a) in row {
+            self.right[i] += a * value;
+            for &(j, b) in row {
+                if j <= i {
+                    self.matrix[i * self.size + j] += a * b;
+                }
+            }
+        }
+    }
+
+    /// Cholesky, with the diagonal raised by a share of itself and of its mean.
+    fn solve(&self, damping: f64) -> Option<Vec<f64>> {
+        let n = self.size;
+        let mean = (0..n).map(|i| self.matrix[i * n + i]).sum::<f64>() / n as f64;
+        let mut l = self.matrix.clone();
+        for i in 0..n {
+            l[i * n + i] += damping * l[i * n + i] + (1e-9 + 1e-3 * damping) * mean + f64::MIN_POSITIVE;
+        }
+        for i in 0..n {
+            let (above, rest) = l.split_at_mut(i * n);
+            let row = &mut rest[..n];
+            for j in 0..i {
+                let other = &above[j * n..j * n + j + 1];
+                let dot: f64 = row[..j].iter().zip(&other[..j]).map(|(a, b)| a * b).sum();
+                row[j] = (row[j] - dot) / other[j];
+            }
+            let left = row[i] - row[..i].iter().map(|a| a * a).sum::<f64>();
+            if left.is_nan() || left <= 0.0 {
+                return None;
+            }
+            row[i] = left.sqrt();
+        }
+        let mut x = self.right.clone();
+        for i in 0..n {
+            let dot: f64 = (0..i).map(|j| l[i * n + j] * x[j]).sum();
+            x[i] = (x[i] - dot) / l[i * n + i];
+        }
+        for i in (0..n).rev() {
+            let dot: f64 = (i + 1..n).map(|j| l[j * n + i] * x[j]).sum();
+            x[i] = (x[i] - dot) / l[i * n + i];
+        }
+        x.iter().all(|value| value.is_finite()).then_some(x)
+    }
+}
