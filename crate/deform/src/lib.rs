@@ -11,6 +11,9 @@
 //! - ke, the detail: how small the parts are that still answer on their own;
 //! - delta, the roughness: how much the small parts answer.
 //!
+//! A [`Bend`] is all of this at one moment, with pieces kept together ([`Continuity`]), reached letter by letter with a
+//! [`Cursor`] and fast enough for every frame; a [`Skin`] moves points with the mesh at one price whatever ke.
+//!
 //! [`Spin`] turns the displacement with the piece. [`Cube`] gives codes to the points of a unit square, so that
 //! pictures can be bent like attractors.
 

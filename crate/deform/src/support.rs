@@ -81,7 +81,7 @@ impl Shape {
     }
 }
 
-/// Whether a shape looks like a tree: a map that flattens all (a stem), or areas that differ more than tenfold
+/// Whether a shape looks like a tree: a map that flattens all (a stem), or areas that differ more than sixfold
 /// (leaflets on a frond). Such pieces hardly touch, or only where one hides the other; what would glue them to their
 /// neighbours would stop the leaflets from swaying.
 fn is_tree(maps: &[Affine2]) -> bool {
@@ -91,7 +91,7 @@ fn is_tree(maps: &[Affine2]) -> bool {
     };
     let areas = maps.iter().map(|map| map.determinant().abs());
     let (least, most) = areas.fold((f64::INFINITY, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
-    maps.len() > 1 && (maps.iter().any(flat) || least < 0.1 * most)
+    maps.len() > 1 && (maps.iter().any(flat) || least < 0.15 * most)
 }
 
 impl Support {

@@ -319,6 +319,8 @@ fn shapes_choose_what_suits_them() {
     };
     assert_eq!(choice(&gasket(), Continuity::Auto), Continuity::Corners);
     assert_eq!(choice(&fern(), Continuity::Auto), Continuity::Raw);
+    let spiral = [[0.8645, -0.3147, 0.3147, 0.8645, 0.0, 0.0], [0.15, -0.2598, 0.2598, 0.15, 0.8, 0.1]];
+    assert_eq!(choice(&spiral.map(Affine2::from_row), Continuity::Auto), Continuity::Raw);
     assert_eq!(choice(&twindragon(), Continuity::Auto), Continuity::Splat);
     assert_eq!(choice(&twindragon(), Continuity::Corners), Continuity::Splat, "it has none");
     for asked in [Continuity::Splat, Continuity::Raw, Continuity::Average] {
