@@ -7,6 +7,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use frond_core::{Affine2, Hull, Ifs};
+use frond_deform::{Bend, Continuity, Mesh, Roughness, Settings, Spin, Tint};
 use frond_render::gpu::{Canvas, Event, Gpu, Stage, Style, Wanted};
 use frond_render::{
     Colouring, Density, Detail, Frame, Look, Plan, RasterOptions, View, Window, rasterize, resolve_codes,
@@ -300,6 +301,107 @@ async fn at_rest_the_picture_is_complete() {
             }
         }
         assert_no_fault(&events);
+    }
+}
+
+/// A bend whose control points are moved by so much of the shape's size, each another way, with colours or none.
+fn bend(subject: &Subject, share: f64, ke: f64, tinted: bool) -> Bend {
+    let hull = Hull::of(&subject.ifs);
+    let size = hull.max() - hull.min();
+    let list = moves(share, size);
+    let mesh = Mesh::new(hull.min(), hull.max(), 4, 4, list).unwrap();
+    let settings = Settings {
+        kb: 1.0,
+        ke,
+        roughness: Roughness::Constant(0.6),
+        spin: Spin::None,
+        continuity: Continuity::Auto,
+        superposed: true,
+    };
+    let colours = (0..16).map(|i| [f64::from(i % 4) / 3.0, f64::from(i / 4) / 3.0, 0.5]).collect();
+    let tint = Tint { colours, kb: 0.0, ke: 2.0, roughness: 0.5, superposed: true };
+    Bend::new(subject.ifs.maps(), mesh, settings, tinted.then_some(tint)).unwrap()
+}
+
+fn moves(share: f64, size: glam::DVec2) -> Vec<glam::DVec2> {
+    let way = |i: i32| glam::DVec2::new(f64::from(i * 7 % 16) - 7.5, f64::from(i * 5 % 16) - 7.5) / 8.0;
+    (0..16).map(|i| way(i) * share * size).collect()
+}
+
+fn bent_truth(subject: &Subject, bend: &Bend, colouring: Colouring) -> Vec<u8> {
+    let options = RasterOptions {
+        width: WINDOW.width,
+        height: WINDOW.height,
+        view: Some(subject.view),
+        colouring,
+        bend: Some(bend),
+        ..RasterOptions::default()
+    };
+    rasterize(&subject.ifs, &options).unwrap()
+}
+
+#[wasm_bindgen_test]
+async fn bent_pictures_are_those_of_the_processor() {
+    for wanted in BACKENDS {
+        for software in [false, true] {
+            let Some((mut stage, events)) = stage(wanted, software).await else { continue };
+            for name in ["gasket", "dragon", "fern"] {
+                let subject = subject(name);
+                let what = format!("{name} {wanted:?} software {software}");
+                show(&mut stage, &subject, Colouring::Map, 1.0, PLENTY);
+                stage.set_bend(Some(bend(&subject, 0.08, 5.0, false)));
+                let first = stage.draw(PLENTY);
+                assert!(first.points > 500 && !first.settled, "{what} {first:?}");
+                let drawn = settle(&mut stage);
+                assert!(drawn.complete, "{what} {drawn:?}");
+                let truth = bent_truth(&subject, &bend(&subject, 0.08, 5.0, false), Colouring::Map);
+                let (missed, extra) = disagreement(&pixels(&stage).await, &truth);
+                assert!(missed < 0.01 && extra < 0.01, "{what}: {missed} {extra}");
+                // Moved, first in a hurry, then at rest.
+                let size = Hull::of(&subject.ifs).max() - Hull::of(&subject.ifs).min();
+                assert!(!stage.move_mesh(&[glam::DVec2::ZERO]), "{what}: too few");
+                assert!(stage.move_mesh(&moves(0.11, size)), "{what}");
+                let moved = bent_truth(&subject, &bend(&subject, 0.11, 5.0, false), Colouring::Map);
+                assert!(!stage.draw(PLENTY).complete);
+                let (missed, extra) = disagreement(&pixels(&stage).await, &moved);
+                assert!(missed < 0.1 && extra < 0.1, "{what} moving: {missed} {extra}");
+                assert!(settle(&mut stage).complete, "{what}");
+                let (missed, extra) = disagreement(&pixels(&stage).await, &moved);
+                assert!(missed < 0.01 && extra < 0.01, "{what} moved: {missed} {extra}");
+                stage.set_bend(None);
+            }
+            assert_no_fault(&events);
+        }
+    }
+}
+
+#[wasm_bindgen_test]
+async fn bends_carry_colours_and_densities() {
+    for wanted in BACKENDS {
+        for software in [false, true] {
+            let Some((mut stage, events)) = stage(wanted, software).await else { continue };
+            let subject = subject("dragon");
+            show(&mut stage, &subject, Colouring::Grid, 1.0, PLENTY);
+            stage.set_bend(Some(bend(&subject, 0.05, 4.0, true)));
+            assert!(settle(&mut stage).complete);
+            let seen = pixels(&stage).await;
+            let truth = bent_truth(&subject, &bend(&subject, 0.05, 4.0, true), Colouring::Grid);
+            let (missed, extra) = disagreement(&seen, &truth);
+            assert!(missed < 0.01 && extra < 0.01, "{wanted:?}: {missed} {extra}");
+            // Pieces of one colour need not be the same ones: on the whole the colours are.
+            let opaque = || {
+                seen.chunks_exact(4).zip(truth.chunks_exact(4)).filter(|(a, b)| a[3] == 255 && b[3] == 255)
+            };
+            let off: u32 =
+                opaque().map(|(a, b)| u32::from(a[0].abs_diff(b[0])) + u32::from(a[1].abs_diff(b[1]))).sum();
+            assert!(off as usize <= 12 * opaque().count(), "{wanted:?}: {off} of {}", opaque().count());
+            assert!(opaque().all(|(a, _)| a[2].abs_diff(128) <= 2), "{wanted:?}: blue is the same all over");
+            stage.set_style(style(Colouring::Density));
+            assert!(settle(&mut stage).complete, "{wanted:?}");
+            let (_, extra) = disagreement(&pixels(&stage).await, &truth);
+            assert!(extra < 0.02, "{wanted:?} dense: {extra}");
+            assert_no_fault(&events);
+        }
     }
 }
 
