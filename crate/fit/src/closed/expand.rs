@@ -193,8 +193,6 @@ mod tests {
         let mut curve = ClosedCurve::polygon(knots);
         curve.edges[0] = Some(ArcCopy { from: 1, span: 3, reversed: false, c: 0.7 });
         curve.edges[3] = Some(ArcCopy { from: 0, span: 2, reversed: true, c: -0.4 });
-        curve.edges[4] = Some(ArcCopy { from: 5, span: 4, reversed: true, c: 0.3 });
-        curve.edges[4] = None;
         curve
     }
 
