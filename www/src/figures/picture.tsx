@@ -39,6 +39,7 @@ export function Picture({
   const full = usePixels(canvas);
   const onDark = useValue(dark);
   const coarse = !useRest(bend);
+  const [shown, setShown] = useState<Task<"picture"> | null>(null);
   const task = useMemo<Task<"picture"> | null>(() => {
     if (full === null) return null;
     const size = coarse ? coarser(full) : full;
@@ -48,9 +49,10 @@ export function Picture({
     return { kind: "picture", maps, options: bend ? { ...options, bend } : options };
   }, [maps, box, full, coarse, margin, onDark, colouring, bend]);
   useAsk<"picture">(task, priority, {
-    accept(_, bitmap) {
+    accept(about, bitmap) {
       if (canvas.current) paint(canvas.current, bitmap);
       bitmap.close();
+      setShown(about);
     },
     // Without an attractor there is nothing to see, and the verdict beside it says so. What cannot be bent stays as it was.
     fail(about) {
@@ -61,6 +63,7 @@ export function Picture({
     <canvas
       ref={canvas}
       class="figure-picture"
+      data-complete={task !== null && shown === task && !coarse ? "" : undefined}
       {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
     />
   );
