@@ -17,7 +17,7 @@ export function Start() {
   return (
     <div class="start">
       <p>
-        <strong>Drag a point of the grid.</strong> Every part of the shape, at every scale, answers with it.
+        <strong>Drag a point of the grid.</strong> Every part, at every scale, answers with it.
       </p>
       <Button kind="primary" onClick={showMe}>
         Show me

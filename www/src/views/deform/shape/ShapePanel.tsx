@@ -54,10 +54,10 @@ export function ShapePanel() {
           icon="whole"
           onClick={() => {
             changeDeformation((d) => inBox(d, boxAround(maps.peek())));
-            announce("The grid is around the shape again.");
+            announce(`The grid is around the ${subject.peek()} again.`);
           }}
         >
-          Fit the grid to the shape
+          Fit the grid to the {subject.value}
         </Button>
       )}
     </section>
