@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { Bend, Deformation, DeformKey, Scene, Tool } from "../engine/api";
 import { boxAround } from "./fit";
-import { current } from "./morph";
+import { standing } from "./morph";
 import { edit, replace, scene } from "./scene";
 
 export { boxAround } from "./fit";
@@ -27,7 +27,7 @@ export const AT_REST: Deformation = {
 };
 
 /** What stands for a document that says nothing of bending. */
-const none: ReadonlySignal<Deformation> = computed(() => ({ ...AT_REST, box: boxAround(current.value) }));
+const none: ReadonlySignal<Deformation> = computed(() => ({ ...AT_REST, box: boxAround(standing.value) }));
 
 /** What the document says of bending; a mesh at rest around the shape where it says nothing. */
 export const deformation: ReadonlySignal<Deformation> = computed(() => scene.value.deform ?? none.value);

@@ -2,7 +2,7 @@ import { computed, type ReadonlySignal } from "@preact/signals";
 import type { Deformation, MapRow } from "../engine/api";
 import { frond } from "../engine/wasm";
 import { type Box, calmTrack, stillTrack, type Track, union } from "./camera";
-import { current, locusView, mapsAt, morphOptions, pairing, pathPoints, selection, shown } from "./morph";
+import { locusView, mapsAt, morphOptions, pairing, pathPoints, selection, shown, standing } from "./morph";
 import { uvAt } from "./path";
 import { aspect, mapsOfRectangle } from "./photograph";
 import { scene } from "./scene";
@@ -68,13 +68,13 @@ const keys = computed(() => scene.value.deform?.keys);
 
 /** The maps of what is bent. */
 const bentMaps = computed(() =>
-  pictured.value ? mapsOfRectangle(aspect.value, parts.value) : current.value,
+  pictured.value ? mapsOfRectangle(aspect.value, parts.value) : standing.value,
 );
 
 /** The mesh at rest, where the tool that shows it is open. */
 const meshBox: ReadonlySignal<Box | null> = computed(() => {
   if (opened.value !== "deform") return null;
-  const [x0, y0, x1, y1] = restBox.value ?? boxAround(current.value);
+  const [x0, y0, x1, y1] = restBox.value ?? boxAround(standing.value);
   return { x0, y0, x1, y1 };
 });
 

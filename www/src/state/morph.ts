@@ -62,6 +62,17 @@ export function mapsAt([u, v, w = 0]: Uv, options: MorphOptions = morphOptions.v
 /** The maps at the present moment. */
 export const current: ReadonlySignal<MapRow[]> = computed(() => mapsAt(uv.value));
 
+/**
+ * What other tools work on: an end with the maps that it has by itself, whose number is that of its pieces, or the
+ * morph on its way between both, for which they may have been refined.
+ */
+export const standing: ReadonlySignal<MapRow[]> = computed(() => {
+  if (t.value === 0) return a.value;
+  return t.value === 1 ? b.value : current.value;
+});
+
+const morphing = computed(() => (scene.value.tool ?? "morph") === "morph");
+
 /** How the locus is looked at where the document does not say: all of the plane w = 0. */
 export const WHOLE: LocusView = { family: "morph", sides: 2, x: 0.5, y: 0.5, zoom: 1, w: 0 };
 
@@ -89,9 +100,10 @@ const picked: ReadonlySignal<MapRow[]> = computed(() => {
   }
 });
 
-/** What the stage shows: the morph, a system of another family, or the shape that is being edited. */
+/** What the stage shows: the morph, a system of another family, the shape that is being edited, or what a tool works on. */
 export const shown: ReadonlySignal<MapRow[]> = computed(() => {
   const editing = selection.value;
+  if (!morphing.value) return standing.value;
   if (!editing) return picked.value;
   return editing.target === "a" ? a.value : b.value;
 });

@@ -3,14 +3,14 @@ import { computed, type ReadonlySignal } from "@preact/signals";
 import type { Bend, BendFacts, MapRow } from "../../engine/api";
 import { frond } from "../../engine/wasm";
 import { bendProblem, deformation } from "../../state/bend";
-import { current } from "../../state/morph";
+import { standing } from "../../state/morph";
 import { wordsOf } from "../../state/notice";
 import { pictureMaps } from "../../state/picture";
 import { DEEPEST, roughFrom } from "./changes";
 
 /** The maps that are bent. */
 export const maps: ReadonlySignal<MapRow[]> = computed(() =>
-  deformation.value.subject === "picture" ? pictureMaps.value : current.value,
+  deformation.value.subject === "picture" ? pictureMaps.value : standing.value,
 );
 
 /** All that the facts hang on, as text: the moment and the moves are not part of it. */

@@ -2,7 +2,7 @@ import { computed } from "@preact/signals";
 import { originOf, presets } from "../../../engine/presets";
 import { strip, thumbnails } from "../../../engine/results";
 import { boxAround, changeDeformation, deformation } from "../../../state/bend";
-import { current } from "../../../state/morph";
+import { standing } from "../../../state/morph";
 import { announce } from "../../../state/notice";
 import { pictureMaps } from "../../../state/picture";
 import { pause, setT } from "../../../state/playback";
@@ -42,7 +42,7 @@ export function ShapePanel() {
         ]}
         onChange={(next) =>
           changeDeformation((d) => {
-            const around = boxAround(next === "picture" ? pictureMaps.peek() : current.peek());
+            const around = boxAround(next === "picture" ? pictureMaps.peek() : standing.peek());
             return inBox({ ...d, subject: next }, around);
           })
         }
