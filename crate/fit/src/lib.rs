@@ -4,6 +4,8 @@
 //!
 //! - [`FractalFunction`] and [`FractalCurve`] are made of smaller copies of parts of themselves: FIF, where each piece
 //!   copies the whole; RFIF, where it copies what lies between two knots; PFIF, where it copies any part.
+//! - [`Hough`] finds maps that a graph is made of by voting; [`name_clusters`] tells maps from echoes, [`assemble`] makes a
+//!   whole function of them, [`FractalFunction::to_recurrent`] a RFIF of a PFIF.
 //! - [`fit_collage`] is the paper's fit of a ring of feature points.
 //! - [`Fitter`] fits a [`ClosedCurve`], knots with edges that are straight or copies of arcs, which is closed by
 //!   construction and nearer than a polyline of as many numbers.
@@ -22,8 +24,10 @@ mod curve;
 mod error;
 mod function;
 mod grown;
+mod hough;
 mod outline;
 mod piece;
+mod recurrent;
 mod sample;
 
 pub use baseline::{fourier, least_squares_polyline, split_polyline};
@@ -36,8 +40,14 @@ pub use curve::{FractalCurve, Side};
 pub use error::{FunctionError, MAX_POINTS};
 pub use function::{Dimension, FractalFunction};
 pub use grown::{maple_leaf, oak_leaf};
+pub use hough::{
+    Assembly, BINS, Candidate, Cluster, Features, FirstPass, Found, Hough, HoughError, HoughOptions,
+    HoughProgress, Kind, Letter, MAX_CELLS, MAX_FEATURES, Model, PLANE, SecondPass, assemble, name_clusters,
+    refine_map,
+};
 pub use outline::{
     Fidelity, Near, Nearest, Outline, OutlineError, box_count, box_slope, box_slope_of, crossings, features,
     fidelity,
 };
 pub use piece::{Piece, spectral_norm};
+pub use recurrent::Recurrent;
