@@ -2,6 +2,7 @@
 
 mod expand;
 mod fitter;
+mod pack;
 mod partition;
 mod refine;
 mod screen;
@@ -9,6 +10,7 @@ mod trade;
 
 pub use expand::Expansion;
 pub use fitter::{ClosedFit, FitError, Fitter, Progress, Stage};
+pub use pack::{MAX_KNOTS, PackError};
 pub use partition::partition;
 pub use refine::{Refiner, Ties, polyline_error};
 
@@ -105,22 +107,22 @@ impl ClosedCurve {
     #[must_use]
     pub fn is_sound(&self) -> bool {
         let count = self.knots.len();
-        let fits = |copy: &ArcCopy| {
-            copy.c.is_finite()
-                && copy.span >= 2
-                && copy.span <= MAX_SPAN
-                && copy.span < count
-                && copy.from < count
-        };
         count >= 3
             && self.edges.len() == count
             && self.knots.iter().all(|p| p.is_finite())
-            && (0..count).all(|i| {
-                let Some(copy) = &self.edges[i] else { return true };
-                let (first, last) = if fits(copy) { self.arc_ends(copy) } else { return false };
-                let ratio =
-                    self.knots[i].distance(self.knot(i + 1)) / self.knots[first].distance(self.knots[last]);
-                ratio * copy.c.abs().max(1.0) <= CONTRACTION
-            })
+            && (0..count).all(|i| self.shrinks(i))
+    }
+
+    /// Whether an edge is straight, or copies an arc that exists and shrinks it enough.
+    pub(crate) fn shrinks(&self, index: usize) -> bool {
+        let count = self.knots.len();
+        let Some(copy) = &self.edges[index] else { return true };
+        let exists = copy.span >= 2 && copy.span <= MAX_SPAN && copy.span < count && copy.from < count;
+        if !exists || !copy.c.is_finite() {
+            return false;
+        }
+        let (first, last) = self.arc_ends(copy);
+        let edge = self.knots[index].distance(self.knot(index + 1));
+        edge / self.knots[first].distance(self.knots[last]) * copy.c.abs().max(1.0) <= CONTRACTION
     }
 }

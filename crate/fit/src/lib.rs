@@ -32,8 +32,8 @@ mod sample;
 
 pub use baseline::{fourier, least_squares_polyline, split_polyline};
 pub use closed::{
-    ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, Expansion, FitError, Fitter, MAX_SPAN, Progress, Refiner,
-    Stage, Ties, partition, polyline_error,
+    ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, Expansion, FitError, Fitter, MAX_KNOTS, MAX_SPAN,
+    PackError, Progress, Refiner, Stage, Ties, partition, polyline_error,
 };
 pub use collage::{CollageError, CollageFit, CollageOptions, Domains, RingMap, fit_collage};
 pub use curve::{FractalCurve, Side};
