@@ -277,6 +277,8 @@ test("the grid is pulled anywhere, and the picture still moves beside it", async
     await page.getByRole("button", { name: "Undo", exact: true }).click();
   });
   await test.step("elsewhere the picture moves", async () => {
+    // The view follows the handles, and glides back with them.
+    await studio.drawn();
     await grid.drag(at, 40, 10);
     expect(await grid.count()).toBe(0);
     const moved = await grid.place(2, 2);

@@ -56,6 +56,8 @@ test("every key of the list does what it says", async ({ studio, page }) => {
   await expect(page.getByRole("region", { name: "Maps of shape A" })).toBeVisible();
   await body.press("e");
   await expect(page.getByRole("region", { name: "Maps of shape A" })).toHaveCount(0);
+  // The view glides back to the whole shape first.
+  await studio.drawn();
   await page.getByRole("application", { name: /^The attractor/ }).press("+");
   await expect(page.getByTestId("zoom")).toHaveText("×1.3");
   await body.press("f");
