@@ -8,6 +8,7 @@ mod assemble;
 mod cluster;
 mod echo;
 mod features;
+mod frame;
 mod pairing;
 mod pass;
 mod polish;

@@ -108,7 +108,17 @@ pub struct Fitter {
     greed: f64,
     reach: f64,
     outline: Outline,
+    /// Rounds without a gain.
+    stale: usize,
+    /// Where the present search set out.
+    home: Option<(Marked, f64)>,
 }
+
+/// After so many rounds without a gain the search sets out anew.
+const PATIENCE: usize = 15;
+
+/// Moves with which it does.
+const KICK: usize = 3;
 
 /// How far the curve may stray from the outline, in root mean squares of the first polygon.
 const REACH: f64 = 4.0;
@@ -116,11 +126,14 @@ const REACH: f64 = 4.0;
 /// What the curve pays for straying.
 const TIES: Ties = Ties { back: 0.03, beyond: 2.0, reach: 0.0 };
 
+/// The weight of straying in the end: the curve is where it belongs, and what is measured is the outline's distance.
+const POLISH_BACK: f64 = 0.003;
+
 /// How deep copies are opened while fitting.
 const LEVELS: usize = 3;
 
 /// The most rounds of trade.
-const ROUNDS: usize = 300;
+const ROUNDS: usize = 500;
 
 impl Fitter {
     /// Begins a fit of at most `numbers` numbers: 2 a knot, 2 a copied edge.
@@ -166,6 +179,8 @@ impl Fitter {
             greed: 1.0,
             reach: 0.0,
             outline: thin,
+            stale: 0,
+            home: None,
         })
     }
 
@@ -311,6 +326,7 @@ impl Fitter {
             better = self.error < kept_error * (1.0 - 1e-4);
         }
         if better {
+            self.stale = 0;
             self.batch = (self.batch + 1).min((self.pairs / 10).max(2));
         } else {
             (self.now, self.error) = (kept, kept_error);
@@ -318,6 +334,38 @@ impl Fitter {
                 self.anneal();
             }
             self.batch = (self.batch / 2).max(1);
+            self.stale += 1;
+            if self.stale >= PATIENCE {
+                self.set_out();
+            }
+        }
+    }
+
+    /// Back to the best, and off again with some moves that are kept whatever they cost: another start.
+    fn set_out(&mut self) {
+        self.stale = 0;
+        match &self.home {
+            Some((marked, error)) if *error <= self.error => {
+                (self.now, self.error) = (marked.clone(), *error);
+            }
+            _ => self.home = Some((self.now.clone(), self.error)),
+        }
+        let library = Library::new(&self.now.curve, self.tolerance, LEVELS);
+        self.batch = KICK;
+        let (jitter, greed) = (self.jitter, self.greed);
+        (self.jitter, self.greed) = (2.0, 4.0);
+        let moves = self.choose(&library);
+        (self.jitter, self.greed) = (jitter, greed);
+        let next = self.now.after(&moves, &self.ring, &library);
+        if next.curve.is_sound() && next.curve.knots.len() + next.curve.copies() <= self.pairs {
+            let kept = (self.now.clone(), self.error);
+            self.now = next;
+            self.error = self.refiner.error(&self.now.curve);
+            self.refiner.reset();
+            self.refine(4);
+            if self.error.is_nan() || self.error > 2.0 * kept.1 {
+                (self.now, self.error) = kept;
+            }
         }
     }
 
@@ -392,7 +440,7 @@ impl Fitter {
             // All points from now on; errors are of another sum.
             if self.all.len() <= 4 * MAX_FOLLOWED {
                 self.refiner = Refiner::new(self.all.clone(), self.tolerance / 3.0, LEVELS + 1);
-                self.refiner.set_ties(Ties { reach: self.reach, ..TIES });
+                self.refiner.set_ties(Ties { reach: self.reach, back: POLISH_BACK, ..TIES });
             }
             self.error = self.refiner.error(&self.now.curve);
             self.best.error = self.error;
@@ -404,7 +452,7 @@ impl Fitter {
             self.error = error;
         }
         self.rounds += 1;
-        if self.rounds >= 6 || self.error > before * (1.0 - 1e-4) {
+        if self.rounds >= 20 || self.error > before * (1.0 - 1e-4) {
             self.stage = Stage::Done;
         }
     }

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use super::frame::Frame;
 use super::{BINS, Features, HoughOptions, PLANE};
 
 /// Cells of (a, b, c).
@@ -18,52 +19,6 @@ const MOST_E: f64 = 4.0;
 
 /// Triples flatter than this, in half heights, tell no c.
 const FLAT: f64 = 1e-5;
-
-/// From the features' own units to an interval and heights from -1 to 1, and back.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Frame {
-    middle: DVec2,
-    half: DVec2,
-}
-
-impl Frame {
-    fn of(fine: &Features) -> Self {
-        let ([start, end], [low, high]) = (fine.interval(), fine.heights());
-        let tall = 0.5 * (high - low);
-        let half = DVec2::new(0.5 * (end - start), if tall > 0.0 { tall } else { 1.0 });
-        Self { middle: DVec2::new(f64::midpoint(start, end), f64::midpoint(low, high)), half }
-    }
-
-    pub fn inside(&self, p: DVec2) -> DVec2 {
-        (p - self.middle) / self.half
-    }
-
-    /// A map between points of the frame as one between points as they were given.
-    pub fn out(&self, [a, b, c, d, e]: [f64; 5]) -> [f64; 5] {
-        let slope = b * self.half.y / self.half.x;
-        let shift = self.middle.x + self.half.x * d - a * self.middle.x;
-        let rise = self.middle.y + self.half.y * e - slope * self.middle.x - c * self.middle.y;
-        [a, slope, c, shift, rise]
-    }
-
-    /// The other way round.
-    pub fn into(self, [a, b, c, d, e]: [f64; 5]) -> [f64; 5] {
-        let slope = b * self.half.x / self.half.y;
-        let shift = (d + a * self.middle.x - self.middle.x) / self.half.x;
-        let rise = (e + b * self.middle.x + c * self.middle.y - self.middle.y) / self.half.y;
-        [a, slope, c, shift, rise]
-    }
-
-    /// t of the frame as it was given.
-    pub fn t(&self, t: f64) -> f64 {
-        self.middle.x + self.half.x * t
-    }
-
-    /// A difference of heights as it was given.
-    pub fn height(&self, x: f64) -> f64 {
-        self.half.y * x
-    }
-}
 
 /// Votes that share the domain triple, or at least its first point, and a.
 pub(crate) struct Row<'a> {
