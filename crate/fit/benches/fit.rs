@@ -2,7 +2,8 @@
 //! `FROND_LEAVES=.. cargo bench -p frond-fit --bench fit [name]`.
 
 use frond_fit::{
-    Fitter, Outline, fidelity, fourier, least_squares_polyline, maple_leaf, oak_leaf, split_polyline,
+    ClosedCurve, Fitter, Outline, fidelity, fourier, least_squares_polyline, maple_leaf, oak_leaf,
+    split_polyline,
 };
 use glam::DVec2;
 
@@ -100,5 +101,12 @@ fn measure(outline: &Outline, numbers: usize) {
         curve.copies(),
         curve.numbers()
     );
-    report(outline, "fractal", &curve.polyline(1e-4 * outline.diagonal(), 12), seconds);
+    let diagonal = outline.diagonal();
+    report(outline, "fractal", &curve.polyline(1e-4 * diagonal, 12), seconds);
+    for precision in [1e-4, 3e-4, 1e-3] {
+        let Ok(bytes) = curve.to_bytes(precision * diagonal) else { continue };
+        let Ok(back) = ClosedCurve::from_bytes(&bytes) else { continue };
+        let name = format!("{} bytes", bytes.len());
+        report(outline, &name, &back.polyline(1e-4 * diagonal, 12), seconds);
+    }
 }

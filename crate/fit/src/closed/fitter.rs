@@ -133,7 +133,7 @@ const POLISH_BACK: f64 = 0.003;
 const LEVELS: usize = 3;
 
 /// The most rounds of trade.
-const ROUNDS: usize = 500;
+const ROUNDS: usize = 700;
 
 impl Fitter {
     /// Begins a fit of at most `numbers` numbers: 2 a knot, 2 a copied edge.

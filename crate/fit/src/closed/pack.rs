@@ -12,7 +12,7 @@ pub const MAX_KNOTS: usize = 4096;
 const VERSION: u8 = 1;
 
 /// Steps of c.
-const FACTOR_STEP: f64 = 1.0 / 128.0;
+const FACTOR_STEP: f64 = 1.0 / 1024.0;
 
 /// The largest |c| that is kept, in steps.
 const MOST_FACTOR: i64 = 1 << 20;
@@ -52,7 +52,7 @@ impl PackError {
 
 impl ClosedCurve {
     /// The curve in few bytes. Knots move by less than `precision` (in plane units; it is held to a billionth of the box at
-    /// least), factors by 1/256; factors that would then be too large become a little smaller.
+    /// least), factors by 1/2048; factors that would then be too large become a little smaller.
     ///
     /// A version, the first knot and the width of the grid; then, bit by bit, steps from knot to knot and what edges copy.
     ///
@@ -95,7 +95,7 @@ impl ClosedCurve {
             bits.put(((copy.from + count - index) % count) as u64, width(count));
             bits.put(copy.span as u64 - 2, 3);
             bits.put(u64::from(copy.reversed), 1);
-            bits.put_number(zigzag((copy.c / FACTOR_STEP).round() as i64), 5);
+            bits.put_number(zigzag((copy.c / FACTOR_STEP).round() as i64), 8);
         }
         Ok(bits.bytes)
     }
@@ -132,7 +132,7 @@ impl ClosedCurve {
             let from = (bits.take(width(count))? as usize + index) % count;
             let span = bits.take(3)? as usize + 2;
             let reversed = bits.take(1)? == 1;
-            let c = unzigzag(bits.take_number(5)?) as f64 * FACTOR_STEP;
+            let c = unzigzag(bits.take_number(8)?) as f64 * FACTOR_STEP;
             curve.edges.push(Some(ArcCopy { from, span, reversed, c }));
         }
         if curve.is_sound() { Ok(curve) } else { Err(PackError::Unsound) }
