@@ -58,6 +58,14 @@ await tame.evaluate(() => window.frond.idle());
 await tame.screenshot({ path: path("set-m") });
 await tame.context().close();
 
+// The middle of the gasket's edge, pulled out: what the tool shows to whoever asks for an example.
+const bent = await studio("#v=1&a=gasket&b=dragon-3&tool=deform");
+await bent.getByRole("button", { name: "Show me" }).click();
+await bent.waitForTimeout(1500);
+await bent.evaluate(() => window.frond.idle());
+await bent.screenshot({ path: path("deform") });
+await bent.context().close();
+
 const figure = await open("#figures/7");
 await figure.getByRole("heading", { level: 1 }).waitFor();
 await figure.waitForTimeout(8000);
