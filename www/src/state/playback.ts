@@ -1,4 +1,5 @@
-import { effect, signal } from "@preact/signals";
+import { signal } from "@preact/signals";
+import { whilePlaying } from "./frames";
 import { replace, scene } from "./scene";
 
 export const playing = signal(false);
@@ -10,8 +11,6 @@ export const SECONDS = 8;
 const FINEST = 1e4;
 
 let direction = 1;
-let last: number | null = null;
-let frame = 0;
 
 /** Where the moment is after `dt` seconds, and which way it then goes. Pure, for the tests. */
 export function advance(
@@ -32,18 +31,12 @@ export function advance(
   return { t: next, way: onward, ended: false };
 }
 
-function tick(now: number): void {
-  frame = 0;
-  if (!playing.peek()) return;
-  // A frame that comes late, after a stall, moves by a tenth of a second at most: nobody likes a jump.
-  const dt = last === null ? 0 : Math.min(0.1, (now - last) / 1000);
-  last = now;
+function step(dt: number): void {
   const before = scene.peek();
-  const step = advance(before.t, dt, direction, { speed: speed.peek(), loop: loop.peek() });
-  direction = step.way;
-  if (step.t !== before.t) replace({ ...before, t: step.t });
-  if (step.ended) playing.value = false;
-  else frame = requestAnimationFrame(tick);
+  const next = advance(before.t, dt, direction, { speed: speed.peek(), loop: loop.peek() });
+  direction = next.way;
+  if (next.t !== before.t) replace({ ...before, t: next.t });
+  if (next.ended) playing.value = false;
 }
 
 /** Only who asks for it sees it move: nothing calls this by itself. */
@@ -69,20 +62,4 @@ export function setT(t: number, _gesture?: string): void {
   if (rounded !== before.t) replace({ ...before, t: rounded });
 }
 
-effect(() => {
-  const go = playing.value;
-  if (typeof requestAnimationFrame === "undefined") return;
-  if (go && !frame) {
-    last = null;
-    frame = requestAnimationFrame(tick);
-  } else if (!go && frame) {
-    cancelAnimationFrame(frame);
-    frame = 0;
-  }
-});
-
-if (typeof document !== "undefined") {
-  document.addEventListener("visibilitychange", () => {
-    if (document.hidden) pause();
-  });
-}
+whilePlaying(playing, step, pause);

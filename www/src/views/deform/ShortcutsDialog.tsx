@@ -1,21 +1,16 @@
 import { help } from "../../state/help";
-import { Dialog } from "../../ui/Dialog";
-import { ShortcutTable } from "../../ui/ShortcutTable";
+import { ShortcutsDialog as List } from "../../ui/ShortcutsDialog";
 import { SHORTCUTS } from "./shortcuts";
 
-/** The list of keys, opened by "?" or by its button. */
+/** The keys of this tool, while they are asked for. */
 export function ShortcutsDialog() {
   if (!help.value) return null;
   return (
-    <Dialog
-      reading
-      title="Keyboard"
-      about="In number fields: ↑ and ↓ step, Shift finer, Alt coarser."
+    <List
+      groups={SHORTCUTS}
       onClose={() => {
         help.value = false;
       }}
-    >
-      <ShortcutTable groups={SHORTCUTS} />
-    </Dialog>
+    />
   );
 }

@@ -1,11 +1,9 @@
 /** Plays the time line of the mesh. */
-import { effect } from "@preact/signals";
 import { deformation, phasePlaying, replaceDeformation } from "../../state/bend";
+import { whilePlaying } from "../../state/frames";
 import { reducedMotion } from "../../state/preferences";
 
 const FINEST = 1e4;
-let last: number | null = null;
-let frame = 0;
 
 /** Where the moment is after `dt` seconds. Pure, for the tests. */
 export function advance(
@@ -18,22 +16,16 @@ export function advance(
   return { phase: Math.min(1, Math.max(0, next)), ended: next >= 1 };
 }
 
-function tick(now: number): void {
-  frame = 0;
-  if (!phasePlaying.peek()) return;
+function step(dt: number): void {
   const before = deformation.peek();
   // What was undone may have taken the motion along.
   if (before.keys.length < 2) {
     phasePlaying.value = false;
     return;
   }
-  // A frame that comes late, after a stall, moves by a tenth of a second at most.
-  const dt = last === null ? 0 : Math.min(0.1, (now - last) / 1000);
-  last = now;
-  const step = advance(before.phase, dt, before);
-  if (step.phase !== before.phase) replaceDeformation((d) => ({ ...d, phase: step.phase }));
-  if (step.ended) pausePhase();
-  else frame = requestAnimationFrame(tick);
+  const next = advance(before.phase, dt, before);
+  if (next.phase !== before.phase) replaceDeformation((d) => ({ ...d, phase: next.phase }));
+  if (next.ended) pausePhase();
 }
 
 /** Only who asks for it sees it move. */
@@ -70,20 +62,4 @@ export function scrubPhase(phase: number): void {
   setPhase(phase);
 }
 
-effect(() => {
-  const go = phasePlaying.value;
-  if (typeof requestAnimationFrame === "undefined") return;
-  if (go && !frame) {
-    last = null;
-    frame = requestAnimationFrame(tick);
-  } else if (!go && frame) {
-    cancelAnimationFrame(frame);
-    frame = 0;
-  }
-});
-
-if (typeof document !== "undefined") {
-  document.addEventListener("visibilitychange", () => {
-    if (document.hidden) pausePhase();
-  });
-}
+whilePlaying(phasePlaying, step, pausePhase);
