@@ -28,6 +28,8 @@ struct Lane {
     x: Four,
     y: Four,
     size: Four,
+    /// What a lane's score is raised by: infinite where it holds no map.
+    far: Four,
 }
 
 /// Two pieces: their linear parts, about how large they are, and the difference of their middles.
@@ -55,10 +57,11 @@ impl Dive {
         self.lanes.clear();
         self.sizes.clear();
         for four in frame.maps.chunks(4) {
-            // A lane without a map is too far away to be chosen.
-            let mut lane = Lane { x: Four::splat(1e100), y: Four::splat(1e100), size: Four::default() };
+            // A lane without a map is too far away to be chosen, also for a piece that is a mere point.
+            let mut lane = Lane { far: Four::splat(f64::INFINITY), ..Lane::default() };
             for (k, map) in four.iter().enumerate() {
                 let size = map.norm();
+                lane.far.0[k] = 0.0;
                 (lane.x.0[k], lane.y.0[k], lane.size.0[k]) = (map.translation.x, map.translation.y, size);
                 self.sizes.push(size);
             }
@@ -124,7 +127,7 @@ impl Dive {
             let y =
                 Four::splat(apart.y) + Four::splat(m.x_axis.y) * lane.x + Four::splat(m.y_axis.y) * lane.y;
             let r = Four::splat(size) * lane.size + Four::splat(other);
-            let score = (x * x + y * y) / (r * r);
+            let score = (x * x + y * y) / (r * r) + lane.far;
             let numbered = |k: usize| {
                 let number = (4 * block + k) as u64;
                 f64::from_bits(score.0[k].to_bits() & !NUMBER | number)

@@ -237,3 +237,26 @@ fn the_other_tests_agree_on_the_gasket_family() {
         }
     }
 }
+
+/// Two to seven maps whose products are all but nothing: what fills the lanes of four up is no part of a piece, not
+/// even of one that is a point to a hundred digits.
+#[test]
+fn points_among_other_pieces() {
+    let mut seed = 1_u64;
+    let mut next = move || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 33) as f64 / (1_u64 << 31) as f64
+    };
+    for n in (2..8).cycle().take(6_000) {
+        let maps: Vec<Affine2> = (0..n)
+            .map(|_| {
+                let tiny = [1e-17 * next(), 1e-17 * next(), 1e-17 * next()];
+                let entry = 0.3 + 0.7 * next();
+                let [a, b, c, d] = [tiny[0], entry, tiny[1], tiny[2]];
+                Affine2::from_row([a, b, c, d, 0.3 * next(), 0.3 * next()])
+            })
+            .collect();
+        let state = decide(&maps, 1e-4, 2_000, &mut Scratch::default()).state;
+        assert_ne!(state, State::NoAttractor, "{maps:?}");
+    }
+}
