@@ -282,9 +282,73 @@ export interface Scene {
   tool?: Tool;
   /** What bends the shape. Absent: nothing does. */
   deform?: Deformation;
+  /** Present: the morph and the deformation work on these closed curves, in place of `a` and `b`. */
+  curves?: { a: CurveShape; b: CurveShape };
+  /** How an outline or a graph was fitted last. */
+  fit?: Fit;
 }
 
-export type Tool = "morph" | "deform";
+export type Tool = "morph" | "deform" | "fit" | "space";
+
+/** What an edge of a closed curve copies: the arc over `span` edges, 2 or more, from knot `from` on. */
+export interface CurveEdge {
+  from: number;
+  span: number;
+  /** Whether the arc's end comes to lie where the edge begins. */
+  reversed: boolean;
+  /** The roughness: what distances from the arc's chord are multiplied by, besides the scale of the chords. */
+  c: number;
+}
+
+/** A closed curve made of smaller copies of its own arcs: 3 to 4096 knots, counter-clockwise. */
+export interface Curve {
+  knots: [x: number, y: number][];
+  /** What the edge from each knot to the next copies; null: it is straight. */
+  edges: (CurveEdge | null)[];
+}
+
+/** One end of a morph between closed curves. `preset` is its gallery id when it is untouched. */
+export interface CurveShape {
+  preset?: string;
+  name: string;
+  curve: Curve;
+}
+
+export interface CurvePreset {
+  id: string;
+  name: string;
+  /** One sentence for the gallery. */
+  about: string;
+  curve: Curve;
+}
+
+/** A part of a fractal function: the function over the image of `domain` is that over `domain`, mapped. */
+export interface GraphPiece {
+  /** t' = a t + d, x' = b t + c x + e (Cochran, Hart & Flynn, eq 1). */
+  map: [a: number, b: number, c: number, d: number, e: number];
+  domain: [from: number, to: number];
+}
+
+/** A fractal function: pieces that are copies of all of it (FIF), of what lies between knots (RFIF), or of any part (PFIF). */
+export interface Graph {
+  kind: "fif" | "rfif" | "pfif";
+  /** From left to right, 1 to 256. */
+  pieces: GraphPiece[];
+}
+
+/** What a document says of fitting. The outline, or the photograph it was taken from, is not part of it. */
+export interface Fit {
+  mode: "outline" | "graph";
+  /** Frond's closed curve, or the fit of Cochran, Hart & Flynn. */
+  model: "closed" | "collage";
+  /** How many numbers the closed curve may spend: 12 to 2000. */
+  numbers: number;
+  /** How much an outline is smoothed before it is fitted: 0 to 1. */
+  smoothing: number;
+  /** The last fit. */
+  curve?: CurveShape;
+  graph?: Graph;
+}
 
 /** How a displacement turns with the piece it is given to: not at all, by the orthogonal polar factor, by its rotation, by A / ||A||. */
 export type Spin = "none" | "orthogonal" | "rotation" | "scaled";

@@ -8,7 +8,7 @@
 //! [`LocusTiles`]: crate::LocusTiles
 #![allow(clippy::missing_errors_doc)]
 #![cfg_attr(
-    not(all(feature = "compute", feature = "proof")),
+    not(all(feature = "compute", feature = "proof", feature = "fit")),
     allow(dead_code, reason = "no module alone needs all conversions")
 )]
 
@@ -27,6 +27,8 @@ mod document;
 mod error;
 #[cfg(feature = "proof")]
 mod family;
+#[cfg(feature = "fit")]
+pub mod fit;
 #[cfg(feature = "proof")]
 mod locus;
 mod look;
@@ -64,7 +66,7 @@ pub use renderer::*;
 
 use wasm_bindgen::prelude::*;
 
-#[cfg(not(all(feature = "proof", not(feature = "compute"))))]
+#[cfg(any(feature = "compute", not(any(feature = "proof", feature = "fit"))))]
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("api.d.ts");
 
@@ -76,6 +78,11 @@ const TYPES: &str = r#"import type {
   IndexBuffer, Locus, LocusOptions, MorphOptions, PathCertificate, PathCheck, PathOptions, PathPlan, PathPoint,
   PolygonFamily, RatedCandidate, Route
 } from "./frond.js";"#;
+
+/// What traces and fits, too.
+#[cfg(all(feature = "fit", not(feature = "compute")))]
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"import type { Curve, CurveEdge, Graph, GraphPiece } from "./frond.js";"#;
 
 /// Makes a failure inside the module say where it was, should one ever happen.
 #[wasm_bindgen(start)]

@@ -19,8 +19,8 @@ const SCRIPT: usize = 80_000;
 
 /// Weighs dist/ and fails where it is too heavy.
 ///
-/// What comes after the first picture is only weighed: the workers' module, which decides and proves, and the renderer for
-/// WebGL2, which brings wgpu's own validation and translation of shaders.
+/// What comes after the first picture is only weighed: the workers' module, which decides and proves, that of the fit, and the
+/// renderer for WebGL2, which brings wgpu's own validation and translation of shaders.
 pub fn gate() -> Outcome {
     let dist = root().join("dist");
     let weigh = |name: &str| -> Outcome<usize> {
@@ -36,7 +36,7 @@ pub fn gate() -> Outcome {
             _ => Err(format!("dist/ holds {} modules {name}*.wasm: it must be one", modules.len()).into()),
         }
     };
-    let (first, proof) = (weigh("frond_bg")?, weigh("frond-proof_bg")?);
+    let (first, proof, fit) = (weigh("frond_bg")?, weigh("frond-proof_bg")?, weigh("frond-fit_bg")?);
     let (webgpu, webgl2) = (weigh("frond-webgpu_bg")?, weigh("frond-webgl2_bg")?);
     let mut script = 0;
     for file in loaded(&dist)? {
@@ -48,6 +48,7 @@ pub fn gate() -> Outcome {
         ("the same with WebGPU", first + webgpu, Some(PICTURE)),
         ("wasm in all with WebGPU", first + proof + webgpu, None),
         ("wasm in all with WebGL2", first + proof + webgl2, None),
+        ("wasm that fits outlines", fit, None),
         ("script", script, Some(SCRIPT)),
     ] {
         let limit = most.map_or(String::new(), |most| format!(" of {:>5.1} kB", kilo(most)));

@@ -17,10 +17,15 @@ const OPTIMISE: &str = "-O3 --enable-simd --enable-bulk-memory --enable-bulk-mem
     --enable-call-indirect-overlong";
 
 /// The modules that crate/web is built into: the name of the files and the feature that makes it. The first describes and
-/// draws, and is all that the first picture needs; the second decides and proves, in the workers; of the others, which
-/// draw on a graphics card, a visitor gets one.
-const MODULES: [(&str, &str); 4] =
-    [("frond", "compute"), ("frond-proof", "proof"), ("frond-webgpu", "webgpu"), ("frond-webgl2", "webgl2")];
+/// draws, and is all that the first picture needs; the second decides and proves, in the workers; the third traces and fits
+/// outlines, in workers of its own; of the others, which draw on a graphics card, a visitor gets one.
+const MODULES: [(&str, &str); 5] = [
+    ("frond", "compute"),
+    ("frond-proof", "proof"),
+    ("frond-fit", "fit"),
+    ("frond-webgpu", "webgpu"),
+    ("frond-webgl2", "webgl2"),
+];
 
 /// Scripts of crate/web/js, which choose among the modules.
 const SCRIPTS: [&str; 2] = ["renderer.js", "renderer.d.ts"];

@@ -1,0 +1,6 @@
+import { performer } from "../engine/fit/performer";
+import type { Ask } from "../engine/fit/tasks";
+
+const perform = performer((answer, transfer) => self.postMessage(answer, { transfer }));
+
+self.addEventListener("message", (event: MessageEvent<Ask>) => perform(event.data));
