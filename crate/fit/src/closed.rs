@@ -6,6 +6,7 @@ mod pack;
 mod partition;
 mod refine;
 mod screen;
+mod text;
 mod trade;
 
 pub use expand::Expansion;
@@ -13,6 +14,7 @@ pub use fitter::{ClosedFit, FitError, Fitter, Progress, Stage};
 pub use pack::{MAX_KNOTS, PackError};
 pub use partition::partition;
 pub use refine::{Refiner, Ties, polyline_error};
+pub use text::MAX_TEXT;
 
 use glam::{DMat2, DVec2};
 

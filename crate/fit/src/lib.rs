@@ -32,7 +32,7 @@ mod sample;
 
 pub use baseline::{fourier, least_squares_polyline, split_polyline};
 pub use closed::{
-    ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, Expansion, FitError, Fitter, MAX_KNOTS, MAX_SPAN,
+    ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, Expansion, FitError, Fitter, MAX_KNOTS, MAX_SPAN, MAX_TEXT,
     PackError, Progress, Refiner, Stage, Ties, partition, polyline_error,
 };
 pub use collage::{CollageError, CollageFit, CollageOptions, Domains, RingMap, fit_collage};

@@ -29,6 +29,8 @@ mod error;
 mod family;
 #[cfg(feature = "fit")]
 pub mod fit;
+#[cfg(feature = "compute")]
+mod graph;
 #[cfg(feature = "proof")]
 mod locus;
 mod look;
@@ -57,7 +59,7 @@ mod value;
 #[cfg(feature = "proof")]
 pub use {certify::*, connect::*, family::*, locus::*, path::*, proof::*, routes::*, settle::*};
 #[cfg(feature = "compute")]
-pub use {deform::*, document::*, polygon::*, raster::*, shape::*, sheet::*};
+pub use {deform::*, document::*, graph::*, polygon::*, raster::*, shape::*, sheet::*};
 
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
 pub use card::*;
@@ -82,7 +84,7 @@ const TYPES: &str = r#"import type {
 /// What traces and fits, too.
 #[cfg(all(feature = "fit", not(feature = "compute")))]
 #[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"import type { Curve, CurveEdge, Graph, GraphPiece } from "./frond.js";"#;
+const FIT_TYPES: &str = r#"import type { Curve, CurveEdge, Graph, GraphPiece } from "./frond.js";"#;
 
 /// Makes a failure inside the module say where it was, should one ever happen.
 #[wasm_bindgen(start)]
