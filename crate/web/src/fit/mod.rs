@@ -1,5 +1,9 @@
 //! From an outline to its formula: what the workers of the fit do.
 
+mod curve;
+
+pub use curve::*;
+
 use glam::DVec2;
 use wasm_bindgen::JsValue;
 

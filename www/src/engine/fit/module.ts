@@ -1,8 +1,9 @@
 import wasmUrl from "../../../pkg/frond-fit_bg.wasm?url";
 import { compiled, once } from "../module";
+import type { CurveModule } from "./tasks/curve";
 
 /** What traces and fits outlines and finds the maps of graphs, in a module of its own: the workers of the fit have it. */
-export type FitModule = Record<string, never>;
+export type FitModule = CurveModule;
 
 /** Fetches and compiles; the workers are given the module. */
 export const compileFit = once(() => compiled(wasmUrl));

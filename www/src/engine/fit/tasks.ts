@@ -1,4 +1,5 @@
 import type { FitModule } from "./module";
+import { curveTasks } from "./tasks/curve";
 
 /** What a task has at hand. */
 export interface Context<Progress = never> {
@@ -17,6 +18,7 @@ export interface Context<Progress = never> {
 export const tasks = {
   /** Nothing: so that the first real one finds the worker ready. */
   wake: (_context: Context, _args: Record<string, never>): null => null,
+  ...curveTasks,
 };
 
 export type Tasks = typeof tasks;

@@ -1,0 +1,314 @@
+//! Fits of closed curves to outlines, and other ways to spend as many numbers.
+//!
+//! Outlines cross the boundary as flat arrays x0, y0, x1, y1, .. with y pointing up; the closing point is not repeated.
+
+mod collage;
+
+pub use collage::*;
+
+use frond_fit::{
+    ArcCopy, ClosedCurve, CollageOptions, Fidelity, Fitter, Outline, OutlineError, PackError, Stage,
+    crossings, features, fidelity, fourier, least_squares_polyline, maple_leaf, oak_leaf, split_polyline,
+};
+use glam::DVec2;
+use js_sys::{Date, Float64Array};
+use serde::{Deserialize, Serialize};
+use wasm_bindgen::prelude::*;
+
+use crate::error::{bad_input, failure};
+use crate::value::{object, read, write};
+
+/// Outlines of more points are thinned to so many: finer is not seen, and takes long.
+const MOST_POINTS: usize = 16_384;
+
+/// How wide smoothing 1 is, in parts of the diagonal.
+const WIDEST: f64 = 0.02;
+
+/// The polyline of a fit leaves the curve by no more than this, in parts of the diagonal, and opens copies so deep.
+const FINE: f64 = 1e-4;
+const LEVELS: usize = 12;
+
+fn flat(points: &[DVec2]) -> JsValue {
+    let numbers: Vec<f64> = points.iter().flat_map(|p| p.to_array()).collect();
+    Float64Array::from(&numbers[..]).into()
+}
+
+fn of_outline(error: &OutlineError) -> JsValue {
+    failure(error.code(), &error.to_string())
+}
+
+fn outline_of(flat: &[f64]) -> Result<Outline, JsValue> {
+    Outline::new(&super::points(flat)?).map_err(|error| of_outline(&error))
+}
+
+/// The outline that is fitted: thinned where it is finer than can be seen, and smoothed by 0 to 1.
+fn prepared(points: &[DVec2], smoothing: f64) -> Result<Outline, OutlineError> {
+    let mut outline = Outline::new(points)?;
+    if outline.points().len() > MOST_POINTS {
+        outline = Outline::new(outline.resampled(MOST_POINTS).points())?;
+    }
+    if smoothing > 0.0 {
+        // Squared, since little is what is mostly wanted.
+        let width = WIDEST * smoothing.min(1.0).powi(2) * outline.diagonal();
+        outline = Outline::new(outline.smoothed(width).points())?;
+    }
+    Ok(outline)
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Figures {
+    rms: f64,
+    hausdorff: f64,
+    length_ratio: f64,
+    outline_slope: f64,
+    fit_slope: f64,
+}
+
+impl From<Fidelity> for Figures {
+    fn from(f: Fidelity) -> Self {
+        let Fidelity { rms, hausdorff, length_ratio, outline_slope, fit_slope } = f;
+        Self { rms, hausdorff, length_ratio, outline_slope, fit_slope }
+    }
+}
+
+fn figures(outline: &Outline, fit: &[DVec2]) -> Result<JsValue, JsValue> {
+    write(&Figures::from(fidelity(outline, fit)))
+}
+
+/// An edge of a curve, as in `api.d.ts`.
+#[derive(Serialize, Deserialize)]
+struct PlainEdge {
+    from: usize,
+    span: usize,
+    reversed: bool,
+    c: f64,
+}
+
+#[derive(Serialize, Deserialize)]
+struct PlainCurve {
+    knots: Vec<[f64; 2]>,
+    edges: Vec<Option<PlainEdge>>,
+}
+
+impl From<&ClosedCurve> for PlainCurve {
+    fn from(curve: &ClosedCurve) -> Self {
+        let edge = |copy: &ArcCopy| {
+            let ArcCopy { from, span, reversed, c } = *copy;
+            PlainEdge { from, span, reversed, c }
+        };
+        Self {
+            knots: curve.knots.iter().map(|p| p.to_array()).collect(),
+            edges: curve.edges.iter().map(|e| e.as_ref().map(edge)).collect(),
+        }
+    }
+}
+
+fn read_curve(value: JsValue) -> Result<ClosedCurve, JsValue> {
+    let plain: PlainCurve = read("The curve", value)?;
+    let edge = |PlainEdge { from, span, reversed, c }| ArcCopy { from, span, reversed, c };
+    let curve = ClosedCurve {
+        knots: plain.knots.into_iter().map(DVec2::from_array).collect(),
+        edges: plain.edges.into_iter().map(|e| e.map(edge)).collect(),
+    };
+    if curve.is_sound() {
+        Ok(curve)
+    } else {
+        Err(bad_input("The curve", "its copies do not shrink, or are not there"))
+    }
+}
+
+/// An outline grown by program: a `"maple"`-like or an `"oak"`-like leaf, or a maple-like one that was badly `"noisy"`.
+#[wasm_bindgen(js_name = grownOutline)]
+pub fn grown_outline(kind: &str, seed: u32) -> Result<JsValue, JsValue> {
+    match kind {
+        "maple" => Ok(flat(&maple_leaf(seed))),
+        "oak" => Ok(flat(&oak_leaf(seed))),
+        "noisy" => Ok(flat(&noisy(&maple_leaf(seed), seed))),
+        _ => Err(bad_input("The kind of leaf", "maple, oak and noisy are there")),
+    }
+}
+
+/// Every point is off by a chance of some 0.3% of the diagonal each way.
+fn noisy(points: &[DVec2], seed: u32) -> Vec<DVec2> {
+    let mut next = 0_u32;
+    let mut swing = || {
+        next += 1;
+        let unit =
+            |k| f64::from(frond_core::hash::unit(frond_core::hash::counter(seed ^ 0x6e01, 4 * next + k)));
+        // The sum of four is near a bell.
+        (0..4_u32).map(unit).sum::<f64>() - 2.0
+    };
+    points.iter().map(|p| *p + DVec2::new(swing(), swing()) * 0.012).collect()
+}
+
+/// What is fitted of points: `{ points, diagonal, length, crossings }`, counter-clockwise, smoothed by 0 to 1 and of 16384
+/// points at most. `crossings` counts where it crosses itself, up to 99; null where it is too tangled to tell.
+#[wasm_bindgen(js_name = prepareOutline)]
+pub fn prepare_outline(points: &[f64], smoothing: f64) -> Result<JsValue, JsValue> {
+    let outline = prepared(&super::points(points)?, smoothing).map_err(|error| of_outline(&error))?;
+    let crossed = crossings(outline.points(), 99).map(|found| found.len());
+    Ok(object(&[
+        ("points", flat(outline.points())),
+        ("diagonal", outline.diagonal().into()),
+        ("length", outline.length().into()),
+        ("crossings", crossed.map_or(JsValue::NULL, |n| (n as f64).into())),
+    ]))
+}
+
+/// `count` feature points of an outline, in order: polyline splitting.
+#[wasm_bindgen(js_name = featurePoints)]
+pub fn feature_points(points: &[f64], count: u32) -> Result<JsValue, JsValue> {
+    let outline = outline_of(points)?;
+    let marks: Vec<_> = features(&outline, count as usize).into_iter().map(|i| outline.points()[i]).collect();
+    Ok(flat(&marks))
+}
+
+/// How near a curve is to an outline, as a link brings it back: `{ curve, points, figures, bytes }`; errors in percent of
+/// the diagonal.
+#[wasm_bindgen(js_name = measureCurve)]
+pub fn measure_curve(points: &[f64], curve: JsValue) -> Result<JsValue, JsValue> {
+    measured(&outline_of(points)?, &read_curve(curve)?)
+}
+
+fn measured(outline: &Outline, curve: &ClosedCurve) -> Result<JsValue, JsValue> {
+    let of_pack = |error: PackError| failure(error.code(), &error.to_string());
+    let curve = curve.quantised().map_err(of_pack)?;
+    // Four letters for three bytes.
+    let bytes = 3 * curve.to_text().map_err(of_pack)?.len() / 4;
+    let line = drawn(&curve, outline.diagonal());
+    Ok(object(&[
+        ("curve", write(&PlainCurve::from(&curve))?),
+        ("points", flat(&line)),
+        ("figures", figures(outline, &line)?),
+        ("bytes", (bytes as f64).into()),
+    ]))
+}
+
+fn drawn(curve: &ClosedCurve, diagonal: f64) -> Vec<DVec2> {
+    curve.polyline(FINE * diagonal, LEVELS)
+}
+
+/// Fits a closed curve to an outline, for a while at a time.
+#[wasm_bindgen]
+pub struct CurveFit {
+    outline: Outline,
+    fitter: Fitter,
+}
+
+#[wasm_bindgen]
+impl CurveFit {
+    /// `numbers`: 12 to 2000. From the start on there is a fit.
+    #[wasm_bindgen(constructor)]
+    pub fn new(points: &[f64], numbers: u32) -> Result<CurveFit, JsValue> {
+        let outline = outline_of(points)?;
+        let fitter = Fitter::new(&outline, numbers as usize)
+            .map_err(|error| failure(error.code(), &error.to_string()))?;
+        Ok(Self { outline, fitter })
+    }
+
+    /// Goes on for some milliseconds, one step at least: `{ stage, share, rms, done }`.
+    #[wasm_bindgen(unchecked_return_type = "{ stage: string; share: number; rms: number; done: boolean }")]
+    pub fn step(&mut self, milliseconds: f64) -> JsValue {
+        let end = Date::now() + milliseconds;
+        let mut progress = self.fitter.step();
+        while !self.fitter.is_done() && Date::now() < end {
+            progress = self.fitter.step();
+        }
+        let stage = match progress.stage {
+            Stage::Straight => "straight",
+            Stage::Copies => "copies",
+            Stage::Trade => "trade",
+            Stage::Polish | Stage::Done => "polish",
+        };
+        object(&[
+            ("stage", stage.into()),
+            ("share", progress.share.into()),
+            ("rms", progress.rms.into()),
+            ("done", self.fitter.is_done().into()),
+        ])
+    }
+
+    /// The best so far: `{ curve, points }`, the points those of a polyline.
+    pub fn best(&self) -> Result<JsValue, JsValue> {
+        let curve = &self.fitter.best().curve;
+        let line = drawn(curve, self.outline.diagonal());
+        Ok(object(&[("curve", write(&PlainCurve::from(curve))?), ("points", flat(&line))]))
+    }
+
+    /// The best so far with its figures, as [`measure_curve`] has them.
+    pub fn measured(&self) -> Result<JsValue, JsValue> {
+        measured(&self.outline, &self.fitter.best().curve)
+    }
+}
+
+/// Another way to spend `numbers` on an outline, for comparison: `{ numbers, points, figures }`.
+///
+/// `"split"`: a polyline through feature points; `"squares"`: one whose corners were moved by least squares; `"fourier"`:
+/// the lowest frequencies; `"collage"`: the fit of Cochran, Hart & Flynn, with 9 intervals a map as in their Fig 7.
+#[wasm_bindgen(js_name = rivalFit)]
+pub fn rival_fit(points: &[f64], method: &str, numbers: u32) -> Result<JsValue, JsValue> {
+    let outline = outline_of(points)?;
+    let numbers = (numbers as usize).clamp(12, 2000);
+    let (spent, line) = match method {
+        "split" => counted(split_polyline(&outline, numbers)),
+        "squares" => counted(least_squares_polyline(&outline, numbers)),
+        "fourier" => {
+            let terms = 2 * (numbers / 2);
+            (terms, fourier(&outline, terms, (8 * outline.points().len()).min(MOST_POINTS)))
+        }
+        "collage" => {
+            let options = CollageOptions { maps: (numbers / 10).max(2), ..CollageOptions::default() };
+            let fit = collage::collage_of(&outline, 9 * options.maps, &options)?;
+            (fit.numbers(), collage::pieces_of(&fit).concat())
+        }
+        _ => return Err(bad_input("The method", "split, squares, fourier and collage are there")),
+    };
+    Ok(object(&[
+        ("numbers", (spent as f64).into()),
+        ("points", flat(&line)),
+        ("figures", figures(&outline, &line)?),
+    ]))
+}
+
+fn counted(line: Vec<DVec2>) -> (usize, Vec<DVec2>) {
+    (2 * line.len(), line)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_million_points_are_thinned_and_nothing_else_is() {
+        let circle = |count: usize| -> Vec<DVec2> {
+            (0..count).map(|i| DVec2::from_angle(std::f64::consts::TAU * i as f64 / count as f64)).collect()
+        };
+        assert_eq!(prepared(&circle(1_000_000), 0.0).unwrap().points().len(), MOST_POINTS);
+        assert_eq!(prepared(&circle(500), 0.0).unwrap().points(), &circle(500)[..]);
+        assert!(prepared(&circle(2), 0.0).is_err());
+        for smoothing in [0.3, 1.0, 1e300, f64::NAN] {
+            let outline = prepared(&circle(500), smoothing).unwrap();
+            assert!(outline.points().iter().all(|p| p.is_finite() && p.length() > 0.9), "{smoothing}");
+        }
+    }
+
+    #[test]
+    fn smoothing_takes_noise_away() {
+        let leaf = maple_leaf(1);
+        let rough = prepared(&noisy(&leaf, 1), 0.0).unwrap();
+        let smooth = prepared(&noisy(&leaf, 1), 0.5).unwrap();
+        assert!(rough.length() > 1.5 * Outline::new(&leaf).unwrap().length());
+        assert!(smooth.length() < 0.7 * rough.length());
+    }
+
+    #[test]
+    fn a_curve_comes_back_from_its_plain_form() {
+        let outline = prepared(&oak_leaf(1), 0.0).unwrap();
+        let curve = Fitter::new(&outline, 40).unwrap().best().curve.clone();
+        let plain = PlainCurve::from(&curve);
+        assert_eq!(plain.knots.len(), curve.knots.len());
+        assert_eq!(plain.edges.len(), curve.edges.len());
+    }
+}

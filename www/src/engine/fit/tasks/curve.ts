@@ -1,0 +1,184 @@
+/** From an outline to closed curves, and what they are compared with. Outlines are x0, y0, x1, y1, .. with y up. */
+import type { Curve } from "../../api";
+import type { FitModule } from "../module";
+import type { Context } from "../tasks";
+
+/** How near a fit is to its outline; errors in percent of the diagonal of the outline's box. */
+export interface Figures {
+  /** Root mean square distance from the outline's points to the fit. */
+  rms: number;
+  /** No point of either is farther from the other. */
+  hausdorff: number;
+  /** The fit's length over the outline's. */
+  lengthRatio: number;
+  /** Box dimensions between 1/64 and 1/256 of the diagonal. */
+  outlineSlope: number;
+  fitSlope: number;
+}
+
+export interface Prepared {
+  points: Float64Array<ArrayBuffer>;
+  diagonal: number;
+  length: number;
+  /** How often it crosses itself, 99 at most; null where it is too tangled to tell. */
+  crossings: number | null;
+}
+
+export type Grown = "maple" | "oak" | "noisy";
+export type FitStage = "straight" | "copies" | "trade" | "polish";
+
+/** A fit that is under way. */
+export interface Reached {
+  curve: Curve;
+  /** A polyline of it. */
+  points: Float64Array<ArrayBuffer>;
+  stage: FitStage;
+  /** How much is done: 0 to 1. */
+  share: number;
+  /** In percent of the diagonal. */
+  rms: number;
+}
+
+/** A fit as a link brings it back, and how near it is. */
+export interface Measured {
+  curve: Curve;
+  points: Float64Array<ArrayBuffer>;
+  figures: Figures;
+  /** What it takes up in a link, before it is written in letters. */
+  bytes: number;
+}
+
+export type Method = "split" | "squares" | "fourier" | "bezier" | "collage";
+
+export interface Rival {
+  method: Method;
+  numbers: number;
+  points: Float64Array<ArrayBuffer>;
+  figures: Figures;
+}
+
+export interface CollageOptions {
+  maps: number;
+  /** Feature points of the outline. */
+  features: number;
+  /** x and y apart from each other (eq 8), or together (eq 9). */
+  separable: boolean;
+  /** Whether copies end where their ranges do: then there are no gaps. */
+  tied: boolean;
+  /** Whether any part may be copied (PFIF), or only what begins where a range does (RFIF). */
+  partitioned: boolean;
+}
+
+/** The fit of Cochran, Hart & Flynn, section 3.2. */
+export interface Collage {
+  /** All pieces, one after the other, and the point at which each begins. */
+  points: Float64Array<ArrayBuffer>;
+  starts: Float64Array<ArrayBuffer>;
+  /** x0, y0, x1, y1 of the step from each piece to the next. */
+  gaps: Float64Array<ArrayBuffer>;
+  /** Of the gaps, in percent of the diagonal. */
+  widest: number;
+  mean: number;
+  /** The sum of squares of eq 15. */
+  collage: number;
+  numbers: number;
+  /** Start of the domain in feature points, reversed (0 or 1), the matrix of c's by rows, b, e. */
+  maps: number[][];
+  figures: Figures;
+}
+
+interface CurveFitHandle {
+  step(milliseconds: number): { stage: FitStage; share: number; rms: number; done: boolean };
+  best(): { curve: Curve; points: Float64Array<ArrayBuffer> };
+  measured(): Measured;
+  free(): void;
+}
+
+/** What the module has for this. */
+export interface CurveModule {
+  CurveFit: new (points: Float64Array, numbers: number) => CurveFitHandle;
+  grownOutline(kind: Grown, seed: number): Float64Array<ArrayBuffer>;
+  prepareOutline(points: Float64Array, smoothing: number): Prepared;
+  featurePoints(points: Float64Array, count: number): Float64Array<ArrayBuffer>;
+  measureCurve(points: Float64Array, curve: Curve): Measured;
+  rivalFit(points: Float64Array, method: Method, numbers: number): Omit<Rival, "method">;
+  collageFit(points: Float64Array, options: CollageOptions): Collage;
+}
+
+/** How long it goes on between two breaths, and between two words of what has been reached. */
+const SLICE_MS = 40;
+const TELL_MS = 120;
+
+type Plain = Context<never> & { readonly fit: FitModule };
+
+export const curveTasks = {
+  /** An outline grown by program. */
+  grow({ fit, transfer }: Plain, { kind, seed }: { kind: Grown; seed: number }): Float64Array<ArrayBuffer> {
+    const points = fit.grownOutline(kind, seed);
+    transfer(points.buffer);
+    return points;
+  },
+
+  /** What is fitted of points: counter-clockwise, smoothed by 0 to 1, and no more points than are seen. */
+  prepare({ fit, transfer }: Plain, args: { points: Float64Array; smoothing: number }): Prepared {
+    const prepared = fit.prepareOutline(args.points, args.smoothing);
+    transfer(prepared.points.buffer);
+    return prepared;
+  },
+
+  /** Feature points in order, by polyline splitting. */
+  features({ fit }: Plain, args: { points: Float64Array; count: number }): Float64Array<ArrayBuffer> {
+    return fit.featurePoints(args.points, args.count);
+  },
+
+  /** Fits a closed curve; what it tells on the way is each time the best so far. */
+  async fitCurve(
+    { fit, progress, breathe }: Context<Reached>,
+    { points, numbers }: { points: Float64Array; numbers: number },
+  ): Promise<Measured> {
+    const handle = new fit.CurveFit(points, numbers);
+    try {
+      let told = Number.NEGATIVE_INFINITY;
+      for (;;) {
+        const { done, ...state } = handle.step(SLICE_MS);
+        const now = performance.now();
+        if (done) return handle.measured();
+        if (now - told > TELL_MS) {
+          const reached = { ...handle.best(), ...state };
+          progress(reached, [reached.points.buffer]);
+          told = now;
+        }
+        await breathe();
+      }
+    } finally {
+      handle.free();
+    }
+  },
+
+  /** How near a curve is to an outline. */
+  measure({ fit }: Plain, args: { points: Float64Array; curve: Curve }): Measured {
+    return fit.measureCurve(args.points, args.curve);
+  },
+
+  /** Other ways to spend as many numbers, each told when it is there. */
+  async rivals(
+    { fit, progress, breathe }: Context<Rival>,
+    { points, numbers, methods }: { points: Float64Array; numbers: number; methods: readonly Method[] },
+  ): Promise<null> {
+    for (const method of methods) {
+      try {
+        progress({ method, ...fit.rivalFit(points, method, numbers) });
+      } catch (problem) {
+        // A method that needs more points than there are is left out of the comparison.
+        if (problem instanceof WebAssembly.RuntimeError) throw problem;
+      }
+      await breathe();
+    }
+    return null;
+  },
+
+  /** The paper's own fit. */
+  collage({ fit }: Plain, args: { points: Float64Array; options: CollageOptions }): Collage {
+    return fit.collageFit(args.points, args.options);
+  },
+};
