@@ -11,15 +11,21 @@ mod features;
 mod frame;
 mod pairing;
 mod pass;
+mod picked;
 mod polish;
 mod refine;
+mod share;
+mod space;
 
 pub use assemble::{Assembly, Model, assemble};
 pub use cluster::{Cluster, Found, Kind, name_clusters, refine_map};
 pub use echo::Letter;
 pub use features::{Features, MAX_FEATURES};
 pub use pass::{FirstPass, HoughProgress, SecondPass};
+pub use picked::{Pick, assemble_picked};
 pub use refine::Candidate;
+pub use share::{gather, share_cells};
+pub use space::{Components, in_range};
 
 use std::sync::Arc;
 
@@ -72,6 +78,12 @@ pub enum HoughError {
         /// How many there are.
         count: usize,
     },
+    /// A series of more than [`MAX_POINTS`](crate::MAX_POINTS) points.
+    #[error("There are {count} points, and the most is 1048576. Take every second one, or fewer.")]
+    TooManyPoints {
+        /// How many there are.
+        count: usize,
+    },
     /// A number is NaN, infinite or beyond 1e100.
     #[error("Feature point {} holds a number that is not finite or is too large. Mend it or leave it out.", .index + 1)]
     NotFinite {
@@ -93,6 +105,7 @@ impl HoughError {
         match self {
             Self::TooFewFeatures { .. } => "too-few-features",
             Self::TooManyFeatures { .. } => "too-many-features",
+            Self::TooManyPoints { .. } => "too-many-points",
             Self::NotFinite { .. } => "not-finite",
             Self::NotIncreasing { .. } => "not-increasing",
         }

@@ -5,7 +5,8 @@
 //! - [`FractalFunction`] and [`FractalCurve`] are made of smaller copies of parts of themselves: FIF, where each piece
 //!   copies the whole; RFIF, where it copies what lies between two knots; PFIF, where it copies any part.
 //! - [`Hough`] finds maps that a graph is made of by voting; [`name_clusters`] tells maps from echoes, [`assemble`] makes a
-//!   whole function of them, [`FractalFunction::to_recurrent`] a RFIF of a PFIF.
+//!   whole function of them, [`assemble_picked`] one of those that were picked, [`FractalFunction::to_recurrent`] a RFIF
+//!   of a PFIF. A [`Series`] is measured data, [`Components`] the directions in which clusters spread.
 //! - [`fit_collage`] is the paper's fit of a ring of feature points.
 //! - [`Fitter`] fits a [`ClosedCurve`], knots with edges that are straight or copies of arcs, which is closed by
 //!   construction and nearer than a polyline of as many numbers.
@@ -29,6 +30,7 @@ mod outline;
 mod piece;
 mod recurrent;
 mod sample;
+mod series;
 
 pub use baseline::{fourier, least_squares_polyline, split_polyline};
 pub use closed::{
@@ -41,9 +43,9 @@ pub use error::{FunctionError, MAX_POINTS};
 pub use function::{Dimension, FractalFunction};
 pub use grown::{maple_leaf, oak_leaf};
 pub use hough::{
-    Assembly, BINS, Candidate, Cluster, Features, FirstPass, Found, Hough, HoughError, HoughOptions,
-    HoughProgress, Kind, Letter, MAX_CELLS, MAX_FEATURES, Model, PLANE, SecondPass, assemble, name_clusters,
-    refine_map,
+    Assembly, BINS, Candidate, Cluster, Components, Features, FirstPass, Found, Hough, HoughError,
+    HoughOptions, HoughProgress, Kind, Letter, MAX_CELLS, MAX_FEATURES, Model, PLANE, Pick, SecondPass,
+    assemble, assemble_picked, gather, in_range, name_clusters, refine_map, share_cells,
 };
 pub use outline::{
     Fidelity, Near, Nearest, Outline, OutlineError, box_count, box_slope, box_slope_of, crossings, features,
@@ -51,3 +53,4 @@ pub use outline::{
 };
 pub use piece::{Piece, spectral_norm};
 pub use recurrent::Recurrent;
+pub use series::Series;

@@ -4,7 +4,7 @@ mod plain;
 
 use frond_fit::{
     Assembly, Candidate, Features, FirstPass, Found, FractalFunction, Hough, HoughError, HoughOptions, Kind,
-    Model, SecondPass, assemble, name_clusters, refine_map,
+    Model, SecondPass, assemble, gather, name_clusters, refine_map, share_cells,
 };
 use glam::DVec2;
 use serde_json::Value;
@@ -180,6 +180,40 @@ fn two_shares_add_up_to_the_whole() {
     half.add(second((1, 2)).counts());
     assert_eq!(half.clusters(), second((0, 1)).clusters());
     assert_eq!(half.clusters(), Hough::new(&coarse, &fine, options).finish());
+}
+
+#[test]
+fn two_shares_of_the_cells_find_the_same() {
+    let (function, ..) = table_1();
+    let [coarse, fine] = [33, 65].map(|count| Features::sample(&function, count).unwrap());
+    for reflected in [false, true] {
+        let options = HoughOptions { reflected, ..HoughOptions::default() };
+        let mut first = FirstPass::new(&coarse, &fine, options, (0, 1));
+        while !first.is_done() {
+            let _ = first.step();
+        }
+        let cells = first.promising();
+        let shares = share_cells(&coarse, &fine, options, &cells, 2);
+        let mut all = shares.concat();
+        all.sort_unstable();
+        let mut sorted = cells.clone();
+        sorted.sort_unstable();
+        assert_eq!(all, sorted);
+        let mut peaks = Vec::new();
+        let mut votes = Vec::new();
+        for share in &shares {
+            assert!(!share.is_empty());
+            let mut pass = SecondPass::new(&coarse, &fine, options, share, (0, 1));
+            let mut last = pass.step();
+            while !pass.is_done() {
+                last = pass.step();
+            }
+            votes.push(last.votes);
+            peaks.extend(pass.peaks());
+        }
+        assert_eq!(gather(peaks, cells.len()), Hough::new(&coarse, &fine, options).finish());
+        assert!(votes[0].abs_diff(votes[1]) * 4 < votes[0] + votes[1], "as much work for each: {votes:?}");
+    }
 }
 
 #[test]

@@ -108,29 +108,53 @@ fn assemble_at(
 ) -> Result<Assembly, FunctionError> {
     let stretches = cheapest(pairing, fine, candidates, price);
     let pieces: Vec<_> = stretches.iter().map(|stretch| piece(fine, candidates, stretch)).collect();
+    let used = stretches.iter().map(|stretch| stretch.candidate).collect();
+    whole(pairing, fine, &pieces, used)
+}
+
+/// A function of pieces that are tied to the fine feature points: as RFIF where it is one, and then polished.
+pub(super) fn whole(
+    pairing: &Pairing,
+    fine: &Features,
+    pieces: &[Piece],
+    used: Vec<Option<usize>>,
+) -> Result<Assembly, FunctionError> {
     let maps: Vec<_> = pieces.iter().map(|piece| (piece.map(), piece.domain)).collect();
     let mut function = FractalFunction::pfif(&maps)?;
-    let [start, end] = fine.interval();
-    let whole = |piece: &Piece| piece.domain == [start, end];
-    let mut model = if pieces.iter().all(whole) { Model::Fif } else { Model::Pfif };
+    let mut model = model_of(fine, pieces);
     if let Some(recurrent) = function.to_recurrent(MOST_KNOTS) {
         function = polish(recurrent, fine, pairing.frame.height(1.0)).function()?;
         if model == Model::Pfif {
             model = Model::Rfif;
         }
     }
+    Ok(measured(fine, model, function, used))
+}
+
+/// FIF where every piece copies the whole, else PFIF.
+pub(super) fn model_of(fine: &Features, pieces: &[Piece]) -> Model {
+    let all = fine.interval();
+    if pieces.iter().all(|piece| piece.domain == all) { Model::Fif } else { Model::Pfif }
+}
+
+/// With how near it comes to the fine feature points.
+pub(super) fn measured(
+    fine: &Features,
+    model: Model,
+    function: FractalFunction,
+    used: Vec<Option<usize>>,
+) -> Assembly {
     let errors: Vec<_> = fine.points().iter().map(|p| (function.at(p.x) - p.y).abs()).collect();
     let mean_square = errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64;
     let worst = errors.iter().copied().fold(0.0, f64::max);
-    let used = stretches.iter().map(|stretch| stretch.candidate).collect();
-    Ok(Assembly { model, function, used, mean_square, worst })
+    Assembly { model, function, used, mean_square, worst }
 }
 
 /// From one fine point to another, by one candidate or straight.
-struct Stretch {
-    from: usize,
-    to: usize,
-    candidate: Option<usize>,
+pub(super) struct Stretch {
+    pub from: usize,
+    pub to: usize,
+    pub candidate: Option<usize>,
 }
 
 fn source(candidate: &Candidate, t: f64) -> f64 {
@@ -181,7 +205,7 @@ fn cheapest(pairing: &Pairing, fine: &Features, candidates: &[Candidate], price:
 }
 
 /// The piece over a stretch, its ends tied.
-fn piece(fine: &Features, candidates: &[Candidate], stretch: &Stretch) -> Piece {
+pub(super) fn piece(fine: &Features, candidates: &[Candidate], stretch: &Stretch) -> Piece {
     let points = &fine.points()[stretch.from..=stretch.to];
     let (first, last) = (points[0], points[points.len() - 1]);
     let [start, end] = fine.interval();

@@ -47,7 +47,7 @@ pub struct Found {
     pub candidate: Option<Candidate>,
 }
 
-/// The highest bins of all planes, none beside a higher one.
+/// The highest bins of all planes.
 pub(super) fn peaks(pairing: &Pairing, cells: &[u32], counts: &[u32]) -> Vec<Cluster> {
     let mut clusters = Vec::new();
     for (&cell, plane) in cells.iter().zip(counts.chunks_exact(PLANE * PLANE)) {
@@ -61,17 +61,7 @@ pub(super) fn peaks(pairing: &Pairing, cells: &[u32], counts: &[u32]) -> Vec<Clu
             clusters.push(Cluster { hits: plane[at], map, bins });
         }
     }
-    clusters.sort_by_key(|cluster| (std::cmp::Reverse(cluster.hits), cluster.bins));
-    // What spills over into bins beside a higher one is no map of its own.
-    let mut kept: Vec<Cluster> = Vec::new();
-    for cluster in clusters {
-        let beside = |other: &Cluster| other.bins.iter().zip(cluster.bins).all(|(&x, y)| x.abs_diff(y) <= 1);
-        if !kept.iter().any(beside) {
-            kept.push(cluster);
-        }
-    }
-    kept.truncate(cells.len());
-    kept
+    clusters
 }
 
 /// Whether no neighbour has more hits; of equals the first counts.

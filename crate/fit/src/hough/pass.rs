@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::cluster::{Cluster, peaks};
 use super::pairing::{Buffers, CELLS, Listener, Pairing, Row};
+use super::share::gather;
 use super::{BINS, Features, HoughOptions, PLANE};
 
 /// A step ends after so many votes.
@@ -247,9 +248,15 @@ impl SecondPass {
         }
     }
 
+    /// The highest bins around each cell, among which [`gather`] finds the clusters.
+    #[must_use]
+    pub fn peaks(&self) -> Vec<Cluster> {
+        peaks(&self.pairing, &self.planes.cells, &self.planes.counts)
+    }
+
     /// The clusters, those with most hits first; as many as there are cells at most, none beside a higher one.
     #[must_use]
     pub fn clusters(&self) -> Vec<Cluster> {
-        peaks(&self.pairing, &self.planes.cells, &self.planes.counts)
+        gather(self.peaks(), self.planes.cells.len())
     }
 }
