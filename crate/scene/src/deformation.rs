@@ -16,6 +16,8 @@ pub enum Tool {
     Morph,
     /// The deformation grid.
     Deform,
+    /// From an outline to its formula.
+    Fit,
 }
 
 /// What is bent.

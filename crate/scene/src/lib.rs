@@ -3,14 +3,18 @@
 //! [`Scene`] is what a person works on. [`encode`] writes it as the fragment of a URL, [`decode`] reads it
 //! back and never fails: what is damaged opens as the default, with a reason. [`presets`] is the gallery.
 
+mod curve;
 mod deformation;
+mod fit;
 mod link;
 mod preset;
 mod scene;
 
+pub use curve::{Curve, CurveEdge, CurveShape, Curves};
 pub use deformation::{
     ContinuityName, Deformation, Key, MAX_KEYS, MAX_SIDE, RoughnessValue, SpinName, Subject, Tint, Tool,
 };
+pub use fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS};
 pub use link::{LinkError, MAX_LINK, VERSION, decode, encode};
 pub use preset::{Preset, Row, preset, presets};
 pub use scene::{

@@ -21,10 +21,12 @@ use crate::preset::{Row, preset};
 use crate::scene::{Colouring, ModeName, PathKind, Scene, Shape, Window};
 
 mod deform;
+mod fit;
 mod locus;
 mod words;
 
 use deform::{read_deform, write_deform};
+use fit::{read_curves, read_fit, write_curves, write_fit};
 use locus::{read_locus, read_way, write_locus};
 use words::{choice, damaged, escape, number, numbers, read_list, read_numbers, tidy, unescape, within};
 
@@ -128,11 +130,19 @@ pub fn encode(scene: &Scene) -> String {
     if let Some(view) = scene.locus {
         write_locus(&mut link, &view);
     }
-    if scene.tool == Tool::Deform {
-        link.push_str("&tool=deform");
+    match scene.tool {
+        Tool::Morph => {}
+        Tool::Deform => link.push_str("&tool=deform"),
+        Tool::Fit => link.push_str("&tool=fit"),
     }
     if let Some(deform) = &scene.deform {
         write_deform(&mut link, deform);
+    }
+    if let Some(curves) = &scene.curves {
+        write_curves(&mut link, curves);
+    }
+    if let Some(fit) = &scene.fit {
+        write_fit(&mut link, fit);
     }
     link
 }
@@ -215,8 +225,11 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
         scene.view = Some(Window { x, y, zoom });
     }
     scene.locus = read_locus(&get)?;
-    scene.tool = choice("tool", get("tool"), &[("morph", Tool::Morph), ("deform", Tool::Deform)])?;
+    let tools = [("morph", Tool::Morph), ("deform", Tool::Deform), ("fit", Tool::Fit)];
+    scene.tool = choice("tool", get("tool"), &tools)?;
     scene.deform = read_deform(&get)?;
+    scene.curves = read_curves(&get)?;
+    scene.fit = read_fit(&get)?;
     Ok((scene, later))
 }
 

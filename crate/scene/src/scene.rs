@@ -3,7 +3,9 @@
 use frond_core::{Affine2, Ifs, IfsError, Mode, MorphOptions};
 use serde::{Deserialize, Serialize};
 
+use crate::curve::Curves;
 use crate::deformation::{Deformation, Tool};
+use crate::fit::Fit;
 use crate::preset::{Row, preset};
 
 /// The most way points a path may have between its ends.
@@ -238,6 +240,12 @@ pub struct Scene {
     /// What bends the shape; nothing where absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub deform: Option<Deformation>,
+    /// The closed curves that are worked on in place of the shapes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub curves: Option<Curves>,
+    /// How an outline or a graph was fitted last.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fit: Option<Fit>,
 }
 
 fn is_morph(tool: &Tool) -> bool {
@@ -262,6 +270,8 @@ impl Default for Scene {
             locus: None,
             tool: Tool::Morph,
             deform: None,
+            curves: None,
+            fit: None,
         }
     }
 }

@@ -288,7 +288,7 @@ export interface Scene {
   fit?: Fit;
 }
 
-export type Tool = "morph" | "deform" | "fit" | "space";
+export type Tool = "morph" | "deform" | "fit";
 
 /** What an edge of a closed curve copies: the arc over `span` edges, 2 or more, from knot `from` on. */
 export interface CurveEdge {

@@ -3,7 +3,9 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::curve::{Curve, CurveShape, Curves};
 use crate::deformation::*;
+use crate::fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece};
 use crate::scene::{FamilyName, LocusView, MAX_WAY_POINTS, Path, WayPoint};
 
 fn any_shape() -> impl Strategy<Value = Shape> {
@@ -24,6 +26,61 @@ fn any_shape() -> impl Strategy<Value = Shape> {
     let gallery =
         proptest::sample::select(crate::presets()).prop_map(|preset| Shape::of_preset(preset.id).unwrap());
     prop_oneof![own.prop_filter("no attractor", |shape| shape.ifs().is_ok()), gallery]
+}
+
+/// A ring of knots, every third edge a copy: as a link brings it back.
+fn any_curve() -> impl Strategy<Value = CurveShape> {
+    (3..60_usize, -9..9_i32, proptest::collection::vec(-0.6..0.6_f64, 1..20), "\\PC{0,30}").prop_filter_map(
+        "does not shrink",
+        |(count, size, wobble, name)| {
+            let knot = |i: usize| {
+                let angle = std::f64::consts::TAU * i as f64 / count as f64;
+                glam::DVec2::from_angle(angle)
+                    * f64::from(size).exp2()
+                    * (1.0 + 0.3 * wobble[i % wobble.len()])
+            };
+            let edge = |i: usize| {
+                let c = wobble[i % wobble.len()];
+                let copy = frond_fit::ArcCopy { from: (i + 1) % count, span: 3, reversed: i % 2 == 0, c };
+                (i % 3 == 0 && count > 6).then_some(copy)
+            };
+            let knots = (0..count).map(knot).collect();
+            let curve = frond_fit::ClosedCurve { knots, edges: (0..count).map(edge).collect() };
+            let name = tidy(&name);
+            let name = if name.is_empty() { "Own curve".to_owned() } else { name };
+            Some(CurveShape { preset: None, name, curve: Curve::from(&curve.quantised().ok()?) })
+        },
+    )
+}
+
+fn any_graph() -> impl Strategy<Value = Graph> {
+    let kinds = vec![GraphKind::Fif, GraphKind::Rfif, GraphKind::Pfif];
+    (proptest::sample::select(kinds), proptest::collection::vec((-0.9..0.9_f64, -1.0..1.0_f64), 2..9))
+        .prop_map(|(kind, list)| {
+            let width = 1.0 / list.len() as f64;
+            let piece = |(i, &(c, e)): (usize, &(f64, f64))| GraphPiece {
+                map: [width, 0.1, c, width * i as f64, e],
+                domain: [0.0, 1.0],
+            };
+            Graph { kind, pieces: list.iter().enumerate().map(piece).collect() }
+        })
+}
+
+fn any_fit() -> impl Strategy<Value = Fit> {
+    let modes = proptest::sample::select(vec![FitMode::Outline, FitMode::Graph]);
+    let models = proptest::sample::select(vec![FitModel::Closed, FitModel::Collage]);
+    let curve = proptest::option::of(any_curve());
+    let graph = proptest::option::of(any_graph());
+    (modes, models, 12..=2000_u32, 0.0..=1.0_f64, curve, graph).prop_map(
+        |(mode, model, numbers, smoothing, curve, graph)| Fit {
+            mode,
+            model,
+            numbers,
+            smoothing,
+            curve,
+            graph,
+        },
+    )
 }
 
 fn any_point() -> impl Strategy<Value = WayPoint> {
@@ -99,8 +156,12 @@ prop_compose! {
         turn in -2..=2_i32,
         view in proptest::option::of((-5.0..5.0_f64, -5.0..5.0_f64, 0.1..1e9_f64)),
         locus in proptest::option::of(any_locus()),
-        deform in proptest::option::of(any_deform()),
-        open: bool,
+        (deform, curves, fit) in (
+            proptest::option::of(any_deform()),
+            proptest::option::of((any_curve(), any_curve())),
+            proptest::option::of(any_fit()),
+        ),
+        tool in proptest::sample::select(vec![Tool::Morph, Tool::Deform, Tool::Fit]),
     ) -> Scene {
         let maps = a.maps.len().max(b.maps.len());
         Scene {
@@ -111,8 +172,8 @@ prop_compose! {
             turns: if turn == 0 { Vec::new() } else { vec![turn; maps] },
             view: view.map(|(x, y, zoom)| Window { x, y, zoom }),
             locus,
-            tool: if open { Tool::Deform } else { Tool::Morph },
-            deform,
+            tool, deform, fit,
+            curves: curves.map(|(a, b)| Curves { a, b }),
         }
     }
 }
@@ -336,4 +397,44 @@ fn damaged_deformations_say_which_word_is() {
     }
     let many: Vec<String> = (0..40).map(|i| format!("{}:", f64::from(i) / 40.0)).collect();
     assert_eq!(key_of(&format!("mesh=4x4:0,0,1,1&keys={}", many.join(";"))), "keys");
+}
+
+#[test]
+fn fits_that_cannot_be_are_said_to_be_damaged() {
+    let curve = "curve-a=curve:AAAA&curve-b=curve:AAAA";
+    let graphs = [
+        "graph=fif:",
+        "graph=fif:1,0,0,0,0,0,1",
+        "graph=fif:0.5,0,2,0,0,0,1",
+        "graph=tree:0.5,0,0.5,0,0,0,1",
+    ];
+    let fits = [
+        "fit=outline",
+        "fit=outline:closed",
+        "fit=outline:closed,11,0",
+        "fit=outline:closed,260.5,0",
+        "fit=outline:closed,260,NaN",
+        "fit=leaf:closed,260,0",
+    ];
+    for words in [curve].iter().chain(&graphs).chain(&fits) {
+        let (scene, problem) = decode(&format!("v=1&{words}"));
+        assert!(problem.is_some(), "{words}");
+        assert_eq!(scene, Scene::default());
+    }
+}
+
+#[test]
+fn a_fit_of_260_numbers_takes_less_than_4_kilobytes() {
+    let knots: Vec<_> = (0..90)
+        .map(|i| glam::DVec2::from_angle(f64::from(i) * 0.0698) * (1.0 + 0.001 * f64::from(i * i % 11)))
+        .collect();
+    let edge =
+        |i: usize| frond_fit::ArcCopy { from: (i * 7) % 90, span: 3 + i % 6, reversed: i % 2 == 1, c: 0.01 };
+    let edges: Vec<_> = (0..90).map(|i| (i % 9 < 4).then(|| edge(i))).collect();
+    let curve = frond_fit::ClosedCurve { knots, edges };
+    let shape = CurveShape { preset: None, name: "A leaf".to_owned(), curve: Curve::from(&curve) };
+    assert_eq!(curve.numbers(), 260);
+    let mut link = String::new();
+    super::fit::write_curves(&mut link, &Curves { a: shape.clone(), b: shape });
+    assert!(link.len() > 500 && link.len() < 2 * 4096, "{}", link.len());
 }

@@ -1,0 +1,87 @@
+//! Closed curves in a document.
+
+use frond_fit::{ArcCopy, ClosedCurve, PackError};
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+/// What an edge copies: [`ArcCopy`] as it is written in documents.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+pub struct CurveEdge {
+    /// Knot where the arc begins.
+    pub from: usize,
+    /// How many edges it is long.
+    pub span: usize,
+    /// Whether its end comes to lie where the edge begins.
+    pub reversed: bool,
+    /// The roughness.
+    pub c: f64,
+}
+
+/// A closed curve made of smaller copies of its own arcs: [`ClosedCurve`] as it is written in documents.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+pub struct Curve {
+    /// The knots, in order.
+    pub knots: Vec<[f64; 2]>,
+    /// What the edge from each knot to the next copies; none: it is straight.
+    pub edges: Vec<Option<CurveEdge>>,
+}
+
+impl From<&ClosedCurve> for Curve {
+    fn from(curve: &ClosedCurve) -> Self {
+        let edge = |edge: &ArcCopy| CurveEdge {
+            from: edge.from,
+            span: edge.span,
+            reversed: edge.reversed,
+            c: edge.c,
+        };
+        Self {
+            knots: curve.knots.iter().map(|p| p.to_array()).collect(),
+            edges: curve.edges.iter().map(|e| e.as_ref().map(edge)).collect(),
+        }
+    }
+}
+
+impl From<&Curve> for ClosedCurve {
+    fn from(curve: &Curve) -> Self {
+        let edge = |e: &CurveEdge| ArcCopy { from: e.from, span: e.span, reversed: e.reversed, c: e.c };
+        Self {
+            knots: curve.knots.iter().map(|&p| DVec2::from_array(p)).collect(),
+            edges: curve.edges.iter().map(|e| e.as_ref().map(edge)).collect(),
+        }
+    }
+}
+
+/// One end of a morph between closed curves.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct CurveShape {
+    /// Its id in the gallery, while it is that of the gallery.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub preset: Option<String>,
+    /// Its name.
+    pub name: String,
+    /// The curve.
+    pub curve: Curve,
+}
+
+impl CurveShape {
+    /// The closed curve.
+    ///
+    /// # Errors
+    /// Where knots or arcs are missing, or copies do not shrink.
+    pub fn closed(&self) -> Result<ClosedCurve, PackError> {
+        let curve = ClosedCurve::from(&self.curve);
+        if curve.knots.len() > frond_fit::MAX_KNOTS {
+            return Err(PackError::TooManyKnots);
+        }
+        if curve.is_sound() { Ok(curve) } else { Err(PackError::Unsound) }
+    }
+}
+
+/// The ends of a morph between closed curves.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct Curves {
+    /// The first.
+    pub a: CurveShape,
+    /// The last.
+    pub b: CurveShape,
+}

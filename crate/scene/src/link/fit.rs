@@ -1,0 +1,125 @@
+//! Closed curves and fits as words of a link.
+//!
+//! ```text
+//! curve-a=maple&curve-b=curve:AaBb..&curve-b-name=My%20leaf
+//! fit=outline:closed,260,0&fitted=curve:AaBb..&graph=fif:0.5,0.7,0.3,0,0,0,1;..
+//! ```
+//!
+//! The word of a curve is [`ClosedCurve::to_text`]; a piece of a graph is a, b, c, d, e and its domain.
+
+use std::fmt::Write as _;
+
+use frond_fit::ClosedCurve;
+
+use super::LinkError;
+use super::words::{choice, damaged, escape, number, numbers, read_list, read_numbers, tidy, unescape};
+use crate::curve::{Curve, CurveShape, Curves};
+use crate::fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS};
+
+const MODES: [(&str, FitMode); 2] = [("outline", FitMode::Outline), ("graph", FitMode::Graph)];
+const MODELS: [(&str, FitModel); 2] = [("closed", FitModel::Closed), ("collage", FitModel::Collage)];
+const KINDS: [(&str, GraphKind); 3] =
+    [("fif", GraphKind::Fif), ("rfif", GraphKind::Rfif), ("pfif", GraphKind::Pfif)];
+/// The keys of a curve: of itself and of its name.
+type Keys = [&'static str; 2];
+const A: Keys = ["curve-a", "curve-a-name"];
+const B: Keys = ["curve-b", "curve-b-name"];
+const FITTED: Keys = ["fitted", "fitted-name"];
+
+fn name_of<T: PartialEq>(choices: &[(&'static str, T)], value: &T) -> &'static str {
+    choices.iter().find_map(|(name, choice)| (choice == value).then_some(*name)).unwrap_or("")
+}
+
+fn gallery(_id: &str) -> Option<CurveShape> {
+    None
+}
+
+pub(super) fn write_curves(link: &mut String, curves: &Curves) {
+    write_curve(link, A, &curves.a);
+    write_curve(link, B, &curves.b);
+}
+
+/// A curve that does not hold together is left out: documents with such are refused before.
+fn write_curve(link: &mut String, [key, name_key]: Keys, shape: &CurveShape) {
+    let same = |found: &CurveShape| found.curve == shape.curve;
+    if let Some(id) = shape.preset.as_deref().filter(|id| gallery(id).as_ref().is_some_and(same)) {
+        let _ = write!(link, "&{key}={id}");
+        return;
+    }
+    let Ok(text) = ClosedCurve::from(&shape.curve).to_text() else { return };
+    let _ = write!(link, "&{key}=curve:{text}");
+    let name = tidy(&shape.name);
+    if !name.is_empty() {
+        let _ = write!(link, "&{name_key}={}", escape(&name));
+    }
+}
+
+/// The closed curves of a link: none unless it names both.
+pub(super) fn read_curves<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<Curves>, LinkError> {
+    Ok(match (read_curve(get, A)?, read_curve(get, B)?) {
+        (Some(a), Some(b)) => Some(Curves { a, b }),
+        _ => None,
+    })
+}
+
+fn read_curve<'a>(
+    get: &impl Fn(&str) -> Option<&'a str>,
+    [key, name_key]: Keys,
+) -> Result<Option<CurveShape>, LinkError> {
+    let Some(text) = get(key) else { return Ok(None) };
+    let Some(word) = text.strip_prefix("curve:") else {
+        return gallery(text).map(Some).ok_or_else(|| damaged(key, text));
+    };
+    let curve = ClosedCurve::from_text(word)
+        .map_err(|error| LinkError::Value { key, value: format!("read as a curve. {error}") })?;
+    let name = get(name_key).map(unescape).map(|name| tidy(&name)).filter(|name| !name.is_empty());
+    let name = name.unwrap_or_else(|| "Own curve".to_owned());
+    Ok(Some(CurveShape { preset: None, name, curve: Curve::from(&curve) }))
+}
+
+pub(super) fn write_fit(link: &mut String, fit: &Fit) {
+    let (mode, model) = (name_of(&MODES, &fit.mode), name_of(&MODELS, &fit.model));
+    let _ = write!(link, "&fit={mode}:{model},{},{}", fit.numbers, number(fit.smoothing));
+    if let Some(curve) = &fit.curve {
+        write_curve(link, FITTED, curve);
+    }
+    if let Some(graph) = &fit.graph {
+        let piece = |piece: &GraphPiece| numbers(&[&piece.map[..], &piece.domain[..]].concat());
+        let pieces: Vec<String> = graph.pieces.iter().map(piece).collect();
+        let _ = write!(link, "&graph={}:{}", name_of(&KINDS, &graph.kind), pieces.join(";"));
+    }
+}
+
+pub(super) fn read_fit<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<Fit>, LinkError> {
+    let (curve, graph) = (read_curve(get, FITTED)?, read_graph(get)?);
+    let Some(text) = get("fit") else {
+        let mode = if graph.is_some() { FitMode::Graph } else { FitMode::Outline };
+        let found = curve.is_some() || graph.is_some();
+        return Ok(found.then(|| Fit { mode, curve, graph, ..Fit::default() }));
+    };
+    let bad = || damaged("fit", text);
+    let (mode, rest) = text.split_once(':').ok_or_else(bad)?;
+    let (model, rest) = rest.split_once(',').ok_or_else(bad)?;
+    let [count, smoothing] = read_numbers::<2>("fit", rest)?;
+    let numbers = count as u32;
+    if f64::from(numbers) != count || !NUMBERS.contains(&numbers) || !(0.0..=1.0).contains(&smoothing) {
+        return Err(bad());
+    }
+    let mode = choice("fit", Some(mode), &MODES)?;
+    let model = choice("fit", Some(model), &MODELS)?;
+    Ok(Some(Fit { mode, model, numbers, smoothing, curve, graph }))
+}
+
+fn read_graph<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<Graph>, LinkError> {
+    let Some(text) = get("graph") else { return Ok(None) };
+    let (kind, list) = text.split_once(':').ok_or_else(|| damaged("graph", text))?;
+    let kind = choice("graph", Some(kind), &KINDS)?;
+    let rows = read_list::<7>("graph", list, MAX_PIECES, |_| true)?;
+    let piece =
+        |&[a, b, c, d, e, from, to]: &[f64; 7]| GraphPiece { map: [a, b, c, d, e], domain: [from, to] };
+    let graph = Graph { kind, pieces: rows.iter().map(piece).collect() };
+    match graph.function() {
+        Ok(_) => Ok(Some(graph)),
+        Err(error) => Err(LinkError::Value { key: "graph", value: format!("drawn. {error}") }),
+    }
+}
