@@ -25,6 +25,9 @@ export interface PainterState {
   preview: boolean;
 }
 
+/** What is asked of whatever draws the main picture. */
+export type MainPainter = Pick<Painter, "pixels" | "forceLoss">;
+
 export interface PainterOptions {
   backend: "auto" | PainterBackend;
   /** Where pixels are asked for when there is no graphics device. */

@@ -39,10 +39,7 @@ export function Picture({ maps, bend, photograph, backend, main = false, onState
     onPainter?.(painter);
     const device = signal({ width: 0, height: 0, ratio: 1 });
     const stopSize = watchSize(element, (css, pixels) => {
-      const scale = Math.min(1, MOST_PIXELS / Math.max(pixels.width, pixels.height, 1));
-      const width = Math.floor(pixels.width * scale);
-      const height = Math.floor(pixels.height * scale);
-      device.value = { width, height, ratio: css.width > 0 ? width / css.width : 1 };
+      device.value = pixels;
       if (main) stageSize.value = css;
     });
     const stopShow = effect(() => {
@@ -74,8 +71,11 @@ interface Extent {
   height: number;
 }
 
-/** Reports the size in CSS pixels and, exactly where the browser knows it, in device pixels. */
-function watchSize(element: HTMLElement, report: (css: Extent, device: Extent) => void): () => void {
+/** Reports the size in CSS pixels and, exactly where the browser knows it, in device pixels, and how many make one. */
+export function watchSize(
+  element: HTMLElement,
+  report: (css: Extent, device: Extent & { ratio: number }) => void,
+): () => void {
   const observer = new ResizeObserver((entries) => {
     const entry = entries.at(-1);
     if (!entry) return;
@@ -85,7 +85,10 @@ function watchSize(element: HTMLElement, report: (css: Extent, device: Extent) =
     const device = exact
       ? { width: exact.inlineSize, height: exact.blockSize }
       : { width: Math.round(css.width * ratio), height: Math.round(css.height * ratio) };
-    report(css, device);
+    const scale = Math.min(1, MOST_PIXELS / Math.max(device.width, device.height, 1));
+    const width = Math.floor(device.width * scale);
+    const height = Math.floor(device.height * scale);
+    report(css, { width, height, ratio: css.width > 0 ? width / css.width : 1 });
   });
   try {
     observer.observe(element, { box: "device-pixel-content-box" });

@@ -2,13 +2,15 @@ import { computed, signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
 import { bend, tool } from "../state/bend";
+import { curved } from "../state/curve";
 import { linear, mapsAt, morphOptions, selection, shown, uv } from "../state/morph";
 import { pictureMaps, pictureShown, watchPicture } from "../state/picture";
 import { scene } from "../state/scene";
+import { lazily } from "../ui/lazy";
 import { Evidence } from "./evidence";
 import { stageKey } from "./gestures";
 import { Handles } from "./handles";
-import type { Painter, PainterBackend, PainterState } from "./painter";
+import type { MainPainter, Painter, PainterBackend, PainterState } from "./painter";
 import { Picture } from "./picture";
 import { followFit } from "./view";
 import { linkView } from "./view-link";
@@ -23,12 +25,16 @@ const NOTHING: PainterState = {
 };
 /** What the main picture is up to. */
 export const picture = signal<PainterState>(NOTHING);
-export const mainPainter = signal<Painter | null>(null);
+export const mainPainter = signal<MainPainter | null>(null);
 /** The same for the linear picture, while it stands beside the other. */
 export const linearPicture = signal<PainterState | null>(null);
 export const linearPainter = signal<Painter | null>(null);
 
-const comparing = computed(() => scene.value.compare && selection.value === null && tool.value === "morph");
+/** Whether a closed curve is to be seen: a picture that is bent takes its place, too. */
+const curve = computed(() => curved.value && !pictureShown.value);
+const comparing = computed(
+  () => scene.value.compare && selection.value === null && tool.value === "morph" && !curve.value,
+);
 /** Whoever edits maps sees them as they are. */
 const mainBend = computed(() => (selection.value === null ? bend.value : null));
 const polar = computed(() => mapsAt(uv.value, { ...morphOptions.value, mode: "polar" }));
@@ -39,7 +45,7 @@ const mainMaps = computed(() => {
 const setPicture = (state: PainterState) => {
   picture.value = state;
 };
-const setPainter = (painter: Painter | null) => {
+const setPainter = (painter: MainPainter | null) => {
   mainPainter.value = painter;
   // What the last one was up to says nothing about the next.
   if (!painter) picture.value = NOTHING;
@@ -74,12 +80,13 @@ export function Stage({
     };
   }, []);
   const both = comparing.value;
+  const bare = curve.value;
   return (
     <section class="stage" aria-label="Picture">
       <div
         class={both ? "pictures two" : "pictures"}
         role="application"
-        aria-label="The attractor. Arrow keys move it, plus and minus zoom, 0 fits it to the stage."
+        aria-label={`The ${bare ? "curve" : "attractor"}. Arrow keys move it, plus and minus zoom, 0 fits it to the stage.`}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: it takes keys
         tabIndex={0}
         onKeyDown={(event) => {
@@ -87,22 +94,27 @@ export function Stage({
         }}
       >
         <div class="pane">
-          <Picture
-            maps={mainMaps}
-            bend={mainBend}
-            photograph={pictureShown}
-            backend={backend}
-            main
-            onState={setPicture}
-            onPainter={setPainter}
-          />
-          {both && <p class="pane-label">Turning and stretching (polar)</p>}
-          {overlay ?? (
-            <>
-              {!both && <Evidence />}
-              <Handles />
-            </>
+          {bare ? (
+            <CurvePicture onState={setPicture} onPainter={setPainter} />
+          ) : (
+            <Picture
+              maps={mainMaps}
+              bend={mainBend}
+              photograph={pictureShown}
+              backend={backend}
+              main
+              onState={setPicture}
+              onPainter={setPainter}
+            />
           )}
+          {both && <p class="pane-label">Turning and stretching (polar)</p>}
+          {overlay ??
+            (!bare && (
+              <>
+                {!both && <Evidence />}
+                <Handles />
+              </>
+            ))}
         </div>
         {both && (
           <div class="pane">
@@ -122,6 +134,9 @@ export function Stage({
     </section>
   );
 }
+
+/** Loaded when there is a curve to draw. */
+const CurvePicture = lazily(() => import("./curve-picture").then((module) => module.CurvePicture));
 
 const empty = computed(() => picture.value.empty);
 

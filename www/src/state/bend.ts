@@ -1,10 +1,9 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { Bend, Deformation, DeformKey, Scene, Tool } from "../engine/api";
-import { boxAround } from "./fit";
-import { standing } from "./morph";
+import { aroundStanding } from "./fit";
 import { edit, replace, scene } from "./scene";
 
-export { boxAround } from "./fit";
+export { aroundStanding, boxAround } from "./fit";
 
 /** A mesh of four by four at rest, over the unit square. */
 export const AT_REST: Deformation = {
@@ -27,7 +26,7 @@ export const AT_REST: Deformation = {
 };
 
 /** What stands for a document that says nothing of bending. */
-const none: ReadonlySignal<Deformation> = computed(() => ({ ...AT_REST, box: boxAround(standing.value) }));
+const none: ReadonlySignal<Deformation> = computed(() => ({ ...AT_REST, box: aroundStanding.value }));
 
 /** What the document says of bending; a mesh at rest around the shape where it says nothing. */
 export const deformation: ReadonlySignal<Deformation> = computed(() => scene.value.deform ?? none.value);

@@ -2,6 +2,7 @@ import { computed, type ReadonlySignal } from "@preact/signals";
 import type { Deformation, MapRow } from "../engine/api";
 import { frond } from "../engine/wasm";
 import { type Box, calmTrack, stillTrack, type Track, union } from "./camera";
+import { curveBoxAt, curveMorph, curveTime } from "./curve";
 import { locusView, mapsAt, morphOptions, pairing, pathPoints, selection, shown, standing } from "./morph";
 import { uvAt } from "./path";
 import { aspect, mapsOfRectangle } from "./photograph";
@@ -25,6 +26,8 @@ export function boxOf(maps: MapRow[]): Box | null {
 
 /** The boxes of the morph along the path: the camera follows them, so that each shape is as large as it can be. */
 export const pathTrack: ReadonlySignal<Track> = computed(() => {
+  const curve = curveMorph.value;
+  if (curve) return calmTrack(Array.from({ length: LOOKS }, (_, i) => curveBoxAt(curve, i / (LOOKS - 1))));
   const points = pathPoints.value;
   const options = morphOptions.value;
   return calmTrack(
@@ -34,19 +37,29 @@ export const pathTrack: ReadonlySignal<Track> = computed(() => {
 
 /** Both ends together: what a zoom is measured by, whatever the moment and the path. */
 export const pairBox: ReadonlySignal<Box> = computed(() => {
+  const curve = curveMorph.value;
+  if (curve) return union([curveBoxAt(curve, 0), curveBoxAt(curve, 1)]);
   const boxes = [pairing.value.from, pairing.value.to].map(boxOf);
   return union(boxes.filter((box) => box !== null));
 });
 
+/** The box of what tools work on: the curve as it stands, or the system. */
+const standingBox: ReadonlySignal<Box | null> = computed(() => {
+  const curve = curveMorph.value;
+  return curve ? curveBoxAt(curve, curveTime.value) : boxOf(standing.value);
+});
+
 /** Whether the picture is off the path, or not of this morph at all. */
-const elsewhere = computed(() => locusView.value.at !== undefined || locusView.value.family === "polygon");
+const elsewhere = computed(
+  () => !curveMorph.value && (locusView.value.at !== undefined || locusView.value.family === "polygon"),
+);
 
 /** How much larger than the shape a mesh around it is, on each side. */
 const MARGIN = 0.05;
 
 /** Where a mesh belongs around a shape: around its box, which is never without an area, in round numbers. */
-export function boxAround(maps: MapRow[]): Deformation["box"] {
-  const box = boxOf(maps) ?? { x0: 0, y0: 0, x1: 1, y1: 1 };
+export function boxAround(shape: MapRow[] | Box): Deformation["box"] {
+  const box = (Array.isArray(shape) ? boxOf(shape) : shape) ?? { x0: 0, y0: 0, x1: 1, y1: 1 };
   const size = Math.max(box.x1 - box.x0, box.y1 - box.y0, 1e-9);
   const [x, y] = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2];
   const half = (extent: number) => (MARGIN + 0.5) * Math.max(extent, 0.25 * size);
@@ -58,6 +71,11 @@ export function boxAround(maps: MapRow[]): Deformation["box"] {
   return [round(x - across), round(y - up), round(x + across), round(y + up)];
 }
 
+/** Where the mesh belongs around what stands there. */
+export const aroundStanding: ReadonlySignal<Deformation["box"]> = computed(() =>
+  boxAround(standingBox.value ?? []),
+);
+
 // Parts of the document, so that nothing is computed again while its moments go by.
 const opened = computed(() => scene.value.tool);
 const pictured = computed(() => scene.value.deform?.subject === "picture");
@@ -66,15 +84,15 @@ const restBox = computed(() => scene.value.deform?.box);
 const columns = computed(() => scene.value.deform?.columns ?? 4);
 const keys = computed(() => scene.value.deform?.keys);
 
-/** The maps of what is bent. */
-const bentMaps = computed(() =>
-  pictured.value ? mapsOfRectangle(aspect.value, parts.value) : standing.value,
+/** What is bent, at rest. */
+const atRest = computed(() =>
+  pictured.value ? boxOf(mapsOfRectangle(aspect.value, parts.value)) : standingBox.value,
 );
 
 /** The mesh at rest, where the tool that shows it is open. */
 const meshBox: ReadonlySignal<Box | null> = computed(() => {
   if (opened.value !== "deform") return null;
-  const [x0, y0, x1, y1] = restBox.value ?? boxAround(standing.value);
+  const [x0, y0, x1, y1] = restBox.value ?? aroundStanding.value;
   return { x0, y0, x1, y1 };
 });
 
@@ -85,7 +103,7 @@ const FOLLOWED = 0.5;
 const bentBox: ReadonlySignal<Box | null> = computed(() => {
   const mesh = meshBox.value;
   if (!mesh) return null;
-  const box = union([boxOf(bentMaps.value) ?? mesh, mesh]);
+  const box = union([atRest.value ?? mesh, mesh]);
   const moves = keys.value?.flatMap((key) => key.moves) ?? [];
   const across = mesh.x1 - mesh.x0;
   const up = mesh.y1 - mesh.y0;

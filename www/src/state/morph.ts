@@ -16,7 +16,8 @@ const mode = computed(() => scene.value.mode);
 const path = computed(() => scene.value.path);
 const correspondence = computed(() => scene.value.correspondence);
 const turns = computed(() => scene.value.turns);
-const t = computed(() => scene.value.t);
+// While the moments of a closed curve go by, the systems stand still, and nothing has to be known of them.
+const t = computed(() => (scene.value.curves ? 0 : scene.value.t));
 
 let lastPairing: Pairing | null = null;
 

@@ -1,0 +1,52 @@
+/** The film of a closed curve's morph: small pictures at even times, made one after another while there is nothing else to do. */
+import { effect, untracked } from "@preact/signals";
+import type { Frame } from "../engine/results";
+import { FRAME_HEIGHT, FRAME_WIDTH, FRAMES } from "../engine/schedule/strip";
+import { boxAt } from "../state/camera";
+import { curveMorph, film } from "../state/curve";
+import { pathTrack } from "../state/fit";
+import { curveThumb } from "./curve-thumb";
+import { stageStyle } from "./look";
+
+const SETTLE_MS = 90;
+
+/** Keeps the film up to date. Returns the end of it. */
+export function watchFilm(): () => void {
+  let timer: ReturnType<typeof setTimeout> | null = null;
+  const stop = effect(() => {
+    const morph = curveMorph.value;
+    const track = pathTrack.value;
+    const style = stageStyle.value;
+    if (timer) clearTimeout(timer);
+    const kept = untracked(() => film.value);
+    const frames: Frame[] = Array.from({ length: FRAMES }, (_, i) => ({
+      t: i / (FRAMES - 1),
+      // By construction, at every moment.
+      verdict: "connected",
+      bitmap: kept[i]?.bitmap ?? null,
+    }));
+    film.value = frames;
+    let next = 0;
+    const step = () => {
+      const frame = frames[next];
+      if (!morph || morph !== curveMorph.peek() || !frame) return;
+      const bitmap = curveThumb(
+        morph,
+        frame.t,
+        boxAt(track, frame.t),
+        { width: FRAME_WIDTH, height: FRAME_HEIGHT },
+        style,
+      );
+      const made = { ...frame, bitmap };
+      film.value = film.peek().map((old) => (old.t === made.t ? made : old));
+      next++;
+      timer = setTimeout(step);
+    };
+    timer = setTimeout(step, SETTLE_MS);
+  });
+  return () => {
+    if (timer) clearTimeout(timer);
+    stop();
+    film.value = [];
+  };
+}

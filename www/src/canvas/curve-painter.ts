@@ -1,0 +1,142 @@
+import type { Bend } from "../engine/api";
+import type { RenderStyle } from "../engine/wasm";
+import type { CurveMorph } from "../state/curve";
+import { wordsOf } from "../state/notice";
+import { lookOf, paintCurve } from "./curve-paint";
+import type { View } from "./geometry";
+import type { PainterState } from "./painter";
+import type { Pixels } from "./surface";
+
+/** What is to be seen. Sizes are device pixels, `view.scale` is in CSS pixels a unit. */
+export interface CurveRequest {
+  morph: CurveMorph | null;
+  s: number;
+  bend: Bend | null;
+  view: View;
+  style: RenderStyle;
+  width: number;
+  height: number;
+  /** Device pixels a CSS pixel. */
+  ratio: number;
+}
+
+/** In device pixels: finer than the eye, or what a canvas shows. */
+export const TOLERANCE = 0.35;
+/** While things move and a frame takes longer than this, the next one is coarser. */
+const LATE_MS = 14;
+const SOON_MS = 6;
+const COARSEST = 6;
+/** Of the outline, in CSS pixels. */
+const LINE = 1.6;
+/** Vertices at most: more than a screen has room for. */
+const MOST = 200_000;
+
+/** The part of the plane that a picture shows, and a little more. */
+export function windowOf({
+  view,
+  width,
+  height,
+  ratio,
+}: Pick<CurveRequest, "view" | "width" | "height" | "ratio">) {
+  const across = (0.55 * width) / (view.scale * ratio);
+  const up = (0.55 * height) / (view.scale * ratio);
+  return [view.x - across, view.y - up, view.x + across, view.y + up] as [number, number, number, number];
+}
+
+/** Keeps one canvas showing a closed curve: one polyline a frame, the latest wish wins. */
+export class CurvePainter {
+  readonly #canvas = document.createElement("canvas");
+  readonly #onState: (state: PainterState) => void;
+  readonly #onBendProblem: (problem: string | null) => void;
+  #wanted: CurveRequest | null = null;
+  #drawn: CurveRequest | null = null;
+  #frame = 0;
+  /** How many times coarser than it should be the next frame is. */
+  #coarse = 1;
+  #fine = false;
+
+  constructor(
+    host: HTMLElement,
+    onState: (state: PainterState) => void,
+    onBendProblem: (problem: string | null) => void,
+  ) {
+    this.#canvas.setAttribute("aria-hidden", "true");
+    host.prepend(this.#canvas);
+    this.#onState = onState;
+    this.#onBendProblem = onBendProblem;
+  }
+
+  show(wanted: CurveRequest): void {
+    this.#wanted = wanted;
+    this.#schedule();
+  }
+
+  async pixels(): Promise<Pixels> {
+    const { width, height } = this.#canvas;
+    const image = this.#canvas.getContext("2d")?.getImageData(0, 0, width, height);
+    if (!image) throw new Error("There is no picture yet.");
+    return { width, height, data: image.data };
+  }
+
+  /** There is no device to lose. */
+  forceLoss(): void {}
+
+  close(): void {
+    if (this.#frame) cancelAnimationFrame(this.#frame);
+    this.#canvas.remove();
+  }
+
+  #schedule(): void {
+    if (!this.#frame) this.#frame = requestAnimationFrame(() => this.#draw());
+  }
+
+  #draw(): void {
+    this.#frame = 0;
+    const wanted = this.#wanted;
+    if (!wanted || wanted.width === 0 || wanted.height === 0) return;
+    const still = wanted === this.#drawn;
+    if (still && this.#fine) return;
+    const coarse = still ? 1 : this.#coarse;
+    const began = performance.now();
+    const points = this.#paint(wanted, coarse);
+    const took = performance.now() - began;
+    if (took > LATE_MS) this.#coarse = Math.min(COARSEST, this.#coarse * 1.5);
+    else if (took < SOON_MS) this.#coarse = Math.max(1, this.#coarse / 1.5);
+    this.#drawn = wanted;
+    this.#fine = coarse === 1;
+    this.#onState({
+      backend: "canvas",
+      complete: this.#fine,
+      settled: this.#fine,
+      points,
+      empty: false,
+      preview: false,
+    });
+    if (!this.#fine) this.#schedule();
+  }
+
+  /** How many vertices it has. */
+  #paint(wanted: CurveRequest, coarse: number): number {
+    const { morph, s, view, style, width, height, ratio } = wanted;
+    const canvas = this.#canvas;
+    if (canvas.width !== width || canvas.height !== height) {
+      canvas.width = width;
+      canvas.height = height;
+    }
+    const context = canvas.getContext("2d");
+    if (!context || !morph) return 0;
+    const scale = view.scale * ratio;
+    const options = { tolerance: (coarse * TOLERANCE) / scale, window: windowOf(wanted), most: MOST };
+    let vertices: Float64Array;
+    try {
+      vertices = morph.polyline(s, wanted.bend ? { ...options, bend: wanted.bend } : options);
+      this.#onBendProblem(null);
+    } catch (problem) {
+      this.#onBendProblem(wordsOf(problem));
+      vertices = morph.polyline(s, options);
+    }
+    const frame = { view: { ...view, scale }, width, height };
+    paintCurve(context, vertices, null, frame, lookOf(style.colouring, style.palette, LINE * ratio));
+    return vertices.length / 2;
+  }
+}

@@ -1,0 +1,56 @@
+import { effect, signal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import { bend, bendProblem } from "../state/bend";
+import { curveMorph, curveTime } from "../state/curve";
+import { watchFilm } from "./curve-film";
+import { CurvePainter } from "./curve-painter";
+import { attachGestures } from "./gestures";
+import { stageStyle } from "./look";
+import type { MainPainter, PainterState } from "./painter";
+import { watchSize } from "./picture";
+import { effectiveView, stageSize } from "./view";
+
+interface CurvePictureProps {
+  onState: (state: PainterState) => void;
+  onPainter: (painter: MainPainter | null) => void;
+}
+
+/** One canvas that shows the closed curve at the present moment, sized to its place down to the device pixel. */
+export function CurvePicture({ onState, onPainter }: CurvePictureProps) {
+  const host = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const element = host.current;
+    if (!element) return;
+    const painter = new CurvePainter(element, onState, (problem) => {
+      bendProblem.value = problem;
+    });
+    onPainter(painter);
+    const device = signal({ width: 0, height: 0, ratio: 1 });
+    const stopSize = watchSize(element, (css, now) => {
+      device.value = now;
+      stageSize.value = css;
+    });
+    const stopShow = effect(() => {
+      const size = device.value;
+      painter.show({
+        ...size,
+        morph: curveMorph.value,
+        s: curveTime.value,
+        bend: bend.value,
+        view: effectiveView.value,
+        style: stageStyle.value,
+      });
+    });
+    const stopGestures = attachGestures(element);
+    const stopFilm = watchFilm();
+    return () => {
+      stopFilm();
+      stopGestures();
+      stopShow();
+      stopSize();
+      onPainter(null);
+      painter.close();
+    };
+  }, [onState, onPainter]);
+  return <div ref={host} class="picture" />;
+}

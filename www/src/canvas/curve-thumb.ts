@@ -1,0 +1,45 @@
+/** Small pictures of closed curves. */
+import type { RenderStyle } from "../engine/wasm";
+import type { Box } from "../state/camera";
+import type { CurveMorph } from "../state/curve";
+import { fitFor } from "../state/fit";
+import { lookOf, paintCurve } from "./curve-paint";
+
+/** CSS pixels. */
+export interface ThumbSize {
+  width: number;
+  height: number;
+}
+
+const EDGE = 5;
+const LINE = 1.1;
+/** Of the outline, in device pixels. */
+const TOLERANCE = 0.5;
+
+/** The curve at a moment, with a box of the plane fitted into it. */
+export function curveThumb(
+  morph: CurveMorph,
+  s: number,
+  box: Box,
+  size: ThumbSize,
+  style: RenderStyle,
+): ImageBitmap {
+  const ratio = Math.min(2, globalThis.devicePixelRatio || 1);
+  const width = Math.round(size.width * ratio);
+  const height = Math.round(size.height * ratio);
+  const edge = EDGE * ratio;
+  const view = fitFor(box, { width, height }, { top: edge, right: edge, bottom: edge, left: edge });
+  const canvas = new OffscreenCanvas(width, height);
+  const context = canvas.getContext("2d");
+  if (context) {
+    const vertices = morph.polyline(s, { tolerance: TOLERANCE / view.scale });
+    paintCurve(
+      context,
+      vertices,
+      null,
+      { view, width, height },
+      lookOf("density", style.palette, LINE * ratio),
+    );
+  }
+  return canvas.transferToImageBitmap();
+}

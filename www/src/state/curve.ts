@@ -1,0 +1,72 @@
+/** Closed curves: what the morph and the deformation work on in place of two systems, where the document has them. */
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import type { ComponentType } from "preact";
+import type { Curve, CurveShape, Scene } from "../engine/api";
+import type { Frame } from "../engine/results";
+import { frond } from "../engine/wasm";
+import type { Box } from "./camera";
+import { scene } from "./scene";
+
+export type CurveMorph = InstanceType<typeof frond.CurveMorph>;
+
+/** The curves of the document. */
+export const curves: ReadonlySignal<{ a: CurveShape; b: CurveShape } | null> = computed(
+  () => scene.value.curves ?? null,
+);
+
+/** Whether there are curves in place of systems. */
+export const curved: ReadonlySignal<boolean> = computed(() => curves.value !== null);
+
+/** The moment, where there are curves. */
+export const curveTime: ReadonlySignal<number> = computed(() => (curved.value ? scene.value.t : 0));
+
+let held: CurveMorph | null = null;
+
+/** The morph between them; null where there is none, or none can be had. The last one is gone when there is another. */
+export const curveMorph: ReadonlySignal<CurveMorph | null> = computed(() => {
+  const now = curves.value;
+  const last = held;
+  held = null;
+  try {
+    if (now) held = new frond.CurveMorph(now.a.curve, now.a.curve === now.b.curve ? null : now.b.curve);
+  } catch {
+    // Links are checked when they are read, and fits when they are made.
+  }
+  last?.free();
+  return held;
+});
+
+/** The box of the curve at a moment. */
+export function curveBoxAt(morph: CurveMorph, s: number): Box {
+  const [x0, y0, x1, y1] = morph.bounds(s);
+  return { x0, y0, x1, y1 };
+}
+
+/** The box of one curve. */
+export function curveBox(curve: Curve): Box {
+  const morph = new frond.CurveMorph(curve, null);
+  try {
+    return curveBoxAt(morph, 0);
+  } finally {
+    morph.free();
+  }
+}
+
+/** Stills of the curve's morph, at even times. */
+export const film = signal<readonly Frame[]>([]);
+
+/** What a gallery shows of curves, wherever it is. */
+export interface ShelfProps {
+  /** The end that is chosen for, or the shape that is bent. */
+  end: "a" | "b" | "bent";
+  onChosen: () => void;
+}
+
+/** What other tools show of curves: loaded with them. */
+export interface CurveSlots {
+  Shelf: ComponentType<ShelfProps>;
+  /** The panel in place of the morph's; null where there are no curves. */
+  Panel: ComponentType<{ choose: (end: "a" | "b") => void }> | null;
+  /** The document with its systems again. */
+  leave: (scene: Scene) => Scene;
+}

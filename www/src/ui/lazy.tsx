@@ -1,0 +1,23 @@
+import { signal } from "@preact/signals";
+import type { ComponentType } from "preact";
+import { useEffect } from "preact/hooks";
+import { notify, wordsOf } from "../state/notice";
+
+/** A component that is loaded when it is first shown: nothing until then. */
+export function lazily<P extends object>(load: () => Promise<ComponentType<P>>): ComponentType<P> {
+  const there = signal<{ Component: ComponentType<P> } | null>(null);
+  return function Lazy(props: P) {
+    useEffect(() => {
+      if (there.peek()) return;
+      load().then(
+        (Component) => {
+          there.value = { Component };
+        },
+        (problem) =>
+          notify({ kind: "error", text: `A part of the page could not be loaded: ${wordsOf(problem)}` }),
+      );
+    }, []);
+    const Component = there.value?.Component;
+    return Component ? <Component {...props} /> : null;
+  };
+}
