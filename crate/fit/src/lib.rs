@@ -10,6 +10,7 @@
 //! - [`fit_collage`] is the paper's fit of a ring of feature points.
 //! - [`Fitter`] fits a [`ClosedCurve`], knots with edges that are straight or copies of arcs, which is closed by
 //!   construction and nearer than a polyline of as many numbers.
+//! - [`CurveMorph`] brings two closed curves to one structure; at every moment between them there is a closed curve.
 //! - [`Outline`] is a closed polyline that is to be fitted; [`features`] finds its feature points, [`fidelity`] says how
 //!   near a fit is to it.
 //! - [`split_polyline`], [`least_squares_polyline`] and [`fourier`] spend as many numbers in other ways; [`maple_leaf`]
@@ -31,6 +32,7 @@ mod piece;
 mod recurrent;
 mod sample;
 mod series;
+mod weave;
 
 pub use baseline::{fourier, least_squares_polyline, split_polyline};
 pub use closed::{
@@ -54,3 +56,4 @@ pub use outline::{
 pub use piece::{Piece, spectral_norm};
 pub use recurrent::Recurrent;
 pub use series::Series;
+pub use weave::{CurveMorph, MorphError, Woven};
