@@ -41,6 +41,10 @@ pub fn encode_scene(
     for shape in [&scene.a, &scene.b] {
         shape.ifs().map_err(|error| of_ifs(&error))?;
     }
+    let curves = scene.curves.iter().flat_map(|curves| [&curves.a, &curves.b]);
+    for shape in curves.chain(scene.fit.iter().filter_map(|fit| fit.curve.as_ref())) {
+        shape.closed().map_err(|error| failure(error.code(), &error.to_string()))?;
+    }
     let link = frond_scene::encode(&scene);
     if link.len() > frond_scene::MAX_LINK {
         return Err(failure(

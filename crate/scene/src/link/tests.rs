@@ -41,8 +41,8 @@ fn any_curve() -> impl Strategy<Value = CurveShape> {
             };
             let edge = |i: usize| {
                 let c = wobble[i % wobble.len()];
-                let copy = frond_fit::ArcCopy { from: (i + 1) % count, span: 3, reversed: i % 2 == 0, c };
-                (i % 3 == 0 && count > 6).then_some(copy)
+                let copy = frond_fit::ArcCopy { from: (i + 1) % count, span: 3, reversed: i.is_multiple_of(2), c };
+                (i.is_multiple_of(3) && count > 6).then_some(copy)
             };
             let knots = (0..count).map(knot).collect();
             let curve = frond_fit::ClosedCurve { knots, edges: (0..count).map(edge).collect() };
