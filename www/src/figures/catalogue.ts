@@ -6,6 +6,7 @@ import { Figure5 } from "./fig5";
 import { Figure6 } from "./fig6";
 import { Figure7 } from "./fig7";
 import { Figures34 } from "./fig34";
+import { FITS } from "./fits";
 import type { Heading } from "./frame";
 import { LESSONS } from "./lessons";
 import { Table1 } from "./table1";
@@ -93,12 +94,12 @@ export const CATALOGUE: readonly Entry[] = [
   },
 ];
 
-export { DEFORMS, LESSONS };
+export { DEFORMS, FITS, LESSONS };
 
 /** Where an address leads: one of a row of pages, with the row that it is in. */
 export function find(id: string): { row: readonly Entry[]; index: number } | null {
   const asked = id.toLowerCase();
-  for (const row of [CATALOGUE, DEFORMS, LESSONS]) {
+  for (const row of [CATALOGUE, DEFORMS, FITS, LESSONS]) {
     const index = row.findIndex((entry) => entry.id === asked || entry.also?.includes(asked));
     if (index >= 0) return { row, index };
   }

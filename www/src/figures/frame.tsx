@@ -22,16 +22,23 @@ export interface FrameProps extends Heading {
   parameters: readonly Parameter[];
   /** The captions of the paper. */
   captions: readonly string[];
-  /** Why the picture is not the paper's own: what was not printed, and what stands for it here. */
-  reconstructed: string;
-  studio: { href: string; label?: string };
+  /** Why the picture is not the paper's own: what was not printed, and what stands for it here; null where all was. */
+  reconstructed: string | null;
+  /** What differs from the paper all the same. */
+  differs?: ComponentChildren;
+  studio?: { href: string; label?: string };
 }
 
 /** What every figure has around its live part. */
 export function Frame(props: FrameProps) {
   return (
     <>
-      <Head number={props.number} title={props.title} badge="reconstructed" studio={props.studio}>
+      <Head
+        number={props.number}
+        title={props.title}
+        badge={props.reconstructed === null ? "as printed" : "reconstructed"}
+        {...(props.studio ? { studio: props.studio } : {})}
+      >
         {props.lead}
       </Head>
       <section class="figure-live" aria-label="The figure">
@@ -53,9 +60,16 @@ export function Frame(props: FrameProps) {
           {props.captions.map((caption) => (
             <blockquote key={caption}>{caption}</blockquote>
           ))}
-          <p>
-            <strong>Reconstructed.</strong> {props.reconstructed}
-          </p>
+          {props.reconstructed !== null && (
+            <p>
+              <strong>Reconstructed.</strong> {props.reconstructed}
+            </p>
+          )}
+          {props.differs !== undefined && (
+            <p>
+              <strong>What differs.</strong> {props.differs}
+            </p>
+          )}
         </section>
       </div>
     </>
@@ -65,7 +79,7 @@ export function Frame(props: FrameProps) {
 export interface HeadProps extends Heading {
   /** Where the page comes from, in a word or two. */
   badge: string;
-  studio: { href: string; label?: string };
+  studio?: { href: string; label?: string };
   /** The text that leads in. */
   children: ComponentChildren;
 }
@@ -80,10 +94,12 @@ export function Head({ number, title, badge, studio, children }: HeadProps) {
         </p>
         <h1 tabIndex={-1}>{title}</h1>
       </div>
-      <a class="button figure-studio" href={studio.href}>
-        {studio.label ?? "Open in the studio"}
-        <Icon name="arrow" />
-      </a>
+      {studio && (
+        <a class="button figure-studio" href={studio.href}>
+          {studio.label ?? "Open in the studio"}
+          <Icon name="arrow" />
+        </a>
+      )}
       <div class="figure-lead">{children}</div>
     </header>
   );

@@ -1,4 +1,4 @@
-import { CATALOGUE, DEFORMS, type Entry, LESSONS } from "./catalogue";
+import { CATALOGUE, DEFORMS, type Entry, FITS, LESSONS } from "./catalogue";
 
 /** All figures and lessons, each with a small picture that the program made. */
 export function Overview({ missing }: { missing: string | null }) {
@@ -29,6 +29,15 @@ export function Overview({ missing }: { missing: string | null }) {
           grid, and every part of the shape answers.
         </p>
         <Cards row={DEFORMS} />
+      </section>
+      <section aria-labelledby="rough-curves">
+        <h2 id="rough-curves">Rough curves from a few maps</h2>
+        <p class="figure-lead">
+          The figures and tables of “On Approximating Rough Curves With Fractal Functions” by Wayne O.
+          Cochran, John C. Hart and Patrick J. Flynn: functions made of copies of themselves, the search for
+          their maps, and the outline of a leaf.
+        </p>
+        <Cards row={FITS} />
       </section>
       <section aria-labelledby="lessons">
         <h2 id="lessons">Eleven lessons</h2>

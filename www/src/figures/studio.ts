@@ -1,4 +1,4 @@
-import type { Deformation, MapRow, Mode, Scene, Shape } from "../engine/api";
+import type { Deformation, Fit, MapRow, Mode, Scene, Shape } from "../engine/api";
 import { frond } from "../engine/wasm";
 import type { Uv } from "../state/path";
 
@@ -62,4 +62,10 @@ export function preset(id: string): Shape & { maps: MapRow[] } {
   const found = frond.presets().find((one) => one.id === id);
   if (!found) throw new Error(`The gallery has no shape "${id}".`);
   return { preset: id, name: found.name, maps: found.maps };
+}
+
+/** A link that opens the tool that fits, with a graph or a curve that is fitted already. */
+export function fitHref(fit: Pick<Fit, "mode"> & Partial<Fit>): string {
+  const whole: Fit = { model: "closed", numbers: 260, smoothing: 0, ...fit };
+  return `#${frond.encodeScene({ ...frond.defaultScene(), tool: "fit", fit: whole })}`;
 }
