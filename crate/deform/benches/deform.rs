@@ -6,7 +6,9 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use frond_core::{Affine2, hash};
-use frond_deform::{Bend, Continuity, Corners, Cursor, Field, Mesh, Place, Roughness, Settings, Spin};
+use frond_deform::{
+    Bend, Continuity, Corners, Cursor, Field, Mesh, Place, RingBend, Roughness, Settings, Spin,
+};
 use glam::DVec2;
 
 /// The least time of some runs, in seconds: what the machine does when it is left alone.
@@ -152,4 +154,29 @@ fn main() {
         let find = least_time(20, || drop(black_box(Corners::find(black_box(maps)))));
         println!("looking for corners, {name}: {:.1} us", find * 1e6);
     }
+    for ke in [7.0, 9.0] {
+        rings(ke, &mesh, &list);
+    }
+}
+
+/// A closed curve: the bend made, its mesh moved, and points placed.
+fn rings(ke: f64, mesh: &Mesh, list: &[DVec2]) {
+    let settings = settings(ke, Continuity::Auto);
+    let count = RingBend::points(&settings).expect("settings");
+    let place = |t: f64| DVec2::splat(0.5) + 0.4 * DVec2::from_angle(std::f64::consts::TAU * t);
+    let grid: Vec<_> = (0..count).map(|i| place(i as f64 / count as f64)).collect();
+    let make = || RingBend::new(mesh.clone(), settings, &grid).expect("a bend");
+    let new = least_time(5, || drop(black_box(make())));
+    let mut bend = make();
+    let moved = least_time(20, || bend.set_mesh(black_box(list)).expect("a mesh"));
+    let points: Vec<_> = (0..10_000).map(|i| f64::from(i) / 1e4).map(|t| (t, place(t))).collect();
+    let down = least_time(20, || {
+        black_box(points.iter().map(|&(t, z)| bend.displaced(t, z)).sum::<DVec2>());
+    });
+    println!(
+        "closed curve, ke {ke}: made in {:.2} ms, mesh moved in {:.2} ms, 10,000 points placed in {:.2} ms",
+        new * 1e3,
+        moved * 1e3,
+        down * 1e3,
+    );
 }

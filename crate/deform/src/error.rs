@@ -30,6 +30,14 @@ pub enum BendError {
     /// The roughness is NaN, infinite or negative.
     #[error("Roughness (delta) is a number from 0 on: 0 is smooth, above 1 the smallest parts move most.")]
     Roughness,
+    /// Not a power of 4 of points, or points that are not finite.
+    #[error(
+        "A closed curve is bent through 4, 16, 64 .. 262144 finite points of it, and there are {count}. Sample it so."
+    )]
+    Ring {
+        /// How many there are.
+        count: usize,
+    },
     /// Not one colour for each control point, or a colour that is none.
     #[error("The colours must be {wanted} triples of numbers from 0 to 1, one for each control point.")]
     Tint {
@@ -48,6 +56,7 @@ impl BendError {
             Self::Depth => "bend-depth",
             Self::Locality { .. } => "bend-locality",
             Self::Roughness => "bend-roughness",
+            Self::Ring { .. } => "bend-ring",
             Self::Tint { .. } => "bend-tint",
         }
     }

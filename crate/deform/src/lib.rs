@@ -14,6 +14,8 @@
 //! A [`Bend`] is all of this at one moment, with pieces kept together ([`Continuity`]), reached letter by letter with a
 //! [`Cursor`] and fast enough for every frame; a [`Skin`] moves points with the mesh at one price whatever ke.
 //!
+//! A [`RingBend`] does the same to a closed curve, whose code is its parameter in base 4.
+//!
 //! [`Spin`] turns the displacement with the piece. [`Cube`] gives codes to the points of a unit square, so that
 //! pictures can be bent like attractors.
 
@@ -34,6 +36,7 @@ mod mesh;
 mod polygon;
 mod raw;
 mod region;
+mod ring;
 mod settings;
 mod skin;
 mod smooth;
@@ -52,6 +55,7 @@ pub use error::BendError;
 pub use field::{Field, Place};
 pub use lattice::{Lattice, Level};
 pub use mesh::{Mesh, MeshError};
+pub use ring::RingBend;
 pub use settings::{Continuity, Roughness, Settings, Tint};
 pub use skin::{Pull, Skin, Turns};
 pub use spin::Spin;

@@ -78,6 +78,11 @@ impl Terms {
         self.families.iter().filter(|f| f.end > f.first).map(|f| f.end - 1).max().unwrap_or(0)
     }
 
+    /// The families that have a term of k.
+    pub fn families_at(&self, k: usize) -> impl Iterator<Item = &Family> {
+        self.families.iter().filter(move |family| (family.first..family.end).contains(&k))
+    }
+
     /// What the terms count at a point at rest; `room` is where it is put if it is not the same all over.
     #[inline]
     pub fn at<'a>(&'a self, mesh: &Mesh, point: DVec2, room: &'a mut Option<Weights>) -> &'a Weights {
