@@ -26,7 +26,7 @@ const STRAIGHT: f64 = 3.0;
 const MOST_C: f64 = 0.95;
 
 /// The most points of a recurrent function that is looked for.
-const MOST_KNOTS: usize = 400;
+const MOST_KNOTS: usize = 256;
 
 /// Which kind a function is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,8 +1,10 @@
 //! From an outline to its formula: what the workers of the fit do.
 
 mod curve;
+mod hough;
 
 pub use curve::*;
+pub use hough::*;
 
 use glam::DVec2;
 use wasm_bindgen::JsValue;

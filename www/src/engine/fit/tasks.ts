@@ -1,5 +1,6 @@
 import type { FitModule } from "./module";
 import { curveTasks } from "./tasks/curve";
+import { houghTasks } from "./tasks/hough";
 
 /** What a task has at hand. */
 export interface Context<Progress = never> {
@@ -19,6 +20,7 @@ export const tasks = {
   /** Nothing: so that the first real one finds the worker ready. */
   wake: (_context: Context, _args: Record<string, never>): null => null,
   ...curveTasks,
+  ...houghTasks,
 };
 
 export type Tasks = typeof tasks;
