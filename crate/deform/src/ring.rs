@@ -1,5 +1,7 @@
 //! A closed curve bent by a mesh.
 
+mod line;
+
 use std::ops::{Add, Mul};
 
 use glam::DVec2;

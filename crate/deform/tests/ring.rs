@@ -245,3 +245,65 @@ fn what_is_no_ring_is_refused() {
     assert!(bent.set_mesh(&[DVec2::NAN; 16]).is_err());
     assert_eq!(bent.displaced(0.3, DVec2::ONE), before);
 }
+
+/// The distance of a point from a closed polyline.
+fn distance(p: DVec2, line: &[DVec2]) -> f64 {
+    let sides = line.iter().zip(line.iter().cycle().skip(1));
+    let to = |(&a, &b): (&DVec2, &DVec2)| {
+        let along = (b - a).length_squared();
+        let share = if along > 0.0 { ((p - a).dot(b - a) / along).clamp(0.0, 1.0) } else { 0.0 };
+        p.distance(a.lerp(b, share))
+    };
+    sides.map(to).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn the_bent_polyline_is_near_the_bent_curve() {
+    let square = [[0.1, 0.1], [0.9, 0.1], [0.9, 0.9], [0.1, 0.9]].map(DVec2::from);
+    let line: Vec<_> = (0..4).map(|i| (i as f64 / 4.0, square[i])).collect();
+    let at =
+        |t: f64| square[(t * 4.0) as usize % 4].lerp(square[((t * 4.0) as usize + 1) % 4], (t * 4.0).fract());
+    let grid: Vec<_> = (0..1024).map(|i| at(f64::from(i) / 1024.0)).collect();
+    for (kb, ke, superposed) in [(0.0, 0.0, true), (0.0, 5.0, true), (1.5, 4.5, true), (0.0, 5.0, false)] {
+        let asked = settings(kb, ke, Roughness::Constant(0.6), superposed);
+        let bent = RingBend::new(mesh(&bumps(0.03)), asked, &grid).unwrap();
+        let all: Vec<_> = (0..20_000).map(|i| f64::from(i) / 2e4).map(|t| bent.displaced(t, at(t))).collect();
+        let mut before = usize::MAX;
+        for tolerance in [1e-4, 1e-3, 1e-2] {
+            let found = bent.polyline(&line, tolerance, None, 1 << 20);
+            let worst = all.iter().map(|&p| distance(p, &found)).fold(0.0, f64::max);
+            assert!(worst <= 1.3 * tolerance, "{kb} {ke}: {worst} at {tolerance}");
+            assert!(found.len() < before && found.len() > 8);
+            before = found.len();
+        }
+        let window = [0.8, 0.4, 1.0, 0.6];
+        let found = bent.polyline(&line, 1e-4, Some(window), 1 << 20);
+        let inside =
+            |p: &&DVec2| p.x >= window[0] && p.y >= window[1] && p.x <= window[2] && p.y <= window[3];
+        let worst = all.iter().filter(inside).map(|&p| distance(p, &found)).fold(0.0, f64::max);
+        assert!(worst <= 1.3e-4, "{kb} {ke}: {worst} in the window");
+        assert!(found.len() * 2 < bent.polyline(&line, 1e-4, None, 1 << 20).len(), "{}", found.len());
+        for most in [3, 10, 100] {
+            assert!(bent.polyline(&line, 0.0, None, most).len() <= most);
+        }
+    }
+}
+
+#[test]
+fn polylines_of_nothing_much() {
+    let bent = bend(&bumps(0.1), settings(0.0, 4.0, Roughness::Constant(0.6), true));
+    assert!(bent.polyline(&[], 0.1, None, 100).is_empty());
+    for line in [
+        vec![(0.0, DVec2::ONE)],
+        vec![(0.0, DVec2::ONE), (0.0, DVec2::ONE), (0.0, DVec2::ONE)],
+        vec![(0.0, DVec2::NAN), (0.5, DVec2::ONE)],
+        vec![(f64::NAN, DVec2::ONE), (0.5, DVec2::ZERO), (0.2, DVec2::X)],
+        vec![(0.0, DVec2::ONE), (1e300, DVec2::ZERO)],
+    ] {
+        for tolerance in [0.0, 0.1, f64::NAN, f64::INFINITY] {
+            for window in [None, Some([0.0, 0.0, 1.0, 1.0]), Some([f64::NAN; 4])] {
+                assert!(bent.polyline(&line, tolerance, window, 50).len() <= 50);
+            }
+        }
+    }
+}
