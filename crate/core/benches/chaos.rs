@@ -3,7 +3,8 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use frond_core::{Affine2, ChaosGame, Ifs};
+use frond_core::{Affine2, Affine3, ChaosGame, ChaosGame3, Ifs, Ifs3};
+use glam::DVec3;
 
 fn main() {
     let fern = [
@@ -25,4 +26,44 @@ fn main() {
         best = best.max(f64::from(64 << 16) / start.elapsed().as_secs_f64());
     }
     println!("chaos game, fern: {:.1} million points a second", best / 1e6);
+    let plane = best;
+
+    // Four maps as well, turned about any axis.
+    let turned = |k: u32| {
+        let axis = DVec3::new(1.0, f64::from(k), 0.5);
+        let turn = Affine3::rotation(axis, f64::from(k)).expect("an axis");
+        Affine3::moving(axis) * turn * Affine3::scaling(DVec3::new(0.5, 0.6, 0.4))
+    };
+    let ifs = Ifs3::new((0..4).map(turned).collect()).expect("four maps");
+    let mut game = ChaosGame3::new(&ifs, 1);
+    let mut positions = vec![0.0; 3 << 16];
+    let mut best = 0.0_f64;
+    for _ in 0..20 {
+        let start = Instant::now();
+        for _ in 0..64 {
+            game.fill(&mut positions, &mut pieces);
+            black_box((&positions, &pieces));
+        }
+        best = best.max(f64::from(64 << 16) / start.elapsed().as_secs_f64());
+    }
+    println!(
+        "chaos game in space: {:.1} million points a second, {:.2} of the plane's",
+        best / 1e6,
+        best / plane
+    );
+    let by = Affine3::rotation(DVec3::ONE, 0.3).expect("an axis");
+    let many = Ifs3::new((0..64).map(|k| turned(k % 4)).collect()).expect("64 maps");
+    let start = Instant::now();
+    for _ in 0..100 {
+        black_box(many.maps().iter().map(|map| map.moved(by)).collect::<Vec<_>>());
+    }
+    println!("conjugation of 64 maps: {:.1} us", start.elapsed().as_secs_f64() * 1e4);
+    let start = Instant::now();
+    for _ in 0..10 {
+        black_box(many.conjugate(by)).expect("a turn");
+    }
+    println!(
+        "conjugation of 64 maps, checked again for an attractor: {:.1} us",
+        start.elapsed().as_secs_f64() * 1e5
+    );
 }

@@ -125,7 +125,7 @@ impl State {
 }
 
 /// Each map as often as it is probable, at least once.
-fn table(probabilities: &[f64]) -> Box<[u8; SLOTS]> {
+pub(crate) fn table(probabilities: &[f64]) -> Box<[u8; SLOTS]> {
     let free = (SLOTS - probabilities.len()) as f64;
     let mut table = Box::new([0; SLOTS]);
     let (mut sum, mut from) = (0.0, 0);

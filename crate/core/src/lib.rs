@@ -7,6 +7,9 @@
 //! [`Morph`] changes one system into another by way of the polar decomposition ([`Polar2`]); [`candidates`] lists which
 //! map may become which, and [`routes`] what other maps of the same shapes may be morphed instead.
 //!
+//! The same in space: [`Ifs3`], [`Bounds3`], [`ChaosGame3`], [`Morph3`]. A shape is moved by moving its parameters
+//! ([`Pose`]).
+//!
 //! Conventions: y points up, angles are radians, counter-clockwise. Indices count from 0 in code and from 1
 //! in messages. No panics on any input, no unsafe code, no web, no GPU.
 
@@ -27,9 +30,12 @@ mod pairing;
 mod polar2;
 mod polar3;
 mod route;
+mod size3;
+mod space;
 mod symmetry;
 #[cfg(test)]
 mod testing;
+mod transform;
 
 pub use address::{Word, address_near};
 pub use affine2::Affine2;
@@ -47,4 +53,9 @@ pub use pairing::{Pairing, pair};
 pub use polar2::Polar2;
 pub use polar3::Polar3;
 pub use route::{Route, RouteKind, routes};
+pub use space::{
+    Bounds3, BoxCount, ChaosGame3, Conjugate, Contraction3, Fan3, Ifs3, Morph3, Place3, Pose, Turn3,
+    adaptive_cut3, affinity_dimension3, box_dimension, similarity_dimension3, word_map3,
+};
 pub use symmetry::symmetries;
+pub use transform::TransformError;

@@ -29,6 +29,28 @@ pub struct MorphOptions {
     pub turns: Vec<i32>,
 }
 
+impl MorphOptions {
+    /// The map of the last system that each of the first becomes.
+    pub(crate) fn order(&self, from: usize, to: usize) -> Result<Vec<usize>, MorphError> {
+        if from != to {
+            return Err(MorphError::Counts { from, to });
+        }
+        let identity: Vec<usize> = (0..from).collect();
+        let order =
+            if self.correspondence.is_empty() { identity.clone() } else { self.correspondence.clone() };
+        let mut sorted = order.clone();
+        sorted.sort_unstable();
+        if sorted != identity {
+            return Err(MorphError::Correspondence { maps: from });
+        }
+        let fits = |turns: &[i32]| turns.len() == from && turns.iter().all(|t| (-16..=16).contains(t));
+        if !(self.turns.is_empty() || fits(&self.turns)) {
+            return Err(MorphError::Turns { maps: from });
+        }
+        Ok(order)
+    }
+}
+
 /// Why two systems cannot be morphed as asked.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum MorphError {
@@ -106,23 +128,9 @@ impl Morph {
     /// # Errors
     /// [`MorphError`] if the counts differ or the options do not fit them.
     pub fn new(from: &[Affine2], to: &[Affine2], options: &MorphOptions) -> Result<Self, MorphError> {
-        let maps = from.len();
-        if to.len() != maps {
-            return Err(MorphError::Counts { from: maps, to: to.len() });
-        }
-        let identity: Vec<usize> = (0..maps).collect();
-        let order = if options.correspondence.is_empty() { &identity } else { &options.correspondence };
-        let mut sorted = order.clone();
-        sorted.sort_unstable();
-        if sorted != identity {
-            return Err(MorphError::Correspondence { maps });
-        }
-        let turns = &options.turns;
-        if !(turns.is_empty() || turns.len() == maps && turns.iter().all(|t| (-16..=16).contains(t))) {
-            return Err(MorphError::Turns { maps });
-        }
-        let pairs =
-            (0..maps).map(|i| Pair::new(from[i], to[order[i]], turns.get(i).copied().unwrap_or(0))).collect();
+        let order = options.order(from.len(), to.len())?;
+        let turn = |i: usize| options.turns.get(i).copied().unwrap_or(0);
+        let pairs = order.iter().enumerate().map(|(i, &j)| Pair::new(from[i], to[j], turn(i))).collect();
         Ok(Self { mode: options.mode, pairs })
     }
 

@@ -87,7 +87,7 @@ fn symmetric(m: DMat3) -> DMat3 {
 }
 
 /// Eigenvalues and eigenvectors (columns) of a symmetric matrix.
-fn jacobi(mut a: DMat3) -> ([f64; 3], DMat3) {
+pub(crate) fn jacobi(mut a: DMat3) -> ([f64; 3], DMat3) {
     let mut vectors = DMat3::IDENTITY;
     for _ in 0..32 {
         let off = a.y_axis.x.abs() + a.z_axis.x.abs() + a.z_axis.y.abs();

@@ -62,21 +62,27 @@ fn conjugations() {
         let get = |name: &str| numbers(&case[name]);
         let mut wanted = get("result_linear");
         wanted.extend(get("result_translation"));
+        // Both ways to conjugate: with an error that says why not, and without.
+        let both = |found: Vec<f64>| assert_close(&found, &wanted, 1e-9, &format!("case {i}"));
         let found: Vec<f64> = if get("translation").len() == 2 {
             let map = |linear: &str, translation: &str| {
                 let m: [f64; 4] = get(linear).try_into().unwrap();
                 Affine2::new(DMat2::from_cols_array(&m).transpose(), DVec2::from_slice(&get(translation)))
             };
             let by = map("by_linear", "by_translation");
-            map("linear", "translation").conjugate(by).unwrap().to_row().to_vec()
+            let map = map("linear", "translation");
+            both(map.conjugate(by).unwrap().to_row().to_vec());
+            map.moved(by).unwrap().to_row().to_vec()
         } else {
             let map = |linear: &str, translation: &str| {
                 let m: [f64; 9] = get(linear).try_into().unwrap();
                 Affine3::new(DMat3::from_cols_array(&m).transpose(), DVec3::from_slice(&get(translation)))
             };
             let by = map("by_linear", "by_translation");
-            map("linear", "translation").conjugate(by).unwrap().to_row().to_vec()
+            let map = map("linear", "translation");
+            both(map.conjugate(by).unwrap().to_row().to_vec());
+            map.moved(by).unwrap().to_row().to_vec()
         };
-        assert_close(&found, &wanted, 1e-9, &format!("case {i}"));
+        both(found);
     }
 }
