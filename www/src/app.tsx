@@ -8,8 +8,10 @@ import { EvidencePanel } from "./shell/evidence/Panel";
 import { Header } from "./shell/header";
 import { Readout, VerdictChip } from "./shell/readouts";
 import { tool } from "./state/bend";
+import { type CurveParts, curved } from "./state/curve";
 import { route } from "./state/link";
 import { announcement, dismiss, notices, notify, wordsOf } from "./state/notice";
+import { lazily } from "./ui/lazy";
 import { Toasts } from "./ui/Toasts";
 import { MorphPanel, MorphStrip } from "./views/morph";
 
@@ -56,18 +58,26 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
       </h1>
       <Stage backend={backend} overlay={bending ? Deform !== null && <Deform.DeformOverlay /> : undefined}>
         <div class="stage-foot">
-          {!bending && <VerdictChip />}
+          {!bending && (curved.value ? <CurveChip /> : <VerdictChip />)}
           <Readout />
         </div>
-        {!bending && <EvidencePanel />}
+        {!bending && (curved.value ? <CurveEvidence /> : <EvidencePanel />)}
       </Stage>
       <aside class="side" aria-label={bending ? "Shape and grid" : "Shapes and path"}>
-        {bending ? Deform && <Deform.DeformPanel /> : <MorphPanel />}
+        {bending ? Deform && <Deform.DeformPanel curve={CURVE} /> : <MorphPanel curve={CURVE} />}
       </aside>
       <div class="time">{bending ? Deform && <Deform.DeformStrip /> : <MorphStrip />}</div>
     </main>
   );
 }
+
+/** What is shown of closed curves is loaded when there are some, or when one may be chosen. */
+const CurveChip = lazily(() => import("./views/curve").then((module) => module.CurveChip));
+const CurveEvidence = lazily(() => import("./views/curve").then((module) => module.CurveEvidence));
+const CURVE: CurveParts = {
+  Panel: lazily(() => import("./views/curve").then((module) => module.CurvePanel)),
+  Shelf: lazily(() => import("./views/curve").then((module) => module.Shelf)),
+};
 
 const deform = signal<typeof import("./views/deform") | null>(null);
 

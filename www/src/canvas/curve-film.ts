@@ -16,7 +16,7 @@ export function watchFilm(): () => void {
   const stop = effect(() => {
     const morph = curveMorph.value;
     const track = pathTrack.value;
-    const style = stageStyle.value;
+    const { palette } = stageStyle.value;
     if (timer) clearTimeout(timer);
     const kept = untracked(() => film.value);
     const frames: Frame[] = Array.from({ length: FRAMES }, (_, i) => ({
@@ -35,7 +35,7 @@ export function watchFilm(): () => void {
         frame.t,
         boxAt(track, frame.t),
         { width: FRAME_WIDTH, height: FRAME_HEIGHT },
-        style,
+        palette,
       );
       const made = { ...frame, bitmap };
       film.value = film.peek().map((old) => (old.t === made.t ? made : old));

@@ -1,5 +1,4 @@
 /** Small pictures of closed curves. */
-import type { RenderStyle } from "../engine/wasm";
 import type { Box } from "../state/camera";
 import type { CurveMorph } from "../state/curve";
 import { fitFor } from "../state/fit";
@@ -22,7 +21,7 @@ export function curveThumb(
   s: number,
   box: Box,
   size: ThumbSize,
-  style: RenderStyle,
+  palette: readonly string[],
 ): ImageBitmap {
   const ratio = Math.min(2, globalThis.devicePixelRatio || 1);
   const width = Math.round(size.width * ratio);
@@ -33,13 +32,7 @@ export function curveThumb(
   const context = canvas.getContext("2d");
   if (context) {
     const vertices = morph.polyline(s, { tolerance: TOLERANCE / view.scale });
-    paintCurve(
-      context,
-      vertices,
-      null,
-      { view, width, height },
-      lookOf("density", style.palette, LINE * ratio),
-    );
+    paintCurve(context, vertices, null, { view, width, height }, lookOf("density", palette, LINE * ratio));
   }
   return canvas.transferToImageBitmap();
 }

@@ -1,3 +1,4 @@
+import { computed } from "@preact/signals";
 import { stageStyle } from "../canvas/look";
 import { bentPicture, type SheetRequest } from "../canvas/sheet";
 import { effectiveView, stageSize } from "../canvas/view";
@@ -7,6 +8,7 @@ import { single } from "../engine/protocol";
 import { adoptPath } from "../engine/schedule";
 import { frond } from "../engine/wasm";
 import { bend, deformation } from "../state/bend";
+import { curved } from "../state/curve";
 import { addressBar, Link } from "../state/link";
 import { selection, shown } from "../state/morph";
 import { notify, wordsOf } from "../state/notice";
@@ -44,6 +46,20 @@ export async function shareLink(): Promise<void> {
 }
 
 const LONG_SIDE = 2400;
+
+/** The files that a closed curve can be saved as. */
+export const CURVE_FILES = ["png", "svg", "csv", "json"] as const;
+
+export async function saveCurve(kind: (typeof CURVE_FILES)[number]): Promise<void> {
+  try {
+    await (await import("../views/curve/save")).save(kind);
+  } catch (problem) {
+    notSaved(problem);
+  }
+}
+
+/** Whether a closed curve is what would be saved. */
+export const curveOnStage = computed(() => curved.value && !pictureShown.value);
 
 /** The picture as it stands on the stage, larger, complete, on a transparent ground. */
 export function savePicture(): void {

@@ -8,7 +8,7 @@ import { setTheme, type Theme, theme } from "../state/preferences";
 import { canRedo, canUndo, redo, undo } from "../state/scene";
 import { Icon } from "../ui/Icon";
 import { Menu, type MenuItem } from "../ui/Menu";
-import { savePicture, shareLink, studioHref } from "./actions";
+import { CURVE_FILES, curveOnStage, saveCurve, savePicture, shareLink, studioHref } from "./actions";
 import { Glyph, type GlyphName } from "./glyphs";
 
 const NEXT_THEME: Record<Theme, Theme> = { auto: "light", light: "dark", dark: "auto" };
@@ -64,7 +64,16 @@ function moreItems(studio: boolean): MenuItem[] {
     ...(theme.value === choice ? { icon: "check" as const } : {}),
     onSelect: () => setTheme(choice),
   }));
-  return studio ? [{ label: "Save as PNG", onSelect: savePicture }, ...themes] : themes;
+  if (!studio) return themes;
+  const saves = curveOnStage.value ? curveItems() : [{ label: "Save as PNG", onSelect: savePicture }];
+  return [...saves, ...themes];
+}
+
+function curveItems(): MenuItem[] {
+  return CURVE_FILES.map((kind) => ({
+    label: `Save as ${kind.toUpperCase()}`,
+    onSelect: () => saveCurve(kind),
+  }));
 }
 
 function StudioTools() {
@@ -72,7 +81,13 @@ function StudioTools() {
     <>
       <Tool glyph="undo" label="Undo" disabled={!canUndo.value} onClick={undo} />
       <Tool glyph="redo" label="Redo" disabled={!canRedo.value} onClick={redo} />
-      <Tool glyph="save" label="Save as PNG" class="wide" onClick={savePicture} />
+      {curveOnStage.value ? (
+        <div class="wide">
+          <Menu label="Save the curve" icon="save" items={curveItems()} />
+        </div>
+      ) : (
+        <Tool glyph="save" label="Save as PNG" class="wide" onClick={savePicture} />
+      )}
       <Tool
         glyph="help"
         label="Keyboard shortcuts"

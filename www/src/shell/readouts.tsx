@@ -6,6 +6,7 @@ import { picture } from "../canvas/stage";
 import { view, zoom } from "../canvas/view";
 import { verdict, workers } from "../engine/results";
 import { tool } from "../state/bend";
+import { curved, curveTime } from "../state/curve";
 import { here, locusView, selection } from "../state/morph";
 import { announce } from "../state/notice";
 import { playing } from "../state/playback";
@@ -107,9 +108,11 @@ export function Readout() {
     <div class="readout number">
       {!selection.value && tool.value === "morph" && (
         <span class="readout-uv">
-          {locusView.value.family === "morph"
-            ? `u ${signed(x)} v ${signed(y)}`
-            : `s ${signed(x)} ${y < 0 ? "−" : "+"} ${signed(Math.abs(y))} i`}
+          {curved.value
+            ? `s ${curveTime.value.toFixed(2)}`
+            : locusView.value.family === "morph"
+              ? `u ${signed(x)} v ${signed(y)}`
+              : `s ${signed(x)} ${y < 0 ? "−" : "+"} ${signed(Math.abs(y))} i`}
         </span>
       )}
       {picture.value.points > 0 && (

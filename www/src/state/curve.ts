@@ -5,7 +5,7 @@ import type { Curve, CurveShape, Scene } from "../engine/api";
 import type { Frame } from "../engine/results";
 import { frond } from "../engine/wasm";
 import type { Box } from "./camera";
-import { scene } from "./scene";
+import { edit, scene } from "./scene";
 
 export type CurveMorph = InstanceType<typeof frond.CurveMorph>;
 
@@ -62,11 +62,20 @@ export interface ShelfProps {
   onChosen: () => void;
 }
 
-/** What other tools show of curves: loaded with them. */
-export interface CurveSlots {
+/** What is shown of curves in place of a morph's panel. */
+export interface CurvePanelProps {
+  /** Opens the gallery for an end. */
+  choose: (end: "a" | "b") => void;
+}
+
+/** What views of systems show of curves: brought together where all views are, and loaded when it is wanted. */
+export interface CurveParts {
   Shelf: ComponentType<ShelfProps>;
-  /** The panel in place of the morph's; null where there are no curves. */
-  Panel: ComponentType<{ choose: (end: "a" | "b") => void }> | null;
-  /** The document with its systems again. */
-  leave: (scene: Scene) => Scene;
+  Panel: ComponentType<CurvePanelProps>;
+}
+
+/** An edit of the systems: where curves stood in their place they are back. One undo step. */
+export async function editSystems(change: (scene: Scene) => Scene): Promise<void> {
+  if (curved.peek()) (await import("./curve-edits")).backToSystems(change);
+  else edit(change);
 }

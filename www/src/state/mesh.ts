@@ -28,6 +28,23 @@ export function sizeOf([x0, y0, x1, y1]: Mesh["box"]): number {
   return Math.max(x1 - x0, y1 - y0);
 }
 
+/** To five figures of a size: far below what is seen, and short in a link. */
+export function rounder(size: number): (x: number) => number {
+  const digits = Math.min(15, Math.max(0, 5 - Math.floor(Math.log10(size > 0 ? size : 1))));
+  return (x) => Number(x.toFixed(digits)) + 0;
+}
+
+/** The same bend over another part of the plane: displacements keep their size relative to the mesh. */
+export function inBox(deformation: Deformation, box: Deformation["box"]): Deformation {
+  const [x0, y0, x1, y1] = deformation.box;
+  const [across, up] = [(box[2] - box[0]) / (x1 - x0), (box[3] - box[1]) / (y1 - y0)];
+  if (box.every((side, i) => side === deformation.box[i])) return deformation;
+  const round = rounder(Math.max(box[2] - box[0], box[3] - box[1]));
+  const scaled = (moves: readonly number[]) => moves.map((x, i) => round(x * (i % 2 === 0 ? across : up)));
+  const keys = deformation.keys.map(({ at, moves }) => ({ at, moves: scaled(moves) }));
+  return { ...deformation, box, keys };
+}
+
 /**
  * The same deformation by a mesh of another size. A Bézier mesh of more points bends exactly alike; one of fewer is the
  * nearest in the mean (least squares over the box). The colours of a tint are carried over in the same way.

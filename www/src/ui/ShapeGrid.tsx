@@ -1,19 +1,34 @@
 import "./shape-grid.css";
 import { useRef, useState } from "preact/hooks";
-import type { Preset } from "../engine/api";
 import { Thumbnail } from "./Thumbnail";
 
-export interface ShapeGridProps {
-  presets: readonly Preset[];
+/** A shape to choose. */
+export interface ShapeItem {
+  id: string;
+  name: string;
+  /** One sentence. */
+  about: string;
+}
+
+export interface ShapeGridProps<T extends ShapeItem> {
+  presets: readonly T[];
+  /** What stands beside the name. */
+  noteOf: (preset: T) => string;
   /** By preset id. */
   pictures: ReadonlyMap<string, ImageBitmap>;
   /** The id of the one that is there now. */
   chosen: string | undefined;
-  onChoose: (preset: Preset) => void;
+  onChoose: (preset: T) => void;
+}
+
+/** How many maps a system has. */
+export function mapsNote({ maps }: { maps: readonly unknown[] }): string {
+  return `${maps.length} ${maps.length === 1 ? "map" : "maps"}`;
 }
 
 /** Every preset, with its picture and one sentence; arrows walk the grid. */
-export function ShapeGrid({ presets: all, pictures, chosen, onChoose }: ShapeGridProps) {
+export function ShapeGrid<T extends ShapeItem>(props: ShapeGridProps<T>) {
+  const { presets: all, pictures, chosen, noteOf, onChoose } = props;
   const [active, setActive] = useState(() =>
     Math.max(
       0,
@@ -52,9 +67,7 @@ export function ShapeGrid({ presets: all, pictures, chosen, onChoose }: ShapeGri
             <Thumbnail bitmap={pictures.get(preset.id)} />
             <span class="gallery-name">
               {preset.name}
-              <small>
-                {preset.maps.length} {preset.maps.length === 1 ? "map" : "maps"}
-              </small>
+              <small>{noteOf(preset)}</small>
             </span>
             <span class="gallery-about">{preset.about}</span>
           </button>

@@ -1,13 +1,16 @@
 import { computed } from "@preact/signals";
 import { frond } from "../../engine/wasm";
-import { changeDeformation, deformation, phasePlaying } from "../../state/bend";
+import { aroundStanding, changeDeformation, deformation, phasePlaying } from "../../state/bend";
+import { curveMorph } from "../../state/curve";
+import { sizeOf } from "../../state/mesh";
 import { announce } from "../../state/notice";
 import { edit, scene } from "../../state/scene";
 import { Button } from "../../ui/Button";
 import { isAtRest } from "./changes";
 import { presentPhase } from "./clock";
 import { exampleOf } from "./examples";
-import { maps } from "./facts";
+import { maps, ringed } from "./facts";
+import { hullOf } from "./hull";
 
 const rests = computed(() => isAtRest(deformation.value));
 
@@ -37,10 +40,14 @@ export function StartOver() {
 
 /** A bend that shows best on the shape that is there. */
 function showMe(): void {
-  const { t, a } = scene.peek();
+  const { t, a, curves } = scene.peek();
   const { subject } = deformation.peek();
-  const shape = subject === "shape" && t === 0 ? a : {};
-  const example = exampleOf(deformation.peek(), shape, frond.bounds({ maps: maps.peek() }));
+  const shape = subject === "shape" && t === 0 ? (curves?.a ?? a) : {};
+  const curve = ringed.peek() ? curveMorph.peek() : null;
+  const bounds = curve
+    ? { hull: hullOf(curve.polyline(t, { tolerance: 1e-3 * sizeOf(aroundStanding.peek()) })) }
+    : frond.bounds({ maps: maps.peek() });
+  const example = exampleOf(deformation.peek(), shape, bounds);
   changeDeformation(() => example.deformation);
   announce(example.words);
   if (example.moves) presentPhase();

@@ -1,7 +1,10 @@
 /** What the panel does to the document, as functions from document to document. */
 import type { Deformation, MapRow, Preset, Scene } from "../../engine/api";
+import { withoutCurves } from "../../state/curve-changes";
 import { MOST_KEYS, momentOf, SAME } from "../../state/keys";
-import { rounder } from "./motions";
+import { inBox } from "../../state/mesh";
+
+export { inBox } from "../../state/mesh";
 
 /** The largest detail where nothing says how deep memory allows it. */
 export const DEEPEST = 12;
@@ -10,19 +13,8 @@ export const MOST_ROUGHNESS = 1.5;
 /** A shape of the gallery, with the mesh around it: the moment goes to the start, where the shape is. */
 export function choose(scene: Scene, preset: Preset, box: Deformation["box"]): Scene {
   const shape = { preset: preset.id, name: preset.name, maps: preset.maps };
-  const chosen: Scene = { ...onPath(scene), a: shape, t: 0, correspondence: [], turns: [] };
+  const chosen: Scene = { ...withoutCurves(onPath(scene)), a: shape, t: 0, correspondence: [], turns: [] };
   return scene.deform ? { ...chosen, deform: inBox({ ...scene.deform, subject: "shape" }, box) } : chosen;
-}
-
-/** The same bend over another part of the plane: displacements keep their size relative to the mesh. */
-export function inBox(deformation: Deformation, box: Deformation["box"]): Deformation {
-  const [x0, y0, x1, y1] = deformation.box;
-  const [across, up] = [(box[2] - box[0]) / (x1 - x0), (box[3] - box[1]) / (y1 - y0)];
-  if (box.every((side, i) => side === deformation.box[i])) return deformation;
-  const round = rounder(Math.max(box[2] - box[0], box[3] - box[1]));
-  const scaled = (moves: readonly number[]) => moves.map((x, i) => round(x * (i % 2 === 0 ? across : up)));
-  const keys = deformation.keys.map(({ at, moves }) => ({ at, moves: scaled(moves) }));
-  return { ...deformation, box, keys };
 }
 
 /** A point that was picked off the morph's path, or in another family, is let go: the picture is the morph's again. */

@@ -1,10 +1,10 @@
 /** A bend to begin with, for whoever wants to be shown. */
 import type { BoundingBox, Deformation, Shape } from "../../engine/api";
-import { type Point, rest } from "../../state/mesh";
-import { rounder, withMotion } from "./motions";
+import { type Point, rest, rounder } from "../../state/mesh";
+import { withMotion } from "./motions";
 
 /** Shapes that grow from the ground. */
-const GROWN: readonly string[] = ["fern", "tree", "twigs", "maple"];
+const GROWN: readonly string[] = ["fern", "tree", "twigs", "maple", "oak"];
 
 export interface Example {
   deformation: Deformation;

@@ -2,7 +2,8 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import type { Bend, BendFacts, MapRow } from "../../engine/api";
 import { frond } from "../../engine/wasm";
-import { bendProblem, deformation } from "../../state/bend";
+import { aroundStanding, bendProblem, boxAround, deformation } from "../../state/bend";
+import { curved } from "../../state/curve";
 import { standing } from "../../state/morph";
 import { wordsOf } from "../../state/notice";
 import { pictureMaps } from "../../state/picture";
@@ -11,6 +12,16 @@ import { DEEPEST, roughFrom } from "./changes";
 /** The maps that are bent. */
 export const maps: ReadonlySignal<MapRow[]> = computed(() =>
   deformation.value.subject === "picture" ? pictureMaps.value : standing.value,
+);
+
+/** Whether a closed curve is bent. */
+export const ringed: ReadonlySignal<boolean> = computed(
+  () => curved.value && deformation.value.subject === "shape",
+);
+
+/** Where the mesh belongs. */
+export const around: ReadonlySignal<Bend["box"]> = computed(() =>
+  deformation.value.subject === "picture" ? boxAround(pictureMaps.value) : aroundStanding.value,
 );
 
 /** All that the facts hang on, as text: the moment and the moves are not part of it. */
@@ -22,6 +33,8 @@ const settings = computed(() => {
 type Answer = { facts: BendFacts | null; problem: string | null };
 
 const answer: ReadonlySignal<Answer> = computed(() => {
+  // What there is to say of a curve is said where it is drawn.
+  if (ringed.value) return { facts: null, problem: null };
   const plain = JSON.parse(settings.value) as Omit<Bend, "moves">;
   const bend: Bend = { ...plain, moves: new Array<number>(2 * plain.columns * plain.rows).fill(0) };
   try {
@@ -39,13 +52,20 @@ export const problem: ReadonlySignal<string | null> = computed(
   () => bendProblem.value ?? answer.value.problem,
 );
 
+/** Digits to the base of 4 that the place on a curve is taken to, at most. */
+const CURVE_DEEPEST = 9;
+/** Each digit stands for a quarter of the length. */
+const CURVE_ROUGH = 0.25;
+
 /** Sliders go no further, however much memory there is: beyond, nothing is seen. */
 const MOST_DETAIL = 24;
 
 /** The largest detail to choose. */
 export const deepest: ReadonlySignal<number> = computed(() => {
-  const most = facts.value?.deepest ?? DEEPEST;
+  const most = facts.value?.deepest ?? (ringed.value ? CURVE_DEEPEST : DEEPEST);
   return Math.max(1, Math.min(MOST_DETAIL, most), Math.min(MOST_DETAIL, deformation.value.ke));
 });
 
-export const rough: ReadonlySignal<number> = computed(() => roughFrom(maps.value));
+export const rough: ReadonlySignal<number> = computed(() =>
+  ringed.value ? CURVE_ROUGH : roughFrom(maps.value),
+);

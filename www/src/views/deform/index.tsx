@@ -1,8 +1,10 @@
 /** The deformation tool: its side panel, its time strip, and what it lays over the picture. Loaded when it is first opened. */
 import { useEffect } from "preact/hooks";
+import type { CurveParts } from "../../state/curve";
 import { help } from "../../state/help";
 import { Button } from "../../ui/Button";
 import { ColourPanel } from "./colour/ColourPanel";
+import { ringed } from "./facts";
 import { GridPanel } from "./mesh/GridPanel";
 import { MotionPanel } from "./motion/MotionPanel";
 import { ShortcutsDialog } from "./ShortcutsDialog";
@@ -18,7 +20,7 @@ export { DeformOverlay } from "./mesh/Overlay";
 export { DeformStrip } from "./strip/DeformStrip";
 
 /** Everything beside the picture: what is bent, how its parts answer, how it moves, and its colours. */
-export function DeformPanel() {
+export function DeformPanel({ curve }: { curve: CurveParts }) {
   useEffect(listen, []);
   return (
     <div class="panel deform-panel">
@@ -28,10 +30,17 @@ export function DeformPanel() {
       <MotionPanel />
       <GridPanel />
       <ColourPanel />
-      <div class="folds">
-        <SpinFold />
-        <ContinuityFold />
-      </div>
+      {ringed.value ? (
+        <p class="hint">
+          A closed curve has no pieces that could turn or come apart: it is bent place by place along its
+          length, and where two parts meet, they agree.
+        </p>
+      ) : (
+        <div class="folds">
+          <SpinFold />
+          <ContinuityFold />
+        </div>
+      )}
       <footer class="panel-foot">
         <StartOver />
         <Button
@@ -45,7 +54,7 @@ export function DeformPanel() {
           Keyboard shortcuts
         </Button>
       </footer>
-      <Gallery />
+      <Gallery Shelf={curve.Shelf} />
       <ShortcutsDialog />
     </div>
   );

@@ -1,7 +1,9 @@
 /** Motions to begin with: key frames of the mesh, made around a pose. */
 import type { Deformation, DeformKey } from "../../engine/api";
 import { movesAt } from "../../state/bend";
-import { type Mesh, rest } from "../../state/mesh";
+import { type Mesh, rest, rounder } from "../../state/mesh";
+
+export { rounder } from "../../state/mesh";
 
 export type MotionId = "sway" | "breathe" | "wave" | "corner" | "still";
 
@@ -133,10 +135,4 @@ export function motionOf(deformation: Deformation): MotionId | null {
     if (same) return id;
   }
   return null;
-}
-
-/** To five figures of a size: far below what is seen, and short in a link. */
-export function rounder(size: number): (x: number) => number {
-  const digits = Math.min(15, Math.max(0, 5 - Math.floor(Math.log10(size > 0 ? size : 1))));
-  return (x) => Number(x.toFixed(digits)) + 0;
 }

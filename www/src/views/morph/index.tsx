@@ -1,9 +1,12 @@
 /** The morph tool: its side panel and its time strip. */
 import { useEffect } from "preact/hooks";
+import { type CurveParts, curved } from "../../state/curve";
 import { help } from "../../state/help";
 import { selection } from "../../state/morph";
 import { Button } from "../../ui/Button";
 import { narrow } from "../../ui/media";
+import type { End } from "./changes";
+import { gallery } from "./dialogs";
 import { LocusBeside, LocusPanel } from "./locus/LocusPanel";
 import { PathPanel } from "./locus/PathPanel";
 import { MotionPanel } from "./MotionPanel";
@@ -19,21 +22,17 @@ import "./morph.css";
 
 export { MorphStrip } from "./strip/MorphStrip";
 
-/** Everything beside the picture: the shapes, then either the maps of one of them or the way between both. */
-export function MorphPanel() {
+const choose = (end: End) => {
+  gallery.value = end;
+};
+
+/** Everything beside the picture: the shapes and the way between both. */
+export function MorphPanel({ curve }: { curve: CurveParts }) {
   useEffect(listen, []);
-  const editing = selection.value;
   return (
     <div class="panel morph-panel">
-      <Ends />
-      {editing === null ? (
-        <Morph />
-      ) : (
-        <>
-          <LocusBeside />
-          <MapEditor key={editing.target} target={editing.target} chosen={editing.map} />
-        </>
-      )}
+      {curved.value ? <curve.Panel choose={choose} /> : <Systems />}
+      {curved.value && narrow.value && <PlaybackOptions />}
       <footer class="panel-foot">
         <Button
           kind="quiet"
@@ -46,9 +45,27 @@ export function MorphPanel() {
           Keyboard shortcuts
         </Button>
       </footer>
-      <Gallery />
+      <Gallery Shelf={curve.Shelf} />
       <ShortcutsDialog />
     </div>
+  );
+}
+
+/** Two systems, then either the maps of one of them or the way between both. */
+function Systems() {
+  const editing = selection.value;
+  return (
+    <>
+      <Ends />
+      {editing === null ? (
+        <Morph />
+      ) : (
+        <>
+          <LocusBeside />
+          <MapEditor key={editing.target} target={editing.target} chosen={editing.map} />
+        </>
+      )}
+    </>
   );
 }
 

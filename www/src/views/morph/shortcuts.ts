@@ -1,6 +1,7 @@
 /** Keys that work anywhere on the page, unless something is being typed or a dialog is open. */
 import { fitStage } from "../../canvas/gestures";
 import type { Colouring } from "../../engine/api";
+import { curved } from "../../state/curve";
 import { help } from "../../state/help";
 import { selection } from "../../state/morph";
 import { pause, play, playing } from "../../state/playback";
@@ -80,6 +81,8 @@ function run(command: Command): void {
       fitStage();
       break;
     case "edit":
+      // A closed curve is edited where it is fitted.
+      if (curved.peek()) break;
       selection.value = selection.peek() === null ? { target: "a", map: 0 } : null;
       break;
     case "gallery":

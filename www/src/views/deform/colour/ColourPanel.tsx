@@ -7,7 +7,7 @@ import { useOwnId } from "../../../ui/id";
 import { Segmented } from "../../../ui/Segmented";
 import { Switch } from "../../../ui/Switch";
 import { MOST_ROUGHNESS } from "../changes";
-import { deepest, rough } from "../facts";
+import { deepest, ringed, rough } from "../facts";
 import { chosen } from "../mesh/chosen";
 import { SliderField } from "../settings/SliderField";
 import { blended, cornersOf, firstTint, isBlended, withColouring, withCorner } from "../tint";
@@ -18,6 +18,13 @@ const COLOURINGS: readonly { value: Colouring; label: string; description: strin
   { value: "address", label: "Address", description: "A shade for each copy of a copy" },
   { value: "density", label: "Density", description: "Brighter where points fall more often" },
   { value: "grid", label: "Grid", description: "Colours of the grid, handed on to all parts like the bend" },
+];
+
+/** A curve has edges in place of pieces. */
+const CURVE_COLOURINGS: typeof COLOURINGS = [
+  { value: "map", label: "Copies", description: "One colour for all copies of an arc" },
+  { value: "address", label: "Edges", description: "From edge to edge another colour" },
+  { value: "density", label: "Plain", description: "One colour" },
 ];
 
 const colouring = computed(() => scene.value.colouring);
@@ -37,12 +44,14 @@ export function ColourPanel() {
         </span>
         <Segmented
           label="Colour by"
-          value={colouring.value}
-          options={COLOURINGS}
+          value={ringed.value && colouring.value === "grid" ? "density" : colouring.value}
+          options={ringed.value ? CURVE_COLOURINGS : COLOURINGS}
           onChange={(next) => edit((before) => withColouring(before, next, deformation.peek()))}
         />
       </div>
-      {colouring.value === "grid" && <GridColours now={tint.value ?? firstTint(deformation.value)} />}
+      {colouring.value === "grid" && !ringed.value && (
+        <GridColours now={tint.value ?? firstTint(deformation.value)} />
+      )}
     </section>
   );
 }

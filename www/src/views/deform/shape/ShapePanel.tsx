@@ -1,8 +1,10 @@
 import { computed } from "@preact/signals";
+import { CurveThumb } from "../../../canvas/CurveThumb";
 import { originOf, presets } from "../../../engine/presets";
 import { strip, thumbnails } from "../../../engine/results";
-import { boxAround, changeDeformation, deformation } from "../../../state/bend";
-import { standing } from "../../../state/morph";
+import { aroundStanding, boxAround, changeDeformation, deformation } from "../../../state/bend";
+import { type CurveParts, curved, curveMorph, curves, film } from "../../../state/curve";
+import { sameCurves } from "../../../state/curve-changes";
 import { announce } from "../../../state/notice";
 import { pictureMaps } from "../../../state/picture";
 import { pause, setT } from "../../../state/playback";
@@ -11,13 +13,13 @@ import { Button } from "../../../ui/Button";
 import { Dialog } from "../../../ui/Dialog";
 import { formatNumber } from "../../../ui/number";
 import { Segmented } from "../../../ui/Segmented";
-import { ShapeGrid } from "../../../ui/ShapeGrid";
+import { mapsNote, ShapeGrid } from "../../../ui/ShapeGrid";
 import { Slider } from "../../../ui/Slider";
 import { Switch } from "../../../ui/Switch";
 import { Thumbnail } from "../../../ui/Thumbnail";
 import { choose, inBox, onPath, sameBox, sameShapes } from "../changes";
 import { gallery } from "../dialogs";
-import { maps } from "../facts";
+import { around } from "../facts";
 import { PicturePanel } from "../picture/PicturePanel";
 
 const subject = computed(() => deformation.value.subject);
@@ -42,18 +44,18 @@ export function ShapePanel() {
         ]}
         onChange={(next) =>
           changeDeformation((d) => {
-            const around = boxAround(next === "picture" ? pictureMaps.peek() : standing.peek());
-            return inBox({ ...d, subject: next }, around);
+            const box = next === "picture" ? boxAround(pictureMaps.peek()) : aroundStanding.peek();
+            return inBox({ ...d, subject: next }, box);
           })
         }
       />
       {subject.value === "picture" ? <Picture /> : <Shape />}
-      {bent.value && !sameBox(box.value, boxAround(maps.value)) && (
+      {bent.value && !sameBox(box.value, around.value) && (
         <Button
           kind="quiet"
           icon="whole"
           onClick={() => {
-            changeDeformation((d) => inBox(d, boxAround(maps.peek())));
+            changeDeformation((d) => inBox(d, around.peek()));
             announce(`The grid is around the ${subject.peek()} again.`);
           }}
         >
@@ -87,31 +89,38 @@ function Picture() {
 }
 
 function Shape() {
-  const morphs = !sameShapes(a.value, b.value);
-  const { name, maps: all, preset } = a.value;
+  const ends = curves.value;
+  const { name: first, maps: all, preset } = a.value;
+  const morphs = ends ? !sameCurves(ends) : !sameShapes(a.value, b.value);
+  const [name, last] = ends ? [ends.a.name, ends.b.name] : [first, b.value.name];
   const between = t.value > 0 && morphs;
+  const still = ends
+    ? `closed curve, ${ends.a.curve.knots.length} knots`
+    : `${mapsNote({ maps: all })}${preset === undefined ? ", edited" : ""}`;
   return (
     <>
       <button
         type="button"
         class="subject"
         aria-haspopup="dialog"
-        aria-label={`${between ? `Between ${name} and ${b.value.name}` : name}. Choose another shape`}
+        aria-label={`${between ? `Between ${name} and ${last}` : name}. Choose another shape`}
         title="Choose another shape"
         onClick={() => {
           gallery.value = true;
         }}
       >
-        <Thumbnail
-          bitmap={
-            between ? frameAt(t.value) : (thumbnails.value.get("a") ?? thumbnails.value.get(preset ?? ""))
-          }
-        />
-        <span class="subject-name">{between ? `${name} to ${b.value.name}` : name}</span>
+        {ends && !between ? (
+          <CurveThumb morph={curveMorph.value} s={0} />
+        ) : (
+          <Thumbnail
+            bitmap={
+              between ? frameAt(t.value) : (thumbnails.value.get("a") ?? thumbnails.value.get(preset ?? ""))
+            }
+          />
+        )}
+        <span class="subject-name">{between ? `${name} to ${last}` : name}</span>
         <span class="subject-about">
-          {between
-            ? `the morph at ${formatNumber(100 * t.value, 1)}%`
-            : `${all.length} ${all.length === 1 ? "map" : "maps"}${preset === undefined ? ", edited" : ""}`}
+          {between ? `the morph at ${formatNumber(100 * t.value, 1)}%` : still}
         </span>
       </button>
       {morphs && (
@@ -119,7 +128,7 @@ function Shape() {
           <div class="morph-time">
             <span class="row-name">{name}</span>
             <Slider
-              label={`Morph from ${name} to ${b.value.name}`}
+              label={`Morph from ${name} to ${last}`}
               value={t.value}
               valueText={`${formatNumber(100 * t.value, 1)}%`}
               onChange={(next) => {
@@ -128,7 +137,7 @@ function Shape() {
                 setT(next);
               }}
             />
-            <span class="row-name">{b.value.name}</span>
+            <span class="row-name">{last}</span>
           </div>
           {bent.value && (
             <Switch
@@ -146,13 +155,13 @@ function Shape() {
 }
 
 function frameAt(at: number): ImageBitmap | null {
-  const frames = strip.value;
+  const frames = curved.value ? film.value : strip.value;
   const away = frames.map((frame) => Math.abs(frame.t - at));
   return frames[away.indexOf(Math.min(...away))]?.bitmap ?? null;
 }
 
-/** Every preset, to be bent. */
-export function Gallery() {
+/** Every preset, and the closed curves, to be bent. */
+export function Gallery({ Shelf }: Pick<CurveParts, "Shelf">) {
   if (!gallery.value) return null;
   const close = () => {
     gallery.value = false;
@@ -167,13 +176,15 @@ export function Gallery() {
       <ShapeGrid
         presets={presets()}
         pictures={thumbnails.value}
-        chosen={originOf(a.value)?.id}
+        noteOf={mapsNote}
+        chosen={curved.value ? undefined : originOf(a.value)?.id}
         onChoose={(preset) => {
           edit((before) => choose(before, preset, boxAround(preset.maps)));
           announce(`${preset.name}, with the grid around it.`);
           close();
         }}
       />
+      <Shelf end="bent" onChosen={close} />
     </Dialog>
   );
 }

@@ -1,4 +1,4 @@
-import "./shapes.css";
+import "../../../ui/ends.css";
 import { thumbnails } from "../../../engine/results";
 import { selection } from "../../../state/morph";
 import { announce } from "../../../state/notice";

@@ -1,17 +1,17 @@
 import { originOf, presets } from "../../../engine/presets";
 import { thumbnails } from "../../../engine/results";
+import { type CurveParts, curved, editSystems } from "../../../state/curve";
 import { selection } from "../../../state/morph";
 import { announce } from "../../../state/notice";
-import { edit } from "../../../state/scene";
 import { Dialog } from "../../../ui/Dialog";
-import { ShapeGrid } from "../../../ui/ShapeGrid";
+import { mapsNote, ShapeGrid } from "../../../ui/ShapeGrid";
 import { choose, nameOf } from "../changes";
 import { gallery } from "../dialogs";
 import { pick } from "../locus/way";
 import { shapes } from "../parts";
 
-/** Every preset, to be the shape of one end. */
-export function Gallery() {
+/** Every preset, to be the shape of one end, and the closed curves. */
+export function Gallery({ Shelf }: Pick<CurveParts, "Shelf">) {
   const end = gallery.value;
   if (end === null) return null;
   const close = () => {
@@ -27,15 +27,17 @@ export function Gallery() {
       <ShapeGrid
         presets={presets()}
         pictures={thumbnails.value}
-        chosen={originOf(shapes[end].value)?.id}
+        noteOf={mapsNote}
+        chosen={curved.value ? undefined : originOf(shapes[end].value)?.id}
         onChoose={(preset) => {
-          edit((before) => choose(before, end, preset));
+          void editSystems((before) => choose(before, end, preset));
           if (selection.peek()?.target === end) selection.value = { target: end, map: 0 };
           pick(null);
           announce(`Shape ${nameOf(end)} is now ${preset.name}.`);
           close();
         }}
       />
+      <Shelf end={end} onChosen={close} />
     </Dialog>
   );
 }

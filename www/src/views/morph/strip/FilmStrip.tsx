@@ -1,6 +1,7 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { type Frame, strip } from "../../../engine/results";
+import { curved, film } from "../../../state/curve";
 import { scene } from "../../../state/scene";
 import { media } from "../../../ui/media";
 import { Thumbnail } from "../../../ui/Thumbnail";
@@ -11,9 +12,10 @@ import { scrubTo } from "./scrub";
 const phone = media("(max-width: 599px)");
 
 /** As many frames as there is room for: seven on a phone. */
-export const frames: ReadonlySignal<readonly Frame[]> = computed(() =>
-  phone.value ? evenly(strip.value, 7) : strip.value,
-);
+export const frames: ReadonlySignal<readonly Frame[]> = computed(() => {
+  const all = curved.value ? film.value : strip.value;
+  return phone.value ? evenly(all, 7) : all;
+});
 
 /** The frame that is nearest to the present moment. */
 const here: ReadonlySignal<number> = computed(() => {

@@ -2,6 +2,7 @@ import "../../../ui/strip.css";
 import "./strip.css";
 import { computed } from "@preact/signals";
 import { along, pathBreaks } from "../../../engine/results";
+import { curved } from "../../../state/curve";
 import { locusView } from "../../../state/morph";
 import { loop, pause, play, playing, speed } from "../../../state/playback";
 import { endGesture, scene } from "../../../state/scene";
@@ -43,24 +44,37 @@ function PlayButton() {
 
 /** Whether the picture shows something else than the path at the present moment. */
 export const offPath = computed(
-  () => locusView.value.at !== undefined || locusView.value.family === "polygon",
+  () => !curved.value && (locusView.value.at !== undefined || locusView.value.family === "polygon"),
 );
+
+/** What is wrong with the path; a curve that is closed by construction has nothing. */
+const faults = computed(() =>
+  curved.value
+    ? { breaks: [], worst: null }
+    : { breaks: pathBreaks.value, worst: along.value?.worst ?? null },
+);
+
+/** The moment in words, and what is known of it. */
+function timeWords(t: number): string {
+  if (offPath.value) return `${percent(t)}; the picture is off the path`;
+  return `${percent(t)}, ${curved.value ? "one closed curve" : stateOn(t)}`;
+}
 
 function Scrub() {
   const { t } = scene.value;
   const off = offPath.value;
-  const worst = along.value?.worst ?? null;
+  const { breaks, worst } = faults.value;
   return (
     <Slider
       class="scrub"
       label="Time"
       value={t}
       step={0.01}
-      valueText={off ? `${percent(t)}; the picture is off the path` : `${percent(t)}, ${stateOn(t)}`}
+      valueText={timeWords(t)}
       onChange={scrubTo}
       onDone={endGesture}
     >
-      {pathBreaks.value.map(({ t0, t1 }) => (
+      {breaks.map(({ t0, t1 }) => (
         <span
           key={`${t0}-${t1}`}
           class="scrub-break"

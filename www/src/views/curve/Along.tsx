@@ -1,0 +1,95 @@
+import { computed } from "@preact/signals";
+import { curveTime } from "../../state/curve";
+import { factsAlong, LOOKS } from "./facts";
+
+const WIDTH = 300;
+const HEIGHT = 64;
+const TOP = 6;
+const BASE = 56;
+
+/** The least range that fills the chart: what is nearly even looks even. */
+const LEAST_RANGE = 0.1;
+
+const across = (s: number) => WIDTH * s;
+
+const range = computed(() => {
+  const all = factsAlong.value.map(({ dimension }) => dimension).filter(Number.isFinite);
+  if (all.length === 0) return null;
+  const [low, high] = [Math.min(...all), Math.max(...all)];
+  const slack = Math.max(0, LEAST_RANGE - (high - low)) / 2;
+  return {
+    low,
+    high,
+    from: Math.max(1, low - slack),
+    to: Math.max(1, low - slack) + Math.max(LEAST_RANGE, high - low),
+  };
+});
+
+/** Stretches in which the curve crosses itself, as fractions of the way. */
+const crossed = computed(() => {
+  const step = 1 / (LOOKS - 1);
+  const found: [number, number][] = [];
+  factsAlong.value.forEach(({ crossings }, i) => {
+    if (crossings === 0) return;
+    const last = found.at(-1);
+    const [from, to] = [Math.max(0, (i - 0.5) * step), Math.min(1, (i + 0.5) * step)];
+    if (last && last[1] >= from - 1e-9) last[1] = to;
+    else found.push([from, to]);
+  });
+  return found;
+});
+
+/** How rough the curve is along the way: its dimension, with the moment. */
+export function Along() {
+  const scale = range.value;
+  const looks = factsAlong.value;
+  if (!scale) return <div class="along" />;
+  const up = (dimension: number) =>
+    BASE - ((BASE - TOP) * (dimension - scale.from)) / (scale.to - scale.from);
+  const line = looks
+    .map(({ dimension }, i) => `${across(i / (LOOKS - 1)).toFixed(1)} ${up(dimension).toFixed(1)}`)
+    .join("L");
+  const at = across(curveTime.value);
+  const here = Math.min(looks.length - 1, Math.round(curveTime.value * (LOOKS - 1)));
+  const now = looks[here]?.dimension;
+  return (
+    <figure class="along">
+      <svg
+        viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+        preserveAspectRatio="none"
+        role="img"
+        aria-label={`Dimension along the way: ${words(looks[0]?.dimension)} at A, ${words(looks.at(-1)?.dimension)} at B, between ${words(scale.low)} and ${words(scale.high)}.`}
+      >
+        {crossed.value.map(([from, to]) => (
+          <rect
+            key={from}
+            class="along-crossed"
+            x={across(from)}
+            y={0}
+            width={across(to - from)}
+            height={BASE}
+          />
+        ))}
+        <path class="along-base" d={`M0 ${BASE}H${WIDTH}`} />
+        <path class="along-line" d={`M${line}`} />
+        <path class="along-now" d={`M${at} 0V${BASE}`} />
+      </svg>
+      {now !== undefined && (
+        <span
+          class="along-dot"
+          aria-hidden="true"
+          style={{ left: `${100 * curveTime.value}%`, top: `${(100 * up(now)) / HEIGHT}%` }}
+        />
+      )}
+      <figcaption>
+        <span>A</span>
+        <span>{crossed.value.length > 0 ? "striped: it crosses itself" : ""}</span>
+        <span>B</span>
+      </figcaption>
+    </figure>
+  );
+}
+
+function words(dimension: number | undefined): string {
+  return dimension === undefined ? "unknown" : dimension.toFixed(2);
+}

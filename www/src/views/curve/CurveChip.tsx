@@ -1,0 +1,83 @@
+import "./curve.css";
+import { computed } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { evidenceOpen } from "../../canvas/marks";
+import { curves } from "../../state/curve";
+import { sameCurves } from "../../state/curve-changes";
+import { IconButton } from "../../ui/Button";
+import { factsNow, watchFacts } from "./facts";
+import { crossingWords, whyWords } from "./words";
+
+const PANEL_ID = "curve-evidence";
+const CHIP_ID = "curve-chip";
+
+const crossings = computed(() => factsNow.value?.crossings ?? 0);
+const names = computed(() => {
+  const now = curves.value;
+  return now && !sameCurves(now) ? { a: now.a.name, b: now.b.name } : null;
+});
+
+/** That the curve is in one piece, which is so by construction, and whether it crosses itself; pressed, it tells why. */
+export function CurveChip() {
+  useEffect(watchFacts, []);
+  const crosses = crossingWords(crossings.value);
+  return (
+    <button
+      id={CHIP_ID}
+      type="button"
+      class="chip whole"
+      title="What is known, and why"
+      aria-expanded={evidenceOpen.value}
+      aria-controls={evidenceOpen.value ? PANEL_ID : undefined}
+      data-testid="verdict"
+      onClick={() => {
+        evidenceOpen.value = !evidenceOpen.peek();
+      }}
+    >
+      <svg class="sign" width={16} height={16} viewBox="0 0 16 16" aria-hidden="true">
+        {crosses === "" ? (
+          <circle cx={8} cy={8} r={5} />
+        ) : (
+          <path class="hollow" d="M8 8C11 4 14.500 5 14.500 8S11 12 8 8 1.500 11 1.500 8 5 4 8 8z" />
+        )}
+      </svg>
+      <span class="chip-text">One closed curve</span>
+      <span class="chip-aside">{crosses === "" ? "by construction" : crosses}</span>
+    </button>
+  );
+}
+
+/** Why it is one closed curve. */
+export function CurveEvidence() {
+  if (!evidenceOpen.value) return null;
+  const close = () => {
+    evidenceOpen.value = false;
+    document.getElementById(CHIP_ID)?.focus();
+  };
+  const crosses = crossingWords(crossings.value);
+  return (
+    <section
+      class="evidence"
+      id={PANEL_ID}
+      aria-labelledby={`${PANEL_ID}-title`}
+      onKeyDown={(event) => {
+        if (event.key !== "Escape") return;
+        event.stopPropagation();
+        close();
+      }}
+    >
+      <header class="evidence-head">
+        <h2 id={`${PANEL_ID}-title`}>One closed curve, by construction</h2>
+        <IconButton icon="close" label="Close the evidence" kind="quiet" onClick={close} />
+      </header>
+      <div class="evidence-body">
+        <p>{whyWords(names.value)}</p>
+        <p>
+          {crosses === ""
+            ? "Just now it does not cross itself, either, as far as a five hundredth of its size tells."
+            : `It may cross itself, which neither opens nor parts it: just now it ${crosses}, as far as a five hundredth of its size tells.`}
+        </p>
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,196 @@
+import "../../ui/ends.css";
+import "./curve.css";
+import { computed } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { CurveThumb } from "../../canvas/CurveThumb";
+import type { Colouring } from "../../engine/api";
+import { frond } from "../../engine/wasm";
+import { type CurvePanelProps, curveMorph, curves } from "../../state/curve";
+import { curveAtBoth, type End, sameCurves, swapCurves } from "../../state/curve-changes";
+import { backToSystems } from "../../state/curve-edits";
+import { announce } from "../../state/notice";
+import { edit, scene } from "../../state/scene";
+import { Button, IconButton } from "../../ui/Button";
+import { Menu } from "../../ui/Menu";
+import { Segmented } from "../../ui/Segmented";
+import { Along } from "./Along";
+import { factsNow, watchFacts } from "./facts";
+import { SaveButtons } from "./SaveButtons";
+import { crossingWords, matchWords, sizeWords } from "./words";
+
+/** The morph of two closed curves: its ends, what happens on the way, and what can be taken along. */
+export function CurvePanel({ choose }: CurvePanelProps) {
+  useEffect(watchFacts, []);
+  return (
+    <>
+      <section class="ends" aria-label="The two shapes">
+        <Card end="a" choose={choose} />
+        <IconButton
+          icon="swap"
+          label="Swap A and B"
+          kind="quiet"
+          class="ends-swap"
+          onClick={() => {
+            edit(swapCurves);
+            const now = scene.peek().curves;
+            if (now) announce(`Swapped: from ${now.a.name} to ${now.b.name}.`);
+          }}
+        />
+        <Card end="b" choose={choose} />
+      </section>
+      <Way />
+      <Colours />
+      <SaveButtons />
+      <section class="curve-back" aria-label="Systems">
+        <Button
+          kind="quiet"
+          icon="back"
+          onClick={() => {
+            backToSystems();
+            const { a, b } = scene.peek();
+            announce(`Back to systems of maps: ${a.name} and ${b.name}.`);
+          }}
+        >
+          Back to systems of maps
+        </Button>
+      </section>
+    </>
+  );
+}
+
+function Card({ end, choose }: { end: End } & CurvePanelProps) {
+  const shape = curves.value?.[end];
+  if (!shape) return null;
+  const { name, curve } = shape;
+  const [upper, other] = end === "a" ? ["A", "B"] : ["B", "A"];
+  const size = sizeWords(curve);
+  return (
+    <div class="card">
+      <button
+        type="button"
+        class="card-face"
+        aria-haspopup="dialog"
+        aria-label={`Shape ${upper}: ${name}, closed curve with ${size}. Choose another`}
+        title="Choose another shape"
+        onClick={() => choose(end)}
+      >
+        <CurveThumb morph={curveMorph.value} s={end === "a" ? 0 : 1} />
+        <span class="card-end" aria-hidden="true">
+          {upper}
+        </span>
+        <span class="card-name">{name}</span>
+      </button>
+      <div class="card-tools">
+        <span class="card-count" aria-hidden="true">
+          {curve.knots.length} knots
+        </span>
+        <Menu
+          label={`More for shape ${upper}`}
+          items={[
+            { label: "Choose another …", icon: "grid", onSelect: () => choose(end) },
+            {
+              label: `Use as ${other} too`,
+              icon: "copy",
+              onSelect: () => {
+                edit((before) => curveAtBoth(before, end));
+                announce(`${name} is now at both ends.`);
+              },
+            },
+          ]}
+        />
+      </div>
+    </div>
+  );
+}
+
+const ends = computed(() => {
+  const now = curves.value;
+  if (!now) return null;
+  try {
+    return { a: frond.curveFacts(now.a.curve), b: frond.curveFacts(now.b.curve), same: sameCurves(now) };
+  } catch {
+    return null;
+  }
+});
+
+/** What becomes of the numbers on the way. */
+function Way() {
+  const both = ends.value;
+  const now = factsNow.value;
+  if (!both) return null;
+  const { a, b, same } = both;
+  const rows: [string, string, string, string][] = [
+    ["Knots", String(a.knots), now ? String(now.knots) : "…", String(b.knots)],
+    ["Copies", String(a.copies), now ? String(now.copies) : "…", String(b.copies)],
+    ["Dimension", figure(a.dimension), now ? figure(now.dimension) : "…", figure(b.dimension)],
+  ];
+  return (
+    <section class="curve-way" aria-labelledby="curve-way">
+      <header class="section-head">
+        <h2 id="curve-way">Closed all the way</h2>
+      </header>
+      <p class="hint">
+        {same
+          ? "Both ends are the same curve: choose another for one of them to have a morph."
+          : "An outline made of smaller copies of its own arcs. Knots move, edges go along, and nothing can come apart."}
+      </p>
+      <table class="curve-table">
+        <thead>
+          <tr>
+            <td />
+            <th scope="col">A</th>
+            <th scope="col">now</th>
+            <th scope="col">B</th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map(([name, ...cells]) => (
+            <tr key={name}>
+              <th scope="row">{name}</th>
+              {cells.map((cell, i) => (
+                <td key={i} class="number">
+                  {cell}
+                </td>
+              ))}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {!same && now && <p class="hint">{matchWords(a.knots, b.knots, now.knots)}</p>}
+      {!same && (
+        <>
+          <h3 class="curve-sub">How rough it is on the way</h3>
+          <Along />
+        </>
+      )}
+      {now && now.crossings > 0 && <p class="hint">Just now it {crossingWords(now.crossings)}.</p>}
+    </section>
+  );
+}
+
+function figure(dimension: number): string {
+  return Number.isFinite(dimension) ? dimension.toFixed(2) : "…";
+}
+
+const COLOURINGS: readonly { value: Colouring; label: string; description: string }[] = [
+  { value: "map", label: "Copies", description: "One colour for all copies of an arc" },
+  { value: "address", label: "Edges", description: "From edge to edge another colour" },
+  { value: "density", label: "Plain", description: "One colour" },
+];
+const colouring = computed(() => (scene.value.colouring === "grid" ? "density" : scene.value.colouring));
+
+function Colours() {
+  return (
+    <section class="row" aria-label="Colour">
+      <span class="row-name" aria-hidden="true">
+        Colour by
+      </span>
+      <Segmented
+        label="Colour by"
+        value={colouring.value}
+        options={COLOURINGS}
+        onChange={(next) => edit((before) => ({ ...before, colouring: next }))}
+      />
+    </section>
+  );
+}

@@ -1,0 +1,20 @@
+import { Button } from "../../ui/Button";
+import { KINDS, save } from "./save";
+
+/** The curve of this moment as a file. */
+export function SaveButtons() {
+  return (
+    <section class="curve-save" aria-label="Save this moment">
+      <span class="row-name" aria-hidden="true">
+        Save this moment
+      </span>
+      <div class="curve-kinds">
+        {KINDS.map(({ kind, about }) => (
+          <Button key={kind} description={about} onClick={() => save(kind)}>
+            {kind.toUpperCase()}
+          </Button>
+        ))}
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,97 @@
+import "./curve.css";
+import { signal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { curveThumb } from "../../canvas/curve-thumb";
+import { stageStyle } from "../../canvas/look";
+import type { CurveShape } from "../../engine/api";
+import { frond } from "../../engine/wasm";
+import { curveBoxAt, curves, type ShelfProps } from "../../state/curve";
+import { bendCurve, chooseCurve, curvePresets, fitted, shapeOf } from "../../state/curve-edits";
+import { announce, notify } from "../../state/notice";
+import { useOwnId } from "../../ui/id";
+import { ShapeGrid, type ShapeItem } from "../../ui/ShapeGrid";
+import { sizeWords } from "./words";
+
+interface Item extends ShapeItem {
+  shape: CurveShape;
+}
+
+/** Curves to choose: those of the gallery, what was fitted last, and such of the document as are in neither. */
+function items(): Item[] {
+  const all: Item[] = curvePresets().map((preset) => ({ ...preset, shape: shapeOf(preset) }));
+  const add = (id: string, shape: CurveShape | null | undefined, about: string) => {
+    if (!shape || all.some((item) => item.shape.curve === shape.curve || item.id === shape.preset)) return;
+    all.push({ id, name: shape.name, about, shape });
+  };
+  add("fit", fitted(), "The fit that you made last.");
+  add("a", curves.peek()?.a, "Shape A as it stands.");
+  add("b", curves.peek()?.b, "Shape B as it stands.");
+  return all;
+}
+
+const SIZE = { width: 160, height: 120 };
+const pictures = signal<ReadonlyMap<string, ImageBitmap>>(new Map());
+/** What the pictures show, and in which colours. */
+const drawn = new Map<string, { shape: CurveShape; palette: readonly string[] }>();
+
+/** Draws what is not drawn yet, one after another. Returns the end of it. */
+function draw(all: readonly Item[], palette: readonly string[]): () => void {
+  const todo = all.filter(({ id, shape }) => {
+    const before = drawn.get(id);
+    return before?.shape.curve !== shape.curve || before.palette !== palette;
+  });
+  let timer = setTimeout(step);
+  function step() {
+    const item = todo.shift();
+    if (!item) return;
+    try {
+      const morph = new frond.CurveMorph(item.shape.curve, null);
+      const bitmap = curveThumb(morph, 0, curveBoxAt(morph, 0), SIZE, palette);
+      morph.free();
+      drawn.set(item.id, { shape: item.shape, palette });
+      pictures.value = new Map(pictures.peek()).set(item.id, bitmap);
+    } catch {
+      // Without a picture it can still be chosen.
+    }
+    timer = setTimeout(step);
+  }
+  return () => clearTimeout(timer);
+}
+
+/** The closed curves of a gallery. */
+export function Shelf({ end, onChosen }: ShelfProps) {
+  const title = useOwnId("shelf");
+  const { palette } = stageStyle.value;
+  const all = items();
+  useEffect(() => draw(items(), palette), [palette]);
+  const now = curves.value?.[end === "b" ? "b" : "a"];
+  const choose = ({ name, shape }: Item) => {
+    const partner = end === "bent" ? bendCurve(shape) : chooseCurve(end, shape);
+    const what =
+      end === "bent" ? `${name}, with the grid around it.` : `Shape ${end.toUpperCase()} is now ${name}.`;
+    if (partner && end !== "bent") {
+      const other = end === "a" ? "B" : "A";
+      notify({
+        kind: "info",
+        text: `${what} Closed curves morph into closed curves: ${other} is ${partner.name} for now.`,
+      });
+    } else announce(what);
+    onChosen();
+  };
+  return (
+    <section class="shelf" aria-labelledby={title}>
+      <h3 id={title}>Closed curves</h3>
+      <p class="hint">
+        Outlines made of smaller copies of their own arcs. They stay closed and in one piece, whatever becomes
+        of them.
+      </p>
+      <ShapeGrid
+        presets={all}
+        pictures={pictures.value}
+        noteOf={({ shape }) => sizeWords(shape.curve)}
+        chosen={all.find(({ shape, id }) => now && (id === now.preset || shape.curve === now.curve))?.id}
+        onChoose={choose}
+      />
+    </section>
+  );
+}

@@ -1,0 +1,96 @@
+/** The curve of the present moment as a file. */
+import { lookOf, paintCurve } from "../../canvas/curve-paint";
+import { TOLERANCE } from "../../canvas/curve-painter";
+import { stageStyle } from "../../canvas/look";
+import { effectiveView, stageSize } from "../../canvas/view";
+import { frond } from "../../engine/wasm";
+import { bend } from "../../state/bend";
+import { curveMorph, curves, curveTime } from "../../state/curve";
+import { sameCurves } from "../../state/curve-changes";
+import { notify, wordsOf } from "../../state/notice";
+import { csvOf, jsonOf, nameOf, svgOf } from "./files";
+
+export type Kind = "svg" | "png" | "csv" | "json";
+
+export const KINDS: readonly { kind: Kind; about: string }[] = [
+  { kind: "svg", about: "The outline as a path, for drawing programs and cutters" },
+  { kind: "png", about: "The picture as it stands on the stage, larger" },
+  { kind: "csv", about: "Points of the outline, x and y" },
+  { kind: "json", about: "Both curves with their knots and copies, and the outline between them" },
+];
+
+/** Points of a saved outline leave the curve by so much of its size. */
+const FINE = 1 / 8000;
+const MOST = 100_000;
+/** Of a saved picture, in pixels. */
+const LONG_SIDE = 2400;
+const LINE = 1.6;
+
+/** Saves the curve as it stands. */
+export async function save(kind: Kind): Promise<void> {
+  try {
+    const blob = kind === "png" ? await picture() : text(kind);
+    download(blob, nameOf(curves.peek(), curveTime.peek(), kind));
+  } catch (problem) {
+    notify({ kind: "error", text: `The curve could not be saved: ${wordsOf(problem)}` });
+  }
+}
+
+function text(kind: Exclude<Kind, "png">): Blob {
+  const morph = curveMorph.peek();
+  const now = curves.peek();
+  if (!morph || !now) throw new Error("There is no curve.");
+  const s = curveTime.peek();
+  const [x0, y0, x1, y1] = morph.bounds(s);
+  const size = Math.max(x1 - x0, y1 - y0);
+  const bent = bend.peek();
+  const points = morph.polyline(s, { tolerance: FINE * size, most: MOST, bend: bent });
+  switch (kind) {
+    case "svg": {
+      const title =
+        s === 0 || sameCurves(now) ? now.a.name : s === 1 ? now.b.name : `${now.a.name} to ${now.b.name}`;
+      const colour = stageStyle.peek().palette[0] ?? "#808080";
+      return new Blob([svgOf(points, { title, colour })], { type: "image/svg+xml" });
+    }
+    case "csv":
+      return new Blob([csvOf(points)], { type: "text/csv" });
+    case "json": {
+      const mapped = { a: frond.curveMaps(now.a.curve), b: frond.curveMaps(now.b.curve) };
+      return new Blob([jsonOf({ curves: now, maps: mapped, s, bend: bent, points })], {
+        type: "application/json",
+      });
+    }
+  }
+}
+
+async function picture(): Promise<Blob> {
+  const morph = curveMorph.peek();
+  if (!morph) throw new Error("There is no curve.");
+  const size = stageSize.peek();
+  const larger = LONG_SIDE / Math.max(size.width, size.height, 1);
+  const width = Math.max(1, Math.round(size.width * larger));
+  const height = Math.max(1, Math.round(size.height * larger));
+  const shown = effectiveView.peek();
+  const view = { ...shown, scale: shown.scale * larger };
+  const [across, up] = [(0.55 * width) / view.scale, (0.55 * height) / view.scale];
+  const points = morph.polyline(curveTime.peek(), {
+    tolerance: TOLERANCE / view.scale,
+    window: [view.x - across, view.y - up, view.x + across, view.y + up],
+    bend: bend.peek(),
+    most: MOST,
+  });
+  const canvas = new OffscreenCanvas(width, height);
+  const context = canvas.getContext("2d");
+  if (!context) throw new Error("The browser has no canvas.");
+  const { colouring, palette } = stageStyle.peek();
+  paintCurve(context, points, null, { view, width, height }, lookOf(colouring, palette, LINE * larger));
+  return canvas.convertToBlob({ type: "image/png" });
+}
+
+function download(blob: Blob, name: string): void {
+  const anchor = document.createElement("a");
+  anchor.href = URL.createObjectURL(blob);
+  anchor.download = name;
+  anchor.click();
+  setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
+}
