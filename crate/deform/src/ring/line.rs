@@ -38,9 +38,13 @@ impl RingBend {
             return fine.into_iter().take(most).collect();
         }
         loop {
-            let room = |p: DVec2| match window {
-                None => tolerance,
-                Some(window) => tolerance.max((0.5 * beside(window, p)).min(OUTSIDE * size)),
+            let room = |i: usize| {
+                let Some(window) = window else { return tolerance };
+                let (before, p, after) =
+                    (fine[(i + fine.len() - 1) % fine.len()], fine[i], fine[(i + 1) % fine.len()]);
+                // As long as no side at the corner comes into the window.
+                let away = beside(window, p) - before.distance(p).max(p.distance(after));
+                tolerance.max((0.5 * away).min(OUTSIDE * size))
             };
             let found = simplified(&fine, room);
             if found.len() <= most {
@@ -72,8 +76,8 @@ impl RingBend {
                 }
                 from = to;
             };
-            let node = (t0 * parts as f64).floor() as i64 + 1;
-            let nodes = (node..node + parts as i64).map(|node| node as f64 / parts as f64);
+            let node = (t0 * parts as f64).floor() + 1.0;
+            let nodes = (0..parts).map(|k| (node + k as f64) / parts as f64);
             nodes.take_while(|&t| t < t1).for_each(|t| go(t, &mut found));
             go(t1, &mut found);
         }
@@ -108,17 +112,18 @@ fn beside([left, bottom, right, top]: [f64; 4], p: DVec2) -> f64 {
     out.max(DVec2::ZERO).length()
 }
 
-/// Fewer corners of a closed polyline: those left out are nearer to a side than `room` says for each.
+/// Fewer corners of a closed polyline: those left out are nearer to a side than `room` says of each.
 ///
 /// Sides are drawn on while they pass all circles of that size around the corners between: it is one sweep (Williams 1978).
-fn simplified(points: &[DVec2], room: impl Fn(DVec2) -> f64) -> Vec<DVec2> {
+fn simplified(points: &[DVec2], room: impl Fn(usize) -> f64) -> Vec<DVec2> {
     let mut found = vec![points[0]];
     let mut anchor = points[0];
     let mut last = points[0];
     // The directions that pass all circles so far, clockwise end first, and how far out the last one is.
     let mut cone: Option<[DVec2; 2]> = None;
     let mut reach = 0.0;
-    for &point in points[1..].iter().chain(&points[..1]) {
+    for i in (1..points.len()).chain([0]) {
+        let point = points[i];
         let passes = |cone: &Option<[DVec2; 2]>, way: DVec2| {
             cone.is_none_or(|[right, left]| right.perp_dot(way) >= 0.0 && left.perp_dot(way) <= 0.0)
         };
@@ -127,7 +132,7 @@ fn simplified(points: &[DVec2], room: impl Fn(DVec2) -> f64) -> Vec<DVec2> {
             found.push(last);
             (anchor, cone, reach) = (last, None, 0.0);
         }
-        let (way, room) = (point - anchor, room(point));
+        let (way, room) = (point - anchor, room(i));
         let distance = way.length();
         if distance > room {
             let (along, across) = ((1.0 - (room / distance).powi(2)).sqrt(), room / distance);
