@@ -35,6 +35,7 @@ mod probe;
 mod raster;
 mod resolve;
 mod sheet;
+pub mod space;
 mod sweep;
 #[cfg(test)]
 mod testing;

@@ -1,0 +1,15 @@
+//! Pictures of attractors of space, on the processor: complete, for stills and as truth for the graphics card.
+//!
+//! A [`Camera`] looks at one or more systems. A [`Carve`] walks down their trees of pieces, the nearest first, passes over
+//! what is out of sight or behind what is there already, and leaves a [`Relief`]: for each pixel how far the nearest piece
+//! is, and which. [`light`] makes a picture of it: light from the lie of the surface, shade in its hollows, fog.
+
+mod camera;
+mod carve;
+mod light;
+mod relief;
+
+pub use camera::{Camera, CameraError};
+pub use carve::{Carve, MAX_OBJECTS};
+pub use light::{Lighting, Paint, light};
+pub use relief::Relief;
