@@ -1,7 +1,7 @@
 import { effect, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { bend, bendProblem } from "../state/bend";
-import { curveMorph, curveTime } from "../state/curve";
+import { curveTime, stageMorph } from "../state/curve";
 import { watchFilm } from "./curve-film";
 import { CurvePainter } from "./curve-painter";
 import { attachGestures } from "./gestures";
@@ -26,15 +26,18 @@ export function CurvePicture({ onState, onPainter }: CurvePictureProps) {
     });
     onPainter(painter);
     const device = signal({ width: 0, height: 0, ratio: 1 });
-    const stopSize = watchSize(element, (css, now) => {
-      device.value = now;
+    const stopSize = watchSize(element, (css, exact) => {
+      // Where the screen is only pretended, what the browser calls device pixels are those of the page.
+      const ratio = globalThis.devicePixelRatio || 1;
+      const sharp = { width: Math.round(css.width * ratio), height: Math.round(css.height * ratio), ratio };
+      device.value = exact.ratio < 0.75 * ratio && exact.ratio === 1 ? sharp : exact;
       stageSize.value = css;
     });
     const stopShow = effect(() => {
       const size = device.value;
       painter.show({
         ...size,
-        morph: curveMorph.value,
+        morph: stageMorph.value,
         s: curveTime.value,
         bend: bend.value,
         view: effectiveView.value,

@@ -20,21 +20,27 @@ export const curved: ReadonlySignal<boolean> = computed(() => curves.value !== n
 /** The moment, where there are curves. */
 export const curveTime: ReadonlySignal<number> = computed(() => (curved.value ? scene.value.t : 0));
 
-let held: CurveMorph | null = null;
-
 /** The morph between them; null where there is none, or none can be had. The last one is gone when there is another. */
-export const curveMorph: ReadonlySignal<CurveMorph | null> = computed(() => {
-  const now = curves.value;
-  const last = held;
-  held = null;
-  try {
-    if (now) held = new frond.CurveMorph(now.a.curve, now.a.curve === now.b.curve ? null : now.b.curve);
-  } catch {
-    // Links are checked when they are read, and fits when they are made.
-  }
-  last?.free();
-  return held;
-});
+function morphing(): ReadonlySignal<CurveMorph | null> {
+  let held: CurveMorph | null = null;
+  return computed(() => {
+    const now = curves.value;
+    held?.free();
+    held = null;
+    try {
+      if (now) held = new frond.CurveMorph(now.a.curve, now.a.curve === now.b.curve ? null : now.b.curve);
+    } catch {
+      // Links are checked when they are read, and fits when they are made.
+    }
+    return held;
+  });
+}
+
+/** What is asked for the curve at any moment. */
+export const curveMorph: ReadonlySignal<CurveMorph | null> = morphing();
+
+/** What the stage asks, always for the present one: a morph keeps what it made for the moment that it was asked last. */
+export const stageMorph: ReadonlySignal<CurveMorph | null> = morphing();
 
 /** The box of the curve at a moment. */
 export function curveBoxAt(morph: CurveMorph, s: number): Box {

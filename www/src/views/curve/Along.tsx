@@ -83,7 +83,7 @@ export function Along() {
       )}
       <figcaption>
         <span>A</span>
-        <span>{crossed.value.length > 0 ? "striped: it crosses itself" : ""}</span>
+        <span>{crossed.value.length > 0 ? "shaded: it crosses itself" : ""}</span>
         <span>B</span>
       </figcaption>
     </figure>

@@ -10,7 +10,6 @@ import { bendCurve, chooseCurve, curvePresets, fitted, shapeOf } from "../../sta
 import { announce, notify } from "../../state/notice";
 import { useOwnId } from "../../ui/id";
 import { ShapeGrid, type ShapeItem } from "../../ui/ShapeGrid";
-import { sizeWords } from "./words";
 
 interface Item extends ShapeItem {
   shape: CurveShape;
@@ -88,7 +87,7 @@ export function Shelf({ end, onChosen }: ShelfProps) {
       <ShapeGrid
         presets={all}
         pictures={pictures.value}
-        noteOf={({ shape }) => sizeWords(shape.curve)}
+        noteOf={({ shape }) => `${shape.curve.knots.length} knots`}
         chosen={all.find(({ shape, id }) => now && (id === now.preset || shape.curve === now.curve))?.id}
         onChoose={choose}
       />

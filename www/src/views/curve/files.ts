@@ -7,7 +7,7 @@ interface Both {
   b: CurveShape;
 }
 
-/** Coordinates in a drawing go to a ten-thousandth of its size. */
+/** Coordinates in a drawing go to a hundred-thousandth of its size. */
 const SIDE = 1000;
 const EDGE = 20;
 
@@ -17,7 +17,8 @@ export function svgOf(
   { title, colour }: { title: string; colour: string },
 ): string {
   const [x0, y0, x1, y1] = boxOf(points);
-  const scale = SIDE / Math.max(x1 - x0, y1 - y0, Number.MIN_VALUE);
+  const size = Math.max(x1 - x0, y1 - y0);
+  const scale = size > 0 ? SIDE / size : 0;
   const place = (i: number) =>
     `${round(EDGE + ((points[i] ?? 0) - x0) * scale)} ${round(EDGE + (y1 - (points[i + 1] ?? 0)) * scale)}`;
   let path = "";
@@ -32,7 +33,7 @@ export function svgOf(
 }
 
 function round(x: number): number {
-  return Math.round(10 * x) / 10;
+  return Math.round(100 * x) / 100;
 }
 
 function escaped(text: string): string {

@@ -20,7 +20,7 @@ export const KINDS: readonly { kind: Kind; about: string }[] = [
 ];
 
 /** Points of a saved outline leave the curve by so much of its size. */
-const FINE = 1 / 8000;
+const FINE = 1 / 5000;
 const MOST = 100_000;
 /** Of a saved picture, in pixels. */
 const LONG_SIDE = 2400;
