@@ -1,0 +1,81 @@
+/** Fits as text. */
+import type { Curve } from "../../engine/api";
+import type { Collage, CollageOptions, Figures } from "../../engine/fit/tasks/curve";
+import type { CurveMap } from "../../engine/wasm";
+
+const short = (x: number) => Number(x.toPrecision(9));
+
+/** Knots, edges and the map of each edge. */
+export function curveJson(
+  name: string,
+  { knots, edges }: Curve,
+  maps: readonly CurveMap[],
+  figures: Figures | null,
+): string {
+  return JSON.stringify(
+    {
+      kind: "closed curve",
+      name,
+      about:
+        "Edge i runs from knot i to the next. It is straight (null), or a copy of the arc over `span` edges from knot `from`: map is [a, b, c, d, e, f], x' = a x + b y + e, y' = c x + d y + f. Indices count from 0, y points up.",
+      knots,
+      edges: edges.map((edge, i) => (edge ? { ...edge, map: maps[i]?.map?.map(short) ?? null } : null)),
+      ...(figures ? { figures: { unit: "percent of the diagonal of the outline's box", ...figures } } : {}),
+    },
+    null,
+    1,
+  );
+}
+
+export function collageJson(name: string, options: CollageOptions, fit: Collage): string {
+  const maps = fit.maps.map(
+    ([start = 0, reversed = 0, c11 = 0, c12 = 0, c21 = 0, c22 = 0, bx = 0, by = 0, ex = 0, ey = 0]) => ({
+      start,
+      reversed: reversed === 1,
+      c: [
+        [c11, c12],
+        [c21, c22],
+      ].map((row) => row.map(short)),
+      b: [bx, by].map(short),
+      e: [ex, ey].map(short),
+    }),
+  );
+  return JSON.stringify(
+    {
+      kind: "collage (Cochran, Hart & Flynn, section 3.2)",
+      name,
+      about:
+        "Point m (0 to M) of a piece is e + b m / M + c times point start + 2 m of the ring of feature points, or start + 2 (M - m) where it is reversed.",
+      ...options,
+      maps,
+      gaps: { unit: "percent of the diagonal of the outline's box", widest: fit.widest, mean: fit.mean },
+      figures: fit.figures,
+    },
+    null,
+    1,
+  );
+}
+
+/** x,y lines, with the number of the piece, from 1. */
+export function collageCsv({ points, starts }: Collage): string {
+  const lines = ["x,y,piece"];
+  for (let k = 0; k + 1 < starts.length; k++) {
+    for (let i = starts[k] ?? 0; i < (starts[k + 1] ?? 0); i++) {
+      lines.push(`${short(points[2 * i] ?? 0)},${short(points[2 * i + 1] ?? 0)},${k + 1}`);
+    }
+  }
+  return `${lines.join("\n")}\n`;
+}
+
+/** A path for each piece, y down as in every SVG. */
+export function collageSvg({ points, starts }: Collage): string {
+  const paths: string[] = [];
+  for (let k = 0; k + 1 < starts.length; k++) {
+    const part: string[] = [];
+    for (let i = starts[k] ?? 0; i < (starts[k + 1] ?? 0); i++) {
+      part.push(`${short(500 * (points[2 * i] ?? 0))} ${short(-500 * (points[2 * i + 1] ?? 0))}`);
+    }
+    paths.push(`<path d="M${part.join("L")}"/>`);
+  }
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="-550 -550 1100 1100" fill="none" stroke="#00835f" stroke-width="2" stroke-linejoin="round">${paths.join("")}</svg>\n`;
+}

@@ -1,0 +1,93 @@
+/** The fit: its side panel, its strip, and its stage. Loaded when it is first opened. */
+import { effect } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { fitTask } from "../../engine/fit/client";
+import { help } from "../../state/help";
+import { Button } from "../../ui/Button";
+import { narrow } from "../../ui/media";
+import { GraphPanel, GraphStage, GraphStrip, graphOpen, ModeChoice } from "./mode";
+import { CutPanel } from "./panel/CutPanel";
+import { FiguresPanel } from "./panel/FiguresPanel";
+import { ModelPanel } from "./panel/ModelPanel";
+import { OutlinePanel } from "./panel/OutlinePanel";
+import { SourcePanel } from "./panel/SourcePanel";
+import { UsePanel } from "./panel/UsePanel";
+import { ShortcutsDialog } from "./ShortcutsDialog";
+import { listen } from "./shortcuts";
+import { hand } from "./stage/brush";
+import { FitStage as OutlineStage } from "./stage/FitStage";
+import { step } from "./stage/layers";
+import { FitStrip as OutlineStrip } from "./strip/FitStrip";
+import { Layers } from "./strip/Layers";
+import { watchFit } from "./work/fitting";
+import { watchMask } from "./work/mask";
+import { watchOutline } from "./work/outline";
+import { opened } from "./work/source";
+import "../../ui/panel.css";
+import "./fit.css";
+
+/** Everything beside the picture: what is fitted, with what, how near it is, and where it goes. */
+export function FitPanel() {
+  return (
+    <div class="panel fit-panel">
+      <ModeChoice />
+      {graphOpen.value ? <GraphPanel /> : <Outline />}
+    </div>
+  );
+}
+
+function Outline() {
+  useEffect(() => {
+    // The workers come up while the page is laid out.
+    for (const lane of [0, 1] as const) fitTask("wake", {}, { lane }).catch(() => {});
+    const stops = [watchMask(), watchOutline(), watchFit(), watchStep(), listen()];
+    return () => {
+      for (const stop of stops) stop();
+    };
+  }, []);
+  return (
+    <>
+      <SourcePanel />
+      <CutPanel />
+      <OutlinePanel />
+      <ModelPanel />
+      <FiguresPanel />
+      <UsePanel />
+      {narrow.value && <Layers />}
+      <footer class="panel-foot">
+        <Button
+          kind="quiet"
+          icon="keyboard"
+          popup="dialog"
+          onClick={() => {
+            help.value = true;
+          }}
+        >
+          Keyboard shortcuts
+        </Button>
+      </footer>
+      <ShortcutsDialog />
+    </>
+  );
+}
+
+/** A picture that has just come is cut out first. */
+let last: number | null = null;
+
+function watchStep(): () => void {
+  return effect(() => {
+    const id = opened.value?.id ?? null;
+    if (id === last) return;
+    last = id;
+    step.value = "cut";
+    hand.value = "move";
+  });
+}
+
+export function FitStrip() {
+  return graphOpen.value ? <GraphStrip /> : <OutlineStrip />;
+}
+
+export function FitStage() {
+  return graphOpen.value ? <GraphStage /> : <OutlineStage />;
+}

@@ -1,0 +1,231 @@
+import type { Component } from "../../../engine/fit/tasks/trace-types";
+import { Button } from "../../../ui/Button";
+import { Segmented } from "../../../ui/Segmented";
+import { Switch } from "../../../ui/Switch";
+import { brushSize, type Hand, hand } from "../stage/brush";
+import { step } from "../stage/layers";
+import {
+  canRedoStroke,
+  canUndoStroke,
+  changeMask,
+  masked,
+  part,
+  redoStroke,
+  settings,
+  traced,
+  undoStroke,
+  warnings,
+} from "../work/mask";
+import { former, opened, takeFormer } from "../work/source";
+import { SliderField } from "./SliderField";
+
+/** Between a picture and its outline: the mask and what mends it. */
+export function CutPanel() {
+  if (!opened.value) return null;
+  return (
+    <section class="cut-panel" aria-label="Cut out">
+      <Segmented
+        label="Step"
+        value={step.value}
+        options={[
+          { value: "cut", label: "1 Cut it out", description: "Say what of the picture is the leaf" },
+          { value: "fit", label: "2 Fit it", description: "Find the formula of its outline" },
+        ]}
+        onChange={(next) => {
+          step.value = next;
+          if (next === "fit") hand.value = "move";
+        }}
+      />
+      {step.value === "cut" && <Mask />}
+    </section>
+  );
+}
+
+function Mask() {
+  const { threshold, stalk } = settings.value;
+  return (
+    <>
+      <Messages />
+      <SliderField
+        label="Threshold"
+        value={threshold}
+        min={-1}
+        max={1}
+        step={0.05}
+        words={thresholdWords(threshold)}
+        ends={["less", "more"]}
+        onChange={(next) => changeMask((now) => ({ ...now, threshold: next }))}
+      >
+        <span class="fit-mark" style={{ left: "50%" }} title="As it was found by itself" />
+      </SliderField>
+      <Switch
+        checked={stalk === "remove"}
+        description="Thin parts that stick out are cut off where they begin"
+        onChange={(off) => changeMask((now) => ({ ...now, stalk: off ? "remove" : "keep" }))}
+      >
+        Take off the stalk
+      </Switch>
+      <Brush />
+      <Parts />
+      {traced.value && (
+        <Button
+          kind="primary"
+          icon="arrow"
+          onClick={() => {
+            step.value = "fit";
+            hand.value = "move";
+          }}
+        >
+          Fit this outline
+        </Button>
+      )}
+    </>
+  );
+}
+
+function thresholdWords(x: number): string {
+  if (x === 0) return "as found";
+  return `${Math.abs(x).toFixed(2)} ${x < 0 ? "less" : "more"} than was found`;
+}
+
+/** What may be amiss, and the way back. */
+function Messages() {
+  const list = warnings.value;
+  const back = former.value;
+  const lost = masked.value !== null && !traced.value;
+  return (
+    <div class="cut-messages" role="status">
+      {list.length > 0 && (
+        <ul class="notes">
+          {list.map(({ code, message }) => (
+            <li key={code}>{message}</li>
+          ))}
+        </ul>
+      )}
+      {lost && list.length === 0 && <p class="notes">Nothing was found. Paint over the leaf with Keep.</p>}
+      {lost && back && (
+        <Button kind="quiet" icon="back" onClick={takeFormer}>
+          Back to {back.name}
+        </Button>
+      )}
+    </div>
+  );
+}
+
+const HANDS: readonly { value: Hand; label: string; description: string }[] = [
+  { value: "move", label: "Move", description: "A drag moves the picture" },
+  { value: "keep", label: "Keep", description: "Paint what belongs to the leaf" },
+  { value: "remove", label: "Remove", description: "Paint what does not" },
+];
+
+function Brush() {
+  return (
+    <div class="brush">
+      <div class="row">
+        <span class="row-name">Brush</span>
+        <Segmented
+          label="What a drag on the picture does"
+          value={hand.value}
+          options={HANDS}
+          onChange={(next) => {
+            hand.value = next;
+          }}
+        />
+      </div>
+      {hand.value !== "move" && (
+        <>
+          <SliderField
+            label="Brush size"
+            value={brushSize.value}
+            min={0.2}
+            max={20}
+            step={0.2}
+            digits={1}
+            unit="%"
+            words={`${brushSize.value}% of the picture`}
+            onChange={(next) => {
+              brushSize.value = next;
+            }}
+          />
+          <p class="hint">
+            Or by keys: the arrows move it once the picture has the focus, the space bar paints, Escape puts
+            it away.
+          </p>
+        </>
+      )}
+      <div class="source-buttons">
+        <Button kind="quiet" icon="reset" disabled={!canUndoStroke()} onClick={undoStroke}>
+          Undo stroke
+        </Button>
+        {canRedoStroke() && (
+          <Button kind="quiet" onClick={redoStroke}>
+            Redo stroke
+          </Button>
+        )}
+      </div>
+    </div>
+  );
+}
+
+const MOST_PARTS = 12;
+
+/** What the mask falls into, the largest first. */
+function Parts() {
+  const mask = masked.value;
+  if (!mask || mask.components.length < 2) return null;
+  const all = mask.components.slice(0, MOST_PARTS);
+  return (
+    <fieldset class="parts">
+      <legend class="row-name">Which part</legend>
+      {all.map((component, i) => (
+        <label key={i} class="part" title={`Part ${i + 1}`}>
+          <input
+            type="radio"
+            name="fit-part"
+            checked={part.value === i}
+            onChange={() => {
+              part.value = i;
+            }}
+          />
+          <PartDrawing component={component} width={mask.width} height={mask.height} mask={mask.mask} />
+          <span>
+            {i + 1}
+            <span class="unseen">
+              {`, ${Math.max(1, Math.round((100 * component.area) / (mask.width * mask.height)))}% of the picture`}
+            </span>
+          </span>
+        </label>
+      ))}
+    </fieldset>
+  );
+}
+
+const SIDE = 36;
+
+function PartDrawing({
+  component,
+  width,
+  mask,
+}: {
+  component: Component;
+  width: number;
+  height: number;
+  mask: Uint8Array;
+}) {
+  const [x0, y0, x1, y1] = component.box;
+  const scale = SIDE / Math.max(x1 - x0, y1 - y0, 1);
+  const draw = (canvas: HTMLCanvasElement | null) => {
+    const context = canvas?.getContext("2d");
+    if (!canvas || !context) return;
+    context.clearRect(0, 0, SIDE, SIDE);
+    context.fillStyle = getComputedStyle(canvas).color;
+    for (let y = 0; y < SIDE; y++) {
+      for (let x = 0; x < SIDE; x++) {
+        const px = Math.floor(x0 + (x + 0.5) / scale);
+        const py = Math.floor(y0 + (y + 0.5) / scale);
+        if (px < x1 && py < y1 && mask[py * width + px]) context.fillRect(x, y, 1, 1);
+      }
+    }
+  };
+  return <canvas ref={draw} class="part-drawing" width={SIDE} height={SIDE} />;
+}

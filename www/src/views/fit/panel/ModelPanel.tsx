@@ -1,0 +1,135 @@
+import type { CollageOptions } from "../../../engine/fit/tasks/curve";
+import { changeFit, fitDocument } from "../../../state/outline";
+import { Button } from "../../../ui/Button";
+import { NumberField } from "../../../ui/NumberField";
+import { Segmented } from "../../../ui/Segmented";
+import { Switch } from "../../../ui/Switch";
+import { cutting } from "../stage/layers";
+import { percent } from "../words";
+import { collage, collageOptions } from "../work/fitting";
+import { prepared } from "../work/outline";
+
+/** What the outline is fitted with. */
+export function ModelPanel() {
+  if (cutting.value) return null;
+  const { model } = fitDocument.value;
+  return (
+    <section class="model-panel" aria-label="Model">
+      <div class="section-head">
+        <h2>Fitted with</h2>
+      </div>
+      <Segmented
+        label="Fitted with"
+        value={model}
+        options={[
+          {
+            value: "closed",
+            label: "Closed curve (Frond)",
+            description: "Knots, and edges that are straight or copies of arcs: closed by construction",
+          },
+          {
+            value: "collage",
+            label: "As in the paper (collage)",
+            description: "Cochran, Hart and Flynn, section 3.2",
+          },
+        ]}
+        onChange={(next) => changeFit((now) => ({ ...now, model: next }))}
+      />
+      {model === "closed" ? (
+        <p class="hint">
+          Every edge is straight, or a smaller copy of another part of the outline. It has no gaps, however
+          rough it is.
+        </p>
+      ) : (
+        <Collage />
+      )}
+    </section>
+  );
+}
+
+const PAPER: readonly number[] = [29, 52];
+
+function Collage() {
+  const now = collageOptions.value;
+  const change = (by: Partial<CollageOptions>) => {
+    collageOptions.value = { ...collageOptions.peek(), ...by };
+  };
+  const done = collage.value;
+  const fresh = done !== null && done.of === prepared.value;
+  return (
+    <div class="collage-options">
+      <div class="row">
+        <span class="collage-numbers">
+          <NumberField
+            label="Maps"
+            value={now.maps}
+            min={2}
+            max={400}
+            step={1}
+            digits={0}
+            onChange={(maps) => change({ maps: Math.round(maps) })}
+          />
+          <NumberField
+            label="Feature points"
+            value={now.features}
+            min={8}
+            max={4000}
+            step={1}
+            digits={0}
+            onChange={(features) => change({ features: Math.round(features) })}
+          />
+        </span>
+        <span class="paper-presets">
+          {PAPER.map((maps) => (
+            <Button
+              key={maps}
+              kind="quiet"
+              description={`${maps} maps from 261 feature points, as in Fig 7`}
+              onClick={() => change({ maps, features: 261 })}
+            >
+              {`${maps} maps`}
+            </Button>
+          ))}
+        </span>
+      </div>
+      <div class="row">
+        <span class="row-name">x and y</span>
+        <Segmented
+          label="x and y"
+          value={now.separable ? "apart" : "together"}
+          options={[
+            { value: "together", label: "together", description: "A matrix of four numbers each (eq 9)" },
+            { value: "apart", label: "apart", description: "Separable: a number for each coordinate (eq 8)" },
+          ]}
+          onChange={(next) => change({ separable: next === "apart" })}
+        />
+      </div>
+      <div class="row">
+        <span class="row-name">Copies begin</span>
+        <Segmented
+          label="Copies begin"
+          value={now.partitioned ? "anywhere" : "ranges"}
+          options={[
+            { value: "ranges", label: "where pieces do", description: "Recurrent: an RFIF" },
+            { value: "anywhere", label: "anywhere", description: "Partitioned: a PFIF" },
+          ]}
+          onChange={(next) => change({ partitioned: next === "anywhere" })}
+        />
+      </div>
+      <Switch
+        checked={now.tied}
+        description="The paper's are free, and leave gaps"
+        onChange={(tied) => change({ tied })}
+      >
+        Tie the ends of the pieces
+      </Switch>
+      {fresh && (
+        <p class="notes" data-testid="gaps">
+          {done.fit.widest > 1e-6
+            ? `Pieces do not meet: the widest gap is ${percent(done.fit.widest)} of the size, the mean ${percent(done.fit.mean)}. They are marked in the picture.`
+            : "All pieces meet: there are no gaps."}
+        </p>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,63 @@
+import { changeFit, fitDocument } from "../../../state/outline";
+import { endGesture } from "../../../state/scene";
+import { cutting } from "../stage/layers";
+import { prepared } from "../work/outline";
+import { chooseOutline, source } from "../work/source";
+import { SliderField } from "./SliderField";
+
+const MOST_LISTED = 40;
+
+/** The outline itself: which one, and how much of it is noise. */
+export function OutlinePanel() {
+  if (cutting.value) return null;
+  const { smoothing } = fitDocument.value;
+  const crossings = prepared.value?.crossings;
+  return (
+    <section class="outline-panel" aria-label="The outline">
+      <div class="section-head">
+        <h2>The outline</h2>
+      </div>
+      <Choice />
+      <SliderField
+        label="Smoothing"
+        value={smoothing}
+        min={0}
+        max={1}
+        step={0.05}
+        words={smoothingWords(smoothing)}
+        ends={["none", "for noise"]}
+        onChange={(next) => changeFit((now) => ({ ...now, smoothing: next }), { gesture: "smoothing" })}
+        onDone={endGesture}
+      />
+      {crossings !== undefined && crossings !== 0 && (
+        <p class="notes">
+          {crossings === null
+            ? "This outline is very tangled. It can be fitted, but smoothing will make it a better one."
+            : `This outline crosses itself ${crossings === 1 ? "once" : `${crossings >= 99 ? "99 times or more" : `${crossings} times`}`}. It can be fitted as it is; smoothing takes crossings of noise away.`}
+        </p>
+      )}
+    </section>
+  );
+}
+
+function Choice() {
+  const now = source.value;
+  if (now.kind !== "outlines" || now.outlines.length < 2) return null;
+  return (
+    <label class="row outline-choice">
+      <span class="row-name">Which outline</span>
+      <select value={now.chosen} onChange={(event) => chooseOutline(Number(event.currentTarget.value))}>
+        {now.outlines.slice(0, MOST_LISTED).map((outline, i) => (
+          <option key={i} value={i}>
+            {`${i + 1}: ${outline.name}`}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
+
+function smoothingWords(x: number): string {
+  if (x === 0) return "none";
+  return `over ${(2 * x * x).toFixed(2)}% of the size`;
+}

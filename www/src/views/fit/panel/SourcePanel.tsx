@@ -1,0 +1,108 @@
+import { useEffect, useRef } from "preact/hooks";
+import type { Grown } from "../../../engine/fit/tasks/curve";
+import { Button } from "../../../ui/Button";
+import { listenForFiles } from "../arrivals";
+import { takeSeries } from "../series";
+import { prepared } from "../work/outline";
+import { former, type Source, source, takeFile, takeFormer, takeSource } from "../work/source";
+
+const ACCEPT =
+  "image/png,image/jpeg,image/webp,image/avif,image/gif,image/bmp,image/svg+xml,.svg,.csv,.tsv,.txt,.json,.geojson,text/csv,application/json,application/geo+json";
+
+const take = (file: File) => void takeFile(file, file.name, takeSeries);
+
+/** What is fitted, and how to take something else. */
+export function SourcePanel() {
+  const input = useRef<HTMLInputElement>(null);
+  useEffect(() => listenForFiles(take), []);
+  const now = source.value;
+  const back = former.value;
+  return (
+    <section class="source-panel" aria-label="What is fitted">
+      <div class="source-card">
+        <span class="source-name">{now.name}</span>
+        <span class="source-about">{aboutOf(now, prepared.value?.points.length ?? null)}</span>
+      </div>
+      <div class="source-buttons">
+        <Button kind="primary" onClick={() => input.current?.click()}>
+          Choose a photograph or outline
+        </Button>
+        {back && back.kind !== "grown" && (
+          <Button kind="quiet" icon="back" onClick={takeFormer}>
+            Back to {back.name.length > 24 ? `${back.name.slice(0, 22)}…` : back.name}
+          </Button>
+        )}
+        <input
+          ref={input}
+          class="unseen"
+          type="file"
+          accept={ACCEPT}
+          aria-label="Photograph or outline file"
+          tabIndex={-1}
+          onChange={(event) => {
+            const [file] = event.currentTarget.files ?? [];
+            if (file) take(file);
+            // The same file once more is a choice, too.
+            event.currentTarget.value = "";
+          }}
+        />
+      </div>
+      <p class="hint">
+        Or drop one anywhere, or paste it: PNG, JPEG, WebP, SVG, CSV, GeoJSON. It stays in this page; a link
+        holds the fit, and not what it was made from.
+      </p>
+      <Examples />
+    </section>
+  );
+}
+
+const EXAMPLES: readonly { grown: Grown; name: string; about: string }[] = [
+  { grown: "maple", name: "Maple-like leaf", about: "Five pointed lobes with teeth on teeth" },
+  { grown: "oak", name: "Oak-like leaf", about: "Round lobes with a finely uneven margin" },
+  { grown: "noisy", name: "Noisy leaf", about: "A maple-like leaf, badly measured: try the smoothing" },
+];
+
+/** Leaves that are grown by program, each time another one. */
+function Examples() {
+  const now = source.value;
+  return (
+    <div class="examples">
+      <span class="row-name" id="examples-name">
+        Or a leaf grown here
+      </span>
+      <ul class="examples-list" aria-labelledby="examples-name">
+        {EXAMPLES.map(({ grown, name, about }) => {
+          const here = now.kind === "grown" && now.grown === grown;
+          return (
+            <li key={grown}>
+              <Button
+                pressed={here}
+                description={here ? `${about}. Press again to grow another` : about}
+                onClick={() => takeSource({ kind: "grown", name, grown, seed: here ? now.seed + 1 : 1 })}
+              >
+                {here && now.seed > 1 ? `${name} ${now.seed}` : name}
+              </Button>
+            </li>
+          );
+        })}
+      </ul>
+    </div>
+  );
+}
+
+function aboutOf(now: Source, numbers: number | null): string {
+  const points = numbers === null ? "" : `${(numbers / 2).toLocaleString("en-GB")} points`;
+  switch (now.kind) {
+    case "picture": {
+      const { width, height } = now.picture.original;
+      const size = `${width.toLocaleString("en-GB")} × ${height.toLocaleString("en-GB")} pixels`;
+      return points ? `${size}, outline of ${points}` : size;
+    }
+    case "kept":
+      return "A fit from a link, without what it was made from";
+    case "outlines":
+      return now.outlines.length > 1 ? `${now.outlines.length} outlines, this one of ${points}` : points;
+    case "grown":
+      return points ? `Grown by program, ${points}` : "Grown by program";
+  }
+}

@@ -1,0 +1,120 @@
+/** Files of the fit. */
+import { frond } from "../../engine/wasm";
+import { fitFor } from "../../state/fit";
+import { notify, wordsOf } from "../../state/notice";
+import { fitDocument } from "../../state/outline";
+import { dark } from "../../state/preferences";
+import { palette } from "../../style/palette";
+import { collageCsv, collageJson, collageSvg, curveJson } from "./files";
+import { paint } from "./stage/draw";
+import { collage, plainName, shownFigures, shownFit } from "./work/fitting";
+import { boxOf } from "./work/frame";
+import { polylineOf, prepared } from "./work/outline";
+import { source } from "./work/source";
+
+const LONG_SIDE = 2400;
+
+const paper = () => {
+  const now = collage.peek();
+  return fitDocument.peek().model === "collage" && now?.of === prepared.peek() ? now : null;
+};
+
+export function saveSvg(): void {
+  save("svg", "image/svg+xml", () => {
+    const other = paper();
+    if (other) return collageSvg(other.fit);
+    const best = shownFit.peek();
+    return best && frond.curveSvg(best.curve);
+  });
+}
+
+export function saveCsv(): void {
+  save("csv", "text/csv", () => {
+    const other = paper();
+    if (other) return collageCsv(other.fit);
+    const best = shownFit.peek();
+    return best && frond.curveCsv(best.curve);
+  });
+}
+
+export function saveJson(): void {
+  save("json", "application/json", () => {
+    const other = paper();
+    const name = plainName(source.peek().name);
+    if (other) return collageJson(name, other.options, other.fit);
+    const best = shownFit.peek();
+    return (
+      best && curveJson(name, best.curve, frond.curveMaps(best.curve), shownFigures.peek()?.figures ?? null)
+    );
+  });
+}
+
+function save(ending: string, type: string, make: () => string | null): void {
+  try {
+    const text = make();
+    if (text !== null) download(new Blob([text], { type }), ending);
+  } catch (problem) {
+    notSaved(problem);
+  }
+}
+
+/** The fit alone, on a transparent ground. */
+export function savePng(): void {
+  try {
+    const other = paper();
+    const best = shownFit.peek();
+    const points = other ? other.fit.points : best && (polylineOf(best.curve) ?? best.points);
+    if (!points) return;
+    const box = boxOf(points);
+    const [across, up] = [box.x1 - box.x0, box.y1 - box.y0];
+    const larger = LONG_SIDE / Math.max(across, up);
+    const size = { width: Math.ceil(across * larger), height: Math.ceil(up * larger), ratio: 2 };
+    const canvas = document.createElement("canvas");
+    canvas.width = Math.max(1, size.width);
+    canvas.height = Math.max(1, size.height);
+    const context = canvas.getContext("2d");
+    if (!context) throw new Error("no canvas");
+    const fit = palette(dark.peek() ? "dark" : "light")[2] ?? "#009e73";
+    const colours = { stage: "#ffffff", ink: fit, quiet: fit, fit, bad: "#b3321d", accent: fit };
+    const view = fitFor(box, canvas, 0.02);
+    const nothing = {
+      photo: null,
+      mask: null,
+      outline: null,
+      filled: false,
+      marks: null,
+      strokes: [],
+      cursor: null,
+    };
+    const shown = other ? { fit: null, collage: other.fit } : { fit: points, collage: null };
+    paint(
+      context,
+      size,
+      { ...view, scale: view.scale / size.ratio },
+      { ...nothing, ...shown, frame: { x: 0, y: 0, scale: 1 } },
+      colours,
+    );
+    canvas.toBlob((blob) => {
+      if (blob) download(blob, "png");
+      else notSaved("the browser could not encode it");
+    }, "image/png");
+  } catch (problem) {
+    notSaved(problem);
+  }
+}
+
+function notSaved(problem: unknown): void {
+  notify({ kind: "error", text: `The fit could not be saved: ${wordsOf(problem)}` });
+}
+
+function download(blob: Blob, ending: string): void {
+  const plain = plainName(source.peek().name)
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, "-")
+    .slice(0, 40);
+  const anchor = document.createElement("a");
+  anchor.href = URL.createObjectURL(blob);
+  anchor.download = `frond-${plain || "leaf"}.${ending}`;
+  anchor.click();
+  setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
+}

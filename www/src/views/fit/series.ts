@@ -1,0 +1,14 @@
+/** Numbers that are a graph, not an outline, go to the other half of the tool. */
+import type { OpenedSeries } from "../../engine/fit/tasks/trace-types";
+import { notify, wordsOf } from "../../state/notice";
+import { changeFit } from "../../state/outline";
+
+export function takeSeries(series: OpenedSeries): void {
+  import("./graph/series").then(
+    (graph) => {
+      changeFit((now) => (now.mode === "graph" ? now : { ...now, mode: "graph" }));
+      graph.takeSeries(series);
+    },
+    (problem) => notify({ kind: "error", text: `Graphs could not be loaded: ${wordsOf(problem)}` }),
+  );
+}

@@ -1,0 +1,86 @@
+/** What is on the stage of the fit now. */
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import type { View } from "../../../canvas/geometry";
+import type { Curve } from "../../../engine/api";
+import { fitTask } from "../../../engine/fit/client";
+import type { Prepared } from "../../../engine/fit/tasks/curve";
+import { type CurveMorphHandle, frond } from "../../../engine/wasm";
+import { fitDocument } from "../../../state/outline";
+import { collage, shownFit } from "../work/fitting";
+import { masked } from "../work/mask";
+import { frame, prepared, raw } from "../work/outline";
+import { opened } from "../work/source";
+import { cursor, hand, painting, radius, stroke } from "./brush";
+import { effectiveView, stageSize } from "./camera";
+import type { Sight } from "./draw";
+import { comparing, cutting, knotsShown, outlineShown, photoShown } from "./layers";
+
+/** Feature points of the paper's fit, when they are shown. */
+export const featurePoints = signal<Float64Array | null>(null);
+
+/** Asks for the feature points of an outline. */
+export function findFeatures(outline: Prepared, count: number): void {
+  fitTask("features", { points: outline.points, count }, { lane: 1 }).then(
+    (points) => {
+      if (prepared.peek() === outline) featurePoints.value = points;
+    },
+    () => {},
+  );
+}
+
+/** A polyline that leaves the curve by less than can be seen. */
+let drawn: { curve: Curve; handle: CurveMorphHandle } | null = null;
+
+const LEAVE = 0.3;
+
+function polyline(curve: Curve, plain: Float64Array, view: View): Float64Array {
+  try {
+    if (drawn?.curve !== curve) {
+      drawn?.handle.free();
+      drawn = null;
+      drawn = { curve, handle: new frond.CurveMorph(curve, null) };
+    }
+    const { width, height } = stageSize.peek();
+    const ratio = globalThis.devicePixelRatio || 1;
+    const [x, y] = [(0.6 * width) / view.scale, (0.6 * height) / view.scale];
+    return drawn.handle.polyline(0, {
+      tolerance: LEAVE / view.scale / ratio,
+      window: [view.x - x, view.y - y, view.x + x, view.y + y],
+    });
+  } catch {
+    return plain;
+  }
+}
+
+/** Whether the closed curve is what is fitted. */
+const closed = computed(() => fitDocument.value.model === "closed");
+
+export const sight: ReadonlySignal<Sight> = computed(() => {
+  const picture = opened.value;
+  const cut = cutting.value;
+  const outline = prepared.value?.points ?? raw.value;
+  const fit = closed.value ? shownFit.value : null;
+  const paper = !closed.value && collage.value?.of === prepared.value ? collage.value : null;
+  const alone = comparing.value;
+  const shown = !cut && !alone;
+  const knots = fit?.curve.knots.flat();
+  const marks = closed.value ? (knots ? new Float64Array(knots) : null) : featurePoints.value;
+  const paints = painting.value;
+  const at = cursor.value;
+  const what = hand.value;
+  return {
+    photo:
+      picture && (cut || photoShown.value || alone)
+        ? { bitmap: picture.bitmap, width: picture.width, height: picture.height, faint: !cut && !alone }
+        : null,
+    mask: cut && !alone ? masked.value : null,
+    frame: frame.value,
+    outline: outline && (cut || alone || outlineShown.value || !(fit || paper)) ? outline : null,
+    filled: !cut && !picture && (alone || !(fit || paper)),
+    fit: shown && fit ? polyline(fit.curve, fit.points, effectiveView.value) : null,
+    collage: shown && paper ? paper.fit : null,
+    marks: shown && knotsShown.value ? marks : null,
+    strokes: cut && stroke.value ? [stroke.value] : [],
+    cursor: paints && at && what !== "move" ? { ...at, radius: radius.value, what } : null,
+  };
+});

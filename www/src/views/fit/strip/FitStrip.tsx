@@ -1,0 +1,95 @@
+import "../../../ui/strip.css";
+import { changeFit, fitDocument } from "../../../state/outline";
+import { endGesture } from "../../../state/scene";
+import { narrow } from "../../../ui/media";
+import { NumberField } from "../../../ui/NumberField";
+import { Slider } from "../../../ui/Slider";
+import { even, HIGH, LOW, numbersAt, placeOf } from "../numbers";
+import { collageOptions, LEAST_NUMBERS, MOST_NUMBERS } from "../work/fitting";
+import { CompareButton } from "./CompareButton";
+import { Layers } from "./Layers";
+
+/** The one slider: how many numbers; and what is looked at. */
+export function FitStrip() {
+  return (
+    <section class="strip fit-strip" aria-label="Size of the fit">
+      <CompareButton />
+      {fitDocument.value.model === "closed" ? <Numbers /> : <Maps />}
+      {!narrow.value && <Layers />}
+    </section>
+  );
+}
+
+const MARKS = [12, 50, 260, 1000, 2000] as const;
+
+function Numbers() {
+  const { numbers } = fitDocument.value;
+  const change = (next: number) =>
+    changeFit((now) => (now.numbers === next ? now : { ...now, numbers: next }), { gesture: "numbers" });
+  return (
+    <div class="numbers">
+      <NumberField
+        label="How many numbers"
+        value={numbers}
+        min={LEAST_NUMBERS}
+        max={MOST_NUMBERS}
+        step={2}
+        digits={0}
+        onChange={(next) => change(even(next))}
+        onDone={endGesture}
+      />
+      <Slider
+        label="How many numbers"
+        value={placeOf(numbers)}
+        min={LOW}
+        max={HIGH}
+        step={0.1}
+        valueText={`${numbers} numbers`}
+        onChange={(place) => change(numbersAt(place))}
+        onDone={endGesture}
+      />
+      <p class="fit-scale number" aria-hidden="true">
+        {MARKS.map((n) => (
+          <span key={n} style={{ left: `${(100 * (placeOf(n) - LOW)) / (HIGH - LOW)}%` }}>
+            {n}
+          </span>
+        ))}
+      </p>
+    </div>
+  );
+}
+
+const LEAST_MAPS = 2;
+const MOST_MAPS = 200;
+
+/** The paper's fit has ten numbers a map. */
+function Maps() {
+  const { maps } = collageOptions.value;
+  const change = (next: number) => {
+    const now = collageOptions.peek();
+    const features = Math.max(now.features, 2 * next);
+    collageOptions.value = { ...now, maps: next, features };
+  };
+  return (
+    <div class="numbers">
+      <NumberField
+        label="How many maps"
+        value={maps}
+        min={LEAST_MAPS}
+        max={400}
+        step={1}
+        digits={0}
+        onChange={(next) => change(Math.round(next))}
+      />
+      <Slider
+        label="How many maps"
+        value={Math.log2(Math.min(maps, MOST_MAPS))}
+        min={Math.log2(LEAST_MAPS)}
+        max={Math.log2(MOST_MAPS)}
+        step={0.1}
+        valueText={`${maps} maps, ${10 * maps} numbers`}
+        onChange={(place) => change(Math.round(2 ** place))}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,39 @@
+import { expect, test } from "vitest";
+import type { Figures } from "../../engine/fit/tasks/curve";
+import { compareWords, percent, roughWords, signed } from "./words";
+
+const figures = (rms: number): Figures => ({
+  rms,
+  hausdorff: 0.4,
+  lengthRatio: 0.9,
+  outlineSlope: 1.2,
+  fitSlope: 1.19,
+});
+const rival = (method: "squares" | "fourier", rms: number) => ({
+  method,
+  numbers: 260,
+  points: new Float64Array(),
+  figures: figures(rms),
+});
+
+test("the comparison names the best of the others, and is fair to it", () => {
+  const all = [rival("fourier", 0.3), rival("squares", 0.12)];
+  expect(compareWords(figures(0.1), all)).toBe(
+    "1.2 times as near as the best of the others, polyline, best corners.",
+  );
+  expect(compareWords(figures(0.119), all)).toMatch(/^About as near/);
+  expect(compareWords(figures(0.2), all)).toMatch(/polyline, best corners is nearer: 0\.120%/);
+  expect(compareWords(figures(0.2), [])).toBe("");
+});
+
+test("figures have digits that say something, and none lies", () => {
+  expect([percent(0.0412), percent(0.204), percent(12.345), percent(Number.NaN)]).toEqual([
+    "0.0412%",
+    "0.204%",
+    "12.35%",
+    "–",
+  ]);
+  expect([signed(0.0123), signed(-0.0123), signed(0.0001)]).toEqual(["+0.012", "−0.012", "0.000"]);
+  expect(roughWords(figures(1))).toBe("As rough as the outline.");
+  expect(roughWords({ ...figures(1), fitSlope: 1.1 })).toMatch(/^Smoother .* 90% of its length/);
+});

@@ -1,0 +1,81 @@
+/** What the tool says. */
+import { computed, type ReadonlySignal } from "@preact/signals";
+import type { Figures, Method, Rival } from "../../engine/fit/tasks/curve";
+import { fitDocument } from "../../state/outline";
+import { fixed } from "../../ui/number";
+import { cutting } from "./stage/layers";
+import { cancelled, collage, numbersOf, problem, running, shownFigures, shownFit } from "./work/fitting";
+import { masked, masking, traced } from "./work/mask";
+import { prepared } from "./work/outline";
+import { reading } from "./work/source";
+
+/** In percent of the diagonal, with as many digits as say something. */
+export function percent(x: number): string {
+  if (!Number.isFinite(x)) return "–";
+  return `${fixed(x, x < 0.1 ? 4 : x < 1 ? 3 : 2)}%`;
+}
+
+export function signed(x: number): string {
+  const text = fixed(x, 3);
+  return x > 0 && text !== "0.000" ? `+${text}` : text;
+}
+
+/** One line on the stage. */
+export const statusWords: ReadonlySignal<string> = computed(() => {
+  if (reading.value !== null) return `Reading ${reading.value} …`;
+  if (cutting.value) {
+    const mask = masked.value;
+    if (!mask) return "Looking for the leaf …";
+    if (mask.components.length === 0) return "Nothing stands out yet";
+    const parts = mask.components.length === 1 ? "one part" : `${mask.components.length} parts`;
+    return masking.value || !traced.value ? `${parts}, looking …` : `Cut out: ${parts}`;
+  }
+  if (!prepared.value) return "Waiting for an outline";
+  const now = running.value;
+  const best = shownFit.value;
+  if (fitDocument.value.model === "collage") {
+    const paper = collage.value;
+    if (now || !paper) return problem.value ? "No fit" : "Fitting …";
+    return `${percent(paper.fit.figures.rms)} off, ${paper.fit.numbers} numbers`;
+  }
+  if (now) {
+    const off = now.rms === undefined ? "" : `, ${percent(now.rms)} off so far`;
+    return best ? `Fitting, ${Math.round(100 * now.share)}% done${off}` : "Fitting …";
+  }
+  if (!best) return problem.value ? "No fit" : "Fitting …";
+  const done = shownFigures.value;
+  const numbers = `${numbersOf(best.curve)} numbers`;
+  if (!done?.figures) return numbers;
+  return `${cancelled.value ? "Stopped: " : ""}${percent(done.figures.rms)} off, ${numbers}`;
+});
+
+export const METHODS: Record<Method, { name: string; about: string }> = {
+  squares: { name: "Polyline, best corners", about: "A polyline whose corners were moved by least squares" },
+  split: { name: "Polyline, split", about: "A polyline through feature points" },
+  bezier: { name: "Bézier curves", about: "Smooth pieces as of a tracing program" },
+  fourier: { name: "Fourier descriptors", about: "The lowest frequencies of the outline" },
+  collage: { name: "As in the paper", about: "Collage least squares by Cochran, Hart and Flynn" },
+};
+
+/** The comparison in a sentence. */
+export function compareWords(figures: Figures, rivals: readonly Rival[]): string {
+  const [nearest] = [...rivals].sort((a, b) => a.figures.rms - b.figures.rms);
+  if (!nearest) return "";
+  const { name } = METHODS[nearest.method];
+  const ratio = nearest.figures.rms / figures.rms;
+  const plain = name.charAt(0).toLowerCase() + name.slice(1);
+  if (ratio >= 1.05) {
+    return `${fixed(ratio, 1)} times as near as the best of the others, ${plain}.`;
+  }
+  if (ratio > 0.95) return `About as near as the best of the others, ${plain}.`;
+  return `Here ${plain} is nearer: ${percent(nearest.figures.rms)}.`;
+}
+
+/** How rough a fit is beside its outline. */
+export function roughWords({ fitSlope, outlineSlope, lengthRatio }: Figures): string {
+  const d = fitSlope - outlineSlope;
+  if (Math.abs(d) <= 0.02) return "As rough as the outline.";
+  return d < 0
+    ? `Smoother than the outline: it has ${Math.round(100 * lengthRatio)}% of its length.`
+    : `Rougher than the outline: it has ${Math.round(100 * lengthRatio)}% of its length.`;
+}

@@ -1,0 +1,304 @@
+/** The fit of the outline: the latest that was asked for, the best so far, its figures, and what it is compared with. */
+import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import type { Curve, CurveShape } from "../../../engine/api";
+import { fitTask } from "../../../engine/fit/client";
+import type {
+  Collage,
+  CollageOptions,
+  Figures,
+  FitStage,
+  Method,
+  Prepared,
+  Rival,
+} from "../../../engine/fit/tasks/curve";
+import { frond } from "../../../engine/wasm";
+import { announce, notify, wordsOf } from "../../../state/notice";
+import { fitDocument, replaceFit } from "../../../state/outline";
+import { isStopped, Latest } from "./latest";
+import { polylineOf, prepared } from "./outline";
+import { source, takeSource } from "./source";
+
+export const LEAST_NUMBERS = 12;
+export const MOST_NUMBERS = 2000;
+
+export interface Best {
+  of: Prepared;
+  /** What was asked for. */
+  numbers: number;
+  curve: Curve;
+  points: Float64Array;
+}
+
+/** A fit as a link brings it back. Without figures where there is no outline to measure it by. */
+export interface Fitted extends Best {
+  figures: Figures | null;
+  bytes: number;
+}
+
+export interface Running {
+  stage: FitStage | "begin";
+  share: number;
+  /** Of the best so far, in percent of the diagonal. */
+  rms?: number;
+}
+
+export const best = signal<Best | null>(null);
+export const fitted = signal<Fitted | null>(null);
+/** Null while nothing is under way. */
+export const running = signal<Running | null>(null);
+/** Whether it was stopped before its end. */
+export const cancelled = signal(false);
+export const problem = signal<string | null>(null);
+export const rivals = signal<readonly Rival[]>([]);
+export const collage = signal<{ of: Prepared; options: CollageOptions; fit: Collage } | null>(null);
+/** Milliseconds from the request to the first fit and to the last: for the measurements. */
+export const clock = signal<{ first: number; whole: number }>({ first: 0, whole: 0 });
+
+/** The paper's, of Fig 7. */
+export const collageOptions = signal<CollageOptions>({
+  maps: 29,
+  features: 261,
+  separable: false,
+  tied: false,
+  partitioned: false,
+});
+
+const METHODS: readonly Method[] = ["squares", "bezier", "split", "fourier", "collage"];
+
+/** The numbers that a slider rests at before a fit is begun. */
+const REST_MS = 140;
+
+const latest = new Latest();
+const cache = new WeakMap<Prepared, Map<number, Fitted & { rivals: readonly Rival[] }>>();
+/** Curves that were fitted here: a document that holds another was opened from a link. */
+const own = new WeakSet<Curve>();
+
+/** How many numbers a curve is made of. */
+export function numbersOf(curve: Curve): number {
+  return 2 * (curve.knots.length + curve.edges.filter((edge) => edge !== null).length);
+}
+
+/** What is fitted, and into what. */
+const wanted = computed(() => {
+  const { model, numbers } = fitDocument.value;
+  return JSON.stringify(model === "closed" ? { model, numbers } : { model, ...collageOptions.value });
+});
+
+/** Keeps the fit up with the outline and what is asked for. Returns the end of it. */
+export function watchFit(): () => void {
+  let timer: ReturnType<typeof setTimeout> | null = null;
+  let seen: Prepared | null = null;
+  const stopFit = effect(() => {
+    const outline = prepared.value;
+    wanted.value;
+    if (timer) clearTimeout(timer);
+    if (!outline) {
+      latest.stop();
+      running.value = null;
+      return;
+    }
+    // A new outline is fitted at once; a slider is let come to rest.
+    timer = setTimeout(() => begin(outline), seen === outline ? REST_MS : 0);
+    seen = outline;
+  });
+  const stopLink = effect(() => {
+    const curve = fitDocument.value.curve?.curve;
+    if (curve && !own.has(curve)) {
+      own.add(curve);
+      takeSource({ kind: "kept", name: fitDocument.peek().curve?.name ?? "Leaf", curve });
+    }
+  });
+  return () => {
+    stopFit();
+    stopLink();
+    if (timer) clearTimeout(timer);
+    if (running.peek()) latest.stop();
+    running.value = null;
+  };
+}
+
+/** Begins anew, whatever was done before. */
+export function fitAgain(): void {
+  const outline = prepared.peek();
+  if (!outline) return;
+  cache.get(outline)?.delete(fitDocument.peek().numbers);
+  begin(outline);
+}
+
+function begin(outline: Prepared): void {
+  const signal = latest.begin();
+  const { model, numbers } = fitDocument.peek();
+  problem.value = null;
+  cancelled.value = false;
+  if (model === "collage") {
+    void fitCollage(outline, { ...collageOptions.peek() }, signal);
+    return;
+  }
+  const known = cache.get(outline)?.get(numbers) ?? keptFit(outline, numbers);
+  if (known) {
+    batch(() => {
+      best.value = known;
+      fitted.value = known;
+      rivals.value = known.rivals;
+      running.value = null;
+    });
+    keep(known);
+    if (known.figures && known.rivals.length === 0) void compare(outline, numbers, signal);
+    return;
+  }
+  void fitCurve(outline, numbers, signal);
+}
+
+/** The curve of a link, as long as nothing else is asked for. */
+function keptFit(outline: Prepared, numbers: number): (Fitted & { rivals: readonly Rival[] }) | null {
+  const now = source.peek();
+  if (now.kind !== "kept" || Math.abs(numbersOf(now.curve) - numbers) > 2) return null;
+  const { curve } = now;
+  const points = polylineOf(curve);
+  if (!points) return null;
+  const { bytes } = frond.curveFacts(curve);
+  return { of: outline, numbers, curve, points, figures: null, bytes, rivals: [] };
+}
+
+async function fitCurve(outline: Prepared, numbers: number, signal: AbortSignal): Promise<void> {
+  const began = performance.now();
+  let first = 0;
+  running.value = { stage: "begin", share: 0 };
+  try {
+    const got = await fitTask(
+      "fitCurve",
+      { points: outline.points, numbers },
+      {
+        signal,
+        onProgress: ({ stage, share, rms, curve, points }) => {
+          if (signal.aborted) return;
+          // What it is compared with hangs on the numbers alone.
+          if (first === 0) void compare(outline, numbers, signal);
+          first ||= performance.now() - began;
+          batch(() => {
+            running.value = { stage, share, rms };
+            best.value = { of: outline, numbers, curve, points };
+          });
+        },
+      },
+    );
+    if (signal.aborted) return;
+    const whole = performance.now() - began;
+    clock.value = { first: first || whole, whole };
+    if (first === 0) void compare(outline, numbers, signal);
+    finish({ of: outline, numbers, ...got });
+  } catch (wrong) {
+    if (!signal.aborted && !isStopped(wrong)) fail(wrong);
+  }
+}
+
+function finish(done: Fitted): void {
+  const known = cache.get(done.of) ?? new Map<number, Fitted & { rivals: readonly Rival[] }>();
+  cache.set(done.of, known.set(done.numbers, { ...done, rivals: rivals.peek() }));
+  batch(() => {
+    best.value = done;
+    fitted.value = done;
+    running.value = null;
+  });
+  keep(done);
+  if (done.figures) announce(`Fitted: ${done.figures.rms.toFixed(3)} percent off.`);
+}
+
+/** The last fit is part of the document: a link opens it again. */
+function keep({ curve }: Fitted): void {
+  if (fitDocument.peek().curve?.curve === curve) return;
+  own.add(curve);
+  const { name } = source.peek();
+  const shape: CurveShape = { name: plainName(name), curve };
+  replaceFit((now) => ({ ...now, curve: shape }));
+}
+
+/** Of a file without its ending, as long as links allow. */
+export function plainName(name: string): string {
+  return name.replace(/\.[a-z]{3,7}$/i, "").slice(0, 40) || "Leaf";
+}
+
+function fail(wrong: unknown): void {
+  batch(() => {
+    running.value = null;
+    problem.value = wordsOf(wrong);
+  });
+}
+
+/** Beside the fit, which takes longer. */
+const RIVAL_LANE = 1;
+
+async function compare(outline: Prepared, numbers: number, signal: AbortSignal): Promise<void> {
+  rivals.value = [];
+  try {
+    await fitTask(
+      "rivals",
+      { points: outline.points, numbers, methods: METHODS },
+      {
+        signal,
+        lane: RIVAL_LANE,
+        onProgress: (rival) => {
+          if (!signal.aborted) rivals.value = [...rivals.peek(), rival];
+        },
+      },
+    );
+    const known = cache.get(outline)?.get(numbers);
+    if (known) known.rivals = rivals.peek();
+  } catch (wrong) {
+    if (!signal.aborted && !isStopped(wrong)) notify({ kind: "error", text: wordsOf(wrong) });
+  }
+}
+
+async function fitCollage(outline: Prepared, options: CollageOptions, signal: AbortSignal): Promise<void> {
+  running.value = { stage: "begin", share: 0 };
+  try {
+    const fit = await fitTask("collage", { points: outline.points, options }, { signal });
+    if (signal.aborted) return;
+    batch(() => {
+      collage.value = { of: outline, options, fit };
+      running.value = null;
+    });
+    announce(`Fitted with ${options.maps} maps: ${fit.figures.rms.toFixed(3)} percent off.`);
+  } catch (wrong) {
+    if (!signal.aborted && !isStopped(wrong)) fail(wrong);
+  }
+}
+
+/** Stops the fit under way; the best so far is kept, and measured. */
+export function cancel(): void {
+  if (!running.peek()) return;
+  const reached = best.peek();
+  const signal = latest.begin();
+  batch(() => {
+    running.value = null;
+    cancelled.value = true;
+  });
+  announce("Stopped. The best so far is kept.");
+  if (!reached || reached.of !== prepared.peek()) return;
+  fitTask("measure", { points: reached.of.points, curve: reached.curve }, { signal }).then(
+    (got) => {
+      if (signal.aborted) return;
+      const done = { of: reached.of, numbers: reached.numbers, ...got };
+      batch(() => {
+        best.value = done;
+        fitted.value = done;
+      });
+      keep(done);
+      if (rivals.peek().length < METHODS.length) void compare(done.of, done.numbers, signal);
+    },
+    (wrong) => {
+      if (!isStopped(wrong)) fail(wrong);
+    },
+  );
+}
+
+/** The fit that is on the stage, if it is one of the outline there. */
+export const shownFit: ReadonlySignal<Best | null> = computed(() => {
+  const now = best.value;
+  return now && now.of === prepared.value ? now : null;
+});
+
+export const shownFigures: ReadonlySignal<Fitted | null> = computed(() => {
+  const now = fitted.value;
+  return now && now.of === prepared.value ? now : null;
+});

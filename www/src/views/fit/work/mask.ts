@@ -1,0 +1,164 @@
+/** From a picture to an outline: the mask, what mends it, and which of its parts is the leaf. */
+import { batch, effect, signal } from "@preact/signals";
+import { fitTask } from "../../../engine/fit/client";
+import type { Component, Masked, Stroke, TraceWarning } from "../../../engine/fit/tasks/trace-types";
+import { announce, notify, wordsOf } from "../../../state/notice";
+import { framed, frameOfSize } from "./frame";
+import { InTurn, isStopped } from "./latest";
+import { opened, PICTURE_LANE } from "./source";
+
+export interface Settings {
+  /** -1 to 1; 0 is what was found by itself. */
+  threshold: number;
+  stalk: "keep" | "remove";
+  strokes: readonly Stroke[];
+}
+
+const PLAIN: Settings = { threshold: 0, stalk: "keep", strokes: [] };
+
+export const settings = signal<Settings>(PLAIN);
+export const masked = signal<Masked | null>(null);
+/** Which of the parts is fitted: its place in the list. */
+export const part = signal(0);
+/** In units of the plane, or null while there is none. */
+export const traced = signal<Float64Array | null>(null);
+export const warnings = signal<readonly TraceWarning[]>([]);
+export const masking = signal(false);
+
+/** Strokes that were taken back, the last one last. */
+const undone = signal<readonly Stroke[]>([]);
+
+const turn = new InTurn();
+
+export function changeMask(change: (settings: Settings) => Settings): void {
+  settings.value = change(settings.peek());
+}
+
+export function addStroke(stroke: Stroke): void {
+  undone.value = [];
+  changeMask((now) => ({ ...now, strokes: [...now.strokes, stroke] }));
+}
+
+export function canUndoStroke(): boolean {
+  return settings.value.strokes.length > 0;
+}
+
+export function canRedoStroke(): boolean {
+  return undone.value.length > 0;
+}
+
+export function undoStroke(): void {
+  const { strokes } = settings.peek();
+  const last = strokes.at(-1);
+  if (!last) return;
+  undone.value = [...undone.peek(), last];
+  changeMask((now) => ({ ...now, strokes: strokes.slice(0, -1) }));
+  announce("The last stroke is taken back.");
+}
+
+export function redoStroke(): void {
+  const last = undone.peek().at(-1);
+  if (!last) return;
+  undone.value = undone.peek().slice(0, -1);
+  changeMask((now) => ({ ...now, strokes: [...now.strokes, last] }));
+}
+
+/** What was painted on a picture is kept with it. */
+const kept = new Map<number, { settings: Settings; part: number }>();
+
+/** Keeps mask and outline up with the picture and the settings. Returns the end of it. */
+export function watchMask(): () => void {
+  let picture: number | null = null;
+  return effect(() => {
+    const now = opened.value;
+    const id = now?.id ?? null;
+    if (id !== picture) {
+      if (picture !== null) kept.set(picture, { settings: settings.peek(), part: part.peek() });
+      picture = id;
+      const last = id === null ? undefined : kept.get(id);
+      batch(() => {
+        settings.value = last?.settings ?? PLAIN;
+        part.value = last?.part ?? 0;
+        undone.value = [];
+        masked.value = null;
+        traced.value = null;
+        warnings.value = [];
+      });
+    }
+    if (!now) {
+      turn.clear();
+      masking.value = false;
+      return;
+    }
+    const wanted = settings.value;
+    const chosen = part.value;
+    masking.value = true;
+    turn.ask(() => work(now.id, wanted, chosen));
+  });
+}
+
+/** The last mask that was asked for: another part of it needs no other. */
+let last: { id: number; settings: Settings } | null = null;
+
+async function work(id: number, wanted: Settings, picked: number): Promise<void> {
+  const current = () => opened.peek()?.id === id;
+  let chosen = picked;
+  try {
+    let mask = masked.peek();
+    if (!mask || last?.id !== id || last.settings !== wanted) {
+      const { threshold, stalk, strokes } = wanted;
+      const before = mask?.components[chosen];
+      mask = await fitTask("mask", { id, threshold, petiole: stalk, strokes }, { lane: PICTURE_LANE });
+      if (!current()) return;
+      last = { id, settings: wanted };
+      // The part that was picked may have another place in the list now.
+      const place = before ? sameComponent(mask.components, before, chosen) : Math.max(0, chosen);
+      batch(() => {
+        masked.value = mask;
+        if (place !== part.peek() && part.peek() === chosen) part.value = place;
+      });
+      chosen = place;
+    }
+    if (mask.components.length === 0) {
+      batch(() => {
+        traced.value = null;
+        warnings.value = mask.warnings;
+      });
+      return;
+    }
+    const component = Math.min(chosen, mask.components.length - 1);
+    const outline = await fitTask("outline", { id, component }, { lane: PICTURE_LANE });
+    if (!current()) return;
+    const { width, height } = mask;
+    const all = mask.warnings;
+    batch(() => {
+      traced.value = framed(outline.points, frameOfSize(width, height));
+      warnings.value = [...all, ...outline.warnings];
+    });
+  } catch (problem) {
+    if (current() && !isStopped(problem)) notify({ kind: "error", text: wordsOf(problem) });
+  } finally {
+    if (current() && settings.peek() === wanted) masking.value = false;
+  }
+}
+
+/** Where a part is after the mask has changed: the one that covers most of its box; the first if none does. */
+export function sameComponent(all: readonly Component[], before: Component, at: number): number {
+  // What is largest stays what is largest.
+  if (at === 0) return 0;
+  let best = 0;
+  let most = 0;
+  all.forEach(({ box }, i) => {
+    const across = Math.min(box[2], before.box[2]) - Math.max(box[0], before.box[0]);
+    const up = Math.min(box[3], before.box[3]) - Math.max(box[1], before.box[1]);
+    const shared = Math.max(0, across) * Math.max(0, up);
+    const area = Math.max(1, (box[2] - box[0]) * (box[3] - box[1]));
+    // Of one that is inside a larger one the smaller is nearer to what it was.
+    const like = (shared * shared) / area;
+    if (like > most) {
+      most = like;
+      best = i;
+    }
+  });
+  return best;
+}

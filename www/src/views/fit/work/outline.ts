@@ -1,0 +1,131 @@
+/** The outline that is fitted: of the source, in units of the plane, smoothed as the document says. */
+import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import type { Curve } from "../../../engine/api";
+import { fitTask } from "../../../engine/fit/client";
+import type { Prepared } from "../../../engine/fit/tasks/curve";
+import { frond } from "../../../engine/wasm";
+import { notify, wordsOf } from "../../../state/notice";
+import { fitDocument } from "../../../state/outline";
+import { boxOf, framed, frameOfPoints, frameOfSize, PLAIN } from "./frame";
+import { InTurn, isStopped } from "./latest";
+import { traced } from "./mask";
+import { chooseOutline, former, type Source, source, takeFormer } from "./source";
+
+/** How far the polyline of a curve may be from it where it stands for its outline, in parts of its size. */
+const FINE = 5e-4;
+
+const grown = signal<{ of: Source; points: Float64Array } | null>(null);
+
+/** All points of the source, or null while they are not there. */
+export const raw: ReadonlySignal<Float64Array | null> = computed(() => {
+  const now = source.value;
+  switch (now.kind) {
+    case "grown":
+      return grown.value?.of === now ? grown.value.points : null;
+    case "picture":
+      return traced.value;
+    case "outlines": {
+      const points = now.outlines[now.chosen]?.points;
+      // All outlines of a file keep their places: the first is the largest.
+      const first = now.outlines[0]?.points;
+      return points && first ? framed(points, frameOfPoints(first)) : null;
+    }
+    case "kept":
+      return keptPoints.value;
+  }
+});
+
+/** Once for each source: the polyline of one curve is one outline. */
+const keptPoints = computed(() => {
+  const now = source.value;
+  return now.kind === "kept" ? polylineOf(now.curve) : null;
+});
+
+/** A curve as a polyline, fine enough to stand for an outline. */
+export function polylineOf(curve: Curve): Float64Array | null {
+  try {
+    const handle = new frond.CurveMorph(curve, null);
+    const [x0, y0, x1, y1] = handle.bounds(0);
+    const points = handle.polyline(0, { tolerance: FINE * Math.max(x1 - x0, y1 - y0) });
+    handle.free();
+    return points;
+  } catch {
+    return null;
+  }
+}
+
+/** What is fitted now. */
+export const prepared = signal<Prepared | null>(null);
+/** Where it lies: what the stage fits. */
+export const outlineBox = computed(() => {
+  const points = prepared.value?.points ?? raw.value;
+  return points ? boxOf(points) : null;
+});
+
+/** Units of the plane a unit of the source, and where its origin lies. */
+export const frame = computed(() => {
+  const now = source.value;
+  if (now.kind === "picture") return frameOfSize(now.picture.width, now.picture.height);
+  if (now.kind === "outlines" && now.outlines[0]) return frameOfPoints(now.outlines[0].points);
+  return PLAIN;
+});
+
+/** Not that of the fits: these take seconds. */
+const OUTLINE_LANE = 1;
+
+const turn = new InTurn();
+let last: { raw: Float64Array; smoothing: number } | null = null;
+
+/** Keeps what is fitted up with the source and the smoothing. Returns the end of it. */
+export function watchOutline(): () => void {
+  const stopGrowing = effect(() => {
+    const now = source.value;
+    if (now.kind !== "grown" || grown.peek()?.of === now) return;
+    fitTask("grow", { kind: now.grown, seed: now.seed }, { lane: OUTLINE_LANE }).then(
+      (points) => {
+        if (source.peek() === now) grown.value = { of: now, points };
+      },
+      (problem) => {
+        if (!isStopped(problem)) notify({ kind: "error", text: wordsOf(problem) });
+      },
+    );
+  });
+  const smoothing = computed(() => fitDocument.value.smoothing);
+  const stopPreparing = effect(() => {
+    const points = raw.value;
+    const much = smoothing.value;
+    if (!points) {
+      turn.clear();
+      last = null;
+      prepared.value = null;
+      return;
+    }
+    if (last && last.raw === points && last.smoothing === much) return;
+    turn.ask(() => prepare(points, much));
+  });
+  return () => {
+    stopGrowing();
+    stopPreparing();
+  };
+}
+
+async function prepare(points: Float64Array, smoothing: number): Promise<void> {
+  try {
+    const got = await fitTask("prepare", { points, smoothing }, { lane: OUTLINE_LANE });
+    if (raw.peek() !== points) return;
+    last = { raw: points, smoothing };
+    prepared.value = got;
+  } catch (problem) {
+    if (raw.peek() !== points || isStopped(problem)) return;
+    const back = former.peek();
+    const now = source.peek();
+    notify({
+      kind: "error",
+      text: `This outline cannot be fitted: ${wordsOf(problem)}`,
+      ...(back && now.kind !== "picture"
+        ? { action: { label: `Back to ${back.name}`, run: takeFormer } }
+        : {}),
+    });
+    if (now.kind === "outlines" && now.chosen !== 0) chooseOutline(0);
+  }
+}
