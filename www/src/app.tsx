@@ -1,8 +1,9 @@
-import { signal, useSignalEffect } from "@preact/signals";
+import { type Signal, signal, useSignalEffect } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
 import type { PainterBackend } from "./canvas/painter";
 import { Stage } from "./canvas/stage";
+import type { Tool } from "./engine/api";
 import { loadProof } from "./engine/proof";
 import { EvidencePanel } from "./shell/evidence/Panel";
 import { Header } from "./shell/header";
@@ -44,29 +45,61 @@ function Notices() {
   );
 }
 
+/** What is told and shown of each tool. */
+const TOOLS: Record<Tool, { title: string; side: string; missing: string }> = {
+  morph: { title: "Frond: morph one fractal into another", side: "Shapes and path", missing: "" },
+  deform: {
+    title: "Frond: bend a fractal by a grid",
+    side: "Shape and grid",
+    missing: "The deformation grid could not be loaded",
+  },
+  fit: {
+    title: "Frond: find the formula of an outline",
+    side: "Outline and fit",
+    missing: "The fit could not be loaded",
+  },
+};
+
 /** The tools share the stage; each brings its own panel and its own time strip. */
 function Studio({ backend }: { backend: "auto" | PainterBackend }) {
-  const bending = tool.value === "deform";
+  const open = tool.value;
   useEffect(() => {
-    if (bending) loadDeform();
-  }, [bending]);
-  const Deform = deform.value;
+    if (open === "deform") load(deform, () => import("./views/deform"), open);
+    if (open === "fit") load(fit, () => import("./views/fit"), open);
+  }, [open]);
+  const [Deform, Fit] = [deform.value, fit.value];
+  const { title, side } = TOOLS[open];
   return (
     <main class="studio">
-      <h1 class="unseen">
-        {bending ? "Frond: bend a fractal by a grid" : "Frond: morph one fractal into another"}
-      </h1>
-      <Stage backend={backend} overlay={bending ? Deform !== null && <Deform.DeformOverlay /> : undefined}>
-        <div class="stage-foot">
-          {!bending && (curved.value ? <CurveChip /> : <VerdictChip />)}
-          <Readout />
-        </div>
-        {!bending && (curved.value ? <CurveEvidence /> : <EvidencePanel />)}
-      </Stage>
-      <aside class="side" aria-label={bending ? "Shape and grid" : "Shapes and path"}>
-        {bending ? Deform && <Deform.DeformPanel curve={CURVE} /> : <MorphPanel curve={CURVE} />}
+      <h1 class="unseen">{title}</h1>
+      {/* It keeps its renderer while a tool with a picture of its own is open. */}
+      <div class={open === "fit" ? "stage-away" : "stage-here"}>
+        <Stage
+          backend={backend}
+          overlay={open === "deform" ? Deform !== null && <Deform.DeformOverlay /> : undefined}
+        >
+          <div class="stage-foot">
+            {open === "morph" && (curved.value ? <CurveChip /> : <VerdictChip />)}
+            <Readout />
+          </div>
+          {open === "morph" && (curved.value ? <CurveEvidence /> : <EvidencePanel />)}
+        </Stage>
+      </div>
+      {open === "fit" && (
+        <section class="stage" aria-label="Outline">
+          {Fit && <Fit.FitStage />}
+        </section>
+      )}
+      <aside class="side" aria-label={side}>
+        {open === "morph" && <MorphPanel curve={CURVE} />}
+        {open === "deform" && Deform && <Deform.DeformPanel curve={CURVE} />}
+        {open === "fit" && Fit && <Fit.FitPanel />}
       </aside>
-      <div class="time">{bending ? Deform && <Deform.DeformStrip /> : <MorphStrip />}</div>
+      <div class="time">
+        {open === "morph" && <MorphStrip />}
+        {open === "deform" && Deform && <Deform.DeformStrip />}
+        {open === "fit" && Fit && <Fit.FitStrip />}
+      </div>
     </main>
   );
 }
@@ -80,16 +113,16 @@ const CURVE: CurveParts = {
 };
 
 const deform = signal<typeof import("./views/deform") | null>(null);
+const fit = signal<typeof import("./views/fit") | null>(null);
 
-/** The deformation tool is loaded when it is first opened. */
-function loadDeform(): void {
-  if (deform.peek()) return;
-  import("./views/deform").then(
+/** Tools besides the morph are loaded when they are first opened. */
+function load<T>(into: Signal<T | null>, get: () => Promise<T>, name: Tool): void {
+  if (into.peek()) return;
+  get().then(
     (module) => {
-      deform.value = module;
+      into.value = module;
     },
-    (problem) =>
-      notify({ kind: "error", text: `The deformation grid could not be loaded: ${wordsOf(problem)}` }),
+    (problem) => notify({ kind: "error", text: `${TOOLS[name].missing}: ${wordsOf(problem)}` }),
   );
 }
 

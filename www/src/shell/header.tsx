@@ -30,6 +30,7 @@ export function Header() {
       <nav class="places" aria-label="Places">
         <ToolPlace name="morph">Morph</ToolPlace>
         <ToolPlace name="deform">Deform</ToolPlace>
+        <ToolPlace name="fit">Fit</ToolPlace>
         <Place href="#figures" here={!studio}>
           Figures
         </Place>
@@ -134,6 +135,7 @@ function PlaceChoice() {
       >
         <option value="morph">Morph</option>
         <option value="deform">Deform</option>
+        <option value="fit">Fit</option>
         <option value="figures">Figures</option>
       </select>
       <Icon name="down" size={16} />
