@@ -88,10 +88,10 @@ pub fn light(relief: &Relief, camera: &Camera, looks: &[Look], lighting: &Lighti
         let open = 1.0 - lighting.hollows * scene.hollow(x, y, depth);
         let shine = (lighting.ambient + (1.0 - lighting.ambient) * facing) * open;
         let fog = lighting.fog * ((depth - near) / (far - near).max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
-        for k in 0..3 {
+        for (c, ground) in colour.into_iter().zip(lighting.ground) {
             // Light adds up as it is, not as it is written.
-            let lit = to_srgb(to_linear(colour[k]) * shine * 1.25);
-            let faded = lit + fog * (lighting.ground[k] - lit);
+            let lit = to_srgb(to_linear(c) * shine * 1.25);
+            let faded = lit + fog * (ground - lit);
             pixels.push((faded.clamp(0.0, 1.0) * 255.0).round() as u8);
         }
         pixels.push(255);
@@ -104,7 +104,7 @@ fn object(code: u32) -> usize {
 }
 
 fn to_linear(c: f32) -> f32 {
-    c * c.sqrt() * c.powf(0.7)
+    c.max(0.0).powf(2.2)
 }
 
 fn to_srgb(c: f32) -> f32 {
@@ -176,5 +176,54 @@ impl Scene<'_> {
             sum += weight * covered / RAYS as f32;
         }
         sum.min(1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::colour::Colouring;
+
+    fn camera() -> Camera {
+        Camera::looking(DVec3::Z * 10.0, DVec3::ZERO, DVec3::Y, 0.8).unwrap()
+    }
+
+    /// The grey of each pixel of a relief whose depth is given.
+    fn greys(side: u32, depth: impl Fn(f32, f32) -> f32, lighting: &Lighting) -> Vec<u8> {
+        let mut relief = Relief::new(side, side);
+        for (y, x) in (0..side).flat_map(|y| (0..side).map(move |x| (y, x))) {
+            let depth = depth(x as f32 / side as f32 - 0.5, 0.5 - y as f32 / side as f32);
+            if depth.is_finite() {
+                relief.put(x, y, depth, 1);
+            }
+        }
+        let look = Look::new(Colouring::Map, &[[200, 200, 200]], 1);
+        let pixels = light(&relief, &camera(), &[look], lighting);
+        assert_eq!(pixels.len(), (side * side * 4) as usize);
+        pixels.chunks(4).map(|p| if p[3] == 0 { 0 } else { p[0].max(1) }).collect()
+    }
+
+    #[test]
+    fn a_slope_towards_the_light_is_brighter() {
+        let lighting = Lighting { towards: [-1.0, 0.0, -1.0], hollows: 0.0, fog: 0.0, ..Lighting::default() };
+        // Rising to the left means that it is nearer there, and faces right; and the other way round.
+        let slope = |s: f32| greys(60, move |x, _| 10.0 + s * x * 8.0, &lighting)[30 * 60 + 30];
+        let (left, flat, right) = (slope(-1.0), slope(0.0), slope(1.0));
+        assert!(left > flat && flat > right, "{left} {flat} {right}");
+    }
+
+    #[test]
+    fn pits_are_dark_and_what_is_far_fades() {
+        let lighting = Lighting { fog: 0.0, ..Lighting::default() };
+        let pit = greys(80, |x, y| if x.hypot(y) < 0.06 { 11.0 } else { 10.0 }, &lighting);
+        assert!(pit[40 * 80 + 40] + 25 < pit[40 * 80 + 8], "{} {}", pit[40 * 80 + 40], pit[40 * 80 + 8]);
+        let steps = |x: f32, _| if x < 0.0 { 10.0 } else { 30.0 };
+        let [plain, foggy] =
+            [0.0, 1.0].map(|fog| greys(80, steps, &Lighting { fog, hollows: 0.0, ..lighting })[40 * 80 + 70]);
+        assert!(foggy < 10 && plain > 80, "{plain} {foggy}");
+        let none = greys(8, |_, _| f32::INFINITY, &lighting);
+        assert!(none.iter().all(|&grey| grey == 0));
     }
 }
