@@ -17,6 +17,7 @@ import { listen } from "./shortcuts";
 import { hand } from "./stage/brush";
 import { FitStage as OutlineStage } from "./stage/FitStage";
 import { step } from "./stage/layers";
+import { watchFeatures } from "./stage/sight";
 import { FitStrip as OutlineStrip } from "./strip/FitStrip";
 import { Layers } from "./strip/Layers";
 import { watchFit } from "./work/fitting";
@@ -40,7 +41,7 @@ function Outline() {
   useEffect(() => {
     // The workers come up while the page is laid out.
     for (const lane of [0, 1] as const) fitTask("wake", {}, { lane }).catch(() => {});
-    const stops = [watchMask(), watchOutline(), watchFit(), watchStep(), listen()];
+    const stops = [watchMask(), watchOutline(), watchFit(), watchStep(), watchFeatures(), listen()];
     return () => {
       for (const stop of stops) stop();
     };

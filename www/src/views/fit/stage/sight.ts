@@ -1,12 +1,11 @@
 /** What is on the stage of the fit now. */
-import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import type { View } from "../../../canvas/geometry";
 import type { Curve } from "../../../engine/api";
 import { fitTask } from "../../../engine/fit/client";
-import type { Prepared } from "../../../engine/fit/tasks/curve";
 import { type CurveMorphHandle, frond } from "../../../engine/wasm";
 import { fitDocument } from "../../../state/outline";
-import { collage, shownFit } from "../work/fitting";
+import { collage, collageOptions, shownFit } from "../work/fitting";
 import { masked } from "../work/mask";
 import { frame, prepared, raw } from "../work/outline";
 import { opened } from "../work/source";
@@ -15,17 +14,26 @@ import { effectiveView, stageSize } from "./camera";
 import type { Sight } from "./draw";
 import { comparing, cutting, knotsShown, outlineShown, photoShown } from "./layers";
 
+/** Whether the closed curve is what is fitted. */
+const closed = computed(() => fitDocument.value.model === "closed");
+
 /** Feature points of the paper's fit, when they are shown. */
 export const featurePoints = signal<Float64Array | null>(null);
 
-/** Asks for the feature points of an outline. */
-export function findFeatures(outline: Prepared, count: number): void {
-  fitTask("features", { points: outline.points, count }, { lane: 1 }).then(
-    (points) => {
-      if (prepared.peek() === outline) featurePoints.value = points;
-    },
-    () => {},
-  );
+/** Asks for the feature points of the paper's fit while they are shown. Returns the end of it. */
+export function watchFeatures(): () => void {
+  return effect(() => {
+    const outline = prepared.value;
+    if (!outline || closed.value || !knotsShown.value) return;
+    const count = collageOptions.value.features;
+    fitTask("features", { points: outline.points, count }, { lane: 1 }).then(
+      (points) => {
+        if (prepared.peek() === outline) featurePoints.value = points;
+      },
+      // The fit says what is wrong with it.
+      () => {},
+    );
+  });
 }
 
 /** A polyline that leaves the curve by less than can be seen. */
@@ -51,9 +59,6 @@ function polyline(curve: Curve, plain: Float64Array, view: View): Float64Array {
     return plain;
   }
 }
-
-/** Whether the closed curve is what is fitted. */
-const closed = computed(() => fitDocument.value.model === "closed");
 
 export const sight: ReadonlySignal<Sight> = computed(() => {
   const picture = opened.value;

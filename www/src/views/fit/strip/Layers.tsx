@@ -1,21 +1,11 @@
-import { useEffect } from "preact/hooks";
 import { fitDocument } from "../../../state/outline";
 import { Switch } from "../../../ui/Switch";
 import { knotsShown, outlineShown, photoShown } from "../stage/layers";
-import { findFeatures } from "../stage/sight";
-import { collageOptions } from "../work/fitting";
-import { prepared } from "../work/outline";
 import { opened } from "../work/source";
 
 /** What is drawn beside the fit. */
 export function Layers() {
   const paper = fitDocument.value.model === "collage";
-  const outline = prepared.value;
-  const { features } = collageOptions.value;
-  const wanted = paper && knotsShown.value;
-  useEffect(() => {
-    if (wanted && outline) findFeatures(outline, features);
-  }, [wanted, outline, features]);
   return (
     <fieldset class="layers">
       <legend class="unseen">Shown</legend>
