@@ -1,0 +1,32 @@
+import "./graph.css";
+import { useEffect } from "preact/hooks";
+import { changeFit } from "../../../state/outline";
+import { listenForFiles } from "../arrivals";
+import { takeSeries } from "../series";
+import { takeFile as takeOutlineFile } from "../work/source";
+import { FindSection } from "./Find";
+import { FoundSection } from "./Found";
+import { FunctionSection } from "./Pieces";
+import { isTable, takeFile } from "./series";
+
+/** The function by hand, and how one is found in what is measured. */
+export function GraphPanel() {
+  useEffect(() => listenForFiles(take), []);
+  return (
+    <div class="graph-panel">
+      <FindSection />
+      <FoundSection />
+      <FunctionSection />
+    </div>
+  );
+}
+
+/** What is no table of numbers goes to the other half of the tool. */
+function take(file: File): void {
+  if (isTable(file.name) || file.type.startsWith("text/")) {
+    void takeFile(file);
+    return;
+  }
+  changeFit((fit) => ({ ...fit, mode: "outline" }));
+  void takeOutlineFile(file, file.name, takeSeries);
+}

@@ -1,0 +1,72 @@
+import "./graph.css";
+import { chosen, current, found, isPicked, running } from "./search";
+import { series } from "./series";
+import { countWords, nameOf } from "./words";
+
+const WIDTH = 1000;
+const HEIGHT = 100;
+/** As many as the paper shows. */
+const MOST = 100;
+
+/** Hits of the clusters, the most first (Fig 5, top). */
+export function GraphStrip() {
+  const list = current.value ? found.value.slice(0, MOST) : [];
+  if (list.length === 0) {
+    return (
+      <div class="graph-strip">
+        <p class="hint">
+          {running.value
+            ? "Counting votes for every smaller copy that may be there."
+            : series.value
+              ? "Find the maps: the votes for each will stand here."
+              : "Drag the points of the graph, turn the roughness of its pieces, or look for the maps of a series."}
+        </p>
+      </div>
+    );
+  }
+  const most = Math.max(1, ...list.map(({ hits }) => hits));
+  const step = WIDTH / Math.max(20, list.length);
+  return (
+    <div class="graph-strip">
+      <p class="hint">
+        Hits of the {list.length} largest clusters: up to <span class="number">{countWords(most)}</span>
+      </p>
+      <svg
+        class="histogram"
+        viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+        preserveAspectRatio="none"
+        role="img"
+        aria-label={`Hits of the ${list.length} largest clusters, from ${most} down to ${list.at(-1)?.hits ?? 0}. The list of candidates has them in words.`}
+      >
+        {list.map((cluster, index) => {
+          const tall = Math.max(1.5, (HEIGHT * cluster.hits) / most);
+          return (
+            // biome-ignore lint/a11y/noStaticElementInteractions: the list of candidates does the same for keys
+            <g
+              key={index}
+              class={`bar ${cluster.kind} ${chosen.value === index ? "chosen" : ""} ${isPicked(index) ? "picked" : ""}`}
+              onClick={() => {
+                chosen.value = index;
+              }}
+            >
+              <title>{`${nameOf(cluster, index)}: ${countWords(cluster.hits)} hits`}</title>
+              <rect class="reach" x={index * step} y={0} width={step} height={HEIGHT} />
+              <rect
+                class="spot"
+                x={index * step + 0.1 * step}
+                y={HEIGHT - tall}
+                width={0.8 * step}
+                height={tall}
+              />
+            </g>
+          );
+        })}
+      </svg>
+      <ul class="histogram-key">
+        <li class="map">Map</li>
+        <li class="echo">Echo</li>
+        <li class="clutter">Clutter</li>
+      </ul>
+    </div>
+  );
+}

@@ -1,0 +1,349 @@
+import { computed } from "@preact/signals";
+import { dark } from "../../../state/preferences";
+import { endGesture } from "../../../state/scene";
+import { palette } from "../../../style/palette";
+import { Button } from "../../../ui/Button";
+import { NumberField } from "../../../ui/NumberField";
+import { formatNumber } from "../../../ui/number";
+import { Segmented } from "../../../ui/Segmented";
+import { Slider } from "../../../ui/Slider";
+import { Switch } from "../../../ui/Switch";
+import {
+  changeModel,
+  chooseKind,
+  chosenKnot,
+  chosenPiece,
+  FIRST,
+  facts,
+  isFirst,
+  model,
+  problem,
+  take,
+  value,
+} from "./document";
+import {
+  interval,
+  type Kind,
+  MOST_C,
+  MOST_PIECES,
+  spanOf,
+  withKnot,
+  withKnotIn,
+  withoutKnot,
+  withPart,
+} from "./model";
+import { KINDS } from "./words";
+
+/** Up to here all pieces have a slider; beyond, the chosen one has. */
+const ALL = 12;
+
+/** What the graph is made of. */
+export function FunctionSection() {
+  const now = model.value;
+  return (
+    <section class="graph-function">
+      <div class="section-head">
+        <h2>The function</h2>
+        <Button kind="quiet" icon="reset" disabled={isFirst.value} onClick={() => take(FIRST)}>
+          Figure 1
+        </Button>
+      </div>
+      <p class="row-name" id="graph-kind">
+        Every piece is a smaller copy of
+      </p>
+      <Segmented<Kind>
+        label="What every piece is a copy of"
+        options={KINDS.map(({ value: kind, label, symbol, about }) => ({
+          value: kind,
+          label: (
+            <>
+              {label} <small class="dim">{symbol}</small>
+            </>
+          ),
+          description: about,
+        }))}
+        value={now.kind}
+        onChange={chooseKind}
+      />
+      <PieceList />
+      <KnotFields />
+      <FactList />
+    </section>
+  );
+}
+
+const colours = computed(() => palette(dark.value ? "dark" : "light"));
+
+function PieceList() {
+  const { parts } = model.value;
+  const chosen = Math.min(chosenPiece.value, parts.length - 1);
+  const shown = parts.length <= ALL ? parts.map((_, i) => i) : [chosen];
+  return (
+    <>
+      {parts.length > ALL && (
+        <div class="row">
+          <label class="row-name" for="graph-piece">
+            Piece of {parts.length}
+          </label>
+          <select
+            id="graph-piece"
+            class="select"
+            value={chosen}
+            onChange={(event) => {
+              chosenPiece.value = Number(event.currentTarget.value);
+            }}
+          >
+            {parts.map((_, i) => (
+              <option key={i} value={i}>
+                {i + 1}
+              </option>
+            ))}
+          </select>
+        </div>
+      )}
+      <ol class="graph-pieces">
+        {shown.map((index) => (
+          <PieceRow key={index} index={index} open={index === chosen} />
+        ))}
+      </ol>
+    </>
+  );
+}
+
+function PieceRow({ index, open }: { index: number; open: boolean }) {
+  const { parts, kind } = model.value;
+  const part = parts[index];
+  if (!part) return null;
+  const colour = colours.value[index % colours.value.length] ?? "gray";
+  const change = (c: number) =>
+    changeModel((now) => withPart(now, index, { c }), `roughness ${index}`)
+      ? undefined
+      : (problem.peek() ?? "");
+  const words = `${formatNumber(part.c, 2)}, ${roughWords(part.c)}`;
+  return (
+    <li class={open ? "graph-piece open" : "graph-piece"} style={{ "--piece": colour }}>
+      <button
+        type="button"
+        class="piece-number"
+        aria-expanded={open}
+        aria-label={`Piece ${index + 1}`}
+        onClick={() => {
+          chosenPiece.value = index;
+        }}
+      >
+        {index + 1}
+      </button>
+      <Slider
+        label={`Roughness of piece ${index + 1}`}
+        value={part.c}
+        min={-0.95}
+        max={0.95}
+        valueText={words}
+        onChange={(c) => change(Number(c.toFixed(3)))}
+        onDone={endGesture}
+      />
+      <NumberField
+        label={`Roughness of piece ${index + 1}`}
+        symbol="c"
+        terse
+        value={part.c}
+        min={-MOST_C}
+        max={MOST_C}
+        digits={3}
+        onChange={change}
+        onDone={endGesture}
+      />
+      {open && (
+        <div class="piece-more">
+          <Switch
+            checked={part.reflected}
+            onChange={(reflected) => changeModel((now) => withPart(now, index, { reflected }))}
+            description="The copy runs from right to left."
+          >
+            Mirrored
+          </Switch>
+          {kind !== "fif" && <Domain index={index} />}
+          <Button
+            kind="quiet"
+            icon="add"
+            disabled={parts.length >= MOST_PIECES}
+            description="A point in the middle of this piece, on the graph"
+            onClick={() => addKnot(index)}
+          >
+            Point
+          </Button>
+        </div>
+      )}
+    </li>
+  );
+}
+
+function roughWords(c: number): string {
+  const size = Math.abs(c);
+  if (size === 0) return "straight";
+  return size < 0.3 ? "calm" : size < 0.6 ? "rough" : "very rough";
+}
+
+function addKnot(piece: number): void {
+  const at = value.peek();
+  if (changeModel((now) => withKnotIn(now, piece, at))) chosenKnot.value = piece + 1;
+}
+
+/** What a piece copies: from knot to knot, or from any t to any other. */
+function Domain({ index }: { index: number }) {
+  const { parts, knots, kind } = model.value;
+  const part = parts[index];
+  if (!part) return null;
+  if (kind === "rfif") {
+    const span = spanOf(knots, part.domain);
+    const set = (end: 0 | 1, knot: number) =>
+      changeModel((now) => {
+        const to: [number, number] = [...(now.parts[index]?.domain ?? [0, 1])];
+        to[end] = now.knots[knot]?.[0] ?? to[end];
+        return withPart(now, index, { domain: [Math.min(...to), Math.max(...to)] });
+      });
+    return (
+      <p class="piece-domain">
+        <span class="row-name">copies from point</span>
+        {([0, 1] as const).map((end) => (
+          <select
+            key={end}
+            class="select"
+            aria-label={
+              end === 0 ? `Piece ${index + 1} copies from point` : `Piece ${index + 1} copies up to point`
+            }
+            value={span[end]}
+            onChange={(event) => set(end, Number(event.currentTarget.value))}
+          >
+            {knots.map((_, i) => (
+              <option key={i} value={i}>
+                {i + 1}
+              </option>
+            ))}
+          </select>
+        ))}
+      </p>
+    );
+  }
+  const [from, to] = interval(knots);
+  const set = (end: 0 | 1, t: number) => {
+    const done = changeModel((now) => {
+      const domain: [number, number] = [...(now.parts[index]?.domain ?? [0, 1])];
+      domain[end] = t;
+      return withPart(now, index, { domain });
+    }, `domain ${index} ${end}`);
+    return done ? undefined : (problem.peek() ?? "");
+  };
+  return (
+    <div class="piece-domain">
+      {([0, 1] as const).map((end) => (
+        <NumberField
+          key={end}
+          label={end === 0 ? "copies from" : "to"}
+          symbol={end === 0 ? "α" : "β"}
+          value={part.domain[end]}
+          min={from}
+          max={to}
+          step={0.01 * (to - from)}
+          onChange={(t) => set(end, t)}
+          onDone={endGesture}
+        />
+      ))}
+    </div>
+  );
+}
+
+/** The chosen point in numbers. */
+function KnotFields() {
+  const { knots } = model.value;
+  const index = chosenKnot.value ?? 0;
+  const knot = knots[index];
+  if (!knot) return null;
+  const [from, to] = interval(knots);
+  const set = (at: 0 | 1, x: number) => {
+    const done = changeModel((now) => {
+      const old = now.knots[index] ?? [0, 0];
+      return withKnot(now, index, at === 0 ? [x, old[1]] : [old[0], x]);
+    }, `knot ${index} ${at}`);
+    return done ? undefined : (problem.peek() ?? "");
+  };
+  return (
+    <fieldset class="knot-fields">
+      <legend class="row-name">
+        Point{" "}
+        <select
+          class="select"
+          aria-label="Which point"
+          value={index}
+          onChange={(event) => {
+            chosenKnot.value = Number(event.currentTarget.value);
+          }}
+        >
+          {knots.map((_, i) => (
+            <option key={i} value={i}>
+              {i + 1}
+            </option>
+          ))}
+        </select>
+      </legend>
+      <NumberField
+        label={`Place of point ${index + 1}`}
+        symbol="t"
+        terse
+        value={knot[0]}
+        step={0.01 * (to - from)}
+        onChange={(t) => set(0, t)}
+        onDone={endGesture}
+      />
+      <NumberField
+        label={`Height of point ${index + 1}`}
+        symbol="x"
+        terse
+        value={knot[1]}
+        onChange={(x) => set(1, x)}
+        onDone={endGesture}
+      />
+      <Button
+        kind="quiet"
+        icon="bin"
+        disabled={index === 0 || index === knots.length - 1}
+        onClick={() => changeModel((now) => withoutKnot(now, index))}
+      >
+        Remove
+      </Button>
+    </fieldset>
+  );
+}
+
+function FactList() {
+  const now = facts.value;
+  if (!now) return null;
+  const rows: [string, string, string][] = [
+    [
+      "Box dimension",
+      now.dimension === null ? "–" : `${now.counted ? "about " : ""}${formatNumber(now.dimension, 4)}`,
+      now.counted ? "counted in boxes" : "from the equation of the factors",
+    ],
+    [
+      "Contractivity",
+      formatNumber(now.contractivity, 4),
+      "how much each step shrinks the rest, under the metric of eq 2",
+    ],
+    [
+      "Integral",
+      now.integral === null ? "–" : formatNumber(now.integral, 5),
+      now.integral === null ? "exact only where parts begin and end at points" : "exact",
+    ],
+    ["Widest gap", now.continuous ? "none" : formatNumber(now.widestGap, 5), "between neighbouring pieces"],
+  ];
+  return (
+    <dl class="graph-facts">
+      {rows.map(([name, words, about]) => (
+        <div key={name} title={about}>
+          <dt>{name}</dt>
+          <dd class="number">{words}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}

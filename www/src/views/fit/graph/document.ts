@@ -1,0 +1,111 @@
+/** The graph of the document, what it is made of, and what hands do to it. */
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import type { Graph } from "../../../engine/api";
+import { frond } from "../../../engine/wasm";
+import { announce, notify, wordsOf } from "../../../state/notice";
+import { changeFit, fitDocument } from "../../../state/outline";
+import { asKind, evaluator, type Kind, type Model, modelOf, request } from "./model";
+
+/** Where nothing was made yet: Figure 1 of the paper. */
+export const FIRST: Graph = {
+  kind: "fif",
+  pieces: [
+    { map: [0.5, 1, 0.6, 0, 0], domain: [0, 1] },
+    { map: [0.5, -1, 0.4, 0.5, 1], domain: [0, 1] },
+  ],
+};
+
+export const graph: ReadonlySignal<Graph> = computed(() => fitDocument.value.graph ?? FIRST);
+
+/** Whether the document has a graph of its own. */
+export const isFirst: ReadonlySignal<boolean> = computed(() => fitDocument.value.graph === undefined);
+
+/** The graph at any t, on this thread and at once. */
+export const value: ReadonlySignal<(t: number) => number> = computed(() => evaluator(graph.value));
+
+/** Made by hand from a model: the model says what was meant, to the last digit. */
+const meant = new WeakMap<Graph, Model>();
+
+export const model: ReadonlySignal<Model> = computed(() => {
+  const now = graph.value;
+  return meant.get(now) ?? modelOf(now, value.value);
+});
+
+/** The piece or knot that is looked at. */
+export const chosenPiece = signal(0);
+export const chosenKnot = signal<number | null>(null);
+
+/** What stood in the way of the last change; null once one was made. */
+export const problem = signal<string | null>(null);
+
+/** Changes what the graph is made of: one undo step, or part of a gesture. Says whether it could. */
+export function changeModel(change: (now: Model) => Model, gesture?: string): boolean {
+  const before = model.peek();
+  const after = change(before);
+  if (after === before) return true;
+  const { points, options } = request(after);
+  try {
+    const next = frond.interpolation(points, options);
+    meant.set(next, after);
+    take(next, gesture);
+    return true;
+  } catch (wrong) {
+    problem.value = wordsOf(wrong);
+    return false;
+  }
+}
+
+/** Another graph altogether. */
+export function take(next: Graph, gesture?: string): void {
+  changeFit((fit) => ({ ...fit, mode: "graph", graph: next }), gesture === undefined ? {} : { gesture });
+  problem.value = null;
+  const pieces = next.pieces.length;
+  if (chosenPiece.peek() >= pieces) chosenPiece.value = pieces - 1;
+  const knot = chosenKnot.peek();
+  if (knot !== null && knot > pieces) chosenKnot.value = null;
+}
+
+const NAMES: Record<Kind, string> = {
+  fif: "Every piece copies the whole.",
+  rfif: "Every piece copies what lies between two points.",
+  pfif: "Every piece copies any part.",
+};
+
+/** The most pieces that parts are cut into so that all of them end at points. */
+const MOST_CUT = 128;
+
+export function chooseKind(kind: Kind): void {
+  const now = model.peek();
+  if (now.kind === kind) return;
+  if (kind === "rfif" && now.kind === "pfif") {
+    // Cut finer where that makes it the very same function.
+    const same = frond.toRecurrent(graph.peek(), MOST_CUT);
+    if (same) {
+      take({ ...same, kind: "rfif" });
+      announce(`The same function in ${same.pieces.length} pieces.`);
+      return;
+    }
+    notify({
+      kind: "info",
+      text: "Cut so that all parts begin and end at points, these pieces never come to an end: their parts were moved to the nearest points.",
+    });
+  }
+  if (changeModel((model_) => asKind(model_, kind))) announce(NAMES[kind]);
+}
+
+export interface Facts {
+  contractivity: number;
+  dimension: number | null;
+  counted: boolean;
+  widestGap: number;
+  continuous: boolean;
+  integral: number | null;
+}
+
+export const facts: ReadonlySignal<Facts | null> = computed(() => {
+  try {
+    return frond.graphFacts(graph.value);
+  } catch {
+    return null;
+  }
+});

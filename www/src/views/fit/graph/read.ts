@@ -1,0 +1,15 @@
+/** Reads a series of a file, in the worker that reads files. */
+import { fitTask } from "../../../engine/fit/client";
+import type { OpenedSeries } from "../../../engine/fit/tasks/trace-types";
+
+/** Throws what says what to try. */
+export async function readSeries(file: File): Promise<OpenedSeries> {
+  const got = await fitTask("openFile", { file, name: file.name, as: "series" }, { lane: 1 });
+  if (got.kind === "series") return got;
+  if (got.kind === "picture") got.bitmap.close();
+  const what = got.kind === "picture" ? "a picture" : "an outline";
+  throw {
+    code: "no-series",
+    message: `${file.name} holds ${what}, not a series. Choose “Outline” for it, or take a table with two columns of numbers.`,
+  };
+}
