@@ -62,43 +62,43 @@ const TOOLS: Record<Tool, { title: string; side: string; missing: string }> = {
 
 /** The tools share the stage; each brings its own panel and its own time strip. */
 function Studio({ backend }: { backend: "auto" | PainterBackend }) {
-  const open = tool.value;
+  const now = tool.value;
   useEffect(() => {
-    if (open === "deform") load(deform, () => import("./views/deform"), open);
-    if (open === "fit") load(fit, () => import("./views/fit"), open);
-  }, [open]);
+    if (now === "deform") load(deform, () => import("./views/deform"), now);
+    if (now === "fit") load(fit, () => import("./views/fit"), now);
+  }, [now]);
   const [Deform, Fit] = [deform.value, fit.value];
-  const { title, side } = TOOLS[open];
+  const { title, side } = TOOLS[now];
   return (
     <main class="studio">
       <h1 class="unseen">{title}</h1>
       {/* It keeps its renderer while a tool with a picture of its own is open. */}
-      <div class={open === "fit" ? "stage-away" : "stage-here"}>
+      <div class={now === "fit" ? "stage-away" : "stage-here"}>
         <Stage
           backend={backend}
-          overlay={open === "deform" ? Deform !== null && <Deform.DeformOverlay /> : undefined}
+          overlay={now === "deform" ? Deform !== null && <Deform.DeformOverlay /> : undefined}
         >
           <div class="stage-foot">
-            {open === "morph" && (curved.value ? <CurveChip /> : <VerdictChip />)}
+            {now === "morph" && (curved.value ? <CurveChip /> : <VerdictChip />)}
             <Readout />
           </div>
-          {open === "morph" && (curved.value ? <CurveEvidence /> : <EvidencePanel />)}
+          {now === "morph" && (curved.value ? <CurveEvidence /> : <EvidencePanel />)}
         </Stage>
       </div>
-      {open === "fit" && (
+      {now === "fit" && (
         <section class="stage" aria-label="Outline">
           {Fit && <Fit.FitStage />}
         </section>
       )}
       <aside class="side" aria-label={side}>
-        {open === "morph" && <MorphPanel curve={CURVE} />}
-        {open === "deform" && Deform && <Deform.DeformPanel curve={CURVE} />}
-        {open === "fit" && Fit && <Fit.FitPanel />}
+        {now === "morph" && <MorphPanel curve={CURVE} />}
+        {now === "deform" && Deform && <Deform.DeformPanel curve={CURVE} />}
+        {now === "fit" && Fit && <Fit.FitPanel />}
       </aside>
       <div class="time">
-        {open === "morph" && <MorphStrip />}
-        {open === "deform" && Deform && <Deform.DeformStrip />}
-        {open === "fit" && Fit && <Fit.FitStrip />}
+        {now === "morph" && <MorphStrip />}
+        {now === "deform" && Deform && <Deform.DeformStrip />}
+        {now === "fit" && Fit && <Fit.FitStrip />}
       </div>
     </main>
   );
