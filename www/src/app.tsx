@@ -63,10 +63,10 @@ const TOOLS: Record<Tool, { title: string; side: string; missing: string }> = {
 /** The tools share the stage; each brings its own panel and its own time strip. */
 function Studio({ backend }: { backend: "auto" | PainterBackend }) {
   const now = tool.value;
-  useEffect(() => {
-    if (now === "deform") load(deform, () => import("./views/deform"), now);
-    if (now === "fit") load(fit, () => import("./views/fit"), now);
-  }, [now]);
+  useSignalEffect(() => {
+    if (tool.value === "deform") load(deform, () => import("./views/deform"), tool.value);
+    if (tool.value === "fit") load(fit, () => import("./views/fit"), tool.value);
+  });
   const [Deform, Fit] = [deform.value, fit.value];
   const { title, side } = TOOLS[now];
   return (
