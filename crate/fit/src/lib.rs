@@ -13,6 +13,7 @@
 //! - [`CurveMorph`] brings two closed curves to one structure; at every moment between them there is a closed curve.
 //! - [`Outline`] is a closed polyline that is to be fitted; [`features`] finds its feature points, [`fidelity`] says how
 //!   near a fit is to it.
+//! - [`Tracer`] finds the leaf in a picture and the line round it, [`read_file`] outlines and series in drawings and tables.
 //! - [`split_polyline`], [`least_squares_polyline`] and [`fourier`] spend as many numbers in other ways; [`maple_leaf`]
 //!   and [`oak_leaf`] grow outlines to try all this on.
 //!
@@ -29,9 +30,11 @@ mod grown;
 mod hough;
 mod outline;
 mod piece;
+mod read;
 mod recurrent;
 mod sample;
 mod series;
+mod trace;
 mod weave;
 
 pub use baseline::{fourier, least_squares_polyline, split_polyline};
@@ -54,6 +57,11 @@ pub use outline::{
     fidelity,
 };
 pub use piece::{Piece, spectral_norm};
+pub use read::{FileContent, FileKind, NamedOutline, ReadAs, ReadError, Remark, read_file, sniff};
 pub use recurrent::Recurrent;
 pub use series::Series;
+pub use trace::{
+    Channel, Component, MAX_OUTLINE, MAX_PIXELS, Mask, MaskOptions, Notice, Stroke, TraceError, Traced,
+    Tracer,
+};
 pub use weave::{CurveMorph, MorphError, Woven};

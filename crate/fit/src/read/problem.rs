@@ -1,0 +1,136 @@
+//! Why a file gives no outlines, and what is said of one that does.
+
+use thiserror::Error;
+
+/// Why a file gives neither outlines nor a series.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum ReadError {
+    /// No bytes, or blanks only.
+    #[error("The file is empty. Choose another.")]
+    Empty,
+    /// More than 64 MiB.
+    #[error(
+        "The file has {megabytes} megabytes of text, and at most 64 are read. Leave out every second point, or more."
+    )]
+    TooLarge {
+        /// Its size.
+        megabytes: usize,
+    },
+    /// A picture made of pixels: it is to be traced, not read.
+    #[error("This is a {format} picture, whatever its name says. Open it as a picture.")]
+    Picture {
+        /// Its format.
+        format: &'static str,
+    },
+    /// Neither a picture nor a text that is known here.
+    #[error("{}", unknown(*.what))]
+    Unknown {
+        /// What it seems to be.
+        what: Option<&'static str>,
+    },
+    /// The XML or JSON is broken.
+    #[error("The {format} breaks off or is miswritten: {why}. Save it again from the program that made it.")]
+    Broken {
+        /// SVG or JSON.
+        format: &'static str,
+        /// What and where.
+        why: String,
+    },
+    /// The drawing defines entities, which can be made to grow without end.
+    #[error("The drawing defines entities (<!ENTITY>), which are not read. Save it again as plain SVG.")]
+    Entities,
+    /// The drawing has more elements than are looked at.
+    #[error("The drawing has too many elements: at most {most} are looked at. Leave only the outline in it.")]
+    TooMany {
+        /// How many are looked at.
+        most: usize,
+    },
+    /// Nothing in it has an outline.
+    #[error("{}", nothing(.format))]
+    Nothing {
+        /// What it is.
+        format: &'static str,
+    },
+    /// The text has no numbers where they are looked for.
+    #[error(
+        "This is a text, and line {line} holds no numbers that could be read: “{text}”. A table has one or two numbers a line, and may have a heading."
+    )]
+    NoNumbers {
+        /// The line, from 1.
+        line: usize,
+        /// What stands there.
+        text: String,
+    },
+    /// Too few points.
+    #[error("There are {count} points, and {}. Give more.", needs(*.series))]
+    TooFew {
+        /// How many there are.
+        count: usize,
+        /// Whether it was read as a series.
+        series: bool,
+    },
+    /// The points enclose no area.
+    #[error("The points enclose no area: they lie on a straight line, or go there and back.")]
+    Flat,
+    /// One column cannot be an outline.
+    #[error(
+        "There is one number a line, and an outline needs two, x and y. Read it as a series, or add a column."
+    )]
+    OneColumn,
+}
+
+fn unknown(what: Option<&str>) -> String {
+    let what = what.map_or_else(|| "neither a picture nor a text".into(), |what| format!("a {what}"));
+    format!(
+        "This is {what}. What can be read: pictures (PNG, JPEG, WebP), drawings (SVG), tables of numbers (CSV) and GeoJSON."
+    )
+}
+
+fn nothing(format: &str) -> String {
+    match format {
+        "SVG" => "The drawing has no shape with an outline: texts, pictures and what stands elsewhere are not read. \
+            Turn texts into paths, and trace pictures, before it is saved."
+            .into(),
+        _ => "The JSON has no outline: GeoJSON with a Polygon, a MultiPolygon or a LineString is read.".into(),
+    }
+}
+
+fn needs(series: bool) -> &'static str {
+    if series { "a series needs three or more" } else { "an outline that can be fitted needs four or more" }
+}
+
+impl ReadError {
+    /// A name that does not change, for programs.
+    #[must_use]
+    pub const fn code(&self) -> &'static str {
+        match self {
+            Self::Empty => "empty",
+            Self::TooLarge { .. } => "too-large",
+            Self::Picture { .. } => "picture",
+            Self::Unknown { .. } => "unknown-file",
+            Self::Broken { .. } => "broken",
+            Self::Entities => "entities",
+            Self::TooMany { .. } => "too-many",
+            Self::Nothing { .. } => "nothing",
+            Self::NoNumbers { .. } => "no-numbers",
+            Self::TooFew { .. } => "too-few-points",
+            Self::Flat => "flat",
+            Self::OneColumn => "one-column",
+        }
+    }
+}
+
+/// What is to be said of a file that was read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Remark {
+    /// A name that does not change, for programs: `crossing`, `thinned`, `gaps`, `closed`, `ignored`, `several`.
+    pub code: &'static str,
+    /// A sentence or two that say what to try.
+    pub message: String,
+}
+
+impl Remark {
+    pub(super) fn new(code: &'static str, message: impl Into<String>) -> Self {
+        Self { code, message: message.into() }
+    }
+}
