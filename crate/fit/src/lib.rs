@@ -30,6 +30,7 @@ mod grown;
 mod hough;
 mod outline;
 mod piece;
+mod preset;
 mod read;
 mod recurrent;
 mod sample;
@@ -46,7 +47,7 @@ pub use collage::{CollageError, CollageFit, CollageOptions, Domains, RingMap, fi
 pub use curve::{FractalCurve, Side};
 pub use error::{FunctionError, MAX_POINTS};
 pub use function::{Dimension, FractalFunction};
-pub use grown::{maple_leaf, oak_leaf};
+pub use grown::{island, maple_leaf, oak_leaf};
 pub use hough::{
     Assembly, BINS, Candidate, Cluster, Components, Features, FirstPass, Found, Hough, HoughError,
     HoughOptions, HoughProgress, Kind, Letter, MAX_CELLS, MAX_FEATURES, Model, PLANE, Pick, SecondPass,
@@ -57,6 +58,7 @@ pub use outline::{
     fidelity,
 };
 pub use piece::{Piece, spectral_norm};
+pub use preset::{CurvePreset, curve_presets};
 pub use read::{FileContent, FileKind, NamedOutline, ReadAs, ReadError, Remark, read_file, sniff};
 pub use recurrent::Recurrent;
 pub use series::Series;

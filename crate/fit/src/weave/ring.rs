@@ -218,11 +218,4 @@ impl Ring {
         }
         best
     }
-
-    /// The largest of the copies' norms.
-    #[cfg(test)]
-    pub fn contraction(&self) -> f64 {
-        let norm = |i: usize| self.edges[i].map_or(0.0, |rough| crate::spectral_norm(self.linear(i, &rough)));
-        (0..self.knots.len()).map(norm).fold(0.0, f64::max)
-    }
 }

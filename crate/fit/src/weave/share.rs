@@ -49,10 +49,8 @@ pub(super) fn share(a: Ring, b: Ring) -> [Ring; 2] {
             let share = if high > low { ((t - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 };
             // At the very end the place has gone round.
             let share = if t < low && low - t > 0.5 { 1.0 } else { share };
-            wanted[edge].push((
-                share,
-                alone[side].value(low + share * (high - low), 1e-9 * alone[side].size, &mut 4096),
-            ));
+            wanted[edge]
+                .push((share, alone[side].value(low + share * (high - low), 1e-9 * alone[side].size, 4096)));
         }
         for edge in (0..count).rev() {
             rings[side].open(edge, &wanted[edge]);

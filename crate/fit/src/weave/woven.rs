@@ -7,7 +7,7 @@ use crate::closed::{CONTRACTION, complex};
 use crate::piece::spectral_norm;
 
 /// The most copies that are opened for one point.
-const FUEL: u32 = 1 << 14;
+const FUEL: u32 = 1 << 16;
 
 /// What is left out of a point, in parts of the box.
 const EXACT: f64 = 1e-15;
@@ -161,21 +161,22 @@ impl Woven {
         (edge, if long > 0.0 { ((place - self.places[edge]) / long).clamp(0.0, 1.0) } else { 0.0 })
     }
 
-    /// The point at a place, but for `rest`.
-    pub(super) fn value(&self, place: f64, rest: f64, fuel: &mut u32) -> DVec2 {
+    /// The point at a place, but for `rest`; so many copies are opened at most, as many for each of two.
+    pub(super) fn value(&self, place: f64, rest: f64, fuel: u32) -> DVec2 {
         let (edge, share) = self.locate(place);
         let chord = self.knot(edge + 1) - self.knots[edge];
         let mut point = self.knots[edge] + chord * share;
         if share == 0.0 {
             return point;
         }
-        for term in self.terms[edge].iter().flatten() {
-            if term.norm * term.reach <= rest || *fuel == 0 {
-                continue;
-            }
-            *fuel -= 1;
+        let needed = |term: &&Term| term.norm * term.reach > rest;
+        let many = self.terms[edge].iter().flatten().filter(needed).count() as u32;
+        if many > fuel {
+            return point;
+        }
+        for term in self.terms[edge].iter().flatten().filter(needed) {
             let along = if term.flipped { 1.0 - share } else { share };
-            let source = self.value(term.low + term.long * along, rest / term.norm, fuel);
+            let source = self.value(term.low + term.long * along, rest / term.norm, fuel / many - 1);
             point += term.linear * (source - (term.start + term.chord * share));
         }
         point
@@ -188,14 +189,14 @@ impl Woven {
         if !t.is_finite() {
             return self.knots[0];
         }
-        self.value(t, EXACT * self.size, &mut FUEL.clone())
+        self.value(t, EXACT * self.size, FUEL)
     }
 
     /// The points at t = i / count, near enough for any picture: within a millionth of the box.
     #[must_use]
     pub fn grid(&self, count: usize) -> Vec<DVec2> {
         let place = |i: usize| i as f64 / count as f64;
-        (0..count).map(|i| self.value(place(i), 1e-6 * self.size, &mut FUEL.clone())).collect()
+        (0..count).map(|i| self.value(place(i), 1e-6 * self.size, FUEL)).collect()
     }
 
     /// The box around the curve, a millionth of it too large at most: lowest x and y, highest x and y.

@@ -1,0 +1,22 @@
+//! Fits the curves of the gallery and writes them where [`frond_fit::curve_presets`] finds them:
+//! `cargo run --release -p frond-fit --example bake`.
+
+use frond_fit::{ClosedCurve, Fitter, Outline, crossings, fidelity, island, maple_leaf, oak_leaf};
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    for (name, points) in [("maple", maple_leaf(1)), ("oak", oak_leaf(1)), ("island", island(4))] {
+        let outline = Outline::new(&points)?;
+        let diagonal = outline.diagonal();
+        let curve = Fitter::new(&outline, 260)?.finish();
+        let bytes = curve.to_bytes(1.5e-4 * diagonal)?;
+        let line = ClosedCurve::from_bytes(&bytes)?.polyline(1e-4 * diagonal, 12);
+        let near = fidelity(&outline, &line);
+        println!(
+            "{name}: {} bytes, {near:?}, {:?} crossings",
+            bytes.len(),
+            crossings(&line, 100).map(|c| c.len())
+        );
+        std::fs::write(format!("{}/src/preset/{name}.bin", env!("CARGO_MANIFEST_DIR")), bytes)?;
+    }
+    Ok(())
+}
