@@ -1,6 +1,7 @@
 //! The morph of two closed curves: one structure for both, and a fractal curve between them at every moment.
 
 mod align;
+mod origin;
 mod ring;
 mod share;
 mod trace;
