@@ -66,7 +66,7 @@ export function Fit2(heading: Heading) {
       parameters={[
         { name: "Interval", value: "[−1, 1]" },
         { name: "Height at the ends", symbol: "F(±1)", value: "−1 and −0.00625" },
-        { name: "Feature points shown", symbol: `2^${level} + 1`, value: String(features.length) },
+        { name: "Feature points shown", symbol: "2ᵏ + 1", value: String(features.length) },
         { name: "Step at the middle", value: fixed(facts.widestGap, 6) },
         { name: "Contractivity in the metric of eq 2", symbol: "s", value: fixed(facts.contractivity, 3) },
       ]}
@@ -166,7 +166,7 @@ function Closer({ closer }: { closer: number }) {
         min: middle - tall,
         max: middle + tall,
         ticks: [middle - tall / 2, middle, middle + tall / 2],
-        format: (x) => fixed(x, 4),
+        format: (x) => fixed(x, tall > 0.5 ? 1 : 4),
       }}
       height={240}
       lines={lines.map((points, i) => ({ points, colour: i }))}

@@ -15,6 +15,7 @@ const VIEWS: readonly { name: string; about: string; eye: Eye }[] = [
   { name: "From the corner", about: "all three at once", eye: EYE },
 ];
 const MOST_DEPTH = 7;
+const raised = (digit: number) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit] ?? "";
 
 /** The Sierpinski space curve and its three projections. */
 export function Fit3(heading: Heading) {
@@ -29,11 +30,10 @@ export function Fit3(heading: Heading) {
       {...heading}
       lead={
         <p>
-          One curve in space, three shadows. It runs through a Sierpinski gasket from corner to corner while{" "}
-          <span class="symbol">t</span> carries it forward, and each third of it is a copy of the whole. From
-          the side you see the gasket, since nothing of the way forward shows. From above you see a function
-          of t that looks rough in a way no formula of Figure 1 gives: part of what its copies need is hidden
-          in the height. Drag to turn it.
+          A curve runs through a Sierpinski gasket from corner to corner, while <span class="symbol">t</span>{" "}
+          carries it forward, and each third of it is a copy of the whole. From the side you see the gasket,
+          since nothing of the way forward shows. From above you see a function of t that looks rough in a way
+          no formula of Figure 1 gives: part of what its copies need is hidden in the height. Drag to turn it.
         </p>
       }
       found={
@@ -47,7 +47,7 @@ export function Fit3(heading: Heading) {
       parameters={[
         { name: "Curve", value: "arrowhead through the gasket, t at even steps" },
         { name: "Corners", symbol: "(x, y)", value: "(0, 0), (½, ½√3), (1, 0)" },
-        { name: "Pieces drawn", symbol: `3^${depth}`, value: String(pieces) },
+        { name: "Pieces drawn", symbol: `3${raised(depth)}`, value: String(pieces) },
         { name: "Seen from", value: `${fixed(eye.turn, 0)}° round, ${fixed(eye.tilt, 0)}° up` },
       ]}
       captions={["Figure 3: A 3-D Sierpinski space curve and its projections onto three coordinate planes."]}
@@ -94,7 +94,7 @@ export function Fit3(heading: Heading) {
             onChange={(tilt) => setEye({ ...eye, tilt })}
           />
         </Control>
-        <Control label="pieces" symbol={`3^${depth}`} value={String(pieces)}>
+        <Control label="pieces" symbol={`3${raised(depth)}`} value={String(pieces)}>
           <Slider
             label="Levels"
             min={1}

@@ -60,7 +60,7 @@ export function Fit4(heading: Heading) {
           name: `Height of corner ${corner}`,
           value: formatNumber(heights[corner]),
         })),
-        { name: "Pieces drawn", symbol: `3^${DEPTH}`, value: String(3 ** DEPTH) },
+        { name: "Pieces drawn", symbol: "3⁷", value: String(3 ** DEPTH) },
         ...(copy
           ? [
               { name: "Roughness of the best copy", symbol: "c", value: fixed(copy.c, 3) },

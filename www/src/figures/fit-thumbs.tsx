@@ -6,10 +6,14 @@ import { FIGURE_1, interpolated } from "./c1";
 import { TABLE_1_GRAPH } from "./c2";
 import { EYE } from "./c3";
 import { byPiece, rangeOf } from "./graphs";
-import { type Line, Profile } from "./profile";
+import { boxOfPoints, type OutlineLine, OutlineView } from "./outline-view";
+import { TABLE_2 } from "./printed";
+import { type Dots, type Line, Profile } from "./profile";
 import { SpaceView } from "./space-view";
+import { TABLE_3_GRAPH } from "./table3";
 
 const NONE: readonly number[] = [];
+const NO_LINES: readonly Line[] = [];
 
 function Still({ lines, t }: { lines: readonly Line[]; t: readonly [number, number] }) {
   const y = rangeOf(
@@ -53,6 +57,84 @@ export function TwoMaps() {
 export function InSpace() {
   const points = useMemo(() => arrowhead(5), []);
   return <SpaceView points={points} eye={EYE} shadows label={null} />;
+}
+
+/** The printed rows of Table 2 over a and b, as large as they are popular. */
+export function Votes() {
+  const dots = useMemo(
+    () =>
+      TABLE_2.map(({ hits, map }, i): Dots => {
+        return {
+          points: [map[3], map[4]],
+          colour: i < 2 ? 5 : 1,
+          size: 0.2 * Math.sqrt(hits),
+          hollow: i > 1,
+        };
+      }),
+    [],
+  );
+  return (
+    <Profile
+      bare
+      label={null}
+      x={{ min: -1.4, max: 1, ticks: NONE }}
+      y={{ min: -1.1, max: 2.1, ticks: NONE }}
+      lines={NO_LINES}
+      dots={dots}
+    />
+  );
+}
+
+/** Heaps that fall as those of votes do. */
+export function Heaps() {
+  const lines = useMemo(
+    () =>
+      Array.from({ length: 34 }, (_, i): Line => {
+        return { points: [i, 0, i, 1 / (1 + 0.28 * i)], colour: i % 5 === 0 ? 5 : 1, width: 3 };
+      }),
+    [],
+  );
+  return (
+    <Profile
+      bare
+      label={null}
+      x={{ min: -1, max: 34, ticks: NONE }}
+      y={{ min: 0, max: 1.05, ticks: NONE }}
+      lines={lines}
+    />
+  );
+}
+
+/** The seven maps over what they were found for. */
+export function Overlaid() {
+  const lines = useMemo((): Line[] => {
+    const samples = frond.sampleGraph(TABLE_3_GRAPH, { tolerance: 0.01, most: 4000 });
+    return [
+      { points: heightsAlong(5, TOP), colour: "quiet", width: 1 },
+      ...byPiece(TABLE_3_GRAPH, samples).map((points, i) => ({ points, colour: i % 2, width: 1.25 })),
+    ];
+  }, []);
+  return <Still lines={lines} t={[0, 1]} />;
+}
+
+/** The leaf of the gallery, and its knots. */
+export function Leaf() {
+  const lines = useMemo((): OutlineLine[] => {
+    const leaf = frond.curvePresets()[0];
+    if (!leaf) return [];
+    const morph = new frond.CurveMorph(leaf.curve, null);
+    try {
+      const points = morph.polyline(0, { tolerance: 0.004 });
+      return [
+        { points, colour: 2, width: 1.25, closed: true, filled: true },
+        { points: leaf.curve.knots.flat(), colour: 5, dots: 3 },
+      ];
+    } finally {
+      morph.free();
+    }
+  }, []);
+  const box = useMemo(() => boxOfPoints(lines[0]?.points ?? []), [lines]);
+  return <OutlineView lines={lines} box={box} label={null} />;
 }
 
 export function Top() {

@@ -3,7 +3,11 @@ import { Fit1 } from "./c1";
 import { Fit2 } from "./c2";
 import { Fit3 } from "./c3";
 import { Fit4 } from "./c4";
+import { Fit5 } from "./c5";
+import { Fit6 } from "./c6";
+import { Fit7 } from "./c7";
 import type { Entry } from "./catalogue";
+import { FitTable2 } from "./ct2";
 import * as thumbs from "./fit-thumbs";
 
 export const FITS: readonly Entry[] = [
@@ -27,6 +31,15 @@ export const FITS: readonly Entry[] = [
     Thumb: thumbs.TwoMaps,
   },
   {
+    id: "ct2",
+    number: "Rough curves, Table 2",
+    short: "T2",
+    title: "Points that vote for their maps",
+    about: "Millions of votes heap up over the two maps, and over their echoes.",
+    Page: FitTable2,
+    Thumb: thumbs.Votes,
+  },
+  {
     id: "c3",
     number: "Rough curves, Figure 3",
     short: "3",
@@ -43,5 +56,33 @@ export const FITS: readonly Entry[] = [
     about: "The view from above: its middle third is the whole, its sides are not.",
     Page: Fit4,
     Thumb: thumbs.Top,
+  },
+  {
+    id: "c5",
+    number: "Rough curves, Figure 5",
+    short: "5",
+    title: "Heaps of votes, seen from four sides",
+    about: "A hundred clusters in a space of five dimensions that is nearly flat.",
+    Page: Fit5,
+    Thumb: thumbs.Heaps,
+  },
+  {
+    id: "c6",
+    also: ["ct3"],
+    number: "Rough curves, Figure 6 and Table 3",
+    short: "6, T3",
+    title: "Seven maps, or eleven",
+    about: "Parts that copy parts, how far they are off, and an open question answered.",
+    Page: Fit6,
+    Thumb: thumbs.Overlaid,
+  },
+  {
+    id: "c7",
+    number: "Rough curves, Figure 7",
+    short: "7",
+    title: "A leaf in few numbers",
+    about: "The paper’s fits with their gaps, and a closed curve of as many numbers.",
+    Page: Fit7,
+    Thumb: thumbs.Leaf,
   },
 ];

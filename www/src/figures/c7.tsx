@@ -1,0 +1,357 @@
+import { useMemo, useState } from "preact/hooks";
+import type { Collage, Figures } from "../engine/fit/tasks/curve";
+import { Button } from "../ui/Button";
+import { fixed } from "../ui/number";
+import { Segmented } from "../ui/Segmented";
+import { Switch } from "../ui/Switch";
+import { Frame, type Heading } from "./frame";
+import {
+  type CurveState,
+  FEATURES,
+  MAPS,
+  type Maps,
+  NUMBERS_A_MAP,
+  useCollages,
+  useCurveFit,
+  useLeaf,
+} from "./leaf-fits";
+import { boxOfPoints, type OutlineLine, OutlineView } from "./outline-view";
+import { fitHref } from "./studio";
+
+const SEED = 1;
+const MOST_SEED = 9999;
+const OUTLINE = { colour: "quiet", width: 1, closed: true } as const;
+
+/** A leaf, the paper's two fits of it, and a closed curve of as many numbers. */
+export function Fit7(heading: Heading) {
+  const [seed, setSeed] = useState(SEED);
+  const [tied, setTied] = useState(false);
+  const [separable, setSeparable] = useState(false);
+  const [maps, setMaps] = useState<Maps>(29);
+  const numbers = NUMBERS_A_MAP * maps;
+  const { leaf, problem } = useLeaf(seed);
+  const collages = useCollages(leaf, tied, separable);
+  const fit = useCurveFit(leaf, numbers);
+  const box = useMemo(() => boxOfPoints(leaf?.points ?? []), [leaf]);
+  const collage = collages?.[MAPS.indexOf(maps)] ?? null;
+  const curve = fit.done?.curve ?? fit.reached?.curve;
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          A leaf with teeth on its teeth, {FEATURES} feature points on its margin, and two ways to write it
+          down with few numbers. The paper replaces each stretch of the margin by the best copy of a longer
+          stretch. Look closely at its fits: the copies do not meet, and the red ticks mark the gaps. Tie
+          their ends, and the gaps close while the fit gets worse. Below is Frond’s own curve of as many
+          numbers: its edges run from knot to knot, so it cannot come apart.
+        </p>
+      }
+      found={<Found maps={maps} collages={collages} fit={fit} tied={tied} />}
+      parameters={[
+        { name: "Leaf", value: `maple-like, grown by program, seed ${seed}` },
+        { name: "Points of its margin", value: leaf ? String(leaf.points.length / 2) : "…" },
+        { name: "Feature points", value: `${FEATURES}, by polyline splitting` },
+        {
+          name: "Ranges",
+          symbol: "M",
+          value: "5 intervals each with 52 maps (260 points), 9 with 29",
+        },
+        { name: "Domains", value: "twice as long, from where a range begins: an RFIF" },
+        { name: "Bound of the factors", value: "0.95" },
+        { name: "A map costs", value: `${NUMBERS_A_MAP} numbers${separable ? ", 2 of them zero" : ""}` },
+        { name: "A knot costs", value: "2 numbers, a copied edge 2 more" },
+      ]}
+      captions={[
+        "Figure 7: Maple leaf (top) and FIF approximations with 52 control vertices (left) and 29 control vertices (right).",
+      ]}
+      reconstructed="The paper’s leaf and its maps are not printed. This leaf is grown by program, with as many feature points; the lengths of ranges and domains are reconstructed from the text of section 3.2."
+      differs={
+        <>
+          The paper does not say that its unconstrained fit leaves gaps, nor what it costs: 52 maps of 10
+          numbers are 520 numbers, and the polygon of its {FEATURES} feature points is 522. At the paper’s own
+          size nothing is saved.
+        </>
+      }
+      {...(curve
+        ? {
+            studio: {
+              href: fitHref({ mode: "outline", numbers, curve: { name: "Grown maple leaf", curve } }),
+              label: "Open in the Fit tool",
+            },
+          }
+        : {})}
+    >
+      <div class="controls">
+        <Switch checked={tied} onChange={setTied}>
+          Tie the ends of copies
+        </Switch>
+        <Switch checked={separable} onChange={setSeparable}>
+          Copy x and y apart (eq 8)
+        </Switch>
+        <Button icon="reset" onClick={() => setSeed((seed % MOST_SEED) + 1)}>
+          Grow another leaf
+        </Button>
+      </div>
+      {problem !== null && (
+        <p class="missing" role="alert">
+          {problem}
+        </p>
+      )}
+      <div class="leaves">
+        <figure class="panel">
+          <OutlineView
+            box={box}
+            label={`The leaf with its ${FEATURES} feature points`}
+            lines={
+              leaf
+                ? [
+                    { points: leaf.points, colour: "ink", width: 1, closed: true, filled: true },
+                    { points: leaf.features, colour: 5, dots: 4 },
+                  ]
+                : []
+            }
+          />
+          <figcaption>
+            <span class="side-name">
+              The leaf <span>{FEATURES} feature points</span>
+            </span>
+          </figcaption>
+        </figure>
+        {MAPS.map((count, i) => (
+          <CollagePanel
+            key={count}
+            maps={count}
+            collage={collages?.[i] ?? null}
+            leaf={leaf?.points ?? null}
+            box={box}
+            tied={tied}
+          />
+        ))}
+      </div>
+      <div class="controls">
+        <div class="choice">
+          <span class="choice-label">Compare at</span>
+          <Segmented
+            label="Compare at"
+            options={MAPS.map((count) => ({
+              value: String(count),
+              label: `${count} maps, ${NUMBERS_A_MAP * count} numbers`,
+            }))}
+            value={String(maps)}
+            onChange={(value) => setMaps(value === "52" ? 52 : 29)}
+          />
+        </div>
+      </div>
+      <div class="two-columns even">
+        <CurvePanel fit={fit} leaf={leaf?.points ?? null} box={box} numbers={numbers} />
+        <Errors maps={maps} collage={collage} fit={fit} />
+      </div>
+    </Frame>
+  );
+}
+
+interface PanelProps {
+  leaf: Float64Array | null;
+  box: ReturnType<typeof boxOfPoints>;
+}
+
+interface CollagePanelProps extends PanelProps {
+  maps: number;
+  collage: Collage | null;
+  tied: boolean;
+}
+
+/** The paper's fit: the leaf thin behind it, its gaps marked. */
+function CollagePanel({ maps, collage, leaf, box, tied }: CollagePanelProps) {
+  const lines = useMemo((): OutlineLine[] => {
+    if (!leaf) return [];
+    if (!collage) return [{ points: leaf, ...OUTLINE }];
+    const pieces = piecesOf(collage).map((points): OutlineLine => ({ points, colour: 1, width: 1.5 }));
+    const gaps: OutlineLine[] = [];
+    for (let i = 0; i + 3 < collage.gaps.length; i += 4) {
+      gaps.push({ points: collage.gaps.slice(i, i + 4), colour: "bad", width: 2.5 });
+    }
+    return [{ points: leaf, ...OUTLINE }, ...pieces, ...(collage.widest > 1e-6 ? gaps : [])];
+  }, [leaf, collage]);
+  const gapWords = collage
+    ? collage.widest > 1e-6
+      ? `gaps up to ${fixed(collage.widest)}% of the diagonal, ${fixed(collage.mean)}% on average`
+      : "no gaps"
+    : "fitting …";
+  return (
+    <figure class="panel">
+      <OutlineView
+        box={box}
+        lines={lines}
+        label={`The paper’s fit with ${maps} maps${tied ? ", ends tied" : ""}: ${gapWords}`}
+      />
+      <figcaption>
+        <span class="side-name">
+          {maps} maps <span>{NUMBERS_A_MAP * maps} numbers</span>
+        </span>
+        <span class="number">{gapWords}</span>
+      </figcaption>
+    </figure>
+  );
+}
+
+/** A polyline for each piece. */
+function piecesOf({ points, starts }: Collage): Float64Array[] {
+  return [...starts].map((start, i) => points.subarray(2 * start, 2 * (starts[i + 1] ?? points.length / 2)));
+}
+
+interface CurvePanelProps extends PanelProps {
+  fit: CurveState;
+  numbers: number;
+}
+
+function CurvePanel({ fit, leaf, box, numbers }: CurvePanelProps) {
+  const shown = fit.done ?? fit.reached;
+  const lines = useMemo(
+    (): OutlineLine[] => [
+      ...(leaf ? [{ points: leaf, ...OUTLINE }] : []),
+      ...(shown ? [{ points: shown.points, colour: 0, width: 1.5, closed: true, filled: true }] : []),
+    ],
+    [leaf, shown],
+  );
+  const share = fit.done ? 1 : (fit.reached?.share ?? 0);
+  const rms = fit.done?.figures.rms ?? fit.reached?.rms;
+  const words =
+    fit.state === "failed"
+      ? fit.problem
+      : fit.state === "done"
+        ? "done"
+        : fit.state === "stopped"
+          ? "stopped: the best so far"
+          : `${Math.round(100 * share)}%, the best so far`;
+  return (
+    <figure class="panel">
+      <OutlineView
+        box={box}
+        lines={lines}
+        label={`Frond’s closed curve of ${numbers} numbers${rms === undefined ? "" : `, ${fixed(rms, 3)}% off`}`}
+      />
+      <figcaption>
+        <span class="side-name">
+          Frond’s closed curve <span>{numbers} numbers, no gaps</span>
+        </span>
+        <div class="measuring">
+          <progress max={1} value={share} aria-label="Fitted" />
+          {fit.state === "running" ? (
+            <Button onClick={fit.stop}>Stop</Button>
+          ) : (
+            <Button icon="reset" onClick={fit.again}>
+              Fit again
+            </Button>
+          )}
+        </div>
+        <p class="number">{words}</p>
+        <p class="unseen" role="status">
+          {fit.state === "running" ? "Fitting" : words}
+        </p>
+      </figcaption>
+    </figure>
+  );
+}
+
+interface ErrorsProps {
+  maps: Maps;
+  collage: Collage | null;
+  fit: CurveState;
+}
+
+/** How far each is from the leaf, in percent of the diagonal. */
+function Errors({ maps, collage, fit }: ErrorsProps) {
+  const rival = (method: string) => fit.rivals.find((one) => one.method === method);
+  const split = rival("split");
+  const squares = rival("squares");
+  const done = fit.done;
+  const rows: readonly (RowOf & { key: string })[] = [
+    {
+      key: "collage",
+      name: `The paper, ${maps} maps`,
+      numbers: collage?.numbers,
+      gap: collage?.widest,
+      figures: collage?.figures,
+    },
+    { key: "split", name: "Plain polyline", numbers: split?.numbers, gap: 0, figures: split?.figures },
+    {
+      key: "squares",
+      name: "Polyline, least squares",
+      numbers: squares?.numbers,
+      gap: 0,
+      figures: squares?.figures,
+    },
+    {
+      key: "closed",
+      name: "Frond’s closed curve",
+      numbers: done ? 2 * (done.curve.knots.length + done.curve.edges.filter(Boolean).length) : undefined,
+      gap: 0,
+      figures: done?.figures,
+    },
+  ];
+  return (
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by keys
+    <section class="wide-table" aria-label="Errors" tabIndex={0}>
+      <table class="measurements">
+        <caption>Errors in percent of the diagonal</caption>
+        <thead>
+          <tr>
+            <th scope="col">Fit</th>
+            <th scope="col">numbers</th>
+            <th scope="col">RMS</th>
+            <th scope="col">farthest</th>
+            <th scope="col">widest gap</th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map(({ key, ...row }) => (
+            <ErrorRow key={key} {...row} />
+          ))}
+        </tbody>
+      </table>
+    </section>
+  );
+}
+
+interface RowOf {
+  name: string;
+  numbers: number | undefined;
+  gap: number | undefined;
+  figures: Figures | undefined;
+}
+
+function ErrorRow({ name, numbers, gap, figures }: RowOf) {
+  return (
+    <tr>
+      <th scope="row">{name}</th>
+      <td>{numbers ?? "…"}</td>
+      <td class="strong">{figures ? fixed(figures.rms, 3) : "…"}</td>
+      <td>{figures ? fixed(figures.hausdorff) : "…"}</td>
+      <td>{gap === undefined ? "…" : gap > 1e-6 ? fixed(gap) : "none"}</td>
+    </tr>
+  );
+}
+
+interface FoundProps {
+  maps: Maps;
+  collages: readonly Collage[] | null;
+  fit: CurveState;
+  tied: boolean;
+}
+
+function Found({ maps, collages, fit, tied }: FoundProps) {
+  const collage = collages?.[MAPS.indexOf(maps)];
+  const split = fit.rivals.find((one) => one.method === "split");
+  if (!collage || !split || !fit.done) return <p>Fitting …</p>;
+  const times = (rms: number) => fixed(rms / split.figures.rms, 1);
+  return (
+    <p>
+      With {NUMBERS_A_MAP * maps} numbers the paper’s fit{tied ? ", its ends tied," : ""} is{" "}
+      {times(collage.figures.rms)} times as far from this leaf as a plain polyline of as many; Frond’s curve
+      is {fixed(split.figures.rms / fit.done.figures.rms, 1)} times nearer than that polyline. The paper’s
+      copies do keep the leaf rough where a polyline is smooth, which was their point.
+    </p>
+  );
+}
