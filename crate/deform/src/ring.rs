@@ -91,7 +91,8 @@ impl RingBend {
         settings.check()?;
         let count = grid.len();
         let given = (0..=Self::DEEPEST).find(|&letters| SYMBOLS.pow(letters as u32) == count);
-        let (Some(given), true) = (given, grid.iter().all(|p| p.abs().max_element() <= 1e100)) else {
+        let (Some(given), true) = (given, grid.iter().all(|p| p.x.abs() <= 1e100 && p.y.abs() <= 1e100))
+        else {
             return Err(BendError::Ring { count });
         };
         let mut terms = Self::terms(&settings, Self::DEEPEST);

@@ -228,9 +228,11 @@ fn what_is_no_ring_is_refused() {
     }
     let mut broken = grid(2);
     for bad in [f64::NAN, f64::INFINITY, 1e101] {
-        broken[5].y = bad;
-        let error = made(&broken, asked).unwrap_err();
-        assert_eq!(error.code(), "bend-ring");
+        for at in [DVec2::new(bad, 0.5), DVec2::new(0.5, bad)] {
+            broken[5] = at;
+            let error = made(&broken, asked).unwrap_err();
+            assert_eq!(error.code(), "bend-ring");
+        }
     }
     let wrong = |settings: Settings| {
         assert_eq!(RingBend::points(&settings).err(), made(&grid(2), settings).err());

@@ -21,6 +21,8 @@ mod certify;
 #[cfg(feature = "proof")]
 mod connect;
 #[cfg(feature = "compute")]
+mod curve;
+#[cfg(feature = "compute")]
 mod deform;
 #[cfg(feature = "compute")]
 mod document;
@@ -59,7 +61,7 @@ mod value;
 #[cfg(feature = "proof")]
 pub use {certify::*, connect::*, family::*, locus::*, path::*, proof::*, routes::*, settle::*};
 #[cfg(feature = "compute")]
-pub use {deform::*, document::*, graph::*, polygon::*, raster::*, shape::*, sheet::*};
+pub use {curve::*, deform::*, document::*, graph::*, polygon::*, raster::*, shape::*, sheet::*};
 
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
 pub use card::*;

@@ -110,8 +110,10 @@ export interface CurveFacts {
   copies: number;
   /** Of the packed curve. */
   bytes: number;
-  /** Of boxes. */
+  /** Of boxes between 1/64 and 1/256 of the diagonal. */
   dimension: number;
+  /** Of a polyline true to 1/2000 of the diagonal. */
+  length: number;
   /** The largest factor by which a copy stretches lengths, 0 where all edges are straight. */
   contractivity: number;
 }
@@ -181,9 +183,9 @@ export interface Frond {
   curveFacts(curve: Curve): CurveFacts;
   /** One for each edge. */
   curveMaps(curve: Curve): CurveMap[];
-  /** A file: `size` is its longer side, the tolerance a part of it. */
+  /** A file: `size` is its longer side, the tolerance is in the same unit, `fill` is "#rrggbb" or "none". */
   curveSvg(curve: Curve, options?: { size?: number; tolerance?: number; fill?: string }): string;
-  /** A file: x,y lines of points at equal steps of the parameter. */
+  /** A file: x,y lines of points at equal steps of the parameter, below a line of names. */
   curveCsv(curve: Curve, options?: { points?: number }): string;
   /**
    * The fractal function through points, each piece a copy of the whole; with `spans`, of what lies between two points; with

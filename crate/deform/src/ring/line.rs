@@ -28,11 +28,23 @@ impl RingBend {
         window: Option<[f64; 4]>,
         most: usize,
     ) -> Vec<DVec2> {
+        self.corners(line, tolerance, window, most).into_iter().map(|(_, p)| p).collect()
+    }
+
+    /// The same, each corner with the t of what is bent there.
+    #[must_use]
+    pub fn corners(
+        &self,
+        line: &[(f64, DVec2)],
+        tolerance: f64,
+        window: Option<[f64; 4]>,
+        most: usize,
+    ) -> Vec<(f64, DVec2)> {
         let most = most.max(3);
         let mut tolerance = if tolerance > 0.0 { tolerance } else { 0.0 };
         let fine = self.fine(line, 0.25 * tolerance);
         let start = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-        let (low, high) = fine.iter().fold(start, |(low, high), p| (low.min(*p), high.max(*p)));
+        let (low, high) = fine.iter().fold(start, |(low, high), (_, p)| (low.min(*p), high.max(*p)));
         let size = low.distance(high);
         if fine.len() < 4 || !size.is_finite() {
             return fine.into_iter().take(most).collect();
@@ -41,7 +53,7 @@ impl RingBend {
             let room = |i: usize| {
                 let Some(window) = window else { return tolerance };
                 let (before, p, after) =
-                    (fine[(i + fine.len() - 1) % fine.len()], fine[i], fine[(i + 1) % fine.len()]);
+                    (fine[(i + fine.len() - 1) % fine.len()].1, fine[i].1, fine[(i + 1) % fine.len()].1);
                 // As long as no side at the corner comes into the window.
                 let away = beside(window, p) - before.distance(p).max(p.distance(after));
                 tolerance.max((0.5 * away).min(OUTSIDE * size))
@@ -58,7 +70,7 @@ impl RingBend {
     }
 
     /// Where it may be bent: the corners, the ends of parts, and more where the mesh alone bends more than `tolerance`.
-    fn fine(&self, line: &[(f64, DVec2)], tolerance: f64) -> Vec<DVec2> {
+    fn fine(&self, line: &[(f64, DVec2)], tolerance: f64) -> Vec<(f64, DVec2)> {
         let parts = self.values.len().max(LEAST);
         let Some(&(first, _)) = line.first() else { return Vec::new() };
         let mut found = Vec::with_capacity(line.len() + parts);
@@ -66,13 +78,13 @@ impl RingBend {
             let (t1, p1) = line.get(i + 1).copied().unwrap_or((first + 1.0, line[0].1));
             let long = t1 - t0;
             let mut from = (t0, p0, self.displaced(t0, p0));
-            found.push(from.2);
-            let mut go = |t: f64, found: &mut Vec<DVec2>| {
+            found.push((from.0, from.2));
+            let mut go = |t: f64, found: &mut Vec<(f64, DVec2)>| {
                 let p = if t < t1 { p0.lerp(p1, ((t - t0) / long).clamp(0.0, 1.0)) } else { p1 };
                 let to = (t, p, self.displaced(t, p));
                 self.halve(from, to, tolerance, HALVINGS, found);
                 if t < t1 {
-                    found.push(to.2);
+                    found.push((to.0, to.2));
                 }
                 from = to;
             };
@@ -91,7 +103,7 @@ impl RingBend {
         b: (f64, DVec2, DVec2),
         tolerance: f64,
         depth: u32,
-        found: &mut Vec<DVec2>,
+        found: &mut Vec<(f64, DVec2)>,
     ) {
         if depth == 0 || a.2.distance_squared(b.2) <= tolerance * tolerance {
             return;
@@ -100,7 +112,7 @@ impl RingBend {
         let middle = (t, p, self.displaced(t, p));
         if middle.2.distance_squared(a.2.midpoint(b.2)) > tolerance * tolerance {
             self.halve(a, middle, tolerance, depth - 1, found);
-            found.push(middle.2);
+            found.push((middle.0, middle.2));
             self.halve(middle, b, tolerance, depth - 1, found);
         }
     }
@@ -115,22 +127,22 @@ fn beside([left, bottom, right, top]: [f64; 4], p: DVec2) -> f64 {
 /// Fewer corners of a closed polyline: those left out are nearer to a side than `room` says of each.
 ///
 /// Sides are drawn on while they pass all circles of that size around the corners between: it is one sweep (Williams 1978).
-fn simplified(points: &[DVec2], room: impl Fn(usize) -> f64) -> Vec<DVec2> {
+fn simplified(points: &[(f64, DVec2)], room: impl Fn(usize) -> f64) -> Vec<(f64, DVec2)> {
     let mut found = vec![points[0]];
-    let mut anchor = points[0];
+    let mut anchor = points[0].1;
     let mut last = points[0];
     // The directions that pass all circles so far, clockwise end first, and how far out the last one is.
     let mut cone: Option<[DVec2; 2]> = None;
     let mut reach = 0.0;
     for i in (1..points.len()).chain([0]) {
-        let point = points[i];
+        let point = points[i].1;
         let passes = |cone: &Option<[DVec2; 2]>, way: DVec2| {
             cone.is_none_or(|[right, left]| right.perp_dot(way) >= 0.0 && left.perp_dot(way) <= 0.0)
         };
         let way = point - anchor;
         if !passes(&cone, way) || way.length() < reach {
             found.push(last);
-            (anchor, cone, reach) = (last, None, 0.0);
+            (anchor, cone, reach) = (last.1, None, 0.0);
         }
         let (way, room) = (point - anchor, room(i));
         let distance = way.length();
@@ -146,7 +158,7 @@ fn simplified(points: &[DVec2], room: impl Fn(usize) -> f64) -> Vec<DVec2> {
             });
             reach = f64::max(reach, distance - room);
         }
-        last = point;
+        last = points[i];
     }
     found
 }
@@ -165,6 +177,15 @@ mod tests {
         sides.map(to).fold(f64::INFINITY, f64::min)
     }
 
+    /// Corners with a t of their own.
+    fn timed(points: &[DVec2]) -> Vec<(f64, DVec2)> {
+        points.iter().enumerate().map(|(i, &p)| (i as f64 / points.len() as f64, p)).collect()
+    }
+
+    fn plain(points: Vec<(f64, DVec2)>) -> Vec<DVec2> {
+        points.into_iter().map(|(_, p)| p).collect()
+    }
+
     /// Out and back, in circles, and all over the place.
     fn tangle() -> Vec<DVec2> {
         let back = (0..50).map(|i| DVec2::new(f64::from(25 - (i - 25_i32).abs()), 0.001 * f64::from(i % 3)));
@@ -180,13 +201,16 @@ mod tests {
     fn what_is_left_out_is_near() {
         let points = tangle();
         for room in [0.0, 1e-3, 0.1, 2.0, 50.0] {
-            let few = simplified(&points, |_| room);
+            let kept = simplified(&timed(&points), |_| room);
+            assert!(kept.is_sorted_by(|p, q| p.0 <= q.0), "what is kept keeps its order and its t");
+            assert!(kept.iter().all(|(t, p)| points[(t * points.len() as f64).round() as usize] == *p));
+            let few = plain(kept);
             let worst = points.iter().map(|&p| distance(p, &few)).fold(0.0, f64::max);
             assert!(worst <= room * (1.0 + 1e-9) + 1e-12, "{room}: {worst}");
             assert!(few.iter().all(|p| points.contains(p)));
         }
-        assert!(simplified(&points, |_| 0.1).len() * 10 < points.len() * 9);
-        assert_eq!(simplified(&[DVec2::ONE; 40], |_| 0.0), [DVec2::ONE]);
+        assert!(simplified(&timed(&points), |_| 0.1).len() * 10 < points.len() * 9);
+        assert_eq!(plain(simplified(&timed(&[DVec2::ONE; 40]), |_| 0.0)), [DVec2::ONE]);
     }
 
     #[test]
@@ -194,7 +218,7 @@ mod tests {
         let side = |a: DVec2, b: DVec2| (0..100).map(move |i| a.lerp(b, f64::from(i) / 100.0));
         let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
         let points: Vec<_> = (0..4).flat_map(|i| side(corners[i], corners[(i + 1) % 4])).collect();
-        let found = simplified(&points, |_| 1e-9);
+        let found = plain(simplified(&timed(&points), |_| 1e-9));
         assert_eq!(found.len(), 4, "{found:?}");
     }
 }

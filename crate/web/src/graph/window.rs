@@ -120,6 +120,7 @@ fn parts(
 }
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a test may fail so")]
 mod tests {
     use glam::DVec2;
 
