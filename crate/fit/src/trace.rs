@@ -194,9 +194,6 @@ impl Tracer {
             _ => notices.push(if self.dark { Notice::AllBlack } else { Notice::Blank }),
         }
         if let Some(first) = all.first() {
-            if first.touches_border {
-                notices.push(Notice::TouchesBorder);
-            }
             let like = all.iter().filter(|part| 5 * part.area >= first.area).count();
             if like > 1 {
                 notices.push(Notice::Several(like));

@@ -2,9 +2,11 @@
 
 mod curve;
 mod hough;
+mod trace;
 
 pub use curve::*;
 pub use hough::*;
+pub use trace::*;
 
 use glam::DVec2;
 use wasm_bindgen::JsValue;
