@@ -45,7 +45,8 @@ mod tests {
 
     #[test]
     fn one_curve_copies_what_it_copied() {
-        let flake = curve_presets().into_iter().find(|preset| preset.id == "snowflake").expect("there is one");
+        let flake =
+            curve_presets().into_iter().find(|preset| preset.id == "snowflake").expect("there is one");
         let arcs = CurveMorph::new(&flake.curve, None).expect("presets are sound").arcs();
         for (pair, edge) in arcs.iter().zip(&flake.curve.edges) {
             let arc = edge.as_ref().map(|copy| (copy.from, copy.span));
