@@ -30,8 +30,14 @@ fn name_of<T: PartialEq>(choices: &[(&'static str, T)], value: &T) -> &'static s
     choices.iter().find_map(|(name, choice)| (choice == value).then_some(*name)).unwrap_or("")
 }
 
-fn gallery(_id: &str) -> Option<CurveShape> {
-    None
+/// The curve of the gallery with this id.
+fn gallery(id: &str) -> Option<CurveShape> {
+    let preset = frond_fit::curve_presets().into_iter().find(|preset| preset.id == id)?;
+    Some(CurveShape {
+        preset: Some(preset.id.to_owned()),
+        name: preset.name.to_owned(),
+        curve: Curve::from(&preset.curve),
+    })
 }
 
 pub(super) fn write_curves(link: &mut String, curves: &Curves) {

@@ -41,7 +41,8 @@ fn any_curve() -> impl Strategy<Value = CurveShape> {
             };
             let edge = |i: usize| {
                 let c = wobble[i % wobble.len()];
-                let copy = frond_fit::ArcCopy { from: (i + 1) % count, span: 3, reversed: i.is_multiple_of(2), c };
+                let copy =
+                    frond_fit::ArcCopy { from: (i + 1) % count, span: 3, reversed: i.is_multiple_of(2), c };
                 (i.is_multiple_of(3) && count > 6).then_some(copy)
             };
             let knots = (0..count).map(knot).collect();
@@ -437,4 +438,20 @@ fn a_fit_of_260_numbers_takes_less_than_4_kilobytes() {
     let mut link = String::new();
     super::fit::write_curves(&mut link, &Curves { a: shape.clone(), b: shape });
     assert!(link.len() > 500 && link.len() < 2 * 4096, "{}", link.len());
+}
+
+#[test]
+fn curves_of_the_gallery_are_written_by_their_names() {
+    let (scene, problem) = decode("v=1&curve-a=maple&curve-b=snowflake");
+    assert_eq!(problem, None);
+    let curves = scene.curves.clone().unwrap();
+    assert_eq!((curves.a.preset.as_deref(), curves.b.preset.as_deref()), (Some("maple"), Some("snowflake")));
+    assert!(encode(&scene).ends_with("&curve-a=maple&curve-b=snowflake"));
+    // One that was changed is no longer that of the gallery.
+    let mut changed = scene;
+    if let Some(curves) = &mut changed.curves {
+        curves.b.curve.knots[0][0] += 0.5;
+    }
+    assert!(encode(&changed).contains("&curve-b=curve:"));
+    assert!(decode("v=1&curve-a=willow&curve-b=maple").1.is_some());
 }
