@@ -6,9 +6,9 @@ use crate::decide::Scratch;
 use crate::family::Slice;
 use crate::field::Field;
 use crate::grid::{Bounds, GridError, Locus, LocusGrid};
+use crate::hunt::Hunt;
 use crate::path::{PathError, PathPlan, ROOMY, clearance, field_of, plan_in};
-use crate::space::Hunt;
-use crate::walk::{PathCheck, judge};
+use crate::walk::{Parameters, PathCheck, judge};
 
 /// Which parameters a path may take.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -145,7 +145,7 @@ pub(crate) struct Tried {
 
 /// Plans, judges between the samples, keeps off where it is broken there, and plans again.
 pub(crate) fn improve(
-    morph: &Morph,
+    morph: &impl Parameters,
     field: &mut Field,
     epsilon: f64,
     checks: usize,
@@ -187,7 +187,7 @@ pub(crate) fn improve(
 
 /// A plan that holds, without the corners that it can do without: the legs instead of them are decided themselves, which
 /// tells more than the samples around them.
-fn straightened(morph: &Morph, field: &Field, mut plan: PathPlan, epsilon: f64) -> PathPlan {
+fn straightened(morph: &impl Parameters, field: &Field, mut plan: PathPlan, epsilon: f64) -> PathPlan {
     let mut k = 1;
     while k + 1 < plan.points.len() {
         let leg = [plan.points[k - 1], plan.points[k + 1]];

@@ -28,6 +28,8 @@
 //! of a [`Family`] at once, [`certify_path`] bounds the gap along all of a path, and [`crossings`] are a reason to be
 //! connected that survives small changes.
 //!
+//! In space [`connectedness3`], [`decide3`], [`locus3`] and [`find_path3`] answer the same.
+//!
 //! Gaps and distances of [`connectedness`] are in units of the plane. Epsilon, and the gaps of [`Sample`],
 //! [`Locus`] and [`PathPlan`], are relative to the diameter of the attractor.
 
@@ -53,6 +55,7 @@ mod four;
 mod frame;
 mod graph;
 mod grid;
+mod hunt;
 mod index_buffer;
 mod line;
 mod look;
@@ -96,4 +99,8 @@ pub use path::{PathError, PathPlan, plan_path};
 pub use rate::{RateOptions, Rated, rate};
 pub use reason::{Link, LinkKind, Reason, ReasonKind};
 pub use single::{SingleError, SingleLocus, SingleMap, unpack_single};
+pub use space::{
+    Connectedness3, Reason3, Reason3Kind, Scratch3, Shared3, check_path3, connectedness3, decide3,
+    find_path3, locus3,
+};
 pub use walk::{PathCheck, along, check_path};

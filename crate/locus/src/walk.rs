@@ -1,11 +1,41 @@
 //! Along a path: where it is, and where it breaks.
 
-use frond_core::Morph;
+use frond_core::{Affine2, Affine3, Morph, Morph3};
 use glam::DVec3;
 
-use crate::decide::{Scratch, decide};
+use crate::decide::{Sample, Scratch, decide};
 use crate::field::{WALL, gap_of};
 use crate::grid::LocusGrid;
+use crate::space::{Scratch3, decide3};
+
+/// A family of systems over (u, v, w), of the plane or of space.
+pub(crate) trait Parameters {
+    /// Decides one parameter.
+    fn sample(&self, at: DVec3, epsilon: f64, probe: &mut Probe) -> Sample;
+}
+
+/// The memory that samples are decided in.
+#[derive(Default)]
+pub(crate) struct Probe {
+    plane: (Scratch, Vec<Affine2>),
+    space: (Scratch3, Vec<Affine3>),
+}
+
+impl Parameters for Morph {
+    fn sample(&self, at: DVec3, epsilon: f64, probe: &mut Probe) -> Sample {
+        let (scratch, maps) = &mut probe.plane;
+        self.fill3(at.x, at.y, at.z, maps);
+        decide(maps, epsilon, LocusGrid::budget(maps.len()), scratch)
+    }
+}
+
+impl Parameters for Morph3 {
+    fn sample(&self, at: DVec3, epsilon: f64, probe: &mut Probe) -> Sample {
+        let (scratch, maps) = &mut probe.space;
+        self.fill3(at.x, at.y, at.z, maps);
+        decide3(maps, epsilon, LocusGrid::budget(maps.len()), scratch)
+    }
+}
 
 /// What [`check_path`] found.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +59,7 @@ pub fn check_path(morph: &Morph, points: &[DVec3], epsilon: f64, samples: usize)
 
 /// [`check_path`], which also tells each broken sample.
 pub(crate) fn judge(
-    morph: &Morph,
+    morph: &impl Parameters,
     points: &[DVec3],
     epsilon: f64,
     samples: usize,
@@ -41,15 +71,12 @@ pub(crate) fn judge(
     }
     let samples = samples.max(2);
     let half = 0.5 / (samples - 1) as f64;
-    let mut scratch = Scratch::default();
-    let mut maps = Vec::new();
+    let mut probe = Probe::default();
     let mut was_broken = false;
     for k in 0..samples {
         let t = k as f64 / (samples - 1) as f64;
         let at = along(points, t);
-        morph.fill3(at.x, at.y, at.z, &mut maps);
-        let sample = decide(&maps, epsilon, LocusGrid::budget(maps.len()), &mut scratch);
-        let gap = gap_of(sample, epsilon);
+        let gap = gap_of(morph.sample(at, epsilon, &mut probe), epsilon);
         let broken = gap > 0.0;
         if broken {
             let gap = if gap >= WALL { f64::INFINITY } else { gap };

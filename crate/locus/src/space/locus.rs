@@ -1,0 +1,70 @@
+//! The locus of a morph in space, and the way through it.
+
+use frond_core::Morph3;
+use glam::DVec3;
+
+use crate::find::{CHECKS, PathOptions, REPAIRS, improve};
+use crate::grid::{Bounds, GridError, Locus, LocusGrid};
+use crate::path::{PathError, PathPlan, field_of};
+use crate::space::hold::{Scratch3, decide3};
+use crate::walk::{PathCheck, judge};
+
+/// Samples the connectedness locus of a morph in space over a rectangle of (u, v), as [`LocusGrid::locus`] does in the plane.
+/// `epsilon` is relative to the diameter of the attractor.
+///
+/// # Errors
+/// None but those of [`Locus::from_parts`], which do not occur.
+pub fn locus3(grid: &LocusGrid, morph: &Morph3, epsilon: f64) -> Result<Locus, GridError> {
+    let mut scratch = Scratch3::default();
+    let mut maps = Vec::new();
+    let budget = LocusGrid::budget(morph.len());
+    let (mut state, mut gap) = (Vec::new(), Vec::new());
+    for row in 0..grid.height() {
+        for column in 0..grid.width() {
+            let (u, v) = (grid.u(column), grid.v(row));
+            morph.fill3(u, v, 0.0, &mut maps);
+            let sample = decide3(&maps, epsilon, budget, &mut scratch);
+            state.push(sample.state as u8);
+            gap.push(sample.gap);
+        }
+    }
+    Locus::from_parts(*grid, state, gap)
+}
+
+/// Plans a path from the first shape of a morph in space to the last, in the plane of (u, v), and checks it between the
+/// samples of the locus: what [`find_path`](crate::find_path) does in the plane, with the same planner. The third axis of the options is
+/// not looked along.
+///
+/// # Errors
+/// [`PathError::Grid`] for a size out of range.
+pub fn find_path3(morph: &Morph3, options: &PathOptions) -> Result<PathPlan, PathError> {
+    let PathOptions { epsilon, size, .. } = *options;
+    let mut best: Option<PathPlan> = None;
+    // A side of 3 k + 1 samples holds both ends.
+    let thirds = size.saturating_sub(1).div_ceil(3).max(1);
+    for refinement in [1, 2] {
+        let side = (3 * thirds).saturating_mul(refinement).saturating_add(1);
+        let grid = match LocusGrid::new(Bounds::default(), side, side) {
+            Ok(grid) => grid,
+            Err(error) if best.is_none() => return Err(error.into()),
+            Err(_) => break,
+        };
+        let mut field = field_of(&locus3(&grid, morph, epsilon)?, epsilon)?;
+        let tried = improve(morph, &mut field, epsilon, (CHECKS / 4).max(8 * side), REPAIRS);
+        let done = tried.plan.holds || tried.final_word;
+        if best.as_ref().is_none_or(|best| tried.plan.gap < best.gap) {
+            best = Some(tried.plan);
+        }
+        if done {
+            break;
+        }
+    }
+    best.ok_or(PathError::Outside)
+}
+
+/// Decides `samples` parameters (u, v, w) spread evenly along a path of a morph in space, both ends included, and reports
+/// where it breaks.
+#[must_use]
+pub fn check_path3(morph: &Morph3, points: &[DVec3], epsilon: f64, samples: usize) -> PathCheck {
+    judge(morph, points, epsilon, samples, |_| ())
+}
