@@ -2,9 +2,10 @@ import wasmUrl from "../../../pkg/frond-fit_bg.wasm?url";
 import { compiled, once } from "../module";
 import type { CurveModule } from "./tasks/curve";
 import type { HoughModule } from "./tasks/hough";
+import type { TraceModule } from "./tasks/trace";
 
 /** What traces and fits outlines and finds the maps of graphs, in a module of its own: the workers of the fit have it. */
-export type FitModule = CurveModule & HoughModule;
+export type FitModule = CurveModule & HoughModule & TraceModule;
 
 /** Fetches and compiles; the workers are given the module. */
 export const compileFit = once(() => compiled(wasmUrl));

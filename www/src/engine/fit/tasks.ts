@@ -1,6 +1,7 @@
 import type { FitModule } from "./module";
 import { curveTasks } from "./tasks/curve";
 import { houghTasks } from "./tasks/hough";
+import { traceTasks } from "./tasks/trace";
 
 /** What a task has at hand. */
 export interface Context<Progress = never> {
@@ -21,6 +22,7 @@ export const tasks = {
   wake: (_context: Context, _args: Record<string, never>): null => null,
   ...curveTasks,
   ...houghTasks,
+  ...traceTasks,
 };
 
 export type Tasks = typeof tasks;

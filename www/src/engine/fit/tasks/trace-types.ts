@@ -17,7 +17,7 @@ export interface TraceWarning {
 export type WarningCode =
   /** It was made smaller for the work. */
   | "smaller"
-  /** The shape is cut by the border of the picture. */
+  /** The shape is cut by the border of the picture: said of an outline, not of a mask. */
   | "touches-border"
   /** There are two leaves or more: one is taken, others can be picked. */
   | "several"
@@ -75,8 +75,8 @@ export interface OpenedOutlines {
 export interface ReadOutline {
   /** An id or a name in the file, or else what it was there: "path 2", "ring 1 of 3". */
   name: string;
-  /** x0, y0, x1, y1, ..: three points or more, counter-clockwise, in the file's units with y up. */
-  points: Float64Array;
+  /** x0, y0, x1, y1, ..: four points or more, counter-clockwise, in the file's units with y up. */
+  points: Float64Array<ArrayBuffer>;
   area: number;
   /** How often it crosses itself, 100 at most; null where that was too much to find out. */
   crossings: number | null;
@@ -85,9 +85,9 @@ export interface ReadOutline {
 export interface OpenedSeries {
   kind: "series";
   name: string;
-  format: "csv" | "geojson";
-  /** t0, x0, t1, x1, ..: two points or more, t growing. */
-  points: Float64Array;
+  format: "csv";
+  /** t0, x0, t1, x1, ..: three points or more, t growing. */
+  points: Float64Array<ArrayBuffer>;
   warnings: TraceWarning[];
   /** Whether the same numbers make an outline, too: open it again with `as: "outlines"`. */
   orOutline: boolean;
@@ -109,6 +109,8 @@ export interface MaskArgs {
   threshold: number;
   /** Whether stalks are taken off. */
   petiole: "keep" | "remove";
+  /** Whether the leaf is what was taken for the ground. */
+  invert?: boolean;
   /** All strokes so far: they hold whatever the threshold is. */
   strokes: readonly Stroke[];
 }
@@ -120,7 +122,7 @@ export interface Masked {
   mask: Uint8Array<ArrayBuffer>;
   /** Where the line was drawn, 0 to 255, and in what. */
   threshold: number;
-  channel: "alpha" | "light" | "colour" | "saturation" | "green" | "red" | "blue";
+  channel: "alpha" | "light" | "colour" | "saturation" | "greenness" | "green" | "red" | "blue" | "none";
   /** The largest first, 64 at most. */
   components: Component[];
   warnings: TraceWarning[];
@@ -152,12 +154,4 @@ export interface TracedOutline {
 
 export interface CloseFileArgs {
   id: number;
-}
-
-/** Each task with what it takes and what it gives. */
-export interface TraceTasks {
-  openFile: { args: OpenFileArgs; result: Opened };
-  mask: { args: MaskArgs; result: Masked };
-  outline: { args: OutlineArgs; result: TracedOutline };
-  closeFile: { args: CloseFileArgs; result: null };
 }

@@ -1,8 +1,8 @@
+import { HEAD_BYTES } from "../../../engine/image/header";
 import { boxAround, changeDeformation, deformation } from "../../../state/bend";
 import { announce, notify } from "../../../state/notice";
 import { type Photograph, pictureMaps, showPicture } from "../../../state/picture";
 import { inBox } from "../changes";
-import { HEAD_BYTES } from "./header";
 import { damaged, kept, refusal, shortName } from "./words";
 
 let latest = 0;

@@ -1,7 +1,7 @@
-import { type Header, readHeader } from "./header";
+import { type Header, readHeader } from "../../../engine/image/header";
+import { inWords, MOST_MEGAPIXELS, shortName as shortOf } from "../../../engine/image/limits";
 
-/** The most pixels that are decoded, and the longest side that is kept. */
-export const MOST_MEGAPIXELS = 40;
+/** The longest side that is kept, in pixels. */
 export const LONGEST = 2048;
 
 const STAYS = "The picture on the stage stays as it is.";
@@ -19,9 +19,7 @@ export function refusal(name: string, head: Uint8Array): string | null {
   if (!size) return kind === "avif" ? null : damaged(name);
   const megapixels = (size.width * size.height) / 1e6;
   if (megapixels > MOST_MEGAPIXELS) {
-    const across = size.width.toLocaleString("en-GB");
-    const up = size.height.toLocaleString("en-GB");
-    return `“${name}” has ${across} × ${up} pixels, ${Math.round(megapixels)} megapixels. Up to ${MOST_MEGAPIXELS} can be bent: make it smaller first. ${STAYS}`;
+    return `“${name}” has ${inWords(size)}. Up to ${MOST_MEGAPIXELS} can be bent: make it smaller first. ${STAYS}`;
   }
   return null;
 }
@@ -39,8 +37,7 @@ export function kept(width: number, height: number): { width: number; height: nu
 
 /** A name that fits a line. */
 export function shortName(name: string): string {
-  const plain = name.trim() || "Picture";
-  return plain.length > 40 ? `${plain.slice(0, 24)}…${plain.slice(-12)}` : plain;
+  return shortOf(name, "Picture");
 }
 
 export type { Header };

@@ -1,0 +1,184 @@
+/** From files to outlines, inside a worker. What goes in and comes out is told in `trace-types`. */
+import { type Decoded, decode } from "../../image/decode";
+import { HEAD_BYTES, type Header, readHeader } from "../../image/header";
+import { inWords, MOST_MEGAPIXELS, shortName } from "../../image/limits";
+import { isWhole } from "../../image/whole";
+import type { FitModule } from "../module";
+import type { Context } from "../tasks";
+import type {
+  CloseFileArgs,
+  MaskArgs,
+  Masked,
+  Opened,
+  OpenedOutlines,
+  OpenedPicture,
+  OpenedSeries,
+  OpenFileArgs,
+  OutlineArgs,
+  TracedOutline,
+  TraceWarning,
+} from "./trace-types";
+
+interface PictureTracerHandle {
+  mask(options: Omit<MaskArgs, "id">): Masked;
+  outline(component: number): TracedOutline;
+  free(): void;
+}
+
+/** What the module has for this. */
+export interface TraceModule {
+  PictureTracer: new (width: number, height: number, rgba: Uint8Array) => PictureTracerHandle;
+  readTextFile(
+    bytes: Uint8Array,
+    take: "outlines" | "series" | undefined,
+  ): Omit<OpenedOutlines, "name"> | Omit<OpenedSeries, "name">;
+}
+
+type Plain = Context<never> & { readonly fit: FitModule };
+
+/** The most pixels that are worked on, and the most bytes of a text and of a picture. */
+const MOST_PIXELS = 1 << 22;
+const MOST_TEXT = 64 << 20;
+const MOST_BYTES = 128 << 20;
+/** Pictures are large: of more than so many the one that was used longest ago goes. */
+const MOST_HELD = 4;
+
+const KEEP = "pictures";
+
+interface Held {
+  next: number;
+  tracers: Map<number, PictureTracerHandle>;
+}
+
+function held(keep: Map<string, unknown>): Held {
+  const all = (keep.get(KEEP) as Held | undefined) ?? { next: 1, tracers: new Map() };
+  keep.set(KEEP, all);
+  return all;
+}
+
+function tracer(keep: Map<string, unknown>, id: number): PictureTracerHandle {
+  const { tracers } = held(keep);
+  const found = tracers.get(id);
+  if (!found) throw { code: "gone", message: "The picture is no longer at hand. Open the file again." };
+  tracers.delete(id);
+  tracers.set(id, found);
+  return found;
+}
+
+/** Why a picture is not decoded; null where it may be. */
+export function refusal(name: string, { kind, size }: Header, bytes: number): TraceProblem | null {
+  if (bytes > MOST_BYTES) return tooLarge(name, `${Math.round(bytes / 2 ** 20)} megabytes`, "128");
+  // An AVIF may not say; whatever else does not is not whole.
+  if (!size) return kind === "avif" ? null : damaged(name);
+  const megapixels = (size.width * size.height) / 1e6;
+  return megapixels > MOST_MEGAPIXELS ? tooLarge(name, inWords(size), String(MOST_MEGAPIXELS)) : null;
+}
+
+interface TraceProblem {
+  code: string;
+  message: string;
+}
+
+function tooLarge(name: string, size: string, most: string): TraceProblem {
+  const message = `“${name}” has ${size}, and at most ${most} can be opened. Make it smaller first, or cut out the leaf.`;
+  return { code: "too-large", message };
+}
+
+function damaged(name: string): TraceProblem {
+  const message = `“${name}” is damaged or ends too soon, so that it cannot be read. Save or copy it again, or take another.`;
+  return { code: "damaged", message };
+}
+
+async function picture(file: Blob, name: string, header: Header): Promise<Decoded> {
+  const refused = refusal(name, header, file.size);
+  if (refused) throw refused;
+  if (!isWhole(header.kind, new Uint8Array(await file.arrayBuffer()))) throw damaged(name);
+  let decoded: Decoded | null;
+  try {
+    decoded = await decode(file, MOST_PIXELS);
+  } catch {
+    throw damaged(name);
+  }
+  if (!decoded) throw tooLarge(name, `more than ${MOST_MEGAPIXELS} megapixels`, String(MOST_MEGAPIXELS));
+  return decoded;
+}
+
+/** Says which file it is of which something is amiss. */
+function about(name: string, problem: unknown): unknown {
+  if (!(problem instanceof Error) || problem instanceof WebAssembly.RuntimeError) return problem;
+  const { code = "failed" } = problem as Error & { code?: string };
+  return { code, message: `“${name}”: ${problem.message}` };
+}
+
+export const traceTasks = {
+  /** Finds out what a file is, by what is in it, and opens it. */
+  async openFile({ fit, keep, transfer }: Plain, { file, name: given, as }: OpenFileArgs): Promise<Opened> {
+    const name = shortName(given, "File");
+    const head = new Uint8Array(await file.slice(0, HEAD_BYTES).arrayBuffer());
+    const header = readHeader(head);
+    if (header.kind === "svg" || header.kind === "unknown") {
+      if (file.size > MOST_TEXT) {
+        throw tooLarge(name, `${Math.round(file.size / 2 ** 20)} megabytes of text`, "64");
+      }
+      const bytes = head.length === file.size ? head : new Uint8Array(await file.arrayBuffer());
+      try {
+        const read = fit.readTextFile(bytes, as);
+        for (const { points } of read.kind === "series" ? [read] : read.outlines) transfer(points.buffer);
+        return { ...read, name };
+      } catch (problem) {
+        throw about(name, problem);
+      }
+    }
+    const decoded = await picture(file, name, header);
+    const { width, height, original, bitmap, pixels } = decoded;
+    const all = held(keep);
+    for (const [id, oldest] of all.tracers) {
+      if (all.tracers.size < MOST_HELD) break;
+      oldest.free();
+      all.tracers.delete(id);
+    }
+    const id = all.next++;
+    all.tracers.set(id, new fit.PictureTracer(width, height, new Uint8Array(pixels.buffer)));
+    transfer(bitmap);
+    const opened: OpenedPicture = {
+      kind: "picture",
+      id,
+      name,
+      width,
+      height,
+      original,
+      bitmap,
+      warnings: [],
+    };
+    if (width < original.width || height < original.height) opened.warnings.push(smaller(name, opened));
+    return opened;
+  },
+
+  /** Draws the mask of a picture. */
+  mask({ keep, transfer }: Plain, { id, ...options }: MaskArgs): Masked {
+    const masked = tracer(keep, id).mask(options);
+    transfer(masked.mask.buffer);
+    return masked;
+  },
+
+  /** The line round a piece of the last mask. */
+  outline({ keep, transfer }: Plain, { id, component }: OutlineArgs): TracedOutline {
+    const traced = tracer(keep, id).outline(component);
+    transfer(traced.points.buffer);
+    return traced;
+  },
+
+  /** Lets go of a picture. */
+  closeFile({ keep }: Plain, { id }: CloseFileArgs): null {
+    const { tracers } = held(keep);
+    tracers.get(id)?.free();
+    tracers.delete(id);
+    return null;
+  },
+};
+
+function smaller(name: string, { original, width, height }: OpenedPicture): TraceWarning {
+  const side = (pixels: number) => pixels.toLocaleString("en-GB");
+  const message = `“${name}” has ${inWords(original)}: it is worked on at ${side(width)} × ${side(height)}.`;
+  return { code: "smaller", message };
+}
