@@ -8,7 +8,8 @@ pub use collage::*;
 
 use frond_fit::{
     ArcCopy, ClosedCurve, CollageOptions, Fidelity, Fitter, Outline, OutlineError, PackError, Stage,
-    crossings, features, fidelity, fourier, least_squares_polyline, maple_leaf, oak_leaf, split_polyline,
+    crossings, features, fidelity, fourier, island, least_squares_polyline, maple_leaf, oak_leaf,
+    split_polyline,
 };
 use glam::DVec2;
 use js_sys::{Date, Float64Array};
@@ -118,14 +119,16 @@ fn read_curve(value: JsValue) -> Result<ClosedCurve, JsValue> {
     }
 }
 
-/// An outline grown by program: a `"maple"`-like or an `"oak"`-like leaf, or a maple-like one that was badly `"noisy"`.
+/// An outline grown by program: a `"maple"`-like or an `"oak"`-like leaf, an `"island"`, or a maple-like leaf that was badly
+/// measured, `"noisy"`.
 #[wasm_bindgen(js_name = grownOutline)]
 pub fn grown_outline(kind: &str, seed: u32) -> Result<JsValue, JsValue> {
     match kind {
         "maple" => Ok(flat(&maple_leaf(seed))),
+        "island" => Ok(flat(&island(seed))),
         "oak" => Ok(flat(&oak_leaf(seed))),
         "noisy" => Ok(flat(&noisy(&maple_leaf(seed), seed))),
-        _ => Err(bad_input("The kind of leaf", "maple, oak and noisy are there")),
+        _ => Err(bad_input("The kind of outline", "maple, oak, island and noisy are there")),
     }
 }
 

@@ -4,9 +4,9 @@ import type { Figures, Method, Rival } from "../../engine/fit/tasks/curve";
 import { fitDocument } from "../../state/outline";
 import { fixed } from "../../ui/number";
 import { cutting } from "./stage/layers";
-import { cancelled, collage, numbersOf, problem, running, shownFigures, shownFit } from "./work/fitting";
+import { cancelled, collage, problem, running, shownFigures, shownFit } from "./work/fitting";
 import { masked, masking, traced } from "./work/mask";
-import { prepared } from "./work/outline";
+import { numbersOf, prepared } from "./work/outline";
 import { reading } from "./work/source";
 
 /** In percent of the diagonal, with as many digits as say something. */

@@ -24,7 +24,7 @@ export interface Prepared {
   crossings: number | null;
 }
 
-export type Grown = "maple" | "oak" | "noisy";
+export type Grown = "maple" | "oak" | "island" | "noisy";
 export type FitStage = "straight" | "copies" | "trade" | "polish";
 
 /** A fit that is under way. */

@@ -10,14 +10,13 @@ import {
   cancelled,
   collage,
   fitAgain,
-  numbersOf,
   problem,
   rivals,
   running,
   shownFigures,
   shownFit,
 } from "../work/fitting";
-import { prepared } from "../work/outline";
+import { numbersOf, prepared } from "../work/outline";
 import { source } from "../work/source";
 
 const closed = computed(() => fitDocument.value.model === "closed");

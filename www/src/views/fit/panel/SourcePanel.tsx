@@ -3,7 +3,7 @@ import type { Grown } from "../../../engine/fit/tasks/curve";
 import { Button } from "../../../ui/Button";
 import { listenForFiles } from "../arrivals";
 import { takeSeries } from "../series";
-import { prepared } from "../work/outline";
+import { prepared, SEEDS } from "../work/outline";
 import { former, type Source, source, takeFile, takeFormer, takeSource } from "../work/source";
 
 const ACCEPT =
@@ -59,6 +59,7 @@ export function SourcePanel() {
 const EXAMPLES: readonly { grown: Grown; name: string; about: string }[] = [
   { grown: "maple", name: "Maple-like leaf", about: "Five pointed lobes with teeth on teeth" },
   { grown: "oak", name: "Oak-like leaf", about: "Round lobes with a finely uneven margin" },
+  { grown: "island", name: "Island", about: "A coast that is rough however near it is seen" },
   { grown: "noisy", name: "Noisy leaf", about: "A maple-like leaf, badly measured: try the smoothing" },
 ];
 
@@ -68,7 +69,7 @@ function Examples() {
   return (
     <div class="examples">
       <span class="row-name" id="examples-name">
-        Or a leaf grown here
+        Or one grown here
       </span>
       <ul class="examples-list" aria-labelledby="examples-name">
         {EXAMPLES.map(({ grown, name, about }) => {
@@ -78,9 +79,11 @@ function Examples() {
               <Button
                 pressed={here}
                 description={here ? `${about}. Press again to grow another` : about}
-                onClick={() => takeSource({ kind: "grown", name, grown, seed: here ? now.seed + 1 : 1 })}
+                onClick={() =>
+                  takeSource({ kind: "grown", name, grown, seed: here ? now.seed + 1 : SEEDS[grown] })
+                }
               >
-                {here && now.seed > 1 ? `${name} ${now.seed}` : name}
+                {here && now.seed > SEEDS[grown] ? `${name} ${now.seed - SEEDS[grown] + 1}` : name}
               </Button>
             </li>
           );

@@ -7,7 +7,7 @@ import { type CurveMorphHandle, frond } from "../../../engine/wasm";
 import { fitDocument } from "../../../state/outline";
 import { collage, collageOptions, shownFit } from "../work/fitting";
 import { masked } from "../work/mask";
-import { frame, prepared, raw } from "../work/outline";
+import { frame, prepared, raw, ready } from "../work/outline";
 import { opened } from "../work/source";
 import { cursor, hand, painting, radius, stroke } from "./brush";
 import { effectiveView, stageSize } from "./camera";
@@ -60,11 +60,14 @@ function polyline(curve: Curve, plain: Float64Array, view: View): Float64Array {
   }
 }
 
+const NONE = new Float64Array();
+
 export const sight: ReadonlySignal<Sight> = computed(() => {
   const picture = opened.value;
   const cut = cutting.value;
   const outline = prepared.value?.points ?? raw.value;
-  const fit = closed.value ? shownFit.value : null;
+  const early = prepared.value ? null : ready.value;
+  const fit = closed.value ? (shownFit.value ?? (early && { curve: early, points: NONE })) : null;
   const paper = !closed.value && collage.value?.of === prepared.value ? collage.value : null;
   const alone = comparing.value;
   const shown = !cut && !alone;

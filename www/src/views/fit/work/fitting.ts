@@ -15,7 +15,7 @@ import { frond } from "../../../engine/wasm";
 import { announce, notify, wordsOf } from "../../../state/notice";
 import { fitDocument, replaceFit } from "../../../state/outline";
 import { isStopped, Latest } from "./latest";
-import { polylineOf, prepared } from "./outline";
+import { numbersOf, polylineOf, prepared, ready } from "./outline";
 import { source, takeSource } from "./source";
 
 export const LEAST_NUMBERS = 12;
@@ -49,7 +49,7 @@ export const running = signal<Running | null>(null);
 /** Whether it was stopped before its end. */
 export const cancelled = signal(false);
 export const problem = signal<string | null>(null);
-export const rivals = signal<readonly Rival[]>([]);
+const compared = signal<{ of: Prepared; numbers: number; list: readonly Rival[] } | null>(null);
 export const collage = signal<{ of: Prepared; options: CollageOptions; fit: Collage } | null>(null);
 /** Milliseconds from the request to the first fit and to the last: for the measurements. */
 export const clock = signal<{ first: number; whole: number }>({ first: 0, whole: 0 });
@@ -69,14 +69,10 @@ const METHODS: readonly Method[] = ["squares", "bezier", "split", "fourier", "co
 const REST_MS = 140;
 
 const latest = new Latest();
-const cache = new WeakMap<Prepared, Map<number, Fitted & { rivals: readonly Rival[] }>>();
+const cache = new WeakMap<Prepared, Map<number, Fitted>>();
+const comparisons = new WeakMap<Prepared, Map<number, readonly Rival[]>>();
 /** Curves that were fitted here: a document that holds another was opened from a link. */
 const own = new WeakSet<Curve>();
-
-/** How many numbers a curve is made of. */
-export function numbersOf(curve: Curve): number {
-  return 2 * (curve.knots.length + curve.edges.filter((edge) => edge !== null).length);
-}
 
 /** What is fitted, and into what. */
 const wanted = computed(() => {
@@ -122,10 +118,10 @@ export function fitAgain(): void {
   const outline = prepared.peek();
   if (!outline) return;
   cache.get(outline)?.delete(fitDocument.peek().numbers);
-  begin(outline);
+  begin(outline, true);
 }
 
-function begin(outline: Prepared): void {
+function begin(outline: Prepared, again = false): void {
   const signal = latest.begin();
   const { model, numbers } = fitDocument.peek();
   problem.value = null;
@@ -139,25 +135,43 @@ function begin(outline: Prepared): void {
     batch(() => {
       best.value = known;
       fitted.value = known;
-      rivals.value = known.rivals;
       running.value = null;
     });
     keep(known);
-    if (known.figures && known.rivals.length === 0) void compare(outline, numbers, signal);
+    if (known.figures) void compare(outline, numbers, signal);
     return;
   }
-  void fitCurve(outline, numbers, signal);
+  const curve = ready.peek();
+  if (curve && !again)
+    void measure({ of: outline, numbers, curve, points: polylineOf(curve) ?? new Float64Array() }, signal);
+  else void fitCurve(outline, numbers, signal);
+}
+
+/** The figures of a fit that is there. */
+async function measure(done: Best, signal: AbortSignal): Promise<void> {
+  batch(() => {
+    best.value = done;
+    running.value = null;
+  });
+  try {
+    const got = await fitTask("measure", { points: done.of.points, curve: done.curve }, { signal });
+    if (signal.aborted) return;
+    finish({ ...done, ...got });
+    await compare(done.of, done.numbers, signal);
+  } catch (wrong) {
+    if (!signal.aborted && !isStopped(wrong)) fail(wrong);
+  }
 }
 
 /** The curve of a link, as long as nothing else is asked for. */
-function keptFit(outline: Prepared, numbers: number): (Fitted & { rivals: readonly Rival[] }) | null {
+function keptFit(outline: Prepared, numbers: number): Fitted | null {
   const now = source.peek();
   if (now.kind !== "kept" || Math.abs(numbersOf(now.curve) - numbers) > 2) return null;
   const { curve } = now;
   const points = polylineOf(curve);
   if (!points) return null;
   const { bytes } = frond.curveFacts(curve);
-  return { of: outline, numbers, curve, points, figures: null, bytes, rivals: [] };
+  return { of: outline, numbers, curve, points, figures: null, bytes };
 }
 
 async function fitCurve(outline: Prepared, numbers: number, signal: AbortSignal): Promise<void> {
@@ -193,8 +207,7 @@ async function fitCurve(outline: Prepared, numbers: number, signal: AbortSignal)
 }
 
 function finish(done: Fitted): void {
-  const known = cache.get(done.of) ?? new Map<number, Fitted & { rivals: readonly Rival[] }>();
-  cache.set(done.of, known.set(done.numbers, { ...done, rivals: rivals.peek() }));
+  put(cache, done.of, done.numbers, done);
   batch(() => {
     best.value = done;
     fitted.value = done;
@@ -202,6 +215,10 @@ function finish(done: Fitted): void {
   });
   keep(done);
   if (done.figures) announce(`Fitted: ${done.figures.rms.toFixed(3)} percent off.`);
+}
+
+function put<T>(into: WeakMap<Prepared, Map<number, T>>, of: Prepared, numbers: number, what: T): void {
+  into.set(of, (into.get(of) ?? new Map<number, T>()).set(numbers, what));
 }
 
 /** The last fit is part of the document: a link opens it again. */
@@ -228,22 +245,20 @@ function fail(wrong: unknown): void {
 /** Beside the fit, which takes longer. */
 const RIVAL_LANE = 1;
 
-async function compare(outline: Prepared, numbers: number, signal: AbortSignal): Promise<void> {
-  rivals.value = [];
+async function compare(of: Prepared, numbers: number, signal: AbortSignal): Promise<void> {
+  const known = comparisons.get(of)?.get(numbers);
+  compared.value = { of, numbers, list: known ?? [] };
+  if (known) return;
+  let list: readonly Rival[] = [];
+  const onProgress = (rival: Rival) => {
+    if (signal.aborted) return;
+    list = [...list, rival];
+    compared.value = { of, numbers, list };
+  };
   try {
-    await fitTask(
-      "rivals",
-      { points: outline.points, numbers, methods: METHODS },
-      {
-        signal,
-        lane: RIVAL_LANE,
-        onProgress: (rival) => {
-          if (!signal.aborted) rivals.value = [...rivals.peek(), rival];
-        },
-      },
-    );
-    const known = cache.get(outline)?.get(numbers);
-    if (known) known.rivals = rivals.peek();
+    const args = { points: of.points, numbers, methods: METHODS };
+    await fitTask("rivals", args, { signal, lane: RIVAL_LANE, onProgress });
+    put(comparisons, of, numbers, list);
   } catch (wrong) {
     if (!signal.aborted && !isStopped(wrong)) notify({ kind: "error", text: wordsOf(wrong) });
   }
@@ -274,28 +289,19 @@ export function cancel(): void {
     cancelled.value = true;
   });
   announce("Stopped. The best so far is kept.");
-  if (!reached || reached.of !== prepared.peek()) return;
-  fitTask("measure", { points: reached.of.points, curve: reached.curve }, { signal }).then(
-    (got) => {
-      if (signal.aborted) return;
-      const done = { of: reached.of, numbers: reached.numbers, ...got };
-      batch(() => {
-        best.value = done;
-        fitted.value = done;
-      });
-      keep(done);
-      if (rivals.peek().length < METHODS.length) void compare(done.of, done.numbers, signal);
-    },
-    (wrong) => {
-      if (!isStopped(wrong)) fail(wrong);
-    },
-  );
+  if (reached && reached.of === prepared.peek()) void measure(reached, signal);
 }
 
 /** The fit that is on the stage, if it is one of the outline there. */
 export const shownFit: ReadonlySignal<Best | null> = computed(() => {
   const now = best.value;
   return now && now.of === prepared.value ? now : null;
+});
+
+/** Other ways to spend as many numbers on it. */
+export const rivals: ReadonlySignal<readonly Rival[]> = computed(() => {
+  const now = compared.value;
+  return now && now.of === prepared.value && now.numbers === fitted.value?.numbers ? now.list : [];
 });
 
 export const shownFigures: ReadonlySignal<Fitted | null> = computed(() => {

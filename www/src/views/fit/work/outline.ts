@@ -1,6 +1,6 @@
 /** The outline that is fitted: of the source, in units of the plane, smoothed as the document says. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import type { Curve } from "../../../engine/api";
+import type { Curve, CurvePreset } from "../../../engine/api";
 import { fitTask } from "../../../engine/fit/client";
 import type { Prepared } from "../../../engine/fit/tasks/curve";
 import { frond } from "../../../engine/wasm";
@@ -54,12 +54,38 @@ export function polylineOf(curve: Curve): Float64Array | null {
   }
 }
 
+/** Seeds of the leaves that the gallery has fits of. */
+export const SEEDS = { maple: 1, oak: 1, island: 4, noisy: 1 } as const;
+
+let gallery: readonly CurvePreset[] | null = null;
+
+/** A fit that is there before anything is worked out: the gallery's, of an outline that is as it was grown. */
+export const ready: ReadonlySignal<Curve | null> = computed(() => {
+  const now = source.value;
+  const { model, smoothing, numbers } = fitDocument.value;
+  if (now.kind !== "grown" || now.seed !== SEEDS[now.grown] || model !== "closed" || smoothing !== 0)
+    return null;
+  try {
+    gallery ??= frond.curvePresets();
+    const curve = gallery.find(({ id }) => id === now.grown)?.curve;
+    return curve && Math.abs(numbersOf(curve) - numbers) <= 2 ? curve : null;
+  } catch {
+    return null;
+  }
+});
+
+/** How many numbers a curve is made of. */
+export function numbersOf(curve: Curve): number {
+  return 2 * (curve.knots.length + curve.edges.filter((edge) => edge !== null).length);
+}
+
 /** What is fitted now. */
 export const prepared = signal<Prepared | null>(null);
 /** Where it lies: what the stage fits. */
 export const outlineBox = computed(() => {
   const points = prepared.value?.points ?? raw.value;
-  return points ? boxOf(points) : null;
+  if (points) return boxOf(points);
+  return ready.value && boxOf(new Float64Array(ready.value.knots.flat()));
 });
 
 /** Units of the plane a unit of the source, and where its origin lies. */
