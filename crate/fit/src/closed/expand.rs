@@ -14,6 +14,8 @@ const LEAST_DERIVATIVE: f64 = 1e-3;
 #[derive(Clone, Debug)]
 pub(crate) struct Vertex {
     pub at: DVec2,
+    /// How long the sides were between which it is, when it was new.
+    size: f64,
     pub knots: Vec<(u32, DMat2)>,
     pub factors: Vec<(u32, DVec2)>,
 }
@@ -21,7 +23,7 @@ pub(crate) struct Vertex {
 impl Vertex {
     fn knot(curve: &ClosedCurve, index: usize, jets: bool) -> Self {
         let knots = if jets { vec![(index as u32, DMat2::IDENTITY)] } else { Vec::new() };
-        Self { at: curve.knots[index], knots, factors: Vec::new() }
+        Self { at: curve.knots[index], size: f64::INFINITY, knots, factors: Vec::new() }
     }
 
     fn add(&mut self, knot: usize, derivative: DMat2) {
@@ -79,11 +81,11 @@ impl<'a> Frame<'a> {
 
     /// With w = (U - A) / (B - A) in the arc's own frame, the image of U is P + (Q - P) (Re w + i c Im w); the rest is its
     /// derivative by P, Q, A, B, U and c.
-    fn image(&self, vertex: &Vertex, jets: bool) -> Vertex {
+    fn image(&self, vertex: &Vertex, size: f64, jets: bool) -> Vertex {
         let w = over(vertex.at - self.curve.knots[self.first], self.chord);
         let s = self.squash * w;
         let at = self.curve.knots[self.index] + complex(self.edge) * s;
-        let mut image = Vertex { at, knots: Vec::new(), factors: Vec::new() };
+        let mut image = Vertex { at, size, knots: Vec::new(), factors: Vec::new() };
         if !jets {
             return image;
         }
@@ -161,22 +163,30 @@ impl Frame<'_> {
     fn open(&self, level: &Expansion, tolerance: f64, jets: bool, out: &mut Vec<Vertex>) {
         let count = self.curve.knots.len();
         let scale = crate::piece::spectral_norm(self.linear);
+        let mut before = 0.0_f64;
         for step in 0..self.copy.span {
             let place = if self.copy.reversed { self.copy.span - 1 - step } else { step };
             let edge = (self.copy.from + place) % count;
             let (start, end) = (level.starts[edge], level.starts[edge + 1]);
-            let small = scale * self.curve.knots[edge].distance(self.curve.knot(edge + 1)) < tolerance;
-            let mut corners = if small { start..start } else { start + 1..end };
+            let side = scale * self.curve.knots[edge].distance(self.curve.knot(edge + 1));
             // A corner of the arc itself lies between two of its edges; its first end is the edge's own knot.
             let corner = if self.copy.reversed { (edge + 1) % count } else { edge };
             if step > 0 {
-                out.push(self.image(&level.vertices[level.starts[corner]], jets));
+                out.push(self.image(&level.vertices[level.starts[corner]], side.max(before), jets));
             }
-            let mut take = |at: usize| out.push(self.image(&level.vertices[at], jets));
+            before = side;
+            let corners = if side < tolerance { start..start } else { start + 1..end };
+            let mut take = |at: usize| {
+                let vertex = &level.vertices[at];
+                let size = scale * vertex.size;
+                if size >= tolerance {
+                    out.push(self.image(vertex, size, jets));
+                }
+            };
             if self.copy.reversed {
                 corners.rev().for_each(&mut take);
             } else {
-                corners.by_ref().for_each(&mut take);
+                corners.for_each(&mut take);
             }
         }
     }
