@@ -2,7 +2,7 @@ import { signal } from "@preact/signals";
 import type { FoundCluster } from "../../../engine/fit/tasks/hough";
 import { Button } from "../../../ui/Button";
 import { NumberField } from "../../../ui/NumberField";
-import { chosen, found, isPicked, mapOf, picks, search, setDomain, togglePick } from "./search";
+import { choose, chosen, found, isPicked, mapOf, picks, search, setDomain, togglePick } from "./search";
 import { aboutOf, countWords, errorWords, mapWords, nameOf } from "./words";
 
 /** As many are seen at first. */
@@ -41,7 +41,7 @@ function Row({ cluster, index }: { cluster: FoundCluster; index: number }) {
   const open = chosen.value === index;
   const name = nameOf(cluster, index);
   return (
-    <li class={`candidate ${cluster.kind} ${open ? "open" : ""}`}>
+    <li class={`candidate ${open ? "open" : ""}`}>
       <input
         type="checkbox"
         aria-label={`Pick ${name}`}
@@ -53,9 +53,7 @@ function Row({ cluster, index }: { cluster: FoundCluster; index: number }) {
         class="candidate-name"
         aria-expanded={open}
         title={aboutOf(cluster)}
-        onClick={() => {
-          chosen.value = index;
-        }}
+        onClick={() => choose(index)}
       >
         <span>{name}</span>
         <span class="dim number">{errorWords(cluster)}</span>
@@ -64,7 +62,9 @@ function Row({ cluster, index }: { cluster: FoundCluster; index: number }) {
       {open && (
         <div class="candidate-more">
           <p class="hint">{aboutOf(cluster)}</p>
-          <p class="number">{mapWords(mapOf(cluster))}</p>
+          <p class="number">
+            {mapWords(picks.value.find((one) => one.cluster === index)?.map ?? mapOf(cluster))}
+          </p>
           {isPicked(index) && <Domain index={index} />}
         </div>
       )}

@@ -1,7 +1,7 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import type { FoundCluster } from "../../../engine/fit/tasks/hough";
 import { dark } from "../../../state/preferences";
-import { chosen, current, found, isPicked, live, search, togglePick } from "./search";
+import { choose, chosen, current, found, isPicked, live, search, togglePick } from "./search";
 import { errorWords, mapWords, nameOf } from "./words";
 
 export type AxesId = "ac" | "principal";
@@ -52,14 +52,12 @@ export function ClusterPlot({ axes }: { axes: AxesId }) {
               <g
                 key={index}
                 id={`cluster-${index}`}
-                class={`cluster ${cluster.kind} ${index === selected ? "chosen" : ""} ${isPicked(index) ? "picked" : ""}`}
+                class={`cluster is-${cluster.kind} ${index === selected ? "chosen" : ""} ${isPicked(index) ? "picked" : ""}`}
                 role="option"
                 aria-selected={index === selected}
                 aria-label={`${nameOf(cluster, index)}, ${cluster.hits} hits${isPicked(index) ? ", picked" : ""}: ${mapWords(cluster.map)}, ${errorWords(cluster)}`}
                 transform={`translate(${left.toFixed(1)} ${top.toFixed(1)})`}
-                onClick={() => {
-                  chosen.value = index;
-                }}
+                onClick={() => choose(index)}
                 onDblClick={() => togglePick(index)}
               >
                 <circle class="reach" r={Math.max(radius, 9)} />
@@ -84,9 +82,9 @@ function onKey(event: KeyboardEvent): void {
   const now = chosen.peek();
   const by: Record<string, number> = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
   const step = by[event.key];
-  if (step !== undefined) chosen.value = now === null ? 0 : (now + step + all) % all;
-  else if (event.key === "Home") chosen.value = 0;
-  else if (event.key === "End") chosen.value = all - 1;
+  if (step !== undefined) choose(now === null ? 0 : (now + step + all) % all);
+  else if (event.key === "Home") choose(0);
+  else if (event.key === "End") choose(all - 1);
   else if (event.key === "Enter" || event.key === " ") {
     if (now !== null) togglePick(now);
   } else return;

@@ -5,12 +5,12 @@ import { Segmented } from "../../../ui/Segmented";
 import { Switch } from "../../../ui/Switch";
 import { CandidateList } from "./Candidates";
 import { type AxesId, ClusterPlot } from "./ClusterPlot";
-import { copying } from "./copy";
 import { graph } from "./document";
 import {
   assemble,
   assembled,
   assembling,
+  copying,
   current,
   found,
   live,
@@ -111,7 +111,7 @@ function Assembly() {
           Assemble
         </Button>
         <Button disabled={assembling.value || picked === 0} onClick={() => void assemble("hand")}>
-          {`Assemble the ${picked} picked`}
+          {picked === 0 ? "Assemble picks" : `Assemble ${picked} ${picked === 1 ? "pick" : "picks"}`}
         </Button>
       </div>
       {picked > 0 && (
@@ -128,7 +128,7 @@ function Assembly() {
       {seven.length > 0 && (
         <Button
           kind="quiet"
-          description="The maps that the authors picked by hand, with their domains"
+          description="The maps that the authors picked by hand, refined as they did, with their domains"
           onClick={() => {
             picks.value = seven;
           }}

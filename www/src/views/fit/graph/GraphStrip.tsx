@@ -1,5 +1,5 @@
 import "./graph.css";
-import { chosen, current, found, isPicked, running } from "./search";
+import { choose, chosen, current, found, isPicked, running } from "./search";
 import { series } from "./series";
 import { countWords, nameOf } from "./words";
 
@@ -44,10 +44,8 @@ export function GraphStrip() {
             // biome-ignore lint/a11y/noStaticElementInteractions: the list of candidates does the same for keys
             <g
               key={index}
-              class={`bar ${cluster.kind} ${chosen.value === index ? "chosen" : ""} ${isPicked(index) ? "picked" : ""}`}
-              onClick={() => {
-                chosen.value = index;
-              }}
+              class={`bar is-${cluster.kind} ${chosen.value === index ? "chosen" : ""} ${isPicked(index) ? "picked" : ""}`}
+              onClick={() => choose(index)}
             >
               <title>{`${nameOf(cluster, index)}: ${countWords(cluster.hits)} hits`}</title>
               <rect class="reach" x={index * step} y={0} width={step} height={HEIGHT} />
@@ -63,9 +61,9 @@ export function GraphStrip() {
         })}
       </svg>
       <ul class="histogram-key">
-        <li class="map">Map</li>
-        <li class="echo">Echo</li>
-        <li class="clutter">Clutter</li>
+        <li class="is-map">Map</li>
+        <li class="is-echo">Echo</li>
+        <li class="is-clutter">Clutter</li>
       </ul>
     </div>
   );

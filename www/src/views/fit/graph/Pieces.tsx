@@ -48,23 +48,14 @@ export function FunctionSection() {
           Figure 1
         </Button>
       </div>
-      <p class="row-name" id="graph-kind">
-        Every piece is a smaller copy of
-      </p>
+      <p class="row-name">Every piece is a smaller copy of</p>
       <Segmented<Kind>
         label="What every piece is a copy of"
-        options={KINDS.map(({ value: kind, label, symbol, about }) => ({
-          value: kind,
-          label: (
-            <>
-              {label} <small class="dim">{symbol}</small>
-            </>
-          ),
-          description: about,
-        }))}
+        options={KINDS.map(({ value: kind, label, about }) => ({ value: kind, label, description: about }))}
         value={now.kind}
         onChange={chooseKind}
       />
+      <p class="hint">{KINDS.find((one) => one.value === now.kind)?.about}</p>
       <PieceList />
       <KnotFields />
       <FactList />

@@ -1,10 +1,7 @@
 /** The map that is looked at, as it copies the feature points (Fig 5, middle). */
-import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { computed, type ReadonlySignal } from "@preact/signals";
 import type { Copy } from "./paint";
-import { chosen, current, found, mapOf, picks, search } from "./search";
-
-/** Whether the chosen cluster's map is shown on the stage. */
-export const copying = signal(true);
+import { chosen, copying, current, found, mapOf, picks, search } from "./search";
 
 export const copyShown: ReadonlySignal<Copy | null> = computed(() => {
   const now = search.value;
@@ -15,7 +12,7 @@ export const copyShown: ReadonlySignal<Copy | null> = computed(() => {
   const all: [number, number] = [fine[0] ?? 0, fine[fine.length - 2] ?? 1];
   const picked = picks.value.find((pick) => pick.cluster === index);
   const [alpha, beta] = picked?.domain ?? cluster.candidate?.domain ?? all;
-  const [a, b, c, d, e] = mapOf(cluster);
+  const [a, b, c, d, e] = picked?.map ?? mapOf(cluster);
   const from: number[] = [];
   const to: number[] = [];
   const near = 1e-9 * (all[1] - all[0]);

@@ -4,7 +4,7 @@ import type { Graph } from "../../../engine/api";
 import { frond } from "../../../engine/wasm";
 import { announce, notify, wordsOf } from "../../../state/notice";
 import { changeFit, fitDocument } from "../../../state/outline";
-import { asKind, evaluator, type Kind, type Model, modelOf, request } from "./model";
+import { asKind, evaluator, type Kind, type Model, modelOf, request, short } from "./model";
 
 /** Where nothing was made yet: Figure 1 of the paper. */
 export const FIRST: Graph = {
@@ -45,7 +45,7 @@ export function changeModel(change: (now: Model) => Model, gesture?: string): bo
   if (after === before) return true;
   const { points, options } = request(after);
   try {
-    const next = frond.interpolation(points, options);
+    const next = short(frond.interpolation(points, options));
     meant.set(next, after);
     take(next, gesture);
     return true;
@@ -81,7 +81,7 @@ export function chooseKind(kind: Kind): void {
     // Cut finer where that makes it the very same function.
     const same = frond.toRecurrent(graph.peek(), MOST_CUT);
     if (same) {
-      take({ ...same, kind: "rfif" });
+      take(short({ ...same, kind: "rfif" }));
       announce(`The same function in ${same.pieces.length} pieces.`);
       return;
     }

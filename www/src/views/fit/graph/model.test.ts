@@ -8,6 +8,7 @@ import {
   modelOf,
   rangeOf,
   request,
+  short,
   withKnot,
   withKnotIn,
   withoutKnot,
@@ -154,4 +155,29 @@ it("measures points by their distance from the graph", () => {
   expect([worst, where]).toEqual([2, 1]);
   expect(meanSquare).toBeCloseTo((1 + 4 + 0) / 3, 12);
   expect(errorsOf([], () => 0).meanSquare).toBe(0);
+});
+
+it("leaves out digits that nobody sees, whatever the units", () => {
+  const third = 1 / 3;
+  const graph: Graph = {
+    kind: "pfif",
+    pieces: [
+      { map: [third, 1e-14, 0.5, 2000 - 2000 * third, 1e6 / 3], domain: [2000, 2024] },
+      { map: [2 * third, 2e-5 / 3, -0.25, 2008 - 4000 * third, 1e6 / 7], domain: [2000, 2024] },
+    ],
+  };
+  const [one, two] = short(graph).pieces;
+  expect(String(one?.map[4])).toBe("333333.33333");
+  expect(one?.map[1]).toBe(0);
+  expect(String(two?.map[0]).length).toBeLessThan(16);
+  // Pieces still meet, and heights are the same.
+  const ends = short(graph).pieces.map(rangeOf);
+  expect(Math.abs((ends[0]?.[1] ?? 0) - (ends[1]?.[0] ?? 0))).toBeLessThan(1e-10 * 24);
+  const [at, before] = [evaluator(short(graph)), evaluator(graph)];
+  expect(Math.abs(at(2000) - before(2000)) / 1e6).toBeLessThan(1e-10);
+  const plain = short({
+    kind: "fif",
+    pieces: [{ map: [third, -1e-16, 0.1 + 0.2, 0, third], domain: [0, 1] }],
+  });
+  expect(plain.pieces[0]?.map).toEqual([0.33333333333, -0, 0.3, 0, 0.33333333333]);
 });

@@ -95,6 +95,30 @@ function nearest(knots: readonly Knot[], t: number): number {
   return best;
 }
 
+/** The same graph to eleven digits of what is seen: links are short then. */
+export function short(graph: Graph): Graph {
+  const ranges = graph.pieces.map(rangeOf);
+  const [start, end] = [ranges[0]?.[0] ?? 0, ranges.at(-1)?.[1] ?? 1];
+  const long = end - start;
+  const gain = Math.max(...graph.pieces.map(({ map }) => Math.abs(map[2])));
+  const heights = graph.pieces.flatMap(({ map: [, b, , , e], domain }) =>
+    domain.map((t) => Math.abs(b * t + e)),
+  );
+  const tall = Math.max(...heights) / Math.max(0.01, 1 - gain);
+  // Far from t = 0, a little of a and b is much of what they do.
+  const far = Math.max(Math.abs(start), Math.abs(end), long);
+  const to = (unit: number) => {
+    const digits = Math.min(20, Math.max(0, 11 - Math.ceil(Math.log10(unit))));
+    return (x: number) => (unit > 0 && Number.isFinite(unit) ? Number(x.toFixed(digits)) : x);
+  };
+  const [scale, slope, factor, along, up] = [to(long / far), to(tall / far), to(1), to(long), to(tall)];
+  const pieces = graph.pieces.map(({ map: [a, b, c, d, e], domain }): GraphPiece => {
+    const map: GraphPiece["map"] = [scale(a), slope(b), factor(c), along(d), up(e)];
+    return { map, domain: [along(domain[0]), along(domain[1])] };
+  });
+  return { ...graph, pieces };
+}
+
 /** A knot somewhere else: never past its neighbours. Domains that end at it go along. */
 export function withKnot(model: Model, index: number, [t, x]: Knot): Model {
   const old = model.knots[index];

@@ -56,6 +56,12 @@ export function paint(
       [left, frame.top + frame.height],
     ]);
     context.setLineDash([]);
+    context.font = FONT;
+    context.fillStyle = paints.quiet;
+    context.textBaseline = "bottom";
+    const room = left < frame.left + frame.width - 110;
+    context.textAlign = room ? "left" : "right";
+    context.fillText("farthest off here", left + (room ? 4 : -4), frame.top + frame.height - 2);
   }
   pieces(context, frame, scenery, paints);
   if (scenery.copy) copy(context, frame, scenery.copy, paints);
@@ -139,7 +145,7 @@ function measured(
     }
   } else {
     let column = Number.NaN;
-    let [low, high] = [0, 0];
+    let [low, high, last] = [0, 0, 0];
     const flush = () => {
       if (!Number.isNaN(column)) context.fillRect(column, high, 1, Math.max(1, low - high));
     };
@@ -149,10 +155,12 @@ function measured(
       if (at !== column) {
         flush();
         // From where the last column ended, so that the line has no holes.
-        [column, low, high] = [at, top, top];
+        const begin = Number.isNaN(column) ? top : last;
+        [column, low, high] = [at, begin, begin];
       }
       low = Math.max(low, top);
       high = Math.min(high, top);
+      last = top;
     }
     flush();
   }

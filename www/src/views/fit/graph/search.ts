@@ -12,6 +12,7 @@ import type {
 import { announce, wordsOf } from "../../../state/notice";
 import { take } from "./document";
 import { TABLE_3 } from "./examples";
+import { short } from "./model";
 import { isStopped, type Series, series, takeFeatures } from "./series";
 
 const LANES = [0, 1] as const;
@@ -46,11 +47,14 @@ export const problem = signal<string | null>(null);
 /** Picks by hand: which clusters, with their domains. */
 export interface Pick {
   cluster: number;
+  map: FoundCluster["map"];
   domain: [number, number];
 }
 export const picks = signal<readonly Pick[]>([]);
 /** The cluster that is looked at. */
 export const chosen = signal<number | null>(null);
+/** Whether its map is shown on the stage. */
+export const copying = signal(true);
 /** Whether ends of picked pieces are moved so that they meet. */
 export const tied = signal(true);
 export const assembling = signal(false);
@@ -141,6 +145,7 @@ export async function find(): Promise<void> {
       live.value = null;
       picks.value = [];
       chosen.value = clusters.found.length > 0 ? 0 : null;
+      copying.value = true;
     });
     const maps = clusters.found.filter(({ kind }) => kind === "map").length;
     announce(`${clusters.found.length} clusters were found, ${maps} of them maps of their own.`);
@@ -175,6 +180,12 @@ export function cancel(): void {
   announce("Stopped.");
 }
 
+/** Looks at a cluster: its map is shown on the graph. */
+export function choose(cluster: number): void {
+  chosen.value = cluster;
+  copying.value = true;
+}
+
 export function isPicked(cluster: number): boolean {
   return picks.value.some((pick) => pick.cluster === cluster);
 }
@@ -186,10 +197,11 @@ export function togglePick(cluster: number): void {
     picks.value = now.filter((pick) => pick.cluster !== cluster);
     return;
   }
-  const candidate = found.peek()[cluster]?.candidate;
-  const first = search.peek()?.sets.fine;
-  const all: [number, number] = [first?.[0] ?? 0, first?.[first.length - 2] ?? 1];
-  picks.value = [...now, { cluster, domain: candidate?.domain ?? all }];
+  const one = found.peek()[cluster];
+  const fine = search.peek()?.sets.fine;
+  if (!one || !fine) return;
+  const all: [number, number] = [fine[0] ?? 0, fine[fine.length - 2] ?? 1];
+  picks.value = [...now, { cluster, map: mapOf(one), domain: one.candidate?.domain ?? all }];
 }
 
 export function setDomain(cluster: number, domain: [number, number]): void {
@@ -212,11 +224,18 @@ export async function assemble(by: "hand" | "itself"): Promise<void> {
     const got =
       by === "itself"
         ? await fitTask("houghAssemble", { sets, candidates: candidatesOf(now) })
-        : await fitTask("houghPicked", { sets, picks: picksOf(now), tied: tied.peek() });
+        : await fitTask("houghPicked", {
+            sets,
+            picks: picks.peek().map(({ map, domain }) => ({ map, domain })),
+            tied: tied.peek(),
+          });
     // Another search has come to its end meanwhile.
     if (search.peek() !== now) return;
-    take(got.graph);
-    assembled.value = got;
+    const whole = { ...got, graph: short(got.graph) };
+    take(whole.graph);
+    assembled.value = whole;
+    // Now the whole is looked at.
+    copying.value = false;
     const pieces = got.graph.pieces.length;
     announce(`Put together of ${pieces} pieces; mean squared error ${got.meanSquare.toExponential(2)}.`);
   } catch (wrong) {
@@ -230,27 +249,20 @@ function candidatesOf({ clusters }: Search) {
   return clusters.found.map(({ candidate }) => candidate).filter((candidate) => candidate !== null);
 }
 
-function picksOf({ clusters }: Search) {
-  return picks.peek().flatMap(({ cluster, domain }) => {
-    const one = clusters.found[cluster];
-    return one ? [{ map: mapOf(one), domain }] : [];
-  });
-}
+/** How far from a map of Table 3 the middle of a cluster's bin may lie to be that map: a bin. */
+const NEAR = [0.016, 0.047, 0.016, 0.016, 0.047] as const;
 
-/** How far from a map of Table 3 a cluster may lie to be that map: a bin or two. */
-const NEAR = [0.03, 0.05, 0.03, 0.05, 0.06] as const;
-
-/** The clusters that are the seven maps of Table 3, with the domains that the authors gave them. */
+/** The clusters that are the seven maps of Table 3, with the maps and domains that the authors refined them to. */
 export function tableThree(clusters: readonly FoundCluster[]): Pick[] {
   return TABLE_3.pieces.flatMap(({ map, domain }) => {
     const off = (cluster: FoundCluster) =>
-      Math.max(...mapOf(cluster).map((x, i) => Math.abs(x - (map[i] ?? 0)) / (NEAR[i] ?? 1)));
+      Math.max(...cluster.map.map((x, i) => Math.abs(x - (map[i] ?? 0)) / (NEAR[i] ?? 1)));
     let best = -1;
     for (const [i, cluster] of clusters.entries()) {
       const before = clusters[best];
       if (off(cluster) <= 1 && (!before || off(cluster) < off(before))) best = i;
     }
-    return best < 0 ? [] : [{ cluster: best, domain: [...domain] as [number, number] }];
+    return best < 0 ? [] : [{ cluster: best, map: [...map], domain: [...domain] }];
   });
 }
 

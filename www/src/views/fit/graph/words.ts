@@ -3,25 +3,14 @@ import type { Clusters, FoundCluster } from "../../../engine/fit/tasks/hough";
 import { formatNumber } from "../../../ui/number";
 import type { Kind } from "./model";
 
-export const KINDS: readonly { value: Kind; label: string; symbol: string; about: string }[] = [
-  {
-    value: "fif",
-    label: "The whole",
-    symbol: "FIF",
-    about: "Every piece is a smaller copy of the whole graph.",
-  },
+export const KINDS: readonly { value: Kind; label: string; about: string }[] = [
+  { value: "fif", label: "The whole", about: "FIF: every piece is a smaller copy of the whole graph." },
   {
     value: "rfif",
-    label: "From point to point",
-    symbol: "RFIF",
-    about: "Every piece is a smaller copy of what lies between two of the points.",
+    label: "A stretch",
+    about: "RFIF: every piece is a smaller copy of what lies between two of the points.",
   },
-  {
-    value: "pfif",
-    label: "Any part",
-    symbol: "PFIF",
-    about: "Every piece is a smaller copy of any longer part.",
-  },
+  { value: "pfif", label: "Any part", about: "PFIF: every piece is a smaller copy of any longer part." },
 ];
 
 const LETTERS = ["a", "b", "c", "d", "e"] as const;
@@ -47,10 +36,12 @@ export function mapWords(map: readonly number[]): string {
   return map.map((x, i) => `${LETTERS[i]} ${formatNumber(x, 3)}`).join(", ");
 }
 
-/** How near a copy comes, in percent of the height. */
+/** How near a copy comes, in percent of the height, and on how many coarse feature points. */
 export function errorWords({ candidate }: FoundCluster): string {
   if (!candidate) return "holds nowhere";
-  return `${formatNumber(100 * candidate.rms, 2)}% off on ${candidate.points} points`;
+  const percent = 100 * candidate.rms;
+  const off = percent < 0.01 ? "< 0.01" : formatNumber(percent, 2);
+  return `${off}% off on ${candidate.points}`;
 }
 
 export function countWords(count: number): string {
