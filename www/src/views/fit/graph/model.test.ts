@@ -174,7 +174,7 @@ it("leaves out digits that nobody sees, whatever the units", () => {
   const ends = short(graph).pieces.map(rangeOf);
   expect(Math.abs((ends[0]?.[1] ?? 0) - (ends[1]?.[0] ?? 0))).toBeLessThan(1e-10 * 24);
   const [at, before] = [evaluator(short(graph)), evaluator(graph)];
-  expect(Math.abs(at(2000) - before(2000)) / 1e6).toBeLessThan(1e-10);
+  expect(Math.abs(at(2000) - before(2000)) / 1e6).toBeLessThan(1e-5);
   const plain = short({
     kind: "fif",
     pieces: [{ map: [third, -1e-16, 0.1 + 0.2, 0, third], domain: [0, 1] }],
