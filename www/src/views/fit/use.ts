@@ -3,7 +3,7 @@ import type { Curve } from "../../engine/api";
 import { frond } from "../../engine/wasm";
 import { notify, wordsOf } from "../../state/notice";
 import { useCurve as takeCurve } from "../../state/outline";
-import { plainName, shownFit } from "./work/fitting";
+import { shapeOf, shownFit } from "./work/fitting";
 import { source } from "./work/source";
 
 /** The same curve about the origin, its longer side 2: as the shapes of the gallery lie. */
@@ -21,14 +21,15 @@ export function use(tool: "morph" | "deform"): void {
   const best = shownFit.peek();
   if (!best) return;
   try {
-    const curve = frond.quantised(centred(best.curve));
+    const shape = shapeOf(best.curve);
+    const taken = shape.preset ? shape : { ...shape, curve: frond.quantised(centred(best.curve)) };
     const now = source.peek();
     const presets = frond.curvePresets();
     // A maple-like leaf goes to the oak-like one, whatever else to the maple.
     const wanted = now.kind === "grown" && now.grown !== "oak" ? "oak" : "maple";
     const partner = presets.find((preset) => preset.id === wanted) ?? presets[0];
     if (!partner) throw new Error("there is no other shape");
-    takeCurve({ name: plainName(now.name), curve }, partner, tool);
+    takeCurve(taken, partner, tool);
   } catch (problem) {
     notify({ kind: "error", text: `This fit cannot be taken there: ${wordsOf(problem)}` });
   }

@@ -15,7 +15,7 @@ import { frond } from "../../../engine/wasm";
 import { announce, notify, wordsOf } from "../../../state/notice";
 import { fitDocument, replaceFit } from "../../../state/outline";
 import { isStopped, Latest } from "./latest";
-import { numbersOf, polylineOf, prepared, ready } from "./outline";
+import { numbersOf, polylineOf, prepared, ready, SEEDS } from "./outline";
 import { source, takeSource } from "./source";
 
 export const LEAST_NUMBERS = 12;
@@ -98,11 +98,14 @@ export function watchFit(): () => void {
     seen = outline;
   });
   const stopLink = effect(() => {
-    const curve = fitDocument.value.curve?.curve;
-    if (curve && !own.has(curve)) {
-      own.add(curve);
-      takeSource({ kind: "kept", name: fitDocument.peek().curve?.name ?? "Leaf", curve });
-    }
+    const shape = fitDocument.value.curve;
+    if (!shape || own.has(shape.curve)) return;
+    const { preset, name, curve } = shape;
+    own.add(curve);
+    // Those of the gallery have outlines.
+    if (preset === "maple" || preset === "oak" || preset === "island") {
+      takeSource({ kind: "grown", name, grown: preset, seed: SEEDS[preset] });
+    } else takeSource({ kind: "kept", name, curve });
   });
   return () => {
     stopFit();
@@ -224,10 +227,23 @@ function put<T>(into: WeakMap<Prepared, Map<number, T>>, of: Prepared, numbers: 
 /** The last fit is part of the document: a link opens it again. */
 function keep({ curve }: Fitted): void {
   if (fitDocument.peek().curve?.curve === curve) return;
-  own.add(curve);
-  const { name } = source.peek();
-  const shape: CurveShape = { name: plainName(name), curve };
+  const shape = shapeOf(curve);
+  own.add(shape.curve);
   replaceFit((now) => ({ ...now, curve: shape }));
+}
+
+/** A fit as a shape: one of the gallery by its name there. */
+export function shapeOf(curve: Curve): CurveShape {
+  const now = source.peek();
+  const preset = ready.peek();
+  if (preset && now.kind === "grown" && sameCurve(preset, curve)) {
+    return { preset: now.grown, name: plainName(now.name), curve: preset };
+  }
+  return { name: plainName(now.name), curve };
+}
+
+function sameCurve(a: Curve, b: Curve): boolean {
+  return a === b || JSON.stringify(a) === JSON.stringify(b);
 }
 
 /** Of a file without its ending, as long as links allow. */
