@@ -232,9 +232,15 @@ fn a_window_is_fine_and_the_rest_is_not() {
             let corners = woven.trace(zoom * size / 600.0, Some(window), 1 << 16);
             assert!(corners.len() < 20_000, "{} at {zoom}", corners.len());
             let inside = corners.iter().filter(|(_, p)| p.cmpge(low).all() && p.cmple(high).all()).count();
-            assert!(inside > 10 || !rough, "{inside} of {} at {zoom}, s {s}", corners.len());
+            assert!(
+                inside > 10 || !rough || (b.is_some() && zoom < 1e-2),
+                "{inside} of {} at {zoom}, s {s}",
+                corners.len()
+            );
             let line = Nearest::new(&corners.iter().map(|c| c.1).collect::<Vec<_>>(), true);
-            assert!(line.to(middle).squared.sqrt() < 2.0 * zoom * size / 600.0);
+            // Two copies everywhere: there is a limit to what is computed.
+            let limit = if rough && b.is_some() { 1e-5 * size } else { 0.0 };
+            assert!(line.to(middle).squared.sqrt() < 2.0 * zoom * size / 600.0 + limit);
         }
     }
 }

@@ -20,6 +20,9 @@ const HALVED: f64 = 0.7;
 /// It strays so much of the whole at least, and so many times what its middle is off.
 const SEEN: (f64, f64) = (0.4, 1.5);
 
+/// For a corner two copies of two copies .. are opened so deep; where an edge has one copy only, deeper.
+const DOUBLINGS: i32 = 11;
+
 /// Places that are nearer to each other are one.
 const SAME: f64 = 1e-14;
 
@@ -109,6 +112,7 @@ impl Woven {
                 let stray = stretch.stray();
                 let coarse = window.is_some_and(|window| stretch.misses(window, stray));
                 let enough = if coarse { tolerance.max(OUTSIDE * self.size) } else { tolerance };
+                let enough = if stretch.judged.is_some() { enough.max(self.noise(&stretch)) } else { enough };
                 if stray <= enough || !stray.is_finite() {
                     if corners.len() == most && edge + 1 < count {
                         return None;
@@ -131,6 +135,12 @@ impl Woven {
         }
         corners.pop();
         (corners.len() <= most).then_some(corners)
+    }
+
+    /// How exact corners are where all edges are made of two copies.
+    fn noise(&self, stretch: &Stretch) -> f64 {
+        let norms: f64 = stretch.pieces.iter().map(|piece| piece.norm).sum();
+        2.0 * norms * self.size * self.contraction().powi(DOUBLINGS)
     }
 
     fn edge(&self, edge: usize) -> Stretch {
@@ -271,7 +281,7 @@ impl Woven {
             let place = own.map_or_else(|| piece.at(share), |knot| self.place(knot));
             let source = match own {
                 Some(knot) => self.knot(knot),
-                None => self.value(place, rest / piece.norm, 2048),
+                None => self.value(place, rest / piece.norm, 1 << DOUBLINGS),
             };
             corner += piece.linear * source;
             let (mut below, mut above) = (*piece, *piece);
