@@ -1,50 +1,81 @@
-/** Paints a closed curve: softly filled, with an outline in one colour or in those of its copies. */
+/** Paints a closed curve: softly filled, with an outline in one colour or in those of what its edges copy. */
 import type { Colouring } from "../engine/api";
-import { type Frame, fillPath, outlinePaths, place } from "./curve";
+import type { CurveMorph } from "../state/curve";
+import { dark } from "../state/preferences";
+import { type Frame, fillPath, outlinePaths, type Placed, place } from "./curve";
+import { edgeColours } from "./curve-colours";
 
 /** How a curve is painted. */
 export interface CurveLook {
   /** Of the area, and of the outline where nothing else is said. */
   colour: string;
-  /** By kind of edge; null: the outline has one colour. */
-  kinds: readonly string[] | null;
+  /** Colours of the outline, and for each vertex that of what goes on from there; null: one colour. */
+  outline: { colours: readonly string[]; kinds: ArrayLike<number> } | null;
   /** Width of the outline in device pixels. */
   width: number;
+  soft: readonly [middle: number, corner: number];
 }
 
-/** How much of its colour the area has. */
-const SOFT = 0.15;
+/** How much of its colour the area has in the middle, and at the corners of its box: light falls through the middle. */
+const SOFT = { light: [0.08, 0.3], dark: [0.36, 0.1] } as const;
 
-/** The look of the stage, for a theme's palette. */
-export function lookOf(colouring: Colouring, palette: readonly string[], width: number): CurveLook {
-  const coloured = colouring === "map" || colouring === "address";
-  return { colour: palette[0] ?? "#808080", kinds: coloured ? palette : null, width };
+/** The look of the polyline that a morph gave last. */
+export function lookOf(
+  morph: CurveMorph,
+  s: number,
+  colouring: Colouring,
+  palette: readonly string[],
+  width: number,
+): CurveLook {
+  const colour = palette[0] ?? "#808080";
+  const soft = SOFT[dark.peek() ? "dark" : "light"];
+  const edges = edgeColours(morph.arcs(), s, colouring, palette);
+  if (!edges) return { colour, outline: null, width, soft };
+  const kinds = Uint16Array.from(morph.edges(), (edge) => edges.kinds[edge] ?? 0);
+  return { colour, outline: { colours: edges.colours, kinds }, width, soft };
 }
 
-/** A vertex for every two numbers, the kind of the edge that begins at each, and where to. */
+/** Paints vertices x0, y0, x1, y1, .. of the plane. */
 export function paintCurve(
   context: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D,
   vertices: Float64Array,
-  kinds: ArrayLike<number> | null,
   frame: Frame,
-  look: CurveLook,
+  { colour, outline, width, soft }: CurveLook,
 ): void {
   context.clearRect(0, 0, frame.width, frame.height);
   const placed = place(vertices, frame);
   const area = new Path2D();
   fillPath(area, placed);
-  context.fillStyle = look.colour;
-  context.globalAlpha = SOFT;
+  context.fillStyle = shade(context, placed, colour, soft);
   // Where a morph crosses itself, what is inside once or twice is inside.
   context.fill(area, "nonzero");
-  context.globalAlpha = 1;
-  context.lineWidth = look.width;
+  context.lineWidth = width;
   context.lineJoin = "round";
   context.lineCap = "round";
-  const colours = kinds && look.kinds;
-  const kindOf = colours ? (segment: number) => kinds[segment] ?? 0 : () => 0;
-  for (const [kind, path] of outlinePaths(placed, () => new Path2D(), kindOf)) {
-    context.strokeStyle = colours ? (colours[kind % colours.length] ?? look.colour) : look.colour;
+  const kinds = outline?.kinds;
+  const paths = outlinePaths(placed, () => new Path2D(), kinds ? (i) => kinds[i] ?? 0 : undefined);
+  for (const [kind, path] of paths) {
+    context.strokeStyle = outline?.colours[kind] ?? colour;
     context.stroke(path);
   }
+}
+
+/** Lighter in the middle of the curve: it lies there like a leaf held against the light. */
+function shade(
+  context: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D,
+  { extent: [x0, y0, x1, y1] }: Placed,
+  colour: string,
+  [middle, corner]: CurveLook["soft"],
+): CanvasGradient | string {
+  const radius = Math.hypot(x1 - x0, y1 - y0) / 2;
+  const alpha = (part: number) =>
+    `${colour}${Math.round(255 * part)
+      .toString(16)
+      .padStart(2, "0")}`;
+  if (!(radius > 0 && radius < 1e7)) return alpha(middle);
+  const [x, y] = [(x0 + x1) / 2, (y0 + y1) / 2];
+  const gradient = context.createRadialGradient(x, y, 0, x, y, radius);
+  gradient.addColorStop(0, alpha(middle));
+  gradient.addColorStop(1, alpha(corner));
+  return gradient;
 }

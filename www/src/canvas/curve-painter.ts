@@ -27,7 +27,7 @@ const LATE_MS = 14;
 const SOON_MS = 6;
 const COARSEST = 6;
 /** Of the outline, in CSS pixels. */
-const LINE = 1.6;
+const LINE = 1.8;
 /** Vertices at most: more than a screen has room for. */
 const MOST = 200_000;
 
@@ -136,7 +136,7 @@ export class CurvePainter {
       vertices = morph.polyline(s, options);
     }
     const frame = { view: { ...view, scale }, width, height };
-    paintCurve(context, vertices, null, frame, lookOf(style.colouring, style.palette, LINE * ratio));
+    paintCurve(context, vertices, frame, lookOf(morph, s, style.colouring, style.palette, LINE * ratio));
     return vertices.length / 2;
   }
 }

@@ -32,7 +32,12 @@ export function curveThumb(
   const context = canvas.getContext("2d");
   if (context) {
     const vertices = morph.polyline(s, { tolerance: TOLERANCE / view.scale });
-    paintCurve(context, vertices, null, { view, width, height }, lookOf("density", palette, LINE * ratio));
+    paintCurve(
+      context,
+      vertices,
+      { view, width, height },
+      lookOf(morph, s, "density", palette, LINE * ratio),
+    );
   }
   return canvas.transferToImageBitmap();
 }

@@ -22,22 +22,28 @@ export interface Placed {
   readonly box: readonly [number, number, number, number];
   /** Whether all of it lies there. */
   readonly inside: boolean;
+  /** The box around it. */
+  readonly extent: readonly [number, number, number, number];
 }
 
 /** Vertices of the plane, y up, on a canvas. */
 export function place(vertices: Float64Array, { view, width, height }: Frame): Placed {
   const points = new Float64Array(vertices.length);
   const [x0, y0, x1, y1] = [-BEYOND, -BEYOND, width + BEYOND, height + BEYOND];
-  let inside = true;
+  let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
   for (let i = 0; i + 1 < vertices.length; i += 2) {
     // The difference first: far in, the plane's coordinates have few digits to spare.
     const x = width / 2 + ((vertices[i] ?? 0) - view.x) * view.scale;
     const y = height / 2 - ((vertices[i + 1] ?? 0) - view.y) * view.scale;
     points[i] = x;
     points[i + 1] = y;
-    inside &&= x >= x0 && x <= x1 && y >= y0 && y <= y1;
+    left = Math.min(left, x);
+    top = Math.min(top, y);
+    right = Math.max(right, x);
+    bottom = Math.max(bottom, y);
   }
-  return { points, box: [x0, y0, x1, y1], inside };
+  const inside = left >= x0 && right <= x1 && top >= y0 && bottom <= y1;
+  return { points, box: [x0, y0, x1, y1], inside, extent: [left, top, right, bottom] };
 }
 
 /** What is inside the curve. */

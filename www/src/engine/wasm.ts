@@ -100,6 +100,10 @@ export interface CurveMorphHandle {
   polyline(s: number, view: CurveView): Float64Array<ArrayBuffer>;
   bounds(s: number): [minX: number, minY: number, maxX: number, maxY: number];
   facts(s: number): CurveMorphFacts;
+  /** For each point of the polyline that was given last the edge that goes on from there, by the knot it begins at. */
+  edges(): Uint32Array;
+  /** For each edge what it copies at A, then at B: the first knot and the number of edges of the arc; -1 and 0 where straight. */
+  arcs(): Int32Array;
   free(): void;
 }
 

@@ -3,7 +3,7 @@
 use frond_deform::{RingBend, Settings};
 use frond_fit::{Woven, crossings};
 use glam::DVec2;
-use js_sys::Float64Array;
+use js_sys::{Float64Array, Int32Array, Uint32Array};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
@@ -72,6 +72,8 @@ struct Moment {
     woven: Woven,
     line: Option<Line>,
     ring: Option<(PlainBend, RingBend)>,
+    /// The parameters of the points that were given last.
+    given: Vec<f64>,
 }
 
 impl Moment {
@@ -146,7 +148,7 @@ impl CurveMorph {
             self.moment = None;
         }
         let morph = &self.morph;
-        let fresh = || Moment { s, woven: morph.at(s), line: None, ring: None };
+        let fresh = || Moment { s, woven: morph.at(s), line: None, ring: None, given: Vec::new() };
         Ok(self.moment.get_or_insert_with(fresh))
     }
 
@@ -166,8 +168,8 @@ impl CurveMorph {
     ) -> Result<Float64Array, JsValue> {
         let (View { tolerance, window, bend, .. }, most) = View::read(view)?;
         let moment = self.at(s)?;
-        let flat: Vec<f64> = match bend {
-            None => moment.line(tolerance, window, most).iter().flat_map(|(_, p)| p.to_array()).collect(),
+        let points = match bend {
+            None => moment.line(tolerance, window, most).to_vec(),
             Some(bend) => {
                 let [left, bottom, right, top] = moment.woven.bounds();
                 let (low, high) = (DVec2::new(left, bottom), DVec2::new(right, top));
@@ -179,11 +181,35 @@ impl CurveMorph {
                 let (Some(line), Some((_, ring))) = (&moment.line, &moment.ring) else {
                     return Ok(Float64Array::new_with_length(0));
                 };
-                let bent = ring.polyline(&line.points, 0.5 * tolerance, window, most);
-                bent.into_iter().flat_map(|p| p.to_array()).collect()
+                ring.corners(&line.points, 0.5 * tolerance, window, most)
             }
         };
+        moment.given = points.iter().map(|&(t, _)| t).collect();
+        let flat: Vec<f64> = points.into_iter().flat_map(|(_, p)| p.to_array()).collect();
         Ok(Float64Array::from(&flat[..]))
+    }
+
+    /// For each point of the polyline that was given last the edge that goes on from there, by the knot it begins at.
+    #[wasm_bindgen]
+    pub fn edges(&self) -> Uint32Array {
+        let edges: Vec<u32> = self.moment.as_ref().map_or(Vec::new(), |moment| {
+            moment.given.iter().map(|&t| moment.woven.edge_at(t) as u32).collect()
+        });
+        Uint32Array::from(&edges[..])
+    }
+
+    /// For each edge what it copies at either end of the morph: for each the first knot and the number of edges of the arc,
+    /// -1 and 0 where it is straight there. Four numbers an edge.
+    #[wasm_bindgen]
+    pub fn arcs(&self) -> Int32Array {
+        let flat: Vec<i32> = self
+            .morph
+            .arcs()
+            .into_iter()
+            .flatten()
+            .flat_map(|arc| arc.map_or([-1, 0], |(from, span)| [from as i32, span as i32]))
+            .collect();
+        Int32Array::from(&flat[..])
     }
 
     /// The box around the unbent curve: minX, minY, maxX, maxY.

@@ -54,37 +54,39 @@ export function Along() {
   const now = looks[here]?.dimension;
   return (
     <figure class="along">
-      <svg
-        viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
-        preserveAspectRatio="none"
-        role="img"
-        aria-label={`Dimension along the way: ${words(looks[0]?.dimension)} at A, ${words(looks.at(-1)?.dimension)} at B, between ${words(scale.low)} and ${words(scale.high)}.`}
-      >
-        {crossed.value.map(([from, to]) => (
-          <rect
-            key={from}
-            class="along-crossed"
-            x={across(from)}
-            y={0}
-            width={across(to - from)}
-            height={BASE}
+      <div class="along-plot">
+        <svg
+          viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+          preserveAspectRatio="none"
+          role="img"
+          aria-label={`Dimension along the way: ${words(looks[0]?.dimension)} at A, ${words(looks.at(-1)?.dimension)} at B, between ${words(scale.low)} and ${words(scale.high)}.`}
+        >
+          {crossed.value.map(([from, to]) => (
+            <rect
+              key={from}
+              class="along-crossed"
+              x={across(from)}
+              y={0}
+              width={across(to - from)}
+              height={BASE}
+            />
+          ))}
+          <path class="along-base" d={`M0 ${BASE}H${WIDTH}`} />
+          <path class="along-line" d={`M${line}`} />
+          <path class="along-now" d={`M${at} 0V${BASE}`} />
+        </svg>
+        {now !== undefined && (
+          <span
+            class="along-dot"
+            aria-hidden="true"
+            style={{ left: `${100 * curveTime.value}%`, top: `${(100 * up(now)) / HEIGHT}%` }}
           />
-        ))}
-        <path class="along-base" d={`M0 ${BASE}H${WIDTH}`} />
-        <path class="along-line" d={`M${line}`} />
-        <path class="along-now" d={`M${at} 0V${BASE}`} />
-      </svg>
-      {now !== undefined && (
-        <span
-          class="along-dot"
-          aria-hidden="true"
-          style={{ left: `${100 * curveTime.value}%`, top: `${(100 * up(now)) / HEIGHT}%` }}
-        />
-      )}
+        )}
+      </div>
       <figcaption>
-        <span>A</span>
+        <span>A {words(looks[0]?.dimension)}</span>
         <span>{crossed.value.length > 0 ? "shaded: it crosses itself" : ""}</span>
-        <span>B</span>
+        <span>{looks.length === LOOKS && `B ${words(looks.at(-1)?.dimension)}`}</span>
       </figcaption>
     </figure>
   );

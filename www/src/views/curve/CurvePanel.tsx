@@ -178,19 +178,26 @@ const COLOURINGS: readonly { value: Colouring; label: string; description: strin
   { value: "density", label: "Plain", description: "One colour" },
 ];
 const colouring = computed(() => (scene.value.colouring === "grid" ? "density" : scene.value.colouring));
+const COLOUR_WORDS: Partial<Record<Colouring, string>> = {
+  map: "Edges of one colour are copies of one arc; the rest is straight.",
+  address: "Each copy has another colour than the one before; the rest is straight.",
+};
 
 function Colours() {
   return (
-    <section class="row" aria-label="Colour">
-      <span class="row-name" aria-hidden="true">
-        Colour by
-      </span>
-      <Segmented
-        label="Colour by"
-        value={colouring.value}
-        options={COLOURINGS}
-        onChange={(next) => edit((before) => ({ ...before, colouring: next }))}
-      />
+    <section class="curve-colours" aria-label="Colour">
+      <div class="row">
+        <span class="row-name" aria-hidden="true">
+          Colour by
+        </span>
+        <Segmented
+          label="Colour by"
+          value={colouring.value}
+          options={COLOURINGS}
+          onChange={(next) => edit((before) => ({ ...before, colouring: next }))}
+        />
+      </div>
+      {colouring.value !== "density" && <p class="hint">{COLOUR_WORDS[colouring.value]}</p>}
     </section>
   );
 }

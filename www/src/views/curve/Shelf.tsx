@@ -1,9 +1,8 @@
 import "./curve.css";
-import { signal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { curveThumb } from "../../canvas/curve-thumb";
 import { stageStyle } from "../../canvas/look";
-import type { CurveShape } from "../../engine/api";
+import type { Curve, CurveShape } from "../../engine/api";
 import { frond } from "../../engine/wasm";
 import { curveBoxAt, curves, type ShelfProps } from "../../state/curve";
 import { bendCurve, chooseCurve, curvePresets, fitted, shapeOf } from "../../state/curve-edits";
@@ -29,40 +28,38 @@ function items(): Item[] {
 }
 
 const SIZE = { width: 160, height: 120 };
-const pictures = signal<ReadonlyMap<string, ImageBitmap>>(new Map());
-/** What the pictures show, and in which colours. */
-const drawn = new Map<string, { shape: CurveShape; palette: readonly string[] }>();
 
-/** Draws what is not drawn yet, one after another. Returns the end of it. */
-function draw(all: readonly Item[], palette: readonly string[]): () => void {
-  const todo = all.filter(({ id, shape }) => {
-    const before = drawn.get(id);
-    return before?.shape.curve !== shape.curve || before.palette !== palette;
-  });
-  let timer = setTimeout(step);
-  function step() {
-    const item = todo.shift();
-    if (!item) return;
-    try {
-      const morph = new frond.CurveMorph(item.shape.curve, null);
-      const bitmap = curveThumb(morph, 0, curveBoxAt(morph, 0), SIZE, palette);
-      morph.free();
-      drawn.set(item.id, { shape: item.shape, palette });
-      pictures.value = new Map(pictures.peek()).set(item.id, bitmap);
-    } catch {
-      // Without a picture it can still be chosen.
+/** What was drawn last, by id: of what, and in which colours. */
+const drawn = new Map<string, { curve: Curve; palette: readonly string[]; bitmap: ImageBitmap }>();
+
+/** The pictures, by id: a few, and soon made, so that none is ever missing. */
+function picturesOf(all: readonly Item[], palette: readonly string[]): Map<string, ImageBitmap> {
+  const pictures = new Map<string, ImageBitmap>();
+  for (const { id, shape } of all) {
+    let made = drawn.get(id);
+    if (made?.curve !== shape.curve || made.palette !== palette) {
+      try {
+        const morph = new frond.CurveMorph(shape.curve, null);
+        const bitmap = curveThumb(morph, 0, curveBoxAt(morph, 0), SIZE, palette);
+        morph.free();
+        made = { curve: shape.curve, palette, bitmap };
+        drawn.set(id, made);
+      } catch {
+        // Without a picture it can still be chosen.
+        continue;
+      }
     }
-    timer = setTimeout(step);
+    pictures.set(id, made.bitmap);
   }
-  return () => clearTimeout(timer);
+  return pictures;
 }
 
 /** The closed curves of a gallery. */
 export function Shelf({ end, onChosen }: ShelfProps) {
   const title = useOwnId("shelf");
   const { palette } = stageStyle.value;
-  const all = items();
-  useEffect(() => draw(items(), palette), [palette]);
+  const all = useMemo(items, []);
+  const pictures = useMemo(() => picturesOf(all, palette), [all, palette]);
   const now = curves.value?.[end === "b" ? "b" : "a"];
   const choose = ({ name, shape }: Item) => {
     const partner = end === "bent" ? bendCurve(shape) : chooseCurve(end, shape);
@@ -86,7 +83,7 @@ export function Shelf({ end, onChosen }: ShelfProps) {
       </p>
       <ShapeGrid
         presets={all}
-        pictures={pictures.value}
+        pictures={pictures}
         noteOf={({ shape }) => `${shape.curve.knots.length} knots`}
         chosen={all.find(({ shape, id }) => now && (id === now.preset || shape.curve === now.curve))?.id}
         onChoose={choose}

@@ -24,7 +24,7 @@ const FINE = 1 / 5000;
 const MOST = 100_000;
 /** Of a saved picture, in pixels. */
 const LONG_SIDE = 2400;
-const LINE = 1.6;
+const LINE = 1.8;
 
 /** Saves the curve as it stands. */
 export async function save(kind: Kind): Promise<void> {
@@ -83,7 +83,8 @@ async function picture(): Promise<Blob> {
   const context = canvas.getContext("2d");
   if (!context) throw new Error("The browser has no canvas.");
   const { colouring, palette } = stageStyle.peek();
-  paintCurve(context, points, null, { view, width, height }, lookOf(colouring, palette, LINE * larger));
+  const look = lookOf(morph, curveTime.peek(), colouring, palette, LINE * larger);
+  paintCurve(context, points, { view, width, height }, look);
   return canvas.convertToBlob({ type: "image/png" });
 }
 
