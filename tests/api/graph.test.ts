@@ -1,0 +1,226 @@
+import { readFileSync } from "node:fs";
+import { readFile } from "node:fs/promises";
+import { beforeAll, describe, expect, it } from "vitest";
+import init, * as frond from "../../www/pkg/index.js";
+
+type Graph = ReturnType<typeof frond.interpolation>;
+type Row = [number, number, number, number, number];
+
+interface Known {
+  points?: [number, number][];
+  t_knots?: number[];
+  x_knots?: number[];
+  c: number[];
+  reflect?: number[];
+  jk?: [number, number][];
+  maps_abcde: Row[];
+  t: number[];
+  F: number[];
+  integral?: number;
+  box_dim_formula?: number;
+}
+
+/** The project's own copy, or the directory that FROND_KNOWN names. */
+const folder = process.env["FROND_KNOWN"] ?? "tests/known";
+const known: Record<string, Known> & {
+  table1: {
+    maps_abcde: Row[];
+    domain: [number, number];
+    F_left: number;
+    F_right: number;
+    box_dim_formula: number;
+  };
+} = JSON.parse(readFileSync(`${folder}/fit/fif.json`, "utf8"));
+
+const read = (name: string) => readFile(new URL(`../../www/pkg/${name}`, import.meta.url));
+
+function points(one: Known): [number, number][] {
+  return one.points ?? (one.t_knots ?? []).map((t, i) => [t, one.x_knots?.[i] ?? Number.NaN]);
+}
+
+function make(one: Known): Graph {
+  const { c, reflect, jk } = one;
+  return frond.interpolation(points(one), {
+    c,
+    ...(reflect && { reflected: reflect.map((flag) => flag === 1) }),
+    ...(jk && { spans: jk }),
+  });
+}
+
+function expectCode(work: () => unknown, code: string): void {
+  expect(work).toThrowError(expect.objectContaining({ code }));
+}
+
+describe("fractal functions", () => {
+  beforeAll(() => init({ frond: read("frond_bg.wasm"), proof: read("frond-proof_bg.wasm") }));
+
+  it.each(["fig1", "fig1_reflect2", "four_point_unequal", "rfif_2_2"])("agree with the known %s", (name) => {
+    const one = known[name];
+    if (!one) throw new Error(`there is no ${name}`);
+    const graph = make(one);
+    expect(graph.kind).toBe(one.jk ? "rfif" : "fif");
+    for (const [i, piece] of graph.pieces.entries()) {
+      for (const [k, number] of piece.map.entries()) {
+        expect(number).toBeCloseTo(one.maps_abcde[i]?.[k] ?? Number.NaN, 12);
+      }
+    }
+    for (const [i, t] of one.t.entries()) {
+      expect(frond.graphAt(graph, t)).toBeCloseTo(one.F[i] ?? Number.NaN, 9);
+    }
+    const facts = frond.graphFacts(graph);
+    expect(facts.continuous).toBe(true);
+    expect(facts.contractivity).toBeLessThan(1);
+    if (one.integral !== undefined) expect(facts.integral).toBeCloseTo(one.integral, 12);
+    if (one.box_dim_formula !== undefined) {
+      expect(facts.dimension).toBeCloseTo(one.box_dim_formula, 12);
+      expect(facts.counted).toBe(false);
+    }
+  });
+
+  it("are sampled within a tolerance, and finer in a window", () => {
+    const graph = make(known["four_point_unequal"] as Known);
+    const all = frond.sampleGraph(graph, { tolerance: 1e-2 });
+    const part = frond.sampleGraph(graph, { tolerance: 1e-4, window: [0.3, 0.302] });
+    expect([all.at(0), all.at(-2), part.at(0), part.at(-2)]).toEqual([0, 1, 0.3, 0.302]);
+    const times = part.filter((_, i) => i % 2 === 0);
+    expect(times.every((t, i) => i === 0 || t > (times[i - 1] ?? NaN))).toBe(true);
+    // A few of the many.
+    let worst = 0;
+    for (let i = 2; i < part.length; i += 2 * Math.ceil(part.length / 400)) {
+      const [t0 = NaN, x0 = NaN, t1 = NaN, x1 = NaN] = part.slice(i - 2, i + 2);
+      const between = frond.graphAt(graph, t0 + 0.618 * (t1 - t0));
+      worst = Math.max(worst, Math.abs(between - x0), Math.abs(between - x1));
+    }
+    expect(worst).toBeGreaterThan(1e-6);
+    expect(worst).toBeLessThanOrEqual(1.0001e-4);
+    expect(frond.sampleGraph(graph, { tolerance: 0, most: 500 }).length).toBeLessThanOrEqual(1000);
+  });
+
+  it("that copy any part go through their points, and become recurrent where they can", () => {
+    const knots: [number, number][] = [
+      [0, 0],
+      [0.3, 1],
+      [0.55, -0.5],
+      [1, 0.25],
+    ];
+    const free = frond.interpolation(knots, {
+      c: [0.4, -0.3, 0.5],
+      domains: [
+        [0.1, 0.83],
+        [0.27, 0.9],
+        [0, 0.71],
+      ],
+    });
+    expect(free.kind).toBe("pfif");
+    for (const [t, x] of knots) expect(frond.graphAt(free, t)).toBeCloseTo(x, 9);
+    expect(frond.graphFacts(free)).toMatchObject({ continuous: true, integral: null, counted: true });
+    expect(frond.toRecurrent(free, 8)).toBeNull();
+    const whole = make(known["fig1"] as Known);
+    const again = frond.toRecurrent({ ...whole, kind: "pfif" }, 64);
+    expect(again?.kind).toBe("rfif");
+    expect(again?.pieces.length).toBe(2);
+  });
+
+  it("need not meet: a table whose maps meet only to rounding", () => {
+    const { maps_abcde, domain, F_left, F_right, box_dim_formula } = known.table1;
+    const graph: Graph = { kind: "pfif", pieces: maps_abcde.map((map) => ({ map, domain })) };
+    expect(frond.graphAt(graph, -1)).toBeCloseTo(F_left, 14);
+    expect(frond.graphAt(graph, 1)).toBeCloseTo(F_right, 14);
+    const facts = frond.graphFacts(graph);
+    expect(facts.continuous).toBe(false);
+    expect(facts.widestGap).toBeCloseTo(0.000875, 9);
+    expect(facts.dimension).toBeCloseTo(box_dim_formula, 9);
+    expect(facts.interval).toEqual([-1, 1]);
+  });
+
+  it("say what is wrong with them", () => {
+    const line: [number, number][] = [
+      [0, 0],
+      [0.5, 1],
+      [1, 0],
+    ];
+    const c = [0.1, 0.1];
+    expectCode(() => frond.interpolation([], { c: [] }), "too-few-points");
+    expectCode(() => frond.interpolation(line, { c: [0.1] }), "wrong-count");
+    expectCode(() => frond.interpolation(line, { c: [1, 0.1] }), "not-contractive");
+    expectCode(() => frond.interpolation(line, { c: [Number.NaN, 0.1] }), "not-finite");
+    expectCode(() => frond.interpolation([...line].reverse(), { c }), "not-increasing");
+    expectCode(
+      () =>
+        frond.interpolation(line, {
+          c,
+          spans: [
+            [0, 1],
+            [0, 2],
+          ],
+        }),
+      "bad-domain",
+    );
+    expectCode(
+      () =>
+        frond.interpolation(line, {
+          c,
+          spans: [
+            [0, 1e9],
+            [0, 2],
+          ],
+        }),
+      "bad-input",
+    );
+    expectCode(
+      () =>
+        frond.interpolation(line, {
+          c,
+          spans: [
+            [0, 2],
+            [0, 2],
+          ],
+          domains: [
+            [0, 1],
+            [0, 1],
+          ],
+        }),
+      "bad-input",
+    );
+    expectCode(
+      () =>
+        frond.interpolation(line, {
+          c,
+          domains: [
+            [0, 2],
+            [0, 1],
+          ],
+        }),
+      "bad-domain",
+    );
+    expectCode(() => frond.interpolation(new Array(1_000_000), { c }), "too-many-points");
+    expectCode(() => frond.interpolation(line, { c: new Array(1_000_000) }), "too-many-points");
+    expectCode(() => frond.interpolation(undefined as never, { c }), "bad-input");
+    expectCode(() => frond.interpolation(line, undefined as never), "bad-input");
+    const good = frond.interpolation(line, { c });
+    const pieces = good.pieces;
+    for (const bad of [
+      undefined,
+      {},
+      { kind: "fif" },
+      { kind: "x", pieces },
+      { kind: "fif", pieces: [null] },
+    ]) {
+      expectCode(() => frond.graphAt(bad as never, 0), "bad-input");
+    }
+    expectCode(() => frond.graphFacts({ kind: "fif", pieces: [] }), "too-few-points");
+    expectCode(() => frond.graphFacts({ kind: "fif", pieces: new Array(1_000_000) }), "too-many-points");
+    expectCode(() => frond.graphFacts({ kind: "fif", pieces: [...pieces, ...pieces] }), "not-joined");
+    for (const most of [Number.NaN, 1, -5, 1e12]) {
+      expectCode(() => frond.sampleGraph(good, { most }), "bad-input");
+    }
+    for (const tolerance of [Number.NaN, -1, Number.POSITIVE_INFINITY]) {
+      expectCode(() => frond.sampleGraph(good, { tolerance }), "bad-input");
+    }
+    expectCode(() => frond.sampleGraph(good, { window: [1, 0] }), "bad-input");
+    expectCode(() => frond.sampleGraph(good, { window: [Number.NaN, 0] }), "bad-input");
+    expectCode(() => frond.toRecurrent(good, Number.NaN), "bad-input");
+    expect(frond.graphAt(good, Number.NaN)).toBe(0);
+    expect(frond.sampleGraph(good, { window: [5, 6] })).toHaveLength(4);
+  });
+});
