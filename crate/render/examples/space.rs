@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use frond_core::{Affine3, Ifs3};
-use frond_render::space::{Camera, Carve, Lighting, light};
+use frond_render::space::{Camera, Carve, Lamp, Lighting, light};
 use frond_render::{Colouring, Look};
 use glam::{DQuat, DVec3};
 
@@ -36,7 +36,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
         let carved = start.elapsed();
         let look = Look::new(Colouring::Map, &[], ifs.len());
-        let pixels = light(carve.relief(), &camera, &[look], &Lighting::default());
+        let lamp = Lamp::new(&Lighting::default(), &camera, [side, side], 1, carve.range());
+        let pixels = light(carve.relief(), &lamp, &look);
         println!(
             "{name}: {} lit, {visited} pieces, {carved:?}, light {:?}",
             carve.relief().lit(),

@@ -4,12 +4,21 @@
 //! what is out of sight or behind what is there already, and leaves a [`Relief`]: for each pixel how far the nearest piece
 //! is, and which. [`light`] makes a picture of it: light from the lie of the surface, shade in its hollows, fog.
 
+//! A graphics card draws [`Cloud`]s of points in the time of a frame, [`mend`]s their holes and lights them alike; at rest it
+//! is given the carved relief.
+
 mod camera;
 mod carve;
+mod eye;
+mod lamp;
 mod light;
+mod mend;
 mod relief;
 
 pub use camera::{Camera, CameraError};
 pub use carve::{Carve, MAX_OBJECTS};
-pub use light::{Lighting, Paint, light};
+pub use eye::{Cloud, Eye, Instance3, Vertex3};
+pub use lamp::{Lamp, Lighting, Paint};
+pub use light::light;
+pub use mend::mend;
 pub use relief::Relief;

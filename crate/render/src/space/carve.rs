@@ -3,13 +3,12 @@
 use frond_core::{Affine3, Bounds3, Ifs3};
 use glam::{DMat3, DVec3};
 
+use super::eye::OBJECT;
 use super::{Camera, Relief};
 use crate::letters::Letters;
 
 /// The most systems in one picture.
 pub const MAX_OBJECTS: usize = 60;
-/// Letters take 18 bits of a code.
-const OBJECT: u32 = 18;
 /// A piece whose ball is smaller than this, in pixels across, is a pixel.
 const SMALL: f64 = 1.0;
 /// Nearer than this part of the distance to the farthest point nothing is seen.
@@ -95,6 +94,19 @@ impl Carve {
             self.visit(node);
         }
         self.open.is_empty()
+    }
+
+    /// The nearest and the farthest depth that anything can be seen at.
+    #[must_use]
+    pub fn range(&self) -> [f32; 2] {
+        let ends = |object: &Object| [object.centre.z - object.radius, object.centre.z + object.radius];
+        let [low, high] = self
+            .objects
+            .iter()
+            .map(ends)
+            .reduce(|[a, b], [c, d]| [a.min(c), b.max(d)])
+            .unwrap_or([self.near, self.near]);
+        [low.max(self.near), high.max(self.near)].map(|depth| depth as f32)
     }
 
     /// What is seen so far.

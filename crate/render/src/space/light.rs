@@ -1,52 +1,10 @@
-//! From depths to a picture.
+//! From depths to a picture: a CPU twin of `shader/space_light.wgsl`.
 
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 
-use super::{Camera, Relief};
+use super::eye::OBJECT;
+use super::{Lamp, Relief};
 use crate::colour::Look;
-
-/// What colours a pixel.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Paint {
-    /// The first letter, as in the plane.
-    #[default]
-    Map,
-    /// How high it lies, from the second colour of the palette to the first.
-    Height,
-}
-
-/// How a scene is lit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lighting {
-    /// Towards the light, as the eye has it: right, up, away. Of any length but 0.
-    pub towards: [f32; 3],
-    /// How much of the light comes from everywhere: 0 to 1.
-    pub ambient: f32,
-    /// How dark hollows are: 0 to 1.
-    pub hollows: f32,
-    /// How much fades into the ground colour at the farthest depth: 0 to 1.
-    pub fog: f32,
-    /// What fog fades into, sRGB from 0 to 1.
-    pub ground: [f32; 3],
-    /// What colours a pixel.
-    pub paint: Paint,
-    /// The heights that are painted lowest and highest, in units of space.
-    pub heights: [f32; 2],
-}
-
-impl Default for Lighting {
-    fn default() -> Self {
-        Self {
-            towards: [-0.5, 0.8, -0.6],
-            ambient: 0.35,
-            hollows: 0.75,
-            fog: 0.25,
-            ground: [0.0; 3],
-            paint: Paint::Map,
-            heights: [-1.0, 1.0],
-        }
-    }
-}
 
 /// Pixels to each side that the lie of the surface is taken from.
 const REACH: i32 = 2;
@@ -55,92 +13,102 @@ const RINGS: [(f32, f32); 4] = [(2.0, 0.2), (5.0, 0.3), (12.0, 0.3), (28.0, 0.2)
 /// Directions on a ring.
 const RAYS: usize = 8;
 
-/// RGBA pixels, straight alpha, row 0 on top: `looks` holds one look for each object, the last for all further ones.
+/// As deep as nothing is.
+pub(super) const FAR: f32 = 1e30;
+
+/// RGBA pixels of a relief, row 0 on top, as `lamp` has it: `lamp.factor` x `lamp.factor` pixels of the relief make one.
 #[must_use]
-pub fn light(relief: &Relief, camera: &Camera, looks: &[Look], lighting: &Lighting) -> Vec<u8> {
-    let focal = camera.focal(relief.height()) as f32;
-    let scene = Scene { relief, focal, width: relief.width() as i32, height: relief.height() as i32 };
-    let towards = Vec3::from(lighting.towards).try_normalize().unwrap_or(Vec3::Y);
-    let seen = || relief.depth().iter().copied().filter(|depth| depth.is_finite());
-    let (near, far) = seen().fold((f32::INFINITY, 0.0_f32), |(a, b), depth| (a.min(depth), b.max(depth)));
-    let up = camera.turn.col(1).as_vec3();
-    let base = camera.eye.y as f32;
-    let mut pixels = Vec::with_capacity(relief.codes().len() * 4);
-    for (at, &code) in relief.codes().iter().enumerate() {
-        let (Some(place), Some(look)) = (code.checked_sub(1), looks.get(object(code)).or(looks.last()))
-        else {
-            pixels.extend([0; 4]);
-            continue;
-        };
-        let (x, y) = (at as i32 % scene.width, at as i32 / scene.width);
-        let depth = relief.depth()[at];
-        let colour = match lighting.paint {
-            Paint::Map => look.colour(1 + (place & 0x3_ffff)),
-            Paint::Height => {
-                let [low, high] = lighting.heights;
-                let height = base + up.dot(scene.point(x, y, depth));
-                let share = ((height - low) / (high - low).max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
-                let [a, b] = [look.palette[1], look.palette[0]];
-                [0, 1, 2].map(|k| a[k] + share * (b[k] - a[k]))
-            }
-        };
-        let facing = scene.normal(x, y, depth).dot(towards).max(0.0);
-        let open = 1.0 - lighting.hollows * scene.hollow(x, y, depth);
-        let shine = (lighting.ambient + (1.0 - lighting.ambient) * facing) * open;
-        let fog = lighting.fog * ((depth - near) / (far - near).max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
-        for (c, ground) in colour.into_iter().zip(lighting.ground) {
-            // Light adds up as it is, not as it is written.
-            let lit = to_srgb(to_linear(c) * shine * 1.25);
-            let faded = lit + fog * (ground - lit);
-            pixels.push((faded.clamp(0.0, 1.0) * 255.0).round() as u8);
+pub fn light(relief: &Relief, lamp: &Lamp, look: &Look) -> Vec<u8> {
+    let scene = Scene { relief, lamp, look };
+    let factor = lamp.factor.max(1);
+    let (width, height) = (lamp.size[0] / factor, lamp.size[1] / factor);
+    let mut pixels = Vec::with_capacity(4 * (width.max(0) * height.max(0)) as usize);
+    for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
+        let mut sum = Vec4::ZERO;
+        for (dy, dx) in (0..factor).flat_map(|dy| (0..factor).map(move |dx| (dy, dx))) {
+            sum += scene.lit(x * factor + dx, y * factor + dy);
         }
-        pixels.push(255);
+        let alpha = sum.w / (factor * factor) as f32;
+        let scale = if sum.w > 0.0 { (1.0 + (alpha - 1.0) * look.premultiply) / sum.w } else { 0.0 };
+        let colour = (sum.truncate() * scale).extend(alpha);
+        pixels.extend(colour.to_array().map(|c| (c.clamp(0.0, 1.0) * 255.0).round() as u8));
     }
     pixels
 }
 
-fn object(code: u32) -> usize {
-    (code.saturating_sub(1) >> 18) as usize
-}
-
-fn to_linear(c: f32) -> f32 {
-    c.max(0.0).powf(2.2)
-}
-
-fn to_srgb(c: f32) -> f32 {
-    c.max(0.0).powf(1.0 / 2.2)
+fn to_linear(colour: Vec3) -> Vec3 {
+    colour.max(Vec3::ZERO).powf(2.2)
 }
 
 struct Scene<'a> {
     relief: &'a Relief,
-    focal: f32,
-    width: i32,
-    height: i32,
+    lamp: &'a Lamp,
+    look: &'a Look,
 }
 
 impl Scene<'_> {
-    /// The depth at a pixel; infinite beyond the border.
+    /// The code at a pixel; 0 beyond the border.
+    fn code(&self, x: i32, y: i32) -> u32 {
+        let (width, height) = (self.relief.width() as i32, self.relief.height() as i32);
+        let inside = x >= 0 && y >= 0 && x < width && y < height;
+        if inside { self.relief.codes()[(y * width + x) as usize] } else { 0 }
+    }
+
+    /// The depth at a pixel.
     fn depth(&self, x: i32, y: i32) -> f32 {
-        let inside = x >= 0 && y >= 0 && x < self.width && y < self.height;
-        if inside { self.relief.depth()[(y * self.width + x) as usize] } else { f32::INFINITY }
+        if self.code(x, y) == 0 {
+            return FAR;
+        }
+        self.relief.depth()[(y * self.relief.width() as i32 + x) as usize]
+    }
+
+    /// The colour of a pixel of the relief, and 1 where there is something.
+    fn lit(&self, x: i32, y: i32) -> Vec4 {
+        let Some(place) = self.code(x, y).checked_sub(1) else { return Vec4::ZERO };
+        let (lamp, look, depth) = (self.lamp, self.look, self.depth(x, y));
+        let tint = Vec4::from(lamp.tints[((place >> OBJECT) as usize).min(lamp.tints.len() - 1)]);
+        let mut colour = Vec3::from(look.colour((place & 0x3_ffff) + 1));
+        if tint.w > 0.5 {
+            colour = tint.truncate();
+        }
+        let [near, far, low, high] = lamp.range;
+        if lamp.height > 0.5 {
+            let up = Vec4::from(lamp.up);
+            let height = up.w + up.truncate().dot(self.point(x, y, depth));
+            let share = ((height - low) / (high - low).max(1e-30)).clamp(0.0, 1.0);
+            let paint = |k: usize| Vec4::from(look.palette[k]).truncate();
+            colour = paint(1).lerp(paint(0), share);
+        }
+        let towards = Vec4::from(lamp.towards);
+        let facing = self.normal(x, y, depth).dot(towards.truncate()).max(0.0);
+        let open = 1.0 - lamp.hollows * self.hollow(x, y, depth);
+        let shine = (towards.w + (1.0 - towards.w) * facing) * open;
+        // Light adds up as it is, not as it is written.
+        let light = (to_linear(colour) * shine * 1.25).powf(1.0 / 2.2);
+        let ground = Vec4::from(lamp.ground);
+        let fog = ground.w * ((depth - near) / (far - near).max(1e-30)).clamp(0.0, 1.0);
+        light.lerp(ground.truncate(), fog).clamp(Vec3::ZERO, Vec3::ONE).extend(1.0)
     }
 
     /// A pixel's point, as the eye has it.
     fn point(&self, x: i32, y: i32, depth: f32) -> Vec3 {
-        let (cx, cy) = (0.5 * self.width as f32, 0.5 * self.height as f32);
-        Vec3::new((x as f32 + 0.5 - cx) / self.focal, (cy - y as f32 - 0.5) / self.focal, 1.0) * depth
+        let [width, height] = self.lamp.size;
+        let (cx, cy) = (0.5 * width as f32, 0.5 * height as f32);
+        Vec3::new((x as f32 + 0.5 - cx) / self.lamp.focal, (cy - y as f32 - 0.5) / self.lamp.focal, 1.0)
+            * depth
     }
 
     /// The lie of the surface: a plane through what is near, by least squares, each pixel weighed by how near it is in depth.
     fn normal(&self, x: i32, y: i32, depth: f32) -> Vec3 {
-        let unit = depth / self.focal;
+        let unit = depth / self.lamp.focal;
         let (mut xx, mut xy, mut yy, mut xz, mut yz) = (0.0_f32, 0.0_f32, 0.0_f32, 0.0_f32, 0.0_f32);
         for dy in -REACH..=REACH {
             for dx in -REACH..=REACH {
-                let step = (self.depth(x + dx, y + dy) - depth) / unit;
-                if !step.is_finite() {
+                let near = self.depth(x + dx, y + dy);
+                if near >= FAR {
                     continue;
                 }
+                let step = (near - depth) / unit;
                 let (fx, fy) = (dx as f32, dy as f32);
                 let weight = 1.0 / (1.0 + 0.15 * step * step);
                 xx += weight * fx * fx;
@@ -161,7 +129,7 @@ impl Scene<'_> {
 
     /// How much of what is around lies nearer than the surface: 0 in the open, 1 in a deep hole.
     fn hollow(&self, x: i32, y: i32, depth: f32) -> f32 {
-        let unit = depth / self.focal;
+        let unit = depth / self.lamp.focal;
         let mut sum = 0.0;
         for (ring, (radius, weight)) in RINGS.into_iter().enumerate() {
             let mut covered = 0.0;
@@ -185,6 +153,7 @@ mod tests {
 
     use super::*;
     use crate::colour::Colouring;
+    use crate::space::{Camera, Lighting};
 
     fn camera() -> Camera {
         Camera::looking(DVec3::Z * 10.0, DVec3::ZERO, DVec3::Y, 0.8).unwrap()
@@ -200,14 +169,16 @@ mod tests {
             }
         }
         let look = Look::new(Colouring::Map, &[[200, 200, 200]], 1);
-        let pixels = light(&relief, &camera(), &[look], lighting);
+        let lamp = Lamp::new(lighting, &camera(), [side, side], 1, [10.0, 30.0]);
+        let pixels = light(&relief, &lamp, &look);
         assert_eq!(pixels.len(), (side * side * 4) as usize);
         pixels.chunks(4).map(|p| if p[3] == 0 { 0 } else { p[0].max(1) }).collect()
     }
 
     #[test]
     fn a_slope_towards_the_light_is_brighter() {
-        let lighting = Lighting { towards: [-1.0, 0.0, -1.0], hollows: 0.0, fog: 0.0, ..Lighting::default() };
+        let lighting =
+            Lighting { towards: DVec3::new(-1.0, 0.0, -1.0), hollows: 0.0, fog: 0.0, ..Lighting::default() };
         // Rising to the left means that it is nearer there, and faces right; and the other way round.
         let slope = |s: f32| greys(60, move |x, _| 10.0 + s * x * 8.0, &lighting)[30 * 60 + 30];
         let (left, flat, right) = (slope(-1.0), slope(0.0), slope(1.0));
@@ -220,8 +191,8 @@ mod tests {
         let pit = greys(80, |x, y| if x.hypot(y) < 0.06 { 11.0 } else { 10.0 }, &lighting);
         assert!(pit[40 * 80 + 40] + 25 < pit[40 * 80 + 8], "{} {}", pit[40 * 80 + 40], pit[40 * 80 + 8]);
         let steps = |x: f32, _| if x < 0.0 { 10.0 } else { 30.0 };
-        let [plain, foggy] =
-            [0.0, 1.0].map(|fog| greys(80, steps, &Lighting { fog, hollows: 0.0, ..lighting })[40 * 80 + 70]);
+        let [plain, foggy] = [0.0, 1.0]
+            .map(|fog| greys(80, steps, &Lighting { fog, hollows: 0.0, ..lighting.clone() })[40 * 80 + 70]);
         assert!(foggy < 10 && plain > 80, "{plain} {foggy}");
         let none = greys(8, |_, _| f32::INFINITY, &lighting);
         assert!(none.iter().all(|&grey| grey == 0));
