@@ -21,7 +21,7 @@ use bits::Bits;
 use choose::{Choice, choose};
 use contour::{Field, area};
 use level::{histogram, quantile};
-use mend::{close_slits, remove_stalks};
+use mend::{close_slits, drop_thin, remove_stalks};
 use parts::{Parts, fill_holes, parts};
 
 /// The most pixels that are worked on: some 100 MiB are needed meanwhile.
@@ -174,11 +174,12 @@ impl Tracer {
             close_slits(&mut bits, &choice.likeness, weak, (0.02 * size).clamp(1.5, 40.0));
         }
         if options.remove_stalks {
-            remove_stalks(&mut bits, (0.05 * size).max(2.0));
+            remove_stalks(&mut bits, size);
         }
         // Specks: what is small by itself and beside the largest.
         let least = (largest(&bits) / 50).max(12);
-        let bits = parts(&bits, true, true).largest(least, MAX_PIECES).bits(self.width, self.height);
+        let mut bits = parts(&bits, true, true).largest(least, MAX_PIECES).bits(self.width, self.height);
+        drop_thin(&mut bits, ((0.008 * size) as usize).max(1));
         (bits, level)
     }
 
