@@ -69,8 +69,9 @@ export function Fit1(heading: Heading) {
         <p>
           Counted in boxes, this graph has the dimension{" "}
           {facts.dimension === null ? "–" : fixed(facts.dimension, 3)}: 1 is a line, 2 would fill the plane.
-          The area under it is {facts.integral === null ? "–" : fixed(facts.integral, 4)}, exactly, although
-          nobody could draw all of it: the integral obeys the same rule of copies.
+          It rises above 1 as soon as the two roughnesses, signs aside, add up to more than 1. The area under
+          it is {facts.integral === null ? "–" : fixed(facts.integral, 4)}, exactly, although nobody could
+          draw all of it: the integral obeys the same rule of copies.
         </p>
       }
       parameters={[

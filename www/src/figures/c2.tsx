@@ -108,7 +108,7 @@ export function Fit2(heading: Heading) {
         lines={lines}
         dots={[{ points: features.flat(), colour: 5, size: level > 6 ? 3 : 4.5 }]}
       />
-      <div class="two-columns even">
+      <div class="fit-columns">
         <figure class="panel">
           <Closer closer={closer} />
           <figcaption>

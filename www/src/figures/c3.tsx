@@ -51,7 +51,7 @@ export function Fit3(heading: Heading) {
         { name: "Seen from", value: `${fixed(eye.turn, 0)}° round, ${fixed(eye.tilt, 0)}° up` },
       ]}
       captions={["Figure 3: A 3-D Sierpinski space curve and its projections onto three coordinate planes."]}
-      reconstructed="The maps of this curve are not printed. The arrowhead curve is the one whose top projection, with corners at heights 0, ½ and 1, is copied by the printed maps of Table 3 to their last digit. The height of the box is the gasket’s own."
+      reconstructed="The maps of this curve are not printed. The arrowhead curve stands for it: with corners at heights 0, ½ and 1 the printed maps of Table 3 come about as near to its top projection as the paper says. The height of the box is the gasket’s own."
     >
       <SpaceView
         points={points}

@@ -69,7 +69,7 @@ export function Fit4(heading: Heading) {
           : []),
       ]}
       captions={['Figure 4: The "top" projection of the Sierpinski space curve.']}
-      reconstructed="Corner heights of 0, ½ and 1 are reconstructed: with them the printed maps of Table 3 hold to their last digit. Other heights are other projections of the same curve, seen from other sides."
+      reconstructed="Corner heights of 0, ½ and 1 are reconstructed: with them the printed maps of Table 3 come about as near as the paper says (Figure 6). Other heights are other projections of the same curve, seen from other sides."
       studio={{ href: fitHref({ mode: "graph", graph: TABLE_3_GRAPH }), label: "Open in the Fit tool" }}
     >
       <div class="controls">

@@ -65,7 +65,7 @@ export function Fit5(heading: Heading) {
             along two directions, and {percent(space.shares[0] + space.shares[1] + space.shares[2])} along
             three. The paper’s authors had seen this in first experiments and wished for a picture of it; it
             is the one at the lower right. Of the {found.length} clusters {countOf(found, "map")} are maps,{" "}
-            {countOf(found, "echo")} echoes of stronger ones, {countOf(found, "clutter")} clutter.
+            {countOf(found, "echo")} echoes of stronger ones.
           </p>
         ) : (
           <p>Counting …</p>
@@ -109,7 +109,7 @@ export function Fit5(heading: Heading) {
           lines={found.map(({ hits, kind }, i) => ({
             points: [i, 0, i, hits],
             colour: i === index ? "ink" : KIND_COLOURS[kind],
-            width: i === index ? 5 : 3,
+            width: i === index ? 4 : 2,
           }))}
         >
           {(place) => <Pick found={found} onPick={setChosen} place={(_, i) => [place(i, 0)[0], null]} />}
@@ -145,7 +145,7 @@ export function Fit5(heading: Heading) {
         </Switch>
       </div>
       <Image cluster={cluster} election={election} refined={refined} index={index} />
-      <div class="two-columns even">
+      <div class="fit-columns">
         <figure class="panel">
           <Profile
             label={`The clusters over a and c, from −0.8 to 0.8; cluster ${index + 1} is marked`}

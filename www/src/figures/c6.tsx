@@ -92,11 +92,11 @@ export function Fit6(heading: Heading) {
           <Segmented
             label="Pieces"
             options={[
-              { value: "pfif", label: "7, of any parts", description: "PFIF" },
+              { value: "pfif", label: "7, a PFIF", description: "Pieces copy any parts" },
               {
                 value: "rfif",
-                label: `${recurrent?.pieces.length ?? 11}, from breakpoint to breakpoint`,
-                description: "RFIF",
+                label: `${recurrent?.pieces.length ?? 11}, an RFIF`,
+                description: "Pieces copy what lies between breakpoints",
                 disabled: recurrent === null,
               },
             ]}

@@ -3,8 +3,9 @@ import type { Collage, Figures } from "../engine/fit/tasks/curve";
 import { Button } from "../ui/Button";
 import { fixed } from "../ui/number";
 import { Segmented } from "../ui/Segmented";
+import { Slider } from "../ui/Slider";
 import { Switch } from "../ui/Switch";
-import { Frame, type Heading } from "./frame";
+import { Control, Frame, type Heading } from "./frame";
 import {
   type CurveState,
   FEATURES,
@@ -34,7 +35,15 @@ export function Fit7(heading: Heading) {
   const fit = useCurveFit(leaf, numbers);
   const box = useMemo(() => boxOfPoints(leaf?.points ?? []), [leaf]);
   const collage = collages?.[MAPS.indexOf(maps)] ?? null;
-  const curve = fit.done?.curve ?? fit.reached?.curve;
+  // Written when it comes to rest: it takes a while.
+  const curve = fit.done?.curve ?? (fit.state === "stopped" ? fit.reached?.curve : undefined);
+  const href = useMemo(
+    () =>
+      curve
+        ? fitHref({ mode: "outline", numbers, curve: { name: "Grown maple leaf", curve } })
+        : fitHref({ mode: "outline", numbers }),
+    [curve, numbers],
+  );
   return (
     <Frame
       {...heading}
@@ -73,14 +82,7 @@ export function Fit7(heading: Heading) {
           size nothing is saved.
         </>
       }
-      {...(curve
-        ? {
-            studio: {
-              href: fitHref({ mode: "outline", numbers, curve: { name: "Grown maple leaf", curve } }),
-              label: "Open in the Fit tool",
-            },
-          }
-        : {})}
+      studio={{ href, label: "Open in the Fit tool" }}
     >
       <div class="controls">
         <Switch checked={tied} onChange={setTied}>
@@ -136,16 +138,19 @@ export function Fit7(heading: Heading) {
             label="Compare at"
             options={MAPS.map((count) => ({
               value: String(count),
-              label: `${count} maps, ${NUMBERS_A_MAP * count} numbers`,
+              label: `${NUMBERS_A_MAP * count} numbers`,
             }))}
             value={String(maps)}
             onChange={(value) => setMaps(value === "52" ? 52 : 29)}
           />
         </div>
       </div>
-      <div class="two-columns even">
+      <div class="fit-columns">
         <CurvePanel fit={fit} leaf={leaf?.points ?? null} box={box} numbers={numbers} />
-        <Errors maps={maps} collage={collage} fit={fit} />
+        <div class="leaf-side">
+          <Errors maps={maps} collage={collage} fit={fit} />
+          <Closer maps={maps} collage={collage} leaf={leaf?.points ?? null} box={box} />
+        </div>
       </div>
     </Frame>
   );
@@ -194,6 +199,70 @@ function CollagePanel({ maps, collage, leaf, box, tied }: CollagePanelProps) {
       </figcaption>
     </figure>
   );
+}
+
+/** Half the side of the magnified part, in parts of the leaf's width. */
+const CLOSE = 0.035;
+
+interface CloserProps extends PanelProps {
+  maps: number;
+  collage: Collage | null;
+}
+
+/** Where two copies of the paper's fit should meet: the places in the order of their gaps. */
+function Closer({ maps, collage, leaf, box }: CloserProps) {
+  const [rank, setRank] = useState(0);
+  const joints = useMemo(() => (collage ? jointsOf(collage) : []), [collage]);
+  const joint = joints[Math.min(rank, joints.length - 1)];
+  const near = CLOSE * (box.x1 - box.x0);
+  const [x, y] = joint?.at ?? [0, 0];
+  const part = useMemo(() => ({ x0: x - near, y0: y - near, x1: x + near, y1: y + near }), [x, y, near]);
+  const lines = useMemo((): OutlineLine[] => {
+    if (!leaf || !collage || !joint) return [];
+    return [
+      { points: leaf, ...OUTLINE, width: 1.5 },
+      ...piecesOf(collage).map((points, i): OutlineLine => ({ points, colour: i % 2, width: 2.25 })),
+      { points: joint.ends, colour: "bad", width: 3 },
+      { points: joint.ends, colour: "bad", dots: 8 },
+    ];
+  }, [leaf, collage, joint]);
+  const diagonal = Math.hypot(box.x1 - box.x0, box.y1 - box.y0);
+  const wide = joint ? (100 * joint.wide) / diagonal : 0;
+  const words = wide > 1e-6 ? `a gap of ${fixed(wide)}% of the diagonal` : "no gap";
+  return (
+    <figure class="panel">
+      <OutlineView
+        box={part}
+        lines={lines}
+        label={`Where two of ${maps} copies should meet, magnified: ${words}`}
+      />
+      <figcaption>
+        <Control label="where copies should meet" value={joint ? words.replace(" of the diagonal", "") : "…"}>
+          <Slider
+            label="Gap"
+            min={1}
+            max={Math.max(2, joints.length)}
+            step={1}
+            value={Math.min(rank, Math.max(0, joints.length - 1)) + 1}
+            valueText={`gap ${rank + 1} of ${joints.length}, the widest first: ${words}`}
+            onChange={(next) => setRank(Math.round(next) - 1)}
+          />
+        </Control>
+      </figcaption>
+    </figure>
+  );
+}
+
+/** The steps from piece to piece, the widest first. */
+function jointsOf({ gaps }: Collage) {
+  const joints = [];
+  for (let i = 0; i + 3 < gaps.length; i += 4) {
+    const ends = gaps.slice(i, i + 4);
+    const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = ends;
+    const at = [(x0 + x1) / 2, (y0 + y1) / 2] as const;
+    joints.push({ ends, at, wide: Math.hypot(x1 - x0, y1 - y0) });
+  }
+  return joints.sort((p, q) => q.wide - p.wide);
 }
 
 /** A polyline for each piece. */

@@ -88,11 +88,14 @@ export function useCurveFit(leaf: Leaf | null, numbers: number): CurveState {
     const { signal } = stop;
     stopper.current = stop;
     const { points } = leaf;
-    fitTask(
-      "fitCurve",
-      { points, numbers },
-      { signal, lane: 1, onProgress: (reached) => setNow({ ...IDLE, reached }) },
-    ).then(
+    let told = Number.NEGATIVE_INFINITY;
+    const tell = (reached: Reached) => {
+      // The worker says more than needs to be drawn.
+      if (performance.now() - told < TELL_MS) return;
+      told = performance.now();
+      setNow({ ...IDLE, reached });
+    };
+    fitTask("fitCurve", { points, numbers }, { signal, lane: 1, onProgress: tell }).then(
       (done) => setNow((last) => ({ ...last, state: "done", done })),
       (problem) => {
         const stopped = signal.aborted;
@@ -121,5 +124,7 @@ export function useCurveFit(leaf: Leaf | null, numbers: number): CurveState {
     again: () => setRound(round + 1),
   };
 }
+
+const TELL_MS = 250;
 
 const IDLE = { state: "running", reached: null, done: null, problem: "" } as const;

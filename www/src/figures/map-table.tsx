@@ -3,7 +3,7 @@ import { fixed } from "../ui/number";
 import type { ShearMap } from "./printed";
 
 export interface MapTableProps {
-  caption: ComponentChildren;
+  caption: string;
   /** Names of columns before the five numbers and behind them. */
   before?: readonly string[];
   behind?: readonly string[];
@@ -34,7 +34,7 @@ export function MapTable({
 }: MapTableProps) {
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by keys
-    <section class="wide-table" aria-label="Table" tabIndex={0}>
+    <section class="wide-table" aria-label={`${caption} (table)`} tabIndex={0}>
       <table class="measurements">
         <caption>{caption}</caption>
         <thead>

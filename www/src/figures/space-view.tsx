@@ -53,6 +53,7 @@ export function SpaceView({ points, eye, shadows, label, onTurn }: SpaceViewProp
   const canvas = useRef<HTMLCanvasElement>(null);
   const pixels = usePixels(canvas);
   const onDark = useValue(dark);
+  const named = label !== null;
   const last = useRef<{ x: number; y: number } | null>(null);
   useLayoutEffect(() => {
     const element = canvas.current;
@@ -72,7 +73,7 @@ export function SpaceView({ points, eye, shadows, label, onTurn }: SpaceViewProp
       context.beginPath();
       for (const [i, p] of line.entries()) context[i === 0 ? "moveTo" : "lineTo"](...place(p));
       context.strokeStyle = colour;
-      context.lineWidth = (width * side) / 420;
+      context.lineWidth = width * Math.max(side / 420, 0.6);
       context.stroke();
     };
     context.lineJoin = "round";
@@ -92,8 +93,8 @@ export function SpaceView({ points, eye, shadows, label, onTurn }: SpaceViewProp
         2,
       );
     }
-    names(context, place, style.getPropertyValue("--ink-2"), side);
-  }, [points, eye, shadows, pixels, onDark]);
+    if (named) names(context, place, style.getPropertyValue("--ink-2"), side);
+  }, [points, eye, shadows, pixels, onDark, named]);
   return (
     <canvas
       ref={canvas}

@@ -1,0 +1,38 @@
+import { expect, test } from "./fixture";
+
+test("no figure on rough curves is wider than a phone", async ({ page }) => {
+  test.setTimeout(120_000);
+  for (const figure of ["c1", "c2", "ct2", "c3", "c4", "c5", "c6", "c7"]) {
+    await page.goto("about:blank");
+    await page.goto(`./#figures/${figure}`);
+    await page.getByRole("heading", { level: 1 }).waitFor();
+    const wide = await page.evaluate(() => {
+      const live = document.querySelector(".figure-live");
+      if (!live) return ["no figure"];
+      // What scrolls by itself may be wider.
+      return [...live.querySelectorAll("*")]
+        .filter((part) => !part.closest(".wide-table") && !part.closest(".unseen"))
+        .filter((part) => part.getBoundingClientRect().right > innerWidth + 1)
+        .map((part) => `${part.tagName} ${part.getAttribute("class")}`);
+    });
+    expect(wide, figure).toEqual([]);
+  }
+});
+
+test("a finger drags the middle point of Figure 1", async ({ page }) => {
+  await page.goto("./#figures/c1");
+  const middle = page.getByRole("button", { name: /^Middle point/ });
+  await expect(middle).toHaveAccessibleName(/t = 0\.50, x = 1\.00/);
+  await middle.scrollIntoViewIfNeeded();
+  const box = await middle.boundingBox();
+  if (!box) throw new Error("the point is not on the page");
+  expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(44);
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const finger = await page.context().newCDPSession(page);
+  const touch = (type: "touchStart" | "touchMove" | "touchEnd", points: { x: number; y: number }[]) =>
+    finger.send("Input.dispatchTouchEvent", { type, touchPoints: points });
+  await touch("touchStart", [{ x, y }]);
+  for (let i = 1; i <= 5; i++) await touch("touchMove", [{ x: x + 8 * i, y: y + 6 * i }]);
+  await touch("touchEnd", []);
+  await expect(middle).not.toHaveAccessibleName(/t = 0\.50|x = 1\.00/);
+});
