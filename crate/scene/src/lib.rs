@@ -9,6 +9,7 @@ mod fit;
 mod link;
 mod preset;
 mod scene;
+mod space;
 
 pub use curve::{Curve, CurveEdge, CurveShape, Curves};
 pub use deformation::{
@@ -20,4 +21,9 @@ pub use preset::{Preset, Row, preset, presets};
 pub use scene::{
     Colouring, FamilyName, LocusView, MAX_WAY_POINTS, ModeName, Path, PathKind, Scene, Shape, WayPoint,
     Window,
+};
+pub use space::{
+    Arrow, EpsilonProjection, FileError, Intersection, MeetError, MeetExample, Plane, Preset3, ProjectError,
+    Row3, SpaceFile, Thing, epsilon_projection, exact_projection, intersection, invariant_directions,
+    meet_examples, natural_scene, parse_ifs3, preset3, presets3, write_ifs3,
 };
