@@ -42,7 +42,9 @@ export const statusWords: ReadonlySignal<string> = computed(() => {
     const off = now.rms === undefined ? "" : `, ${percent(now.rms)} off so far`;
     return best ? `Fitting, ${Math.round(100 * now.share)}% done${off}` : "Fitting …";
   }
-  if (!best) return problem.value ? "No fit" : "Fitting …";
+  if (problem.value) return "No fit";
+  // A slider that moves has not asked for anything yet.
+  if (!best || best.numbers !== fitDocument.value.numbers) return "Fitting …";
   const done = shownFigures.value;
   const numbers = `${numbersOf(best.curve)} numbers`;
   if (!done?.figures) return numbers;

@@ -157,7 +157,9 @@ async function measure(done: Best, signal: AbortSignal): Promise<void> {
     running.value = null;
   });
   try {
-    const got = await fitTask("measure", { points: done.of.points, curve: done.curve }, { signal });
+    // Not in the worker of the fit, which may have to be ended.
+    const args = { points: done.of.points, curve: done.curve };
+    const got = await fitTask("measure", args, { lane: RIVAL_LANE });
     if (signal.aborted) return;
     finish({ ...done, ...got });
     await compare(done.of, done.numbers, signal);
@@ -272,8 +274,12 @@ async function compare(of: Prepared, numbers: number, signal: AbortSignal): Prom
     compared.value = { of, numbers, list };
   };
   try {
-    const args = { points: of.points, numbers, methods: METHODS };
-    await fitTask("rivals", args, { signal, lane: RIVAL_LANE, onProgress });
+    // One after the other, and none is broken off: a worker that does not stop soon is ended, with the pictures in it.
+    for (const method of METHODS) {
+      const args = { points: of.points, numbers, methods: [method] };
+      await fitTask("rivals", args, { lane: RIVAL_LANE, onProgress });
+      if (signal.aborted) return;
+    }
     put(comparisons, of, numbers, list);
   } catch (wrong) {
     if (!signal.aborted && !isStopped(wrong)) notify({ kind: "error", text: wordsOf(wrong) });

@@ -87,8 +87,12 @@ export async function takeFile(
   const name = given.trim() || "Outline";
   reading.value = name;
   try {
-    const got = await fitTask("openFile", { file, name }, { signal, lane: PICTURE_LANE });
-    if (signal.aborted) return;
+    const got = await fitTask("openFile", { file, name }, { lane: PICTURE_LANE });
+    if (signal.aborted) {
+      // Another was given meanwhile, or chosen.
+      if (got.kind === "picture") close(got);
+      return;
+    }
     reading.value = null;
     adopt(got, takeSeries);
   } catch (problem) {
