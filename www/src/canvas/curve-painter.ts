@@ -29,7 +29,7 @@ const COARSEST = 6;
 /** Of the outline, in CSS pixels. */
 const LINE = 1.8;
 /** Vertices at most: more than a screen has room for. */
-const MOST = 200_000;
+const MOST = 60_000;
 
 /** The part of the plane that a picture shows, and a little more. */
 export function windowOf({
@@ -43,6 +43,11 @@ export function windowOf({
   return [view.x - across, view.y - up, view.x + across, view.y + up] as [number, number, number, number];
 }
 
+/** The bend, but for a mesh at rest, which bends nothing. */
+export function moved(bend: Bend | null): Bend | null {
+  return bend?.moves.some((x) => x !== 0) ? bend : null;
+}
+
 /** Keeps one canvas showing a closed curve: one polyline a frame, the latest wish wins. */
 export class CurvePainter {
   readonly #canvas = document.createElement("canvas");
@@ -54,6 +59,14 @@ export class CurvePainter {
   /** How many times coarser than it should be the next frame is. */
   #coarse = 1;
   #fine = false;
+  #state: PainterState = {
+    backend: "canvas",
+    complete: false,
+    settled: false,
+    points: 0,
+    empty: false,
+    preview: false,
+  };
 
   constructor(
     host: HTMLElement,
@@ -68,14 +81,19 @@ export class CurvePainter {
 
   show(wanted: CurveRequest): void {
     this.#wanted = wanted;
+    this.#set({ complete: false, settled: false });
     this.#schedule();
   }
 
   async pixels(): Promise<Pixels> {
     const { width, height } = this.#canvas;
-    const image = this.#canvas.getContext("2d")?.getImageData(0, 0, width, height);
-    if (!image) throw new Error("There is no picture yet.");
-    return { width, height, data: image.data };
+    // Of a copy: a canvas that is read itself is drawn otherwise from then on.
+    const copy = new OffscreenCanvas(Math.max(1, width), Math.max(1, height));
+    const context = copy.getContext("2d", { willReadFrequently: true });
+    if (!context) throw new Error("There is no picture yet.");
+    context.drawImage(this.#canvas, 0, 0);
+    const { data } = context.getImageData(0, 0, copy.width, copy.height);
+    return { width: copy.width, height: copy.height, data };
   }
 
   /** There is no device to lose. */
@@ -84,6 +102,11 @@ export class CurvePainter {
   close(): void {
     if (this.#frame) cancelAnimationFrame(this.#frame);
     this.#canvas.remove();
+  }
+
+  #set(change: Partial<PainterState>): void {
+    this.#state = { ...this.#state, ...change };
+    this.#onState(this.#state);
   }
 
   #schedule(): void {
@@ -104,14 +127,7 @@ export class CurvePainter {
     else if (took < SOON_MS) this.#coarse = Math.max(1, this.#coarse / 1.5);
     this.#drawn = wanted;
     this.#fine = coarse === 1;
-    this.#onState({
-      backend: "canvas",
-      complete: this.#fine,
-      settled: this.#fine,
-      points,
-      empty: false,
-      preview: false,
-    });
+    this.#set({ complete: this.#fine, settled: this.#fine, points });
     if (!this.#fine) this.#schedule();
   }
 
@@ -129,7 +145,7 @@ export class CurvePainter {
     const options = { tolerance: (coarse * TOLERANCE) / scale, window: windowOf(wanted), most: MOST };
     let vertices: Float64Array;
     try {
-      vertices = morph.polyline(s, wanted.bend ? { ...options, bend: wanted.bend } : options);
+      vertices = morph.polyline(s, { ...options, bend: moved(wanted.bend) });
       this.#onBendProblem(null);
     } catch (problem) {
       this.#onBendProblem(wordsOf(problem));

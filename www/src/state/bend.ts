@@ -1,5 +1,6 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { Bend, Deformation, DeformKey, Scene, Tool } from "../engine/api";
+import { curved } from "./curve";
 import { aroundStanding } from "./fit";
 import { edit, replace, scene } from "./scene";
 
@@ -25,8 +26,15 @@ export const AT_REST: Deformation = {
   superposed: true,
 };
 
+/** On a closed curve a digit stands for a quarter of its length, not for half: fewer go as far, and answer less. */
+export const ON_CURVES = { ke: 6, delta: 0.4 } as const;
+
 /** What stands for a document that says nothing of bending. */
-const none: ReadonlySignal<Deformation> = computed(() => ({ ...AT_REST, box: aroundStanding.value }));
+const none: ReadonlySignal<Deformation> = computed(() => ({
+  ...AT_REST,
+  ...(curved.value ? ON_CURVES : {}),
+  box: aroundStanding.value,
+}));
 
 /** What the document says of bending; a mesh at rest around the shape where it says nothing. */
 export const deformation: ReadonlySignal<Deformation> = computed(() => scene.value.deform ?? none.value);

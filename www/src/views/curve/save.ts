@@ -1,6 +1,6 @@
 /** The curve of the present moment as a file. */
 import { lookOf, paintCurve } from "../../canvas/curve-paint";
-import { TOLERANCE } from "../../canvas/curve-painter";
+import { moved, TOLERANCE } from "../../canvas/curve-painter";
 import { stageStyle } from "../../canvas/look";
 import { effectiveView, stageSize } from "../../canvas/view";
 import { frond } from "../../engine/wasm";
@@ -43,7 +43,7 @@ function text(kind: Exclude<Kind, "png">): Blob {
   const s = curveTime.peek();
   const [x0, y0, x1, y1] = morph.bounds(s);
   const size = Math.max(x1 - x0, y1 - y0);
-  const bent = bend.peek();
+  const bent = moved(bend.peek());
   const points = morph.polyline(s, { tolerance: FINE * size, most: MOST, bend: bent });
   switch (kind) {
     case "svg": {
@@ -76,7 +76,7 @@ async function picture(): Promise<Blob> {
   const points = morph.polyline(curveTime.peek(), {
     tolerance: TOLERANCE / view.scale,
     window: [view.x - across, view.y - up, view.x + across, view.y + up],
-    bend: bend.peek(),
+    bend: moved(bend.peek()),
     most: MOST,
   });
   const canvas = new OffscreenCanvas(width, height);

@@ -1,6 +1,6 @@
 import { computed } from "@preact/signals";
 import { frond } from "../../engine/wasm";
-import { aroundStanding, changeDeformation, deformation, phasePlaying } from "../../state/bend";
+import { aroundStanding, changeDeformation, deformation, ON_CURVES, phasePlaying } from "../../state/bend";
 import { curveMorph } from "../../state/curve";
 import { sizeOf } from "../../state/mesh";
 import { announce } from "../../state/notice";
@@ -48,7 +48,7 @@ function showMe(): void {
     ? { hull: hullOf(curve.polyline(t, { tolerance: 1e-3 * sizeOf(aroundStanding.peek()) })) }
     : frond.bounds({ maps: maps.peek() });
   const example = exampleOf(deformation.peek(), shape, bounds);
-  changeDeformation(() => example.deformation);
+  changeDeformation(() => ({ ...example.deformation, ...(curve ? ON_CURVES : {}) }));
   announce(example.words);
   if (example.moves) presentPhase();
 }
