@@ -8,7 +8,7 @@
 //! map may become which, and [`routes`] what other maps of the same shapes may be morphed instead.
 //!
 //! The same in space: [`Ifs3`], [`Bounds3`], [`ChaosGame3`], [`Morph3`]. A shape is moved by moving its parameters
-//! ([`Pose`]).
+//! ([`Pose`]), by hand or by key frames ([`Motion3`]).
 //!
 //! Conventions: y points up, angles are radians, counter-clockwise. Indices count from 0 in code and from 1
 //! in messages. No panics on any input, no unsafe code, no web, no GPU.
@@ -54,8 +54,9 @@ pub use polar2::Polar2;
 pub use polar3::Polar3;
 pub use route::{Route, RouteKind, routes};
 pub use space::{
-    Bounds3, BoxCount, ChaosGame3, Conjugate, Contraction3, Fan3, Ifs3, Morph3, Place3, Pose, Turn3,
-    adaptive_cut3, affinity_dimension3, box_dimension, similarity_dimension3, word_map3,
+    Bounds3, BoxCount, ChaosGame3, Conjugate, Contraction3, Course, Ease, Fan3, Ifs3, Key3, Morph3, Motion3,
+    MotionError, Place3, Pose, Turn3, adaptive_cut3, affinity_dimension3, box_dimension,
+    similarity_dimension3, word_map3,
 };
 pub use symmetry::symmetries;
 pub use transform::TransformError;

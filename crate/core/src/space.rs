@@ -11,8 +11,10 @@ mod dimension;
 mod fan;
 mod ifs;
 mod morph;
+mod motion;
 mod place;
 mod pose;
+mod spline;
 #[cfg(test)]
 mod testing;
 
@@ -24,5 +26,6 @@ pub use dimension::{BoxCount, affinity_dimension3, box_dimension, similarity_dim
 pub use fan::Fan3;
 pub use ifs::Ifs3;
 pub use morph::{Morph3, Turn3};
+pub use motion::{Course, Ease, Key3, Motion3, MotionError};
 pub use place::Place3;
 pub use pose::{Conjugate, Pose};
