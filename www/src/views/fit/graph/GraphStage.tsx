@@ -119,7 +119,8 @@ function Foot() {
       {reading.value !== null && <p class="readout">Reading {reading.value} …</p>}
       {off && !faint.value && (
         <p class="readout" data-part="errors">
-          Off by {formatNumber(off.worst, 4)} at most, {off.meanSquare.toExponential(2)} mean squared
+          Off by {formatNumber(off.worst, 4)} at most
+          <span class="wide-words">, {off.meanSquare.toExponential(2)} mean squared</span>
         </p>
       )}
       <div class="graph-zoom">

@@ -37,15 +37,30 @@ export const TABLE_3: Graph = {
   ],
 };
 
-/** A range of mountains, until noise is laid over it. */
-const RIDGE: Graph = {
-  kind: "fif",
-  pieces: [
-    { map: [0.4, 0.9, 0.35, 0, 0.1], domain: [0, 1] },
-    { map: [0.3, -0.7, -0.45, 0.4, 1.08], domain: [0, 1] },
-    { map: [0.3, 0.25, 0.4, 0.7, 0.29], domain: [0, 1] },
+/** A function through points, each piece a copy of the whole. */
+function through(knots: readonly (readonly [t: number, x: number])[], factors: readonly number[]): Graph {
+  const [first, last] = [knots[0] ?? [0, 0], knots.at(-1) ?? [1, 0]];
+  const long = last[0] - first[0];
+  const pieces = factors.map((c, i): Graph["pieces"][number] => {
+    const [from, to] = [knots[i] ?? first, knots[i + 1] ?? last];
+    const a = (to[0] - from[0]) / long;
+    const b = (to[1] - from[1] - c * (last[1] - first[1])) / long;
+    const e = from[1] - c * first[1] - b * first[0];
+    return { map: [a, b, c, from[0] - a * first[0], e], domain: [first[0], last[0]] };
+  });
+  return { kind: "fif", pieces };
+}
+
+/** A ridge, before noise is laid over it. */
+const RIDGE = through(
+  [
+    [0, 0.1],
+    [0.25, 0.7],
+    [0.5, 0.3],
+    [1, 0.6],
   ],
-};
+  [0.4, -0.35, 0.55],
+);
 
 function sampled(
   graph: Graph,
