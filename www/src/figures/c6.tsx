@@ -154,6 +154,7 @@ export function Fit6(heading: Heading) {
         <MapTable
           caption={model === "rfif" ? "The same function as an RFIF" : "Table 3"}
           first="Piece"
+          digits={model === "rfif" ? 4 : 3}
           before={["domain"]}
           rows={
             model === "rfif"

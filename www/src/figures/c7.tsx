@@ -372,6 +372,7 @@ function Errors({ maps, collage, fit }: ErrorsProps) {
             <th scope="col">RMS</th>
             <th scope="col">farthest</th>
             <th scope="col">widest gap</th>
+            <th scope="col">roughness</th>
           </tr>
         </thead>
         <tbody>
@@ -399,6 +400,7 @@ function ErrorRow({ name, numbers, gap, figures }: RowOf) {
       <td class="strong">{figures ? fixed(figures.rms, 3) : "…"}</td>
       <td>{figures ? fixed(figures.hausdorff) : "…"}</td>
       <td>{gap === undefined ? "…" : gap > 1e-6 ? fixed(gap) : "none"}</td>
+      <td>{figures ? fixed(figures.fitSlope ?? Number.NaN, 3) : "…"}</td>
     </tr>
   );
 }
@@ -419,8 +421,11 @@ function Found({ maps, collages, fit, tied }: FoundProps) {
     <p>
       With {NUMBERS_A_MAP * maps} numbers the paper’s fit{tied ? ", its ends tied," : ""} is{" "}
       {times(collage.figures.rms)} times as far from this leaf as a plain polyline of as many; Frond’s curve
-      is {fixed(split.figures.rms / fit.done.figures.rms, 1)} times nearer than that polyline. The paper’s
-      copies do keep the leaf rough where a polyline is smooth, which was their point.
+      is {fixed(split.figures.rms / fit.done.figures.rms, 1)} times nearer than that polyline. Roughness is
+      the box dimension between 1/64 and 1/256 of the diagonal:{" "}
+      {fixed(split.figures.outlineSlope ?? Number.NaN, 3)} for the leaf itself,{" "}
+      {fixed(collage.figures.fitSlope ?? Number.NaN, 3)} for the paper’s fit,{" "}
+      {fixed(fit.done.figures.fitSlope ?? Number.NaN, 3)} for Frond’s curve.
     </p>
   );
 }
