@@ -20,7 +20,11 @@ export default defineConfig({
     // The module is a file that the workers share, however small.
     assetsInlineLimit: (file) => (file.endsWith(".wasm") ? false : undefined),
     modulePreload: { polyfill: false },
-    rolldownOptions: { input: pages },
+    rolldownOptions: {
+      input: pages,
+      // What a page loads at once is one file, however much of it is shared with what it loads later.
+      output: { codeSplitting: { groups: [{ name: "first", tags: ["$initial"] }] } },
+    },
   },
   server: {
     // The wasm package is watched through www/pkg, which `cargo xtask serve` writes anew.
