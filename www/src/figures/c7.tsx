@@ -285,7 +285,7 @@ function CurvePanel({ fit, leaf, box, numbers }: CurvePanelProps) {
     [leaf, shown],
   );
   const share = fit.done ? 1 : (fit.reached?.share ?? 0);
-  const rms = fit.done?.figures.rms ?? fit.reached?.rms;
+  const rms = fit.done?.figures.rms ?? fit.reached?.rms ?? null;
   const words =
     fit.state === "failed"
       ? fit.problem
@@ -299,7 +299,7 @@ function CurvePanel({ fit, leaf, box, numbers }: CurvePanelProps) {
       <OutlineView
         box={box}
         lines={lines}
-        label={`Frond’s closed curve of ${numbers} numbers${rms === undefined ? "" : `, ${fixed(rms, 3)}% off`}`}
+        label={`Frond’s closed curve of ${numbers} numbers${rms === null ? "" : `, ${fixed(rms, 3)}% off`}`}
       />
       <figcaption>
         <span class="side-name">
@@ -400,7 +400,7 @@ function ErrorRow({ name, numbers, gap, figures }: RowOf) {
       <td class="strong">{figures ? fixed(figures.rms, 3) : "…"}</td>
       <td>{figures ? fixed(figures.hausdorff) : "…"}</td>
       <td>{gap === undefined ? "…" : gap > 1e-6 ? fixed(gap) : "none"}</td>
-      <td>{figures ? fixed(figures.fitSlope ?? Number.NaN, 3) : "…"}</td>
+      <td>{figures ? fixed(figures.fitSlope, 3) : "…"}</td>
     </tr>
   );
 }
@@ -422,10 +422,9 @@ function Found({ maps, collages, fit, tied }: FoundProps) {
       With {NUMBERS_A_MAP * maps} numbers the paper’s fit{tied ? ", its ends tied," : ""} is{" "}
       {times(collage.figures.rms)} times as far from this leaf as a plain polyline of as many; Frond’s curve
       is {fixed(split.figures.rms / fit.done.figures.rms, 1)} times nearer than that polyline. Roughness is
-      the box dimension between 1/64 and 1/256 of the diagonal:{" "}
-      {fixed(split.figures.outlineSlope ?? Number.NaN, 3)} for the leaf itself,{" "}
-      {fixed(collage.figures.fitSlope ?? Number.NaN, 3)} for the paper’s fit,{" "}
-      {fixed(fit.done.figures.fitSlope ?? Number.NaN, 3)} for Frond’s curve.
+      the box dimension between 1/64 and 1/256 of the diagonal: {fixed(split.figures.outlineSlope, 3)} for the
+      leaf itself, {fixed(collage.figures.fitSlope, 3)} for the paper’s fit,{" "}
+      {fixed(fit.done.figures.fitSlope, 3)} for Frond’s curve.
     </p>
   );
 }
