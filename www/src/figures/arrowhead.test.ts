@@ -58,6 +58,17 @@ describe("a copy of the whole", () => {
     for (const third of [0, 2]) expect(bestCopy(whole, third).rms).toBeGreaterThan(0.01);
   });
 
+  it("may run backwards", () => {
+    const x = [0, 0, 0, 1, 3, 2, 4, 1, 0, 2];
+    // From the other end: 2, 4, 1, 0 over t = 1, 2/3, 1/3, 0, its chord from 2 to 0, half as rough.
+    x[1] = 1 / 3 + 0.5 * (4 - 4 / 3);
+    x[2] = 2 / 3 + 0.5 * (1 - 2 / 3);
+    const copy = bestCopy(Float64Array.from(x.flatMap((value, i) => [i / 9, value])), 0);
+    expect(copy.reflected).toBe(true);
+    expect(copy.c).toBeCloseTo(0.5, 12);
+    expect(copy.rms).toBeLessThan(1e-12);
+  });
+
   it("copes with a flat function", () => {
     expect(bestCopy(heightsAlong(2, { A: 1, B: 1, C: 1 }), 0)).toMatchObject({ c: 0, rms: 0 });
   });
