@@ -179,6 +179,29 @@ impl Mesh {
         longest * (1.0 + 1e-9)
     }
 
+    /// No second derivative of the displacement, along any line inside the box, is larger: by the second differences of
+    /// the control points, of which the derivatives are weighted means.
+    pub(crate) fn curvature(&self) -> f64 {
+        let d = |i: usize, j: usize| self.displacements[j * self.columns + i];
+        let (columns, rows) = (self.columns, self.rows);
+        let largest = |across: usize, up: usize, difference: &dyn Fn(usize, usize) -> DVec2| {
+            let places = (0..columns - across).flat_map(|i| (0..rows - up).map(move |j| (i, j)));
+            places.map(|(i, j)| difference(i, j).length()).fold(0.0, f64::max)
+        };
+        let twice = |count: usize| ((count - 1) * (count - 2)) as f64;
+        let mut sum = 0.0;
+        if columns > 2 {
+            let most = largest(2, 0, &|i, j| d(i, j) - 2.0 * d(i + 1, j) + d(i + 2, j));
+            sum += twice(columns) * most * self.scale.x * self.scale.x;
+        }
+        if rows > 2 {
+            let most = largest(0, 2, &|i, j| d(i, j) - 2.0 * d(i, j + 1) + d(i, j + 2));
+            sum += twice(rows) * most * self.scale.y * self.scale.y;
+        }
+        let most = largest(1, 1, &|i, j| d(i, j) - d(i + 1, j) - d(i, j + 1) + d(i + 1, j + 1));
+        sum + ((columns - 1) * (rows - 1)) as f64 * most * self.scale.x * self.scale.y
+    }
+
     /// The display grid: `count` x `count` points at equal steps over the box, each where the mesh takes it, row
     /// by row from the bottom (the paper draws 11 x 11).
     #[must_use]
@@ -297,5 +320,27 @@ mod tests {
         let grid = mesh.grid(3);
         assert_eq!(grid.len(), 9);
         assert_eq!((grid[0], grid[4], grid[8]), (DVec2::ZERO, DVec2::splat(0.75), DVec2::splat(2.0)));
+    }
+
+    #[test]
+    fn curvature_bounds_how_far_the_middle_of_a_line_is_off() {
+        for (columns, rows) in [(2, 2), (4, 4), (3, 7), (16, 2)] {
+            let list =
+                (0..columns * rows).map(|i| DVec2::new((i * 7 % 11) as f64, (i * 5 % 13) as f64) * 0.1);
+            let mesh = Mesh::new(DVec2::ZERO, DVec2::new(2.0, 0.5), columns, rows, list.collect()).unwrap();
+            let (curvature, mut nearest) = (mesh.curvature(), 0.0_f64);
+            for i in 0..400_u32 {
+                let place = |salt: u32| {
+                    let unit = |k| frond_core::hash::unit(frond_core::hash::counter(i, 2 * salt + k));
+                    DVec2::new(2.0 * f64::from(unit(0)), 0.5 * f64::from(unit(1)))
+                };
+                let a = place(0);
+                let b = a.lerp(place(1), 0.02);
+                let off = mesh.at(a.midpoint(b)).distance(mesh.at(a).midpoint(mesh.at(b)));
+                nearest = nearest.max(off / (0.125 * curvature * a.distance_squared(b)));
+            }
+            assert!(nearest <= 1.0 + 1e-6, "{columns} {rows}: {nearest}");
+            assert!(nearest > 0.02, "{columns} {rows}: {nearest}");
+        }
     }
 }

@@ -58,7 +58,9 @@ pub struct RingBend {
     grid: Vec<DVec2>,
     /// What each shuffled term counts at the ends of its parts, where roughness is not the same all over.
     weights: Vec<Vec<f64>>,
-    /// The sum of those, and of the shuffled terms, at the ends of the smallest parts.
+    /// The numbers of the smallest parts with their digits in reverse.
+    order: Vec<u32>,
+    /// The sum of those weights, and of the shuffled terms, at the ends of the smallest parts.
     shares: Vec<f64>,
     values: Vec<DVec2>,
 }
@@ -101,8 +103,9 @@ impl RingBend {
         }
         let letters = terms.depth();
         let grid: Vec<_> = grid.iter().step_by(SYMBOLS.pow((given - letters) as u32)).copied().collect();
-        let mut this =
-            Self { mesh, terms, letters, grid, weights: Vec::new(), shares: Vec::new(), values: Vec::new() };
+        let order = reversed(letters);
+        let (weights, shares, values) = (Vec::new(), Vec::new(), Vec::new());
+        let mut this = Self { mesh, terms, letters, grid, weights, order, shares, values };
         if this.terms.fixed().is_none() {
             let levels = (1..=letters).flat_map(|k| this.terms.families_at(k).map(move |family| (family, k)));
             this.weights = levels.map(|(family, k)| this.weigh(family, k)).collect();
@@ -147,11 +150,17 @@ impl RingBend {
             let (parts, step) = (sums.len(), SYMBOLS.pow((self.letters - k) as u32));
             for family in self.terms.families_at(k) {
                 let fixed = self.terms.fixed().map(|weights| weights.list[family.slot(k)]);
-                let reversed = |i: usize| reversed(i, k - family.kb);
+                // The digits that are reversed, and those that stay.
+                let digits = k - family.kb;
+                let low = SYMBOLS.pow(digits as u32) - 1;
+                let shift = 2 * (self.letters - digits);
+                let shuffled = |i: usize| (i & !low) | (self.order[i & low] as usize >> shift);
+                let mut before = shuffled(parts - 1) + 1;
                 for (i, sum) in sums.iter_mut().enumerate() {
                     let weight = fixed.unwrap_or_else(|| self.weights[level][i]);
-                    let before = reversed((i + parts - 1) % parts) + 1;
-                    *sum = *sum + value([reversed(i) * step, before % parts * step], weight);
+                    let after = shuffled(i);
+                    *sum = *sum + value([after * step, before % parts * step], weight);
+                    before = after + 1;
                 }
                 level += 1;
             }
@@ -196,13 +205,14 @@ where
     pairs.flat_map(|(&a, &b)| [0.0, 0.25, 0.5, 0.75].map(|share| a * (1.0 - share) + b * share)).collect()
 }
 
-/// The number with its last so many digits in reverse.
-fn reversed(number: usize, digits: usize) -> usize {
-    let mut low = 0;
-    let mut high = number;
+/// All numbers of so many digits, each with its digits in reverse.
+fn reversed(digits: usize) -> Vec<u32> {
+    let mut list = vec![0_u32];
     for _ in 0..digits {
-        low = low * SYMBOLS + high % SYMBOLS;
-        high /= SYMBOLS;
+        // Another digit in front is another one behind.
+        let next =
+            (0..SYMBOLS as u32).flat_map(|digit| list.iter().map(move |&low| SYMBOLS as u32 * low + digit));
+        list = next.collect();
     }
-    high * SYMBOLS.pow(digits as u32) + low
+    list
 }

@@ -10,6 +10,9 @@ const LEAST: usize = 256;
 /// How often such a part is halved where the mesh bends it more than can be seen.
 const HALVINGS: u32 = 8;
 
+/// No more corners than this come of it.
+const MOST_FINE: usize = 1 << 16;
+
 /// How coarse it may be where it is not seen, in parts of the polyline's box.
 const OUTSIDE: f64 = 1.0 / 128.0;
 
@@ -42,7 +45,7 @@ impl RingBend {
     ) -> Vec<(f64, DVec2)> {
         let most = most.max(3);
         let mut tolerance = if tolerance > 0.0 { tolerance } else { 0.0 };
-        let fine = self.fine(line, 0.25 * tolerance);
+        let fine = self.fine(line, 0.25 * tolerance, self.mesh.curvature());
         let start = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         let (low, high) = fine.iter().fold(start, |(low, high), (_, p)| (low.min(*p), high.max(*p)));
         let size = low.distance(high);
@@ -65,14 +68,22 @@ impl RingBend {
             if tolerance > 2.0 * size {
                 return found.into_iter().take(most).collect();
             }
-            tolerance = 1.6 * tolerance.max(1e-12 * size);
+            let more = if found.len() > 4 * most { 4.0 } else { 1.6 };
+            tolerance = more * tolerance.max(1e-9 * size);
         }
     }
 
-    /// Where it may be bent: the corners, the ends of parts, and more where the mesh alone bends more than `tolerance`.
-    fn fine(&self, line: &[(f64, DVec2)], tolerance: f64) -> Vec<(f64, DVec2)> {
+    /// Where it may be bent: the corners, the ends of parts, and more where the mesh alone, whose curvature is known inside
+    /// of its box, bends more than `tolerance`.
+    fn fine(&self, line: &[(f64, DVec2)], tolerance: f64, curvature: f64) -> Vec<(f64, DVec2)> {
         let parts = self.values.len().max(LEAST);
         let Some(&(first, _)) = line.first() else { return Vec::new() };
+        let (low, high) = self.mesh.bounds();
+        let inside = |p: DVec2| p.cmpge(low).all() && p.cmple(high).all();
+        let flat = |a: DVec2, b: DVec2| {
+            0.125 * curvature * a.distance_squared(b) <= tolerance && inside(a) && inside(b)
+        };
+        let enough = MOST_FINE + 2 * (line.len() + parts);
         let mut found = Vec::with_capacity(line.len() + parts);
         for (i, &(t0, p0)) in line.iter().enumerate() {
             let (t1, p1) = line.get(i + 1).copied().unwrap_or((first + 1.0, line[0].1));
@@ -82,7 +93,9 @@ impl RingBend {
             let mut go = |t: f64, found: &mut Vec<(f64, DVec2)>| {
                 let p = if t < t1 { p0.lerp(p1, ((t - t0) / long).clamp(0.0, 1.0)) } else { p1 };
                 let to = (t, p, self.displaced(t, p));
-                self.halve(from, to, tolerance, HALVINGS, found);
+                if !flat(from.1, p) && found.len() < enough {
+                    self.halve(from, to, tolerance, HALVINGS, found);
+                }
                 if t < t1 {
                     found.push((to.0, to.2));
                 }
