@@ -39,10 +39,11 @@ export const statusWords: ReadonlySignal<string> = computed(() => {
     return `${percent(paper.fit.figures.rms)} off, ${paper.fit.numbers} numbers`;
   }
   if (now) {
-    const off = now.rms === undefined ? "" : `, ${percent(now.rms)} off so far`;
+    const off = now.rms === undefined || now.rms === null ? "" : `, ${percent(now.rms)} off so far`;
     return best ? `Fitting, ${Math.round(100 * now.share)}% done${off}` : "Fitting …";
   }
   if (problem.value) return "No fit";
+  if (cancelled.value && best?.numbers !== fitDocument.value.numbers) return "Stopped before the first fit";
   // A slider that moves has not asked for anything yet.
   if (!best || best.numbers !== fitDocument.value.numbers) return "Fitting …";
   const done = shownFigures.value;

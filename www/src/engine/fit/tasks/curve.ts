@@ -35,8 +35,8 @@ export interface Reached {
   stage: FitStage;
   /** How much is done: 0 to 1. */
   share: number;
-  /** In percent of the diagonal. */
-  rms: number;
+  /** In percent of the diagonal; null where it has not been measured yet. */
+  rms: number | null;
 }
 
 /** A fit as a link brings it back, and how near it is. */
@@ -137,15 +137,20 @@ export const curveTasks = {
     { points, numbers }: { points: Float64Array; numbers: number },
   ): Promise<Measured> {
     const handle = new fit.CurveFit(points, numbers);
+    const tell = (state: Omit<Reached, "curve" | "points">) => {
+      const reached = { ...handle.best(), ...state };
+      progress(reached, [reached.points.buffer]);
+    };
     try {
+      // There is one from the start on, and a first step of many numbers takes its time.
+      tell({ stage: "straight", share: 0, rms: null });
       let told = Number.NEGATIVE_INFINITY;
       for (;;) {
         const { done, ...state } = handle.step(SLICE_MS);
         const now = performance.now();
         if (done) return handle.measured();
         if (now - told > TELL_MS) {
-          const reached = { ...handle.best(), ...state };
-          progress(reached, [reached.points.buffer]);
+          tell(state);
           told = now;
         }
         await breathe();

@@ -14,7 +14,7 @@ import type {
 import { frond } from "../../../engine/wasm";
 import { announce, notify, wordsOf } from "../../../state/notice";
 import { fitDocument, replaceFit } from "../../../state/outline";
-import { isStopped, Latest } from "./latest";
+import { isLost, isStopped, Latest } from "./latest";
 import { numbersOf, polylineOf, prepared, ready, SEEDS } from "./outline";
 import { source, takeSource } from "./source";
 
@@ -39,7 +39,7 @@ export interface Running {
   stage: FitStage | "begin";
   share: number;
   /** Of the best so far, in percent of the diagonal. */
-  rms?: number;
+  rms?: number | null;
 }
 
 export const best = signal<Best | null>(null);
@@ -157,9 +157,9 @@ async function measure(done: Best, signal: AbortSignal): Promise<void> {
     running.value = null;
   });
   try {
-    // Not in the worker of the fit, which may have to be ended.
-    const args = { points: done.of.points, curve: done.curve };
-    const got = await fitTask("measure", args, { lane: RIVAL_LANE });
+    const ask = () => fitTask("measure", { points: done.of.points, curve: done.curve });
+    // The worker of a fit that was stopped may have been ended: the next one does it.
+    const got = await ask().catch((wrong) => (isLost(wrong) ? ask() : Promise.reject(wrong)));
     if (signal.aborted) return;
     finish({ ...done, ...got });
     await compare(done.of, done.numbers, signal);
@@ -192,7 +192,7 @@ async function fitCurve(outline: Prepared, numbers: number, signal: AbortSignal)
         onProgress: ({ stage, share, rms, curve, points }) => {
           if (signal.aborted) return;
           // What it is compared with hangs on the numbers alone.
-          if (first === 0) void compare(outline, numbers, signal);
+          if (first === 0 && numbers <= SOON) void compare(outline, numbers, signal);
           first ||= performance.now() - began;
           batch(() => {
             running.value = { stage, share, rms };
@@ -204,7 +204,7 @@ async function fitCurve(outline: Prepared, numbers: number, signal: AbortSignal)
     if (signal.aborted) return;
     const whole = performance.now() - began;
     clock.value = { first: first || whole, whole };
-    if (first === 0) void compare(outline, numbers, signal);
+    if (numbers > SOON) void compare(outline, numbers, signal);
     finish({ of: outline, numbers, ...got });
   } catch (wrong) {
     if (!signal.aborted && !isStopped(wrong)) fail(wrong);
@@ -260,8 +260,9 @@ function fail(wrong: unknown): void {
   });
 }
 
-/** Beside the fit, which takes longer. */
-const RIVAL_LANE = 1;
+/** What so many numbers are compared with is there in a second or two: beside the fit, which takes longer; else after it. */
+const SOON = 400;
+const BESIDE = 1;
 
 async function compare(of: Prepared, numbers: number, signal: AbortSignal): Promise<void> {
   const known = comparisons.get(of)?.get(numbers);
@@ -274,11 +275,15 @@ async function compare(of: Prepared, numbers: number, signal: AbortSignal): Prom
     compared.value = { of, numbers, list };
   };
   try {
-    // One after the other, and none is broken off: a worker that does not stop soon is ended, with the pictures in it.
-    for (const method of METHODS) {
-      const args = { points: of.points, numbers, methods: [method] };
-      await fitTask("rivals", args, { lane: RIVAL_LANE, onProgress });
-      if (signal.aborted) return;
+    if (numbers > SOON) {
+      await fitTask("rivals", { points: of.points, numbers, methods: METHODS }, { signal, onProgress });
+    } else {
+      // None is broken off: a worker that does not stop soon is ended, and the pictures in this one with it.
+      for (const method of METHODS) {
+        const args = { points: of.points, numbers, methods: [method] };
+        await fitTask("rivals", args, { lane: BESIDE, onProgress });
+        if (signal.aborted) return;
+      }
     }
     put(comparisons, of, numbers, list);
   } catch (wrong) {

@@ -45,5 +45,14 @@ export class InTurn {
 
 /** Whether a task ended because something else was asked for. */
 export function isStopped(problem: unknown): boolean {
-  return typeof problem === "object" && problem !== null && "code" in problem && problem.code === "stopped";
+  return codeOf(problem) === "stopped";
+}
+
+/** Whether its worker ended before it. */
+export function isLost(problem: unknown): boolean {
+  return codeOf(problem) === "worker-lost";
+}
+
+function codeOf(problem: unknown): unknown {
+  return typeof problem === "object" && problem !== null && "code" in problem ? problem.code : null;
 }
