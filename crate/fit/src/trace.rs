@@ -166,21 +166,42 @@ impl Tracer {
             let wide = bits.opened_by_square(choice.rules).grown(choice.rules as f64 + 1.5);
             bits.on.iter_mut().zip(&wide.on).for_each(|(on, &wide)| *on &= wide);
         }
-        let largest =
-            |bits: &Bits| parts(bits, true, true).largest(1, 1).all.first().map_or(0, |part| part.area);
-        let size = (largest(&bits) as f64).sqrt();
-        if choice.channel != Channel::Alpha && !options.invert && size > 0.0 {
+        let found = parts(&bits, true, true);
+        let area = found.all.iter().map(|part| part.area).max().unwrap_or(0);
+        if area == 0 {
+            return (bits, level);
+        }
+        let size = (area as f64).sqrt();
+        let gap = (0.02 * size).clamp(1.5, 40.0);
+        // From here on only what surrounds pieces of some size is looked at.
+        let [left, top, right, bottom] = self.around(&found.all, area / 200, gap as usize + 3);
+        let mut bits = bits.cut([left, top, right, bottom]);
+        if choice.channel != Channel::Alpha && !options.invert {
             let weak = level - 0.35 * (level - choice.level.dark).max(0.0);
-            close_slits(&mut bits, &choice.likeness, weak, (0.02 * size).clamp(1.5, 40.0));
+            let rows = (top..bottom).map(|y| &choice.likeness[y * self.width + left..y * self.width + right]);
+            close_slits(&mut bits, &rows.flatten().copied().collect::<Vec<_>>(), weak, gap);
         }
         if options.remove_stalks {
             remove_stalks(&mut bits, size);
         }
         // Specks: what is small by itself and beside the largest.
-        let least = (largest(&bits) / 50).max(12);
-        let mut bits = parts(&bits, true, true).largest(least, MAX_PIECES).bits(self.width, self.height);
+        let pieces = parts(&bits, true, true);
+        let largest = pieces.all.iter().map(|part| part.area).max().unwrap_or(0);
+        let mut bits = pieces.largest((largest / 50).max(12), MAX_PIECES).bits(bits.width, bits.height);
         drop_thin(&mut bits, ((0.008 * size) as usize).max(1));
-        (bits, level)
+        (bits.placed(self.width, self.height, left, top), level)
+    }
+
+    /// A box round all pieces of at least an area, and so many pixels more.
+    fn around(&self, all: &[Component], least: usize, more: usize) -> [usize; 4] {
+        let join = |[a, b, c, d]: [usize; 4], part: &Component| {
+            let [left, top, right, bottom] = part.bounds;
+            [a.min(left), b.min(top), c.max(right), d.max(bottom)]
+        };
+        let pieces = all.iter().filter(|part| part.area >= least);
+        let [left, top, right, bottom] = pieces.fold([self.width, self.height, 0, 0], join);
+        let (right, bottom) = ((right + more).min(self.width), (bottom + more).min(self.height));
+        [left.saturating_sub(more), top.saturating_sub(more), right, bottom]
     }
 
     fn notices(&self, all: &[Component]) -> Vec<Notice> {

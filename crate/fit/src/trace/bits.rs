@@ -19,6 +19,22 @@ impl Bits {
         Self { width, height, on: values.iter().map(|&value| table[usize::from(value)]).collect() }
     }
 
+    /// What is within left, top, right and bottom; right and bottom are the first outside.
+    pub fn cut(&self, [left, top, right, bottom]: [usize; 4]) -> Self {
+        let rows = (top..bottom).map(|y| &self.on[y * self.width + left..y * self.width + right]);
+        Self { width: right - left, height: bottom - top, on: rows.flatten().copied().collect() }
+    }
+
+    /// The same on a larger picture, with its upper left corner there; all around is off.
+    pub fn placed(&self, width: usize, height: usize, left: usize, top: usize) -> Self {
+        let mut all = Self::new(width, height);
+        for (y, row) in self.on.chunks_exact(self.width).enumerate() {
+            let start = (top + y) * width + left;
+            all.on[start..start + row.len()].copy_from_slice(row);
+        }
+        all
+    }
+
     /// How many are on.
     pub fn count(&self) -> usize {
         self.on.iter().filter(|&&on| on).count()
@@ -168,6 +184,17 @@ mod tests {
             assert_eq!(square, least, "pixel {i}");
         }
         assert!(squared_distances(&Bits::new(3, 3), true).iter().all(|square| square.is_infinite()));
+    }
+
+    #[test]
+    fn what_is_cut_goes_back_to_its_place() {
+        let mut bits = Bits::new(7, 5);
+        for i in [8, 9, 17, 23] {
+            bits.on[i] = true;
+        }
+        let cut = bits.cut([1, 1, 4, 4]);
+        assert_eq!((cut.width, cut.height, cut.count()), (3, 3, 4));
+        assert_eq!(cut.placed(7, 5, 1, 1), bits);
     }
 
     #[test]

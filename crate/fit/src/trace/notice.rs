@@ -111,6 +111,7 @@ fn no_piece(count: usize) -> String {
     match count {
         0 => "The mask is empty, so there is nothing to outline. Move the threshold, or paint the shape in."
             .into(),
+        1 => "The mask has one piece only. Pick that.".into(),
         count => {
             format!("The mask has {count} pieces and not so many as the one asked for. Pick one of these.")
         }
