@@ -4,6 +4,8 @@ import type { CurveMorphFacts } from "../../engine/wasm";
 import { type CurveMorph, curveMorph, curveTime } from "../../state/curve";
 
 const REST_MS = 120;
+/** While it plays, facts take one part in so many of the time at most. */
+const SPARSE = 16;
 /** Looks along the way, both ends included. */
 export const LOOKS = 25;
 
@@ -40,15 +42,18 @@ export function watchFacts(): () => void {
 function start(): () => void {
   let rest: ReturnType<typeof setTimeout> | null = null;
   let last = Number.NEGATIVE_INFINITY;
+  let pause = 4 * REST_MS;
   const stopNow = effect(() => {
     const morph = curveMorph.value;
     const s = curveTime.value;
     if (rest) clearTimeout(rest);
     // While it plays something is said now and then.
-    const wait = Math.min(REST_MS, Math.max(0, last + 4 * REST_MS - performance.now()));
+    const wait = Math.min(REST_MS, Math.max(0, last + pause - performance.now()));
     rest = setTimeout(() => {
-      last = performance.now();
+      const began = performance.now();
       factsNow.value = morph && morph === curveMorph.peek() ? factsAt(morph, s) : null;
+      last = performance.now();
+      pause = Math.max(4 * REST_MS, SPARSE * (last - began));
     }, wait);
   });
   let next: ReturnType<typeof setTimeout> | null = null;
@@ -59,12 +64,13 @@ function start(): () => void {
     const looks: CurveMorphFacts[] = [];
     const step = () => {
       if (morph !== curveMorph.peek()) return;
+      const began = performance.now();
       const found = factsAt(morph, looks.length / (LOOKS - 1));
       if (!found) return;
       looks.push(found);
       looked.value = { morph, looks: [...looks] };
       // Between two looks there is time for frames.
-      if (looks.length < LOOKS) next = setTimeout(step, 16);
+      if (looks.length < LOOKS) next = setTimeout(step, Math.max(16, 3 * (performance.now() - began)));
     };
     next = setTimeout(step, 3 * REST_MS);
   });
