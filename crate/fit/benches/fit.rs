@@ -1,42 +1,59 @@
-//! What fits come to, at 260 numbers, on grown leaves and on the outlines (.csv) of the folder named in `FROND_LEAVES`:
-//! `FROND_LEAVES=.. cargo bench -p frond-fit --bench fit [name]`.
+//! What fits come to, on grown leaves and on the outlines (.csv) of the folder named in `FROND_LEAVES`:
+//! `FROND_LEAVES=.. cargo bench -p frond-fit --bench fit -- [name ..] [numbers=260] [turns=1] [noise=0] [only]`.
+//!
+//! With `turns` the outline is begun at so many places of it, and each is fitted: how much results scatter. `noise` is how
+//! far each point is moved by chance, in percent of the diagonal; errors are measured against the outline with its noise,
+//! and against the one without. `only` leaves out what fits are compared with.
 
 use frond_fit::{
-    ClosedCurve, Fitter, Outline, fidelity, fourier, least_squares_polyline, maple_leaf, oak_leaf,
-    split_polyline,
+    ClosedCurve, Fitter, Outline, Stage, bezier, fidelity, fourier, island, least_squares_polyline,
+    maple_leaf, oak_leaf, split_polyline,
 };
 use glam::DVec2;
 
+struct Options {
+    names: Vec<String>,
+    numbers: usize,
+    turns: usize,
+    noise: f64,
+    only: bool,
+}
+
 fn main() {
-    let wanted: Vec<String> = std::env::args().skip(1).filter(|arg| !arg.starts_with('-')).collect();
-    for (name, leaf) in [("grown maple", maple_leaf(1)), ("grown oak", oak_leaf(1))] {
-        if wanted.is_empty() || wanted.iter().any(|w| name.contains(w)) {
-            println!("{name}: {} points", leaf.len());
-            measure(&Outline::new(&leaf).expect("an outline"), 260);
+    let mut options = Options { names: Vec::new(), numbers: 260, turns: 1, noise: 0.0, only: false };
+    for arg in std::env::args().skip(1).filter(|arg| !arg.starts_with('-')) {
+        match arg.split_once('=') {
+            Some(("numbers", value)) => options.numbers = value.parse().expect("a number"),
+            Some(("turns", value)) => options.turns = value.parse().expect("a number"),
+            Some(("noise", value)) => options.noise = value.parse().expect("a number"),
+            _ if arg == "only" => options.only = true,
+            _ => options.names.push(arg),
         }
     }
-    let Some(folder) = std::env::var_os("FROND_LEAVES") else {
-        println!("FROND_LEAVES names no folder of further outlines");
-        return;
-    };
-    let mut files: Vec<_> =
-        std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("a file").path()).collect();
-    files.sort();
-    for path in files {
-        let name = path.file_stem().and_then(|s| s.to_str()).unwrap_or_default().to_owned();
-        let is_csv = path.extension().is_some_and(|e| e == "csv");
-        if !is_csv || !(wanted.is_empty() || wanted.iter().any(|w| name.contains(w))) {
-            continue;
+    let mut outlines =
+        vec![("grown maple", maple_leaf(1)), ("grown oak", oak_leaf(1)), ("grown island", island(4))]
+            .into_iter()
+            .map(|(name, points)| (name.to_owned(), points))
+            .collect::<Vec<_>>();
+    if let Some(folder) = std::env::var_os("FROND_LEAVES") {
+        let entries = std::fs::read_dir(folder).expect("a folder");
+        let mut files: Vec<_> = entries.map(|entry| entry.expect("a file").path()).collect();
+        files.sort();
+        for path in files.iter().filter(|path| path.extension().is_some_and(|e| e == "csv")) {
+            let text = std::fs::read_to_string(path).expect("text");
+            let pair =
+                |(x, y): (&str, &str)| Some(DVec2::new(x.trim().parse().ok()?, y.trim().parse().ok()?));
+            let points = text.lines().filter_map(|line| line.split_once(',')).filter_map(pair).collect();
+            let name = path.file_stem().and_then(|s| s.to_str()).unwrap_or_default();
+            outlines.push((name.to_owned(), points));
         }
-        let text = std::fs::read_to_string(&path).expect("text");
-        let points: Vec<_> = text
-            .lines()
-            .filter_map(|line| line.split_once(','))
-            .filter_map(|(x, y)| Some(DVec2::new(x.trim().parse().ok()?, y.trim().parse().ok()?)))
-            .collect();
-        let Ok(outline) = Outline::new(&points) else { continue };
-        println!("{name}: {} points", outline.points().len());
-        measure(&outline, 260);
+    } else {
+        println!("FROND_LEAVES names no folder of further outlines");
+    }
+    for (name, points) in outlines {
+        if options.names.is_empty() || options.names.iter().any(|wanted| name.contains(wanted)) {
+            measure(&name, &points, &options);
+        }
     }
 }
 
@@ -50,7 +67,7 @@ fn seconds() -> f64 {
 fn report(outline: &Outline, name: &str, fit: &[DVec2], seconds: f64) {
     let f = fidelity(outline, fit);
     println!(
-        "  {name:<22} rms {:.4}%  hausdorff {:.3}%  dD {:+.4}  length {:.3}  {seconds:.2} s",
+        "  {name:<24} rms {:.4}%  hausdorff {:.3}%  dD {:+.4}  length {:.3}  {seconds:.2} s",
         f.rms,
         f.hausdorff,
         f.slope_difference(),
@@ -58,55 +75,76 @@ fn report(outline: &Outline, name: &str, fit: &[DVec2], seconds: f64) {
     );
 }
 
-fn measure(outline: &Outline, numbers: usize) {
-    let size = 8 * outline.points().len();
+/// Evenly spread chance, the same every time.
+fn swing(seed: &mut u64) -> f64 {
+    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+}
+
+fn measure(name: &str, points: &[DVec2], options: &Options) {
+    let Ok(clean) = Outline::new(points) else { return };
+    let mut seed = 7;
+    let reach = options.noise / 100.0 * clean.diagonal();
+    let noisy: Vec<_> =
+        clean.points().iter().map(|p| *p + DVec2::new(swing(&mut seed), swing(&mut seed)) * reach).collect();
+    let Ok(outline) = Outline::new(&noisy) else { return };
+    println!("{name}: {} points, {} numbers", outline.points().len(), options.numbers);
+    let size = (8 * outline.points().len()).min(16_384);
+    let numbers = options.numbers;
     for (name, make) in [
-        ("polyline splitting", &(|| split_polyline(outline, numbers)) as &dyn Fn() -> Vec<DVec2>),
-        ("polyline, least squares", &|| least_squares_polyline(outline, numbers)),
-        ("Fourier", &|| fourier(outline, numbers, size.min(16_384))),
+        ("polyline splitting", &(|| split_polyline(&outline, numbers)) as &dyn Fn() -> Vec<DVec2>),
+        ("polyline, least squares", &|| least_squares_polyline(&outline, numbers)),
+        ("Bézier segments", &|| bezier(&outline, numbers, size)),
+        ("Fourier", &|| fourier(&outline, numbers, size)),
     ] {
-        let start = seconds();
-        let fit = make();
-        report(outline, name, &fit, seconds() - start);
+        if !options.only {
+            let start = seconds();
+            let fit = make();
+            report(&outline, name, &fit, seconds() - start);
+        }
     }
+    for turn in 0..options.turns {
+        let mut turned = outline.points().to_vec();
+        turned.rotate_left(turn * outline.points().len() / options.turns.max(1));
+        let Ok(turned) = Outline::new(&turned) else { continue };
+        fit(&turned, &clean, options);
+    }
+}
+
+fn fit(outline: &Outline, clean: &Outline, options: &Options) {
+    let diagonal = outline.diagonal();
+    let line = |curve: &ClosedCurve| curve.polyline(1e-4 * diagonal, 12);
     let start = seconds();
-    let Ok(mut fitter) = Fitter::new(outline, numbers) else { return };
-    println!("  first fit after {:.3} s", seconds() - start);
-    let mut last = None;
-    let mut steps = 0;
+    let Ok(mut fitter) = Fitter::new(outline, options.numbers) else { return };
     let mut slowest: f64 = 0.0;
+    let mut stage = Stage::Straight;
     while !fitter.is_done() {
         let before = seconds();
         let progress = fitter.step();
         slowest = slowest.max(seconds() - before);
-        steps += 1;
-        if last != Some(progress.stage) || steps % 10 == 0 {
-            println!(
-                "    {:?} {:.2} rms {:.4}% {:.2} s {} knots {} copies",
-                progress.stage,
-                progress.share,
-                progress.rms,
-                (seconds() - start),
-                fitter.best().curve.knots.len(),
-                fitter.best().curve.copies()
-            );
-            last = Some(progress.stage);
+        if progress.stage != stage {
+            let curve = &fitter.best().curve;
+            let (knots, copies) = (curve.knots.len(), curve.copies());
+            let name = format!("{:?}: {knots} + {copies}", progress.stage);
+            if options.turns == 1 {
+                report(outline, &name, &line(curve), seconds() - start);
+            }
+            stage = progress.stage;
         }
     }
-    let seconds = seconds() - start;
+    let took = seconds() - start;
     let curve = &fitter.best().curve;
-    println!(
-        "  {} knots, {} copies, {} numbers, slowest step {slowest:.3} s",
-        curve.knots.len(),
-        curve.copies(),
-        curve.numbers()
-    );
-    let diagonal = outline.diagonal();
-    report(outline, "fractal", &curve.polyline(1e-4 * diagonal, 12), seconds);
-    for precision in [1e-4, 3e-4, 1e-3] {
+    let name = format!("fractal, {} + {}", curve.knots.len(), curve.copies());
+    report(outline, &name, &line(curve), took);
+    if options.noise > 0.0 {
+        report(clean, "  without the noise", &line(curve), took);
+    }
+    for precision in [1e-4, 1.5e-4, 3e-4] {
         let Ok(bytes) = curve.to_bytes(precision * diagonal) else { continue };
         let Ok(back) = ClosedCurve::from_bytes(&bytes) else { continue };
-        let name = format!("{} bytes", bytes.len());
-        report(outline, &name, &back.polyline(1e-4 * diagonal, 12), seconds);
+        report(outline, &format!("  {} bytes", bytes.len()), &line(&back), took);
+    }
+    if options.turns == 1 {
+        println!("  slowest step {slowest:.3} s");
     }
 }

@@ -1,5 +1,9 @@
 //! What a fit is compared with: other ways to spend as many numbers on an outline.
 
+mod bezier;
+
+pub use bezier::bezier;
+
 use std::f64::consts::TAU;
 
 use glam::DVec2;
@@ -27,7 +31,7 @@ pub fn least_squares_polyline(outline: &Outline, numbers: usize) -> Vec<DVec2> {
         }
         let mut refiner = Refiner::new(outline.points().to_vec(), 0.0, 1);
         // Nothing but the distance from the outline counts: that is what is measured.
-        refiner.set_ties(Ties { back: 0.0, beyond: 0.0, reach: 0.0 });
+        refiner.set_ties(Ties { back: 0.0, beyond: 0.0, far: 0.0, reach: 0.0 });
         let mut error = refiner.error(&line);
         for _ in 0..STEPS {
             let (next, moved) = refiner.step(&mut line, error);

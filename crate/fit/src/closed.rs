@@ -1,6 +1,7 @@
 //! Self-affine closed curves: knots, and edges that are straight or copies of arcs.
 
 mod expand;
+mod finish;
 mod fitter;
 mod pack;
 mod partition;
@@ -23,6 +24,9 @@ pub const MAX_SPAN: usize = 8;
 
 /// No map of a copy stretches lengths by more than this, in the Euclidean norm.
 pub const CONTRACTION: f64 = 0.9;
+
+/// While fitting, copies stretch by no more than this part of it.
+pub(crate) const SPARE: f64 = 0.95;
 
 /// What an edge copies: the arc over `span` edges from knot `from` on.
 ///
@@ -115,8 +119,18 @@ impl ClosedCurve {
             && (0..count).all(|i| self.shrinks(i))
     }
 
+    /// Whether it is sound with something to spare: rounded a little, it still is.
+    pub(crate) fn is_safe(&self) -> bool {
+        let count = self.knots.len();
+        self.is_sound() && (0..count).all(|i| self.shrinks_by(i, SPARE * CONTRACTION))
+    }
+
     /// Whether an edge is straight, or copies an arc that exists and shrinks it enough.
     pub(crate) fn shrinks(&self, index: usize) -> bool {
+        self.shrinks_by(index, CONTRACTION)
+    }
+
+    fn shrinks_by(&self, index: usize, most: f64) -> bool {
         let count = self.knots.len();
         let Some(copy) = &self.edges[index] else { return true };
         let exists = copy.span >= 2 && copy.span <= MAX_SPAN && copy.span < count && copy.from < count;
@@ -125,6 +139,6 @@ impl ClosedCurve {
         }
         let (first, last) = self.arc_ends(copy);
         let edge = self.knots[index].distance(self.knot(index + 1));
-        edge / self.knots[first].distance(self.knots[last]) * copy.c.abs().max(1.0) <= CONTRACTION
+        edge / self.knots[first].distance(self.knots[last]) * copy.c.abs().max(1.0) <= most
     }
 }

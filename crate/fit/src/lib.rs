@@ -14,8 +14,8 @@
 //! - [`Outline`] is a closed polyline that is to be fitted; [`features`] finds its feature points, [`fidelity`] says how
 //!   near a fit is to it.
 //! - [`Tracer`] finds the leaf in a picture and the line round it, [`read_file`] outlines and series in drawings and tables.
-//! - [`split_polyline`], [`least_squares_polyline`] and [`fourier`] spend as many numbers in other ways; [`maple_leaf`]
-//!   and [`oak_leaf`] grow outlines to try all this on.
+//! - [`split_polyline`], [`least_squares_polyline`], [`bezier`] and [`fourier`] spend as many numbers in other ways;
+//!   [`maple_leaf`], [`oak_leaf`] and [`island`] grow outlines to try all this on; [`curve_presets`] are fits of them.
 //!
 //! Conventions: y points up, outlines run counter-clockwise, indices count from 0 in code and from 1 in messages.
 //! No panics on any input, no unsafe code, no web, no pictures.
@@ -38,7 +38,7 @@ mod series;
 mod trace;
 mod weave;
 
-pub use baseline::{fourier, least_squares_polyline, split_polyline};
+pub use baseline::{bezier, fourier, least_squares_polyline, split_polyline};
 pub use closed::{
     ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, Expansion, FitError, Fitter, MAX_KNOTS, MAX_SPAN, MAX_TEXT,
     PackError, Progress, Refiner, Stage, Ties, partition, polyline_error,

@@ -17,7 +17,6 @@ pub struct CurvePreset {
     pub curve: ClosedCurve,
 }
 
-
 /// The gallery of closed curves: a maple leaf, an oak leaf, Koch's snowflake and an island.
 ///
 /// All but the snowflake are fits of 260 numbers to [`maple_leaf`](crate::maple_leaf)(1), [`oak_leaf`](crate::oak_leaf)(1)

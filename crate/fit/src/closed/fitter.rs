@@ -4,6 +4,7 @@ use frond_core::hash;
 use glam::DVec2;
 use thiserror::Error;
 
+use super::finish::Finisher;
 use super::refine::{Refiner, Ties};
 use super::screen::Library;
 use super::trade::{Marked, Move, Offer};
@@ -14,7 +15,7 @@ use crate::outline::{Outline, features};
 const NUMBERS: (usize, usize) = (12, 2000);
 
 /// The most points of the outline that are followed while searching.
-const MAX_FOLLOWED: usize = 4096;
+const MAX_FOLLOWED: usize = 2400;
 
 /// The share of the pairs of numbers that begins as knots; trading finds the right one.
 const KNOT_SHARE: f64 = 0.8;
@@ -92,7 +93,7 @@ pub struct ClosedFit {
 #[derive(Clone, Debug)]
 pub struct Fitter {
     ring: Vec<DVec2>,
-    all: Vec<DVec2>,
+    all: Outline,
     diagonal: f64,
     pairs: usize,
     refiner: Refiner,
@@ -110,8 +111,13 @@ pub struct Fitter {
     outline: Outline,
     /// Rounds without a gain.
     stale: usize,
+    /// The best polygon, until copies have had their time to do better.
+    straight: Option<(Marked, f64)>,
     /// Where the present search set out.
     home: Option<(Marked, f64)>,
+    /// The best of each search.
+    found: Vec<(ClosedCurve, f64)>,
+    finisher: Option<Finisher>,
 }
 
 /// After so many rounds without a gain the search sets out anew.
@@ -124,16 +130,16 @@ const KICK: usize = 3;
 const REACH: f64 = 4.0;
 
 /// What the curve pays for straying.
-const TIES: Ties = Ties { back: 0.03, beyond: 2.0, reach: 0.0 };
+const TIES: Ties = Ties { back: 0.03, beyond: 2.0, far: 4.0, reach: 0.0 };
 
-/// The weight of straying in the end: the curve is where it belongs, and what is measured is the outline's distance.
-const POLISH_BACK: f64 = 0.003;
+/// So many curves are finished.
+const FINISHED: usize = 3;
 
 /// How deep copies are opened while fitting.
 const LEVELS: usize = 3;
 
 /// The most rounds of trade.
-const ROUNDS: usize = 700;
+const ROUNDS: usize = 900;
 
 impl Fitter {
     /// Begins a fit of at most `numbers` numbers: 2 a knot, 2 a copied edge.
@@ -163,7 +169,7 @@ impl Fitter {
         let best = ClosedFit { curve: curve.clone(), error };
         Ok(Self {
             ring,
-            all: outline.points().to_vec(),
+            all: outline.clone(),
             diagonal,
             pairs,
             refiner,
@@ -180,7 +186,10 @@ impl Fitter {
             reach: 0.0,
             outline: thin,
             stale: 0,
+            straight: None,
             home: None,
+            found: Vec::new(),
+            finisher: None,
         })
     }
 
@@ -206,18 +215,18 @@ impl Fitter {
             Stage::Polish => self.polish(),
             Stage::Done => {}
         }
-        if self.error < self.best.error {
+        if stage != Stage::Polish && self.error < self.best.error {
             self.best = ClosedFit { curve: self.now.curve.clone(), error: self.error };
         }
         let share = match self.stage {
             Stage::Straight => 0.02 * self.rounds as f64,
             Stage::Copies => 0.1,
             Stage::Trade => 0.15 + 0.75 * self.rounds as f64 / ROUNDS as f64,
-            Stage::Polish => 0.9 + 0.01 * self.rounds.min(9) as f64,
+            Stage::Polish => 0.9 + 0.1 * self.finisher.as_ref().map_or(0.0, Finisher::share),
             Stage::Done => 1.0,
         };
         self.share = self.share.max(share);
-        let followed = self.refiner.points().len() as f64;
+        let followed = self.finisher.as_ref().map_or(self.refiner.points().len(), Finisher::points) as f64;
         let rms = 100.0 * (self.best.error / followed).sqrt() / self.diagonal;
         Progress { stage, share: self.share, rms }
     }
@@ -280,6 +289,7 @@ impl Fitter {
             self.stage = Stage::Polish;
             return;
         }
+        self.straight = Some((self.now.clone(), self.error));
         self.begin(marks);
         self.refine(3);
         let library = Library::new(&self.now.curve, self.tolerance, LEVELS);
@@ -289,7 +299,7 @@ impl Fitter {
         let free = self.pairs.saturating_sub(self.now.curve.knots.len());
         let moves: Vec<_> = using.iter().take(free).map(|offer| offer.action).collect();
         let next = self.now.after(&moves, &self.ring, &library);
-        if next.curve.is_sound() {
+        if next.curve.is_safe() {
             self.now = next;
             self.error = self.refiner.error(&self.now.curve);
         }
@@ -308,6 +318,14 @@ impl Fitter {
             self.rounds = 0;
             return;
         }
+        if self.rounds == ROUNDS / 3
+            && let Some((marked, error)) = self.straight.take()
+            && self.home.as_ref().map_or(self.error, |home| home.1.min(self.error)) > error
+        {
+            // Copies came to less than corners: they are tried one by one from the polygon on.
+            (self.now, self.error, self.home) = (marked, error, None);
+            return;
+        }
         if moves.is_empty() {
             self.anneal();
             return;
@@ -315,7 +333,7 @@ impl Fitter {
         let next = self.now.after(&moves, &self.ring, &library);
         let (kept, kept_error) = (self.now.clone(), self.error);
         let mut better = false;
-        if next.curve.is_sound() && next.curve.knots.len() + next.curve.copies() <= self.pairs {
+        if next.curve.is_safe() && next.curve.knots.len() + next.curve.copies() <= self.pairs {
             self.now = next;
             self.error = self.refiner.error(&self.now.curve);
             self.refiner.reset();
@@ -344,6 +362,9 @@ impl Fitter {
     /// Back to the best, and off again with some moves that are kept whatever they cost: another start.
     fn set_out(&mut self) {
         self.stale = 0;
+        self.found.push((self.now.curve.clone(), self.error));
+        self.found.sort_by(|a, b| a.1.total_cmp(&b.1));
+        self.found.truncate(FINISHED + 1);
         match &self.home {
             Some((marked, error)) if *error <= self.error => {
                 (self.now, self.error) = (marked.clone(), *error);
@@ -357,7 +378,7 @@ impl Fitter {
         let moves = self.choose(&library);
         (self.jitter, self.greed) = (jitter, greed);
         let next = self.now.after(&moves, &self.ring, &library);
-        if next.curve.is_sound() && next.curve.knots.len() + next.curve.copies() <= self.pairs {
+        if next.curve.is_safe() && next.curve.knots.len() + next.curve.copies() <= self.pairs {
             let kept = (self.now.clone(), self.error);
             self.now = next;
             self.error = self.refiner.error(&self.now.curve);
@@ -434,25 +455,26 @@ impl Fitter {
         moves
     }
 
+    /// Several ends are tried, on all points, and the best is kept by what is measured.
     fn polish(&mut self) {
-        if self.rounds == 0 {
-            self.now.curve = self.best.curve.clone();
-            // All points from now on; errors are of another sum.
-            if self.all.len() <= 4 * MAX_FOLLOWED {
-                self.refiner = Refiner::new(self.all.clone(), self.tolerance / 3.0, LEVELS + 1);
-                self.refiner.set_ties(Ties { reach: self.reach, back: POLISH_BACK, ..TIES });
-            }
-            self.error = self.refiner.error(&self.now.curve);
-            self.best.error = self.error;
+        let Some(finisher) = &mut self.finisher else {
+            let mut curves = vec![self.best.curve.clone()];
+            self.found.sort_by(|a, b| a.1.total_cmp(&b.1));
+            curves
+                .extend(self.found.drain(..).map(|found| found.0).filter(|curve| *curve != self.best.curve));
+            curves.truncate(FINISHED);
+            let few = self.all.points().len() <= 16_384;
+            let outline = if few { self.all.clone() } else { self.outline.clone() };
+            let mut finisher = Finisher::new(outline, &curves, self.tolerance / 3.0, LEVELS + 1, self.reach);
+            finisher.begin(None);
+            self.finisher = Some(finisher);
+            return;
+        };
+        let more = finisher.step();
+        if let Some((curve, error)) = finisher.best() {
+            self.best = ClosedFit { curve: curve.clone(), error };
         }
-        self.refiner.reset();
-        let before = self.error;
-        for _ in 0..3 {
-            let (error, _) = self.refiner.step(&mut self.now.curve, self.error);
-            self.error = error;
-        }
-        self.rounds += 1;
-        if self.rounds >= 20 || self.error > before * (1.0 - 1e-4) {
+        if !more {
             self.stage = Stage::Done;
         }
     }

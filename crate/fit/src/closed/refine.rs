@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::expand::Vertex;
-use super::{CONTRACTION, ClosedCurve};
+use super::{CONTRACTION, ClosedCurve, SPARE};
 use crate::outline::Nearest;
 
 /// What it costs the curve to be off the outline, where the outline's points do not see it.
@@ -13,6 +13,8 @@ pub struct Ties {
     pub back: f64,
     /// Weight of the square of what is beyond the reach.
     pub beyond: f64,
+    /// The same for what the outline's points are from the curve.
+    pub far: f64,
     /// In plane units.
     pub reach: f64,
 }
@@ -53,7 +55,7 @@ impl Refiner {
             points,
             outline,
             density,
-            ties: Ties { back: 1.0, beyond: 0.0, reach: 0.0 },
+            ties: Ties { back: 1.0, beyond: 0.0, far: 0.0, reach: 0.0 },
             tolerance,
             levels,
             damping: 1e-2,
@@ -71,14 +73,14 @@ impl Refiner {
         &self.points
     }
 
-    /// The sum of squares of a curve; infinite where it is not sound.
+    /// The sum of squares of a curve; infinite where it is not sound with something to spare.
     #[must_use]
     pub fn error(&self, curve: &ClosedCurve) -> f64 {
-        if !curve.is_sound() {
+        if !curve.is_safe() {
             return f64::INFINITY;
         }
         let polyline = curve.polyline(self.tolerance, self.levels);
-        polyline_error(&self.points, &polyline) + self.backward_error(&polyline)
+        self.outline_error(&polyline) + self.backward_error(&polyline)
     }
 
     /// Like [`error`](Self::error), from the outline to the curve only.
@@ -103,6 +105,16 @@ impl Refiner {
             }
         }
         shares.into_iter().map(|(sum, farthest, _)| (sum, farthest)).collect()
+    }
+
+    fn outline_error(&self, polyline: &[DVec2]) -> f64 {
+        let nearest = Nearest::new(polyline, true);
+        let square = |p: &DVec2| {
+            let squared = nearest.to(*p).squared;
+            let over = if self.ties.far > 0.0 { (squared.sqrt() - self.ties.reach).max(0.0) } else { 0.0 };
+            squared + self.ties.far * over * over
+        };
+        self.points.iter().map(square).sum()
     }
 
     fn backward_error(&self, polyline: &[DVec2]) -> f64 {
@@ -168,6 +180,12 @@ impl Refiner {
             let at = polyline[ends[0]].lerp(polyline[ends[1]], near.share);
             let inside = near.share > 0.0 && near.share < 1.0;
             let across = (polyline[ends[1]] - polyline[ends[0]]).perp().normalize_or_zero();
+            // What is beyond the reach pulls as a heavier point at a shorter distance would.
+            let far = near.squared.sqrt();
+            let over = if self.ties.far > 0.0 { (far - self.ties.reach).max(0.0) } else { 0.0 };
+            let both = 1.0 + if over > 0.0 { self.ties.far } else { 0.0 };
+            let pull = if far > 0.0 { (far + self.ties.far * over) / (both * far) } else { 1.0 };
+            let scale = both.sqrt();
             let directions = if inside { [across, DVec2::ZERO] } else { [DVec2::X, DVec2::Y] };
             for direction in directions {
                 if direction == DVec2::ZERO {
@@ -175,9 +193,9 @@ impl Refiner {
                 }
                 row.clear();
                 for (vertex, weight) in ends.iter().zip(weights) {
-                    fill(&mut row, &vertices[*vertex], direction * weight, &places);
+                    fill(&mut row, &vertices[*vertex], direction * (weight * scale), &places);
                 }
-                normal.add(&row, direction.dot(p - at));
+                normal.add(&row, direction.dot(p - at) * pull * scale);
             }
         }
         let tied = self.ties.back > 0.0 || self.ties.beyond > 0.0;
@@ -242,7 +260,7 @@ fn moved(curve: &ClosedCurve, change: &[f64]) -> ClosedCurve {
         copy.c += rest.next().copied().unwrap_or(0.0);
         let (first, last) = moved.arc_ends(&copy);
         let edge = moved.knots[i].distance(moved.knot(i + 1));
-        let most = 0.999 * CONTRACTION * moved.knots[first].distance(moved.knots[last]) / edge;
+        let most = 0.999 * SPARE * CONTRACTION * moved.knots[first].distance(moved.knots[last]) / edge;
         copy.c = copy.c.clamp(-most, most);
         moved.edges[i] = Some(copy);
     }

@@ -151,7 +151,7 @@ impl Library {
                 continue;
             }
             let dot = dot(&stretch.rest, &arc.shape);
-            let most = MAX_FACTOR.min(0.95 * CONTRACTION / ratio);
+            let most = MAX_FACTOR.min(0.92 * CONTRACTION / ratio);
             let unit = arc.norm * stretch.chord;
             let c = (dot / unit).clamp(-most, most);
             let gain = stretch.weight * c * unit * (2.0 * dot - c * unit);
