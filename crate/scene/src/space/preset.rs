@@ -58,6 +58,12 @@ pub fn presets3() -> Vec<Preset3> {
             folded(),
         ),
         preset(
+            "dragon-curled",
+            "Curled dragon",
+            "Four pieces of 0.58, each turned by a sixth of a turn about a corner of the tetrahedron it came from.",
+            curled(),
+        ),
+        preset(
             "pyramid",
             "Pyramid",
             "Five half-scale maps around (15, 0, 0): the eye is at the origin, as Darwish & Abd-El-Wahab have it.",
@@ -179,6 +185,18 @@ fn folded() -> Vec<Affine3> {
             let map = Affine3::new(DMat3::from_cols(along, beside, along.cross(beside)) * 0.5, stop);
             stop += along * 0.5;
             map
+        })
+        .collect()
+}
+
+/// The tetrahedron with larger pieces, turned and drawn halfway to the next corner: straight there the tetrahedron breaks, but
+/// there is a way round.
+fn curled() -> Vec<Affine3> {
+    (0..4)
+        .map(|k| {
+            let (corner, next) = (TETRAHEDRON[k], TETRAHEDRON[(k + 1) % 4]);
+            let turn = DQuat::from_axis_angle(corner.normalize(), std::f64::consts::FRAC_PI_3);
+            Affine3::similitude(0.58, turn, (corner + next) * 0.25)
         })
         .collect()
 }
