@@ -16,6 +16,12 @@ const PRICES: [f64; 5] = [0.005, 0.02, 0.06, 0.15, 0.4];
 /// The strongest candidates.
 const STRONGEST: usize = 32;
 
+/// Copies that hardly shrink are nearly the graph itself, and near it whatever it is: they are also tried without.
+const WIDEST: f64 = 0.75;
+
+/// Of all that were tried, the best few are polished, which takes longest.
+const POLISHED: usize = 3;
+
 /// What a piece counts when they are compared by their attractors, in sums of squares of half heights.
 const WORTH: f64 = 0.01;
 
@@ -85,31 +91,37 @@ pub fn assemble(
         whole.mean_square / (unit * unit) * fine.points().len() as f64 + WORTH * pieces
     };
     // Weak candidates may lead to parts that are never closed; the strongest alone are tried, too.
-    let mut best: Option<Assembly> = None;
-    for pool in [candidates.len(), STRONGEST] {
-        for price in PRICES {
-            let next = assemble_at(&pairing, fine, &candidates[..pool.min(candidates.len())], price)?;
-            if best.as_ref().is_none_or(|best| score(&next) < score(best)) {
-                best = Some(next);
-            }
+    let strongest = candidates.get(..STRONGEST).unwrap_or(&candidates).to_vec();
+    let shrinking = |mut pool: Vec<Candidate>| {
+        // Again they keep their places.
+        for candidate in pool.iter_mut().filter(|candidate| candidate.map[0].abs() > WIDEST) {
+            candidate.domain = [f64::INFINITY; 2];
         }
-        if candidates.len() <= STRONGEST {
-            break;
+        pool
+    };
+    let mut pools = vec![shrinking(candidates.clone()), shrinking(strongest.clone()), candidates, strongest];
+    pools.dedup();
+    let mut rough = Vec::new();
+    for pool in &pools {
+        for price in PRICES {
+            let stretches = cheapest(&pairing, fine, pool, price);
+            let pieces: Vec<_> = stretches.iter().map(|stretch| piece(fine, pool, stretch)).collect();
+            let used: Vec<_> = stretches.iter().map(|stretch| stretch.candidate).collect();
+            let maps: Vec<_> = pieces.iter().map(|piece| (piece.map(), piece.domain)).collect();
+            let whole = measured(fine, Model::Pfif, FractalFunction::pfif(&maps)?, used);
+            rough.push((score(&whole), pieces, whole.used));
+        }
+    }
+    rough.sort_by(|(a, ..), (b, ..)| a.total_cmp(b));
+    rough.dedup_by(|(_, a, _), (_, b, _)| a == b);
+    let mut best: Option<Assembly> = None;
+    for (_, pieces, used) in rough.into_iter().take(POLISHED) {
+        let next = whole(&pairing, fine, &pieces, used)?;
+        if best.as_ref().is_none_or(|best| score(&next) < score(best)) {
+            best = Some(next);
         }
     }
     best.ok_or(FunctionError::TooFewPoints { count: 0 })
-}
-
-fn assemble_at(
-    pairing: &Pairing,
-    fine: &Features,
-    candidates: &[Candidate],
-    price: f64,
-) -> Result<Assembly, FunctionError> {
-    let stretches = cheapest(pairing, fine, candidates, price);
-    let pieces: Vec<_> = stretches.iter().map(|stretch| piece(fine, candidates, stretch)).collect();
-    let used = stretches.iter().map(|stretch| stretch.candidate).collect();
-    whole(pairing, fine, &pieces, used)
 }
 
 /// A function of pieces that are tied to the fine feature points: as RFIF where it is one, and then polished.

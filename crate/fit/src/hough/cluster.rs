@@ -11,6 +11,9 @@ const PEAKS: usize = 32;
 /// Maps with a smaller |a| or |c| are clutter.
 const CLUTTER: f64 = 0.15;
 
+/// Maps with a larger a and c are, too: they hardly differ from the identity.
+const IDENTITY: f64 = 0.9;
+
 /// The strongest maps, whose compositions are echoes.
 const MAX_BASES: usize = 7;
 
@@ -32,7 +35,7 @@ pub enum Kind {
     Map,
     /// A composition of stronger maps and their inverses, the last letter done first.
     Echo(Vec<Letter>),
-    /// So small an |a| or |c| that almost everything is alike.
+    /// So small an |a| or |c| that almost everything is alike, or so large an a and c that nothing is moved.
     Clutter,
 }
 
@@ -92,7 +95,8 @@ pub fn name_clusters(
     for (index, &cluster) in clusters.iter().enumerate() {
         let map = pairing.frame.into(cluster.map);
         let refined = refine(&pairing, map);
-        let kind = if map[0].abs() < CLUTTER || map[2].abs() < CLUTTER {
+        let still = map[0].min(map[2]) > IDENTITY;
+        let kind = if still || map[0].abs() < CLUTTER || map[2].abs() < CLUTTER {
             Kind::Clutter
         } else if let Some(word) = words.find(map, pairing.quanta()) {
             Kind::Echo(word)

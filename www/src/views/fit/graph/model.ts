@@ -109,7 +109,7 @@ export function short(graph: Graph): Graph {
   const far = Math.max(Math.abs(start), Math.abs(end), long);
   const to = (unit: number) => {
     const digits = Math.min(20, Math.max(0, 11 - Math.ceil(Math.log10(unit))));
-    return (x: number) => (unit > 0 && Number.isFinite(unit) ? Number(x.toFixed(digits)) : x);
+    return (x: number) => (unit > 0 && Number.isFinite(unit) ? Number(x.toFixed(digits)) + 0 : x);
   };
   const [scale, slope, factor, along, up] = [to(long / far), to(tall / far), to(1), to(long), to(tall)];
   const pieces = graph.pieces.map(({ map: [a, b, c, d, e], domain }): GraphPiece => {
