@@ -74,9 +74,13 @@ mod tests {
             DVec2::from_angle(angle) * size * (1.0 + 0.3 * wobble[i % wobble.len()])
         };
         let edge = |i: usize| {
-            let copy =
-                ArcCopy { from: (i + 1) % count, span: 3, reversed: i % 2 == 0, c: wobble[i % wobble.len()] };
-            (i % 3 == 0 && count > 6).then_some(copy)
+            let copy = ArcCopy {
+                from: (i + 1) % count,
+                span: 3,
+                reversed: i.is_multiple_of(2),
+                c: wobble[i % wobble.len()],
+            };
+            (i.is_multiple_of(3) && count > 6).then_some(copy)
         };
         ClosedCurve { knots: (0..count).map(knot).collect(), edges: (0..count).map(edge).collect() }
     }
