@@ -14,7 +14,7 @@ import type {
 import { frond } from "../../../engine/wasm";
 import { announce, notify, wordsOf } from "../../../state/notice";
 import { fitDocument, replaceFit } from "../../../state/outline";
-import { isLost, isStopped, Latest } from "./latest";
+import { isStopped, Latest, persist } from "./latest";
 import { numbersOf, polylineOf, prepared, ready, SEEDS } from "./outline";
 import { source, takeSource } from "./source";
 
@@ -157,9 +157,7 @@ async function measure(done: Best, signal: AbortSignal): Promise<void> {
     running.value = null;
   });
   try {
-    const ask = () => fitTask("measure", { points: done.of.points, curve: done.curve });
-    // The worker of a fit that was stopped may have been ended: the next one does it.
-    const got = await ask().catch((wrong) => (isLost(wrong) ? ask() : Promise.reject(wrong)));
+    const got = await persist(() => fitTask("measure", { points: done.of.points, curve: done.curve }));
     if (signal.aborted) return;
     finish({ ...done, ...got });
     await compare(done.of, done.numbers, signal);
@@ -184,22 +182,24 @@ async function fitCurve(outline: Prepared, numbers: number, signal: AbortSignal)
   let first = 0;
   running.value = { stage: "begin", share: 0 };
   try {
-    const got = await fitTask(
-      "fitCurve",
-      { points: outline.points, numbers },
-      {
-        signal,
-        onProgress: ({ stage, share, rms, curve, points }) => {
-          if (signal.aborted) return;
-          // What it is compared with hangs on the numbers alone.
-          if (first === 0 && numbers <= SOON) void compare(outline, numbers, signal);
-          first ||= performance.now() - began;
-          batch(() => {
-            running.value = { stage, share, rms };
-            best.value = { of: outline, numbers, curve, points };
-          });
+    const got = await persist(() =>
+      fitTask(
+        "fitCurve",
+        { points: outline.points, numbers },
+        {
+          signal,
+          onProgress: ({ stage, share, rms, curve, points }) => {
+            if (signal.aborted) return;
+            // What it is compared with hangs on the numbers alone.
+            if (first === 0 && numbers <= SOON) void compare(outline, numbers, signal);
+            first ||= performance.now() - began;
+            batch(() => {
+              running.value = { stage, share, rms };
+              best.value = { of: outline, numbers, curve, points };
+            });
+          },
         },
-      },
+      ),
     );
     if (signal.aborted) return;
     const whole = performance.now() - began;
@@ -294,7 +294,7 @@ async function compare(of: Prepared, numbers: number, signal: AbortSignal): Prom
 async function fitCollage(outline: Prepared, options: CollageOptions, signal: AbortSignal): Promise<void> {
   running.value = { stage: "begin", share: 0 };
   try {
-    const fit = await fitTask("collage", { points: outline.points, options }, { signal });
+    const fit = await persist(() => fitTask("collage", { points: outline.points, options }, { signal }));
     if (signal.aborted) return;
     batch(() => {
       collage.value = { of: outline, options, fit };

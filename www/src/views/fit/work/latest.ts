@@ -48,9 +48,14 @@ export function isStopped(problem: unknown): boolean {
   return codeOf(problem) === "stopped";
 }
 
-/** Whether its worker ended before it. */
-export function isLost(problem: unknown): boolean {
-  return codeOf(problem) === "worker-lost";
+/** Asks once more where a worker ended with what it was asked: one that does not stop in time takes with it what waits. */
+export async function persist<T>(ask: () => Promise<T>): Promise<T> {
+  try {
+    return await ask();
+  } catch (problem) {
+    if (codeOf(problem) === "worker-lost") return ask();
+    throw problem;
+  }
 }
 
 function codeOf(problem: unknown): unknown {
