@@ -7,7 +7,7 @@ mod collage;
 pub use collage::*;
 
 use frond_fit::{
-    ArcCopy, ClosedCurve, CollageOptions, Fidelity, Fitter, Outline, OutlineError, PackError, Stage,
+    ArcCopy, ClosedCurve, CollageOptions, Fidelity, Fitter, Outline, OutlineError, PackError, Stage, bezier,
     crossings, features, fidelity, fourier, island, least_squares_polyline, maple_leaf, oak_leaf,
     split_polyline,
 };
@@ -248,7 +248,8 @@ impl CurveFit {
 /// Another way to spend `numbers` on an outline, for comparison: `{ numbers, points, figures }`.
 ///
 /// `"split"`: a polyline through feature points; `"squares"`: one whose corners were moved by least squares; `"fourier"`:
-/// the lowest frequencies; `"collage"`: the fit of Cochran, Hart & Flynn, with 9 intervals a map as in their Fig 7.
+/// the lowest frequencies; `"bezier"`: cubic segments, 6 numbers each; `"collage"`: the fit of Cochran, Hart & Flynn, with
+/// 9 intervals a map as in their Fig 7.
 #[wasm_bindgen(js_name = rivalFit)]
 pub fn rival_fit(points: &[f64], method: &str, numbers: u32) -> Result<JsValue, JsValue> {
     let outline = outline_of(points)?;
@@ -260,12 +261,16 @@ pub fn rival_fit(points: &[f64], method: &str, numbers: u32) -> Result<JsValue, 
             let terms = 2 * (numbers / 2);
             (terms, fourier(&outline, terms, (8 * outline.points().len()).min(MOST_POINTS)))
         }
+        "bezier" => {
+            let pieces = (numbers / 6).max(3);
+            (6 * pieces, bezier(&outline, numbers, (8 * outline.points().len()).min(MOST_POINTS)))
+        }
         "collage" => {
             let options = CollageOptions { maps: (numbers / 10).max(2), ..CollageOptions::default() };
             let fit = collage::collage_of(&outline, 9 * options.maps, &options)?;
             (fit.numbers(), collage::pieces_of(&fit).concat())
         }
-        _ => return Err(bad_input("The method", "split, squares, fourier and collage are there")),
+        _ => return Err(bad_input("The method", "split, squares, fourier, bezier and collage are there")),
     };
     Ok(object(&[
         ("numbers", (spent as f64).into()),
