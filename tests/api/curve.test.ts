@@ -61,7 +61,13 @@ function expectCode(work: () => unknown, code: string): void {
   expect((thrown as Error).message.length).toBeGreaterThan(20);
 }
 
-beforeAll(() => init({ frond: read("frond_bg.wasm"), proof: read("frond-proof_bg.wasm") }));
+beforeAll(() =>
+  init({
+    frond: read("frond_bg.wasm"),
+    curve: read("frond-curve_bg.wasm"),
+    proof: read("frond-proof_bg.wasm"),
+  }),
+);
 
 describe("closed curves", () => {
   it("come with a gallery that packs and comes back", () => {

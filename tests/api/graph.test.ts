@@ -52,7 +52,13 @@ function expectCode(work: () => unknown, code: string): void {
 }
 
 describe("fractal functions", () => {
-  beforeAll(() => init({ frond: read("frond_bg.wasm"), proof: read("frond-proof_bg.wasm") }));
+  beforeAll(() =>
+    init({
+      frond: read("frond_bg.wasm"),
+      curve: read("frond-curve_bg.wasm"),
+      proof: read("frond-proof_bg.wasm"),
+    }),
+  );
 
   it.each(["fig1", "fig1_reflect2", "four_point_unequal", "rfif_2_2"])("agree with the known %s", (name) => {
     const one = known[name];

@@ -7,10 +7,18 @@ const read = (name: string) => readFile(new URL(`../../www/pkg/${name}`, import.
 /** What README.md promises of the package's first entry. */
 const PROMISED = `presets validate attractor rasterize bounds connectedness certificate checkCertificate indexBuffer
   barnsleyTest pair interpolate locus LocusTiles planPath planPathIn checkPath certifyPath candidates rateCandidate routes
-  familyMaps criticalScale FamilyTiles PathSearch conjugate polar encodeScene decodeScene defaultScene settleLocus settleFamily`;
+  familyMaps criticalScale FamilyTiles PathSearch conjugate polar encodeScene decodeScene defaultScene settleLocus settleFamily
+  CurveMorph curvePresets curveFacts packCurve unpackCurve quantised curveMaps curveSvg curveCsv
+  interpolation sampleGraph graphAt graphFacts toRecurrent`;
 
 describe("the package", () => {
-  beforeAll(() => init({ frond: read("frond_bg.wasm"), proof: read("frond-proof_bg.wasm") }));
+  beforeAll(() =>
+    init({
+      frond: read("frond_bg.wasm"),
+      curve: read("frond-curve_bg.wasm"),
+      proof: read("frond-proof_bg.wasm"),
+    }),
+  );
 
   it("exports all that is promised, from whichever module", () => {
     const missing = PROMISED.split(/\s+/).filter(

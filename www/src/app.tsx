@@ -4,6 +4,7 @@ import { useEffect } from "preact/hooks";
 import type { PainterBackend } from "./canvas/painter";
 import { Stage } from "./canvas/stage";
 import type { Tool } from "./engine/api";
+import { loadCurves } from "./engine/curves";
 import { loadProof } from "./engine/proof";
 import { EvidencePanel } from "./shell/evidence/Panel";
 import { Header } from "./shell/header";
@@ -65,7 +66,7 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
   const now = tool.value;
   useSignalEffect(() => {
     if (tool.value === "deform") load(deform, () => import("./views/deform"), tool.value);
-    if (tool.value === "fit") load(fit, () => import("./views/fit"), tool.value);
+    if (tool.value === "fit") load(fit, () => withCurves(import("./views/fit")), tool.value);
   });
   const [Deform, Fit] = [deform.value, fit.value];
   const { title, side } = TOOLS[now];
@@ -105,12 +106,20 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
 }
 
 /** What is shown of closed curves is loaded when there are some, or when one may be chosen. */
-const CurveChip = lazily(() => import("./views/curve").then((module) => module.CurveChip));
-const CurveEvidence = lazily(() => import("./views/curve").then((module) => module.CurveEvidence));
+const CurveChip = lazily(() => withCurves(import("./views/curve")).then((module) => module.CurveChip));
+const CurveEvidence = lazily(() =>
+  withCurves(import("./views/curve")).then((module) => module.CurveEvidence),
+);
 const CURVE: CurveParts = {
-  Panel: lazily(() => import("./views/curve").then((module) => module.CurvePanel)),
-  Shelf: lazily(() => import("./views/curve").then((module) => module.Shelf)),
+  Panel: lazily(() => withCurves(import("./views/curve")).then((module) => module.CurvePanel)),
+  Shelf: lazily(() => withCurves(import("./views/curve")).then((module) => module.Shelf)),
 };
+
+/** A part of the page, with what makes closed curves and graphs. */
+async function withCurves<T>(part: Promise<T>): Promise<T> {
+  const [module] = await Promise.all([part, loadCurves()]);
+  return module;
+}
 
 const deform = signal<typeof import("./views/deform") | null>(null);
 const fit = signal<typeof import("./views/fit") | null>(null);
@@ -134,7 +143,7 @@ function FiguresPage({ figure }: { figure: string | null }) {
   useEffect(() => {
     if (figures.peek()) return;
     // Figures ask for small proofs on the spot.
-    Promise.all([import("./figures/index"), loadProof()]).then(
+    Promise.all([import("./figures/index"), loadProof(), loadCurves()]).then(
       ([module]) => {
         figures.value = module.Figures;
       },

@@ -8,11 +8,11 @@
 //! [`LocusTiles`]: crate::LocusTiles
 #![allow(clippy::missing_errors_doc)]
 #![cfg_attr(
-    not(all(feature = "compute", feature = "proof", feature = "fit")),
+    not(all(feature = "compute", feature = "curve", feature = "proof", feature = "fit")),
     allow(dead_code, reason = "no module alone needs all conversions")
 )]
 
-#[cfg(any(feature = "compute", feature = "webgpu", feature = "webgl2"))]
+#[cfg(any(feature = "compute", feature = "curve", feature = "webgpu", feature = "webgl2"))]
 mod bend;
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
 mod card;
@@ -20,7 +20,7 @@ mod card;
 mod certify;
 #[cfg(feature = "proof")]
 mod connect;
-#[cfg(feature = "compute")]
+#[cfg(feature = "curve")]
 mod curve;
 #[cfg(feature = "compute")]
 mod deform;
@@ -31,14 +31,14 @@ mod error;
 mod family;
 #[cfg(feature = "fit")]
 pub mod fit;
-#[cfg(feature = "compute")]
+#[cfg(feature = "curve")]
 mod graph;
 #[cfg(feature = "proof")]
 mod locus;
 mod look;
 #[cfg(feature = "proof")]
 mod path;
-#[cfg(any(feature = "compute", feature = "webgpu", feature = "webgl2"))]
+#[cfg(any(feature = "compute", feature = "curve", feature = "webgpu", feature = "webgl2"))]
 mod photo;
 #[cfg(any(feature = "compute", feature = "proof"))]
 mod polygon;
@@ -60,8 +60,10 @@ mod value;
 
 #[cfg(feature = "proof")]
 pub use {certify::*, connect::*, family::*, locus::*, path::*, proof::*, routes::*, settle::*};
+#[cfg(feature = "curve")]
+pub use {curve::*, graph::*};
 #[cfg(feature = "compute")]
-pub use {curve::*, deform::*, document::*, graph::*, polygon::*, raster::*, shape::*, sheet::*};
+pub use {deform::*, document::*, polygon::*, raster::*, shape::*, sheet::*};
 
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
 pub use card::*;
@@ -70,7 +72,7 @@ pub use renderer::*;
 
 use wasm_bindgen::prelude::*;
 
-#[cfg(any(feature = "compute", not(any(feature = "proof", feature = "fit"))))]
+#[cfg(any(feature = "compute", not(any(feature = "curve", feature = "proof", feature = "fit"))))]
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("api.d.ts");
 
@@ -87,6 +89,11 @@ const TYPES: &str = r#"import type {
 #[cfg(all(feature = "fit", not(feature = "compute")))]
 #[wasm_bindgen(typescript_custom_section)]
 const FIT_TYPES: &str = r#"import type { Curve, CurveEdge, Graph, GraphPiece } from "./frond.js";"#;
+
+/// So do closed curves and graphs.
+#[cfg(all(feature = "curve", not(feature = "compute")))]
+#[wasm_bindgen(typescript_custom_section)]
+const CURVE_TYPES: &str = r#"import type { Bend, Curve, CurvePreset, Graph, MapRow } from "./frond.js";"#;
 
 /// Makes a failure inside the module say where it was, should one ever happen.
 #[wasm_bindgen(start)]

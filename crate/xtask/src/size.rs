@@ -37,6 +37,7 @@ pub fn gate() -> Outcome {
         }
     };
     let (first, proof, fit) = (weigh("frond_bg")?, weigh("frond-proof_bg")?, weigh("frond-fit_bg")?);
+    let curve = weigh("frond-curve_bg")?;
     let (webgpu, webgl2) = (weigh("frond-webgpu_bg")?, weigh("frond-webgl2_bg")?);
     let mut script = 0;
     for file in loaded(&dist)? {
@@ -48,6 +49,7 @@ pub fn gate() -> Outcome {
         ("the same with WebGPU", first + webgpu, Some(PICTURE)),
         ("wasm in all with WebGPU", first + proof + webgpu, None),
         ("wasm in all with WebGL2", first + proof + webgl2, None),
+        ("wasm of closed curves", curve, None),
         ("wasm that fits outlines", fit, None),
         ("script", script, Some(SCRIPT)),
     ] {

@@ -17,10 +17,12 @@ const OPTIMISE: &str = "-O3 --enable-simd --enable-bulk-memory --enable-bulk-mem
     --enable-call-indirect-overlong";
 
 /// The modules that crate/web is built into: the name of the files and the feature that makes it. The first describes and
-/// draws, and is all that the first picture needs; the second decides and proves, in the workers; the third traces and fits
-/// outlines, in workers of its own; of the others, which draw on a graphics card, a visitor gets one.
-const MODULES: [(&str, &str); 5] = [
+/// draws, and is all that the first picture needs; the second has closed curves and graphs, where the page shows some; the
+/// third decides and proves, in the workers; the fourth traces and fits outlines, in workers of its own; of the others,
+/// which draw on a graphics card, a visitor gets one.
+const MODULES: [(&str, &str); 6] = [
     ("frond", "compute"),
+    ("frond-curve", "curve"),
     ("frond-proof", "proof"),
     ("frond-fit", "fit"),
     ("frond-webgpu", "webgpu"),

@@ -1,6 +1,6 @@
 import { useMemo, useState } from "preact/hooks";
 import type { Graph } from "../engine/api";
-import { frond } from "../engine/wasm";
+import { rough } from "../engine/curves";
 import { NumberField } from "../ui/NumberField";
 import { fixed, formatNumber } from "../ui/number";
 import { Slider } from "../ui/Slider";
@@ -35,7 +35,7 @@ export function interpolated(
   c: readonly number[],
   reflected: readonly boolean[] = [],
 ): Graph {
-  return frond.interpolation(
+  return rough.interpolation(
     points.map(([t, x]): [number, number] => [t, x]),
     { c: [...c], reflected: c.map((_, i) => reflected[i] ?? false) },
   );
@@ -47,8 +47,8 @@ export function Fit1(heading: Heading) {
   const [c, setC] = useState<readonly number[]>(FIGURE_1.c);
   const [reflected, setReflected] = useState<readonly boolean[]>([false, false]);
   const graph = useMemo(() => interpolated(points, c, reflected), [points, c, reflected]);
-  const facts = useMemo(() => frond.graphFacts(graph), [graph]);
-  const samples = useMemo(() => frond.sampleGraph(graph, { tolerance: 0.004, most: 20_000 }), [graph]);
+  const facts = useMemo(() => rough.graphFacts(graph), [graph]);
+  const samples = useMemo(() => rough.sampleGraph(graph, { tolerance: 0.004, most: 20_000 }), [graph]);
   const y = rangeOf([samples], { min: -0.25, max: 1.75 });
   const move = (index: number, t: number, x: number) =>
     setPoints(points.map((point, i) => (i === index ? [within(index, t, points), clamp(x)] : point)));

@@ -1,5 +1,5 @@
 import { useMemo, useState } from "preact/hooks";
-import { frond } from "../engine/wasm";
+import { rough } from "../engine/curves";
 import { fixed, formatNumber } from "../ui/number";
 import { Segmented } from "../ui/Segmented";
 import { Slider } from "../ui/Slider";
@@ -34,8 +34,8 @@ export function Fit2(heading: Heading) {
   const [level, setLevel] = useState(6);
   const [shown, setShown] = useState<"whole" | "copies">("whole");
   const [closer, setCloser] = useState(0);
-  const samples = useMemo(() => frond.sampleGraph(TABLE_1_GRAPH, { tolerance: 0.003, most: 20_000 }), []);
-  const facts = useMemo(() => frond.graphFacts(TABLE_1_GRAPH), []);
+  const samples = useMemo(() => rough.sampleGraph(TABLE_1_GRAPH, { tolerance: 0.003, most: 20_000 }), []);
+  const facts = useMemo(() => rough.graphFacts(TABLE_1_GRAPH), []);
   const features = useMemo(() => fixedPointImages(TABLE_1, level), [level]);
   const y = { ...rangeOf([samples], { min: -1, max: 1.25 }), name: "x" };
   const copies = byPiece(TABLE_1_GRAPH, samples);
@@ -140,7 +140,7 @@ function Closer({ closer }: { closer: number }) {
   const { left, right } = misfit();
   const lines = useMemo(() => {
     const part = (from: number, to: number) =>
-      frond.sampleGraph(TABLE_1_GRAPH, { tolerance: 0.002 * reach, window: [from, to], most: 20_000 });
+      rough.sampleGraph(TABLE_1_GRAPH, { tolerance: 0.002 * reach, window: [from, to], most: 20_000 });
     const within = (points: Float64Array, from: number, to: number) => {
       const kept: number[] = [];
       for (let i = 0; i + 1 < points.length; i += 2) {

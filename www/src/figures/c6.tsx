@@ -1,6 +1,6 @@
 import { useMemo, useState } from "preact/hooks";
 import type { Graph } from "../engine/api";
-import { frond } from "../engine/wasm";
+import { rough } from "../engine/curves";
 import { fixed } from "../ui/number";
 import { Segmented } from "../ui/Segmented";
 import { Slider } from "../ui/Slider";
@@ -25,11 +25,11 @@ export function Fit6(heading: Heading) {
   const [model, setModel] = useState<Model>("pfif");
   const [chosen, setChosen] = useState(0);
   const original = useMemo(() => heightsAlong(6, TOP), []);
-  const recurrent = useMemo(() => frond.toRecurrent(TABLE_3_GRAPH, MOST_PIECES), []);
+  const recurrent = useMemo(() => rough.toRecurrent(TABLE_3_GRAPH, MOST_PIECES), []);
   const graph: Graph = model === "rfif" && recurrent ? recurrent : TABLE_3_GRAPH;
   const order = useMemo(() => leftToRight(graph), [graph]);
   const index = Math.min(chosen, order.length - 1);
-  const samples = useMemo(() => frond.sampleGraph(graph, { tolerance: 0.004, most: 20_000 }), [graph]);
+  const samples = useMemo(() => rough.sampleGraph(graph, { tolerance: 0.004, most: 20_000 }), [graph]);
   const exact = useMemo(() => missesOf(TABLE_3_EXACT), []);
   const printed = useMemo(() => missesOf(TABLE_3), []);
   const knots = breakpoints(graph);

@@ -1,6 +1,6 @@
 /** Small pictures of the figures on rough curves, made by the same parts as the figures themselves. */
 import { useMemo } from "preact/hooks";
-import { frond } from "../engine/wasm";
+import { rough } from "../engine/curves";
 import { arrowhead, heightsAlong, TOP } from "./arrowhead";
 import { FIGURE_1, interpolated } from "./c1";
 import { TABLE_1_GRAPH } from "./c2";
@@ -34,7 +34,7 @@ function Still({ lines, t }: { lines: readonly Line[]; t: readonly [number, numb
 export function Interpolated() {
   const lines = useMemo(() => {
     const graph = interpolated(FIGURE_1.points, FIGURE_1.c);
-    const samples = frond.sampleGraph(graph, { tolerance: 0.01, most: 4000 });
+    const samples = rough.sampleGraph(graph, { tolerance: 0.01, most: 4000 });
     return byPiece(graph, samples).map((points, colour) => ({ points, colour, width: 1.25 }));
   }, []);
   return <Still lines={lines} t={[0, 1]} />;
@@ -44,7 +44,7 @@ export function TwoMaps() {
   const lines = useMemo(
     (): Line[] => [
       {
-        points: frond.sampleGraph(TABLE_1_GRAPH, { tolerance: 0.01, most: 4000 }),
+        points: rough.sampleGraph(TABLE_1_GRAPH, { tolerance: 0.01, most: 4000 }),
         colour: "ink",
         width: 1.1,
       },
@@ -108,7 +108,7 @@ export function Heaps() {
 /** The seven maps over what they were found for. */
 export function Overlaid() {
   const lines = useMemo((): Line[] => {
-    const samples = frond.sampleGraph(TABLE_3_GRAPH, { tolerance: 0.01, most: 4000 });
+    const samples = rough.sampleGraph(TABLE_3_GRAPH, { tolerance: 0.01, most: 4000 });
     return [
       { points: heightsAlong(5, TOP), colour: "quiet", width: 1 },
       ...byPiece(TABLE_3_GRAPH, samples).map((points, i) => ({ points, colour: i % 2, width: 1.25 })),
@@ -120,9 +120,9 @@ export function Overlaid() {
 /** The leaf of the gallery, and its knots. */
 export function Leaf() {
   const lines = useMemo((): OutlineLine[] => {
-    const leaf = frond.curvePresets()[0];
+    const leaf = rough.curvePresets()[0];
     if (!leaf) return [];
-    const morph = new frond.CurveMorph(leaf.curve, null);
+    const morph = new rough.CurveMorph(leaf.curve, null);
     try {
       const points = morph.polyline(0, { tolerance: 0.004 });
       return [

@@ -1,6 +1,6 @@
 /** Edits that go between systems and closed curves, with the mesh going along. Each is one undo step. */
 import type { CurvePreset, CurveShape, Scene } from "../engine/api";
-import { frond } from "../engine/wasm";
+import { rough } from "../engine/curves";
 import { curveBox, curved } from "./curve";
 import { type End, withCurve, withoutCurves } from "./curve-changes";
 import { boxAround } from "./fit";
@@ -10,7 +10,7 @@ let loaded: readonly CurvePreset[] | null = null;
 
 /** The closed curves of the gallery, in its order. */
 export function curvePresets(): readonly CurvePreset[] {
-  loaded ??= frond.curvePresets();
+  loaded ??= rough.curvePresets();
   return loaded;
 }
 

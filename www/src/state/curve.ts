@@ -1,13 +1,14 @@
 /** Closed curves: what the morph and the deformation work on in place of two systems, where the document has them. */
-import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import type { ComponentType } from "preact";
 import type { Curve, CurveShape, Scene } from "../engine/api";
+import { curvesReady, loadCurves, rough } from "../engine/curves";
 import type { Frame } from "../engine/results";
-import { frond } from "../engine/wasm";
 import type { Box } from "./camera";
+import { notify, wordsOf } from "./notice";
 import { edit, scene } from "./scene";
 
-export type CurveMorph = InstanceType<typeof frond.CurveMorph>;
+export type CurveMorph = InstanceType<typeof rough.CurveMorph>;
 
 /** The curves of the document. */
 export const curves: ReadonlySignal<{ a: CurveShape; b: CurveShape } | null> = computed(
@@ -16,6 +17,14 @@ export const curves: ReadonlySignal<{ a: CurveShape; b: CurveShape } | null> = c
 
 /** Whether there are curves in place of systems. */
 export const curved: ReadonlySignal<boolean> = computed(() => curves.value !== null);
+
+// What draws them is loaded with the first ones.
+effect(() => {
+  if (!curved.value) return;
+  loadCurves().catch((problem) =>
+    notify({ kind: "error", text: `Closed curves could not be loaded: ${wordsOf(problem)}` }),
+  );
+});
 
 /** The moment, where there are curves. */
 export const curveTime: ReadonlySignal<number> = computed(() => (curved.value ? scene.value.t : 0));
@@ -27,8 +36,9 @@ function morphing(): ReadonlySignal<CurveMorph | null> {
     const now = curves.value;
     held?.free();
     held = null;
+    if (!curvesReady.value) return null;
     try {
-      if (now) held = new frond.CurveMorph(now.a.curve, now.a.curve === now.b.curve ? null : now.b.curve);
+      if (now) held = new rough.CurveMorph(now.a.curve, now.a.curve === now.b.curve ? null : now.b.curve);
     } catch {
       // Links are checked when they are read, and fits when they are made.
     }
@@ -50,7 +60,7 @@ export function curveBoxAt(morph: CurveMorph, s: number): Box {
 
 /** The box of one curve. */
 export function curveBox(curve: Curve): Box {
-  const morph = new frond.CurveMorph(curve, null);
+  const morph = new rough.CurveMorph(curve, null);
   try {
     return curveBoxAt(morph, 0);
   } finally {

@@ -29,7 +29,7 @@ fn of_function(error: FunctionError) -> JsValue {
     failure(error.code(), &error.to_string())
 }
 
-fn features(flat: &[f64]) -> Result<Features, JsValue> {
+pub(super) fn features(flat: &[f64]) -> Result<Features, JsValue> {
     Features::new(&super::points(flat)?).map_err(of_hough)
 }
 
@@ -55,7 +55,7 @@ impl Default for PlainOptions {
     }
 }
 
-fn read_options(options: JsValue) -> Result<HoughOptions, JsValue> {
+pub(super) fn read_options(options: JsValue) -> Result<HoughOptions, JsValue> {
     let PlainOptions { reflected, least_a, least_c, cells, most_b } = read("The options", options)?;
     // A cast of NaN or a negative number gives 0, of which the fewest are made.
     Ok(HoughOptions { reflected, least_a, least_c, cells: cells as usize, most_b })
@@ -167,9 +167,13 @@ impl HoughSecond {
 
     /// The highest bins around each cell.
     pub fn peaks(&self) -> Float64Array {
-        let numbers: Vec<f64> = self.pass.peaks().iter().flat_map(write_cluster).collect();
-        Float64Array::from(&numbers[..])
+        Float64Array::from(&peaks(&self.pass)[..])
     }
+}
+
+/// The highest bins around each cell, as [`hough_clusters`] takes them.
+pub(super) fn peaks(pass: &SecondPass) -> Vec<f64> {
+    pass.peaks().iter().flat_map(write_cluster).collect()
 }
 
 fn write_cluster(cluster: &Cluster) -> [f64; CLUSTER] {

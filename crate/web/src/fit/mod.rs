@@ -2,10 +2,12 @@
 
 mod curve;
 mod hough;
+mod once;
 mod trace;
 
 pub use curve::*;
 pub use hough::*;
+pub use once::*;
 pub use trace::*;
 
 use glam::DVec2;
@@ -14,7 +16,6 @@ use wasm_bindgen::JsValue;
 use crate::error::failure;
 
 /// Points from a flat list x0, y0, x1, y1, ..
-#[allow(dead_code, reason = "what is traced and fitted will read them")]
 pub(crate) fn points(list: &[f64]) -> Result<Vec<DVec2>, JsValue> {
     if !list.len().is_multiple_of(2) {
         return Err(failure("bad-input", "A list of points holds two numbers for each point."));

@@ -2,12 +2,14 @@ import type { InitInput, InitOutput, SyncInitInput } from "./frond.js";
 
 export * from "./frond.js";
 export { start } from "./frond.js";
+export * from "./frond-curve.js";
 export * from "./frond-proof.js";
 export type { InitInput, InitOutput, SyncInitInput };
 
-/** Where the two modules come from: by default, from beside this file. */
+/** Where the three modules come from: by default, from beside this file. */
 export interface Modules<Input> {
   frond: Input;
+  curve: Input;
   proof: Input;
 }
 

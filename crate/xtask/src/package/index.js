@@ -1,17 +1,25 @@
-// All that needs no graphics card: what describes and draws (frond.js), and what decides and proves (frond-proof.js).
-// Each may be had alone, as frond/draw and frond/proof, with an init() of its own.
+// All that needs no graphics card and is done at once: what describes and draws (frond.js), closed curves and graphs
+// (frond-curve.js), and what decides and proves (frond-proof.js). Each may be had alone, as frond/draw, frond/curve and
+// frond/proof, with an init() of its own; so may what traces and fits, as frond/fit.
 import loadFrond, { initSync as startFrond } from "./frond.js";
+import loadCurve, { initSync as startCurve } from "./frond-curve.js";
 import loadProof, { initSync as startProof } from "./frond-proof.js";
 
 export * from "./frond.js";
 export { start } from "./frond.js";
+export * from "./frond-curve.js";
 export * from "./frond-proof.js";
 
-export default async function init({ frond, proof } = {}) {
-  await Promise.all([loadFrond({ module_or_path: frond }), loadProof({ module_or_path: proof })]);
+export default async function init({ frond, curve, proof } = {}) {
+  await Promise.all([
+    loadFrond({ module_or_path: frond }),
+    loadCurve({ module_or_path: curve }),
+    loadProof({ module_or_path: proof }),
+  ]);
 }
 
-export function initSync({ frond, proof }) {
+export function initSync({ frond, curve, proof }) {
   startFrond({ module: frond });
+  startCurve({ module: curve });
   startProof({ module: proof });
 }

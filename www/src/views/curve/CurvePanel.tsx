@@ -4,7 +4,7 @@ import { computed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { CurveThumb } from "../../canvas/CurveThumb";
 import type { Colouring } from "../../engine/api";
-import { frond } from "../../engine/wasm";
+import { rough } from "../../engine/curves";
 import { type CurvePanelProps, curveMorph, curves } from "../../state/curve";
 import { curveAtBoth, type End, sameCurves, swapCurves } from "../../state/curve-changes";
 import { backToSystems } from "../../state/curve-edits";
@@ -107,7 +107,7 @@ const ends = computed(() => {
   const now = curves.value;
   if (!now) return null;
   try {
-    return { a: frond.curveFacts(now.a.curve), b: frond.curveFacts(now.b.curve), same: sameCurves(now) };
+    return { a: rough.curveFacts(now.a.curve), b: rough.curveFacts(now.b.curve), same: sameCurves(now) };
   } catch {
     return null;
   }

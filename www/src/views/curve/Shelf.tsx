@@ -3,7 +3,7 @@ import { useMemo } from "preact/hooks";
 import { curveThumb } from "../../canvas/curve-thumb";
 import { stageStyle } from "../../canvas/look";
 import type { Curve, CurveShape } from "../../engine/api";
-import { frond } from "../../engine/wasm";
+import { rough } from "../../engine/curves";
 import { curveBoxAt, curves, type ShelfProps } from "../../state/curve";
 import { bendCurve, chooseCurve, curvePresets, fitted, shapeOf } from "../../state/curve-edits";
 import { announce, notify } from "../../state/notice";
@@ -39,7 +39,7 @@ function picturesOf(all: readonly Item[], palette: readonly string[]): Map<strin
     let made = drawn.get(id);
     if (made?.curve !== shape.curve || made.palette !== palette) {
       try {
-        const morph = new frond.CurveMorph(shape.curve, null);
+        const morph = new rough.CurveMorph(shape.curve, null);
         const bitmap = curveThumb(morph, 0, curveBoxAt(morph, 0), SIZE, palette);
         morph.free();
         made = { curve: shape.curve, palette, bitmap };

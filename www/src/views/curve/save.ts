@@ -3,7 +3,7 @@ import { lookOf, paintCurve } from "../../canvas/curve-paint";
 import { moved, TOLERANCE } from "../../canvas/curve-painter";
 import { stageStyle } from "../../canvas/look";
 import { effectiveView, stageSize } from "../../canvas/view";
-import { frond } from "../../engine/wasm";
+import { rough } from "../../engine/curves";
 import { bend } from "../../state/bend";
 import { curveMorph, curves, curveTime } from "../../state/curve";
 import { sameCurves } from "../../state/curve-changes";
@@ -55,7 +55,7 @@ function text(kind: Exclude<Kind, "png">): Blob {
     case "csv":
       return new Blob([csvOf(points)], { type: "text/csv" });
     case "json": {
-      const mapped = { a: frond.curveMaps(now.a.curve), b: frond.curveMaps(now.b.curve) };
+      const mapped = { a: rough.curveMaps(now.a.curve), b: rough.curveMaps(now.b.curve) };
       return new Blob([jsonOf({ curves: now, maps: mapped, s, bend: bent, points })], {
         type: "application/json",
       });

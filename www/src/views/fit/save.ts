@@ -1,5 +1,5 @@
 /** Files of the fit. */
-import { frond } from "../../engine/wasm";
+import { rough } from "../../engine/curves";
 import { fitFor } from "../../state/fit";
 import { notify, wordsOf } from "../../state/notice";
 import { fitDocument } from "../../state/outline";
@@ -24,7 +24,7 @@ export function saveSvg(): void {
     const other = paper();
     if (other) return collageSvg(other.fit);
     const best = shownFit.peek();
-    return best && frond.curveSvg(best.curve);
+    return best && rough.curveSvg(best.curve);
   });
 }
 
@@ -33,7 +33,7 @@ export function saveCsv(): void {
     const other = paper();
     if (other) return collageCsv(other.fit);
     const best = shownFit.peek();
-    return best && frond.curveCsv(best.curve);
+    return best && rough.curveCsv(best.curve);
   });
 }
 
@@ -44,7 +44,7 @@ export function saveJson(): void {
     if (other) return collageJson(name, other.options, other.fit);
     const best = shownFit.peek();
     return (
-      best && curveJson(name, best.curve, frond.curveMaps(best.curve), shownFigures.peek()?.figures ?? null)
+      best && curveJson(name, best.curve, rough.curveMaps(best.curve), shownFigures.peek()?.figures ?? null)
     );
   });
 }

@@ -1,6 +1,6 @@
 /** A fit becomes a shape like any other. */
 import type { Curve } from "../../engine/api";
-import { frond } from "../../engine/wasm";
+import { rough } from "../../engine/curves";
 import { notify, wordsOf } from "../../state/notice";
 import { useCurve as takeCurve } from "../../state/outline";
 import { shapeOf, shownFit } from "./work/fitting";
@@ -22,9 +22,9 @@ export function use(tool: "morph" | "deform"): void {
   if (!best) return;
   try {
     const shape = shapeOf(best.curve);
-    const taken = shape.preset ? shape : { ...shape, curve: frond.quantised(centred(best.curve)) };
+    const taken = shape.preset ? shape : { ...shape, curve: rough.quantised(centred(best.curve)) };
     const now = source.peek();
-    const presets = frond.curvePresets();
+    const presets = rough.curvePresets();
     // A maple-like leaf goes to the oak-like one, whatever else to the maple.
     const wanted = now.kind === "grown" && now.grown !== "oak" ? "oak" : "maple";
     const partner = presets.find((preset) => preset.id === wanted) ?? presets[0];

@@ -1,7 +1,7 @@
 /** The graph of the document, what it is made of, and what hands do to it. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { Graph } from "../../../engine/api";
-import { frond } from "../../../engine/wasm";
+import { rough } from "../../../engine/curves";
 import { announce, notify, wordsOf } from "../../../state/notice";
 import { changeFit, fitDocument } from "../../../state/outline";
 import { asKind, evaluator, type Kind, type Model, modelOf, request, short } from "./model";
@@ -45,7 +45,7 @@ export function changeModel(change: (now: Model) => Model, gesture?: string): bo
   if (after === before) return true;
   const { points, options } = request(after);
   try {
-    const next = short(frond.interpolation(points, options));
+    const next = short(rough.interpolation(points, options));
     meant.set(next, after);
     take(next, gesture);
     return true;
@@ -79,7 +79,7 @@ export function chooseKind(kind: Kind): void {
   if (now.kind === kind) return;
   if (kind === "rfif" && now.kind === "pfif") {
     // Cut finer where that makes it the very same function.
-    const same = frond.toRecurrent(graph.peek(), MOST_CUT);
+    const same = rough.toRecurrent(graph.peek(), MOST_CUT);
     if (same) {
       take(short({ ...same, kind: "rfif" }));
       announce(`The same function in ${same.pieces.length} pieces.`);
@@ -104,7 +104,7 @@ export interface Facts {
 
 export const facts: ReadonlySignal<Facts | null> = computed(() => {
   try {
-    return frond.graphFacts(graph.value);
+    return rough.graphFacts(graph.value);
   } catch {
     return null;
   }

@@ -1,6 +1,6 @@
 /** What the stage shows: its frame, and the graph as a polyline as fine as it is seen. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import { frond } from "../../../engine/wasm";
+import { rough } from "../../../engine/curves";
 import { inGesture } from "../../../state/scene";
 import { graph, model } from "./document";
 import { aired, type Frame, heights } from "./frame";
@@ -43,10 +43,10 @@ export const polyline: ReadonlySignal<Float64Array> = computed(() => {
   const window = covered.value;
   if (!window) return new Float64Array(0);
   try {
-    const look = frond.sampleGraph(graph.value, { window, tolerance: 0, most: LOOK });
+    const look = rough.sampleGraph(graph.value, { window, tolerance: 0, most: LOOK });
     const [low, high] = heights(look, window) ?? [0, 1];
     const tolerance = Math.max((high - low) / plot.value.height / 2, 1e-12 * (1 + Math.abs(high)));
-    return frond.sampleGraph(graph.value, { window, tolerance, most: MOST });
+    return rough.sampleGraph(graph.value, { window, tolerance, most: MOST });
   } catch {
     return new Float64Array(0);
   }

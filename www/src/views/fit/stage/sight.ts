@@ -2,8 +2,9 @@
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import type { View } from "../../../canvas/geometry";
 import type { Curve } from "../../../engine/api";
+import type { CurveMorphHandle } from "../../../engine/curves";
+import { rough } from "../../../engine/curves";
 import { fitTask } from "../../../engine/fit/client";
-import { type CurveMorphHandle, frond } from "../../../engine/wasm";
 import { fitDocument } from "../../../state/outline";
 import { collage, collageOptions, shownFit } from "../work/fitting";
 import { masked } from "../work/mask";
@@ -46,7 +47,7 @@ function polyline(curve: Curve, plain: Float64Array, view: View): Float64Array {
     if (drawn?.curve !== curve) {
       drawn?.handle.free();
       drawn = null;
-      drawn = { curve, handle: new frond.CurveMorph(curve, null) };
+      drawn = { curve, handle: new rough.CurveMorph(curve, null) };
     }
     const { width, height } = stageSize.peek();
     const ratio = globalThis.devicePixelRatio || 1;

@@ -1,6 +1,7 @@
 /** The fit of the outline: the latest that was asked for, the best so far, its figures, and what it is compared with. */
 import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import type { Curve, CurveShape } from "../../../engine/api";
+import { rough } from "../../../engine/curves";
 import { fitTask } from "../../../engine/fit/client";
 import type {
   Collage,
@@ -11,7 +12,6 @@ import type {
   Prepared,
   Rival,
 } from "../../../engine/fit/tasks/curve";
-import { frond } from "../../../engine/wasm";
 import { announce, notify, wordsOf } from "../../../state/notice";
 import { fitDocument, replaceFit } from "../../../state/outline";
 import { isStopped, Latest, persist } from "./latest";
@@ -173,7 +173,7 @@ function keptFit(outline: Prepared, numbers: number): Fitted | null {
   const { curve } = now;
   const points = polylineOf(curve);
   if (!points) return null;
-  const { bytes } = frond.curveFacts(curve);
+  const { bytes } = rough.curveFacts(curve);
   return { of: outline, numbers, curve, points, figures: null, bytes };
 }
 

@@ -1,9 +1,9 @@
 /** The outline that is fitted: of the source, in units of the plane, smoothed as the document says. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import type { Curve, CurvePreset } from "../../../engine/api";
+import { rough } from "../../../engine/curves";
 import { fitTask } from "../../../engine/fit/client";
 import type { Prepared } from "../../../engine/fit/tasks/curve";
-import { frond } from "../../../engine/wasm";
 import { notify, wordsOf } from "../../../state/notice";
 import { fitDocument } from "../../../state/outline";
 import { boxOf, framed, frameOfPoints, frameOfSize, PLAIN } from "./frame";
@@ -44,7 +44,7 @@ const keptPoints = computed(() => {
 /** A curve as a polyline, fine enough to stand for an outline. */
 export function polylineOf(curve: Curve): Float64Array | null {
   try {
-    const handle = new frond.CurveMorph(curve, null);
+    const handle = new rough.CurveMorph(curve, null);
     const [x0, y0, x1, y1] = handle.bounds(0);
     const points = handle.polyline(0, { tolerance: FINE * Math.max(x1 - x0, y1 - y0) });
     handle.free();
@@ -66,7 +66,7 @@ export const ready: ReadonlySignal<Curve | null> = computed(() => {
   if (now.kind !== "grown" || now.seed !== SEEDS[now.grown] || model !== "closed" || smoothing !== 0)
     return null;
   try {
-    gallery ??= frond.curvePresets();
+    gallery ??= rough.curvePresets();
     const curve = gallery.find(({ id }) => id === now.grown)?.curve;
     return curve && Math.abs(numbersOf(curve) - numbers) <= 2 ? curve : null;
   } catch {
