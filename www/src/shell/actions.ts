@@ -63,6 +63,10 @@ export const curveOnStage = computed(() => curved.value && !pictureShown.value);
 
 /** The picture as it stands on the stage, larger, complete, on a transparent ground. */
 export function savePicture(): void {
+  if (scene.peek().tool === "fit") {
+    import("../views/fit/save").then((save) => save.savePng(), notSaved);
+    return;
+  }
   const size = stageSize.peek();
   const view = effectiveView.peek();
   const larger = LONG_SIDE / Math.max(size.width, size.height, 1);
