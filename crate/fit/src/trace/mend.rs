@@ -119,7 +119,8 @@ mod tests {
     use super::*;
 
     fn drawn(inside: impl Fn(f64, f64) -> bool) -> Bits {
-        let on = (0..120 * 100).map(|i| inside((i % 120) as f64 - 60.0, (i / 120) as f64 - 40.0)).collect();
+        let at = |i: i32, side: f64| f64::from(i) - side;
+        let on = (0..120 * 100).map(|i| inside(at(i % 120, 60.0), at(i / 120, 40.0))).collect();
         Bits { width: 120, height: 100, on }
     }
 

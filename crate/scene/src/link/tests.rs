@@ -436,7 +436,7 @@ fn a_fit_of_260_numbers_takes_less_than_4_kilobytes() {
     let shape = CurveShape { preset: None, name: "A leaf".to_owned(), curve: Curve::from(&curve) };
     assert_eq!(curve.numbers(), 260);
     let mut link = String::new();
-    super::fit::write_curves(&mut link, &Curves { a: shape.clone(), b: shape });
+    write_curves(&mut link, &Curves { a: shape.clone(), b: shape });
     assert!(link.len() > 500 && link.len() < 2 * 4096, "{}", link.len());
 }
 
