@@ -69,7 +69,7 @@ fn mend_fragment(@builtin(position) position: vec4<f32>) -> Kept {
     let slack = 6.0 / lamp.focal;
     var before = 0;
     var nearest = FAR;
-    var from = at;
+    var source = at;
     for (var k = 0; k < 9; k++) {
         let next = at + vec2<i32>(k % 3 - 1, k / 3 - 1);
         let depth = depth_at(next);
@@ -78,16 +78,16 @@ fn mend_fragment(@builtin(position) position: vec4<f32>) -> Kept {
         }
         if depth < nearest {
             nearest = depth;
-            from = next;
+            source = next;
         }
     }
     if before < 5 {
-        from = at;
+        source = at;
     }
-    if !inside(from) || code_at(from) == 0u {
+    if !inside(source) || code_at(source) == 0u {
         return Kept(0u, 0u);
     }
-    return Kept(textureLoad(codes, from, 0).r, textureLoad(depths, from, 0).r);
+    return Kept(textureLoad(codes, source, 0).r, textureLoad(depths, source, 0).r);
 }
 
 fn point_at(at: vec2<i32>, depth: f32) -> vec3<f32> {

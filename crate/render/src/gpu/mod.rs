@@ -24,6 +24,8 @@ mod sheet;
 #[cfg(target_arch = "wasm32")]
 mod sheeted;
 #[cfg(target_arch = "wasm32")]
+mod space;
+#[cfg(target_arch = "wasm32")]
 mod stage;
 #[cfg(target_arch = "wasm32")]
 mod swept;
@@ -44,6 +46,8 @@ pub use events::{Event, Loss};
 pub use locus::{LocusError, LocusGpu, LocusJob};
 #[cfg(target_arch = "wasm32")]
 pub use readback::ReadBack;
+#[cfg(target_arch = "wasm32")]
+pub use space::{Drawn3, Stage3};
 #[cfg(target_arch = "wasm32")]
 pub use stage::{Drawn, Stage, Style};
 

@@ -1,0 +1,7 @@
+//! Drawing space: clouds of points while things move, the carved relief when they rest.
+
+mod pipelines;
+mod stage;
+mod target;
+
+pub use stage::{Drawn3, Stage3};

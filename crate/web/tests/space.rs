@@ -1,0 +1,142 @@
+//! What the graphics card draws of space: the shaders against their twins, on both backends.
+#![cfg(target_arch = "wasm32")]
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may fail so")]
+
+use std::rc::Rc;
+
+use frond_core::{Affine3, Ifs3};
+use frond_render::gpu::{Canvas, Event, Gpu, Stage3, Wanted};
+use frond_render::space::{Camera, Carve, Cloud, Eye, Lamp, Lighting, Paint, Relief, light, mend};
+use frond_render::{Colouring, Look};
+use glam::{DQuat, DVec3};
+use js_sys::{Function, Object, Promise, Reflect, global};
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::JsFuture;
+use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
+use web_sys::OffscreenCanvas;
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+const SIZE: [u32; 2] = [160, 120];
+const POINTS: usize = 60_000;
+
+async fn open(wanted: Wanted) -> Option<Stage3> {
+    let canvas = Canvas::Offscreen(OffscreenCanvas::new(SIZE[0], SIZE[1]).unwrap());
+    let gpu = match Gpu::open(&canvas, wanted, Rc::new(|event: &Event| assert!(!matches!(event, Event::Fault(_)), "{event:?}"))).await {
+        Ok(gpu) => gpu,
+        Err(error) if wanted == Wanted::WebGpu && !has_webgpu().await => {
+            console_log!("not tested on WebGPU: {error}");
+            return None;
+        }
+        Err(error) => panic!("{wanted:?}: {error}"),
+    };
+    assert_eq!(gpu.backend, if wanted == Wanted::WebGpu { "webgpu" } else { "webgl2" });
+    Some(Stage3::new(gpu, look()))
+}
+
+async fn has_webgpu() -> bool {
+    let adapter = async || -> Result<JsValue, JsValue> {
+        let gpu = Reflect::get(&Reflect::get(&global(), &"navigator".into())?, &"gpu".into())?;
+        let request: Function = Reflect::get(&gpu, &"requestAdapter".into())?.dyn_into()?;
+        JsFuture::from(request.call0(&gpu)?.dyn_into::<Promise>()?).await
+    };
+    adapter().await.is_ok_and(|adapter| adapter.is_instance_of::<Object>())
+}
+
+async fn pixels(stage: &Stage3) -> Vec<u8> {
+    let read = stage.read().unwrap();
+    loop {
+        if let Some(picture) = read.take() {
+            return picture.unwrap();
+        }
+        let mut wait = |resolve: Function, _| {
+            let timer: Function = Reflect::get(&global(), &"setTimeout".into()).unwrap().dyn_into().unwrap();
+            timer.call2(&JsValue::UNDEFINED, &resolve, &1.into()).unwrap();
+        };
+        JsFuture::from(Promise::new(&mut wait)).await.unwrap();
+    }
+}
+
+fn look() -> Look {
+    Look::new(Colouring::Address, &[], 4)
+}
+
+fn systems() -> Vec<Ifs3> {
+    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+    let maps = corners.map(|c| Affine3::similitude(0.5, DQuat::IDENTITY, c * 0.5)).to_vec();
+    let near = Ifs3::new(maps).unwrap();
+    let far =
+        near.conjugate(Affine3::similitude(0.7, DQuat::from_rotation_y(1.0), DVec3::new(0.6, 0.1, -1.0)));
+    vec![near, far.unwrap()]
+}
+
+fn camera() -> Camera {
+    Camera::around(DVec3::new(0.35, 0.3, 0.1), 2.6, 0.5, 0.4, 0.6).unwrap()
+}
+
+/// The share of pixels that differ by more than rounding.
+fn differing(a: &[u8], b: &[u8]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    let off = |(p, q): &(&[u8], &[u8])| p.iter().zip(*q).any(|(x, y)| x.abs_diff(*y) > 6);
+    a.chunks(4).zip(b.chunks(4)).filter(off).count() as f64 / (a.len() / 4) as f64
+}
+
+fn lit(pixels: &[u8]) -> usize {
+    pixels.chunks(4).filter(|p| p[3] > 0).count()
+}
+
+async fn pictures(wanted: Wanted) {
+    let Some(mut stage) = open(wanted).await else { return };
+    let (systems, camera) = (systems(), camera());
+    for (factor, paint) in [(1, Paint::Map), (2, Paint::Height)] {
+        let tints = vec![None, Some([0.9, 0.3, 0.2])];
+        let lighting = Lighting { paint, heights: [0.0, 1.0], tints, ..Lighting::default() };
+        stage.resize(SIZE[0], SIZE[1], factor);
+        stage.set_systems(systems.clone(), POINTS);
+        stage.set_camera(camera);
+        stage.set_lighting(lighting.clone(), look());
+
+        let drawn = stage.draw(10);
+        let right = !drawn.complete && (POINTS as u64 / 2..=POINTS as u64).contains(&drawn.points);
+        assert!(right, "{wanted:?}, {factor}: {drawn:?}");
+        let mut carve = Carve::new(&systems, &camera, SIZE[0] * factor, SIZE[1] * factor);
+        let range = carve.range();
+        let eye = Eye::new(&camera, SIZE[0], SIZE[1], range);
+        let mut relief = Relief::new(SIZE[0], SIZE[1]);
+        for (number, ifs) in systems.iter().enumerate() {
+            let cloud = Cloud::new(ifs, number as u32, POINTS / 2, 1 + number as u32);
+            for piece in &cloud.instances {
+                cloud.vertices.iter().for_each(|point| eye.draw(&mut relief, point, piece));
+            }
+        }
+        let twin = light(&mend(&relief, eye.focal), &Lamp::new(&lighting, &camera, SIZE, 1, range), &look());
+        let shown = pixels(&stage).await;
+        assert!(lit(&shown) > 2000 && lit(&shown) < shown.len() / 4, "{} lit", lit(&shown));
+        // A point that rounding takes to the next pixel changes the light around it.
+        assert!(differing(&shown, &twin) < 0.05, "{wanted:?}, points: {}", differing(&shown, &twin));
+
+        assert!(carve.run(usize::MAX));
+        let mut turns = 0;
+        while !stage.draw(20_000).complete {
+            turns += 1;
+            assert!(turns < 1000);
+        }
+        assert!(turns > 1, "it was done at once");
+        let size = SIZE.map(|side| side * factor);
+        let twin = light(carve.relief(), &Lamp::new(&lighting, &camera, size, factor, range), &look());
+        let shown = pixels(&stage).await;
+        assert!(differing(&shown, &twin) < 0.005, "{wanted:?}, complete: {}", differing(&shown, &twin));
+        // At rest nothing is left to do.
+        assert!(stage.draw(20_000).complete);
+    }
+}
+
+#[wasm_bindgen_test]
+async fn webgl2_draws_what_the_twins_draw() {
+    pictures(Wanted::WebGl2).await;
+}
+
+#[wasm_bindgen_test]
+async fn webgpu_draws_what_the_twins_draw() {
+    pictures(Wanted::WebGpu).await;
+}
