@@ -66,6 +66,21 @@ await bent.evaluate(() => window.frond.idle());
 await bent.screenshot({ path: path("deform") });
 await bent.context().close();
 
+// The leaf that the tool begins with, fitted, and the maps found in a graph.
+const fit = await open("#v=1&a=dragon-3&b=gasket&tool=fit");
+await fit.getByText("Error of as many numbers").waitFor({ timeout: 60_000 });
+await fit.screenshot({ path: path("fit") });
+await fit.context().close();
+
+const graph = await open("#v=1&a=gasket&b=dragon-3&tool=fit&fit=graph:closed,260,0");
+await graph.getByLabel("An example").selectOption("table1");
+await graph.getByRole("button", { name: "Find the maps" }).click();
+await graph.locator("[data-part=took]").waitFor({ timeout: 60_000 });
+await graph.getByRole("button", { name: "Assemble", exact: true }).click();
+await graph.waitForTimeout(1500);
+await graph.screenshot({ path: path("graph") });
+await graph.context().close();
+
 const figure = await open("#figures/7");
 await figure.getByRole("heading", { level: 1 }).waitFor();
 await figure.waitForTimeout(8000);
