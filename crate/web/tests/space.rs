@@ -22,7 +22,13 @@ const POINTS: usize = 60_000;
 
 async fn open(wanted: Wanted) -> Option<Stage3> {
     let canvas = Canvas::Offscreen(OffscreenCanvas::new(SIZE[0], SIZE[1]).unwrap());
-    let gpu = match Gpu::open(&canvas, wanted, Rc::new(|event: &Event| assert!(!matches!(event, Event::Fault(_)), "{event:?}"))).await {
+    let gpu = match Gpu::open(
+        &canvas,
+        wanted,
+        Rc::new(|event: &Event| assert!(!matches!(event, Event::Fault(_)), "{event:?}")),
+    )
+    .await
+    {
         Ok(gpu) => gpu,
         Err(error) if wanted == Wanted::WebGpu && !has_webgpu().await => {
             console_log!("not tested on WebGPU: {error}");
