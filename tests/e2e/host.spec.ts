@@ -23,6 +23,7 @@ test("it asks for nothing but its own files, from a folder of a plain host", asy
 test("once loaded it works without the network", async ({ studio, page, context }) => {
   await studio.open("a=dragon-3&b=gasket&path=straight");
   const before = await studio.look();
+  await studio.idle();
   await context.setOffline(true);
   await page.getByRole("button", { name: /^Shape A: / }).click();
   await page.getByRole("dialog").getByRole("button", { name: /^Koch/ }).click();

@@ -4,7 +4,7 @@ import { useEffect } from "preact/hooks";
 import type { PainterBackend } from "./canvas/painter";
 import { Stage } from "./canvas/stage";
 import type { Tool } from "./engine/api";
-import { loadCurves } from "./engine/curves";
+import { curvesFetched, loadCurves } from "./engine/curves";
 import { loadProof } from "./engine/proof";
 import { EvidencePanel } from "./shell/evidence/Panel";
 import { Header } from "./shell/header";
@@ -114,6 +114,14 @@ const CURVE: CurveParts = {
   Panel: lazily(() => withCurves(import("./views/curve")).then((module) => module.CurvePanel)),
   Shelf: lazily(() => withCurves(import("./views/curve")).then((module) => module.Shelf)),
 };
+
+/** Fetches what the gallery shows of curves, so that it is there without a network, too. */
+export function fetchCurves(): void {
+  const tried = () => {
+    curvesFetched.value = true;
+  };
+  withCurves(import("./views/curve")).then(tried, tried);
+}
 
 /** A part of the page, with what makes closed curves and graphs. */
 async function withCurves<T>(part: Promise<T>): Promise<T> {

@@ -3,7 +3,7 @@ import "./style/base.css";
 import "./style/layout.css";
 import "./style/stage.css";
 import { h, render } from "preact";
-import { App } from "./app";
+import { App, fetchCurves } from "./app";
 import { whenFirstPicture } from "./canvas/first";
 import { startEngine } from "./engine/engine";
 import { compileProof } from "./engine/proof";
@@ -35,6 +35,7 @@ async function begin(root: HTMLElement): Promise<void> {
   await whenFirstPicture();
   startEngine({ page, proof: await proof }, { workers: parameters.workers });
   startSchedules({ card: parameters.card });
+  fetchCurves();
 }
 
 const root = document.getElementById("app");

@@ -128,6 +128,9 @@ const ready = signal(false);
 /** Whether `rough` can be used. */
 export const curvesReady: ReadonlySignal<boolean> = ready;
 
+/** Whether all that the gallery shows of curves has been fetched ahead, or cannot be had. */
+export const curvesFetched = signal(false);
+
 /** What makes rough curves. Usable once `loadCurves` has resolved. */
 export const rough = {} as Curves;
 

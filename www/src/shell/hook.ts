@@ -5,6 +5,7 @@ import { linearPainter, linearPicture, mainPainter, picture } from "../canvas/st
 import type { Pixels } from "../canvas/surface";
 import { effectiveView, stageSize } from "../canvas/view";
 import type { Scene } from "../engine/api";
+import { curvesFetched } from "../engine/curves";
 import { killWorker } from "../engine/engine";
 import { locus, verdict, workers } from "../engine/results";
 import { frond } from "../engine/wasm";
@@ -29,7 +30,7 @@ export interface Hook {
   killWorker(): void;
   /** Resolves when the picture is complete, and the one beside it. */
   drawn(): Promise<void>;
-  /** Resolves when the locus is complete too, the verdict is about the picture, and no worker has anything to do. */
+  /** Resolves when the locus is complete too, the verdict is about the picture, no worker has anything to do, and nothing is fetched ahead. */
   idle(): Promise<void>;
 }
 
@@ -79,6 +80,8 @@ async function twin(which: Which = "main"): Promise<Pixels> {
 }
 
 function drawn(): boolean {
+  // The fit has a picture of its own, and this one is not on the page.
+  if (scene.value.tool === "fit") return true;
   return picture.value.settled && linearPicture.value?.settled !== false;
 }
 
@@ -87,7 +90,8 @@ function idle(): boolean {
     drawn() &&
     (locus.value === null || locus.value.progress === 1) &&
     verdict.value?.stale === false &&
-    !workers.value.busy
+    !workers.value.busy &&
+    curvesFetched.value
   );
 }
 
