@@ -228,7 +228,9 @@ function put<T>(into: WeakMap<Prepared, Map<number, T>>, of: Prepared, numbers: 
 
 /** The last fit is part of the document: a link opens it again. */
 function keep({ curve }: Fitted): void {
-  if (fitDocument.peek().curve?.curve === curve) return;
+  const now = fitDocument.peek();
+  // A link to a graph may have been followed meanwhile: it is not to be given a curve.
+  if (now.mode !== "outline" || now.curve?.curve === curve) return;
   const shape = shapeOf(curve);
   own.add(shape.curve);
   replaceFit((now) => ({ ...now, curve: shape }));
