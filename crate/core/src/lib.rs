@@ -16,6 +16,7 @@
 mod address;
 mod affine2;
 mod affine3;
+mod along;
 mod chaos;
 mod contraction;
 mod correspond;
@@ -40,6 +41,7 @@ mod transform;
 pub use address::{Word, address_near};
 pub use affine2::Affine2;
 pub use affine3::Affine3;
+pub use along::along;
 pub use chaos::ChaosGame;
 pub use contraction::{Contraction, word_radius};
 pub use correspond::{Candidate, candidates};

@@ -80,7 +80,8 @@ impl LocusGrid {
     pub const UNTOUCHED: u8 = 255;
 
     /// The budget of [`decide`] for each sample of so many maps.
-    pub(crate) fn budget(maps: usize) -> usize {
+    #[must_use]
+    pub fn budget(maps: usize) -> usize {
         Self::BUDGET.max(2_000 * maps)
     }
 

@@ -92,6 +92,7 @@ pub use crossing::{Crossing, crossings};
 pub use decide::{Sample, Scratch, State, decide, decide_bounds, decide_polygon};
 pub use family::{Drift, Family, Polygons, Slice};
 pub use find::{Axes, PathOptions, PathSearch, find_path};
+pub use frond_core::along;
 pub use graph::{Components, OverlapGraph};
 pub use grid::{Bounds, GridError, Locus, LocusGrid, Pass, Tile};
 pub use index_buffer::{Choice, IndexBuffer, IndexBufferError, IndexBufferOptions};
@@ -103,4 +104,4 @@ pub use space::{
     Connectedness3, Reason3, Reason3Kind, Scratch3, Shared3, check_path3, connectedness3, decide3,
     find_path3, locus3,
 };
-pub use walk::{PathCheck, along, check_path};
+pub use walk::{PathCheck, check_path};

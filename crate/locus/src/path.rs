@@ -6,7 +6,7 @@ use thiserror::Error;
 use crate::field::{Field, Lattice, NEAR_END, Terms, UNSEEN, gap_of};
 use crate::grid::{Bounds, GridError, Locus};
 use crate::simplify::simplify;
-use crate::walk::along;
+use frond_core::along;
 
 /// A path from (0, 0, 0) to (1, 1, 0), and how well the morph along it holds together.
 #[derive(Clone, Debug, PartialEq)]

@@ -16,7 +16,7 @@ mod mend;
 mod relief;
 
 pub use camera::{Camera, CameraError};
-pub use carve::{Carve, MAX_OBJECTS};
+pub use carve::{Carve, MAX_OBJECTS, depths};
 pub use eye::{Cloud, Eye, Instance3, Vertex3};
 pub use lamp::{Lamp, Lighting, Paint};
 pub use light::light;

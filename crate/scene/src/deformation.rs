@@ -18,6 +18,8 @@ pub enum Tool {
     Deform,
     /// From an outline to its formula.
     Fit,
+    /// Space.
+    Space,
 }
 
 /// What is bent.

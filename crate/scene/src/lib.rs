@@ -23,7 +23,10 @@ pub use scene::{
     Window,
 };
 pub use space::{
-    Arrow, EpsilonProjection, FileError, Intersection, MeetError, MeetExample, Plane, Preset3, ProjectError,
-    Row3, SpaceFile, Thing, epsilon_projection, exact_projection, intersection, invariant_directions,
-    meet_examples, natural_scene, parse_ifs3, preset3, presets3, write_ifs3,
+    Arrow, CourseName, EaseName, EpsilonProjection, FileError, Film, FilmError, Held, Intersection,
+    MAX_KEYS3, MAX_OBJECTS3, MAX_PACKED, MeetError, MeetExample, Moment, Moved, PackedError, PaintName,
+    Plane, Preset3, ProjectError, Row3, Shape3, Space, SpaceFile, SpaceKey, SpaceLight, SpaceMorph,
+    SpaceObject, SpacePart, SpaceView, Thing, Timeline, epsilon_projection, exact_projection, intersection,
+    invariant_directions, meet_examples, natural_objects, natural_scene, pack, parse_ifs3, preset3, presets3,
+    unpack, write_ifs3,
 };

@@ -23,11 +23,13 @@ use crate::scene::{Colouring, ModeName, PathKind, Scene, Shape, Window};
 mod deform;
 mod fit;
 mod locus;
-mod words;
+mod space;
+pub(crate) mod words;
 
 use deform::{read_deform, write_deform};
 use fit::{read_curves, read_fit, write_curves, write_fit};
 use locus::{read_locus, read_way, write_locus};
+use space::{read_space, write_space};
 use words::{choice, damaged, escape, number, numbers, read_list, read_numbers, tidy, unescape, within};
 
 /// The longest link, in bytes.
@@ -134,6 +136,7 @@ pub fn encode(scene: &Scene) -> String {
         Tool::Morph => {}
         Tool::Deform => link.push_str("&tool=deform"),
         Tool::Fit => link.push_str("&tool=fit"),
+        Tool::Space => link.push_str("&tool=space"),
     }
     if let Some(deform) = &scene.deform {
         write_deform(&mut link, deform);
@@ -143,6 +146,9 @@ pub fn encode(scene: &Scene) -> String {
     }
     if let Some(fit) = &scene.fit {
         write_fit(&mut link, fit);
+    }
+    if let Some(space) = &scene.space {
+        write_space(&mut link, space);
     }
     link
 }
@@ -225,11 +231,13 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
         scene.view = Some(Window { x, y, zoom });
     }
     scene.locus = read_locus(&get)?;
-    let tools = [("morph", Tool::Morph), ("deform", Tool::Deform), ("fit", Tool::Fit)];
+    let tools =
+        [("morph", Tool::Morph), ("deform", Tool::Deform), ("fit", Tool::Fit), ("space", Tool::Space)];
     scene.tool = choice("tool", get("tool"), &tools)?;
     scene.deform = read_deform(&get)?;
     scene.curves = read_curves(&get)?;
     scene.fit = read_fit(&get)?;
+    scene.space = read_space(&get)?;
     Ok((scene, later))
 }
 

@@ -7,6 +7,7 @@ use crate::curve::Curves;
 use crate::deformation::{Deformation, Tool};
 use crate::fit::Fit;
 use crate::preset::{Row, preset};
+use crate::space::SpacePart;
 
 /// The most way points a path may have between its ends.
 pub const MAX_WAY_POINTS: usize = 64;
@@ -246,6 +247,9 @@ pub struct Scene {
     /// How an outline or a graph was fitted last.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fit: Option<Fit>,
+    /// What there is in space; what the tool begins with where absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub space: Option<SpacePart>,
 }
 
 fn is_morph(tool: &Tool) -> bool {
@@ -272,6 +276,7 @@ impl Default for Scene {
             deform: None,
             curves: None,
             fit: None,
+            space: None,
         }
     }
 }

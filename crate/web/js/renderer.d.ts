@@ -1,7 +1,7 @@
-import type { Renderer } from "./frond-webgl2.js";
+import type { Renderer, SpaceRenderer } from "./frond-webgl2.js";
 import type { LocusCompute } from "./frond-webgpu.js";
 
-export type { Renderer } from "./frond-webgl2.js";
+export type { Renderer, SpaceRenderer } from "./frond-webgl2.js";
 export type { LocusCompute } from "./frond-webgpu.js";
 
 export interface RendererOptions {
@@ -16,6 +16,12 @@ export function createRenderer(
   canvas: HTMLCanvasElement | OffscreenCanvas,
   options?: RendererOptions,
 ): Promise<Renderer>;
+
+/** The same for space: what it is given is made by `SpacePicture` of the module `frond-space`. */
+export function createSpaceRenderer(
+  canvas: HTMLCanvasElement | OffscreenCanvas,
+  options?: RendererOptions,
+): Promise<SpaceRenderer>;
 
 /**
  * A device that decides loci by WebGPU, on the page's thread or in a worker; `undefined` where there is none, or where

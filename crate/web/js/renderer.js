@@ -35,17 +35,21 @@ function isSoftware(adapter) {
   return fallback || /swiftshader|llvmpipe|lavapipe|software|basic render|\bwarp\b/i.test(names);
 }
 
-export async function createRenderer(canvas, options = {}) {
+async function create(name, canvas, options) {
   const { backend: wanted = "auto" } = options;
   if (wanted === "webgpu" || (wanted === "auto" && (await adapter()))) {
     try {
-      return await (await load("webgpu")).Renderer.create(canvas, { ...options, backend: "webgpu" });
+      return await (await load("webgpu"))[name].create(canvas, { ...options, backend: "webgpu" });
     } catch (problem) {
       if (wanted === "webgpu") throw problem;
     }
   }
-  return (await load("webgl2")).Renderer.create(canvas, { ...options, backend: "webgl2" });
+  return (await load("webgl2"))[name].create(canvas, { ...options, backend: "webgl2" });
 }
+
+export const createRenderer = (canvas, options = {}) => create("Renderer", canvas, options);
+
+export const createSpaceRenderer = (canvas, options = {}) => create("SpaceRenderer", canvas, options);
 
 export async function createLocusCompute({ software = false } = {}) {
   const found = await adapter();

@@ -286,9 +286,11 @@ export interface Scene {
   curves?: { a: CurveShape; b: CurveShape };
   /** How an outline or a graph was fitted last. */
   fit?: Fit;
+  /** What there is in space. Absent: what the tool begins with. */
+  space?: SpacePart;
 }
 
-export type Tool = "morph" | "deform" | "fit";
+export type Tool = "morph" | "deform" | "fit" | "space";
 
 /** What an edge of a closed curve copies: the arc over `span` edges, 2 or more, from knot `from` on. */
 export interface CurveEdge {
@@ -500,4 +502,231 @@ export interface BoundingBox {
   hull: [number, number][];
   /** Similarity dimension, when all maps are similitudes. */
   dimension?: number;
+}
+
+/** One affine map of space: the three rows of its matrix, then its translation. Right-handed; z points up. */
+export type MapRow3 = [
+  xx: number,
+  xy: number,
+  xz: number,
+  yx: number,
+  yy: number,
+  yz: number,
+  zx: number,
+  zy: number,
+  zz: number,
+  x: number,
+  y: number,
+  z: number,
+];
+export type Point3 = [x: number, y: number, z: number];
+
+export interface Preset3 {
+  id: string;
+  name: string;
+  /** One sentence for the gallery. */
+  about: string;
+  maps: MapRow3[];
+}
+
+/** A shape of space. `preset` is its id in the gallery, or in the natural scene, while its maps are untouched. */
+export interface Shape3 {
+  preset?: string;
+  name: string;
+  /** 1 to 64. */
+  maps: MapRow3[];
+}
+
+/** A shape in its place: its parameters are `maps`, conjugated by `moved` (Darwish & Abd-El-Wahab, eq 1). */
+export interface SpaceObject extends Shape3 {
+  /** All that was done to it, in one transform. Absent: nothing. */
+  moved?: MapRow3;
+  /** "#rrggbb": one colour for all of it. Absent: its maps have theirs. */
+  tint?: string;
+}
+
+/** Where space is seen from: the eye is `distance` away from `target`, `turn` to the side of -y and `tilt` above it. */
+export interface SpaceView {
+  target: Point3;
+  distance: number;
+  /** Radians, counter-clockwise seen from above. */
+  turn: number;
+  /** Radians upwards. */
+  tilt: number;
+  /** The height of the picture, in radians: above 0 and below pi. */
+  angle: number;
+  /** What stays when the view is turned: the target (absent), or the eye. */
+  holds?: "eye";
+}
+
+/** How a scene of space is lit and coloured. All but `paint` and `side` are 0 to 1. */
+export interface SpaceLight {
+  /** What colours a pixel: its map, or how high it lies. */
+  paint: "map" | "height";
+  /** Where the light comes from, as the eye has it: radians from straight above, positive to the right. */
+  side: number;
+  /** How far the light stands on the eye's side: 0 grazes, 1 is from the eye. */
+  front: number;
+  /** How much of the light comes from everywhere. */
+  ambient: number;
+  /** How dark hollows are. */
+  hollows: number;
+  /** How much fades into the ground colour at the farthest depth. */
+  fog: number;
+}
+
+/** The first object on its way to another shape (Burch & Hart, eq 6, in space). */
+export interface SpaceMorph extends MorphOptions {
+  to: Shape3;
+  path: { kind: PathKind; points: PathPoint[] };
+  /** Where along the path, by length: 0 to 1. */
+  t: number;
+}
+
+export type Ease = "even" | "in" | "out" | "inout" | "hold";
+
+/** All that is, at one moment; what is absent goes on as if there were no key here. */
+export interface SpaceKey {
+  /** Seconds: 0 to 600, no two alike. */
+  at: number;
+  /** How it goes on to the next key. */
+  ease: Ease;
+  view?: SpaceView;
+  /** For each object what was done to it; null: nothing is said of it here. */
+  moved?: (MapRow3 | null)[];
+  /** For each object its maps; null: nothing is said of them here. Not for the first object of a morph. */
+  maps?: (MapRow3[] | null)[];
+  /** Where along the path of the morph. */
+  t?: number;
+}
+
+/** A time line. Between keys a transform goes by its polar factors, its turn as a quaternion. */
+export interface SpaceTimeline {
+  /** How long it is: 0.1 to 600. */
+  seconds: number;
+  /** Whether the last key goes on to the first. */
+  loop: boolean;
+  /** Straight from key to key, or without a corner at the keys. */
+  course: "straight" | "smooth";
+  /** In the order of their times, at most 100. */
+  keys: SpaceKey[];
+}
+
+/** What there is in space, and how it moves. */
+export interface Space {
+  /** 1 to 60. */
+  objects: SpaceObject[];
+  light: SpaceLight;
+  /** Absent: the first object is what it is. */
+  morph?: SpaceMorph;
+  /** Absent: nothing moves. */
+  timeline?: SpaceTimeline;
+}
+
+/** What a document says of space. */
+export interface SpacePart {
+  /** A `Space`, as `packSpace` of the module `frond-space` writes it. Empty: what the tool begins with. */
+  packed: string;
+  /** Absent: all of it is seen, from a little above. */
+  view?: SpaceView;
+  /** Somebody looks around: the view goes before that of the time line. */
+  own?: boolean;
+  /** The moment of the time line, in seconds. */
+  at: number;
+}
+
+/** What all objects are at a moment: each frame is a set of parameters. */
+export interface SpaceFrame {
+  /** Of each object the maps it is made with, what was done to it, and the parameters that come of both (eq 1). */
+  objects: { maps: MapRow3[]; moved: MapRow3; now: MapRow3[] }[];
+  /** Where it is seen from; absent where no key says so. */
+  view?: SpaceView;
+  /** Where along the path of the morph; absent where there is none. */
+  t?: number;
+}
+
+/** A transform taken apart: scaled along its own axes, then turned, then moved. */
+export interface Place3 {
+  shift: Point3;
+  /** A unit quaternion. */
+  turn: [x: number, y: number, z: number, w: number];
+  scale: Point3;
+  /** Whether that is all of it: it neither shears nor reflects. */
+  exact: boolean;
+  determinant: number;
+}
+
+/** What there is to say of a system of space. */
+export interface ShapeFacts3 {
+  /** The similarity dimension; null where some map is no similitude. */
+  similarity: number | null;
+  /** An upper bound of the dimension (Falconer 1988). */
+  affinity: number;
+  /** The largest factor by which a map stretches, in the coordinates in which that is least. */
+  contractivity: number;
+  /** A ball around all of it. */
+  centre: Point3;
+  radius: number;
+}
+
+export interface BoxCount3 {
+  dimension: number;
+  /** The side of the boxes and how many were met, the largest first. */
+  counts: [side: number, boxes: number][];
+}
+
+/** The answer of `connectedness3`. Lengths are units of space. */
+export interface Connectedness3 {
+  verdict: Verdict;
+  /** The widest gap: 0 if and only if it is in one piece. */
+  gap: { lower: number; upper: number };
+  overlaps: [number, number][];
+  /** For each map the component its piece is in. */
+  components: number[];
+  count: number;
+  /** Two points of different pieces, about as far apart as the gap is wide. */
+  closest: [Point3, Point3] | null;
+  /** An upper bound of the diameter: epsilon is relative to it. */
+  diameter: number;
+  /** Why it is connected, in a sentence or two, or under which reading of its numbers it would be. */
+  reason: string | null;
+}
+
+/** The shadow of a shape on a plane. */
+export interface Shadow {
+  /** x0, y0, x1, y1, .. in the plane. */
+  points: Float32Array;
+  /** What goes to the right in the picture, and what up: unit vectors. */
+  right: Point3;
+  up: Point3;
+}
+
+/** A shape flattened by epsilon along the direction of view (Darwish & Abd-El-Wahab, section 3.5). */
+export interface EpsilonProjection {
+  /** In the coordinates of the picture: x to the right, y up, z along the view. */
+  maps: MapRow3[];
+  /** The largest entry of all matrices. */
+  largest: number;
+  /** The entries that grow as 1 / epsilon: the map, and the row of the matrix, 0 or 1, of the third column. */
+  diverging: [map: number, row: number][];
+}
+
+/** What is known of where two shapes meet whose maps share one linear part. */
+export interface Intersection3 {
+  /** The shifts by which the shapes reach each other, the first of them 0. Empty: they do not meet. */
+  shifts: Point3[];
+  /** One way from a shift to the next, by a map of the first shape and one of the second. */
+  arrows: { from: number; first: number; second: number; to: number }[];
+  /** The maps whose attractor the intersection is; null where the construction finds none. */
+  attractor: MapRow3[] | null;
+  /** x0, y0, z0, x1, .. of points of it. */
+  points: Float32Array;
+}
+
+export interface MeetExample {
+  name: string;
+  first: MapRow3[];
+  second: MapRow3[];
+  isAttractor: boolean;
+  why: string;
 }

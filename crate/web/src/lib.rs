@@ -8,12 +8,14 @@
 //! [`LocusTiles`]: crate::LocusTiles
 #![allow(clippy::missing_errors_doc)]
 #![cfg_attr(
-    not(all(feature = "compute", feature = "curve", feature = "proof", feature = "fit")),
+    not(all(feature = "compute", feature = "curve", feature = "proof", feature = "fit", feature = "space")),
     allow(dead_code, reason = "no module alone needs all conversions")
 )]
 
 #[cfg(any(feature = "compute", feature = "curve", feature = "webgpu", feature = "webgl2"))]
 mod bend;
+#[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
+mod canvas;
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
 mod card;
 #[cfg(feature = "proof")]
@@ -56,6 +58,10 @@ mod settle;
 mod shape;
 #[cfg(feature = "compute")]
 mod sheet;
+#[cfg(feature = "space")]
+pub mod space;
+#[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
+mod space_renderer;
 mod value;
 
 #[cfg(feature = "proof")]
@@ -68,11 +74,14 @@ pub use {deform::*, document::*, polygon::*, raster::*, shape::*, sheet::*};
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
 pub use card::*;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
-pub use renderer::*;
+pub use {renderer::*, space_renderer::*};
 
 use wasm_bindgen::prelude::*;
 
-#[cfg(any(feature = "compute", not(any(feature = "curve", feature = "proof", feature = "fit"))))]
+#[cfg(any(
+    feature = "compute",
+    not(any(feature = "curve", feature = "proof", feature = "fit", feature = "space"))
+))]
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("api.d.ts");
 
@@ -89,6 +98,15 @@ const TYPES: &str = r#"import type {
 #[cfg(all(feature = "fit", not(feature = "compute")))]
 #[wasm_bindgen(typescript_custom_section)]
 const FIT_TYPES: &str = r#"import type { Curve, CurveEdge, Graph, GraphPiece } from "./frond.js";"#;
+
+/// And what is about space.
+#[cfg(all(feature = "space", not(feature = "compute")))]
+#[wasm_bindgen(typescript_custom_section)]
+const SPACE_TYPES: &str = r#"import type {
+  Bounds, BoxCount3, Connectedness3, EpsilonProjection, Intersection3, MapRow, MapRow3, MeetExample, MorphOptions,
+  PathCheck, PathPlan, PathPoint, Place3, Point3, Preset3, Shadow, ShapeFacts3, Space, SpaceFrame, SpaceLight,
+  SpaceObject, SpaceView
+} from "./frond.js";"#;
 
 /// So do closed curves and graphs.
 #[cfg(all(feature = "curve", not(feature = "compute")))]

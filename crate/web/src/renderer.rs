@@ -1,20 +1,16 @@
 //! The stage's picture: an attractor on a canvas, by the graphics card.
 
-use std::rc::Rc;
-
 use frond_core::{Affine2, Ifs};
 use frond_deform::{Bend, Continuity, Settings};
 use frond_render::View;
-use frond_render::gpu::{Canvas, Drawn, Event, Gpu, Make, ReadBack, Stage, Style, Wanted};
-use js_sys::{Array, Function, Promise, Reflect, Uint8Array, global};
+use frond_render::gpu::{Drawn, Make, Stage, Style};
+use js_sys::{Promise, Reflect, global};
 use serde::Deserialize;
-use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
-use wasm_bindgen_futures::{JsFuture, future_to_promise, spawn_local};
-use web_sys::{EventTarget, HtmlCanvasElement, OffscreenCanvas};
 
 use crate::bend::{PlainBend, of_bend};
-use crate::error::{bad_input, failure, of_ifs};
+use crate::canvas::{Held, open, pixels_of};
+use crate::error::{bad_input, of_ifs};
 use crate::look::{ColouringName, read_palette};
 use crate::photo::read_photo;
 use crate::value::{object, read};
@@ -25,26 +21,10 @@ use crate::value::{object, read};
 #[wasm_bindgen]
 pub struct Renderer {
     stage: Stage,
-    canvas: Canvas,
+    held: Held,
     maps: Vec<Affine2>,
     /// What bends them.
     bend: Option<PlainBend>,
-    context_lost: Closure<dyn Fn()>,
-}
-
-#[derive(Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Backend {
-    #[default]
-    Auto,
-    Webgpu,
-    Webgl2,
-}
-
-#[derive(Deserialize)]
-struct Options {
-    #[serde(default)]
-    backend: Backend,
 }
 
 #[derive(Deserialize)]
@@ -67,26 +47,8 @@ impl Renderer {
         )]
         options: JsValue,
     ) -> Result<Renderer, JsValue> {
-        let on_lost =
-            Reflect::get(&options, &"onLost".into()).ok().and_then(|f| f.dyn_into::<Function>().ok());
-        let plain: Options = read("The options", options)?;
-        let wanted = match plain.backend {
-            Backend::Auto => Wanted::Auto,
-            Backend::Webgpu => Wanted::WebGpu,
-            Backend::Webgl2 => Wanted::WebGl2,
-        };
-        let canvas = as_canvas(canvas)?;
-        let gpu = Gpu::open(&canvas, wanted, Rc::new(move |event| hear(event, on_lost.as_ref())))
-            .await
-            .map_err(|error| failure(error.code(), &error.to_string()))?;
-        // wgpu does not see it when the context of WebGL goes.
-        let loss = gpu.loss();
-        let context_lost =
-            Closure::<dyn Fn()>::new(move || loss.tell("the browser took the WebGL context away"));
-        let callback = context_lost.as_ref().unchecked_ref();
-        // It fails for no event name that is a string.
-        let _ = events_of(&canvas).add_event_listener_with_callback(CONTEXT_LOST, callback);
-        Ok(Self { stage: Stage::new(gpu), canvas, maps: Vec::new(), bend: None, context_lost })
+        let (gpu, held) = open(canvas, options).await?;
+        Ok(Self { stage: Stage::new(gpu), held, maps: Vec::new(), bend: None })
     }
 
     /// `"webgpu"` or `"webgl2"`.
@@ -223,24 +185,13 @@ impl Renderer {
     /// Rejects when there is none, or the device is lost.
     #[wasm_bindgen(js_name = readPixels, unchecked_return_type = "Promise<Uint8Array>")]
     pub fn read_pixels(&self) -> Promise {
-        let read = self.stage.read();
-        future_to_promise(async move {
-            let none = || failure("no-picture", "There is no picture to read. Draw one first.");
-            let pixels = arrival(read.ok_or_else(none)?).await?;
-            pixels.map(|bytes| Uint8Array::from(&bytes[..]).into()).ok_or_else(|| {
-                failure("device-lost", "The graphics device was lost. Create another renderer.")
-            })
-        })
+        pixels_of(self.stage.read())
     }
 
     /// Loses the device, for tests.
     #[wasm_bindgen(js_name = forceLoss)]
     pub fn force_loss(&mut self) {
-        if self.backend() == "webgl2" {
-            // What is missing here leaves the context alone; the device counts as lost all the same.
-            let _ = lose_context(&self.canvas);
-        }
-        self.stage.gpu().destroy();
+        self.held.lose(self.stage.gpu());
     }
 }
 
@@ -250,13 +201,6 @@ impl Renderer {
         if let Some(make) = make {
             self.stage.set_bend_at_rest(make);
         }
-    }
-}
-
-impl Drop for Renderer {
-    fn drop(&mut self) {
-        let callback = self.context_lost.as_ref().unchecked_ref();
-        let _ = events_of(&self.canvas).remove_event_listener_with_callback(CONTEXT_LOST, callback);
     }
 }
 
@@ -282,70 +226,4 @@ fn made(maps: &[Affine2], plain: &PlainBend) -> Result<Bends, JsValue> {
     let maps = maps.to_vec();
     let fine = Box::new(move || Bend::new(&maps, mesh, settings, tint).ok());
     Ok((quick, Some(fine)))
-}
-
-const CONTEXT_LOST: &str = "webglcontextlost";
-
-fn as_canvas(value: JsValue) -> Result<Canvas, JsValue> {
-    let other = match value.dyn_into::<HtmlCanvasElement>() {
-        Ok(canvas) => return Ok(Canvas::Html(canvas)),
-        Err(other) => other,
-    };
-    let canvas = other.dyn_into::<OffscreenCanvas>();
-    canvas
-        .map(Canvas::Offscreen)
-        .map_err(|_| bad_input("The canvas", "a canvas element or an OffscreenCanvas is needed"))
-}
-
-fn events_of(canvas: &Canvas) -> &EventTarget {
-    match canvas {
-        Canvas::Html(canvas) => canvas,
-        Canvas::Offscreen(canvas) => canvas,
-    }
-}
-
-/// Passes an event on, later: what it calls may free the renderer, which may be at work right now.
-fn hear(event: &Event, on_lost: Option<&Function>) {
-    match event {
-        Event::Lost(reason) => {
-            let Some(on_lost) = on_lost.cloned() else { return };
-            let reason = JsValue::from(reason);
-            spawn_local(async move {
-                // What the page throws there is the page's.
-                let _ = on_lost.call1(&JsValue::UNDEFINED, &reason);
-            });
-        }
-        Event::Fault(message) => web_sys::console::error_1(&message.into()),
-    }
-}
-
-/// Waits for a picture, letting the browser work meanwhile.
-async fn arrival(read: ReadBack) -> Result<Option<Vec<u8>>, JsValue> {
-    loop {
-        if let Some(pixels) = read.take() {
-            return Ok(pixels);
-        }
-        let timer: Function = Reflect::get(&global(), &"setTimeout".into())?.dyn_into()?;
-        let mut wait = |resolve: Function, _| {
-            // If it cannot wait it polls again at once.
-            if timer.call2(&JsValue::UNDEFINED, &resolve, &1.into()).is_err() {
-                let _ = resolve.call0(&JsValue::UNDEFINED);
-            }
-        };
-        JsFuture::from(Promise::new(&mut wait)).await?;
-    }
-}
-
-fn lose_context(canvas: &Canvas) -> Result<(), JsValue> {
-    let call = |object: &JsValue, method: &str, argument: &str| -> Result<JsValue, JsValue> {
-        let method: Function = Reflect::get(object, &method.into())?.dyn_into()?;
-        method.apply(object, &Array::of1(&argument.into()))
-    };
-    let canvas: &JsValue = match canvas {
-        Canvas::Html(canvas) => canvas,
-        Canvas::Offscreen(canvas) => canvas,
-    };
-    let context = call(canvas, "getContext", "webgl2")?;
-    let extension = call(&context, "getExtension", "WEBGL_lose_context")?;
-    call(&extension, "loseContext", "").map(|_| ())
 }

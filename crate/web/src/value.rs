@@ -101,14 +101,18 @@ struct PlainMorph {
     turns: Vec<i32>,
 }
 
-/// The family between two IFS objects, by the fields `mode`, `correspondence` and `turns` of `options`.
-pub(crate) fn read_morph(from: &JsValue, to: &JsValue, options: &JsValue) -> Result<Morph, JsValue> {
-    let (from, to) = (read_maps(from)?, read_maps(to)?);
+/// The fields `mode`, `correspondence` and `turns` of an object, all of which may be absent.
+pub(crate) fn read_morph_options(options: &JsValue) -> Result<MorphOptions, JsValue> {
     let plain: PlainMorph = read("The options", options.clone())?;
     let mode = match plain.mode {
         ModeName::Polar => Mode::Polar,
         ModeName::Linear => Mode::Linear,
     };
-    let options = MorphOptions { mode, correspondence: plain.correspondence, turns: plain.turns };
-    Morph::new(&from, &to, &options).map_err(|error| of_morph(&error))
+    Ok(MorphOptions { mode, correspondence: plain.correspondence, turns: plain.turns })
+}
+
+/// The family between two IFS objects, by the fields of `options` that [`read_morph_options`] reads.
+pub(crate) fn read_morph(from: &JsValue, to: &JsValue, options: &JsValue) -> Result<Morph, JsValue> {
+    let (from, to) = (read_maps(from)?, read_maps(to)?);
+    Morph::new(&from, &to, &read_morph_options(options)?).map_err(|error| of_morph(&error))
 }

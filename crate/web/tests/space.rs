@@ -5,7 +5,7 @@
 use std::rc::Rc;
 
 use frond_core::{Affine3, Ifs3};
-use frond_render::gpu::{Canvas, Event, Gpu, Stage3, Wanted};
+use frond_render::gpu::{Canvas, Event, Gpu, Stage3, Uniforms3, Wanted};
 use frond_render::space::{Camera, Carve, Cloud, Eye, Lamp, Lighting, Paint, Relief, light, mend};
 use frond_render::{Colouring, Look};
 use glam::{DQuat, DVec3};
@@ -37,7 +37,7 @@ async fn open(wanted: Wanted) -> Option<Stage3> {
         Err(error) => panic!("{wanted:?}: {error}"),
     };
     assert_eq!(gpu.backend, if wanted == Wanted::WebGpu { "webgpu" } else { "webgl2" });
-    Some(Stage3::new(gpu, look()))
+    Some(Stage3::new(gpu))
 }
 
 async fn has_webgpu() -> bool {
@@ -97,43 +97,51 @@ async fn pictures(wanted: Wanted) {
     for (factor, paint) in [(1, Paint::Map), (2, Paint::Height)] {
         let tints = vec![None, Some([0.9, 0.3, 0.2])];
         let lighting = Lighting { paint, heights: [0.0, 1.0], tints, ..Lighting::default() };
-        stage.resize(SIZE[0], SIZE[1], factor);
-        stage.set_systems(systems.clone(), POINTS);
-        stage.set_camera(camera);
-        stage.set_lighting(lighting.clone(), look());
-
-        let drawn = stage.draw(10);
-        let right = !drawn.complete && (POINTS as u64 / 2..=POINTS as u64).contains(&drawn.points);
-        assert!(right, "{wanted:?}, {factor}: {drawn:?}");
         let mut carve = Carve::new(&systems, &camera, SIZE[0] * factor, SIZE[1] * factor);
         let range = carve.range();
         let eye = Eye::new(&camera, SIZE[0], SIZE[1], range);
+        let size = SIZE.map(|side| side * factor);
+        let lamp = Lamp::new(&lighting, &camera, SIZE, 1, range);
+        let still_lamp = Lamp::new(&lighting, &camera, size, factor, range);
+        let clouds: Vec<Cloud> = systems
+            .iter()
+            .enumerate()
+            .map(|(number, ifs)| Cloud::new(ifs, number as u32, POINTS / 2, 1 + number as u32))
+            .collect();
+        stage.resize(SIZE[0], SIZE[1]);
+        stage.set_clouds(&clouds);
+        stage.set_uniforms(Uniforms3 { eye, lamp, still_lamp, look: look() });
+
+        let drawn = stage.draw();
+        let right = !drawn.complete && (POINTS as u64 / 2..=POINTS as u64).contains(&drawn.points);
+        assert!(right, "{wanted:?}, {factor}: {drawn:?}");
         let mut relief = Relief::new(SIZE[0], SIZE[1]);
-        for (number, ifs) in systems.iter().enumerate() {
-            let cloud = Cloud::new(ifs, number as u32, POINTS / 2, 1 + number as u32);
+        for cloud in &clouds {
             for piece in &cloud.instances {
                 cloud.vertices.iter().for_each(|point| eye.draw(&mut relief, point, piece));
             }
         }
-        let twin = light(&mend(&relief, eye.focal), &Lamp::new(&lighting, &camera, SIZE, 1, range), &look());
+        let twin = light(&mend(&relief, eye.focal), &lamp, &look());
         let shown = pixels(&stage).await;
         assert!(lit(&shown) > 2000 && lit(&shown) < shown.len() / 4, "{} lit", lit(&shown));
         // A point that rounding takes to the next pixel changes the light around it.
         assert!(differing(&shown, &twin) < 0.05, "{wanted:?}, points: {}", differing(&shown, &twin));
 
         assert!(carve.run(usize::MAX));
-        let mut turns = 0;
-        while !stage.draw(20_000).complete {
-            turns += 1;
-            assert!(turns < 1000);
-        }
-        assert!(turns > 1, "it was done at once");
-        let size = SIZE.map(|side| side * factor);
-        let twin = light(carve.relief(), &Lamp::new(&lighting, &camera, size, factor, range), &look());
+        // One of another size is not taken.
+        assert!(!stage.put_still(SIZE.map(|side| side + 1), &[], &[]));
+        assert!(stage.put_still(size, carve.relief().depth(), carve.relief().codes()));
+        assert!(stage.draw().complete);
+        let twin = light(carve.relief(), &still_lamp, &look());
         let shown = pixels(&stage).await;
         assert!(differing(&shown, &twin) < 0.005, "{wanted:?}, complete: {}", differing(&shown, &twin));
-        // At rest nothing is left to do.
-        assert!(stage.draw(20_000).complete);
+        // Other light leaves it complete, another eye does not.
+        let darker = Lamp::new(&Lighting { ambient: 0.1, ..lighting }, &camera, size, factor, range);
+        stage.set_uniforms(Uniforms3 { eye, lamp, still_lamp: darker, look: look() });
+        assert!(stage.draw().complete);
+        let moved = Eye { focal: eye.focal * 1.1, ..eye };
+        stage.set_uniforms(Uniforms3 { eye: moved, lamp, still_lamp, look: look() });
+        assert!(!stage.draw().complete);
     }
 }
 

@@ -18,13 +18,14 @@ const OPTIMISE: &str = "-O3 --enable-simd --enable-bulk-memory --enable-bulk-mem
 
 /// The modules that crate/web is built into: the name of the files and the feature that makes it. The first describes and
 /// draws, and is all that the first picture needs; the second has closed curves and graphs, where the page shows some; the
-/// third decides and proves, in the workers; the fourth traces and fits outlines, in workers of its own; of the others,
-/// which draw on a graphics card, a visitor gets one.
-const MODULES: [(&str, &str); 6] = [
+/// third decides and proves, in the workers; the fourth traces and fits outlines, in workers of its own; the fifth is for
+/// space, where its tool is open; of the others, which draw on a graphics card, a visitor gets one.
+const MODULES: [(&str, &str); 7] = [
     ("frond", "compute"),
     ("frond-curve", "curve"),
     ("frond-proof", "proof"),
     ("frond-fit", "fit"),
+    ("frond-space", "space"),
     ("frond-webgpu", "webgpu"),
     ("frond-webgl2", "webgl2"),
 ];

@@ -5,7 +5,6 @@ use std::collections::VecDeque;
 use crate::address::Word;
 use crate::affine3::Affine3;
 use crate::cut::CutOutcome;
-use crate::space::bounds::Bounds3;
 use crate::space::ifs::Ifs3;
 
 /// The composed map of a word. `None` if a letter names no map.
@@ -16,9 +15,9 @@ pub fn word_map3(ifs: &Ifs3, word: &Word) -> Option<Affine3> {
     })
 }
 
-/// Visits pieces `w_word(A)` of the attractor that together are all of it: a word is prolonged while its piece is of
-/// `size` or more (units of space), the larger ones first, as long as no more than `most` pieces come of it (Hepting,
-/// Prusinkiewicz & Saupe 1990).
+/// Visits pieces `w_word(A)` of the attractor that together are all of it: a word is prolonged while its map stretches by
+/// `size` or more, the shorter ones first, as long as no more than `most` pieces come of it (Hepting, Prusinkiewicz & Saupe
+/// 1990). `size` is that of the pieces, relative to the attractor.
 ///
 /// `visit` gets the map of the word and its first letter. A renderer that has one cloud of points of the attractor draws
 /// it once for each piece, moved by this map: close to the eye that shows `most` times as many points. Where `most` is
@@ -29,12 +28,11 @@ pub fn adaptive_cut3(
     most: usize,
     mut visit: impl FnMut(&Affine3, usize),
 ) -> CutOutcome {
-    let diameter = Bounds3::of(ifs).diameter;
     let mut open = VecDeque::from([(Affine3::IDENTITY, 0, true)]);
     let (mut pieces, mut complete) = (0, true);
     // Breadth first: words of one length are of about one size.
     while let Some((map, first, root)) = open.pop_front() {
-        let small = diameter == 0.0 || map.norm() * diameter < size;
+        let small = map.norm() < size;
         let room = pieces + open.len() + ifs.len() <= most;
         if small || !room {
             complete &= small;
@@ -66,8 +64,8 @@ mod tests {
     #[test]
     fn the_tetrahedron_is_cut_into_equal_pieces() {
         let mut letters = [0; 4];
-        // The diameter is the root of 2, or a little more: four halvings bring it below 0.1.
-        let outcome = adaptive_cut3(&tetrahedron(), 0.1, 1000, |map, first| {
+        // Four halvings bring it below 0.07.
+        let outcome = adaptive_cut3(&tetrahedron(), 0.07, 1000, |map, first| {
             letters[first] += 1;
             assert!((map.norm() - 1.0 / 16.0).abs() < 1e-12);
         });

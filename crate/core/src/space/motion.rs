@@ -154,6 +154,7 @@ impl Motion3 {
         }
         for key in &places {
             Place3::new(key.value.shift, key.value.turn, key.value.scale)?;
+            key.value.transform().undo()?;
         }
         for key in &shapes {
             Ifs3::new(key.value.clone())?;
@@ -205,6 +206,7 @@ impl Motion3 {
                 shift: a.shift.lerp(b.shift, leg.part),
                 turn: a.turn.slerp(b.turn, leg.part).normalize(),
                 scale: exp(log(a.scale).lerp(log(b.scale), leg.part)),
+                shear: a.shear.lerp(b.shear, leg.part),
             },
             Course::Smooth => {
                 let values = leg.keys.map(|k| keys[k].value);
@@ -212,6 +214,7 @@ impl Motion3 {
                     shift: cubic(values.map(|p| p.shift), leg.times, leg.part),
                     turn: cubic_turn(values.map(|p| p.turn), leg.times, leg.part),
                     scale: exp(cubic(values.map(|p| log(p.scale)), leg.times, leg.part)),
+                    shear: cubic(values.map(|p| p.shear), leg.times, leg.part),
                 }
             }
         }

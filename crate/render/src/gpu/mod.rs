@@ -47,7 +47,7 @@ pub use locus::{LocusError, LocusGpu, LocusJob};
 #[cfg(target_arch = "wasm32")]
 pub use readback::ReadBack;
 #[cfg(target_arch = "wasm32")]
-pub use space::{Drawn3, Stage3};
+pub use space::{Drawn3, Stage3, Uniforms3};
 #[cfg(target_arch = "wasm32")]
 pub use stage::{Drawn, Stage, Style};
 

@@ -4,4 +4,4 @@ mod pipelines;
 mod stage;
 mod target;
 
-pub use stage::{Drawn3, Stage3};
+pub use stage::{Drawn3, Stage3, Uniforms3};

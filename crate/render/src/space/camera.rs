@@ -61,7 +61,7 @@ impl Camera {
         Ok(Self { eye, turn, slope: (0.5 * angle).tan() })
     }
 
-    /// Around `target` at a `distance`: `turn` to the side and `tilt` upwards, in radians; y is up.
+    /// Around `target` at a `distance`: `turn` to the side, from where y is straight ahead, and `tilt` upwards, in radians; z is up.
     ///
     /// # Errors
     /// As [`looking`](Self::looking).
@@ -74,9 +74,9 @@ impl Camera {
     ) -> Result<Self, CameraError> {
         let (sin, cos) = turn.sin_cos();
         let (rise, flat) = tilt.sin_cos();
-        let away = DVec3::new(sin * flat, rise, cos * flat);
+        let away = DVec3::new(sin * flat, -cos * flat, rise);
         // Over the top, up is where the turn points: the picture does not flip.
-        let up = DVec3::new(-sin * rise, flat, -cos * rise);
+        let up = DVec3::new(-sin * rise, cos * rise, flat);
         Self::looking(target + distance * away, target, up, angle)
     }
 
@@ -106,6 +106,16 @@ mod tests {
         assert!(above.y > 0.99 && above.x.abs() < 1e-12);
         // From +x towards the origin with y up, -z lies to the right.
         assert!((camera.seen(-DVec3::Z).x - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn round_about_z_is_up() {
+        let camera = Camera::around(DVec3::ZERO, 5.0, 0.0, 0.0, 0.8).unwrap();
+        assert!((camera.eye - DVec3::new(0.0, -5.0, 0.0)).length() < 1e-12);
+        assert!((camera.seen(DVec3::Z) - DVec3::new(0.0, 1.0, 5.0)).length() < 1e-12);
+        assert!((camera.seen(DVec3::X) - DVec3::new(1.0, 0.0, 5.0)).length() < 1e-12);
+        let right = Camera::around(DVec3::ZERO, 5.0, std::f64::consts::FRAC_PI_2, 0.0, 0.8).unwrap();
+        assert!((right.eye - DVec3::new(5.0, 0.0, 0.0)).length() < 1e-12);
     }
 
     #[test]

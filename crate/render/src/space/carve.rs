@@ -30,12 +30,40 @@ pub struct Carve {
     order: Vec<(f64, usize)>,
 }
 
-/// A system as the camera has it: the maps conjugated, so that the eye is at the origin and z is depth.
+/// A system in coordinates in which its maps contract, and what takes these to where the eye is at the origin and z is
+/// depth. A shape that was flattened is carved as what it was flattened from: its pieces are round there, and long here.
 #[derive(Clone, Debug)]
 struct Object {
     maps: Vec<Affine3>,
+    root: Affine3,
+    /// A ball around it, in these coordinates.
     centre: DVec3,
     radius: f64,
+    /// One as the camera has it.
+    seen: (DVec3, f64),
+}
+
+impl Object {
+    fn new(ifs: &Ifs3, bounds: &Bounds3, camera: &Camera) -> Self {
+        let place = Affine3::new(camera.turn, -(camera.turn * camera.eye));
+        let seen = (camera.seen(bounds.centre), bounds.radius);
+        let contraction = ifs.contraction();
+        let by = Affine3::new(contraction.to_round, DVec3::ZERO);
+        let back = Affine3::new(contraction.from_round, DVec3::ZERO);
+        let plain = contraction.to_round == DMat3::IDENTITY;
+        // Where it cannot be, it is carved as it is.
+        let round = if plain { None } else { ifs.conjugate(by).ok() };
+        match round {
+            Some(ifs) => {
+                let Bounds3 { centre, radius, .. } = Bounds3::of(&ifs);
+                Self { maps: ifs.maps().to_vec(), root: place * back, centre, radius, seen }
+            }
+            None => {
+                let &Bounds3 { centre, radius, .. } = bounds;
+                Self { maps: ifs.maps().to_vec(), root: place, centre, radius, seen }
+            }
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -57,29 +85,35 @@ impl Carve {
     /// A picture of these systems. Those that are too many are left out.
     #[must_use]
     pub fn new(systems: &[Ifs3], camera: &Camera, width: u32, height: u32) -> Self {
-        let place = Affine3::new(camera.turn, -(camera.turn * camera.eye));
-        let back = Affine3::new(camera.turn.transpose(), camera.eye);
-        let object = |ifs: &Ifs3| {
-            let bounds = Bounds3::of(ifs);
-            Object {
-                maps: ifs.maps().iter().map(|&map| place * map * back).collect(),
-                centre: place.apply(bounds.centre),
-                radius: bounds.radius,
-            }
-        };
-        let objects: Vec<Object> = systems.iter().take(MAX_OBJECTS).map(object).collect();
-        let far = objects.iter().map(|o| o.centre.length() + o.radius).fold(0.0, f64::max);
-        let mut open: Vec<Node> = (0..objects.len() as u32)
-            .map(|object| Node { map: Affine3::IDENTITY, object, letters: Letters::NONE, depth: 0 })
+        let bounds: Vec<Bounds3> = systems.iter().take(MAX_OBJECTS).map(Bounds3::of).collect();
+        Self::within(systems, &bounds, camera, width, height)
+    }
+
+    /// The same where the bounds of the systems are known.
+    #[must_use]
+    pub fn within(systems: &[Ifs3], bounds: &[Bounds3], camera: &Camera, width: u32, height: u32) -> Self {
+        let objects: Vec<Object> = systems
+            .iter()
+            .zip(bounds)
+            .take(MAX_OBJECTS)
+            .map(|(ifs, bounds)| Object::new(ifs, bounds, camera))
             .collect();
+        let far = objects.iter().map(|o| o.seen.0.length() + o.seen.1).fold(0.0, f64::max);
+        let node = |(number, object): (usize, &Object)| Node {
+            map: object.root,
+            object: number as u32,
+            letters: Letters::NONE,
+            depth: 0,
+        };
+        let mut open: Vec<Node> = objects.iter().enumerate().map(node).collect();
         // The nearest is taken first.
         open.sort_by(|a, b| {
-            let depth = |node: &Node| objects[node.object as usize].centre.z;
+            let depth = |node: &Node| objects[node.object as usize].seen.0.z;
             depth(b).total_cmp(&depth(a))
         });
         Self {
             focal: camera.focal(height),
-            near: (NEAR * far).max(f64::MIN_POSITIVE),
+            near: near(far),
             relief: Relief::new(width, height),
             objects,
             open,
@@ -99,14 +133,7 @@ impl Carve {
     /// The nearest and the farthest depth that anything can be seen at.
     #[must_use]
     pub fn range(&self) -> [f32; 2] {
-        let ends = |object: &Object| [object.centre.z - object.radius, object.centre.z + object.radius];
-        let [low, high] = self
-            .objects
-            .iter()
-            .map(ends)
-            .reduce(|[a, b], [c, d]| [a.min(c), b.max(d)])
-            .unwrap_or([self.near, self.near]);
-        [low.max(self.near), high.max(self.near)].map(|depth| depth as f32)
+        range(self.objects.iter().map(|object| object.seen))
     }
 
     /// What is seen so far.
@@ -116,7 +143,7 @@ impl Carve {
     }
 
     fn visit(&mut self, node: Node) {
-        let Object { maps, centre, radius } = &self.objects[node.object as usize];
+        let Object { maps, centre, radius, .. } = &self.objects[node.object as usize];
         let middle = node.map.apply(*centre);
         let size = stretch(node.map.linear) * radius;
         let code = || 1 + (node.letters.packed() | node.object << OBJECT);
@@ -189,6 +216,30 @@ impl Carve {
     }
 }
 
+/// Nothing is seen nearer than this, if `far` is as far as anything is from the eye.
+fn near(far: f64) -> f64 {
+    (NEAR * far).max(f64::MIN_POSITIVE)
+}
+
+/// The nearest and the farthest depth of balls, as the eye has them.
+fn range(balls: impl Iterator<Item = (DVec3, f64)>) -> [f32; 2] {
+    let (mut low, mut high, mut far) = (f64::INFINITY, f64::NEG_INFINITY, 0.0_f64);
+    for (centre, radius) in balls {
+        low = low.min(centre.z - radius);
+        high = high.max(centre.z + radius);
+        far = far.max(centre.length() + radius);
+    }
+    let near = near(far);
+    [low, high].map(|depth| if depth.is_finite() { depth.max(near) } else { near } as f32)
+}
+
+/// The nearest and the farthest depth at which a camera can see anything of what has these bounds: what
+/// [`Carve::range`] says.
+#[must_use]
+pub fn depths(bounds: &[Bounds3], camera: &Camera) -> [f32; 2] {
+    range(bounds.iter().take(MAX_OBJECTS).map(|bounds| (camera.seen(bounds.centre), bounds.radius)))
+}
+
 /// An upper bound of how much a matrix stretches: exact for similitudes.
 fn stretch(m: DMat3) -> f64 {
     let gram = m.transpose() * m;
@@ -240,6 +291,28 @@ mod tests {
             }
             assert!(!(outside(x) || outside(y)) || depth == f32::INFINITY, "({x}, {y}): {depth}");
         }
+    }
+
+    #[test]
+    fn a_flattened_shape_takes_no_longer() {
+        let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+        let turned = |&c: &DVec3| {
+            Affine3::similitude(0.55, DQuat::from_axis_angle(DVec3::ONE.normalize(), 1.0 + c.x), c * 0.45)
+        };
+        let made = Ifs3::new(corners.iter().map(turned).collect()).unwrap();
+        let flat = made.conjugate(Affine3::scaling(DVec3::new(1.0, 1.0, 0.02))).unwrap();
+        let camera = Camera::looking(DVec3::new(0.4, -6.0, 3.0), DVec3::splat(0.4), DVec3::Z, 0.4).unwrap();
+        let work = |ifs: &Ifs3| {
+            let mut carve = Carve::new(std::slice::from_ref(ifs), &camera, 120, 120);
+            let mut slices = 0;
+            while !carve.run(1000) {
+                slices += 1;
+                assert!(slices < 3000, "too much work");
+            }
+            (slices, carve.relief().lit())
+        };
+        let (made, flat) = (work(&made), work(&flat));
+        assert!(flat.1 > 300 && flat.0 < 10 * made.0.max(10), "{flat:?} {made:?}");
     }
 
     #[test]

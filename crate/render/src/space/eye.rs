@@ -1,7 +1,7 @@
 //! Points of space on the screen: the CPU twin of `shader/space_points.wgsl`.
 
 use bytemuck::{Pod, Zeroable};
-use frond_core::{Affine3, Bounds3, ChaosGame3, Ifs3, adaptive_cut3};
+use frond_core::{Affine3, ChaosGame3, Ifs3, adaptive_cut3};
 
 use super::{Camera, Relief};
 use crate::letters::Letters;
@@ -56,6 +56,34 @@ pub struct Cloud {
 /// Letters count from this bit on, objects in codes.
 pub(super) const OBJECT: u32 = 18;
 
+/// The fewest points of a cloud that is placed several times.
+const LEAST: usize = 400;
+
+/// Pieces that together are all of it, no more than `most`, and none that is much larger than another: each is given as many
+/// points.
+fn instances(ifs: &Ifs3, number: u32, most: usize) -> Vec<Instance3> {
+    let mut found: Vec<(Affine3, usize)> = vec![(Affine3::IDENTITY, 0)];
+    let mut size = 1.0;
+    loop {
+        size *= 0.8;
+        let mut pieces = Vec::new();
+        if size < 1e-6 || !adaptive_cut3(ifs, size, most, |map, first| pieces.push((*map, first))).complete {
+            break;
+        }
+        found = pieces;
+    }
+    let whole = found.len() == 1;
+    let instance = |(map, first): &(Affine3, usize)| {
+        let letters = if whole { Letters::NONE } else { Letters::NONE.then(*first) };
+        Instance3 {
+            rows: rows(map),
+            letters: letters.packed() | u32::from(letters.count()) << 18,
+            object: number << OBJECT,
+        }
+    };
+    found.iter().map(instance).collect()
+}
+
 fn rows(map: &Affine3) -> [[f32; 4]; 3] {
     let row = |k: usize| {
         let (r, t) = (map.linear.row(k), map.translation[k]);
@@ -97,10 +125,11 @@ impl Cloud {
     /// About `count` points of a system that is object `number`, from a seed.
     #[must_use]
     pub fn new(ifs: &Ifs3, number: u32, count: usize, seed: u32) -> Self {
-        let side = (count as f64).sqrt().max(1.0) as usize;
+        let instances = instances(ifs, number, count / LEAST);
+        let share = (count / instances.len().max(1)).max(1);
         let mut game = ChaosGame3::new(ifs, seed);
-        let mut positions = vec![0.0_f32; 3 * side];
-        let mut pieces = vec![0_u8; side];
+        let mut positions = vec![0.0_f32; 3 * share];
+        let mut pieces = vec![0_u8; share];
         let made = game.fill(&mut positions, &mut pieces);
         let vertices = positions
             .chunks_exact(3)
@@ -111,17 +140,6 @@ impl Cloud {
                 letters: Letters::NONE.then(usize::from(piece)).packed(),
             })
             .collect();
-        let mut instances = Vec::new();
-        // The largest pieces first: all are of about one size where there is no more room.
-        adaptive_cut3(ifs, Bounds3::of(ifs).diameter * 1e-6, side, |map, first| {
-            let whole = *map == Affine3::IDENTITY;
-            let letters = if whole { Letters::NONE } else { Letters::NONE.then(first) };
-            instances.push(Instance3 {
-                rows: rows(map),
-                letters: letters.packed() | u32::from(letters.count()) << 18,
-                object: number << OBJECT,
-            });
-        });
         Self { vertices, instances }
     }
 

@@ -86,7 +86,7 @@ impl Lamp {
     pub fn new(lighting: &Lighting, camera: &Camera, size: [u32; 2], factor: u32, range: [f32; 2]) -> Self {
         let part = |x: f64| x.clamp(0.0, 1.0) as f32;
         let towards = lighting.towards.as_vec3().try_normalize().unwrap_or(Vec3::Y);
-        let up = camera.turn.col(1).as_vec3();
+        let up = camera.turn.col(2).as_vec3();
         let [r, g, b] = lighting.ground;
         let tint = |i: usize| match lighting.tints.get(i) {
             Some(Some([r, g, b])) => [*r, *g, *b, 1.0],
@@ -95,7 +95,7 @@ impl Lamp {
         Self {
             towards: towards.extend(part(lighting.ambient)).to_array(),
             ground: [r, g, b, part(lighting.fog)],
-            up: up.extend(camera.eye.y as f32).to_array(),
+            up: up.extend(camera.eye.z as f32).to_array(),
             range: [range[0], range[1], lighting.heights[0] as f32, lighting.heights[1] as f32],
             size: size.map(|side| side as i32),
             focal: camera.focal(size[1]) as f32,

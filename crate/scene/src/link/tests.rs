@@ -7,6 +7,7 @@ use crate::curve::{Curve, CurveShape, Curves};
 use crate::deformation::*;
 use crate::fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece};
 use crate::scene::{FamilyName, LocusView, MAX_WAY_POINTS, Path, WayPoint};
+use crate::space::{Held, SpacePart, SpaceView};
 
 fn any_shape() -> impl Strategy<Value = Shape> {
     let number = prop_oneof![
@@ -143,6 +144,22 @@ prop_compose! {
     }
 }
 
+fn any_space() -> impl Strategy<Value = SpacePart> {
+    let view =
+        (-9.0..9.0_f64, 1e-9..1e9_f64, 0.01..3.1_f64, any::<bool>()).prop_map(|(x, distance, angle, eye)| {
+            let holds = eye.then_some(Held::Eye);
+            SpaceView { target: [x, -x, 1.0], distance, turn: 2.0 * x, tilt: x, angle, holds }
+        });
+    let packed = proptest::sample::select(vec![
+        "",
+        "o:sponge",
+        "o:tree~m1,0,0,0,1,0,0,0,1,2,0,0~cff0088/time:6,1,smooth",
+    ]);
+    (packed, proptest::option::of(view), any::<bool>(), 0.0..600.0_f64).prop_map(|(packed, view, own, at)| {
+        SpacePart { packed: packed.to_owned(), own: own && view.is_some(), view, at }
+    })
+}
+
 prop_compose! {
     fn any_scene()(
         a in any_shape(),
@@ -157,12 +174,13 @@ prop_compose! {
         turn in -2..=2_i32,
         view in proptest::option::of((-5.0..5.0_f64, -5.0..5.0_f64, 0.1..1e9_f64)),
         locus in proptest::option::of(any_locus()),
-        (deform, curves, fit) in (
+        (deform, curves, fit, space) in (
             proptest::option::of(any_deform()),
             proptest::option::of((any_curve(), any_curve())),
             proptest::option::of(any_fit()),
+            proptest::option::of(any_space()),
         ),
-        tool in proptest::sample::select(vec![Tool::Morph, Tool::Deform, Tool::Fit]),
+        tool in proptest::sample::select(vec![Tool::Morph, Tool::Deform, Tool::Fit, Tool::Space]),
     ) -> Scene {
         let maps = a.maps.len().max(b.maps.len());
         Scene {
@@ -173,7 +191,7 @@ prop_compose! {
             turns: if turn == 0 { Vec::new() } else { vec![turn; maps] },
             view: view.map(|(x, y, zoom)| Window { x, y, zoom }),
             locus,
-            tool, deform, fit,
+            tool, deform, fit, space,
             curves: curves.map(|(a, b)| Curves { a, b }),
         }
     }

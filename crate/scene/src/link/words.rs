@@ -8,7 +8,7 @@ use super::LinkError;
 const MAX_NAME: usize = 60;
 
 /// The value among `choices`; the first one is the default.
-pub(super) fn choice<T: Copy>(
+pub(crate) fn choice<T: Copy>(
     key: &'static str,
     text: Option<&str>,
     choices: &[(&str, T)],
@@ -22,7 +22,7 @@ pub(super) fn choice<T: Copy>(
     }
 }
 
-pub(super) fn read_list<const N: usize>(
+pub(crate) fn read_list<const N: usize>(
     key: &'static str,
     text: &str,
     most: usize,
@@ -46,13 +46,13 @@ pub(super) fn read_list<const N: usize>(
 }
 
 /// Up to four finite numbers.
-pub(super) fn read_some(key: &'static str, text: &str) -> Result<Vec<f64>, LinkError> {
+pub(crate) fn read_some(key: &'static str, text: &str) -> Result<Vec<f64>, LinkError> {
     let numbers: Option<Vec<f64>> =
         text.split(',').take(5).map(|part| part.parse::<f64>().ok().filter(|x| x.is_finite())).collect();
     numbers.filter(|numbers| numbers.len() <= 4).ok_or_else(|| damaged(key, text))
 }
 
-pub(super) fn read_numbers<const N: usize>(key: &'static str, text: &str) -> Result<[f64; N], LinkError> {
+pub(crate) fn read_numbers<const N: usize>(key: &'static str, text: &str) -> Result<[f64; N], LinkError> {
     let mut numbers = [0.0; N];
     let mut parts = text.split(',');
     for number in &mut numbers {
@@ -62,11 +62,11 @@ pub(super) fn read_numbers<const N: usize>(key: &'static str, text: &str) -> Res
     if parts.next().is_some() { Err(damaged(key, text)) } else { Ok(numbers) }
 }
 
-pub(super) fn within(point: &[f64], most: f64) -> bool {
+pub(crate) fn within(point: &[f64], most: f64) -> bool {
     point.iter().all(|x| x.abs() <= most)
 }
 
-pub(super) fn damaged(key: &'static str, text: &str) -> LinkError {
+pub(crate) fn damaged(key: &'static str, text: &str) -> LinkError {
     // A short piece is enough to recognise it by.
     let short: String = tidy(text).chars().take(24).collect();
     let dots = if text.chars().count() > 24 { "…" } else { "" };
@@ -74,21 +74,21 @@ pub(super) fn damaged(key: &'static str, text: &str) -> LinkError {
 }
 
 /// Numbers with as many digits as bring back the same bits.
-pub(super) fn numbers(list: &[f64]) -> String {
+pub(crate) fn numbers(list: &[f64]) -> String {
     list.iter().map(|&x| number(x)).collect::<Vec<_>>().join(",")
 }
 
-pub(super) fn number(x: f64) -> String {
+pub(crate) fn number(x: f64) -> String {
     let text = format!("{x:?}");
     text.strip_suffix(".0").map_or(text.clone(), ToOwned::to_owned)
 }
 
 /// A name without control characters and not too long.
-pub(super) fn tidy(name: &str) -> String {
+pub(crate) fn tidy(name: &str) -> String {
     name.chars().filter(|c| !c.is_control()).take(MAX_NAME).collect::<String>().trim().to_owned()
 }
 
-pub(super) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::new();
     for byte in text.bytes() {
         if byte.is_ascii_alphanumeric() || b"-._~".contains(&byte) {
@@ -100,7 +100,7 @@ pub(super) fn escape(text: &str) -> String {
     escaped
 }
 
-pub(super) fn unescape(text: &str) -> String {
+pub(crate) fn unescape(text: &str) -> String {
     let bytes = text.as_bytes();
     let mut plain = Vec::with_capacity(bytes.len());
     let mut i = 0;

@@ -268,7 +268,7 @@ mod tests {
     fn what_is_written_comes_back_to_the_last_bit() {
         for preset in presets3() {
             let probabilities = vec![1.0 / 3.0; preset.maps.len()];
-            let file = SpaceFile { name: preset.id.to_owned(), maps: preset.maps, probabilities };
+            let file = SpaceFile { name: preset.id.to_owned(), maps: preset.maps.clone(), probabilities };
             assert_eq!(parse_ifs3(&write_ifs3(&file)), Ok(vec![file]));
         }
     }

@@ -1,7 +1,9 @@
 //! A natural scene of several objects.
 
+use std::sync::LazyLock;
+
 use frond_core::Affine3;
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat2, DMat3, DQuat, DVec2, DVec3};
 
 use crate::space::preset::{Row3, preset3};
 
@@ -21,7 +23,12 @@ pub struct Thing {
 /// Hills with a wood on them under two clouds, all of them attractors, z up, the eye at the origin and the scene along x, as
 /// in the paper (Darwish & Abd-El-Wahab, figure vii, whose parameters are not printed: this one is Frond's own).
 #[must_use]
-pub fn natural_scene() -> Vec<Thing> {
+pub fn natural_scene() -> &'static [Thing] {
+    static THINGS: LazyLock<Vec<Thing>> = LazyLock::new(things);
+    &THINGS
+}
+
+fn things() -> Vec<Thing> {
     let mut things = vec![
         Thing { name: "Ground", tint: "ground", maps: placed(&ground(), GROUND, 0.0, HILLS), share: 0.34 },
         Thing {
@@ -63,9 +70,9 @@ pub fn natural_scene() -> Vec<Thing> {
     things
 }
 
-/// Where the middle of the ground is, and half its sides and the scale of its height.
-const GROUND: [f64; 3] = [14.0, 0.0, -1.6];
-const HILLS: [f64; 3] = [9.0, 9.0, 2.2];
+/// Where the ground's far edge has its middle, half of that edge and the scale of its height.
+const GROUND: [f64; 3] = [24.0, 0.0, -1.75];
+const HILLS: [f64; 3] = [22.0, 22.0, 2.2];
 
 /// A place on the ground, a little below it.
 fn rooted([x, y]: [f64; 2]) -> [f64; 3] {
@@ -73,16 +80,26 @@ fn rooted([x, y]: [f64; 2]) -> [f64; 3] {
     [x, y, GROUND[2] + HILLS[2] * height - 0.03]
 }
 
-/// The height of the ground over a point of its square: the map of the quarter that the point is in says how it follows
-/// from the height over another.
+/// The height of the ground over a point of its triangle: the map of the part that the point is in says how it follows from
+/// the height over another.
 fn height(x: f64, y: f64) -> f64 {
-    let maps = ground().map(Affine3::to_row);
+    let maps = ground();
     let (mut x, mut y, mut height, mut part) = (x, y, 0.0, 1.0);
-    for _ in 0..40 {
-        let row = maps[usize::from(x >= 0.0) + 2 * usize::from(y >= 0.0)];
-        (x, y) = (((x - row[9]) * 2.0).clamp(-1.0, 1.0), ((y - row[10]) * 2.0).clamp(-1.0, 1.0));
-        height += part * (row[6] * x + row[7] * y + row[11]);
-        part *= row[8];
+    for _ in 0..60 {
+        // The point that a map takes here; the map whose point lies deepest in the triangle is the one.
+        let before = |map: &Affine3| {
+            let [a, b, _, c, d, _, p, q, share, e, f, rise] = map.to_row();
+            let det = a * d - b * c;
+            let (u, v) = (x - e, y - f);
+            let (u, v) = ((d * u - b * v) / det, (a * v - c * u) / det);
+            let depth = (-u).min(1.0 + u - v.abs());
+            (depth, u, v, p * u + q * v + rise, share)
+        };
+        let Some(found) = maps.iter().map(before).max_by(|a, b| a.0.total_cmp(&b.0)) else { break };
+        let (_, u, v, rise, share) = found;
+        (x, y) = (u, v);
+        height += part * rise;
+        part *= share;
     }
     height
 }
@@ -99,24 +116,53 @@ fn placed(maps: &[Affine3], at: [f64; 3], spin: f64, scale: [f64; 3]) -> Vec<Row
     maps.iter().filter_map(|map| map.moved(by).ok()).map(Affine3::to_row).collect()
 }
 
-/// A square from -1 to 1 as the graph of a rough height: four quarters of the square, each with its own slopes.
+/// Corners of the ground: the ends of its long edge, and the corner between the short ones.
+const CORNERS: [DVec2; 3] = [DVec2::new(0.0, -1.0), DVec2::new(0.0, 1.0), DVec2::new(-1.0, 0.0)];
+
+/// A right-angled triangle with two equal sides as the graph of a rough height.
 ///
-/// A map of a quarter keeps x and y and adds to a share of the height a plane that agrees with the heights of its
-/// corners; since quarters share corners and the share is the same, the ground does not tear (an affine interpolating
-/// surface would need heights along edges to agree as well: steps that remain are as small as the share).
+/// It is halved by its axis, and the halves by theirs. Every edge between two parts comes from one and the same edge of the
+/// whole, so that the heights of both agree along it as soon as what is added to a share of them does: planes through given
+/// heights of the corners of the parts. The ground nowhere tears.
 fn ground() -> [Affine3; 4] {
-    let heights: [[f64; 3]; 3] = [[0.05, -0.12, 0.1], [-0.05, 0.22, -0.1], [0.02, -0.08, 0.16]];
-    let share = 0.42;
+    let [a, b, c] = CORNERS;
+    let middle = 0.5 * (a + b);
+    // Each half, as the images of the three corners.
+    let halves = [[a, c, middle], [b, c, middle]];
+    let share = 0.46;
     std::array::from_fn(|k| {
-        let (i, j) = (k % 2, k / 2);
-        let corner = |a: usize, b: usize| heights[j + b][i + a];
-        // The plane through the quarter's corners, by least squares.
-        let mean = 0.25 * (corner(0, 0) + corner(1, 0) + corner(0, 1) + corner(1, 1));
-        let along = 0.25 * (corner(1, 0) + corner(1, 1) - corner(0, 0) - corner(0, 1));
-        let across = 0.25 * (corner(0, 1) + corner(1, 1) - corner(0, 0) - corner(1, 0));
-        let (x, y) = (i as f64 - 0.5, j as f64 - 0.5);
-        Affine3::from_row([0.5, 0.0, 0.0, 0.0, 0.5, 0.0, along, across, share, x, y, mean])
+        // The map of a half of a half, by what becomes of the corners.
+        let [first, second] = [halves[k / 2], halves[k % 2]];
+        let (outer, to) = plane_map(first);
+        let images = second.map(|p| outer * p + to);
+        let (linear, shift) = plane_map(images);
+        let rises = images.map(rise);
+        // The height as a plane over the whole triangle.
+        let along = rises[0] / 2.0 + rises[1] / 2.0 - rises[2];
+        let across = 0.5 * (rises[1] - rises[0]);
+        let level = 0.5 * (rises[0] + rises[1]);
+        let [p, q] = [linear.x_axis, linear.y_axis];
+        Affine3::from_row([p.x, q.x, 0.0, p.y, q.y, 0.0, along, across, share, shift.x, shift.y, level])
     })
+}
+
+/// The map of the plane that takes the corners there.
+fn plane_map([a, b, c]: [DVec2; 3]) -> (DMat2, DVec2) {
+    let middle = 0.5 * (a + b);
+    (DMat2::from_cols(middle - c, 0.5 * (b - a)), middle)
+}
+
+/// What is added to the height at the corners of the parts.
+fn rise(at: DVec2) -> f64 {
+    let known = [
+        (DVec2::ZERO, 0.16),
+        (DVec2::new(-0.5, -0.5), -0.07),
+        (DVec2::new(-0.5, 0.5), 0.11),
+        (CORNERS[0], 0.05),
+        (CORNERS[1], -0.04),
+        (CORNERS[2], 0.0),
+    ];
+    known.iter().find(|(p, _)| p.distance(at) < 1e-9).map_or(0.0, |&(_, rise)| rise)
 }
 
 /// Seven large and overlapping pieces: a heap that is denser below.
@@ -159,6 +205,29 @@ mod tests {
                 "cloud" => assert!(bounds.min.z > top, "{}: {bounds:?} {top}", thing.name),
                 "leaf" => assert!((bounds.min.z - foot).abs() < 0.3, "{}: {bounds:?} {foot}", thing.name),
                 _ => {}
+            }
+        }
+    }
+
+    #[test]
+    fn the_ground_does_not_tear() {
+        let maps = ground();
+        let height = |at: DVec2| height(at.x, at.y);
+        let [a, b, c] = CORNERS;
+        // Each edge of the whole, as each of the parts takes it: where two land in one place they are at one height.
+        let mut seen: Vec<(DVec3, f64)> = Vec::new();
+        for map in &maps {
+            for (from, to) in [(a, b), (b, c), (c, a)] {
+                for k in 0..=16 {
+                    let at = from.lerp(to, f64::from(k) / 16.0);
+                    let there = map.apply(at.extend(height(at)));
+                    for (other, _) in
+                        seen.iter().filter(|(p, _)| (p.truncate() - there.truncate()).length() < 1e-9)
+                    {
+                        assert!((other.z - there.z).abs() < 1e-9, "{other} {there}");
+                    }
+                    seen.push((there, there.z));
+                }
             }
         }
     }

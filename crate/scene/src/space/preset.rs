@@ -1,5 +1,7 @@
 //! The gallery of space.
 
+use std::sync::LazyLock;
+
 use frond_core::Affine3;
 use glam::{DMat3, DQuat, DVec3};
 
@@ -25,7 +27,12 @@ const THIRD: f64 = 1.0 / 3.0;
 
 /// All shapes of the gallery of space, in its order. z points up.
 #[must_use]
-pub fn presets3() -> Vec<Preset3> {
+pub fn presets3() -> &'static [Preset3] {
+    static SHAPES: LazyLock<Vec<Preset3>> = LazyLock::new(shapes);
+    &SHAPES
+}
+
+fn shapes() -> Vec<Preset3> {
     let preset = |id, name, about, maps: Vec<Affine3>| Preset3 {
         id,
         name,
@@ -112,7 +119,7 @@ pub fn presets3() -> Vec<Preset3> {
 /// The shape of the gallery of space with this id.
 #[must_use]
 pub fn preset3(id: &str) -> Option<Preset3> {
-    presets3().into_iter().find(|preset| preset.id == id)
+    presets3().iter().find(|preset| preset.id == id).cloned()
 }
 
 const TETRAHEDRON: [DVec3; 4] = [

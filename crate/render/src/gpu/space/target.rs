@@ -3,7 +3,6 @@
 use super::pipelines::{Pipelines3, WORDS};
 use crate::gpu::device::Gpu;
 use crate::gpu::pipelines::DEPTH;
-use crate::space::Relief;
 use crate::window::Window;
 
 /// Codes and depths of one picture.
@@ -40,9 +39,9 @@ impl Target3 {
     }
 
     /// Replaces what it holds by a relief of its size.
-    pub fn write(&self, gpu: &Gpu, relief: &Relief) {
-        let bits: Vec<u32> = relief.depth().iter().map(|depth| depth.to_bits()).collect();
-        for (texture, words) in [(&self.codes, relief.codes()), (&self.depths, &bits[..])] {
+    pub fn write(&self, gpu: &Gpu, depth: &[f32], codes: &[u32]) {
+        // Depths are bits here as they are there.
+        for (texture, words) in [(&self.codes, codes), (&self.depths, bytemuck::cast_slice(depth))] {
             gpu.queue.write_texture(
                 texture.as_image_copy(),
                 bytemuck::cast_slice(words),

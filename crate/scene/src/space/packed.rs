@@ -1,0 +1,459 @@
+//! What there is in space, as a word of a link.
+//!
+//! ```text
+//! o:sponge/l:height,-0.56,0.55,0.35,0.75,0.25
+//! o:tetrahedron/to:dragon-curled/way:auto,0.2,0.4;0.6,0.5/t:0.5
+//! o:natural-0/o:natural-1~m1,0,0,0,1,0,0,0,1,2,0,0~cd5dde6/time:6,1,smooth/k:0,inout~v12,0,0,12,-1.57,0,0.46/k:3,even~p1,1,0,..
+//! ```
+//!
+//! Parts are joined by `/`, what belongs to one of them by `~`; a shape that is not of the gallery is `maps;` and its rows,
+//! then `~n` and its name. Numbers have as many digits as bring back the same bits.
+
+use std::fmt::Write as _;
+
+use thiserror::Error;
+
+use crate::link::words::{escape, number, numbers, tidy, unescape};
+use crate::scene::{MAX_WAY_POINTS, ModeName, Path, PathKind, WayPoint};
+use crate::space::document::{
+    CourseName, EaseName, MAX_KEYS3, MAX_OBJECTS3, PaintName, Shape3, Space, SpaceKey, SpaceLight,
+    SpaceMorph, SpaceObject, Timeline,
+};
+use crate::space::part::{Held, SpaceView};
+use crate::space::preset::Row3;
+
+/// The longest word, in bytes: a link holds it, and more.
+pub const MAX_PACKED: usize = 48 * 1024;
+/// The longest time line, in seconds.
+const LONGEST: f64 = 600.0;
+/// The shortest.
+const SHORTEST: f64 = 0.1;
+
+const PAINTS: [(&str, PaintName); 2] = [("map", PaintName::Map), ("height", PaintName::Height)];
+const EASES: [(&str, EaseName); 5] = [
+    ("even", EaseName::Even),
+    ("in", EaseName::In),
+    ("out", EaseName::Out),
+    ("inout", EaseName::InOut),
+    ("hold", EaseName::Hold),
+];
+const COURSES: [(&str, CourseName); 2] = [("straight", CourseName::Straight), ("smooth", CourseName::Smooth)];
+const KINDS: [(&str, PathKind); 3] =
+    [("auto", PathKind::Auto), ("straight", PathKind::Straight), ("drawn", PathKind::Drawn)];
+
+/// Why a space cannot be written or read. The message says what to do.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum PackedError {
+    /// It is longer than a link may be.
+    #[error("This is more than a link holds ({bytes} bytes of 49152). Remove objects, maps or keys.")]
+    TooLong {
+        /// Its length.
+        bytes: usize,
+    },
+    /// A part is not of its form.
+    #[error(
+        "What this link says of space is damaged at “{part}”. Ask for the link again, or start from here."
+    )]
+    Damaged {
+        /// The beginning of the part.
+        part: String,
+    },
+    /// A number is not finite, or out of its range.
+    #[error("A number of {what} is out of its range: {range}.")]
+    Number {
+        /// Of what.
+        what: &'static str,
+        /// What is allowed.
+        range: &'static str,
+    },
+    /// There are too many, or none.
+    #[error("There are {count} {what}, and {range} are allowed.")]
+    Count {
+        /// Of what.
+        what: &'static str,
+        /// How many.
+        count: usize,
+        /// What is allowed.
+        range: &'static str,
+    },
+    /// A shape has no attractor.
+    #[error("“{name}” cannot be drawn. {why}")]
+    Shape {
+        /// Its name.
+        name: String,
+        /// Why.
+        why: String,
+    },
+}
+
+impl PackedError {
+    /// A name that stays the same over versions, for programs.
+    #[must_use]
+    pub const fn code(&self) -> &'static str {
+        match self {
+            Self::TooLong { .. } => "space-too-long",
+            Self::Damaged { .. } => "space-damaged",
+            Self::Number { .. } => "space-number",
+            Self::Count { .. } => "space-count",
+            Self::Shape { .. } => "space-shape",
+        }
+    }
+}
+
+fn name_of<T: PartialEq>(choices: &[(&'static str, T)], value: &T) -> &'static str {
+    choices.iter().find_map(|(name, choice)| (choice == value).then_some(*name)).unwrap_or("")
+}
+
+/// A space as a word.
+///
+/// # Errors
+/// [`PackedError`] where it could not be read back.
+pub fn pack(space: &Space) -> Result<String, PackedError> {
+    check(space)?;
+    let mut word = String::new();
+    for object in &space.objects {
+        word.push_str(if word.is_empty() { "o:" } else { "/o:" });
+        write_shape(&mut word, &object.shape);
+        if let Some(moved) = &object.moved {
+            let _ = write!(word, "~m{}", numbers(moved));
+        }
+        let own = object.shape.preset.as_deref().and_then(SpaceObject::of_preset).and_then(|o| o.tint);
+        match &object.tint {
+            tint if *tint == own => {}
+            Some(tint) => {
+                let _ = write!(word, "~c{}", tint.trim_start_matches('#'));
+            }
+            None => word.push_str("~c"),
+        }
+    }
+    if space.light != SpaceLight::default() {
+        let paint = name_of(&PAINTS, &space.light.paint);
+        let _ = write!(word, "/l:{paint},{}", numbers(&space.light.numbers()));
+    }
+    if let Some(morph) = &space.morph {
+        write_morph(&mut word, morph);
+    }
+    if let Some(line) = &space.timeline {
+        let (repeats, course) = (u8::from(line.repeats), name_of(&COURSES, &line.course));
+        let _ = write!(word, "/time:{},{repeats},{course}", number(line.seconds));
+        for key in &line.keys {
+            write_key(&mut word, key);
+        }
+    }
+    if word.len() > MAX_PACKED {
+        return Err(PackedError::TooLong { bytes: word.len() });
+    }
+    Ok(word)
+}
+
+fn write_shape(word: &mut String, shape: &Shape3) {
+    let gallery = shape.preset.as_deref().and_then(Shape3::of_preset);
+    if let Some(id) = gallery.filter(|found| found.maps == shape.maps).and_then(|found| found.preset) {
+        word.push_str(&id);
+        return;
+    }
+    word.push_str("maps");
+    for row in &shape.maps {
+        let _ = write!(word, ";{}", numbers(row));
+    }
+    let name = tidy(&shape.name);
+    if !name.is_empty() {
+        let _ = write!(word, "~n{}", escape(&name).replace('~', "%7E"));
+    }
+}
+
+fn write_morph(word: &mut String, morph: &SpaceMorph) {
+    word.push_str("/to:");
+    write_shape(word, &morph.to);
+    if morph.mode == ModeName::Linear {
+        word.push_str("/mode:linear");
+    }
+    if morph.path != Path::default() {
+        let _ = write!(word, "/way:{}", name_of(&KINDS, &morph.path.kind));
+        for point in &morph.path.points {
+            let _ = write!(word, ";{}", numbers(&point.numbers()));
+        }
+    }
+    if morph.t != 0.0 {
+        let _ = write!(word, "/t:{}", number(morph.t));
+    }
+    for (key, list) in [
+        ("match", morph.correspondence.iter().map(|i| (i + 1).to_string()).collect::<Vec<_>>()),
+        ("turns", morph.turns.iter().map(ToString::to_string).collect()),
+    ] {
+        if !list.is_empty() {
+            let _ = write!(word, "/{key}:{}", list.join(","));
+        }
+    }
+}
+
+fn write_key(word: &mut String, key: &SpaceKey) {
+    let _ = write!(word, "/k:{},{}", number(key.at), name_of(&EASES, &key.ease));
+    if let Some(view) = &key.view {
+        let _ = write!(word, "~v{}", numbers(&view_numbers(view)));
+    }
+    for (index, moved) in key.moved.iter().enumerate() {
+        if let Some(row) = moved {
+            let _ = write!(word, "~p{index},{}", numbers(row));
+        }
+    }
+    for (index, maps) in key.maps.iter().enumerate() {
+        if let Some(maps) = maps {
+            let _ = write!(word, "~q{index}");
+            for row in maps {
+                let _ = write!(word, ";{}", numbers(row));
+            }
+        }
+    }
+    if let Some(t) = key.t {
+        let _ = write!(word, "~t{}", number(t));
+    }
+}
+
+pub(crate) fn view_numbers(view: &SpaceView) -> [f64; 7] {
+    let [x, y, z] = view.target;
+    [x, y, z, view.distance, view.turn, view.tilt, view.angle]
+}
+
+/// A view from its seven numbers; `None` where there is none.
+pub(crate) fn view_of(
+    [x, y, z, distance, turn, tilt, angle]: [f64; 7],
+    holds: Option<Held>,
+) -> Option<SpaceView> {
+    let view = SpaceView { target: [x, y, z], distance, turn, tilt, angle, holds };
+    view.is_one().then_some(view)
+}
+
+/// What a word says.
+///
+/// # Errors
+/// [`PackedError`] where it is damaged, or a shape has no attractor.
+pub fn unpack(word: &str) -> Result<Space, PackedError> {
+    if word.len() > MAX_PACKED {
+        return Err(PackedError::TooLong { bytes: word.len() });
+    }
+    let mut space = Space { objects: Vec::new(), light: SpaceLight::default(), morph: None, timeline: None };
+    for part in word.split('/') {
+        // Parts that are not known are of a later version.
+        let Some((key, text)) = part.split_once(':') else { return Err(damaged(part)) };
+        let read = match key {
+            "o" => read_object(text).map(|object| space.objects.push(object)),
+            "l" => read_light(text).map(|light| space.light = light),
+            "to" => read_shape(text).map(|(to, _)| {
+                let (mode, path) = (ModeName::Polar, Path::default());
+                space.morph = Some(SpaceMorph {
+                    to,
+                    mode,
+                    path,
+                    t: 0.0,
+                    correspondence: Vec::new(),
+                    turns: Vec::new(),
+                });
+            }),
+            "mode" | "way" | "t" | "match" | "turns" => {
+                space.morph.as_mut().and_then(|morph| read_choice(morph, key, text))
+            }
+            "time" => read_line(text).map(|line| space.timeline = Some(line)),
+            "k" => read_key(text).and_then(|key| space.timeline.as_mut().map(|line| line.keys.push(key))),
+            _ => Some(()),
+        };
+        read.ok_or_else(|| damaged(part))?;
+        if space.objects.len() > MAX_OBJECTS3 {
+            break;
+        }
+    }
+    check(&space)?;
+    Ok(space)
+}
+
+fn damaged(part: &str) -> PackedError {
+    PackedError::Damaged { part: tidy(part).chars().take(24).collect() }
+}
+
+fn floats(text: &str) -> Option<Vec<f64>> {
+    text.split(',').map(|part| part.parse::<f64>().ok().filter(|x| x.is_finite())).collect()
+}
+
+fn exactly<const N: usize>(text: &str) -> Option<[f64; N]> {
+    floats(text)?.try_into().ok()
+}
+
+fn choice<T: Copy>(choices: &[(&str, T)], text: &str) -> Option<T> {
+    choices.iter().find_map(|(name, value)| (*name == text).then_some(*value))
+}
+
+/// A shape, and what else is said of it.
+fn read_shape(text: &str) -> Option<(Shape3, Vec<&str>)> {
+    let mut fields = text.split('~');
+    let first = fields.next()?;
+    let (names, rest): (Vec<&str>, Vec<&str>) = fields.partition(|field| field.starts_with('n'));
+    let Some(rows) = first.strip_prefix("maps;") else {
+        return Some((Shape3::of_preset(first)?, rest));
+    };
+    let maps = rows.split(';').map(exactly::<12>).collect::<Option<Vec<Row3>>>()?;
+    let name = names.first().map(|name| tidy(&unescape(&name[1..]))).filter(|name| !name.is_empty());
+    Some((Shape3 { preset: None, name: name.unwrap_or_else(|| "Own shape".to_owned()), maps }, rest))
+}
+
+fn read_object(text: &str) -> Option<SpaceObject> {
+    let (shape, fields) = read_shape(text)?;
+    let tint = shape.preset.as_deref().and_then(SpaceObject::of_preset).and_then(|object| object.tint);
+    let mut object = SpaceObject { shape, moved: None, tint };
+    for field in fields {
+        if let Some(row) = field.strip_prefix('m') {
+            object.moved = Some(exactly(row)?);
+        } else if let Some(tint) = field.strip_prefix('c') {
+            object.tint = if tint.is_empty() { None } else { Some(format!("#{tint}")) };
+        }
+    }
+    Some(object)
+}
+
+fn read_light(text: &str) -> Option<SpaceLight> {
+    let (paint, rest) = text.split_once(',')?;
+    let [side, front, ambient, hollows, fog] = exactly(rest)?;
+    Some(SpaceLight { paint: choice(&PAINTS, paint)?, side, front, ambient, hollows, fog })
+}
+
+fn read_choice(morph: &mut SpaceMorph, key: &str, text: &str) -> Option<()> {
+    match key {
+        "mode" => morph.mode = choice(&[("polar", ModeName::Polar), ("linear", ModeName::Linear)], text)?,
+        "way" => {
+            let mut parts = text.split(';');
+            morph.path.kind = choice(&KINDS, parts.next()?)?;
+            let point = |part: &str| WayPoint::from_numbers(&floats(part)?);
+            morph.path.points = parts.take(MAX_WAY_POINTS + 1).map(point).collect::<Option<_>>()?;
+        }
+        "t" => [morph.t] = exactly(text)?,
+        "match" => {
+            let letter = |part: &str| part.parse::<usize>().ok()?.checked_sub(1);
+            morph.correspondence = text.split(',').map(letter).collect::<Option<_>>()?;
+        }
+        _ => morph.turns = text.split(',').map(|part| part.parse().ok()).collect::<Option<_>>()?,
+    }
+    Some(())
+}
+
+fn read_line(text: &str) -> Option<Timeline> {
+    let mut parts = text.split(',');
+    let seconds = parts.next()?.parse().ok()?;
+    let repeats = choice(&[("0", false), ("1", true)], parts.next()?)?;
+    let course = choice(&COURSES, parts.next()?)?;
+    Some(Timeline { seconds, repeats, course, keys: Vec::new() })
+}
+
+fn read_key(text: &str) -> Option<SpaceKey> {
+    let mut fields = text.split('~');
+    let (at, ease) = fields.next()?.split_once(',')?;
+    let mut key = SpaceKey { at: at.parse().ok()?, ease: choice(&EASES, ease)?, ..SpaceKey::default() };
+    for field in fields {
+        let kind = field.chars().next()?;
+        let rest = &field[kind.len_utf8()..];
+        match kind {
+            'v' => key.view = Some(view_of(exactly(rest)?, None)?),
+            'p' => {
+                let (index, row) = rest.split_once(',')?;
+                *entry(&mut key.moved, index)? = Some(exactly(row)?);
+            }
+            'q' => {
+                let (index, rows) = rest.split_once(';')?;
+                let rows = rows.split(';').map(exactly).collect::<Option<_>>()?;
+                *entry(&mut key.maps, index)? = Some(rows);
+            }
+            't' => key.t = Some(exactly::<1>(rest)?[0]),
+            _ => {}
+        }
+    }
+    Some(key)
+}
+
+/// The entry of a list for an object, the list made longer where it must be.
+fn entry<'a, T>(list: &'a mut Vec<Option<T>>, index: &str) -> Option<&'a mut Option<T>> {
+    let index: usize = index.parse().ok().filter(|&index| index < MAX_OBJECTS3)?;
+    while list.len() <= index {
+        list.push(None);
+    }
+    list.get_mut(index)
+}
+
+/// Whether all of it is in range, and every shape one.
+fn check(space: &Space) -> Result<(), PackedError> {
+    let count = |what, count: usize, most: usize, range| {
+        if (1..=most).contains(&count) { Ok(()) } else { Err(PackedError::Count { what, count, range }) }
+    };
+    let held = |what, list: &[f64], range, fits: &dyn Fn(f64) -> bool| {
+        let good = list.iter().all(|&x| x.is_finite() && fits(x));
+        if good { Ok(()) } else { Err(PackedError::Number { what, range }) }
+    };
+    const FINITE: &str = "numbers below 1e100 are";
+    let far = |x: f64| x.abs() <= 1e100;
+    count("objects", space.objects.len(), MAX_OBJECTS3, "1 to 60")?;
+    for object in &space.objects {
+        shape(&object.shape)?;
+        if let Some(moved) = &object.moved {
+            held("a place", moved, FINITE, &far)?;
+        }
+        let hex = |tint: &String| {
+            tint.len() == 7 && tint.starts_with('#') && tint[1..].bytes().all(|b| b.is_ascii_hexdigit())
+        };
+        if object.tint.as_ref().is_some_and(|tint| !hex(tint)) {
+            return Err(PackedError::Number { what: "a colour", range: "#rrggbb is what one looks like" });
+        }
+    }
+    held("the light", &space.light.numbers()[..1], "angles below 1e6 are allowed", &|x| x.abs() <= 1e6)?;
+    held("the light", &space.light.numbers()[1..], "0 to 1 are allowed", &|x| (0.0..=1.0).contains(&x))?;
+    if let Some(morph) = &space.morph {
+        shape(&morph.to)?;
+        held("the path", &[morph.t], "0 to 1 are allowed", &|x| (0.0..=1.0).contains(&x))?;
+        if morph.path.points.len() > MAX_WAY_POINTS {
+            let count = morph.path.points.len();
+            return Err(PackedError::Count { what: "way points", count, range: "64" });
+        }
+        for point in &morph.path.points {
+            held("the path", &point.numbers(), "numbers below 1e6 are allowed", &|x| x.abs() <= 1e6)?;
+        }
+        let from = space.objects[0].shape.maps.len().max(morph.to.maps.len());
+        let mut sorted = morph.correspondence.clone();
+        sorted.sort_unstable();
+        let whole = sorted.is_empty() || sorted.into_iter().eq(0..from);
+        let turns = morph.turns.is_empty()
+            || morph.turns.len() == from && morph.turns.iter().all(|turns| (-16..=16).contains(turns));
+        if !whole || !turns {
+            return Err(PackedError::Number {
+                what: "the matching",
+                range: "each map is named once, with up to 16 turns",
+            });
+        }
+    }
+    let Some(line) = &space.timeline else { return Ok(()) };
+    held("the time line", &[line.seconds], "0.1 to 600 seconds are allowed", &|x| {
+        (SHORTEST..=LONGEST).contains(&x)
+    })?;
+    if line.keys.len() > MAX_KEYS3 {
+        return Err(PackedError::Count { what: "keys", count: line.keys.len(), range: "100" });
+    }
+    for key in &line.keys {
+        held("a key", &[key.at], "0 to 600 seconds are allowed", &|x| (0.0..=LONGEST).contains(&x))?;
+        held("a key", key.t.as_slice(), "0 to 1 are allowed", &|x| (0.0..=1.0).contains(&x))?;
+        if key.view.as_ref().is_some_and(|view| !view.is_one()) {
+            return Err(PackedError::Number {
+                what: "a view",
+                range: "a distance above 0 and an angle below pi are needed",
+            });
+        }
+        for row in key.moved.iter().flatten().chain(key.maps.iter().flatten().flatten()) {
+            held("a key", row, FINITE, &far)?;
+        }
+    }
+    Ok(())
+}
+
+fn shape(shape: &Shape3) -> Result<(), PackedError> {
+    match shape.ifs() {
+        Ok(_) => Ok(()),
+        Err(error) => Err(PackedError::Shape { name: tidy(&shape.name), why: error.to_string() }),
+    }
+}
+
+#[cfg(test)]
+mod tests;

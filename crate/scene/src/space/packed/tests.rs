@@ -1,0 +1,152 @@
+//! Tests of the word of a space.
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::space::document::natural_objects;
+
+fn any_row() -> impl Strategy<Value = Row3> {
+    let number = prop_oneof![6 => -0.28..0.28_f64, 1 => Just(0.0), 1 => Just(-0.0), 1 => Just(1e-300)];
+    proptest::collection::vec(number, 12).prop_map(|list| list.try_into().unwrap())
+}
+
+fn any_shape() -> impl Strategy<Value = Shape3> {
+    let ids: Vec<&str> = crate::presets3().iter().map(|preset| preset.id).collect();
+    let own = (proptest::collection::vec(any_row(), 1..6), "\\PC{0,20}").prop_map(|(maps, name)| {
+        let name = tidy(&name);
+        let name = if name.is_empty() { "Own shape".to_owned() } else { name };
+        Shape3 { preset: None, name, maps }
+    });
+    prop_oneof![
+        own.prop_filter("no attractor", |shape| shape.ifs().is_ok()),
+        proptest::sample::select(ids).prop_map(|id| Shape3::of_preset(id).unwrap()),
+    ]
+}
+
+fn any_view() -> impl Strategy<Value = SpaceView> {
+    (-9.0..9.0_f64, 1e-3..1e3_f64, -9.0..9.0_f64, 0.01..3.1_f64).prop_map(|(x, distance, turn, angle)| {
+        SpaceView { target: [x, -x, 0.5 * x], distance, turn, tilt: 0.3 * turn, angle, holds: None }
+    })
+}
+
+fn any_object() -> impl Strategy<Value = SpaceObject> {
+    let tint = proptest::option::of(Just("#12ab9f".to_owned()));
+    (any_shape(), proptest::option::of(any_row()), tint).prop_map(|(shape, moved, tint)| SpaceObject {
+        shape,
+        moved,
+        tint,
+    })
+}
+
+fn any_space() -> impl Strategy<Value = Space> {
+    let light = (any::<bool>(), -3.0..3.0_f64, 0.0..=1.0_f64).prop_map(|(height, side, part)| SpaceLight {
+        paint: if height { PaintName::Height } else { PaintName::Map },
+        side,
+        front: part,
+        ambient: 1.0 - part,
+        hollows: part,
+        fog: 0.5 * part,
+    });
+    let morph =
+        proptest::option::of((any_shape(), 0.0..=1.0_f64, any::<bool>()).prop_map(|(to, t, linear)| {
+            let points = vec![WayPoint { u: t, v: 0.3, w: 0.0 }, WayPoint { u: 0.7, v: t, w: 0.25 }];
+            let kind = if linear { PathKind::Drawn } else { PathKind::Straight };
+            let mode = if linear { ModeName::Linear } else { ModeName::Polar };
+            SpaceMorph {
+                to,
+                mode,
+                path: Path { kind, points },
+                t,
+                correspondence: Vec::new(),
+                turns: Vec::new(),
+            }
+        }));
+    let key = (
+        0.0..600.0_f64,
+        proptest::sample::select(EASES.map(|(_, ease)| ease).to_vec()),
+        proptest::option::of(any_view()),
+        proptest::option::of(any_row()),
+        proptest::option::of(proptest::collection::vec(any_row(), 1..4)),
+        proptest::option::of(0.0..=1.0_f64),
+    )
+        .prop_map(|(at, ease, view, moved, maps, t)| SpaceKey {
+            at,
+            ease,
+            view,
+            moved: moved.map_or(Vec::new(), |row| vec![None, Some(row)]),
+            maps: maps.map_or(Vec::new(), |rows| vec![Some(rows)]),
+            t,
+        });
+    let line =
+        proptest::option::of((0.1..600.0_f64, any::<bool>(), proptest::collection::vec(key, 0..5)).prop_map(
+            |(seconds, repeats, keys)| {
+                let course = if repeats { CourseName::Smooth } else { CourseName::Straight };
+                Timeline { seconds, repeats, course, keys }
+            },
+        ));
+    (proptest::collection::vec(any_object(), 1..5), light, morph, line)
+        .prop_map(|(objects, light, morph, timeline)| Space { objects, light, morph, timeline })
+}
+
+proptest! {
+    #[test]
+    fn what_is_packed_comes_back(space in any_space()) {
+        let word = pack(&space).unwrap();
+        prop_assert!(!word.contains(['&', '#', ' ']));
+        prop_assert_eq!(unpack(&word).unwrap(), space);
+    }
+
+    #[test]
+    fn no_word_panics(word in "\\PC{0,80}") {
+        let _ = unpack(&word);
+    }
+
+    #[test]
+    fn no_damage_panics(space in any_space(), at in 0..4000_usize, with in "\\PC{0,3}", cut in 0..9_usize) {
+        let word = pack(&space).unwrap();
+        let at = (at % (word.len() + 1)..=word.len()).find(|&at| word.is_char_boundary(at)).unwrap();
+        let end = (at + cut).min(word.len());
+        let end = (end..=word.len()).find(|&end| word.is_char_boundary(end)).unwrap();
+        if let Ok(read) = unpack(&format!("{}{with}{}", &word[..at], &word[end..])) {
+            // What is read can be written, unless it has become too long.
+            let again = matches!(pack(&read), Ok(_) | Err(PackedError::TooLong { .. }));
+            prop_assert!(again);
+        }
+    }
+}
+
+#[test]
+fn words_are_short_where_the_gallery_says_it() {
+    assert_eq!(pack(&Space::default()).unwrap(), "o:sponge");
+    let natural = Space { objects: natural_objects(), ..Space::default() };
+    assert_eq!(
+        pack(&natural).unwrap(),
+        (0..8).map(|k| format!("o:natural-{k}")).collect::<Vec<_>>().join("/")
+    );
+    assert_eq!(unpack(&pack(&natural).unwrap()).unwrap(), natural);
+}
+
+#[test]
+fn damage_is_told() {
+    let many = "o:sponge/".repeat(61);
+    for (word, code) in [
+        ("", "space-damaged"),
+        ("o:nothing", "space-damaged"),
+        ("o:maps;1,2,3", "space-damaged"),
+        ("o:maps;2,0,0,0,2,0,0,0,2,0,0,0", "space-shape"),
+        ("l:map,0,0,0,0,0", "space-count"),
+        (many.trim_end_matches('/'), "space-count"),
+        ("o:sponge/l:map,0,2,0,0,0", "space-number"),
+        ("o:sponge/time:0,1,smooth", "space-number"),
+        ("o:sponge/time:1e9,1,smooth", "space-number"),
+        ("o:sponge/k:0,even", "space-damaged"),
+        ("o:sponge/to:dust/match:1,1", "space-number"),
+        ("o:sponge/time:6,1,smooth/k:0,even~v0,0,0,-1,0,0,1", "space-damaged"),
+        ("o:sponge~mNaN,0,0,0,1,0,0,0,1,0,0,0", "space-damaged"),
+        ("o:sponge~c12", "space-number"),
+    ] {
+        assert_eq!(unpack(word).map_err(|error| error.code().to_owned()), Err(code.to_owned()), "{word}");
+    }
+    // Of a later version.
+    assert!(unpack("o:sponge/water:deep").is_ok());
+}

@@ -1,0 +1,251 @@
+//! Morphs in space, and where they hold together.
+
+use frond_core::{Ifs3, IfsError, Morph3};
+use frond_locus::{Bounds, LocusGrid, Options, PathOptions, Reason3, Scratch3, decide3};
+use glam::DVec3;
+use js_sys::{Array, Float32Array, Uint8Array};
+use serde::Deserialize;
+use wasm_bindgen::prelude::*;
+
+use super::{read_ifs3, read_maps3, write_maps3};
+use crate::error::{bad_input, failure, of_ifs, of_morph};
+use crate::value::{object, read, read_morph_options, write};
+
+/// What a picture of 600 pixels resolves.
+const EPSILON: f64 = 1.0 / 600.0;
+
+fn read_morph3(from: &JsValue, to: &JsValue, options: &JsValue) -> Result<Morph3, JsValue> {
+    let options = read_morph_options(options)?;
+    Morph3::new(&read_maps3(from)?, &read_maps3(to)?, &options).map_err(|error| of_morph(&error))
+}
+
+/// Which map of `to` each map of `from` becomes, so that pieces travel, turn and stretch least.
+#[wasm_bindgen(unchecked_return_type = "number[]")]
+pub fn correspondence3(
+    #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] from: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] to: JsValue,
+) -> Result<JsValue, JsValue> {
+    write(&Morph3::correspondence(&read_ifs3(&from)?, &read_ifs3(&to)?))
+}
+
+#[derive(Deserialize)]
+struct At {
+    u: f64,
+    v: f64,
+    #[serde(default)]
+    w: f64,
+}
+
+/// The maps of a morph at (u, v, w) (Burch & Hart, eq 6). There need not be an attractor.
+#[wasm_bindgen(unchecked_return_type = "MapRow3[]")]
+pub fn interpolate3(
+    #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] from: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] to: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "MorphOptions & { u: number; v: number; w?: number }")]
+    options: JsValue,
+) -> Result<JsValue, JsValue> {
+    let At { u, v, w } = read("The options", options.clone())?;
+    write_maps3(&read_morph3(&from, &to, &options)?.at3(u, v, w))
+}
+
+#[derive(Deserialize)]
+struct Resolution {
+    epsilon: Option<f64>,
+    budget: Option<f64>,
+}
+
+/// Whether a shape of space is in one piece. Maps without an attractor get the verdict `no-attractor`.
+#[wasm_bindgen(unchecked_return_type = "Connectedness3")]
+pub fn connectedness3(
+    #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] maps: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "{ epsilon?: number; budget?: number } | undefined")]
+    options: JsValue,
+) -> Result<JsValue, JsValue> {
+    let Resolution { epsilon, budget } = read("The options", options)?;
+    let mut options = Options { epsilon: epsilon.unwrap_or(EPSILON), ..Options::default() };
+    if let Some(budget) = budget {
+        options.budget = budget as usize;
+    }
+    let ifs = match Ifs3::new(read_maps3(&maps)?) {
+        Ok(ifs) => ifs,
+        Err(IfsError::NoAttractor { .. } | IfsError::Unproved) => {
+            return Ok(object(&[
+                ("verdict", "no-attractor".into()),
+                ("gap", object(&[("lower", 0.0.into()), ("upper", f64::INFINITY.into())])),
+                ("overlaps", Array::new().into()),
+                ("components", Array::new().into()),
+                ("count", 0.into()),
+                ("closest", JsValue::NULL),
+                ("diameter", f64::INFINITY.into()),
+                ("reason", JsValue::NULL),
+            ]));
+        }
+        Err(error) => return Err(of_ifs(&error)),
+    };
+    let found = frond_locus::connectedness3(&ifs, &options);
+    let closest = found.closest.map(|(a, b)| write(&[a.to_array(), b.to_array()])).transpose()?;
+    Ok(object(&[
+        ("verdict", found.verdict.name().into()),
+        ("gap", object(&[("lower", found.gap.lower.into()), ("upper", found.gap.upper.into())])),
+        ("overlaps", write(&found.overlaps)?),
+        ("components", write(&found.components)?),
+        ("count", (found.count as f64).into()),
+        ("closest", closest.unwrap_or(JsValue::NULL)),
+        ("diameter", found.diameter.into()),
+        ("reason", found.reason.as_ref().map(Reason3::text).map_or(JsValue::NULL, JsValue::from)),
+    ]))
+}
+
+#[derive(Deserialize)]
+struct PlainBounds {
+    u0: f64,
+    v0: f64,
+    u1: f64,
+    v1: f64,
+}
+
+#[derive(Deserialize)]
+struct Sampling {
+    bounds: Option<PlainBounds>,
+    width: f64,
+    height: f64,
+    epsilon: Option<f64>,
+}
+
+/// A locus of a morph in space, row by row.
+#[wasm_bindgen]
+pub struct SpaceLocus {
+    grid: LocusGrid,
+    morph: Morph3,
+    epsilon: f64,
+    scratch: Scratch3,
+}
+
+#[wasm_bindgen]
+impl SpaceLocus {
+    /// Over `bounds`, [-1, 2] x [-1, 2] by default. Nothing is decided yet.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] from: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] to: JsValue,
+        #[wasm_bindgen(
+            unchecked_param_type = "MorphOptions & { bounds?: Bounds; width: number; height: number; epsilon?: number }"
+        )]
+        options: JsValue,
+    ) -> Result<Self, JsValue> {
+        let plain: Sampling = read("The options", options.clone())?;
+        let bounds = plain.bounds.map_or_else(Bounds::default, |PlainBounds { u0, v0, u1, v1 }| Bounds {
+            u0,
+            v0,
+            u1,
+            v1,
+        });
+        // A cast of NaN or a negative number gives 0, which the grid refuses.
+        let grid = LocusGrid::new(bounds, plain.width as usize, plain.height as usize)
+            .map_err(|error| failure(error.code(), &error.to_string()))?;
+        let morph = read_morph3(&from, &to, &options)?;
+        let epsilon = plain.epsilon.unwrap_or(EPSILON);
+        Ok(Self { grid, morph, epsilon, scratch: Scratch3::default() })
+    }
+
+    /// Every `stride`th sample of the rows from r0 to before r1 that are a multiple of it: `{ state, gap }`, as in a `Locus`.
+    #[wasm_bindgen(unchecked_return_type = "{ state: Uint8Array; gap: Float32Array }")]
+    pub fn run(&mut self, r0: usize, r1: usize, stride: usize) -> JsValue {
+        let stride = stride.max(1);
+        let budget = LocusGrid::budget(self.morph.len());
+        let (mut state, mut gap, mut maps) = (Vec::new(), Vec::new(), Vec::new());
+        for row in (r0..r1.min(self.grid.height())).filter(|row| row.is_multiple_of(stride)) {
+            for column in (0..self.grid.width()).step_by(stride) {
+                self.morph.fill3(self.grid.u(column), self.grid.v(row), 0.0, &mut maps);
+                let sample = decide3(&maps, self.epsilon, budget, &mut self.scratch);
+                state.push(sample.state as u8);
+                gap.push(sample.gap);
+            }
+        }
+        object(&[
+            ("state", Uint8Array::from(&state[..]).into()),
+            ("gap", Float32Array::from(&gap[..]).into()),
+        ])
+    }
+}
+
+#[derive(Deserialize)]
+struct Planning {
+    epsilon: Option<f64>,
+    size: Option<f64>,
+}
+
+/// A path from (0, 0) to (1, 1) along which the shape stays in one piece, or comes as near to that as can be: long work,
+/// for a worker.
+#[wasm_bindgen(js_name = findPath3, unchecked_return_type = "PathPlan")]
+pub fn find_path(
+    #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] from: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] to: JsValue,
+    #[wasm_bindgen(
+        unchecked_param_type = "(MorphOptions & { epsilon?: number; size?: number }) | undefined"
+    )]
+    options: JsValue,
+) -> Result<JsValue, JsValue> {
+    let morph = read_morph3(&from, &to, &options)?;
+    let plain: Planning = read("The options", options)?;
+    let mut options = PathOptions::default();
+    if let Some(epsilon) = plain.epsilon {
+        options.epsilon = epsilon;
+    }
+    if let Some(size) = plain.size {
+        options.size = size as usize;
+    }
+    let plan = frond_locus::find_path3(&morph, &options)
+        .map_err(|error| failure(error.code(), &error.to_string()))?;
+    let points: Vec<Vec<f64>> = plan.points.iter().copied().map(parameter).collect();
+    let mut fields = vec![
+        ("points", write(&points)?),
+        ("gap", plan.gap.into()),
+        ("holds", plan.holds.into()),
+        ("clearance", plan.clearance.into()),
+        ("apart", plan.apart.into()),
+    ];
+    if let Some(worst) = plan.worst {
+        fields.push(("worst", write(&parameter(worst))?));
+    }
+    Ok(object(&fields))
+}
+
+/// `[u, v]` in the plane, else `[u, v, w]`.
+fn parameter(at: DVec3) -> Vec<f64> {
+    if at.z == 0.0 { vec![at.x, at.y] } else { at.to_array().to_vec() }
+}
+
+#[derive(Deserialize)]
+struct Checking {
+    epsilon: Option<f64>,
+    samples: Option<f64>,
+}
+
+/// Looks along a path, ends included, and tells where it breaks, as fractions of its length.
+#[wasm_bindgen(js_name = checkPath3, unchecked_return_type = "PathCheck")]
+pub fn check_path(
+    #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] from: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] to: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "readonly PathPoint[]")] points: JsValue,
+    #[wasm_bindgen(
+        unchecked_param_type = "(MorphOptions & { epsilon?: number; samples?: number }) | undefined"
+    )]
+    options: JsValue,
+) -> Result<JsValue, JsValue> {
+    let morph = read_morph3(&from, &to, &options)?;
+    let plain: Checking = read("The options", options)?;
+    let points: Vec<Vec<f64>> = read("The path", points)?;
+    let point = |point: &Vec<f64>| match point[..] {
+        [u, v] => Some(DVec3::new(u, v, 0.0)),
+        [u, v, w] => Some(DVec3::new(u, v, w)),
+        _ => None,
+    };
+    let points: Option<Vec<DVec3>> =
+        points.iter().map(|row| point(row).filter(|at| at.is_finite())).collect();
+    let points =
+        points.ok_or_else(|| bad_input("The path", "each point must be two or three finite numbers"))?;
+    let samples = plain.samples.unwrap_or(100.0).clamp(2.0, 100_000.0) as usize;
+    let found = frond_locus::check_path3(&morph, &points, plain.epsilon.unwrap_or(EPSILON), samples);
+    Ok(object(&[("gap", found.gap.into()), ("holds", found.holds.into()), ("breaks", write(&found.breaks)?)]))
+}

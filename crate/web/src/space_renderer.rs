@@ -1,0 +1,130 @@
+//! The picture of space on a canvas, by the graphics card.
+
+use bytemuck::{AnyBitPattern, pod_collect_to_vec, try_pod_read_unaligned};
+use frond_render::gpu::{Drawn3, Stage3, Uniforms3};
+use frond_render::space::Cloud;
+use js_sys::{Array, Promise, Reflect, Uint8Array};
+use wasm_bindgen::JsCast;
+use wasm_bindgen::prelude::*;
+
+use crate::canvas::{Held, open, pixels_of};
+use crate::error::bad_input;
+use crate::value::object;
+
+/// Draws attractors of space on one canvas, on WebGPU or WebGL2. Lengths are device pixels; clouds and uniforms are bytes
+/// that `SpacePicture` of the module `frond-space` makes, as the shaders read them.
+///
+/// A change of the clouds, the size or the eye shows points, and a carved picture from when it is set. Call `draw` after each.
+#[wasm_bindgen]
+pub struct SpaceRenderer {
+    stage: Stage3,
+    held: Held,
+}
+
+#[wasm_bindgen]
+impl SpaceRenderer {
+    /// Opens the graphics card for a canvas that has had no context yet, as `Renderer.create` does.
+    pub async fn create(
+        #[wasm_bindgen(unchecked_param_type = "HTMLCanvasElement | OffscreenCanvas")] canvas: JsValue,
+        #[wasm_bindgen(
+            unchecked_param_type = "{ backend?: \"auto\" | \"webgpu\" | \"webgl2\"; onLost?: (reason: string) => void }"
+        )]
+        options: JsValue,
+    ) -> Result<SpaceRenderer, JsValue> {
+        let (gpu, held) = open(canvas, options).await?;
+        Ok(Self { stage: Stage3::new(gpu), held })
+    }
+
+    /// `"webgpu"` or `"webgl2"`.
+    #[wasm_bindgen(getter, unchecked_return_type = "\"webgpu\" | \"webgl2\"")]
+    pub fn backend(&self) -> String {
+        self.stage.gpu().backend.to_owned()
+    }
+
+    /// The adapter's own words; may be empty.
+    #[wasm_bindgen(getter)]
+    pub fn description(&self) -> String {
+        self.stage.gpu().description.clone()
+    }
+
+    /// Sets the size of the canvas.
+    pub fn resize(&mut self, width: u32, height: u32) {
+        self.stage.resize(width, height);
+    }
+
+    /// Sets the points, a cloud for each object.
+    #[wasm_bindgen(js_name = setClouds)]
+    pub fn set_clouds(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "{ vertices: Uint8Array; instances: Uint8Array }[]")]
+        clouds: Array,
+    ) -> Result<(), JsValue> {
+        let cloud = |value: JsValue| {
+            Ok(Cloud { vertices: list(&value, "vertices")?, instances: list(&value, "instances")? })
+        };
+        let clouds = clouds.iter().map(cloud).collect::<Result<Vec<_>, JsValue>>()?;
+        self.stage.set_clouds(&clouds);
+        Ok(())
+    }
+
+    /// Sets where it is seen from, and light and colours.
+    #[wasm_bindgen(js_name = setUniforms)]
+    pub fn set_uniforms(
+        &mut self,
+        #[wasm_bindgen(
+            unchecked_param_type = "{ eye: Uint8Array; lamp: Uint8Array; stillLamp: Uint8Array; look: Uint8Array }"
+        )]
+        bytes: JsValue,
+    ) -> Result<(), JsValue> {
+        let uniforms = Uniforms3 {
+            eye: one(&bytes, "eye")?,
+            lamp: one(&bytes, "lamp")?,
+            still_lamp: one(&bytes, "stillLamp")?,
+            look: one(&bytes, "look")?,
+        };
+        self.stage.set_uniforms(uniforms);
+        Ok(())
+    }
+
+    /// Shows what was carved of these clouds for this eye. Whether it is of the size that the uniforms say.
+    #[wasm_bindgen(js_name = setStill)]
+    pub fn set_still(&mut self, width: u32, height: u32, depth: &[f32], codes: &[u32]) -> bool {
+        self.stage.put_still([width, height], depth, codes)
+    }
+
+    /// Draws what is new. `complete` says that the carved picture is shown, `points` how many points there are else.
+    #[wasm_bindgen(unchecked_return_type = "{ complete: boolean; points: number }")]
+    pub fn draw(&mut self) -> JsValue {
+        let Drawn3 { complete, points } = self.stage.draw();
+        object(&[("complete", complete.into()), ("points", (points as f64).into())])
+    }
+
+    /// The last picture, as `Renderer.readPixels` gives it.
+    #[wasm_bindgen(js_name = readPixels, unchecked_return_type = "Promise<Uint8Array>")]
+    pub fn read_pixels(&self) -> Promise {
+        pixels_of(self.stage.read())
+    }
+
+    /// Loses the device, for tests.
+    #[wasm_bindgen(js_name = forceLoss)]
+    pub fn force_loss(&mut self) {
+        self.held.lose(self.stage.gpu());
+    }
+}
+
+fn bytes(value: &JsValue, key: &str) -> Result<Vec<u8>, JsValue> {
+    let found = Reflect::get(value, &key.into()).ok().and_then(|found| found.dyn_into::<Uint8Array>().ok());
+    found.map(|found| found.to_vec()).ok_or_else(|| bad_input(key, "a Uint8Array is needed"))
+}
+
+fn list<T: AnyBitPattern + bytemuck::NoUninit>(value: &JsValue, key: &str) -> Result<Vec<T>, JsValue> {
+    let bytes = bytes(value, key)?;
+    if !bytes.len().is_multiple_of(size_of::<T>()) {
+        return Err(bad_input(key, "it holds a part of an item"));
+    }
+    Ok(pod_collect_to_vec(&bytes))
+}
+
+fn one<T: AnyBitPattern>(value: &JsValue, key: &str) -> Result<T, JsValue> {
+    try_pod_read_unaligned(&bytes(value, key)?).map_err(|_| bad_input(key, "it is of another size"))
+}
