@@ -31,6 +31,8 @@ export default defineConfig({
     watch: { ignored: ["**/target/**", "**/crate/**", "**/dist/**", "**/tests/**"] },
   },
   test: {
+    // No test is about time: a busy machine may take as long as it needs.
+    testTimeout: 60_000,
     include: ["www/src/**/*.test.{ts,tsx}", "tests/api/**/*.test.ts"],
     environment: "node",
     restoreMocks: true,

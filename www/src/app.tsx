@@ -1,12 +1,12 @@
 import { type Signal, signal, useSignalEffect } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
+import { evidenceOpen } from "./canvas/marks";
 import type { PainterBackend } from "./canvas/painter";
 import { Stage } from "./canvas/stage";
 import type { Tool } from "./engine/api";
 import { curvesFetched, loadCurves } from "./engine/curves";
 import { loadProof } from "./engine/proof";
-import { EvidencePanel } from "./shell/evidence/Panel";
 import { Header } from "./shell/header";
 import { Readout, VerdictChip } from "./shell/readouts";
 import { tool } from "./state/bend";
@@ -59,6 +59,11 @@ const TOOLS: Record<Tool, { title: string; side: string; missing: string }> = {
     side: "Outline and fit",
     missing: "The fit could not be loaded",
   },
+  space: {
+    title: "Frond: turn and move fractals in space",
+    side: "Shapes, morph and light",
+    missing: "Space could not be loaded",
+  },
 };
 
 /** The tools share the stage; each brings its own panel and its own time strip. */
@@ -67,14 +72,15 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
   useSignalEffect(() => {
     if (tool.value === "deform") load(deform, () => import("./views/deform"), tool.value);
     if (tool.value === "fit") load(fit, () => withCurves(import("./views/fit")), tool.value);
+    if (tool.value === "space") load(space, openSpace, tool.value);
   });
-  const [Deform, Fit] = [deform.value, fit.value];
+  const [Deform, Fit, Space] = [deform.value, fit.value, space.value];
   const { title, side } = TOOLS[now];
   return (
     <main class="studio">
       <h1 class="unseen">{title}</h1>
       {/* It keeps its renderer while a tool with a picture of its own is open. */}
-      <div class={now === "fit" ? "stage-away" : "stage-here"}>
+      <div class={now === "fit" || now === "space" ? "stage-away" : "stage-here"}>
         <Stage
           backend={backend}
           overlay={now === "deform" ? Deform !== null && <Deform.DeformOverlay /> : undefined}
@@ -83,7 +89,7 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
             {now === "morph" && (curved.value ? <CurveChip /> : <VerdictChip />)}
             <Readout />
           </div>
-          {now === "morph" && (curved.value ? <CurveEvidence /> : <EvidencePanel />)}
+          {now === "morph" && (curved.value ? <CurveEvidence /> : evidenceOpen.value && <EvidencePanel />)}
         </Stage>
       </div>
       {now === "fit" && (
@@ -91,15 +97,22 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
           {Fit && <Fit.FitStage />}
         </section>
       )}
+      {now === "space" && (
+        <section class="stage" aria-label="Space">
+          {Space && <Space.SpaceStage backend={backend} />}
+        </section>
+      )}
       <aside class="side" aria-label={side}>
         {now === "morph" && <MorphPanel curve={CURVE} />}
         {now === "deform" && Deform && <Deform.DeformPanel curve={CURVE} />}
         {now === "fit" && Fit && <Fit.FitPanel />}
+        {now === "space" && Space && <Space.SpacePanel />}
       </aside>
       <div class="time">
         {now === "morph" && <MorphStrip />}
         {now === "deform" && Deform && <Deform.DeformStrip />}
         {now === "fit" && Fit && <Fit.FitStrip />}
+        {now === "space" && Space && <Space.SpaceStrip />}
       </div>
     </main>
   );
@@ -115,12 +128,16 @@ const CURVE: CurveParts = {
   Shelf: lazily(() => withCurves(import("./views/curve")).then((module) => module.Shelf)),
 };
 
-/** Fetches what the gallery shows of curves, so that it is there without a network, too. */
-export function fetchCurves(): void {
+/** What is known of the picture is loaded when somebody asks. */
+const evidence = () => import("./shell/evidence/Panel").then((module) => module.EvidencePanel);
+const EvidencePanel = lazily(evidence);
+
+/** Fetches evidence, and what the gallery shows of curves, so that they are there without a network, too. */
+export function fetchAhead(): void {
   const tried = () => {
     curvesFetched.value = true;
   };
-  withCurves(import("./views/curve")).then(tried, tried);
+  Promise.all([withCurves(import("./views/curve")), evidence()]).then(tried, tried);
 }
 
 /** A part of the page, with what makes closed curves and graphs. */
@@ -131,6 +148,14 @@ async function withCurves<T>(part: Promise<T>): Promise<T> {
 
 const deform = signal<typeof import("./views/deform") | null>(null);
 const fit = signal<typeof import("./views/fit") | null>(null);
+const space = signal<typeof import("./views/space") | null>(null);
+
+/** Space, with what computes it. */
+async function openSpace() {
+  const module = await import("./views/space");
+  await module.openSpace();
+  return module;
+}
 
 /** Tools besides the morph are loaded when they are first opened. */
 function load<T>(into: Signal<T | null>, get: () => Promise<T>, name: Tool): void {

@@ -3,7 +3,7 @@ import "./style/base.css";
 import "./style/layout.css";
 import "./style/stage.css";
 import { h, render } from "preact";
-import { App, fetchCurves } from "./app";
+import { App, fetchAhead } from "./app";
 import { whenFirstPicture } from "./canvas/first";
 import { startEngine } from "./engine/engine";
 import { compileProof } from "./engine/proof";
@@ -35,7 +35,7 @@ async function begin(root: HTMLElement): Promise<void> {
   await whenFirstPicture();
   startEngine({ page, proof: await proof }, { workers: parameters.workers });
   startSchedules({ card: parameters.card });
-  fetchCurves();
+  fetchAhead();
 }
 
 const root = document.getElementById("app");

@@ -9,6 +9,7 @@ import { Figures34 } from "./fig34";
 import { FITS } from "./fits";
 import type { Heading } from "./frame";
 import { LESSONS } from "./lessons";
+import { SPACES } from "./spaces";
 import { Table1 } from "./table1";
 import * as thumbs from "./thumbs";
 
@@ -94,12 +95,12 @@ export const CATALOGUE: readonly Entry[] = [
   },
 ];
 
-export { DEFORMS, FITS, LESSONS };
+export { DEFORMS, FITS, LESSONS, SPACES };
 
 /** Where an address leads: one of a row of pages, with the row that it is in. */
 export function find(id: string): { row: readonly Entry[]; index: number } | null {
   const asked = id.toLowerCase();
-  for (const row of [CATALOGUE, DEFORMS, FITS, LESSONS]) {
+  for (const row of [CATALOGUE, DEFORMS, FITS, SPACES, LESSONS]) {
     const index = row.findIndex((entry) => entry.id === asked || entry.also?.includes(asked));
     if (index >= 0) return { row, index };
   }

@@ -1,5 +1,6 @@
 import { useMemo, useState } from "preact/hooks";
 import { prover } from "../engine/proof";
+import { reasonWords } from "../state/reason";
 import { fixed } from "../ui/number";
 import { Segmented } from "../ui/Segmented";
 import { barnsley, type Round } from "./barnsley";
@@ -11,7 +12,7 @@ import { Plot } from "./plot";
 import { nearWords, type Prediction, usePrediction } from "./predict";
 import { Rows } from "./rows";
 import { studioHref } from "./studio";
-import { Chip, reasonWords } from "./verdict";
+import { Chip } from "./verdict";
 
 /** The dust of the finished picture, and the one that is asked about. */
 const [SHOWN, ASKED] = [0.45, 0.49];

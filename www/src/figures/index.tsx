@@ -2,9 +2,10 @@ import "./figures.css";
 import "./deform.css";
 import "./fits.css";
 import "./lesson.css";
+import "./spaces.css";
 import "./parts.css";
 import { useEffect, useRef } from "preact/hooks";
-import { DEFORMS, type Entry, FITS, find, LESSONS } from "./catalogue";
+import { DEFORMS, type Entry, FITS, find, LESSONS, SPACES } from "./catalogue";
 import { Overview } from "./overview";
 
 /** The figures of the paper and the lessons as live pages: all of them, or the one that the address names. */
@@ -41,6 +42,7 @@ export function Figures({ figure }: { figure: string | null }) {
 function rowName(row: readonly Entry[]): string {
   if (row === LESSONS) return "Lessons";
   if (row === FITS) return "Figures of rough curves";
+  if (row === SPACES) return "Figures of space";
   return row === DEFORMS ? "Figures of the deformation" : "Figures";
 }
 

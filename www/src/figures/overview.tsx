@@ -1,4 +1,4 @@
-import { CATALOGUE, DEFORMS, type Entry, FITS, LESSONS } from "./catalogue";
+import { CATALOGUE, DEFORMS, type Entry, FITS, LESSONS, SPACES } from "./catalogue";
 
 /** All figures and lessons, each with a small picture that the program made. */
 export function Overview({ missing }: { missing: string | null }) {
@@ -38,6 +38,14 @@ export function Overview({ missing }: { missing: string | null }) {
           their maps, and the outline of a leaf.
         </p>
         <Cards row={FITS} />
+      </section>
+      <section aria-labelledby="in-space">
+        <h2 id="in-space">Shapes in space, moved by their parameters</h2>
+        <p class="figure-lead">
+          The figures of “IFS Fractal Animation” by Nevin M. Darwish and Reda Abd-El-Wahab, rebuilt, as their
+          print is cut off: to turn a shape is to turn its maps, and each frame is a set of parameters.
+        </p>
+        <Cards row={SPACES} />
       </section>
       <section aria-labelledby="lessons">
         <h2 id="lessons">Eleven lessons</h2>

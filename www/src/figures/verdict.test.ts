@@ -1,5 +1,6 @@
 import { expect, it } from "vitest";
-import { exactWords, reasonWords } from "./verdict";
+import { reasonWords } from "../state/reason";
+import { exactWords } from "./verdict";
 
 it("explains an address once, and leaves other reasons alone", () => {
   expect(reasonWords("The area says so.")).toBe("The area says so.");

@@ -1,4 +1,5 @@
 import type { Connectedness } from "../engine/api";
+import { reasonWords } from "../state/reason";
 import { lengthWords, verdictWords } from "../state/words";
 
 /** A verdict as one line of text, for labels and tips. */
@@ -55,14 +56,6 @@ export function exactWords(answer: Connectedness | null): { tone: Tone; text: st
 export function Why({ answer }: { answer: Connectedness | undefined }) {
   const reason = answer?.verdict === "connected" ? answer.reason : undefined;
   return reason ? <p class="why">{reasonWords(reason.text)}</p> : null;
-}
-
-/** A reason with its addresses explained, where it has any. */
-export function reasonWords(text: string): string {
-  const address = /\b(\d)\((\d)\)/.exec(text);
-  if (!address) return text;
-  const [read, first, then] = address;
-  return `${text} (${read} reads: in piece ${first}, in its part ${then}, in the part ${then} of that, and so on for ever.)`;
 }
 
 export interface ChipProps {

@@ -14,11 +14,13 @@ import { selection, shown } from "../state/morph";
 import { notify, wordsOf } from "../state/notice";
 import type { Photograph } from "../state/photograph";
 import { ownPicture, pictureShown } from "../state/picture";
+import { spacePlaying } from "../state/playback";
 import { scene } from "../state/scene";
 
 /** The one link between this page's document and its address. */
 export const link = new Link(frond, addressBar, () => {
   selection.value = null;
+  spacePlaying.value = false;
   adoptPath();
 });
 
@@ -65,6 +67,10 @@ export const curveOnStage = computed(() => curved.value && !pictureShown.value);
 export function savePicture(): void {
   if (scene.peek().tool === "fit") {
     import("../views/fit/save").then((save) => save.savePng(), notSaved);
+    return;
+  }
+  if (scene.peek().tool === "space") {
+    import("../views/space/save").then((save) => save.savePng(), notSaved);
     return;
   }
   const size = stageSize.peek();

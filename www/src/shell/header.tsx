@@ -31,6 +31,7 @@ export function Header() {
         <ToolPlace name="morph">Morph</ToolPlace>
         <ToolPlace name="deform">Deform</ToolPlace>
         <ToolPlace name="fit">Fit</ToolPlace>
+        <ToolPlace name="space">Space</ToolPlace>
         <Place href="#figures" here={!studio}>
           Figures
         </Place>
@@ -136,6 +137,7 @@ function PlaceChoice() {
         <option value="morph">Morph</option>
         <option value="deform">Deform</option>
         <option value="fit">Fit</option>
+        <option value="space">Space</option>
         <option value="figures">Figures</option>
       </select>
       <Icon name="down" size={16} />

@@ -12,6 +12,7 @@ import { frond } from "../engine/wasm";
 import { bend, deformation } from "../state/bend";
 import { linear, selection, shown } from "../state/morph";
 import { pictureShown } from "../state/picture";
+import { spaceShown } from "../state/playback";
 import { scene } from "../state/scene";
 
 /** The picture on the stage, or the linear one beside it. */
@@ -47,7 +48,11 @@ export function installHook(): void {
     readPixels,
     twin,
     locusProgress: () => locus.peek()?.progress ?? 0,
-    forceLoss: () => mainPainter.peek()?.forceLoss(),
+    forceLoss: () => {
+      if (scene.peek().tool === "space")
+        import("../views/space/stage/state").then((stage) => stage.loseSpace());
+      else mainPainter.peek()?.forceLoss();
+    },
     killWorker,
     drawn: () => calm(drawn),
     idle: () => calm(idle),
@@ -55,6 +60,7 @@ export function installHook(): void {
 }
 
 async function readPixels(which: Which = "main"): Promise<Pixels> {
+  if (scene.peek().tool === "space") return (await import("../views/space/stage/state")).spacePixels();
   const painter = (which === "main" ? mainPainter : linearPainter).peek();
   if (!painter) throw new Error("There is no picture on this page.");
   return painter.pixels();
@@ -80,8 +86,9 @@ async function twin(which: Which = "main"): Promise<Pixels> {
 }
 
 function drawn(): boolean {
-  // The fit has a picture of its own, and this one is not on the page.
+  // These have a picture of their own, and this one is not on the page.
   if (scene.value.tool === "fit") return true;
+  if (scene.value.tool === "space") return spaceShown.value;
   return picture.value.settled && linearPicture.value?.settled !== false;
 }
 

@@ -11,7 +11,7 @@ import { here, locusView, selection } from "../state/morph";
 import { announce } from "../state/notice";
 import { playing } from "../state/playback";
 import { countWords, type VerdictWords, verdictWords } from "../state/words";
-import { CHIP_ID, PANEL_ID } from "./evidence/Panel";
+import { CHIP_ID, PANEL_ID } from "./evidence/ids";
 import { Glyph } from "./glyphs";
 
 const words = computed<VerdictWords | null>(() =>

@@ -107,3 +107,23 @@ describe("undo and the moment", () => {
     expect(scene.value).toEqual(first);
   });
 });
+
+describe("undo in space", () => {
+  const view = { target: [0, 0, 0] as [number, number, number], distance: 5, turn: 1, tilt: 0, angle: 1 };
+
+  it("leaves the view and the moment where they are", () => {
+    edit((now) => ({ ...now, space: { packed: "o:tree", at: 0 } }));
+    replace({ ...scene.peek(), space: { packed: "o:tree", at: 2, view } });
+    undo();
+    expect(scene.value.space).toEqual({ packed: "", at: 2, view });
+    redo();
+    expect(scene.value.space).toEqual({ packed: "o:tree", at: 2, view });
+  });
+
+  it("brings them back where the step changed them", () => {
+    replace({ ...scene.peek(), space: { packed: "o:tree", at: 2, view } });
+    edit((now) => ({ ...now, space: { packed: "o:fern", at: 0 } }));
+    undo();
+    expect(scene.value.space).toEqual({ packed: "o:tree", at: 2, view });
+  });
+});

@@ -1,4 +1,4 @@
-import type { Scene } from "../engine/api";
+import type { Scene, SpacePart } from "../engine/api";
 
 /** One undo step: the scene before and after it. */
 interface Step {
@@ -47,7 +47,20 @@ function restore(target: Scene, other: Scene, present: Scene): Scene {
   if (scene.deform && present.deform && scene.deform.phase === other.deform?.phase) {
     scene.deform = { ...scene.deform, phase: present.deform.phase };
   }
+  if (present.space) scene.space = restoreSpace(target.space, other.space, present.space);
   return scene;
+}
+
+/** The same of space. */
+function restoreSpace(
+  target: SpacePart | undefined,
+  other: SpacePart | undefined,
+  present: SpacePart,
+): SpacePart {
+  const view = target?.view === other?.view ? present.view : target?.view;
+  const at = (target?.at ?? 0) === (other?.at ?? 0) ? present.at : (target?.at ?? 0);
+  const own = target?.own === other?.own ? present.own : target?.own;
+  return { packed: target?.packed ?? "", at, ...(view ? { view } : {}), ...(view && own ? { own } : {}) };
 }
 
 export function stepBack(history: History, present: Scene): { history: History; scene: Scene } | null {

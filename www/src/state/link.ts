@@ -2,7 +2,7 @@ import { effect, type ReadonlySignal, signal } from "@preact/signals";
 import type { FrondError, Scene } from "../engine/api";
 import { phasePlaying } from "./bend";
 import { notify, wordsOf } from "./notice";
-import { playing } from "./playback";
+import { playing, spacePlaying } from "./playback";
 import { edit, inGesture, scene, start } from "./scene";
 
 export type Route = { page: "studio" } | { page: "figures"; figure: string | null };
@@ -89,7 +89,8 @@ export class Link {
     const stop = effect(() => {
       const now = scene.value;
       // While it moves there is nothing worth keeping, and browsers count how often the address is written.
-      if (playing.value || phasePlaying.value || inGesture.value || now === this.#kept) return;
+      if (playing.value || phasePlaying.value || spacePlaying.value || inGesture.value || now === this.#kept)
+        return;
       this.#stop();
       this.#timer = setTimeout(() => this.flush(), REST_MS);
     });

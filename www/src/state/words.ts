@@ -27,8 +27,10 @@ export interface VerdictWords {
   aside: string;
 }
 
-/** The verdict as a person would say it. Only a proof is said to be one. */
-export function verdictWords(answer: Connectedness): VerdictWords {
+/** The verdict as a person would say it, of the plane or of space. Only a proof is said to be one. */
+export function verdictWords(
+  answer: Pick<Connectedness, "verdict" | "gap" | "count" | "diameter">,
+): VerdictWords {
   switch (answer.verdict) {
     case "connected":
       return { tone: "whole", text: "In one piece", aside: "proved" };

@@ -9,12 +9,9 @@ import { palette } from "../../style/palette";
 import { IconButton } from "../../ui/Button";
 import { Graph } from "../../ui/Graph";
 import { Switch } from "../../ui/Switch";
+import { CHIP_ID, PANEL_ID } from "./ids";
 import { Proof } from "./Proof";
 import { accountOf, addressWords, gapWords, groupWords, linkWords } from "./words";
-
-export const PANEL_ID = "evidence";
-/** What opens the panel, and has the focus again when it closes. */
-export const CHIP_ID = "verdict-chip";
 
 function close(): void {
   evidenceOpen.value = false;

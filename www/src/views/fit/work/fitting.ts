@@ -12,9 +12,9 @@ import type {
   Prepared,
   Rival,
 } from "../../../engine/fit/tasks/curve";
+import { isStopped, Latest, persist } from "../../../engine/lanes/latest";
 import { announce, notify, wordsOf } from "../../../state/notice";
 import { fitDocument, replaceFit } from "../../../state/outline";
-import { isStopped, Latest, persist } from "./latest";
 import { numbersOf, polylineOf, prepared, ready, SEEDS } from "./outline";
 import { source, takeSource } from "./source";
 

@@ -2,9 +2,9 @@
 import { batch, effect, signal } from "@preact/signals";
 import { fitTask } from "../../../engine/fit/client";
 import type { Component, Masked, Stroke, TraceWarning } from "../../../engine/fit/tasks/trace-types";
+import { InTurn, isStopped } from "../../../engine/lanes/latest";
 import { announce, notify, wordsOf } from "../../../state/notice";
 import { framed, frameOfSize } from "./frame";
-import { InTurn, isStopped } from "./latest";
 import { opened, PICTURE_LANE } from "./source";
 
 export interface Settings {

@@ -10,8 +10,8 @@ import type {
   OpenedSeries,
   ReadOutline,
 } from "../../../engine/fit/tasks/trace-types";
+import { isStopped, Latest } from "../../../engine/lanes/latest";
 import { announce, notify, wordsOf } from "../../../state/notice";
-import { isStopped, Latest } from "./latest";
 
 export type Source =
   | { kind: "grown"; name: string; grown: Grown; seed: number }

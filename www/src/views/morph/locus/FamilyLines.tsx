@@ -1,14 +1,14 @@
+import { lowered } from "../../../canvas/locus/words";
 import { homeOf } from "../../../engine/window";
 import type { Uv } from "../../../state/path";
+import { piecesIn } from "../../../state/polyline";
 import { criticalScale } from "./critical";
 import { circlesOf, landmarksOf } from "./families";
 import { arcNear } from "./geometry";
 import { isOutside } from "./Handles";
 import { around, linePath } from "./marks";
-import { piecesIn } from "./polyline";
 import { shownWindow, sides, view } from "./view";
 import { place } from "./way";
-import { lowered } from "./words";
 
 /** What is known by proof, drawn over what is computed. */
 export function FamilyLines() {

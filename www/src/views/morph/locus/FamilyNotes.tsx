@@ -1,9 +1,9 @@
+import { lowered, powerWords } from "../../../canvas/locus/words";
 import { MOST_ZOOM } from "../../../engine/window";
 import { Button } from "../../../ui/Button";
 import { critical, criticalScale } from "./critical";
 import { landmarksOf, symmetryWords, theoremWords } from "./families";
 import { fly, pickPoint, sides } from "./view";
-import { lowered, powerWords } from "./words";
 
 /** What others proved of a family, beside what Frond computes, and places to go to. */
 export function FamilyNotes() {

@@ -1,11 +1,11 @@
-import "./handles.css";
+import "../../../canvas/locus/handles.css";
 import { uv } from "../../../state/morph";
+import { percent } from "../../../state/morph-words";
 import type { Uv } from "../../../state/path";
+import { pointOf } from "../../../state/polyline";
 import { endGesture, scene } from "../../../state/scene";
 import { addStep } from "../../../ui/number";
 import { scrubTo } from "../strip/scrub";
-import { percent } from "../words";
-import { pointOf } from "./polyline";
 import { shownWindow, view } from "./view";
 import {
   addAfter,

@@ -1,22 +1,27 @@
-import "./locus.css";
+import "../../../canvas/locus/locus.css";
 import "./field.css";
-import { signal } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { Legend } from "../../../canvas/locus/Legend";
+import type { LocusStyle } from "../../../canvas/locus/paint";
 import { Segmented } from "../../../ui/Segmented";
 import { followCritical } from "./critical";
 import { FamilyNotes } from "./FamilyNotes";
-import { Legend } from "./Legend";
 import { LocusSquare } from "./LocusSquare";
 import { Now } from "./Now";
 import { Planes } from "./Planes";
-import type { LocusStyle } from "./paint";
 import { Slice } from "./Slice";
+import { shownField } from "./shown";
 import { Ticks } from "./Ticks";
-import { family } from "./view";
+import { epsilon, family } from "./view";
 import { WindowNumbers } from "./WindowNumbers";
 
 /** How the field is shown: a way of looking, no part of the document. */
 const style = signal<LocusStyle>("gap");
+
+/** Which states there are in the window; the same as long as they stay the same. */
+const present = computed(() => [...new Set(shownField.value?.state)].sort().join());
+const states = computed(() => new Set(present.value.split(",").filter(Boolean).map(Number)));
 
 /** The map alone, to be watched while a shape is changed. */
 export function LocusBeside() {
@@ -30,7 +35,7 @@ export function LocusBeside() {
         <LocusSquare style={style.value} />
         <Ticks axis="u" />
       </div>
-      <Legend style={style.value} />
+      <Legend states={states.value} epsilon={epsilon.value} style={style.value} />
     </section>
   );
 }
@@ -60,7 +65,7 @@ export function LocusPanel() {
         <LocusSquare style={style.value} />
         <Ticks axis="u" />
       </div>
-      <Legend style={style.value} />
+      <Legend states={states.value} epsilon={epsilon.value} style={style.value} />
       <Now />
       {family.value === "morph" ? <Slice /> : <FamilyNotes />}
       <WindowNumbers />

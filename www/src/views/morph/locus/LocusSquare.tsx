@@ -1,15 +1,15 @@
 import { useEffect, useRef } from "preact/hooks";
+import { Field } from "../../../canvas/locus/Field";
+import type { LocusStyle } from "../../../canvas/locus/paint";
 import { locusWindow } from "../../../engine/results";
 import { pathKind } from "../parts";
 import { CROSS_HINT, Cross, crossKey, useCross } from "./cross";
 import { FamilyLines } from "./FamilyLines";
-import { Field } from "./Field";
 import { useGestures } from "./gestures";
 import { CurrentHandle, WayHandle } from "./Handles";
 import { followPointer } from "./hover";
 import { End, PathLines, PickedMark } from "./marks";
 import { Preview } from "./Preview";
-import type { LocusStyle } from "./paint";
 import { shownField } from "./shown";
 import { family, shownWindow, view } from "./view";
 import { WorstMark } from "./WorstMark";

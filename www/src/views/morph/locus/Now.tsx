@@ -1,3 +1,4 @@
+import { complexWords, sampleWords } from "../../../canvas/locus/words";
 import { STATE } from "../../../engine/breaks";
 import { FIRST_S, uv } from "../../../state/morph";
 import { announce, notify } from "../../../state/notice";
@@ -12,7 +13,6 @@ import { familyMaps } from "./hover";
 import { sampleAt } from "./shown";
 import { backToPath, epsilon, family, picked, setPlane, sides, view } from "./view";
 import { addAt } from "./way";
-import { complexWords, sampleWords } from "./words";
 
 /** Where the picture is now, in numbers, and what can be done with a point that was taken off the path. */
 export function Now() {

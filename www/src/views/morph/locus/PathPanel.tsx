@@ -1,4 +1,4 @@
-import "./path.css";
+import "../../../canvas/locus/path.css";
 import { useComputed } from "@preact/signals";
 import type { PathKind } from "../../../engine/api";
 import { clearanceOf } from "../../../engine/breaks";
@@ -6,6 +6,8 @@ import { along, locus, pathBreaks, plan, workers } from "../../../engine/results
 import { certified, certify, stopCertifying } from "../../../engine/schedule/certify";
 import { leavesPlane, plan3, setThird, third, wayOf } from "../../../engine/schedule/plan";
 import { locusView, pathPoints } from "../../../state/morph";
+import { bestWords, certifiedWords, pathWords, roomWords } from "../../../state/morph-words";
+import { widestAlong } from "../../../state/polyline";
 import { edit, endGesture } from "../../../state/scene";
 import { Button, IconButton } from "../../../ui/Button";
 import { NumberField } from "../../../ui/NumberField";
@@ -14,9 +16,7 @@ import { Switch } from "../../../ui/Switch";
 import { MOST_POINTS } from "../changes";
 import { openMatching, openRoutes } from "../dialogs";
 import { mode, pathKind } from "../parts";
-import { bestWords, certifiedWords, pathWords, roomWords } from "../words";
 import { focusHandle } from "./Handles";
-import { widestAlong } from "./polyline";
 import {
   addAfter,
   addHere,

@@ -1,5 +1,6 @@
 import type { RefObject } from "preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import { knownWords } from "../../../canvas/locus/words";
 import type { Bounds } from "../../../engine/api";
 import { announce } from "../../../state/notice";
 import type { Uv } from "../../../state/path";
@@ -7,7 +8,6 @@ import { spot } from "./geometry";
 import { type Pointed, pointed, type Seen, SIDE, seen } from "./hover";
 import { inDigits, shownWindow, view } from "./view";
 import { place } from "./way";
-import { knownWords } from "./words";
 
 const REST_MS = 700;
 

@@ -1,9 +1,9 @@
+import { epsilonWords, zoomWords } from "../../../canvas/locus/words";
 import { LEAST_EPSILON, MOST_ZOOM } from "../../../engine/window";
 import { endGesture } from "../../../state/scene";
 import { NumberField } from "../../../ui/NumberField";
 import { digitsOf } from "./geometry";
 import { epsilon, family, inDigits, picked, pickPoint, setView, shownWindow, view } from "./view";
-import { epsilonWords, zoomWords } from "./words";
 
 /** Nearer than this, a number takes a line of its own. */
 const LONG = 1e4;

@@ -1,7 +1,7 @@
 import { along } from "../../../engine/results";
 import { pathPoints } from "../../../state/morph";
+import { gapWords, percent } from "../../../state/morph-words";
 import { uvAt } from "../../../state/path";
-import { gapWords, percent } from "../words";
 import { shownWindow } from "./view";
 import { place } from "./way";
 

@@ -3,10 +3,10 @@ import { signal } from "@preact/signals";
 import { uv } from "../../../state/morph";
 import { announce } from "../../../state/notice";
 import type { Uv } from "../../../state/path";
+import { pointOf } from "../../../state/polyline";
 import { zoomAbout } from "./gestures";
 import { isOutside } from "./Handles";
 import { pointed } from "./hover";
-import { pointOf } from "./polyline";
 import { goHome, panBy, picked, pickPoint, shownWindow, view } from "./view";
 import { addAt, place } from "./way";
 

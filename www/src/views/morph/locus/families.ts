@@ -1,6 +1,7 @@
 /** What is known by proof of the polygon families {s z + exp(2 pi i k / n)}, and places worth seeing. */
+
+import { lowered } from "../../../canvas/locus/words";
 import type { Uv } from "../../../state/path";
-import { lowered } from "./words";
 
 const isPrime = (n: number): boolean => {
   for (let d = 2; d * d <= n; d++) if (n % d === 0) return false;

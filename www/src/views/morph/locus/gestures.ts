@@ -3,12 +3,12 @@ import type { RefObject } from "preact";
 import { useRef } from "preact/hooks";
 import { pathPoints, selection, uv } from "../../../state/morph";
 import type { Uv } from "../../../state/path";
+import { hitHandle, nearestOn, pointOf } from "../../../state/polyline";
 import { endGesture } from "../../../state/scene";
 import { scrubTo } from "../strip/scrub";
 import { zoomed } from "./geometry";
 import { CURRENT_ID, handleId } from "./Handles";
 import { pointed } from "./hover";
-import { hitHandle, nearestOn, pointOf } from "./polyline";
 import { backToPath, panBy, pickPoint, setView, shownWindow, stopFlying, view, zoomBy } from "./view";
 import { addAt, moveTo, pick, removeAt, way } from "./way";
 

@@ -2,9 +2,9 @@
 import { pathBreaks } from "../../../engine/results";
 import { pathPoints } from "../../../state/morph";
 import type { Uv } from "../../../state/path";
+import { piecesIn, slice, sliced } from "../../../state/polyline";
 import { twins } from "./families";
 import { isOff, isOutside } from "./Handles";
-import { piecesIn, slice, sliced } from "./polyline";
 import { family, picked, shownWindow, sides, view } from "./view";
 import { place } from "./way";
 

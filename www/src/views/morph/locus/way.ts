@@ -4,14 +4,14 @@ import type { Bounds } from "../../../engine/api";
 import { STATE, stateNear } from "../../../engine/breaks";
 import { along, locus, pathBreaks } from "../../../engine/results";
 import { locusView, pathPoints, uv } from "../../../state/morph";
+import { stateWords } from "../../../state/morph-words";
 import { announce } from "../../../state/notice";
 import { timesOf, type Uv, uvAt } from "../../../state/path";
 import { setT } from "../../../state/playback";
+import { clamp, insert, move, nearestOn, remove } from "../../../state/polyline";
 import { edit, endGesture, scene } from "../../../state/scene";
 import { fixed } from "../../../ui/number";
 import { MOST_POINTS, setPoints } from "../changes";
-import { stateWords } from "../words";
-import { clamp, insert, move, nearestOn, remove } from "./polyline";
 
 /** The part of the (u, v) plane that is shown before the engine has said so. */
 const WHOLE: Bounds = { u0: -1, v0: -1, u1: 2, v1: 2 };

@@ -1,8 +1,10 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
+import { paint } from "../../../canvas/locus/paint";
 import type { RatedCandidate } from "../../../engine/api";
 import { BOUNDS } from "../../../engine/locus-job";
 import { lookForMatchings, matchings, stopMatching } from "../../../engine/schedule/matching";
 import { wayOf } from "../../../engine/schedule/plan";
+import { matchWords, meritWords } from "../../../state/morph-words";
 import { announce } from "../../../state/notice";
 import { dark } from "../../../state/preferences";
 import { edit } from "../../../state/scene";
@@ -11,10 +13,8 @@ import { Button } from "../../../ui/Button";
 import { useOwnId } from "../../../ui/id";
 import { isMatched, takeMatching } from "../changes";
 import { matchingOpen } from "../dialogs";
-import { paint } from "../locus/paint";
 import { place } from "../locus/way";
 import { correspondence, turns } from "../parts";
-import { matchWords, meritWords } from "../words";
 
 /** Other ways to match the maps, each with its own map of where it holds. */
 export function Matching() {

@@ -1,5 +1,6 @@
 import "./pairs.css";
 import { pairing } from "../../../state/morph";
+import { listWords } from "../../../state/morph-words";
 import { edit, endGesture } from "../../../state/scene";
 import { Button } from "../../../ui/Button";
 import { NumberField } from "../../../ui/NumberField";
@@ -7,7 +8,6 @@ import { flatPairs } from "../changes";
 import { openRoutes, pairsOpen } from "../dialogs";
 import { correspondence, turns } from "../parts";
 import { Swatch } from "../shapes/Swatch";
-import { listWords } from "../words";
 import { Matching } from "./Matching";
 import { Routes } from "./Routes";
 

@@ -2,10 +2,10 @@ import { computed, type ReadonlySignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { type Frame, strip } from "../../../engine/results";
 import { curved, film } from "../../../state/curve";
+import { percent, verdictWords } from "../../../state/morph-words";
 import { scene } from "../../../state/scene";
 import { media } from "../../../ui/media";
 import { Thumbnail } from "../../../ui/Thumbnail";
-import { percent, verdictWords } from "../words";
 import { evenly } from "./evenly";
 import { scrubTo } from "./scrub";
 

@@ -4,6 +4,7 @@ import { computed } from "@preact/signals";
 import { along, pathBreaks } from "../../../engine/results";
 import { curved } from "../../../state/curve";
 import { locusView } from "../../../state/morph";
+import { gapWords, percent } from "../../../state/morph-words";
 import { loop, pause, play, playing, speed } from "../../../state/playback";
 import { endGesture, scene } from "../../../state/scene";
 import { IconButton } from "../../../ui/Button";
@@ -12,7 +13,6 @@ import { NumberField } from "../../../ui/NumberField";
 import { Segmented } from "../../../ui/Segmented";
 import { Slider } from "../../../ui/Slider";
 import { stateOn } from "../locus/way";
-import { gapWords, percent } from "../words";
 import { FilmStrip, frames } from "./FilmStrip";
 import { scrubTo } from "./scrub";
 

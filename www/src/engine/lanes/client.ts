@@ -1,0 +1,74 @@
+import { Lane, type WorkerLike } from "./lane";
+import type { Performer } from "./performer";
+import type { Answer, Args, Name, ProgressOf, Result, Table } from "./task";
+
+export interface Options<T extends Table, K extends keyof T, L extends number> {
+  /** Calls it off: the promise is rejected with `{ code: "stopped" }`. */
+  signal?: AbortSignal;
+  onProgress?: (value: ProgressOf<T, K>) => void;
+  transfer?: Transferable[];
+  /** Which of the workers. What a task keeps is there for the next one of the same lane. */
+  lane?: L;
+}
+
+export interface Workers<L extends number> {
+  /** Fetches and compiles what they compute with. */
+  module: () => Promise<WebAssembly.Module>;
+  worker: () => Worker;
+  /** What does the work on the page where there are no workers. */
+  performer: Performer;
+  /** Where a task goes that does not say. */
+  lane: L;
+}
+
+/** What asks workers for the tasks of a table. They are started, and their module fetched, when first needed. */
+export function client<T extends Table, L extends number>(workers: Workers<L>) {
+  const lanes = new Map<number, Lane>();
+  let next = 1;
+
+  return function task<K extends Name<T>>(
+    name: K,
+    args: Args<T, K>,
+    options: Options<T, K, L> = {},
+  ): Promise<Result<T, K>> {
+    const number = options.lane ?? workers.lane;
+    const lane = lanes.get(number) ?? new Lane(() => spawn(workers), workers.module);
+    lanes.set(number, lane);
+    const { signal } = options;
+    const id = next++;
+    return new Promise<Result<T, K>>((resolve, reject) => {
+      if (signal?.aborted) {
+        reject({ code: "stopped", message: "Something else was asked for." });
+        return;
+      }
+      signal?.addEventListener("abort", () => lane.stop(id), { once: true });
+      void lane.give({
+        ask: { type: "run", id, name, args },
+        transfer: options.transfer ?? [],
+        onProgress: (value) => options.onProgress?.(value as ProgressOf<T, K>),
+        resolve: (result) => resolve(result as Result<T, K>),
+        reject,
+      });
+    });
+  };
+}
+
+function spawn<L extends number>({ worker, performer }: Workers<L>): WorkerLike {
+  const none = new URL(location.href).searchParams.get("workers") === "0" || typeof Worker === "undefined";
+  return none ? new OnPage(performer) : (worker() as WorkerLike);
+}
+
+/** Stands in for a worker where none can be had. */
+class OnPage implements WorkerLike {
+  onmessage: WorkerLike["onmessage"] = null;
+  onerror: WorkerLike["onerror"] = null;
+  readonly postMessage: WorkerLike["postMessage"];
+
+  constructor(performer: Performer) {
+    this.postMessage = performer((data) => this.onmessage?.({ data } as MessageEvent<Answer>));
+  }
+
+  terminate(): void {
+    this.onmessage = null;
+  }
+}

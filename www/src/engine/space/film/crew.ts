@@ -1,0 +1,37 @@
+import { client } from "../../lanes/client";
+import { compileSpace } from "../module";
+import { performer } from "../performer";
+import type { Tasks } from "../tasks";
+
+/** Workers of their own for one film, so that it keeps nothing else waiting. They go when it is made. */
+export function crew() {
+  const workers: Worker[] = [];
+  const task = client<Tasks, number>({
+    module: compileSpace,
+    worker: () => {
+      const worker = new Worker(new URL("../../../workers/space.worker.ts", import.meta.url), {
+        type: "module",
+        name: "frond-film",
+      });
+      workers.push(worker);
+      return worker;
+    },
+    performer,
+    lane: 0,
+  });
+  return {
+    task,
+    end() {
+      for (const worker of workers) worker.terminate();
+    },
+  };
+}
+
+/** Pixels that all of them may carve at a time: each takes some 10 bytes. */
+const ROOM = 50e6;
+const MOST = 8;
+
+/** How many draw frames of so many carved pixels; one core is left for the page. */
+export function painters(carved: number, cores: number): number {
+  return Math.max(1, Math.min(MOST, cores - 1, Math.floor(ROOM / Math.max(1, carved))));
+}

@@ -1,0 +1,9 @@
+import { performerOf } from "../lanes/performer";
+import { startSpace } from "./module";
+import { tasks } from "./tasks";
+
+/** The inside of a worker of space: its tasks have `solid`, as the page does. */
+export const performer = performerOf(tasks, async (module) => {
+  await startSpace(module);
+  return {};
+});

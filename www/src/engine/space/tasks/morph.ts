@@ -1,0 +1,128 @@
+import type {
+  Connectedness3,
+  Intersection3,
+  Locus,
+  MapRow3,
+  MorphOptions,
+  PathCheck,
+  PathPlan,
+  PathPoint,
+} from "../../api";
+import type { Context } from "../../lanes/task";
+import { EPSILON, LocusFill, SIZE, STRIDES, shareOf } from "../locus-fill";
+import { solid } from "../module";
+
+/** All that a morph hangs on besides where on it one is. */
+export interface MorphInputs {
+  from: MapRow3[];
+  to: MapRow3[];
+  options: MorphOptions;
+}
+
+export interface LocusSoFar extends Locus {
+  /** 0 to 1. */
+  progress: number;
+}
+
+/** A path, and what was found along it. */
+export interface PathFound {
+  plan: PathPlan;
+  check: PathCheck;
+  /** How much of the search is done: 1 where it is this one. */
+  share: number;
+}
+
+/** Milliseconds from breath to breath. */
+const BREATH = 60;
+/** Samples a side of the locus that a path is looked for in: the next only where the one before has found none that holds. */
+const SIDES = [13, 25, 49] as const;
+/** Moments of a path that are looked at. */
+const MOMENTS = 401;
+
+export const morphTasks = {
+  /** Where a morph holds together, coarse first. */
+  async morphLocus(
+    { progress, breathe, transfer }: Context<LocusSoFar>,
+    { from, to, options }: MorphInputs,
+  ): Promise<LocusSoFar> {
+    const grid = new solid.SpaceLocus(from, to, { ...options, width: SIZE, height: SIZE, epsilon: EPSILON });
+    const fill = new LocusFill();
+    const copy = (share: number): LocusSoFar => ({
+      ...fill.locus,
+      state: fill.locus.state.slice(),
+      gap: fill.locus.gap.slice(),
+      progress: share,
+    });
+    try {
+      let perRow = 1;
+      for (const [stage, stride] of STRIDES.entries()) {
+        for (let r0 = 0; r0 < SIZE; ) {
+          const rows = Math.max(1, Math.round(BREATH / perRow));
+          const r1 = Math.min(SIZE, r0 + rows * stride);
+          const before = performance.now();
+          fill.put(r0, r1, stride, grid.run(r0, r1, stride));
+          perRow = Math.max(0.05, (performance.now() - before) / rows);
+          r0 = r1 + ((stride - (r1 % stride)) % stride);
+          const now = copy(shareOf(stage, r0));
+          progress(now, [now.state.buffer, now.gap.buffer]);
+          await breathe();
+        }
+      }
+      const whole = copy(1);
+      transfer(whole.state.buffer, whole.gap.buffer);
+      return whole;
+    } finally {
+      grid.free();
+    }
+  },
+
+  /** The path whose widest gap is the narrowest. What is found on the way is told. */
+  async morphPath(
+    { progress, breathe }: Context<PathFound>,
+    { from, to, options }: MorphInputs,
+  ): Promise<PathFound> {
+    let best: PathFound | null = null;
+    for (const [i, size] of SIDES.entries()) {
+      const plan = solid.findPath3(from, to, { ...options, epsilon: EPSILON, size });
+      await breathe();
+      const check = checked({ from, to, options }, plan.points);
+      const found: PathFound = { plan, check, share: sharePath(i) };
+      if (!best || check.gap < best.check.gap || (i === 1 && check.gap === best.check.gap)) best = found;
+      // The coarsest is only a first answer: a finer one keeps farther from what breaks.
+      if (i > 0 && best.check.holds) break;
+      if (i < SIDES.length - 1) progress({ ...best, share: found.share });
+      await breathe();
+    }
+    return { ...(best as PathFound), share: 1 };
+  },
+
+  /** Where a path breaks. */
+  morphCheck(_: Context, { points, ...inputs }: MorphInputs & { points: readonly PathPoint[] }): PathCheck {
+    return checked(inputs, points);
+  },
+
+  /** Whether a shape is in one piece. */
+  holds(_: Context, { maps }: { maps: MapRow3[] }): Connectedness3 {
+    return solid.connectedness3(maps, { epsilon: EPSILON });
+  },
+
+  /** Where two shapes meet whose maps share one linear part. */
+  meet(
+    { transfer }: Context,
+    { first, second, points }: { first: MapRow3[]; second: MapRow3[]; points: number },
+  ): Intersection3 {
+    const found = solid.intersection3(first, second, { points });
+    transfer(found.points.buffer as ArrayBuffer);
+    return found;
+  },
+};
+
+function checked({ from, to, options }: MorphInputs, points: readonly PathPoint[]): PathCheck {
+  return solid.checkPath3(from, to, points, { ...options, epsilon: EPSILON, samples: MOMENTS });
+}
+
+/** As samples are to be looked at, so is the time. */
+function sharePath(i: number): number {
+  const cost = (list: readonly number[]) => list.reduce((sum, side) => sum + side * side, 0);
+  return cost(SIDES.slice(0, i + 1)) / cost(SIDES);
+}

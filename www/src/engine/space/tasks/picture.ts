@@ -1,0 +1,112 @@
+import type { MapRow3, SpaceLight, SpaceView } from "../../api";
+import type { Context } from "../../lanes/task";
+import { type SpaceCarveHandle, type SpaceLook, type SpacePictureHandle, solid } from "../module";
+
+/** As much of an object as a picture shows: its parameters now. */
+export interface Shown {
+  maps: MapRow3[];
+  tint?: string;
+}
+
+/** One complete picture. `width` x `height` pixels, of which `factor` x `factor` are carved for each. */
+export interface PictureRequest extends SpaceLook {
+  objects: Shown[];
+  view: SpaceView;
+  light: SpaceLight;
+}
+
+export interface Painted {
+  width: number;
+  height: number;
+  /** RGBA, straight alpha, row 0 on top. */
+  data: Uint8ClampedArray<ArrayBuffer>;
+}
+
+/** What a renderer makes a complete picture of. */
+export interface Relief {
+  width: number;
+  height: number;
+  depth: Float32Array<ArrayBuffer>;
+  codes: Uint32Array<ArrayBuffer>;
+  /** There is nothing in it. */
+  empty: boolean;
+}
+
+/** Codes have the number of the object above so many bits, as the carving writes them. */
+const OBJECT_BITS = 18;
+
+/** The object at a place of a relief, from 0 to 1 across and down; null where there is none. */
+export function objectAt({ width, height, codes }: Relief, x: number, y: number): number | null {
+  if (!(x >= 0 && x < 1 && y >= 0 && y < 1)) return null;
+  const code = codes[Math.floor(y * height) * width + Math.floor(x * width)] ?? 0;
+  return code === 0 ? null : (code - 1) >>> OBJECT_BITS;
+}
+
+/** So many pieces at first; then as many as fit between two breaths. */
+const FIRST = 20_000;
+const LEAST = 2_000;
+const MOST = 20_000_000;
+/** Milliseconds from breath to breath. */
+const BREATH = 30;
+const KEPT = "picture";
+
+export const pictureTasks = {
+  /** The complete picture, in its colours. */
+  async picture(context: Context, request: PictureRequest): Promise<Painted> {
+    const { objects, view, light, width, height, palette, ground, factor } = request;
+    const carve = pictured(context, objects).carve(view, width * factor, height * factor);
+    try {
+      await carved(context, carve);
+      const data = carve.paint(light, { width, height, factor, palette, ground });
+      context.transfer(data.buffer);
+      return { width, height, data };
+    } finally {
+      carve.free();
+    }
+  },
+
+  /** The complete picture before it is coloured: `width` x `height` are what is carved. */
+  async relief(
+    context: Context,
+    { objects, view, width, height }: { objects: Shown[]; view: SpaceView; width: number; height: number },
+  ): Promise<Relief> {
+    const carve = pictured(context, objects).carve(view, width, height);
+    try {
+      await carved(context, carve);
+      const depth = carve.depth();
+      const codes = carve.codes();
+      context.transfer(depth.buffer, codes.buffer);
+      return { width, height, depth, codes, empty: codes.every((code) => code === 0) };
+    } finally {
+      carve.free();
+    }
+  },
+};
+
+interface Kept {
+  key: string;
+  picture: SpacePictureHandle;
+}
+
+/** The objects made ready, once for as long as they stay the same: often it is only the eye that has moved. */
+function pictured({ keep }: Context, objects: Shown[]): SpacePictureHandle {
+  const key = JSON.stringify(objects);
+  const kept = keep.get(KEPT) as Kept | undefined;
+  if (kept?.key === key) return kept.picture;
+  keep.delete(KEPT);
+  kept?.picture.free();
+  const picture = new solid.SpacePicture(objects);
+  keep.set(KEPT, { key, picture } satisfies Kept);
+  return picture;
+}
+
+/** In slices, so that a picture that nobody wants any more is left unfinished. */
+async function carved({ breathe }: Context, carve: SpaceCarveHandle): Promise<void> {
+  for (let budget = FIRST; ; ) {
+    const before = performance.now();
+    if (carve.run(Math.round(budget))) return;
+    const took = Math.max(0.5, performance.now() - before);
+    budget = Math.min(MOST, Math.max(LEAST, budget * Math.min(4, BREATH / took)));
+    await breathe();
+  }
+}

@@ -1,0 +1,8 @@
+import type { BoxCount3, MapRow3 } from "../../api";
+import type { Context } from "../../lanes/task";
+import { solid } from "../module";
+
+export const shapeTasks = {
+  /** The dimension, counted in boxes from a million points. */
+  boxes: (_context: Context, { maps }: { maps: MapRow3[] }): BoxCount3 => solid.boxes3(maps),
+};

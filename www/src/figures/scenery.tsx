@@ -1,0 +1,72 @@
+import { useMemo, useState } from "preact/hooks";
+import type { MapRow3, SpaceObject, SpaceView } from "../engine/api";
+import { solid } from "../engine/space/module";
+import { type Apart, apartBy, apartWords } from "../engine/space/same";
+import { Button } from "../ui/Button";
+import { MapBlocks } from "../ui/MapBlocks";
+import { SpacePicture } from "./space-picture";
+
+/** The middle of the natural scene: it lies along x before the eye. */
+export const MIDDLE = [14, 0, -1] as const;
+
+export interface SceneryProps {
+  made: readonly SpaceObject[];
+  /** What is done to each of them. */
+  by: MapRow3;
+  view: SpaceView;
+  onView: (view: SpaceView) => void;
+  label: string;
+}
+
+/** Several objects, each with parameters of its own: all are moved by moving these. */
+export function Scenery({ made, by, view, onView, label }: SceneryProps) {
+  const [chosen, setChosen] = useState(0);
+  const objects = useMemo(
+    () =>
+      made.map(({ maps, tint }) => ({
+        maps: solid.conjugate3(maps, by),
+        ...(tint === undefined ? {} : { tint }),
+      })),
+    [made, by],
+  );
+  const apart = useMemo(
+    () => worst(made.map(({ maps }, i) => apartBy(maps, objects[i]?.maps ?? [], by, 500))),
+    [made, objects, by],
+  );
+  const object = made[chosen];
+  const now = objects[chosen]?.maps ?? [];
+  const changed = (map: number, place: number) =>
+    Math.abs((now[map]?.[place] ?? 0) - (object?.maps[map]?.[place] ?? 0)) > 0.005;
+  return (
+    <div class="space-figure wide">
+      <SpacePicture objects={objects} view={view} onView={onView} label={label} />
+      <div class="space-table">
+        <h2>Transform parameters of the {object?.name.toLowerCase()}</h2>
+        {/* biome-ignore lint/a11y/useSemanticElements: a fieldset is for forms */}
+        <div class="buttons" role="group" aria-label="Whose parameters">
+          {made.map(({ name }, i) => (
+            <Button key={name} pressed={i === chosen} onClick={() => setChosen(i)}>
+              {name}
+            </Button>
+          ))}
+        </div>
+        <MapBlocks
+          label={`Transform parameters of the ${object?.name.toLowerCase()}`}
+          maps={now}
+          digits={2}
+          marked={changed}
+          mark="not as made"
+        />
+        <p class="space-note" role="status">
+          <strong>Conjugated parameters, or moved points?</strong> Of {made.length} objects the worst.{" "}
+          {apartWords(apart)}
+        </p>
+      </div>
+    </div>
+  );
+}
+
+/** Of several the one that is farthest apart for its size. */
+function worst(all: readonly Apart[]): Apart {
+  return all.reduce((a, b) => (b.most / b.size > a.most / a.size ? b : a));
+}

@@ -1,0 +1,50 @@
+import { Button } from "../../../ui/Button";
+import { forget, type Made, save } from "./job";
+import { bytesWords, grouped } from "./plan";
+
+/** What was made, to look at and to save once more. */
+export function Finished({ made }: { made: Made }) {
+  const { plan, name, blob, url, frames, missing } = made;
+  const ratio = {
+    aspectRatio: String(plan.width / plan.height),
+    "--ratio": String(plan.width / plan.height),
+  };
+  return (
+    <div class="export-running">
+      {(plan.kind === "mp4" || plan.kind === "webm") && (
+        // biome-ignore lint/a11y/useMediaCaption: nothing is heard in it
+        <video
+          class="export-picture"
+          src={url}
+          style={ratio}
+          controls
+          loop
+          playsInline
+          aria-label="The film"
+        />
+      )}
+      {plan.kind === "gif" && <img class="export-picture" src={url} style={ratio} alt="The film" />}
+      <p class="export-made">
+        <strong>{name}</strong>
+        <span class="hint">
+          {bytesWords(blob.size)}
+          {frames > 0 && `, ${grouped(frames)} frames`}
+        </span>
+      </p>
+      {missing > 0 && (
+        <p class="hint" role="status">
+          {grouped(missing)} {missing === 1 ? "moment has" : "moments have"} no attractor: there the frame
+          before stands still.
+        </p>
+      )}
+      <footer class="export-foot">
+        <Button kind="quiet" onClick={forget}>
+          Make another
+        </Button>
+        <Button icon="save" onClick={() => save(made)}>
+          Save again
+        </Button>
+      </footer>
+    </div>
+  );
+}

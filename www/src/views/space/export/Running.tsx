@@ -1,0 +1,29 @@
+import { Button } from "../../../ui/Button";
+import { cancel, type Job } from "./job";
+import { Picture } from "./Picture";
+import { grouped, isFilm, timeWords } from "./plan";
+
+/** How far it is, what was drawn last, and a way to end it. */
+export function Running({ job }: { job: Job }) {
+  const { plan, done, of, left, preview } = job;
+  const words =
+    done === 0
+      ? "Getting ready …"
+      : `${grouped(done)} of ${grouped(of)} frames${left === null ? "" : `, about ${timeWords(left)} left`}`;
+  return (
+    <div class="export-running">
+      {isFilm(plan.kind) && (
+        <Picture
+          image={preview}
+          label={preview ? `Frame ${done}` : "No frame yet"}
+          ratio={plan.width / plan.height}
+        />
+      )}
+      <progress max={of} value={done} aria-label="Frames made" />
+      <footer class="export-foot">
+        <p class="hint number">{words}</p>
+        <Button onClick={cancel}>Cancel</Button>
+      </footer>
+    </div>
+  );
+}

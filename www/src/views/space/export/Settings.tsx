@@ -1,0 +1,270 @@
+import { useEffect, useMemo } from "preact/hooks";
+import { timeline } from "../../../state/space";
+import { Button } from "../../../ui/Button";
+import { NumberField } from "../../../ui/NumberField";
+import { Segmented } from "../../../ui/Segmented";
+import { Switch } from "../../../ui/Switch";
+import { secondsWords } from "../time/words";
+import { parametersBytes, secondsFor, usePreview } from "./estimate";
+import { make } from "./job";
+import { Picture } from "./Picture";
+import {
+  bytesWords,
+  filmBytes,
+  frameCount,
+  grouped,
+  isFilm,
+  type Kind,
+  LEAST_FPS,
+  LEAST_SIDE,
+  MOST_SIDE,
+  mostFps,
+  type Plan,
+  planProblem,
+  timeWords,
+} from "./plan";
+import { able, askAble, choose, chooseAll, plan, round, SIZES } from "./settings";
+
+const JSON_KINDS = [
+  { value: "frames", label: "Every frame", description: "The parameters of each frame, for other programs" },
+  { value: "keys", label: "Shapes and keys", description: "What Frond opens again" },
+] as const;
+
+const QUALITIES = [
+  { value: "small", label: "Small" },
+  { value: "good", label: "Good" },
+  { value: "best", label: "Best" },
+] as const;
+
+export function Settings() {
+  const now = plan.value;
+  const { width, height, fps } = now;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: what can be written depends on the size
+  useEffect(() => void askAble(), [width, height, fps]);
+  const preview = usePreview(now);
+  const problem = planProblem(now, round.value) ?? preview.problem;
+  const film = isFilm(now.kind);
+  return (
+    <div class="export-sheet">
+      <Kinds />
+      <div class="export-settings">
+        {film ? <FilmFields of={now} /> : <NumbersFields of={now} />}
+        {now.kind !== "keys" && <Part of={now} />}
+      </div>
+      {film && (
+        <div class="export-preview">
+          <Picture image={preview.image} label="The first frame" ratio={width / height} />
+        </div>
+      )}
+      <footer class="export-foot">
+        {problem === null ? (
+          <Estimate of={now} loops={round.value} cost={preview.cost} />
+        ) : (
+          <p class="export-problem" role="status">
+            {problem}
+          </p>
+        )}
+        <Button
+          kind="primary"
+          icon="save"
+          disabled={problem !== null}
+          onClick={() => void make(now, round.value)}
+        >
+          {film ? "Make the film" : "Save"}
+        </Button>
+      </footer>
+    </div>
+  );
+}
+
+/** Only what the browser can write can be chosen; what it cannot is said. */
+function Kinds() {
+  const { kind } = plan.value;
+  const found = able.value;
+  const none = typeof VideoEncoder === "undefined";
+  const missing = found
+    ? ([found.mp4 ? null : "MP4", found.webm ? null : "WebM"].filter(Boolean) as string[])
+    : [];
+  const option = (value: Kind, label: string, description: string) => ({
+    value: value === "keys" ? ("frames" as Kind) : value,
+    label,
+    description,
+    disabled: (value === "mp4" || value === "webm") && (none || (found !== null && found[value] === null)),
+  });
+  return (
+    <div class="export-kinds">
+      <Segmented<Kind>
+        label="Kind of file"
+        options={[
+          option("mp4", "MP4", "A video that plays almost everywhere"),
+          option("webm", "WebM", "A video for the web"),
+          option("gif", "GIF", "A moving picture of 256 colours"),
+          option("frames", "JSON", "Numbers: parameters, not pixels"),
+        ]}
+        value={kind === "keys" ? "frames" : kind}
+        onChange={(next) => choose({ kind: next })}
+      />
+      {missing.length > 0 && (
+        <p class="hint" role="status">
+          {none
+            ? "This browser has no WebCodecs, so it cannot write videos. GIF and JSON stay."
+            : `This browser cannot write ${missing.join(" or ")} at this size.`}
+        </p>
+      )}
+    </div>
+  );
+}
+
+function FilmFields({ of }: { of: Plan }) {
+  const { width, height, fps, kind, quality, smooth } = of;
+  const size = SIZES.find((one) => one.width === width && one.height === height);
+  return (
+    <>
+      <label class="export-size">
+        <span class="field-label">Size</span>
+        <select
+          value={size?.id ?? "own"}
+          onChange={(event) => {
+            const next = SIZES.find((one) => one.id === event.currentTarget.value);
+            if (next) choose({ width: next.width, height: next.height });
+          }}
+        >
+          {SIZES.map(({ id, name }) => (
+            <option key={id} value={id}>
+              {name}
+            </option>
+          ))}
+          {!size && <option value="own">Your own</option>}
+        </select>
+      </label>
+      <div class="export-pair">
+        <NumberField
+          label="Width"
+          value={width}
+          min={LEAST_SIDE}
+          max={MOST_SIDE}
+          step={2}
+          digits={0}
+          onChange={(next) => choose({ width: next })}
+        />
+        <NumberField
+          label="Height"
+          value={height}
+          min={LEAST_SIDE}
+          max={MOST_SIDE}
+          step={2}
+          digits={0}
+          onChange={(next) => choose({ height: next })}
+        />
+      </div>
+      <NumberField
+        label="Frames a second"
+        value={fps}
+        min={LEAST_FPS}
+        max={mostFps(kind)}
+        step={1}
+        digits={2}
+        onChange={(next) => choose({ fps: next })}
+      />
+      {kind !== "gif" && (
+        <div class="row">
+          <span class="row-name">Quality</span>
+          <Segmented
+            label="Quality"
+            options={QUALITIES}
+            value={quality}
+            onChange={(next) => choose({ quality: next })}
+          />
+        </div>
+      )}
+      <Switch
+        checked={smooth}
+        description="Four pixels are carved for each one"
+        onChange={(next) => choose({ smooth: next })}
+      >
+        Smooth edges, in about four times the time
+      </Switch>
+    </>
+  );
+}
+
+function NumbersFields({ of }: { of: Plan }) {
+  return (
+    <>
+      <div class="row">
+        <Segmented<Kind>
+          label="Which numbers"
+          options={JSON_KINDS}
+          value={of.kind}
+          onChange={(next) => choose({ kind: next })}
+        />
+      </div>
+      <p class="hint">
+        {of.kind === "keys"
+          ? "The shapes, the light and the keys as they are here. Frond opens it again: More of time, Open a saved animation."
+          : "For each frame its time, the view, and the parameters of every object: 12 numbers a map, the rows of its matrix and then its translation. It is for other programs; Frond does not read it."}
+      </p>
+      {of.kind === "frames" && (
+        <NumberField
+          label="Frames a second"
+          value={of.fps}
+          min={LEAST_FPS}
+          max={mostFps(of.kind)}
+          step={1}
+          digits={2}
+          onChange={(next) => choose({ fps: next })}
+        />
+      )}
+    </>
+  );
+}
+
+/** From when to when. */
+function Part({ of }: { of: Plan }) {
+  const seconds = timeline.value?.seconds ?? 0;
+  const all = of.from === 0 && of.to === seconds;
+  return (
+    <div class="export-pair part">
+      <NumberField
+        label="From"
+        value={of.from}
+        min={0}
+        max={seconds}
+        step={0.1}
+        digits={2}
+        unit="s"
+        onChange={(next) => choose({ from: next })}
+      />
+      <NumberField
+        label="to"
+        value={of.to}
+        min={0}
+        max={seconds}
+        step={0.1}
+        digits={2}
+        unit="s"
+        onChange={(next) => choose({ to: next })}
+      />
+      <Button kind="quiet" disabled={all} onClick={chooseAll}>
+        All of it
+      </Button>
+    </div>
+  );
+}
+
+function Estimate({ of, loops, cost }: { of: Plan; loops: boolean; cost: number | null }) {
+  const bytes = useMemo(
+    () => (isFilm(of.kind) ? filmBytes(of, loops) : of.kind === "frames" ? parametersBytes(of, loops) : null),
+    [of, loops],
+  );
+  if (of.kind === "keys") return <p class="hint">A small file.</p>;
+  const count = frameCount(of, loops);
+  const parts = [
+    `${grouped(count)} ${count === 1 ? "frame" : "frames"}, ${secondsWords(of.to - of.from)}${loops ? ", round and round" : ""}`,
+    ...(bytes === null ? [] : [`about ${bytesWords(bytes)}`]),
+    ...(isFilm(of.kind) && cost !== null
+      ? [`about ${timeWords(secondsFor(of, loops, cost))} on this device`]
+      : []),
+  ];
+  return <p class="hint number">{parts.join(" · ")}</p>;
+}

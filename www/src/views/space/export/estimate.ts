@@ -1,0 +1,103 @@
+/** How much it will be, measured on this device. */
+import { useEffect, useState } from "preact/hooks";
+import type { Space } from "../../../engine/api";
+import { spaceTask } from "../../../engine/space/client";
+import { painters } from "../../../engine/space/film/crew";
+import { Frames, frameRecord } from "../../../engine/space/film/frames";
+import { pictureAt } from "../../../engine/space/film/make";
+import { wordsOf } from "../../../state/notice";
+import { dark } from "../../../state/preferences";
+import { space, spaceView } from "../../../state/space";
+import { palette } from "../../../style/palette";
+import { ground } from "./job";
+import { frameCount, isFilm, type Plan } from "./plan";
+
+export interface Preview {
+  image: ImageData | null;
+  /** Milliseconds for one pixel of it that is carved. */
+  cost: number | null;
+  problem: string | null;
+}
+
+const NOTHING: Preview = { image: null, cost: null, problem: null };
+const BOX = { width: 416, height: 234 };
+/** So long after the last change, in milliseconds. */
+const REST = 200;
+
+/** The first frame, small. */
+export function usePreview({ kind, width, height, from }: Plan): Preview {
+  const [preview, setPreview] = useState(NOTHING);
+  const film = isFilm(kind);
+  useEffect(() => {
+    const scene = space.peek();
+    const view = spaceView.peek();
+    if (!film || !scene || !view) return;
+    const stop = new AbortController();
+    const scale = Math.min(1, BOX.width / width, BOX.height / height);
+    const size = {
+      width: Math.max(1, Math.round(width * scale)),
+      height: Math.max(1, Math.round(height * scale)),
+    };
+    const draw = async () => {
+      const frames = new Frames(scene);
+      try {
+        const look = {
+          palette: palette(dark.peek() ? "dark" : "light"),
+          ground: ground(),
+          factor: 1 as const,
+        };
+        const request = pictureAt({ space: scene, view, ...look }, frames, from, size);
+        const { data, took } = await spaceTask("measured", request, { lane: 1, signal: stop.signal });
+        const cost = leastCost(scene, took / (size.width * size.height));
+        setPreview({ image: new ImageData(data, size.width, size.height), cost, problem: null });
+      } catch (problem) {
+        if (!stop.signal.aborted) setPreview({ ...NOTHING, problem: wordsOf(problem) });
+      } finally {
+        frames.free();
+      }
+    };
+    const timer = setTimeout(() => void draw(), REST);
+    return () => {
+      clearTimeout(timer);
+      stop.abort();
+    };
+  }, [film, width, height, from]);
+  return preview;
+}
+
+const costs = new WeakMap<Space, number>();
+
+/** What else the device had to do does not count. */
+function leastCost(scene: Space, cost: number): number {
+  const least = Math.min(cost, costs.get(scene) ?? cost);
+  costs.set(scene, least);
+  return least;
+}
+
+/** About how many seconds all frames take. */
+export function secondsFor(plan: Plan, round: boolean, cost: number): number {
+  const carved = plan.width * plan.height * (plan.smooth ? 4 : 1);
+  // Colouring and writing take about as long again as a picture that is easily carved.
+  const each = 0.7 * cost * carved + plan.width * plan.height * 4e-5;
+  const hands = painters(carved, navigator.hardwareConcurrency);
+  return (each * frameCount(plan, round)) / hands / 1000;
+}
+
+/** How many bytes the parameters of all frames are, from some of them; null where they cannot be told. */
+export function parametersBytes(plan: Plan, round: boolean): number | null {
+  const scene = space.peek();
+  const view = spaceView.peek();
+  if (!scene || !view) return null;
+  let frames: Frames | null = null;
+  try {
+    frames = new Frames(scene);
+    const tried = [0, 0.21, 0.43, 0.68, 1].map((part) => plan.from + part * (plan.to - plan.from));
+    let bytes = 0;
+    for (const time of tried) bytes += JSON.stringify(frameRecord(scene, time, frames.at(time), view)).length;
+    return (bytes / tried.length + 2) * frameCount(plan, round) + 40;
+  } catch {
+    return null;
+  } finally {
+    frames?.free();
+  }
+}

@@ -1,0 +1,113 @@
+import { describe, expect, it } from "vitest";
+import {
+  bitrateOf,
+  bytesWords,
+  even,
+  fileName,
+  filmBytes,
+  frameCount,
+  grouped,
+  type Plan,
+  planProblem,
+  secondsLeft,
+  timesOf,
+  timeWords,
+} from "./plan";
+
+const plan: Plan = {
+  kind: "mp4",
+  width: 1280,
+  height: 720,
+  fps: 30,
+  from: 0,
+  to: 2,
+  quality: "good",
+  smooth: true,
+};
+
+describe("frames", () => {
+  it("have the last moment, but not where it is the first", () => {
+    expect(frameCount(plan, false)).toBe(61);
+    expect(frameCount(plan, true)).toBe(60);
+    expect(timesOf({ from: 1, to: 1.2, fps: 10 }, false)).toEqual([1, 1.1, 1.2]);
+    expect(timesOf({ from: 1, to: 1.2, fps: 10 }, true)).toEqual([1, 1.1]);
+    expect(timesOf({ from: 0, to: 0.01, fps: 10 }, true)).toEqual([0]);
+  });
+
+  it("are evenly spaced, and never beyond the end", () => {
+    const times = timesOf({ from: 0, to: 7, fps: 24 }, false);
+    expect(Math.max(...times)).toBe(7);
+    times.forEach((time, i) => {
+      expect(time).toBeCloseTo(i / 24, 9);
+    });
+  });
+
+  it("are refused in words where there are too many", () => {
+    expect(planProblem({ ...plan, to: 100_000 / 30 }, true)).toContain("100,000 frames are too many");
+    expect(planProblem({ ...plan, to: 120 }, true)).toBeNull();
+    expect(planProblem({ ...plan, to: 120 }, false)).toContain("3,601");
+    expect(planProblem({ ...plan, kind: "frames", to: 600 }, true)).toContain("at most 120 s");
+  });
+});
+
+describe("a plan", () => {
+  it("is refused where it is none", () => {
+    expect(planProblem(plan, false)).toBeNull();
+    expect(planProblem({ ...plan, to: 0 }, false)).toContain("later end");
+    expect(planProblem({ ...plan, to: Number.NaN }, false)).toContain("later end");
+    expect(planProblem({ ...plan, fps: 61 }, false)).toContain("10 to 60");
+    expect(planProblem({ ...plan, fps: 9 }, false)).toContain("10 to 60");
+    expect(planProblem({ ...plan, kind: "gif", fps: 60 }, false)).toContain("at most 50");
+    expect(planProblem({ ...plan, kind: "gif", fps: 50 }, false)).toBeNull();
+    for (const width of [14, 3842, 101])
+      expect(planProblem({ ...plan, width }, false)).toContain("16 to 3,840");
+    // Numbers have no size, and keys no frames.
+    expect(planProblem({ ...plan, kind: "frames", width: 101 }, false)).toBeNull();
+    expect(planProblem({ ...plan, kind: "keys", to: 0 }, false)).toBeNull();
+  });
+
+  it("has even sides", () => {
+    expect([15.2, 101, 480].map(even)).toEqual([16, 102, 480]);
+  });
+
+  it("says about how large it will be", () => {
+    expect(bitrateOf(plan)).toBe(Math.round(1280 * 720 * 30 * 0.2));
+    expect(bitrateOf({ ...plan, width: 16, height: 16 })).toBe(300e3);
+    expect(filmBytes({ ...plan, quality: "best" }, true)).toBeGreaterThan(2 * filmBytes(plan, true));
+    expect(filmBytes({ ...plan, kind: "gif" }, true)).toBeGreaterThan(1e6);
+  });
+});
+
+describe("words", () => {
+  it("for bytes and times", () => {
+    expect([12, 1500, 45_000, 2_340_000, 45e6].map(bytesWords)).toEqual([
+      "12 bytes",
+      "1.5 kB",
+      "45 kB",
+      "2.3 MB",
+      "45 MB",
+    ]);
+    expect([0.2, 7.2, 41, 58, 130, 7200].map(timeWords)).toEqual([
+      "a moment",
+      "8 s",
+      "45 s",
+      "1 min",
+      "2 min",
+      "2 h",
+    ]);
+    expect([7, 1000, 100_000, 1234567].map(grouped)).toEqual(["7", "1,000", "100,000", "1,234,567"]);
+  });
+
+  it("for the time left, once that can be told", () => {
+    expect(secondsLeft(1, 10, 3)).toBeNull();
+    expect(secondsLeft(5, 10, 3)).toBe(3);
+    expect(secondsLeft(10, 10, 3)).toBe(0);
+  });
+
+  it("for the file", () => {
+    expect(fileName([{ name: "Menger Sponge!" }], plan)).toBe("frond-menger-sponge.mp4");
+    expect(fileName([{ name: "Oak" }, { name: "Fern" }], plan)).toBe("frond-space.mp4");
+    expect(fileName([], { ...plan, kind: "frames" })).toBe("frond-space-frames.json");
+    expect(fileName([{ name: "★" }], { ...plan, kind: "keys" })).toBe("frond-space.json");
+  });
+});

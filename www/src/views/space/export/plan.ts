@@ -1,0 +1,124 @@
+/** What is to be exported: which moments, how large, and how much that will be. Pure, for the tests. */
+import { MOST_GIF_FPS } from "../../../engine/space/film/gif";
+import { formatNumber } from "../../../ui/number";
+
+export type Kind = "mp4" | "webm" | "gif" | "frames" | "keys";
+export type Quality = "small" | "good" | "best";
+
+export interface Plan {
+  kind: Kind;
+  width: number;
+  height: number;
+  fps: number;
+  /** Seconds. */
+  from: number;
+  to: number;
+  quality: Quality;
+  /** Whether edges are smoothed, by carving four pixels for each. */
+  smooth: boolean;
+}
+
+export const MOST_FRAMES = 3600;
+export const LEAST_SIDE = 16;
+export const MOST_SIDE = 3840;
+export const LEAST_FPS = 10;
+export const MOST_FPS = 60;
+
+/** The most frames a second that a kind of file can show. */
+export const mostFps = (kind: Kind): number => (kind === "gif" ? MOST_GIF_FPS : MOST_FPS);
+export const isFilm = (kind: Kind): kind is "mp4" | "webm" | "gif" => kind !== "frames" && kind !== "keys";
+/** Codecs halve the sides for colours. */
+export const even = (side: number): number => 2 * Math.round(side / 2);
+
+/**
+ * How many frames it has. One that goes round and round leaves out its end, which is its beginning; another has the last
+ * moment, too.
+ */
+export function frameCount({ from, to, fps }: Pick<Plan, "from" | "to" | "fps">, round: boolean): number {
+  const steps = Math.max(0, Math.round((to - from) * fps));
+  return round ? Math.max(1, steps) : steps + 1;
+}
+
+/** The moments of its frames. Ask `planProblem` first. */
+export function timesOf(plan: Pick<Plan, "from" | "to" | "fps">, round: boolean): number[] {
+  return Array.from({ length: frameCount(plan, round) }, (_, i) =>
+    Math.min(plan.to, plan.from + i / plan.fps),
+  );
+}
+
+/** Why it cannot be made, in words that say what to do; null where it can. */
+export function planProblem(plan: Plan, round: boolean): string | null {
+  const { kind, width, height, fps, from, to } = plan;
+  if (kind === "keys") return null;
+  if (![fps, from, to].every(Number.isFinite) || !(to > from)) {
+    return "It ends before it begins: choose a later end.";
+  }
+  if (fps < LEAST_FPS || fps > mostFps(kind)) {
+    return kind === "gif" && fps <= MOST_FPS
+      ? `A GIF shows at most ${MOST_GIF_FPS} frames a second. Choose fewer.`
+      : `Choose ${LEAST_FPS} to ${mostFps(kind)} frames a second.`;
+  }
+  const count = frameCount(plan, round);
+  if (count > MOST_FRAMES) {
+    const seconds = Math.floor(MOST_FRAMES / fps);
+    return `${grouped(count)} frames are too many: ${grouped(MOST_FRAMES)} is the most. Choose fewer frames a second, or at most ${seconds} s.`;
+  }
+  if (!isFilm(kind)) return null;
+  for (const side of [width, height]) {
+    if (!(side >= LEAST_SIDE && side <= MOST_SIDE && side % 2 === 0)) {
+      return `Each side has ${LEAST_SIDE} to ${grouped(MOST_SIDE)} pixels, an even number.`;
+    }
+  }
+  return null;
+}
+
+/** Bits for each pixel of a frame: fractals are rough, and need many. */
+const BITS: Record<Quality, number> = { small: 0.08, good: 0.2, best: 0.5 };
+
+/** Bits a second of a video. */
+export function bitrateOf({ width, height, fps, quality }: Plan): number {
+  return Math.round(Math.min(120e6, Math.max(300e3, width * height * fps * BITS[quality])));
+}
+
+/** About how many bytes a film has. What a GIF takes depends on what moves. */
+export function filmBytes(plan: Plan, round: boolean): number {
+  const count = frameCount(plan, round);
+  if (plan.kind === "gif") return 800 + 0.35 * plan.width * plan.height * count;
+  return (bitrateOf(plan) / 8) * (count / plan.fps) + 2000;
+}
+
+export function bytesWords(bytes: number): string {
+  if (bytes < 1000) return `${Math.round(bytes)} bytes`;
+  if (bytes < 1e6) return `${formatNumber(bytes / 1000, bytes < 1e4 ? 1 : 0)} kB`;
+  return `${formatNumber(bytes / 1e6, bytes < 1e7 ? 1 : 0)} MB`;
+}
+
+/** About how long, as one says it. */
+export function timeWords(seconds: number): string {
+  if (!Number.isFinite(seconds)) return "";
+  if (seconds < 2) return "a moment";
+  if (seconds < 55) return `${seconds < 10 ? Math.ceil(seconds) : 5 * Math.ceil(seconds / 5)} s`;
+  if (seconds < 3300) return `${Math.max(1, Math.round(seconds / 60))} min`;
+  return `${formatNumber(seconds / 3600, 1)} h`;
+}
+
+export const grouped = (count: number): string => String(count).replace(/\B(?=(\d{3})+$)/g, ",");
+
+/** Seconds left, after so many frames of all; null until that can be told. */
+export function secondsLeft(done: number, of: number, elapsed: number): number | null {
+  if (done < 2 || elapsed <= 0) return null;
+  return (elapsed / done) * (of - done);
+}
+
+/** Where it is kept under. */
+export function fileName(objects: readonly { name: string }[], plan: Plan): string {
+  // A scene of several has no name.
+  const plain = (objects.length === 1 ? (objects[0]?.name ?? "") : "")
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, "-")
+    .replace(/^-|-$/g, "")
+    .slice(0, 32);
+  const ending = plan.kind === "frames" || plan.kind === "keys" ? "json" : plan.kind;
+  const what = plan.kind === "frames" ? "-frames" : "";
+  return `frond-${plain || "space"}${what}.${ending}`;
+}

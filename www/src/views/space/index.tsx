@@ -1,0 +1,84 @@
+/** Space: its stage, its side panel and its strip. Loaded when it is first opened. */
+import "../../ui/panel.css";
+import "./space.css";
+import { effect, signal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { help } from "../../state/help";
+import { spaceShown } from "../../state/playback";
+import { Button } from "../../ui/Button";
+import { Segmented } from "../../ui/Segmented";
+import { LightPanel } from "./light/LightPanel";
+import { MorphPanel3 } from "./morph/MorphPanel3";
+import { watchMorph } from "./morph/work";
+import { ShortcutsDialog } from "./ShortcutsDialog";
+import { listenForDrops } from "./shape/files";
+import { ShapePanel } from "./shape/ShapePanel";
+import { listen } from "./shortcuts";
+import { spaceDrawn } from "./stage/state";
+import { TimePanel, TimeStrip } from "./time";
+
+export { openSpace } from "../../state/space";
+export { SpaceStage } from "./stage/SpaceStage";
+export { TimeStrip as SpaceStrip };
+
+effect(() => {
+  spaceShown.value = spaceDrawn.value;
+});
+
+type Part = "shape" | "morph" | "light" | "time";
+
+/** Which part of the panel is open: a way of looking, no part of the document. */
+const part = signal<Part>("shape");
+
+const PARTS: { value: Part; label: string; description: string }[] = [
+  { value: "shape", label: "Shape", description: "Objects, their parameters, and what is done to them" },
+  { value: "morph", label: "Morph", description: "Another shape that the first object becomes" },
+  { value: "light", label: "Light", description: "Light, colours, and the view in numbers" },
+  { value: "time", label: "Time", description: "Key frames and films" },
+];
+
+/** Everything beside the picture. */
+export function SpacePanel() {
+  useEffect(() => {
+    // A path is looked for, and a file taken, whichever part is open.
+    const stops = [listen(), watchMorph(), listenForDrops()];
+    const toShape = (event: DragEvent) => {
+      if (event.dataTransfer?.types.includes("Files")) part.value = "shape";
+    };
+    addEventListener("drop", toShape);
+    return () => {
+      removeEventListener("drop", toShape);
+      for (const stop of stops) stop();
+    };
+  }, []);
+  const now = part.value;
+  return (
+    <div class="panel space-panel">
+      <Segmented
+        label="What the panel shows"
+        value={now}
+        options={PARTS}
+        onChange={(next) => {
+          part.value = next;
+        }}
+      />
+      {now === "shape" && <ShapePanel />}
+      {now === "morph" && <MorphPanel3 />}
+      {now === "light" && <LightPanel />}
+      {now === "time" && <TimePanel />}
+      <footer class="panel-foot">
+        <Button
+          kind="quiet"
+          icon="keyboard"
+          popup="dialog"
+          onClick={() => {
+            help.value = true;
+          }}
+        >
+          Keyboard shortcuts
+        </Button>
+      </footer>
+      <ShortcutsDialog />
+    </div>
+  );
+}

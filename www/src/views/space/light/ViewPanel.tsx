@@ -1,0 +1,116 @@
+import { computed } from "@preact/signals";
+import { useState } from "preact/hooks";
+import type { Point3, SpaceView } from "../../../engine/api";
+import { setView, spaceView } from "../../../state/space";
+import { Button } from "../../../ui/Button";
+import { NumberField } from "../../../ui/NumberField";
+import { Switch } from "../../../ui/Switch";
+import { changeView, holdEye } from "../stage/actions";
+import { eyeOf, LEAST_ANGLE, MOST_ANGLE, withAngle, wrapped } from "../stage/camera";
+import { LightSlider } from "./LightSlider";
+import { degrees, pointWords, radians } from "./words";
+
+const AXES = ["x", "y", "z"] as const;
+const eye = computed(() => (spaceView.value ? pointWords(eyeOf(spaceView.value)) : ""));
+
+/** Where it is seen from, in numbers. To look is nothing to undo. */
+export function ViewPanel() {
+  const [problem, setProblem] = useState<string | null>(null);
+  const view = spaceView.value;
+  if (!view) return null;
+  const problems = { id: "space-view-problem", tell: setProblem };
+  const set = (part: Partial<SpaceView>) => changeView((now) => ({ ...now, ...part }));
+  return (
+    <section class="light-panel" aria-label="View">
+      <div class="section-head">
+        <h2>View</h2>
+        <Button kind="quiet" icon="reset" description="The view as at first" onClick={() => setView(null)}>
+          Reset<span class="unseen"> the view</span>
+        </Button>
+      </div>
+      <LightSlider
+        label="Angle of view"
+        value={degrees(view.angle)}
+        min={degrees(LEAST_ANGLE)}
+        max={degrees(MOST_ANGLE)}
+        step={1}
+        unit="°"
+        words={`${Math.round(degrees(view.angle))} degrees from top to bottom`}
+        ends={["far and flat", "near and wide"]}
+        onChange={(angle) => changeView((now) => withAngle(now, radians(angle)))}
+      />
+      <fieldset class="view-numbers">
+        <legend>Looks at</legend>
+        {AXES.map((axis, i) => (
+          <NumberField
+            key={axis}
+            label={`Looks at, ${axis}`}
+            symbol={axis}
+            terse
+            value={view.target[i] ?? 0}
+            min={-1e9}
+            max={1e9}
+            step={0.05}
+            digits={3}
+            problems={problems}
+            onChange={(value) =>
+              set({ target: view.target.map((old, k) => (k === i ? value : old)) as Point3 })
+            }
+          />
+        ))}
+      </fieldset>
+      <fieldset class="view-numbers">
+        <legend>From</legend>
+        <NumberField
+          label="Distance"
+          symbol="r"
+          terse
+          value={view.distance}
+          min={1e-6}
+          max={1e9}
+          step={0.05}
+          digits={3}
+          problems={problems}
+          onChange={(distance) => set({ distance })}
+        />
+        <NumberField
+          label="Turned to the side"
+          symbol="turn"
+          terse
+          unit="°"
+          value={degrees(view.turn)}
+          step={5}
+          digits={1}
+          problems={problems}
+          onChange={(turn) => set({ turn: wrapped(radians(turn)) })}
+        />
+        <NumberField
+          label="Tilted upwards"
+          symbol="tilt"
+          terse
+          unit="°"
+          value={degrees(view.tilt)}
+          step={5}
+          digits={1}
+          problems={problems}
+          onChange={(tilt) => set({ tilt: wrapped(radians(tilt)) })}
+        />
+      </fieldset>
+      <p class="hint number" data-testid="space-eye">
+        The eye is at {eye.value}
+      </p>
+      {problem !== null && (
+        <p class="field-problem" id={problems.id} role="alert">
+          {problem}
+        </p>
+      )}
+      <Switch
+        checked={view.holds === "eye"}
+        description="Drags turn the head; else they go around what is looked at"
+        onChange={holdEye}
+      >
+        The eye stays when the view turns
+      </Switch>
+    </section>
+  );
+}

@@ -1,0 +1,140 @@
+import "../../../ui/ends.css";
+import { useEffect, useMemo, useState } from "preact/hooks";
+import type { Shape3 } from "../../../engine/api";
+import { solid } from "../../../engine/space/module";
+import { announce, notify, wordsOf } from "../../../state/notice";
+import { choose, editSpace, space } from "../../../state/space";
+import { IconButton } from "../../../ui/Button";
+import { Dialog } from "../../../ui/Dialog";
+import { mapsNote, ShapeGrid } from "../../../ui/ShapeGrid";
+import { Thumbnail } from "../../../ui/Thumbnail";
+import { Gallery } from "../shape/Gallery";
+import { presets } from "../shape/presets";
+import { makePictures, pictures } from "../shape/thumbs";
+import { leadingTo, swapped } from "./changes";
+import { type Goal, goalsOf, missingWords } from "./goals";
+
+/** The two ends of the morph, with the arrow that swaps them. */
+export function Ends() {
+  const [open, setOpen] = useState<"a" | "b" | null>(null);
+  const a = space.value?.objects[0];
+  const b = space.value?.morph?.to;
+  const { name = "", maps } = a ?? {};
+  const goal = b?.maps;
+  const goalName = b?.name ?? "";
+  useEffect(() => {
+    const subjects = [
+      ...(maps ? [{ id: "morph-a", objects: [{ name, maps }] }] : []),
+      ...(goal ? [{ id: "morph-b", objects: [{ name: goalName, maps: goal }] }] : []),
+    ];
+    return makePictures(subjects);
+  }, [name, maps, goalName, goal]);
+  if (!a) return null;
+  return (
+    <section class="ends" aria-label="The two shapes">
+      <Card
+        end="a"
+        shape={a}
+        onOpen={() => {
+          choose(0);
+          setOpen("a");
+        }}
+      />
+      <IconButton
+        icon="swap"
+        label="Swap A and B"
+        kind="quiet"
+        class="ends-swap"
+        disabled={!b || b.maps.length !== a.maps.length}
+        onClick={() => {
+          editSpace(swapped);
+          const now = space.peek();
+          announce(`Swapped: from ${now?.objects[0]?.name} to ${now?.morph?.to.name}.`);
+        }}
+      />
+      {b ? (
+        <Card end="b" shape={b} onOpen={() => setOpen("b")} />
+      ) : (
+        <button type="button" class="card morph3-empty" aria-haspopup="dialog" onClick={() => setOpen("b")}>
+          <span class="card-end" aria-hidden="true">
+            B
+          </span>
+          <span>Choose a shape …</span>
+        </button>
+      )}
+      {open === "a" && <Gallery how="instead" onClose={() => setOpen(null)} />}
+      {open === "b" && <Goals onClose={() => setOpen(null)} />}
+    </section>
+  );
+}
+
+function Card({ end, shape, onOpen }: { end: "a" | "b"; shape: Shape3; onOpen: () => void }) {
+  const letter = end.toUpperCase();
+  const note = `${mapsNote(shape)}${shape.preset === undefined ? ", its own" : ""}`;
+  return (
+    <div class="card">
+      <button
+        type="button"
+        class="card-face"
+        aria-haspopup="dialog"
+        aria-label={`Shape ${letter}: ${shape.name}, ${note}. Choose another`}
+        title="Choose another shape"
+        onClick={onOpen}
+      >
+        <Thumbnail bitmap={pictures.value.get(`morph-${end}`)} />
+        <span class="card-end" aria-hidden="true">
+          {letter}
+        </span>
+        <span class="card-name">{shape.name}</span>
+      </button>
+      <div class="card-tools morph3-card">
+        <span class="card-count" aria-hidden="true">
+          {note}
+        </span>
+      </div>
+    </div>
+  );
+}
+
+/** Everything that the first object can become. */
+function Goals({ onClose }: { onClose: () => void }) {
+  const objects = space.value?.objects;
+  const goals = useMemo(() => goalsOf(objects ?? [], presets()), [objects]);
+  useEffect(() => makePictures(goals.map(({ id, shape }) => ({ id, objects: [shape] }))), [goals]);
+  const first = objects?.[0];
+  if (!first) return null;
+  const now = space.value?.morph?.to;
+  return (
+    <Dialog
+      wide
+      title="Shape B"
+      about={missingWords(first.maps.length, presets(), first.name)}
+      onClose={onClose}
+    >
+      <ShapeGrid
+        presets={goals}
+        pictures={pictures.value}
+        noteOf={({ shape }: Goal) => mapsNote(shape)}
+        chosen={now?.preset}
+        onChoose={(goal) => {
+          lead(goal.shape);
+          onClose();
+        }}
+      />
+    </Dialog>
+  );
+}
+
+/** Leads the first object there, each map to the one that is nearest. */
+export function lead(to: Shape3): void {
+  try {
+    editSpace((now) => {
+      const from = now.objects[0]?.maps ?? [];
+      return leadingTo(now, to, solid.correspondence3(from, to.maps));
+    });
+    choose(0);
+    announce(`The first object becomes ${to.name}.`);
+  } catch (problem) {
+    notify({ kind: "error", text: wordsOf(problem) });
+  }
+}

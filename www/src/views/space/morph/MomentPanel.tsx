@@ -1,0 +1,76 @@
+import { percent } from "../../../state/morph-words";
+import { endGesture } from "../../../state/scene";
+import { timeline } from "../../../state/space";
+import { IconButton } from "../../../ui/Button";
+import { NumberField } from "../../../ui/NumberField";
+import { fixed } from "../../../ui/number";
+import { Slider } from "../../../ui/Slider";
+import { Holds } from "./Holds";
+import { morphPlaying, pause, play } from "./play";
+import { goTo, stateOn } from "./way";
+import { check, moment, uv } from "./work";
+
+/** Where along the path it is, and whether what is seen there is in one piece. */
+export function MomentPanel() {
+  const t = moment.value;
+  const keyed = timeline.value?.keys.some((key) => key.t !== undefined) ?? false;
+  const on = morphPlaying.value;
+  const [u, v] = uv.value;
+  return (
+    <section class="morph3-part" aria-label="Where along the path">
+      <div class="morph3-time">
+        <IconButton
+          class="play"
+          icon={on ? "pause" : "play"}
+          label={on ? "Pause the morph" : "Play the morph"}
+          disabled={keyed}
+          onClick={on ? pause : play}
+        />
+        <Slider
+          label="Place along the path"
+          value={t}
+          step={0.01}
+          valueText={`${percent(t)}, ${stateOn(t)}`}
+          onChange={(next) => {
+            pause();
+            goTo(next);
+          }}
+          onDone={endGesture}
+        >
+          {(check.value?.breaks ?? []).map(([t0, t1]) => (
+            <span
+              key={`${t0}-${t1}`}
+              class="morph3-break"
+              style={{ left: `${100 * t0}%`, width: `max(3px, ${100 * (t1 - t0)}%)` }}
+            />
+          ))}
+        </Slider>
+        <NumberField
+          terse
+          label="Place along the path in percent"
+          value={100 * t}
+          min={0}
+          max={100}
+          step={1}
+          digits={1}
+          unit="%"
+          onChange={(next) => {
+            pause();
+            goTo(next / 100);
+          }}
+          onDone={endGesture}
+        />
+      </div>
+      <p class="hint number">
+        <span class="symbol">u</span> {fixed(u)} turns and stretches, <span class="symbol">v</span> {fixed(v)}{" "}
+        moves
+      </p>
+      {keyed && (
+        <p class="notes">
+          The time line moves it: what is set here is remembered at its moment, and it plays below.
+        </p>
+      )}
+      <Holds />
+    </section>
+  );
+}

@@ -1,0 +1,164 @@
+import "./morph3.css";
+import { computed, signal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { Legend } from "../../../canvas/locus/Legend";
+import type { LocusStyle } from "../../../canvas/locus/paint";
+import { EPSILON } from "../../../engine/space/locus-fill";
+import { solid } from "../../../engine/space/module";
+import { announce } from "../../../state/notice";
+import { choose, editSpace, setMoment, setView, space, spaceReady } from "../../../state/space";
+import { Button } from "../../../ui/Button";
+import { Segmented } from "../../../ui/Segmented";
+import { presets } from "../shape/presets";
+import { startingWith, withoutMorph } from "./changes";
+import { Ends } from "./Ends";
+import { Matching, othersWords } from "./Matching";
+import { MomentPanel } from "./MomentPanel";
+import { PathPanel } from "./PathPanel";
+import { pause } from "./play";
+import { Square } from "./Square";
+import { locus, matched, morph } from "./work";
+
+/** The morph of the first object: to what, where it holds together, and the path. */
+export function MorphPanel3() {
+  return spaceReady.value ? <Parts /> : null;
+}
+
+function Parts() {
+  useEffect(() => pause, []);
+  const now = space.value;
+  if (!now) return null;
+  return (
+    <>
+      <Ends />
+      {morph.value === null ? (
+        <Begin />
+      ) : matched.value ? (
+        <>
+          <MomentPanel />
+          <LocusPanel />
+          <PathPanel />
+          <Matching />
+          <Last />
+        </>
+      ) : (
+        <>
+          <p class="notes" role="status">
+            {now.objects[0]?.name} has {now.objects[0]?.maps.length} maps and {morph.value.to.name}{" "}
+            {morph.value.to.maps.length}: each map has to become one. Choose another shape B.
+          </p>
+          <Last />
+        </>
+      )}
+    </>
+  );
+}
+
+function Begin() {
+  return (
+    <section class="morph3-part" aria-label="Begin a morph">
+      <p class="hint">
+        The first object can become another shape of as many maps. Frond maps out where it holds together on
+        the way, and looks for a path on which it does. {othersWords()}
+      </p>
+      <DragonButton />
+    </section>
+  );
+}
+
+/** The best known of them, with the path that keeps it in one piece. */
+function DragonButton() {
+  return (
+    <Button
+      icon="play"
+      description="A tetrahedron and a curled dragon, and nothing else: what is there now can be brought back with undo"
+      onClick={() => {
+        const at = (id: string) => presets().find((preset) => preset.id === id);
+        const [a, b] = [at("tetrahedron"), at("dragon-curled")];
+        if (!a || !b) return;
+        const shape = ({ id, name, maps }: typeof a) => ({ preset: id, name, maps });
+        const order = solid.correspondence3(a.maps, b.maps);
+        editSpace((before) => startingWith(before, shape(a), shape(b), order));
+        choose(0);
+        setMoment(0);
+        setView(null);
+        announce("The tetrahedron becomes a dragon. A path is looked for.");
+      }}
+    >
+      Tetrahedron to the dragon in space
+    </Button>
+  );
+}
+
+function Last() {
+  return (
+    <section class="morph3-last" aria-label="The morph itself">
+      {othersWords() !== "" && <p class="hint">{othersWords()}</p>}
+      <Button
+        kind="quiet"
+        icon="close"
+        description="The first object stays what it is at the beginning"
+        onClick={() => {
+          pause();
+          editSpace(withoutMorph);
+          announce("There is no morph any more.");
+        }}
+      >
+        No morph
+      </Button>
+      <DragonButton />
+    </section>
+  );
+}
+
+/** How the field is shown: a way of looking, no part of the document. */
+const style = signal<LocusStyle>("gap");
+/** Which states there are; the same while they stay the same. */
+const present = computed(() => [...new Set(locus.value?.state)].sort().join());
+const states = computed(() => new Set(present.value.split(",").filter(Boolean).map(Number)));
+
+const TICKS = [-1, 0, 1, 2];
+
+function LocusPanel() {
+  return (
+    <section class="locus" aria-labelledby="locus3-title">
+      <header class="section-head">
+        <h2 id="locus3-title">Where it holds together</h2>
+        <Segmented
+          label="How to show it"
+          value={style.value}
+          onChange={(next) => {
+            style.value = next;
+          }}
+          options={[
+            { value: "gap", label: "Gap", description: "How wide the widest gap between the pieces is" },
+            { value: "yesno", label: "Yes / no", description: "Only whether it holds together" },
+          ]}
+        />
+      </header>
+      <div class="locus-plot">
+        <Ticks axis="v" />
+        <Square style={style.value} />
+        <Ticks axis="u" />
+      </div>
+      <Legend states={states.value} epsilon={EPSILON} style={style.value} />
+    </section>
+  );
+}
+
+function Ticks({ axis }: { axis: "u" | "v" }) {
+  return (
+    <div class={`locus-ticks ${axis}`} aria-hidden="true">
+      {TICKS.map((x) => (
+        <span
+          key={x}
+          class={x === -1 ? "first" : x === 2 ? "last" : ""}
+          style={{ "--at": `${(100 * (x + 1)) / 3}%` }}
+        >
+          <b>{String(x).replace("-", "−")}</b>
+        </span>
+      ))}
+      <em>{axis}</em>
+    </div>
+  );
+}

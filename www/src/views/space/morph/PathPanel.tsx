@@ -1,0 +1,172 @@
+import "../../../canvas/locus/path.css";
+import type { PathKind } from "../../../engine/api";
+import { bestWords, pathWords, roomWords } from "../../../state/morph-words";
+import { endGesture } from "../../../state/scene";
+import { Button, IconButton } from "../../../ui/Button";
+import { NumberField } from "../../../ui/NumberField";
+import { Segmented } from "../../../ui/Segmented";
+import { MOST_POINTS } from "./changes";
+import { focusHandle } from "./handles";
+import { addAfter, addHere, chosen, moveTo, removeAt, setKind, stateAt, way } from "./way";
+import { calledOff, callOff, check, found, lookAgain, morph, pathless, search, searchProblem } from "./work";
+
+const KINDS: readonly { value: PathKind; label: string; description: string }[] = [
+  { value: "auto", label: "Auto", description: "The way with the narrowest gap, found for you" },
+  { value: "straight", label: "Straight", description: "Turn, stretch and move together, at one pace" },
+  { value: "drawn", label: "Drawn", description: "Through your own way points" },
+];
+
+/** What the path is, whether it holds, and its way points by numbers. */
+export function PathPanel() {
+  const kind = morph.value?.path.kind ?? "auto";
+  return (
+    <section class="path" aria-labelledby="path3-title">
+      <header class="section-head">
+        <h2 id="path3-title">Path</h2>
+        <Segmented label="Kind of path" value={kind} options={KINDS} onChange={setKind} />
+      </header>
+      <div class="morph3-path">
+        {kind === "auto" && search.value ? <Searching share={search.value.share} /> : <PathVerdict />}
+        {kind === "auto" && <Ended />}
+      </div>
+      {chosen.value === null ? <WayNone /> : <WayPoint index={chosen.value} />}
+    </section>
+  );
+}
+
+/** How far the search is, and its end. */
+function Searching({ share }: { share: number }) {
+  return (
+    <>
+      <div class="path-proof-bar">
+        <progress aria-label="Search for a path" max={1} {...(share > 0 ? { value: share } : {})} />
+        <Button kind="quiet" onClick={callOff}>
+          Cancel
+        </Button>
+      </div>
+      <p class="hint" role="status">
+        {pathless.value ? "A path on which it holds together is looked for." : "A better path is looked for."}
+      </p>
+    </>
+  );
+}
+
+/** What became of a search that came to no end. */
+function Ended() {
+  const problem = searchProblem.value;
+  if (search.value || (problem === null && !calledOff.value)) return null;
+  return (
+    <div class="row" role="status">
+      <span class="hint">{problem ?? endedWords(way.value.length > 0)}</span>
+      <Button kind="quiet" icon="reset" onClick={lookAgain}>
+        Look again
+      </Button>
+    </div>
+  );
+}
+
+function endedWords(some: boolean): string {
+  return some
+    ? "The search was ended. This is the best path so far."
+    : "The search was ended before it had found a path: this one is straight.";
+}
+
+function PathVerdict() {
+  const kind = morph.value?.path.kind;
+  const so = check.value;
+  const breaks = (so?.breaks ?? []).map(([t0, t1]) => ({ t0, t1 }));
+  const gap = so && Number.isFinite(so.gap) ? so.gap : null;
+  const words = pathWords(breaks, gap, so ? 1 : 0);
+  const best = kind === "auto" ? (found.value?.path ?? null) : null;
+  const settled = best && so;
+  return (
+    <>
+      <p
+        class={`path-verdict ${breaks.length > 0 ? "broken" : so ? "whole" : "open"}`}
+        data-testid="space-path"
+      >
+        <span class="mark" aria-hidden="true" />
+        <span>
+          {words} {settled && so.holds && roomWords(best.plan.clearance)}
+        </span>
+      </p>
+      {settled && !so.holds && (
+        <p class="hint">
+          {bestWords(best.plan.apart === true, false)} Another way to match the maps, or other shapes, may
+          have one.
+        </p>
+      )}
+    </>
+  );
+}
+
+function WayNone() {
+  return (
+    <div class="way-none">
+      <Button
+        icon="add"
+        disabled={way.value.length >= MOST_POINTS}
+        description="Add a way point where the picture is now"
+        onClick={() => focusHandle(addHere())}
+      >
+        Add way point
+      </Button>
+      <span class="hint">or press twice on the map</span>
+    </div>
+  );
+}
+
+/** One way point by its numbers. */
+function WayPoint({ index }: { index: number }) {
+  const point = way.value[index];
+  if (!point) return null;
+  const [u, v] = point;
+  const gesture = `space-way-${index}`;
+  return (
+    <fieldset class="way-point">
+      <legend>
+        Way point {index + 1} of {way.value.length} <span class="dim">{stateAt(point)}</span>
+      </legend>
+      <NumberField
+        terse
+        label="turn and stretch, u"
+        symbol="u"
+        value={u}
+        min={-1}
+        max={2}
+        digits={3}
+        onChange={(next) => moveTo(index, [next, v], gesture)}
+        onDone={endGesture}
+      />
+      <NumberField
+        terse
+        label="move, v"
+        symbol="v"
+        value={v}
+        min={-1}
+        max={2}
+        digits={3}
+        onChange={(next) => moveTo(index, [u, next], gesture)}
+        onDone={endGesture}
+      />
+      <div class="way-tools">
+        <IconButton
+          icon="add"
+          label="Add a way point after this one"
+          kind="quiet"
+          disabled={way.value.length >= MOST_POINTS}
+          onClick={() => focusHandle(addAfter(index))}
+        />
+        <IconButton
+          icon="bin"
+          label="Remove this way point"
+          kind="quiet"
+          onClick={() => {
+            removeAt(index);
+            focusHandle(null);
+          }}
+        />
+      </div>
+    </fieldset>
+  );
+}

@@ -1,0 +1,134 @@
+import { useRef } from "preact/hooks";
+import { Field } from "../../../canvas/locus/Field";
+import type { LocusStyle } from "../../../canvas/locus/paint";
+import { BOUNDS } from "../../../engine/locus-job";
+import { EPSILON } from "../../../engine/space/locus-fill";
+import type { Uv } from "../../../state/path";
+import { nearestOn, slice } from "../../../state/polyline";
+import { endGesture } from "../../../state/scene";
+import { CurrentHandle, focusHandle, WayHandle } from "./handles";
+import { addAt, chosen, goTo, pick, place, way } from "./way";
+import { check, locus, locusProblem, morph, pathless, pathPoints } from "./work";
+
+/** How near to the path a press counts as on it, in CSS pixels. */
+const LINE = 9;
+const LABEL =
+  "Map of u, to the right, and v, upwards, from −1 to 2: light where the shape holds together, dark where it is broken. " +
+  "The handles on it move the path.";
+
+/** Where the morph holds together, with the path through it. */
+export function Square({ style }: { style: LocusStyle }) {
+  const square = useRef<HTMLDivElement>(null);
+  const field = locus.value;
+  const progress = field?.progress ?? 0;
+  const problem = locusProblem.value;
+  const toUv = ({ clientX, clientY }: MouseEvent): Uv => {
+    const box = square.current?.getBoundingClientRect();
+    if (!box || box.width === 0) return [0, 0];
+    const [x, y] = [(clientX - box.left) / box.width, (clientY - box.top) / box.height];
+    return [BOUNDS.u0 + x * (BOUNDS.u1 - BOUNDS.u0), BOUNDS.v1 - y * (BOUNDS.v1 - BOUNDS.v0)];
+  };
+  /** The place on the path that is pressed, if it is. */
+  const onLine = (event: MouseEvent): number | null => {
+    const near = nearestOn(pathPoints.peek(), toUv(event));
+    const pixel = (BOUNDS.u1 - BOUNDS.u0) / (square.current?.clientWidth || 1);
+    return near.distance < LINE * pixel ? near.t : null;
+  };
+  return (
+    // biome-ignore lint/a11y/noStaticElementInteractions: a press does what the handles do by keys
+    <div
+      class={`locus-square ${morph.value?.path.kind ?? ""}`}
+      ref={square}
+      onPointerDown={(event) => {
+        if (event.button !== 0 || event.target instanceof HTMLButtonElement) return;
+        if (event.target instanceof Element && event.target.closest(".handle")) return;
+        const t = onLine(event);
+        pick(null);
+        if (t === null) return;
+        goTo(t);
+        endGesture();
+      }}
+      onDblClick={(event) => {
+        event.preventDefault();
+        focusHandle(addAt(toUv(event)));
+      }}
+    >
+      <div class="locus-plane" role="img" aria-label={LABEL}>
+        <Field
+          samples={field && { ...field, bounds: BOUNDS, epsilon: EPSILON }}
+          frame={BOUNDS}
+          style={style}
+        />
+      </div>
+      <PathLines />
+      <End letter="A" at={[0, 0]} />
+      <End letter="B" at={[1, 1]} />
+      <CurrentHandle toUv={toUv} />
+      {way.value.map((point, index) => (
+        <WayHandle
+          // A way point has no name but its number: so focus stays while it is moved.
+          key={index}
+          index={index}
+          count={way.value.length}
+          point={point}
+          chosen={chosen.value === index}
+          toUv={toUv}
+        />
+      ))}
+      {problem !== null && (
+        <p class="locus-problem" role="status">
+          {problem}
+        </p>
+      )}
+      {progress < 1 && problem === null && (
+        <div
+          class="locus-progress"
+          role="progressbar"
+          aria-label="Where it holds together, being worked out"
+          aria-valuenow={Math.round(100 * progress)}
+          style={{ "--progress": String(progress) }}
+        />
+      )}
+    </div>
+  );
+}
+
+function End({ letter, at }: { letter: string; at: Uv }) {
+  const [x, y] = place(at);
+  return (
+    <span class="locus-end" style={{ left: `${100 * x}%`, top: `${100 * y}%` }} aria-hidden="true">
+      {letter}
+    </span>
+  );
+}
+
+function linePath(points: readonly Uv[]): string {
+  return points
+    .map((point, i) => {
+      const at = place(point).map((x) => (100 * x).toFixed(2));
+      return `${i === 0 ? "M" : "L"}${at.join(" ")}`;
+    })
+    .join("");
+}
+
+/** The path, and its broken stretches dashed over it. */
+function PathLines() {
+  const points = pathPoints.value;
+  return (
+    <svg class="locus-path" viewBox="0 0 100 100" preserveAspectRatio="none" aria-hidden="true">
+      <g class={pathless.value ? "off" : ""}>
+        <path class="path-casing" d={linePath(points)} />
+        <path class="path-core" d={linePath(points)} />
+      </g>
+      {(check.value?.breaks ?? []).map(([t0, t1]) => {
+        const d = linePath(slice(points, t0, t1));
+        return (
+          <g key={`${t0}-${t1}`}>
+            <path class="path-casing broken" d={d} />
+            <path class="path-core broken" d={d} />
+          </g>
+        );
+      })}
+    </svg>
+  );
+}

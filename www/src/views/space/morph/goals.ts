@@ -1,0 +1,58 @@
+/** What the first object can become. */
+import type { Preset3, Shape3, SpaceObject } from "../../../engine/api";
+import { sameMaps } from "../../../engine/maps";
+
+export interface Goal {
+  id: string;
+  name: string;
+  /** One sentence. */
+  about: string;
+  shape: Shape3;
+}
+
+export const ITSELF = "itself";
+
+/** Shapes of as many maps: of the gallery, of the other objects, and a copy to go away from. */
+export function goalsOf(objects: readonly SpaceObject[], presets: readonly Preset3[]): Goal[] {
+  const [first, ...others] = objects;
+  if (!first) return [];
+  const fits = ({ maps }: { maps: readonly unknown[] }) => maps.length === first.maps.length;
+  const listed: Goal[] = presets
+    .filter((preset) => fits(preset) && !sameMaps(preset.maps, first.maps))
+    .map(({ id, name, about, maps }) => ({ id, name, about, shape: { preset: id, name, maps } }));
+  const beside: Goal[] = [];
+  others.forEach(({ preset, name, maps }, i) => {
+    const known = [...listed.map(({ shape }) => shape.maps), first.maps, ...beside.map((g) => g.shape.maps)];
+    if (!fits({ maps }) || known.some((other) => sameMaps(other, maps))) return;
+    const shape: Shape3 = { ...(preset === undefined ? {} : { preset }), name, maps };
+    beside.push({ id: `object-${i + 1}`, name, about: "An object of this scene, as it was made.", shape });
+  });
+  const itself: Goal = {
+    id: ITSELF,
+    name: "A copy of itself",
+    about: "Change the first shape afterwards, under Shape: the morph then leads from the one to the other.",
+    shape: {
+      ...(first.preset === undefined ? {} : { preset: first.preset }),
+      name: first.name,
+      maps: first.maps,
+    },
+  };
+  return [...listed, ...beside, itself];
+}
+
+/** What is to be said of those that are not offered; null where the gallery has some. */
+export function missingWords(count: number, presets: readonly Preset3[], name: string): string {
+  const others = presets.filter(({ maps }) => maps.length !== count);
+  const fits = presets.length - others.length;
+  const maps = count === 1 ? "1 map" : `${count} maps`;
+  const counts = [...new Set(others.map((preset) => preset.maps.length))].sort((a, b) => a - b);
+  const rest = `Each map becomes a map, so that a shape of ${listed(counts)} maps cannot be chosen.`;
+  return fits > 1
+    ? `${name} has ${maps}. ${rest}`
+    : `${name} has ${maps}, and no other shape of the gallery has as many. ${rest}`;
+}
+
+function listed(counts: readonly number[]): string {
+  if (counts.length < 2) return counts.join("");
+  return `${counts.slice(0, -1).join(", ")} or ${counts.at(-1)}`;
+}

@@ -1,0 +1,122 @@
+/** What hands and keys do to the path, and to the place on it. */
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import type { PathKind, PathPoint, Space } from "../../../engine/api";
+import { STATE, stateNear } from "../../../engine/breaks";
+import { BOUNDS } from "../../../engine/locus-job";
+import { stateWords } from "../../../state/morph-words";
+import { announce } from "../../../state/notice";
+import { type Uv, uvAt } from "../../../state/path";
+import { clamp, insert, move, nearestOn, remove } from "../../../state/polyline";
+import { endGesture } from "../../../state/scene";
+import { editSpace } from "../../../state/space";
+import { setMorphTime } from "../../../state/space-edits";
+import { fixed } from "../../../ui/number";
+import { MOST_POINTS, withPath } from "./changes";
+import { check, locus, pathPoints, uv } from "./work";
+
+/** Points between the two ends. */
+export const way: ReadonlySignal<Uv[]> = computed(() => pathPoints.value.slice(1, -1));
+
+const picked = signal<number | null>(null);
+/** The way point whose numbers are shown. */
+export const chosen: ReadonlySignal<number | null> = computed(() =>
+  picked.value !== null && picked.value < way.value.length ? picked.value : null,
+);
+export function pick(index: number | null): void {
+  picked.value = index;
+}
+
+/** Where a point lies on the square: parts from its left and from its top. */
+export function place([u, v]: Readonly<Uv>): [x: number, y: number] {
+  return [(u - BOUNDS.u0) / (BOUNDS.u1 - BOUNDS.u0), (BOUNDS.v1 - v) / (BOUNDS.v1 - BOUNDS.v0)];
+}
+
+/** Whether the shape holds together there, as far as the map tells. */
+export function stateAt(point: Uv): string {
+  const field = locus.value;
+  return stateWords(field ? stateNear({ ...field, bounds: BOUNDS }, point) : STATE.pending);
+}
+
+/** The same for a moment of the path: looked at there, or read off the map until that is in. */
+export function stateOn(t: number): string {
+  const found = check.value;
+  if (found?.breaks.some(([t0, t1]) => t >= t0 && t <= t1)) return stateWords(STATE.disconnected);
+  return found?.holds ? stateWords(STATE.touching) : stateAt(uvAt(pathPoints.value, t));
+}
+
+export const pointWords = ([u, v]: Readonly<Uv>): string => `u ${fixed(u)}, v ${fixed(v)}`;
+
+const rounded = (x: number, digits: number) => Math.round(x * 10 ** digits) / 10 ** digits || 0;
+
+/** A point as the document keeps it: on the square, and as fine as can be pointed at. */
+function kept(point: Uv): PathPoint {
+  const [u, v] = clamp(point, BOUNDS);
+  return [rounded(u, 3), rounded(v, 3)];
+}
+
+const drawn = (space: Space, points: PathPoint[]) => withPath(space, { kind: "drawn", points });
+
+export function moveTo(index: number, point: Uv, gesture: string): void {
+  editSpace((now) => drawn(now, move(way.peek(), index, kept(point))), { gesture });
+}
+
+/** A way point more, on the stretch that is nearest. Returns its number, or null where a link could hold no more. */
+export function addAt(point: Uv): number | null {
+  return addTo(nearestOn(pathPoints.peek(), point).segment, point);
+}
+
+/** A way point more where the picture is now. */
+export function addHere(): number | null {
+  return addAt(uv.peek());
+}
+
+/** A way point more, in the middle of the stretch behind way point `index`. */
+export function addAfter(index: number): number | null {
+  const [from, to] = [pathPoints.peek()[index + 1], pathPoints.peek()[index + 2]];
+  return from && to ? addTo(index + 1, [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2]) : null;
+}
+
+function addTo(segment: number, point: Uv): number | null {
+  if (way.peek().length >= MOST_POINTS) {
+    announce(`A path has at most ${MOST_POINTS} way points.`);
+    return null;
+  }
+  const before = uv.peek();
+  const at = kept(point);
+  endGesture();
+  editSpace((now) => staying(drawn(now, insert(way.peek(), segment, at)), before));
+  pick(segment);
+  announce(`Way point ${segment + 1} of ${way.peek().length} added at ${pointWords(at)}.`);
+  return segment;
+}
+
+export function removeAt(index: number): void {
+  const before = uv.peek();
+  endGesture();
+  editSpace((now) => staying(drawn(now, remove(way.peek(), index)), before));
+  pick(null);
+  announce(`Way point ${index + 1} removed, ${way.peek().length} left.`);
+}
+
+/** The moment is told by length along the path: after a change it is looked up anew, so that the picture stays. */
+function staying(now: Space, before: Uv): Space {
+  const { morph } = now;
+  if (!morph || morph.t <= 0 || morph.t >= 1) return now;
+  const points: Uv[] = [[0, 0], ...morph.path.points, [1, 1]];
+  return { ...now, morph: { ...morph, t: rounded(nearestOn(points, before).t, 4) } };
+}
+
+export function setKind(kind: PathKind): void {
+  editSpace((now) => {
+    if (!now.morph || now.morph.path.kind === kind) return now;
+    // What is drawn begins with what is there; what is found is looked for anew.
+    return withPath(now, { kind, points: kind === "drawn" ? now.morph.path.points : [] });
+  });
+  pick(null);
+}
+
+/** Goes to a place on the path. */
+export function goTo(t: number): void {
+  const clamped = Number.isFinite(t) ? Math.min(1, Math.max(0, t)) : 0;
+  setMorphTime(rounded(clamped, 4), { gesture: "morph-t" });
+}

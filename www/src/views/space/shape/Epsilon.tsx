@@ -1,0 +1,76 @@
+import { useState } from "preact/hooks";
+import type { EpsilonProjection, MapRow3, Point3 } from "../../../engine/api";
+import { solid } from "../../../engine/space/module";
+import { wordsOf } from "../../../state/notice";
+import { MapBlocks } from "../../../ui/MapBlocks";
+import { divergingWords } from "../../../ui/space-words";
+import { SliderField } from "./SliderField";
+
+export interface EpsilonProps {
+  maps: MapRow3[];
+  direction: Point3;
+  format: (value: number) => string;
+}
+
+const FEW = 3;
+const POWERS = {
+  to: (value: number) => Math.log10(value),
+  from: (at: number) => Number((10 ** at).toPrecision(2)),
+};
+
+/** The way of the paper: flattened by epsilon, what becomes of the parameters? */
+export function Epsilon({ maps, direction, format }: EpsilonProps) {
+  const [epsilon, setEpsilon] = useState(0.1);
+  const found = flattened(maps, direction, epsilon);
+  return (
+    <>
+      <SliderField
+        label="Thickness left"
+        symbol="ε"
+        value={epsilon}
+        min={-6}
+        max={0}
+        step={0.1}
+        fieldStep={0.01}
+        digits={6}
+        scale={POWERS}
+        onChange={(next) => {
+          if (!(next > 0 && next <= 1)) return "More than 0, and at most 1.";
+          setEpsilon(next);
+          return undefined;
+        }}
+      />
+      {"why" in found ? (
+        <p class="solid-problem" role="alert">
+          {found.why}
+        </p>
+      ) : (
+        <>
+          <p class="hint" role="status">
+            The largest number is {format(found.largest)}. {divergingWords(found.diverging)}
+          </p>
+          <MapBlocks
+            label="Parameters of the flattened shape"
+            maps={found.maps.slice(0, FEW)}
+            digits={3}
+            mark="grows"
+            marked={(map, place) => found.diverging.some(([m, row]) => m === map && place === 3 * row + 2)}
+          />
+          {found.maps.length > FEW && (
+            <p class="hint">
+              The first {FEW} of {found.maps.length} maps; z runs along the light.
+            </p>
+          )}
+        </>
+      )}
+    </>
+  );
+}
+
+function flattened(maps: MapRow3[], direction: Point3, epsilon: number): EpsilonProjection | { why: string } {
+  try {
+    return solid.epsilonProjection(maps, direction, epsilon);
+  } catch (problem) {
+    return { why: wordsOf(problem) };
+  }
+}

@@ -1,0 +1,52 @@
+import "./shape.css";
+import { useEffect } from "preact/hooks";
+import { chosen, spaceReady } from "../../../state/space";
+import { formatNumber } from "../../../ui/number";
+import { mapsNote } from "../../../ui/ShapeGrid";
+import { FactsPanel } from "./FactsPanel";
+import { Fold } from "./Fold";
+import { HandPanel } from "./HandPanel";
+import { MapEditor } from "./MapEditor";
+import { facts, object, watchRest } from "./now";
+import { ObjectPanel } from "./ObjectPanel";
+import { ParameterTable } from "./ParameterTable";
+import { ProjectionPanel } from "./ProjectionPanel";
+
+/** The objects of space: what they are, what is done to them, and what that does to their parameters. */
+export function ShapePanel() {
+  return spaceReady.value ? <Parts /> : null;
+}
+
+function Parts() {
+  useEffect(watchRest, []);
+  return (
+    <>
+      <ObjectPanel />
+      <HandPanel />
+      <ParameterTable />
+      <Folds />
+    </>
+  );
+}
+
+function Folds() {
+  const known = facts.value;
+  const dimension = known
+    ? known.similarity !== null && known.similarity <= 3
+      ? `dimension ${formatNumber(known.similarity, 3)}, unless pieces overlap`
+      : `dimension at most ${formatNumber(Math.min(3, known.affinity), 3)}`
+    : undefined;
+  return (
+    <section class="solid-folds" aria-label="More of the object">
+      <Fold title="Its maps" {...(object.value ? { now: mapsNote(object.value) } : {})}>
+        <MapEditor key={chosen.value} />
+      </Fold>
+      <Fold title="Facts" {...(dimension === undefined ? {} : { now: dimension })}>
+        <FactsPanel />
+      </Fold>
+      <Fold title="Shadow on a plane">
+        <ProjectionPanel />
+      </Fold>
+    </section>
+  );
+}

@@ -1,0 +1,14 @@
+import { dark } from "../../../state/preferences";
+import { palette } from "../../../style/palette";
+
+/** The number of a map or an object in its colour. */
+export function Swatch({ map, tint }: { map: number; tint?: string | undefined }) {
+  const colours = palette(dark.value ? "dark" : "light");
+  return (
+    <span
+      class="solid-swatch"
+      aria-hidden="true"
+      style={{ background: tint ?? colours[map % colours.length] ?? "gray" }}
+    />
+  );
+}

@@ -1,0 +1,83 @@
+/** Files of systems of space, as Fractint has them. */
+import { signal } from "@preact/signals";
+import { solid } from "../../../engine/space/module";
+import { notify, wordsOf } from "../../../state/notice";
+import { space } from "../../../state/space";
+import { object, parameters } from "./now";
+import { take } from "./take";
+
+/** One of the systems of a file. */
+export type Found = ReturnType<typeof solid.parseIfs3>[number];
+
+/** A file with several systems, of which one is to be chosen. */
+export const opened = signal<{ file: string; systems: Found[] } | null>(null);
+
+/** Far more than any such file; so much is read at once. */
+const MOST_BYTES = 1_000_000;
+
+export async function openFile(file: File): Promise<void> {
+  try {
+    if (file.size > MOST_BYTES) throw new Error("it is larger than a megabyte, and so no file of maps.");
+    const systems = solid.parseIfs3(await file.text());
+    const [only] = systems;
+    if (systems.length === 1 && only) takeFound(only);
+    else if (only) opened.value = { file: file.name, systems };
+    else
+      throw new Error(
+        "there is no system of space in it, that is, no name and { } around lines of 12 numbers.",
+      );
+  } catch (problem) {
+    notify({ kind: "error", text: `${file.name} could not be read: ${wordsOf(problem)}` });
+  }
+}
+
+export function takeFound({ name, maps }: Found): void {
+  const several = (space.peek()?.objects.length ?? 1) > 1;
+  take([{ name, maps }], several ? "instead" : "alone", `${name} is there, with ${maps.length} maps.`);
+}
+
+/** Saves the parameters as they are now: what was done to the object is in them. */
+export function saveFile(): void {
+  const name = object.peek()?.name ?? "Shape";
+  try {
+    const text = solid.writeIfs3(name, parameters.peek());
+    const anchor = document.createElement("a");
+    anchor.href = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
+    anchor.download = fileName(name);
+    anchor.click();
+    setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
+  } catch (problem) {
+    notify({ kind: "error", text: `${name} could not be saved: ${wordsOf(problem)}` });
+  }
+}
+
+export function fileName(name: string): string {
+  const plain = name
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, "-")
+    .replace(/^-|-$/g, "")
+    .slice(0, 32);
+  return `frond-${plain || "shape"}.ifs`;
+}
+
+/** Takes a file that is dropped on the page. Returns the end of it. */
+export function listenForDrops(): () => void {
+  const end = new AbortController();
+  const options = { signal: end.signal };
+  const carries = (event: DragEvent) => event.dataTransfer?.types.includes("Files") === true;
+  const over = (event: DragEvent) => {
+    // Without this the browser would leave the page for the file.
+    if (carries(event)) event.preventDefault();
+  };
+  document.addEventListener("dragover", over, options);
+  document.addEventListener(
+    "drop",
+    (event) => {
+      over(event);
+      const file = event.dataTransfer?.files[0];
+      if (file) void openFile(file);
+    },
+    options,
+  );
+  return () => end.abort();
+}

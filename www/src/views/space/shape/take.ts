@@ -1,0 +1,50 @@
+/** A shape from the gallery, a file or the plane becomes an object of space. */
+import type { SpaceObject } from "../../../engine/api";
+import { solid } from "../../../engine/space/module";
+import { announce, notify, wordsOf } from "../../../state/notice";
+import { choose, chosen, editSpace, setView, space, spaceFrame } from "../../../state/space";
+import { startWith } from "../../../state/space-edits";
+import { around, beside, MOST_OBJECTS, withObject, withShape } from "./changes";
+import { factsOf } from "./now";
+
+/** Alone, with neither morph nor time line; in place of the chosen object; or beside what there is. */
+export type How = "alone" | "instead" | "beside";
+
+/** Takes objects in. Of what cannot be taken it says why, and nothing changes. */
+export function take(objects: readonly SpaceObject[], how: How, what: string): void {
+  const [first] = objects;
+  if (!first) return;
+  try {
+    for (const { maps } of objects) solid.validate3(maps);
+    if (how === "alone") {
+      startWith([...objects]);
+      choose(0);
+    } else if (how === "instead") {
+      const { moved: _moved, tint: _tint, ...shape } = first;
+      editSpace((now) => withShape(now, chosen.peek(), shape));
+    } else {
+      if ((space.peek()?.objects.length ?? 0) + objects.length > MOST_OBJECTS) {
+        notify({ kind: "error", text: `There may be ${MOST_OBJECTS} objects at most: remove some first.` });
+        return;
+      }
+      const placed = objects.length === 1 ? [besideAll(first)] : objects;
+      editSpace((now) => placed.reduce(withObject, now));
+      choose((space.peek()?.objects.length ?? 1) - 1);
+      // All of it is to be seen.
+      setView(null);
+    }
+    announce(what);
+  } catch (problem) {
+    notify({ kind: "error", text: `${first.name} cannot be taken: ${wordsOf(problem)}` });
+  }
+}
+
+/** To the side of everything, as large as what is chosen now. */
+function besideAll(object: SpaceObject): SpaceObject {
+  const now = spaceFrame.peek()?.objects.map((one) => factsOf(one.now)) ?? [];
+  const balls = now.filter((one) => one !== null);
+  const ball = factsOf(object.maps);
+  if (!ball || balls.length === 0) return object;
+  const radius = now[chosen.peek()]?.radius ?? ball.radius;
+  return { ...object, moved: beside(ball, around(balls), radius) };
+}

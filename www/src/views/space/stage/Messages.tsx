@@ -1,0 +1,91 @@
+import { computed, signal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { solid } from "../../../engine/space/module";
+import { lookingAround, motionProblem, space, spaceFrame, spaceView } from "../../../state/space";
+import { Button } from "../../../ui/Button";
+import { backToFlight, showWhole } from "./actions";
+import { type Ball, eyeOf, sightOf } from "./camera";
+import { sight } from "./sight";
+import { painted } from "./state";
+import { insideWords, TROUBLE_WORDS, troubleOf } from "./words";
+
+const trouble = computed(() => {
+  const now = sight.value;
+  const view = spaceView.value;
+  return troubleOf(now && view ? sightOf(view, now.ball) : null, painted.value);
+});
+
+/** Names of the objects around the eye, found when everything rests. */
+const around = signal<readonly string[]>([]);
+const complete = computed(() => painted.value.complete);
+const flown = computed(() => lookingAround.value && spaceFrame.value?.view !== undefined);
+
+/** What the stage has to say, over the picture. */
+export function Messages() {
+  useEffect(
+    () =>
+      complete.subscribe((now) => {
+        around.value = now ? objectsAround() : [];
+      }),
+    [],
+  );
+  const what = trouble.value;
+  const { problem } = painted.value;
+  const inside = what === null ? insideWords(around.value) : null;
+  return (
+    <>
+      <div class="space-messages" role="status">
+        {motionProblem.value !== null && <p class="space-message">{motionProblem.value}</p>}
+        {problem !== null && (
+          <div class="space-message">
+            <p>{problem}</p>
+            <Button onClick={showWhole}>Whole view</Button>
+          </div>
+        )}
+        {problem === null && what !== null && (
+          <div class="space-message">
+            <p>{TROUBLE_WORDS[what]}</p>
+            <Button onClick={showWhole}>Show all</Button>
+          </div>
+        )}
+        {inside !== null && <p class="space-note">{inside}</p>}
+      </div>
+      {flown.value && (
+        <Button
+          class="space-flight"
+          description="You look around on your own: go back"
+          onClick={backToFlight}
+        >
+          Back to the flight
+        </Button>
+      )}
+    </>
+  );
+}
+
+/** Balls that the eye is well within: near their rims it is in front of things more often than not. */
+const WITHIN = 0.8;
+const balls = new Map<string, Ball>();
+
+function objectsAround(): string[] {
+  const view = spaceView.peek();
+  const now = sight.peek();
+  if (!view || !now || sightOf(view, now.ball) !== "around") return [];
+  const eye = eyeOf(view);
+  const names = space.peek()?.objects ?? [];
+  return now.objects.flatMap(({ maps }, i) => {
+    const key = JSON.stringify(maps);
+    let ball = balls.get(key);
+    if (!ball) {
+      if (balls.size > 200) balls.clear();
+      const handle = new solid.SpacePicture([{ maps }]);
+      const [x = 0, y = 0, z = 0] = handle.centre;
+      ball = { centre: [x, y, z], radius: handle.radius };
+      balls.set(key, ball);
+      handle.free();
+    }
+    const { centre, radius } = ball;
+    const far = Math.hypot(eye[0] - centre[0], eye[1] - centre[1], eye[2] - centre[2]);
+    return far < WITHIN * radius ? [names[i]?.name ?? `object ${i + 1}`] : [];
+  });
+}

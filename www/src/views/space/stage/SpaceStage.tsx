@@ -1,0 +1,124 @@
+import "./stage.css";
+import { computed, effect, signal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import type { PainterBackend } from "../../../canvas/painter";
+import { watchSize } from "../../../canvas/picture";
+import { endGesture } from "../../../state/scene";
+import { chosen, hand, space, spaceView } from "../../../state/space";
+import { attachGestures } from "./gestures";
+import { stageKey, stageKeyUp } from "./keys";
+import { Messages } from "./Messages";
+import { SpacePainter } from "./painter";
+import { colours, ground, sight, watchGround } from "./sight";
+import { painted, setPainter, spaceDrawn, stageSize } from "./state";
+import { Toolbar } from "./Toolbar";
+import { countsWords, handWords, statusWords } from "./words";
+
+const LABEL =
+  "The shapes in space. Arrow keys turn the view, or the object where the hand is for that; with Shift they shift what is seen. Plus and minus change the distance, brackets the angle of view, W, A, S, D, Q and E fly, 0 shows all.";
+
+/** As much is carved at most: a large screen with two pixels each way would take too long. */
+const MOST_CARVED = 9e6;
+
+const light = computed(() => space.value?.light ?? null);
+
+/** Space, as large as it can be. */
+export function SpaceStage({ backend }: { backend: "auto" | PainterBackend }) {
+  const host = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const element = host.current;
+    if (!element) return;
+    const painter = new SpacePainter(element, {
+      backend,
+      onState: (state) => {
+        painted.value = state;
+      },
+    });
+    setPainter(painter);
+    const device = signal({ width: 0, height: 0, ratio: 1 });
+    const stopSize = watchSize(element, (css, now) => {
+      device.value = now;
+      stageSize.value = css;
+    });
+    const stopGround = watchGround();
+    const stopShow = effect(() => {
+      const { width, height, ratio } = device.value;
+      const now = sight.value;
+      const view = spaceView.value;
+      const lit = light.value;
+      const look = { palette: colours.value, ground: ground.value };
+      if (!now || !view || !lit || width === 0 || height === 0) return;
+      const factor = ratio < 2 && 4 * width * height <= MOST_CARVED ? 2 : 1;
+      painter.show({ ...look, sight: now, view, light: lit, width, height, factor });
+    });
+    const stopGestures = attachGestures(element);
+    return () => {
+      stopGestures();
+      stopShow();
+      stopGround();
+      stopSize();
+      setPainter(null);
+      painter.close();
+    };
+  }, [backend]);
+  return (
+    <>
+      <div
+        ref={host}
+        class="picture space-picture"
+        role="application"
+        aria-label={LABEL}
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: it takes keys
+        tabIndex={0}
+        data-testid="space-stage"
+        onKeyDown={(event) => {
+          if (event.target !== event.currentTarget || !stageKey(event)) return;
+          event.preventDefault();
+          event.stopPropagation();
+        }}
+        onKeyUp={stageKeyUp}
+        onBlur={endGesture}
+      />
+      <Toolbar />
+      <Messages />
+      <div class="stage-foot space-foot">
+        <Status />
+        <Chosen />
+        <Counts />
+      </div>
+    </>
+  );
+}
+
+const status = computed(() => statusWords(painted.value));
+
+function Status() {
+  return (
+    <p class="space-status number" data-testid="space-status" data-drawn={spaceDrawn.value}>
+      {status.value}
+    </p>
+  );
+}
+
+const about = computed(() => handWords(hand.value, space.value?.objects ?? [], chosen.value));
+
+function Chosen() {
+  if (about.value === null) return null;
+  return (
+    <p class="space-status" data-testid="space-chosen">
+      {about.value}
+    </p>
+  );
+}
+
+const counts = computed(() => {
+  const list = sight.value?.objects ?? [];
+  return countsWords(
+    list.length,
+    list.reduce((sum, object) => sum + object.maps.length, 0),
+  );
+});
+
+function Counts() {
+  return <p class="space-status space-counts number">{sight.value ? counts.value : ""}</p>;
+}

@@ -1,0 +1,60 @@
+import { computed } from "@preact/signals";
+import { hand, space, spaceView } from "../../../state/space";
+import { Button, IconButton } from "../../../ui/Button";
+import { media } from "../../../ui/media";
+import { Segmented } from "../../../ui/Segmented";
+import { atOrigin, goToOrigin, showWhole } from "./actions";
+
+const HANDS = [
+  { value: "look", label: "Look", description: "Drag to look around; the shapes stay (1)" },
+  { value: "turn", label: "Turn", description: "Drag to turn the object, by its parameters (2)" },
+  { value: "move", label: "Move", description: "Drag to move the object, by its parameters (3)" },
+  {
+    value: "scale",
+    label: "Scale",
+    description: "Drag to make the object larger or smaller, by its parameters (4)",
+  },
+] as const;
+
+const small = media("(max-width: 599px)");
+const origin = computed(() => {
+  const view = spaceView.value;
+  return view?.holds === "eye" && atOrigin(view);
+});
+const objects = computed(() => space.value?.objects.length ?? 0);
+
+/** What a drag does, and two places to look from. */
+export function Toolbar() {
+  return (
+    <div class="space-bar">
+      <Segmented
+        label={objects.value > 1 ? "What a drag does to the view or the chosen object" : "What a drag does"}
+        options={HANDS}
+        value={hand.value}
+        onChange={(next) => {
+          hand.value = next;
+        }}
+      />
+      <span class="space-bar-views">
+        {small.value ? (
+          <Button
+            pressed={origin.value}
+            description="The eye at the origin, as the papers have it (O)"
+            onClick={goToOrigin}
+          >
+            Origin
+          </Button>
+        ) : (
+          <Button
+            pressed={origin.value}
+            description="As the papers have it: the eye stays at (0, 0, 0), and drags turn it there (O)"
+            onClick={goToOrigin}
+          >
+            Eye at the origin
+          </Button>
+        )}
+        <IconButton icon="whole" label="Whole view" description="all of it (0)" onClick={showWhole} />
+      </span>
+    </div>
+  );
+}

@@ -1,0 +1,39 @@
+import type { PainterBackend } from "../../../canvas/painter";
+import { createSpaceRenderer } from "../../../engine/space/renderer";
+import { notify, wordsOf } from "../../../state/notice";
+import { Accelerated } from "./accelerated";
+import { Plain } from "./plain";
+import type { Surface } from "./surface";
+
+/** A surface on a canvas that has had no context yet: on the graphics card, or, where that cannot be had, without it. */
+export async function openSurface(
+  backend: "auto" | PainterBackend,
+  onLost: (reason: string) => void,
+): Promise<Surface> {
+  if (backend !== "canvas") {
+    const canvas = blank();
+    try {
+      return new Accelerated(await createSpaceRenderer(canvas, { backend, onLost }), canvas);
+    } catch (problem) {
+      explain(problem);
+    }
+  }
+  // A canvas that has had one kind of context gives no other.
+  return new Plain(blank());
+}
+
+function blank(): HTMLCanvasElement {
+  const canvas = document.createElement("canvas");
+  canvas.setAttribute("aria-hidden", "true");
+  return canvas;
+}
+
+function explain(problem: unknown): void {
+  const missing = (problem as { code?: unknown } | null)?.code === "no-gpu";
+  notify({
+    kind: "info",
+    text: missing
+      ? "The graphics card is not available, so that the picture is computed without it, slower. Switching on hardware acceleration in the browser's settings brings it back."
+      : `The renderer could not be loaded (${wordsOf(problem)}), so that the picture is computed without it, slower. Reloading the page tries again.`,
+  });
+}

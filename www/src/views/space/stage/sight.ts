@@ -1,0 +1,116 @@
+/** What there is to see in space at the moment, made ready to be drawn. */
+import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import type { Point3 } from "../../../engine/api";
+import { apply3 } from "../../../engine/space/affine";
+import { type SpacePictureHandle, solid } from "../../../engine/space/module";
+import type { Shown } from "../../../engine/space/picture";
+import { dark, theme } from "../../../state/preferences";
+import { chosen, space, spaceFrame } from "../../../state/space";
+import { palette } from "../../../style/palette";
+import type { Ball } from "./camera";
+
+export interface Sight {
+  objects: Shown[];
+  handle: SpacePictureHandle;
+  ball: Ball;
+}
+
+let last: { key: string; objects: Shown[] } | null = null;
+
+/** The objects as they are now: another list only where one of them is another. */
+const objects: ReadonlySignal<Shown[] | null> = computed(() => {
+  const frame = spaceFrame.value;
+  const now = space.value;
+  if (!frame || !now) return null;
+  const list = frame.objects.map(({ now: maps }, i): Shown => {
+    const tint = now.objects[i]?.tint;
+    return tint === undefined ? { maps } : { maps, tint };
+  });
+  const key = JSON.stringify(list);
+  if (last?.key !== key) last = { key, objects: list };
+  return last.objects;
+});
+
+let held: Sight | null = null;
+
+/** null until there is something; what cannot be drawn leaves what was there before. */
+export const sight: ReadonlySignal<Sight | null> = computed(() => {
+  const list = objects.value;
+  if (!list || held?.objects === list) return held;
+  try {
+    const handle = new solid.SpacePicture(list);
+    const before = held;
+    held = { objects: list, handle, ball: ballOf(handle) };
+    // Whoever draws has taken the new one by then.
+    if (before) setTimeout(() => before.handle.free());
+  } catch {
+    // The time line says in words why there is none.
+  }
+  return held;
+});
+
+function ballOf({ centre: [x = 0, y = 0, z = 0], radius }: SpacePictureHandle): Ball {
+  return { centre: [x, y, z], radius };
+}
+
+/** So many points of each object stand for all of it. */
+const SAMPLES = 400;
+
+/** Points of all that is to be seen: the ball around it says little of what is flat or far apart. */
+export function samples(): Point3[] {
+  return (sight.peek()?.objects ?? []).flatMap(({ maps }) => {
+    const { positions } = solid.attractor3(maps, { points: SAMPLES, seed: 1 });
+    return Array.from(
+      { length: positions.length / 3 },
+      (_, i): Point3 => [positions[3 * i] ?? 0, positions[3 * i + 1] ?? 0, positions[3 * i + 2] ?? 0],
+    );
+  });
+}
+
+let known: { key: string; ball: Ball } | null = null;
+
+/**
+ * A ball around the chosen object. It is that of the shape as made, moved along: so it stays where it is while the
+ * object turns about its middle.
+ */
+export function chosenBall(): Ball | null {
+  const object = spaceFrame.peek()?.objects[chosen.peek()];
+  if (!object) return null;
+  const key = JSON.stringify(object.maps);
+  if (known?.key !== key) {
+    const handle = new solid.SpacePicture([{ maps: object.maps }]);
+    known = { key, ball: ballOf(handle) };
+    handle.free();
+  }
+  const [a, b, c, d, e, f, g, h, i] = object.moved;
+  const stretch = Math.max(Math.hypot(a, d, g), Math.hypot(b, e, h), Math.hypot(c, f, i));
+  return { centre: apply3(object.moved, known.ball.centre), radius: known.ball.radius * stretch };
+}
+
+/** One colour a map, as the stage of the plane has them. */
+export const colours: ReadonlySignal<string[]> = computed(() => palette(dark.value ? "dark" : "light"));
+
+const stageColour = signal("#fbfaf6");
+/** The colour under the picture, "#rrggbb": what fog fades into. */
+export const ground: ReadonlySignal<string> = stageColour;
+
+/** Keeps `ground` up with the theme. Returns the end of it. */
+export function watchGround(): () => void {
+  let frame = 0;
+  const read = () => {
+    const found = getComputedStyle(document.documentElement).getPropertyValue("--stage").trim();
+    if (/^#[0-9a-f]{6}$/i.test(found)) stageColour.value = found;
+  };
+  read();
+  const stop = effect(() => {
+    dark.value;
+    theme.value;
+    // The style sheet follows the choice of a theme: by the next frame it has.
+    cancelAnimationFrame(frame);
+    frame = requestAnimationFrame(read);
+  });
+  return () => {
+    stop();
+    cancelAnimationFrame(frame);
+  };
+}

@@ -1,0 +1,54 @@
+/** What the stage of space says. Pure. */
+import { countWords } from "../../../state/words";
+import type { Painted } from "./painter";
+
+/** How much of the picture is there. */
+export function statusWords(painted: Pick<Painted, "backend" | "complete" | "settled" | "points">): string {
+  const { backend, complete, settled, points } = painted;
+  if (backend === null) return "Getting ready …";
+  if (complete) return settled ? "Complete picture" : "Complete picture, smoothing …";
+  if (backend === "canvas") return "Coarse picture";
+  return points > 0 ? `${countWords(points)} points, completing …` : "Drawing …";
+}
+
+/** How much there is. */
+export function countsWords(objects: number, maps: number): string {
+  const of = `${maps} ${maps === 1 ? "map" : "maps"}`;
+  return objects === 1 ? of : `${objects} objects, ${of}`;
+}
+
+const DOES = { turn: "Turns", move: "Moves", scale: "Scales" } as const;
+
+/** What a drag is about, where that is no matter of course. */
+export function handWords(
+  hand: "look" | "turn" | "move" | "scale",
+  objects: readonly { name: string }[],
+  chosen: number,
+): string | null {
+  if (hand === "look" || objects.length < 2) return null;
+  return `${DOES[hand]} ${objects[chosen]?.name ?? "nothing"}`;
+}
+
+export type Trouble = "behind" | "nothing" | null;
+
+/** Why there is nothing to see: by the ball at once, by the complete picture when it is there. */
+export function troubleOf(
+  where: "before" | "around" | "behind" | null,
+  painted: Pick<Painted, "complete" | "empty">,
+): Trouble {
+  if (where === "behind") return "behind";
+  return painted.complete && painted.empty ? "nothing" : null;
+}
+
+export const TROUBLE_WORDS = {
+  behind: "Everything is behind the eye.",
+  nothing: "Nothing is in view.",
+} as const;
+
+/** Of which objects the eye is within reach. */
+export function insideWords(names: readonly string[]): string | null {
+  const [first] = names;
+  if (first === undefined) return null;
+  if (names.length === 1) return `The eye is inside ${first}.`;
+  return `The eye is inside ${names.length} objects.`;
+}

@@ -1,0 +1,23 @@
+import type { SpaceKey } from "../../../engine/api";
+import { changeTimeline } from "../../../state/space-edits";
+import { Menu } from "../../../ui/Menu";
+import { withEase } from "./changes";
+import { attempt } from "./keys";
+import { EASES, easeWords } from "./words";
+
+/** How it goes on from a key to the next one. */
+export function EaseMenu({ of, index }: { of: SpaceKey; index: number }) {
+  return (
+    <div class="ease" title={`From key ${index + 1} on: ${easeWords(of.ease)}`}>
+      <Menu
+        label={`Pace after key ${index + 1}: ${easeWords(of.ease)}`}
+        icon="arrow"
+        items={EASES.map(({ value, label }) => ({
+          label,
+          ...(value === of.ease ? { icon: "check" as const } : {}),
+          onSelect: () => attempt(() => changeTimeline((line) => withEase(line, index, value))),
+        }))}
+      />
+    </div>
+  );
+}

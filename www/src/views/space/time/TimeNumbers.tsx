@@ -1,0 +1,71 @@
+import { endGesture } from "../../../state/scene";
+import { moment, space, timeline } from "../../../state/space";
+import { changeTimeline, EMPTY_LINE } from "../../../state/space-edits";
+import { IconButton } from "../../../ui/Button";
+import { NumberField, type NumberFieldProps } from "../../../ui/NumberField";
+import { LONGEST, SHORTEST, secondsProblem, withLoop, withSeconds } from "./changes";
+import { pauseSpace, scrubSpace } from "./clock";
+import { attempt } from "./keys";
+
+/** Where there is no room at a field, what takes the words about what was wrong. */
+export interface Problems {
+  problems?: NonNullable<NumberFieldProps["problems"]>;
+}
+
+/** The moment, the length, and whether it goes round, as numbers. */
+export function TimeNumbers({ terse = true, problems }: Problems & { terse?: boolean }) {
+  const line = timeline.value ?? space.value?.timeline ?? EMPTY_LINE;
+  const told = problems ? { problems } : {};
+  return (
+    <>
+      <NumberField
+        {...told}
+        terse={terse}
+        label="Moment"
+        value={moment.value}
+        min={0}
+        max={line.seconds}
+        step={0.1}
+        digits={2}
+        unit="s"
+        onChange={scrubSpace}
+      />
+      {terse && (
+        <span class="time-of" aria-hidden="true">
+          of
+        </span>
+      )}
+      <NumberField
+        {...told}
+        terse={terse}
+        label="Length"
+        value={line.seconds}
+        min={SHORTEST}
+        max={LONGEST}
+        step={0.5}
+        digits={2}
+        unit="s"
+        onChange={(seconds) => {
+          const problem = secondsProblem(line, seconds);
+          if (problem !== undefined) return problem;
+          pauseSpace();
+          attempt(() => changeTimeline((now) => withSeconds(now, seconds), { gesture: "space seconds" }));
+          scrubSpace(moment.peek());
+          return undefined;
+        }}
+        onDone={endGesture}
+      />
+      <IconButton
+        icon="loop"
+        label="Round and round"
+        kind="quiet"
+        pressed={line.loop}
+        onClick={() => {
+          pauseSpace();
+          attempt(() => changeTimeline((now) => withLoop(now, !now.loop)));
+          scrubSpace(moment.peek());
+        }}
+      />
+    </>
+  );
+}

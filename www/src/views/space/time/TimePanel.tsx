@@ -1,0 +1,81 @@
+import "./time.css";
+import { space, timeline } from "../../../state/space";
+import { changeTimeline, EMPTY_LINE } from "../../../state/space-edits";
+import { Button, IconButton } from "../../../ui/Button";
+import { Segmented } from "../../../ui/Segmented";
+import { scrubSpace } from "./clock";
+import { EaseMenu } from "./EaseMenu";
+import { fly } from "./fly";
+import { KeyOptions } from "./KeyOptions";
+import { keyHere } from "./KeyTrack";
+import { attempt, removeKey } from "./keys";
+import { openAnimation } from "./open";
+import { TimeNumbers } from "./TimeNumbers";
+import { ExportButton } from "./TimeStrip";
+import { easeWords, keyWords, secondsWords } from "./words";
+
+const COURSES = [
+  { value: "smooth", label: "Smooth", description: "Without a corner at the keys" },
+  { value: "straight", label: "Straight", description: "Straight from key to key" },
+] as const;
+
+/** All of time as numbers and a list: what the strip has no room for. */
+export function TimePanel() {
+  const line = timeline.value;
+  return (
+    <section class="time-panel" aria-label="Time and keys">
+      <div class="section-head">
+        <h2>Time</h2>
+        <ExportButton />
+      </div>
+      <div class="time-fields">
+        <TimeNumbers terse={false} />
+      </div>
+      <div class="row">
+        <span class="row-name">From key to key</span>
+        <Segmented
+          label="From key to key"
+          options={COURSES}
+          value={(line ?? space.value?.timeline ?? EMPTY_LINE).course}
+          onChange={(course) => attempt(() => changeTimeline((now) => ({ ...now, course })))}
+        />
+      </div>
+      <div class="time-ready">
+        <Button onClick={() => fly("through")}>Fly through</Button>
+        <Button onClick={() => fly("around")}>Fly around</Button>
+        <Button kind="quiet" onClick={openAnimation}>
+          Open …
+        </Button>
+      </div>
+      {line ? <KeyList /> : <p class="hint">No keys yet: nothing moves.</p>}
+      <KeyOptions />
+    </section>
+  );
+}
+
+function KeyList() {
+  const keys = timeline.value?.keys ?? [];
+  return (
+    <ol class="key-list">
+      {keys.map((key, index) => (
+        // Keys keep their order, so their number is their name.
+        <li key={index} class={keyHere.value === index ? "chosen" : ""}>
+          <Button kind="quiet" class="key-go" onClick={() => scrubSpace(key.at)}>
+            <span class="number">{secondsWords(key.at)}</span>
+            <span class="dim key-about">
+              {keyWords(key)}
+              {index < keys.length - 1 && <span>then {easeWords(key.ease)}</span>}
+            </span>
+          </Button>
+          <EaseMenu of={key} index={index} />
+          <IconButton
+            icon="bin"
+            label={`Delete key ${index + 1}`}
+            kind="quiet"
+            onClick={() => removeKey(index)}
+          />
+        </li>
+      ))}
+    </ol>
+  );
+}

@@ -1,0 +1,139 @@
+import "../../../ui/strip.css";
+import "./time.css";
+import { useEffect, useState } from "preact/hooks";
+import { moment, space, spacePlaying, timeline } from "../../../state/space";
+import { EMPTY_LINE } from "../../../state/space-edits";
+import { Button, IconButton } from "../../../ui/Button";
+import { useOwnId } from "../../../ui/id";
+import { lazily } from "../../../ui/lazy";
+import { narrow } from "../../../ui/media";
+import { Slider } from "../../../ui/Slider";
+import { pauseSpace, scrubSpace, togglePlay } from "./clock";
+import { exportOpen, exportProgress, openExport } from "./exporting";
+import { fly } from "./fly";
+import { KeyOptions, SetKey } from "./KeyOptions";
+import { KeyTrack } from "./KeyTrack";
+import { watchKeys } from "./pictures";
+import { listenForTime } from "./shortcuts";
+import { TimeMenu } from "./TimeMenu";
+import { TimeNumbers } from "./TimeNumbers";
+import { momentWords } from "./words";
+
+const ExportDialog = lazily(() => import("../export").then((module) => module.ExportDialog));
+
+/** Time: play, scrub, and the keys. */
+export function TimeStrip() {
+  useEffect(() => {
+    const ends = [listenForTime(), watchKeys()];
+    return () => {
+      for (const end of ends) end();
+      pauseSpace();
+    };
+  }, []);
+  return (
+    <section class="strip space-strip" aria-label="Time">
+      <PlayButton />
+      <div class="space-film">
+        <Scrub />
+        <Track />
+      </div>
+      {narrow.value ? <FewOptions /> : <AllOptions />}
+      {exportOpen.value && <ExportDialog />}
+    </section>
+  );
+}
+
+function PlayButton() {
+  const on = spacePlaying.value;
+  const still = (timeline.value?.keys.length ?? 0) < 2;
+  return (
+    <IconButton
+      class="play"
+      icon={on ? "pause" : "play"}
+      label={on ? "Pause" : "Play"}
+      disabled={still}
+      {...(still ? { description: "two keys are needed: set them, or fly through" } : {})}
+      onClick={togglePlay}
+    />
+  );
+}
+
+function Scrub() {
+  const line = timeline.value ?? space.value?.timeline ?? EMPTY_LINE;
+  return (
+    <Slider
+      class="space-scrub"
+      label="Time"
+      value={Math.min(line.seconds, moment.value)}
+      min={0}
+      max={line.seconds}
+      step={0.1}
+      valueText={momentWords(timeline.value, moment.value)}
+      onChange={scrubSpace}
+    />
+  );
+}
+
+function Track() {
+  const line = timeline.value;
+  if (line) return <KeyTrack line={line} />;
+  return (
+    <div class="space-keys empty">
+      <p class="hint">
+        Nothing moves yet.
+        <span class="more"> Set a key, go to another moment, look from elsewhere, and set another.</span>
+      </p>
+      <Button disabled={!space.value} onClick={() => fly("through")}>
+        Fly through
+      </Button>
+    </div>
+  );
+}
+
+function AllOptions() {
+  const id = useOwnId("time-problem");
+  const [problem, setProblem] = useState<string | null>(null);
+  const problems = { id, tell: setProblem };
+  return (
+    <div class="space-time-options">
+      {problem !== null && (
+        <p class="time-problem" id={id} role="alert">
+          {problem}
+        </p>
+      )}
+      <div class="time-row">
+        <TimeNumbers problems={problems} />
+        <TimeMenu />
+      </div>
+      <div class="time-row">
+        <KeyOptions problems={problems} />
+        <ExportButton />
+      </div>
+    </div>
+  );
+}
+
+/** Where there is little room the numbers are in the panel. */
+function FewOptions() {
+  return (
+    <div class="space-few-options">
+      <SetKey short />
+      <TimeMenu all />
+    </div>
+  );
+}
+
+export function ExportButton() {
+  const done = exportProgress.value;
+  return (
+    <Button
+      class="export-button"
+      popup="dialog"
+      description="Save it as a film, as a moving picture, or as numbers"
+      disabled={!space.value}
+      onClick={openExport}
+    >
+      {done === null ? "Export …" : `Film ${Math.floor(100 * done)}%`}
+    </Button>
+  );
+}

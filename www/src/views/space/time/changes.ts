@@ -1,0 +1,99 @@
+/** Edits of a time line. Each gives back the one it was given where there is nothing to change. */
+import type { Ease, SpaceKey, SpaceTimeline } from "../../../engine/api";
+import { NEAR } from "../../../state/space-edits";
+import { formatNumber } from "../../../ui/number";
+
+export const MOST_KEYS = 100;
+export const SHORTEST = 0.1;
+export const LONGEST = 600;
+
+type Length = Pick<SpaceTimeline, "seconds" | "loop">;
+
+/** As fine as anyone can point, and short in a link. */
+export const rounded = (at: number): number => Math.round(at * 1000) / 1000;
+
+/** The last moment of a time line: the end of a loop is its beginning. */
+export function lastMoment({ seconds, loop }: Length): number {
+  return loop ? rounded(seconds - NEAR) : seconds;
+}
+
+/** The moment of the time line that is nearest. */
+export function momentIn(line: Length, at: number): number {
+  if (!Number.isFinite(at)) return 0;
+  return rounded(Math.min(lastMoment(line), Math.max(0, at)));
+}
+
+/** The number of the key at a moment, or -1. */
+export function keyAt({ keys }: Pick<SpaceTimeline, "keys">, at: number): number {
+  return keys.findIndex((key) => Math.abs(key.at - at) < NEAR);
+}
+
+/** A key at another moment. Keys keep their order, and do not meet. */
+export function withKeyAt(line: SpaceTimeline, index: number, at: number): SpaceTimeline {
+  const { keys } = line;
+  const key = keys[index];
+  if (!key || !Number.isFinite(at)) return line;
+  const before = keys[index - 1];
+  const behind = keys[index + 1];
+  const least = before ? before.at + 2 * NEAR : 0;
+  const most = behind ? behind.at - 2 * NEAR : lastMoment(line);
+  const to = rounded(Math.max(least, Math.min(most, at)));
+  return to === key.at || least > most ? line : withItem(line, index, { ...key, at: to });
+}
+
+export function withEase(line: SpaceTimeline, index: number, ease: Ease): SpaceTimeline {
+  const key = line.keys[index];
+  return !key || key.ease === ease ? line : withItem(line, index, { ...key, ease });
+}
+
+export function withoutKey(line: SpaceTimeline, index: number): SpaceTimeline {
+  if (!line.keys[index]) return line;
+  return { ...line, keys: line.keys.filter((_, i) => i !== index) };
+}
+
+function withItem(line: SpaceTimeline, index: number, item: SpaceKey): SpaceTimeline {
+  return { ...line, keys: line.keys.map((key, i) => (i === index ? item : key)) };
+}
+
+/** Why a time line cannot be so long, or nothing. */
+export function secondsProblem(line: SpaceTimeline, seconds: number): string | undefined {
+  const last = line.keys.at(-1);
+  if (!last || last.at <= lastMoment({ ...line, seconds })) return undefined;
+  return `Key ${line.keys.length} stands at ${formatNumber(last.at, 2)} s. Move it first, or make it all faster.`;
+}
+
+export function withSeconds(line: SpaceTimeline, seconds: number): SpaceTimeline {
+  if (seconds === line.seconds || secondsProblem(line, seconds) !== undefined) return line;
+  return { ...line, seconds };
+}
+
+/**
+ * Round and round, or once. A loop needs time from its last key back to its first one: where there is none, it becomes
+ * longer by as much as there is between keys.
+ */
+export function withLoop(line: SpaceTimeline, loop: boolean): SpaceTimeline {
+  if (loop === line.loop) return line;
+  const { keys, seconds } = line;
+  const last = keys.at(-1);
+  if (!loop || !last || last.at <= lastMoment({ seconds, loop })) return { ...line, loop };
+  const between = keys.length > 1 ? last.at / (keys.length - 1) : 1;
+  const longer = rounded(Math.min(LONGEST, last.at + Math.max(0.1, between)));
+  return longer > last.at + NEAR ? { ...line, loop, seconds: longer } : line;
+}
+
+/** All of it slower by a factor, or faster. The same where it would be too long or short, or keys would meet. */
+export function stretched(line: SpaceTimeline, factor: number): SpaceTimeline {
+  const seconds = rounded(line.seconds * factor);
+  if (!(factor > 0) || seconds < SHORTEST || seconds > LONGEST) return line;
+  const keys = line.keys.map((key) => ({ ...key, at: rounded(key.at * factor) }));
+  const meet = keys.some((key, i) => i > 0 && key.at - (keys[i - 1]?.at ?? 0) < NEAR);
+  const after = { ...line, seconds, keys };
+  return meet || secondsProblem(after, seconds) !== undefined ? line : after;
+}
+
+/** The moment of the next key in a direction, round the end where it loops; the same moment where there is none. */
+export function nextKey({ keys, loop }: SpaceTimeline, at: number, by: 1 | -1): number {
+  const moments = keys.map((key) => key.at);
+  const ahead = by > 0 ? moments.find((x) => x > at + NEAR) : moments.findLast((x) => x < at - NEAR);
+  return ahead ?? (loop ? moments.at(by > 0 ? 0 : -1) : undefined) ?? at;
+}
