@@ -10,6 +10,9 @@ const DEFORMS = ["d1", "d2", "d3", "d4", "d5", "d6"];
 /** And those on rough curves. */
 const FITS = ["c1", "c2", "ct2", "c3", "c4", "c5", "c6", "c7"];
 
+/** And those on shapes of space. */
+const SPACES = ["s1", "s2", "s3", "s4", "s5", "s6", "s35", "s7", "s8", "s9"];
+
 const LESSONS = ["e1", "e2", "e3", "e4", "e5", "e6", "e7", "e8", "e9", "e10", "e11"];
 
 async function open(page: Page, figure: string): Promise<void> {
@@ -40,7 +43,8 @@ function lit(page: Page, selector: string): Promise<number> {
 test("the index shows every figure, drawn", async ({ page }) => {
   await open(page, "");
   const cards = page.getByRole("main").getByRole("listitem");
-  await expect(cards).toHaveCount(PAGES.length + DEFORMS.length + FITS.length + LESSONS.length);
+  const count = PAGES.length + DEFORMS.length + FITS.length + SPACES.length + LESSONS.length;
+  await expect(cards).toHaveCount(count);
   for (const i of [2, 3, 4, 6]) {
     const canvas = `.cards >> nth=0 >> li:nth-child(${i + 1}) canvas`;
     await expect.poll(() => lit(page, canvas)).toBeGreaterThan(200);

@@ -80,7 +80,8 @@ export default defineConfig({
     {
       name: "webgpu",
       // What does not hang on what draws is tried once.
-      testIgnore: /(\.phone|access|keys|host|figures|figures-deform|figures-fit|deform-grid)\.spec\.ts$/,
+      testIgnore:
+        /(\.phone|access|keys|host|figures|figures-deform|figures-fit|figures-space|deform-grid)\.spec\.ts$/,
       use: { launchOptions: launch(webgpu) },
     },
     {

@@ -81,6 +81,22 @@ await graph.waitForTimeout(1500);
 await graph.screenshot({ path: path("graph") });
 await graph.context().close();
 
+/** Space, once its picture is complete. */
+async function space(fragment, name, options) {
+  const page = await open(fragment, options);
+  await page.getByTestId("space-status").getByText("Complete picture", { exact: true }).waitFor({ timeout: 120_000 });
+  await page.screenshot({ path: path(name) });
+  await page.context().close();
+}
+
+await space("#v=1&tool=space", "space");
+const natural = Array.from({ length: 8 }, (_, k) => `o:natural-${k}`).join("/");
+const view = (at, x, y, turn) => `k:${at},inout~v${x},${y},-0.4,7,${turn},0.08,0.5`;
+const flight = [view(0, 12, 0, -1.57), view(2, 12, 1, -1.2), view(4, 13, 0, -0.8)].join("/");
+await space(`#v=1&tool=space&space=${natural}/time:6,0,smooth/${flight}&space-at=2`, "scene", {
+  colorScheme: "light",
+});
+
 const figure = await open("#figures/7");
 await figure.getByRole("heading", { level: 1 }).waitFor();
 await figure.waitForTimeout(8000);

@@ -1,0 +1,115 @@
+import { readFile } from "node:fs/promises";
+import { beforeAll, beforeEach, describe, expect, it, vi } from "vitest";
+import type { MapRow3, SpaceView } from "../../www/src/engine/api";
+import { solid, startSpace } from "../../www/src/engine/space/module";
+
+vi.mock("../../www/src/engine/module", () => ({
+  once: (get: () => Promise<unknown>) => get,
+  compiled: async () =>
+    WebAssembly.compile(await readFile(new URL("../../www/pkg/frond-space_bg.wasm", import.meta.url))),
+}));
+
+const { redo, scene, start, undo } = await import("../../www/src/state/scene");
+const state = await import("../../www/src/state/space");
+const edits = await import("../../www/src/state/space-edits");
+
+const first = { ...scene.peek() };
+const moved = (x: number): MapRow3 => [1, 0, 0, 0, 1, 0, 0, 0, 1, x, 0, 0];
+const view: SpaceView = { target: [0, 0, 0], distance: 5, turn: 1, tilt: 0.2, angle: 0.7 };
+const now = () => state.spaceFrame.value?.objects[0];
+const part = () => state.spacePart.value;
+
+beforeAll(async () => {
+  const module = await WebAssembly.compile(
+    await readFile(new URL("../../www/pkg/frond-space_bg.wasm", import.meta.url)),
+  );
+  await startSpace(module);
+  await state.openSpace();
+});
+
+beforeEach(() => start({ ...first, space: { packed: "o:tetrahedron", at: 0 } }));
+
+describe("a hand", () => {
+  it("moves the parameters, and undo brings back every bit", () => {
+    const before = now();
+    edits.moveObject(solid.turning3([1, 2, 3], 0.3, [0, 0, 0]));
+    expect(now()?.now).not.toEqual(before?.now);
+    undo();
+    expect(now()).toEqual(before);
+    redo();
+    expect(now()?.moved).not.toEqual(before?.moved);
+  });
+
+  it("is refused what cannot be undone, and nothing changes", () => {
+    const before = scene.peek();
+    expect(() => edits.moveObject([1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0])).toThrow();
+    expect(scene.peek()).toBe(before);
+  });
+});
+
+describe("with a time line", () => {
+  beforeEach(() => {
+    edits.addKey();
+    state.setMoment(2);
+    edits.moveObject(moved(1));
+  });
+
+  it("what is moved is kept at its moment", () => {
+    expect(part().packed.match(/\/k:/g)).toHaveLength(2);
+    expect(now()?.moved[9]).toBeCloseTo(1);
+    state.setMoment(0);
+    expect(now()?.moved[9]).toBeCloseTo(0);
+  });
+
+  it("the maps of a moment leave those of the other keys", () => {
+    const made = now()?.maps ?? [];
+    const other = made.map((map, i) => (i === 0 ? (map.with(9, (map[9] ?? 0) + 0.2) as MapRow3) : map));
+    edits.changeMaps(other);
+    expect(now()?.maps[0]?.[9]).toBeCloseTo(other[0]?.[9] ?? 0);
+    state.setMoment(0);
+    expect(now()?.maps[0]?.[9]).toBeCloseTo(made[0]?.[9] ?? 0);
+    state.setMoment(1);
+    expect(now()?.maps[0]?.[9]).toBeGreaterThan(made[0]?.[9] ?? 0);
+  });
+
+  it("what cannot be played is refused", () => {
+    const before = part().packed;
+    expect(() => edits.moveObject([-1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0])).toThrow();
+    expect(part().packed).toBe(before);
+    expect(state.spaceFrame.value?.objects).toHaveLength(1);
+  });
+
+  it("what is looked at goes into the link, until the moment changes", () => {
+    state.setView(view);
+    expect([state.lookingAround.value, part().own, state.spaceView.value]).toEqual([true, true, view]);
+    state.setMoment(2);
+    expect([state.lookingAround.value, part().own]).toEqual([false, undefined]);
+    state.setView(view);
+    edits.addKey();
+    expect(state.lookingAround.value).toBe(false);
+    undo();
+    expect([state.lookingAround.value, state.spaceView.value]).toEqual([true, view]);
+  });
+
+  it("a moment beyond the end is the end", () => {
+    state.setMoment(500);
+    edits.moveObject(moved(1));
+    expect(part().at).toBe(edits.EMPTY_LINE.seconds);
+  });
+});
+
+describe("a view", () => {
+  it("that is none is not taken", () => {
+    state.setView(view);
+    for (const bad of [{ distance: 0 }, { turn: Number.NaN }, { target: [1e200, 0, 0] }, { angle: 4 }]) {
+      expect(state.setView({ ...view, ...bad } as SpaceView)).toBe(false);
+    }
+    expect(state.spaceView.value).toEqual(view);
+  });
+
+  it("stays where it is when what is seen moves", () => {
+    const before = state.spaceView.value;
+    edits.moveObject(moved(3));
+    expect(state.spaceView.value).toEqual(before);
+  });
+});

@@ -1,0 +1,219 @@
+import { readFile } from "node:fs/promises";
+import AxeBuilder from "@axe-core/playwright";
+import type { Page } from "@playwright/test";
+import { expect, test } from "./fixture";
+
+const stage = (page: Page) => page.getByTestId("space-stage");
+const status = (page: Page) => page.getByTestId("space-status");
+/** Smoothed as well: nothing is left to do. */
+const complete = (page: Page) => expect(status(page)).toHaveText("Complete picture", { timeout: 120_000 });
+/** Every pixel that a piece reaches is lit. */
+const whole = (page: Page) => expect(status(page)).toHaveText(/^Complete picture/, { timeout: 120_000 });
+const packed = async (studio: { scene(): Promise<{ space?: { packed: string } }> }) =>
+  (await studio.scene()).space?.packed ?? "";
+
+async function choose(page: Page, name: string): Promise<void> {
+  await page.getByRole("button", { name: /Choose another shape$/ }).click();
+  const gallery = page.getByRole("dialog", { name: "Shapes of space" });
+  await gallery.getByRole("button", { name: new RegExp(`^${name}`) }).click();
+  await expect(gallery).toHaveCount(0);
+}
+
+test("what is seen first is complete, and drawn by the graphics interface that was asked for", async ({
+  studio,
+  page,
+}, { project }) => {
+  await studio.open("tool=space");
+  await complete(page);
+  const first = await studio.look();
+  expect(await page.evaluate(() => window.frond?.backend())).toBe(project.name);
+  expect(first.lit).toBeGreaterThan(40_000);
+  expect(first.colours.length).toBeGreaterThan(200);
+  // Nothing changes by itself, and looking round is nothing to undo.
+  await page.waitForTimeout(500);
+  expect((await studio.look()).hash).toBe(first.hash);
+  await stage(page).focus();
+  await page.keyboard.press("ArrowLeft");
+  await expect(status(page)).toHaveText(/points|Complete/);
+  await complete(page);
+  const turned = await studio.look();
+  expect(turned.hash).not.toBe(first.hash);
+  await expect(page.getByRole("button", { name: "Undo", exact: true })).toBeDisabled();
+  await page.keyboard.press("0");
+  await complete(page);
+  expect((await studio.look()).hash).toBe(first.hash);
+});
+
+test("a hand turns the pyramid by its parameters, and undo brings every bit back", async ({
+  studio,
+  page,
+}) => {
+  await studio.open("tool=space");
+  await choose(page, "Pyramid");
+  await complete(page);
+  const made = [await packed(studio), (await studio.look()).hash];
+  const table = page.getByRole("region", { name: "Its parameters", exact: true });
+  await expect(table).toContainText("All as made");
+  await page.getByRole("radio", { name: "Turn", exact: true }).first().check({ force: true });
+  const box = await stage(page).boundingBox();
+  if (!box) throw new Error("no stage");
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 60, y + 20, { steps: 4 });
+  await page.mouse.move(x + 120, y - 30, { steps: 4 });
+  await page.mouse.up();
+  await expect(table).toContainText(/of 60 numbers are not as made/);
+  await expect(table).toContainText("is the same picture");
+  await complete(page);
+  const turned = (await studio.look()).hash;
+  expect(turned).not.toBe(made[1]);
+  // The whole drag is one step, and exactly undone.
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  await expect(table).toContainText("All as made");
+  expect(await packed(studio)).toBe(made[0]);
+  await complete(page);
+  expect((await studio.look()).hash).toBe(made[1]);
+  await page.getByRole("button", { name: "Redo", exact: true }).click();
+  await complete(page);
+  expect((await studio.look()).hash).toBe(turned);
+});
+
+test("a flight through the natural scene is keyed, exported as a film that plays, and sent as a link", async ({
+  studio,
+  page,
+  browser,
+}) => {
+  test.setTimeout(420_000);
+  await studio.open("tool=space");
+  await choose(page, "A natural scene");
+  await page.getByRole("button", { name: "Fly through" }).first().click();
+  const keys = page.getByRole("button", { name: /^Key \d of \d/ });
+  await expect.poll(() => keys.count()).toBeGreaterThanOrEqual(3);
+  await studio.time.focus();
+  await page.keyboard.press("End");
+  for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowLeft");
+  const before = await keys.count();
+  await page.getByRole("button", { name: "Set key" }).click();
+  await expect(keys).toHaveCount(before + 1);
+  await page.getByRole("button", { name: "Play", exact: true }).click();
+  await expect(page.getByRole("button", { name: "Pause", exact: true })).toBeVisible();
+  await page.getByRole("button", { name: "Pause", exact: true }).click();
+
+  await page.getByRole("button", { name: "Export …" }).click();
+  const dialog = page.getByRole("dialog", { name: "Export" });
+  await dialog.getByRole("radio", { name: "WebM" }).check({ force: true });
+  for (const [name, value] of [
+    ["Width", "160"],
+    ["Height", "90"],
+    ["Frames a second", "10"],
+    ["to", "1"],
+  ] as const) {
+    const field = dialog.getByRole("spinbutton", { name, exact: true });
+    await field.fill(value);
+    await field.press("Enter");
+  }
+  const download = page.waitForEvent("download", { timeout: 300_000 });
+  await dialog.getByRole("button", { name: "Make the film" }).click();
+  const bytes = await readFile(await (await download).path());
+  // EBML: what WebM begins with.
+  expect([...bytes.subarray(0, 4)]).toEqual([0x1a, 0x45, 0xdf, 0xa3]);
+  const film = dialog.locator("video");
+  const played = await film.evaluate(async (video: HTMLVideoElement) => {
+    await video.play();
+    await new Promise((resolve) => setTimeout(resolve, 400));
+    return { width: video.videoWidth, height: video.videoHeight, at: video.currentTime };
+  });
+  expect(played).toMatchObject({ width: 160, height: 90 });
+  expect(played.at).toBeGreaterThan(0);
+  await page.keyboard.press("Escape");
+
+  await studio.time.focus();
+  await page.keyboard.press("Home");
+  await whole(page);
+  await page.waitForTimeout(600);
+  await expect(page).toHaveURL(/space=/);
+  const mine = await studio.scene();
+  const other = await browser.newPage({ viewport: page.viewportSize() });
+  await other.goto(page.url());
+  await whole(other);
+  expect(await other.evaluate(() => window.frond?.scene())).toEqual(mine);
+  await other.close();
+});
+
+test("the tetrahedron becomes a dragon on a path that holds", async ({ studio, page }) => {
+  test.setTimeout(400_000);
+  await studio.open("tool=space");
+  await page.getByRole("radio", { name: "Morph", exact: true }).check({ force: true });
+  await page.getByRole("button", { name: "Tetrahedron to the dragon in space" }).first().click();
+  await expect.poll(() => packed(studio), { timeout: 200_000 }).toContain("/way:auto;");
+  const place = page.getByRole("slider", { name: "Place along the path", exact: true });
+  await place.focus();
+  for (let i = 0; i < 3; i++) await page.keyboard.press("PageUp");
+  await expect.poll(() => packed(studio)).toMatch(/\/t:0\.\d/);
+  await complete(page);
+  expect((await studio.look()).lit).toBeGreaterThan(10_000);
+  await expect(page.getByText(/in one piece/i).first()).toBeVisible();
+});
+
+test("a shadow along a direction that is kept goes on into the morph", async ({ studio, page }) => {
+  await studio.open("tool=space&space=o:tetrahedron");
+  await page.getByText("Shadow on a plane").click();
+  await page.getByRole("button", { name: "Morph it" }).click();
+  await expect(page.getByRole("link", { name: "Morph", exact: true })).toHaveAttribute("aria-current");
+  const { a, tool } = await studio.scene();
+  expect([a.maps.length, tool ?? "morph"]).toEqual([4, "morph"]);
+  await studio.drawn();
+  expect((await studio.look()).lit).toBeGreaterThan(2000);
+});
+
+test("what cannot be is refused, and the work stays", async ({ studio, page }) => {
+  await studio.open("tool=space&space=o:nothing");
+  await complete(page);
+  expect((await studio.said()).join()).toContain("damaged");
+  // Everything behind the eye: said, with a way back.
+  await studio.open("tool=space&space=o:sponge&space-view=0,50,0,1,0,0,0.7");
+  await expect(page.getByText("Everything is behind the eye.")).toBeVisible();
+  await page.getByRole("button", { name: "Show all", exact: true }).click();
+  await complete(page);
+  expect((await studio.look()).lit).toBeGreaterThan(40_000);
+  // An eye inside the sponge still has a picture.
+  await studio.open("tool=space&space=o:sponge&space-view=0,0,0,0.05,0.3,0.1,0.9");
+  await complete(page);
+  expect((await studio.look()).lit).toBeGreaterThan(1000);
+  // A file that is none.
+  const before = await packed(studio);
+  await page
+    .locator('input[type="file"]')
+    .first()
+    .setInputFiles({
+      name: "bad.ifs",
+      mimeType: "text/plain",
+      buffer: Buffer.from("broken (3D) { 1 2 3 }"),
+    });
+  await expect.poll(async () => (await studio.said()).join()).toContain("broken");
+  expect(await packed(studio)).toBe(before);
+});
+
+test("a lost device is replaced, and the picture is the same", async ({ studio, page }) => {
+  await studio.open("tool=space&space=o:octahedron");
+  await complete(page);
+  const before = (await studio.look()).hash;
+  await page.evaluate(() => window.frond?.forceLoss());
+  await expect.poll(async () => (await studio.said()).join()).toContain("was lost");
+  await complete(page);
+  expect((await studio.look()).hash).toBe(before);
+});
+
+test("nothing of it stands in the way of anybody", async ({ studio, page }) => {
+  await studio.open("tool=space");
+  await complete(page);
+  for (const part of ["Shape", "Morph", "Light", "Time"]) {
+    await page.getByRole("radio", { name: part, exact: true }).check({ force: true });
+    const { violations } = await new AxeBuilder({ page }).analyze();
+    const found = violations.map(
+      ({ id, nodes }) => `${part}: ${id}: ${nodes.map((node) => node.target.join(" ")).join(", ")}`,
+    );
+    expect(found).toEqual([]);
+  }
+});
