@@ -91,6 +91,22 @@ describe("with a time line", () => {
     expect([state.lookingAround.value, state.spaceView.value]).toEqual([true, view]);
   });
 
+  it("what is seen stays when the keys go", () => {
+    const made = now()?.maps ?? [];
+    edits.changeMaps(made.map((map, i) => (i === 0 ? (map.with(9, (map[9] ?? 0) + 0.2) as MapRow3) : map)));
+    state.setMoment(1.3);
+    const [before, seen] = [now(), state.spaceView.value];
+    edits.endTimeline();
+    expect(state.timeline.value).toBeNull();
+    expect(now()?.moved[9]).toBeGreaterThan(0.1);
+    for (const [i, map] of (now()?.now ?? []).entries()) {
+      for (const [k, x] of map.entries()) expect(x).toBeCloseTo(before?.now[i]?.[k] ?? Number.NaN, 6);
+    }
+    expect(state.spaceView.value?.distance).toBeCloseTo(seen?.distance ?? 0, 4);
+    undo();
+    expect(state.timeline.value?.keys).toHaveLength(2);
+  });
+
   it("a moment beyond the end is the end", () => {
     state.setMoment(500);
     edits.moveObject(moved(1));

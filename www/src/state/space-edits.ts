@@ -1,6 +1,16 @@
 /** Edits of space. With a time line, what is done to an object is remembered at its moment; the view only when that is asked for. */
-import type { Ease, MapRow3, Shape3, Space, SpaceKey, SpaceObject, SpaceTimeline } from "../engine/api";
+import type {
+  Ease,
+  MapRow3,
+  Shape3,
+  Space,
+  SpaceFrame,
+  SpaceKey,
+  SpaceObject,
+  SpaceTimeline,
+} from "../engine/api";
 import { solid } from "../engine/space/module";
+import { notify, wordsOf } from "./notice";
 import { edit } from "./scene";
 import {
   chosen,
@@ -9,6 +19,7 @@ import {
   keepView,
   moment,
   setMoment,
+  setView,
   space,
   spaceFrame,
   spacePlaying,
@@ -21,6 +32,31 @@ type Options = { gesture?: string; own?: boolean };
 /** Keys within this many seconds are one. */
 export const NEAR = 0.02;
 export const EMPTY_LINE: SpaceTimeline = { seconds: 6, loop: true, course: "smooth", keys: [] };
+
+/** As `editSpace`, where nobody else says why it could not be done. Whether it was. */
+export function changeSpace(change: (space: Space) => Space, options: Options = {}): boolean {
+  try {
+    editSpace(change, options);
+    return true;
+  } catch (problem) {
+    notify({ kind: "error", text: wordsOf(problem) });
+    return false;
+  }
+}
+
+/** As `changeSpace`, for what may take the morph with it: that is told. */
+export function reshapeSpace(change: (space: Space) => Space, options: Options = {}): boolean {
+  const morphed = space.peek()?.morph !== undefined;
+  const done = changeSpace(change, options);
+  if (done) tellOfMorph(morphed);
+  return done;
+}
+
+/** Says that there is no morph any more, where there was one. */
+export function tellOfMorph(before: boolean): void {
+  if (!before || space.peek()?.morph) return;
+  notify({ kind: "info", text: "The morph has ended: it was of other maps. Undo brings it back." });
+}
 
 /** Moves the chosen object, by conjugating its parameters. Throws where the transform cannot be undone: nothing changes. */
 export function moveObject(by: MapRow3, options: Options = {}): void {
@@ -119,7 +155,7 @@ export function setMorphTime(t: number, options: Options = {}): void {
     keyNow((key) => ({ ...key, t }), options);
     return;
   }
-  editSpace((now) => (now.morph ? { ...now, morph: { ...now.morph, t } } : now), options);
+  changeSpace((now) => (now.morph ? { ...now, morph: { ...now.morph, t } } : now), options);
 }
 
 /** A key for all that is now: the view, where each object is, how far the morph is. */
@@ -147,6 +183,32 @@ export function changeTimeline(change: (line: SpaceTimeline) => SpaceTimeline, o
     const { timeline: _, ...rest } = now;
     return after.keys.length === 0 && after === EMPTY_LINE ? rest : { ...rest, timeline: after };
   }, options);
+}
+
+/** Without a time line: what is seen at the moment stays, and nothing moves any more. */
+export function endTimeline(): void {
+  const frame = spaceFrame.peek();
+  const view = spaceView.peek();
+  editSpace((now) => settled(now, frame), { own: false });
+  // A flight has no last view of its own: what is seen would jump.
+  if (frame?.view && view) setView(view);
+}
+
+/** Space as it is at a moment, for all time. */
+export function settled(now: Space, frame: SpaceFrame | null): Space {
+  const { timeline: line, ...rest } = now;
+  if (!line || !frame) return rest;
+  const objects = now.objects.map((object, i) => {
+    const at = frame.objects[i];
+    if (!at) return object;
+    // The maps of what morphs are those of its place on the morph.
+    const morphs = i === 0 && now.morph !== undefined;
+    if (morphs || !hasKeyedMaps(line, i)) return withMoved(object, at.moved);
+    const { preset: _, ...plain } = object;
+    return withMoved({ ...plain, maps: at.maps }, at.moved);
+  });
+  const morph = now.morph && frame.t !== undefined ? { morph: { ...now.morph, t: frame.t } } : {};
+  return { ...rest, objects, ...morph };
 }
 
 /** Changes the key at the moment, or puts one there; `others` changes the rest. */

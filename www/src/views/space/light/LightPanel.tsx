@@ -2,7 +2,8 @@ import "./light.css";
 import { computed } from "@preact/signals";
 import type { SpaceLight } from "../../../engine/api";
 import { solid } from "../../../engine/space/module";
-import { editSpace, space } from "../../../state/space";
+import { space } from "../../../state/space";
+import { changeSpace } from "../../../state/space-edits";
 import { Button } from "../../../ui/Button";
 import { Segmented } from "../../../ui/Segmented";
 import { LightSlider } from "./LightSlider";
@@ -29,7 +30,7 @@ export function LightPanel() {
 /** One setting of the light: a drag is one undo step. */
 function change(part: Partial<SpaceLight>): void {
   const gesture = `space-light-${Object.keys(part).join()}`;
-  editSpace((now) => ({ ...now, light: { ...now.light, ...part } }), { gesture });
+  changeSpace((now) => ({ ...now, light: { ...now.light, ...part } }), { gesture });
 }
 
 function Light() {
@@ -43,7 +44,7 @@ function Light() {
           kind="quiet"
           icon="reset"
           description="Light and colours as at first"
-          onClick={() => editSpace((all) => ({ ...all, light: solid.defaultSpace().light }))}
+          onClick={() => changeSpace((all) => ({ ...all, light: solid.defaultSpace().light }))}
         >
           Reset<span class="unseen"> light and colours</span>
         </Button>
@@ -54,7 +55,7 @@ function Light() {
           label="What colours the picture"
           options={PAINTS}
           value={now.paint}
-          onChange={(paint) => editSpace((all) => ({ ...all, light: { ...all.light, paint } }))}
+          onChange={(paint) => changeSpace((all) => ({ ...all, light: { ...all.light, paint } }))}
         />
       </div>
       <LightSlider

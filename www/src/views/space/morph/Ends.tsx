@@ -4,6 +4,7 @@ import type { Shape3 } from "../../../engine/api";
 import { solid } from "../../../engine/space/module";
 import { announce, notify, wordsOf } from "../../../state/notice";
 import { choose, editSpace, space } from "../../../state/space";
+import { changeSpace } from "../../../state/space-edits";
 import { IconButton } from "../../../ui/Button";
 import { Dialog } from "../../../ui/Dialog";
 import { mapsNote, ShapeGrid } from "../../../ui/ShapeGrid";
@@ -47,7 +48,7 @@ export function Ends() {
         class="ends-swap"
         disabled={!b || b.maps.length !== a.maps.length}
         onClick={() => {
-          editSpace(swapped);
+          changeSpace(swapped);
           const now = space.peek();
           announce(`Swapped: from ${now?.objects[0]?.name} to ${now?.morph?.to.name}.`);
         }}

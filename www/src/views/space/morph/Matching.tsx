@@ -1,6 +1,7 @@
 import type { Mode } from "../../../engine/api";
 import { matchWords } from "../../../state/morph-words";
-import { editSpace, space } from "../../../state/space";
+import { space } from "../../../state/space";
+import { changeSpace } from "../../../state/space-edits";
 import { Segmented } from "../../../ui/Segmented";
 import { Fold } from "../shape/Fold";
 import { exchanged, flatPairs, inOrder, orderNow, withMode, withOrder } from "./changes";
@@ -30,7 +31,7 @@ export function Matching() {
           label="How maps go"
           value={now.mode ?? "polar"}
           options={MODES}
-          onChange={(mode) => editSpace((before) => withMode(before, mode))}
+          onChange={(mode) => changeSpace((before) => withMode(before, mode))}
         />
       </div>
       <div class="row">
@@ -57,7 +58,7 @@ export function Matching() {
           onChange={(next) => {
             if (next === "own") return;
             const list = next === "nearest" ? closest : closest.map((_, i) => i);
-            editSpace((before) => withOrder(before, list));
+            changeSpace((before) => withOrder(before, list));
           }}
         />
       </div>
@@ -78,7 +79,7 @@ export function Matching() {
                   value={String(to)}
                   onChange={(event) => {
                     const next = exchanged(order, i, Number(event.currentTarget.value));
-                    editSpace((before) => withOrder(before, next));
+                    changeSpace((before) => withOrder(before, next));
                   }}
                 >
                   {order.map((_, k) => (

@@ -6,7 +6,8 @@ import type { LocusStyle } from "../../../canvas/locus/paint";
 import { EPSILON } from "../../../engine/space/locus-fill";
 import { solid } from "../../../engine/space/module";
 import { announce } from "../../../state/notice";
-import { choose, editSpace, setMoment, setView, space, spaceReady } from "../../../state/space";
+import { choose, setMoment, setView, space, spaceReady } from "../../../state/space";
+import { changeSpace } from "../../../state/space-edits";
 import { Button } from "../../../ui/Button";
 import { Segmented } from "../../../ui/Segmented";
 import { presets } from "../shape/presets";
@@ -78,7 +79,7 @@ function DragonButton() {
         if (!a || !b) return;
         const shape = ({ id, name, maps }: typeof a) => ({ preset: id, name, maps });
         const order = solid.correspondence3(a.maps, b.maps);
-        editSpace((before) => startingWith(before, shape(a), shape(b), order));
+        if (!changeSpace((before) => startingWith(before, shape(a), shape(b), order))) return;
         choose(0);
         setMoment(0);
         setView(null);
@@ -100,8 +101,7 @@ function Last() {
         description="The first object stays what it is at the beginning"
         onClick={() => {
           pause();
-          editSpace(withoutMorph);
-          announce("There is no morph any more.");
+          if (changeSpace(withoutMorph)) announce("There is no morph any more.");
         }}
       >
         No morph

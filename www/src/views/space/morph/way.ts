@@ -8,8 +8,7 @@ import { announce } from "../../../state/notice";
 import { type Uv, uvAt } from "../../../state/path";
 import { clamp, insert, move, nearestOn, remove } from "../../../state/polyline";
 import { endGesture } from "../../../state/scene";
-import { editSpace } from "../../../state/space";
-import { setMorphTime } from "../../../state/space-edits";
+import { changeSpace, setMorphTime } from "../../../state/space-edits";
 import { fixed } from "../../../ui/number";
 import { MOST_POINTS, withPath } from "./changes";
 import { check, locus, pathPoints, uv } from "./work";
@@ -57,7 +56,7 @@ function kept(point: Uv): PathPoint {
 const drawn = (space: Space, points: PathPoint[]) => withPath(space, { kind: "drawn", points });
 
 export function moveTo(index: number, point: Uv, gesture: string): void {
-  editSpace((now) => drawn(now, move(way.peek(), index, kept(point))), { gesture });
+  changeSpace((now) => drawn(now, move(way.peek(), index, kept(point))), { gesture });
 }
 
 /** A way point more, on the stretch that is nearest. Returns its number, or null where a link could hold no more. */
@@ -84,7 +83,7 @@ function addTo(segment: number, point: Uv): number | null {
   const before = uv.peek();
   const at = kept(point);
   endGesture();
-  editSpace((now) => staying(drawn(now, insert(way.peek(), segment, at)), before));
+  if (!changeSpace((now) => staying(drawn(now, insert(way.peek(), segment, at)), before))) return null;
   pick(segment);
   announce(`Way point ${segment + 1} of ${way.peek().length} added at ${pointWords(at)}.`);
   return segment;
@@ -93,7 +92,7 @@ function addTo(segment: number, point: Uv): number | null {
 export function removeAt(index: number): void {
   const before = uv.peek();
   endGesture();
-  editSpace((now) => staying(drawn(now, remove(way.peek(), index)), before));
+  if (!changeSpace((now) => staying(drawn(now, remove(way.peek(), index)), before))) return;
   pick(null);
   announce(`Way point ${index + 1} removed, ${way.peek().length} left.`);
 }
@@ -107,7 +106,7 @@ function staying(now: Space, before: Uv): Space {
 }
 
 export function setKind(kind: PathKind): void {
-  editSpace((now) => {
+  changeSpace((now) => {
     if (!now.morph || now.morph.path.kind === kind) return now;
     // What is drawn begins with what is there; what is found is looked for anew.
     return withPath(now, { kind, points: kind === "drawn" ? now.morph.path.points : [] });

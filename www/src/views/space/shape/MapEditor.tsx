@@ -5,7 +5,7 @@ import { solid } from "../../../engine/space/module";
 import { announce, wordsOf } from "../../../state/notice";
 import { endGesture } from "../../../state/scene";
 import { chosen, editSpace, space, spaceFrame, timeline } from "../../../state/space";
-import { changeMaps, hasKeyedMaps } from "../../../state/space-edits";
+import { changeMaps, hasKeyedMaps, reshapeSpace, tellOfMorph } from "../../../state/space-edits";
 import { Button, IconButton } from "../../../ui/Button";
 import { formatNumber } from "../../../ui/number";
 import { MOST_MAPS, withShape } from "./changes";
@@ -24,7 +24,11 @@ function offer(maps: MapRow3[], gesture?: string): string | undefined {
     const options = gesture === undefined ? {} : { gesture };
     // Maps come and go for all time; their numbers may be those of a moment.
     if (timeline.peek() && maps.length === before.maps.length) changeMaps(maps, options);
-    else editSpace((now) => withShape(now, index, { name: before.name, maps }), options);
+    else {
+      const morphed = space.peek()?.morph !== undefined;
+      editSpace((now) => withShape(now, index, { name: before.name, maps }), options);
+      tellOfMorph(morphed);
+    }
     return undefined;
   } catch (problem) {
     return wordsOf(problem);
@@ -132,7 +136,8 @@ export function MapEditor() {
             icon="reset"
             onClick={() => {
               const { id, maps: first } = origin;
-              editSpace((now) => withShape(now, chosen.peek(), { preset: id, name, maps: first }));
+              const back = { preset: id, name, maps: first };
+              if (!reshapeSpace((now) => withShape(now, chosen.peek(), back))) return;
               setProblem(null);
               announce(`Back to ${name}.`);
             }}

@@ -1,7 +1,8 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { announce } from "../../../state/notice";
 import { endGesture } from "../../../state/scene";
-import { choose, chosen, editSpace, space } from "../../../state/space";
+import { choose, chosen, space } from "../../../state/space";
+import { changeSpace, reshapeSpace } from "../../../state/space-edits";
 import { Button, IconButton } from "../../../ui/Button";
 import { Dialog } from "../../../ui/Dialog";
 import { useOwnId } from "../../../ui/id";
@@ -122,7 +123,7 @@ function ObjectTools({ index, tint, name }: { index: number; tint: string | unde
         value={tint ?? "#808080"}
         onInput={(event) => {
           const { value } = event.currentTarget;
-          editSpace((now) => withTint(now, index, value), { gesture: `tint ${index}` });
+          changeSpace((now) => withTint(now, index, value), { gesture: `tint ${index}` });
         }}
         onChange={endGesture}
       />
@@ -131,7 +132,7 @@ function ObjectTools({ index, tint, name }: { index: number; tint: string | unde
           icon="reset"
           label="Let its maps have their colours"
           kind="quiet"
-          onClick={() => editSpace((now) => withTint(now, index, null))}
+          onClick={() => changeSpace((now) => withTint(now, index, null))}
         />
       )}
       <IconButton
@@ -139,8 +140,7 @@ function ObjectTools({ index, tint, name }: { index: number; tint: string | unde
         label={`Remove ${name}`}
         kind="quiet"
         onClick={() => {
-          editSpace((now) => withoutObject(now, index));
-          announce(`${name} is removed.`);
+          if (reshapeSpace((now) => withoutObject(now, index))) announce(`${name} is removed.`);
         }}
       />
     </>

@@ -33,7 +33,8 @@ export async function openFile(file: File): Promise<void> {
 
 export function takeFound({ name, maps }: Found): void {
   const several = (space.peek()?.objects.length ?? 1) > 1;
-  take([{ name, maps }], several ? "instead" : "alone", `${name} is there, with ${maps.length} maps.`);
+  const what = `${name} is there, with ${maps.length} maps, in place of what was. Undo brings that back.`;
+  take([{ name, maps }], several ? "instead" : "alone", what, (text) => notify({ kind: "info", text }));
 }
 
 /** Saves the parameters as they are now: what was done to the object is in them. */

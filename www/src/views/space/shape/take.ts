@@ -2,16 +2,16 @@
 import type { SpaceObject } from "../../../engine/api";
 import { solid } from "../../../engine/space/module";
 import { announce, notify, wordsOf } from "../../../state/notice";
-import { choose, chosen, editSpace, setView, space, spaceFrame } from "../../../state/space";
-import { startWith } from "../../../state/space-edits";
+import { choose, chosen, setView, space, spaceFrame } from "../../../state/space";
+import { changeSpace, reshapeSpace, startWith } from "../../../state/space-edits";
 import { around, beside, MOST_OBJECTS, withObject, withShape } from "./changes";
 import { factsOf } from "./now";
 
 /** Alone, with neither morph nor time line; in place of the chosen object; or beside what there is. */
 export type How = "alone" | "instead" | "beside";
 
-/** Takes objects in. Of what cannot be taken it says why, and nothing changes. */
-export function take(objects: readonly SpaceObject[], how: How, what: string): void {
+/** Takes objects in. Of what cannot be taken it says why, and nothing changes; else `tell` gets what was done. */
+export function take(objects: readonly SpaceObject[], how: How, what: string, tell = announce): void {
   const [first] = objects;
   if (!first) return;
   try {
@@ -21,19 +21,19 @@ export function take(objects: readonly SpaceObject[], how: How, what: string): v
       choose(0);
     } else if (how === "instead") {
       const { moved: _moved, tint: _tint, ...shape } = first;
-      editSpace((now) => withShape(now, chosen.peek(), shape));
+      if (!reshapeSpace((now) => withShape(now, chosen.peek(), shape))) return;
     } else {
       if ((space.peek()?.objects.length ?? 0) + objects.length > MOST_OBJECTS) {
         notify({ kind: "error", text: `There may be ${MOST_OBJECTS} objects at most: remove some first.` });
         return;
       }
       const placed = objects.length === 1 ? [besideAll(first)] : objects;
-      editSpace((now) => placed.reduce(withObject, now));
+      if (!changeSpace((now) => placed.reduce(withObject, now))) return;
       choose((space.peek()?.objects.length ?? 1) - 1);
       // All of it is to be seen.
       setView(null);
     }
-    announce(what);
+    tell(what);
   } catch (problem) {
     notify({ kind: "error", text: `${first.name} cannot be taken: ${wordsOf(problem)}` });
   }

@@ -1,7 +1,7 @@
 /** What is done with keys, by whichever button or key of the keyboard. */
 import { announce, notify, wordsOf } from "../../../state/notice";
 import { moment, space, timeline } from "../../../state/space";
-import { addKey, changeTimeline, EMPTY_LINE } from "../../../state/space-edits";
+import { addKey, changeTimeline, EMPTY_LINE, endTimeline } from "../../../state/space-edits";
 import { keyAt, MOST_KEYS, momentIn, nextKey, stretched, withoutKey } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";
 import { keyWords, secondsWords } from "./words";
@@ -39,16 +39,19 @@ export function setKey(): void {
 
 export function removeKey(index: number): void {
   pauseSpace();
-  attempt(() => changeTimeline((line) => withoutKey(line, index)));
+  const last = timeline.peek()?.keys.length === 1;
+  attempt(() => (last ? endTimeline() : changeTimeline((line) => withoutKey(line, index))));
   const left = timeline.peek()?.keys.length ?? 0;
-  announce(`Key ${index + 1} deleted. ${left === 0 ? "Nothing moves any more." : `${left} left.`}`);
+  announce(
+    `Key ${index + 1} deleted. ${left === 0 ? "Nothing moves any more; all stays where it is." : `${left} left.`}`,
+  );
 }
 
-/** All keys go, and what they said with them. */
+/** All keys go; what is seen now stays. */
 export function removeAllKeys(): void {
   pauseSpace();
-  attempt(() => changeTimeline(() => EMPTY_LINE));
-  notify({ kind: "info", text: "All keys are gone. Undo brings them back." });
+  attempt(endTimeline);
+  notify({ kind: "info", text: "All keys are gone, and all stays where it is now. Undo brings them back." });
 }
 
 export function goToKey(by: 1 | -1): void {
