@@ -186,7 +186,7 @@ fn wasm_pack() -> Outcome {
         command
             .args(["test", "--headless", "--chrome", "--mode", "no-install", "--chromedriver"])
             .arg(&driver);
-        command.arg(format!("crate/{name}")).env("WASM_BINDGEN_TEST_TIMEOUT", "300");
+        command.arg(format!("crate/{name}")).env("WASM_BINDGEN_TEST_TIMEOUT", "900");
         own_flags(&mut command);
         run(&mut command)?;
     }

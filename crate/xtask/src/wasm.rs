@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::thread;
 
 use crate::command::{Outcome, cargo_wasm, root, run, target};
 use crate::node::{self, Tool};
@@ -108,26 +109,47 @@ fn sources() -> Outcome<Vec<PathBuf>> {
     Ok(found)
 }
 
-/// Builds into a folder of its own, which it returns.
+/// Builds into a folder of its own, which it returns. While one module is compiled, which takes one core at its end, those
+/// before it are bound and made smaller.
 fn make() -> Outcome<PathBuf> {
     let made = target().join("xtask/pkg");
     if made.exists() {
         fs::remove_dir_all(&made)?;
     }
-    for (name, feature) in MODULES {
-        run(&mut cargo_wasm(&format!(
-            "build --package frond-web --lib --release --target {WASM_TARGET} --no-default-features --features {feature}"
-        )))?;
-        run(tools::tool("wasm-bindgen")
-            .arg(target().join(WASM_TARGET).join("release/frond_web.wasm"))
-            .args(["--target", "web", "--out-name", name, "--out-dir"])
-            .arg(&made))?;
-        optimise(&made.join(format!("{name}_bg.wasm")))?;
-    }
+    fs::create_dir_all(&made)?;
+    thread::scope(|scope| -> Outcome {
+        let mut finishing = Vec::new();
+        for (name, feature) in MODULES {
+            run(&mut cargo_wasm(&format!(
+                "build --package frond-web --lib --release --target {WASM_TARGET} --no-default-features --features {feature}"
+            )))?;
+            // The next one is built in the same place.
+            let raw = made.join(format!("{name}.raw.wasm"));
+            fs::copy(target().join(WASM_TARGET).join("release/frond_web.wasm"), &raw)?;
+            let made = &made;
+            // An error of this kind does not go from thread to thread: its words do.
+            finishing
+                .push(scope.spawn(move || finish(name, &raw, made).map_err(|problem| problem.to_string())));
+        }
+        for one in finishing {
+            one.join().map_err(|_| "a module could not be finished")??;
+        }
+        Ok(())
+    })?;
     for script in SCRIPTS {
         fs::copy(root().join("crate/web/js").join(script), made.join(script))?;
     }
     Ok(made)
+}
+
+/// Bindings for what Cargo built, and the module itself as small as it gets.
+fn finish(name: &str, raw: &Path, made: &Path) -> Outcome {
+    run(tools::tool("wasm-bindgen")
+        .arg(raw)
+        .args(["--target", "web", "--out-name", name, "--out-dir"])
+        .arg(made))?;
+    fs::remove_file(raw)?;
+    optimise(&made.join(format!("{name}_bg.wasm")))
 }
 
 fn optimise(module: &Path) -> Outcome {

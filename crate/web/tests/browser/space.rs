@@ -1,66 +1,20 @@
 //! What the graphics card draws of space: the shaders against their twins, on both backends.
-#![cfg(target_arch = "wasm32")]
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may fail so")]
-
-use std::rc::Rc;
 
 use frond_core::{Affine3, Ifs3};
-use frond_render::gpu::{Canvas, Event, Gpu, Stage3, Uniforms3, Wanted};
+use frond_render::gpu::{Event, Stage3, Uniforms3, Wanted};
 use frond_render::space::{Camera, Carve, Cloud, Eye, Lamp, Lighting, Paint, Relief, light, mend};
 use frond_render::{Colouring, Look};
 use glam::{DQuat, DVec3};
-use js_sys::{Function, Object, Promise, Reflect, global};
-use wasm_bindgen::prelude::*;
-use wasm_bindgen_futures::JsFuture;
-use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
-use web_sys::OffscreenCanvas;
+use wasm_bindgen_test::wasm_bindgen_test;
 
-wasm_bindgen_test_configure!(run_in_browser);
+use crate::card::{card, picture_of};
 
 const SIZE: [u32; 2] = [160, 120];
 const POINTS: usize = 60_000;
 
 async fn open(wanted: Wanted) -> Option<Stage3> {
-    let canvas = Canvas::Offscreen(OffscreenCanvas::new(SIZE[0], SIZE[1]).unwrap());
-    let gpu = match Gpu::open(
-        &canvas,
-        wanted,
-        Rc::new(|event: &Event| assert!(!matches!(event, Event::Fault(_)), "{event:?}")),
-    )
-    .await
-    {
-        Ok(gpu) => gpu,
-        Err(error) if wanted == Wanted::WebGpu && !has_webgpu().await => {
-            console_log!("not tested on WebGPU: {error}");
-            return None;
-        }
-        Err(error) => panic!("{wanted:?}: {error}"),
-    };
-    assert_eq!(gpu.backend, if wanted == Wanted::WebGpu { "webgpu" } else { "webgl2" });
-    Some(Stage3::new(gpu))
-}
-
-async fn has_webgpu() -> bool {
-    let adapter = async || -> Result<JsValue, JsValue> {
-        let gpu = Reflect::get(&Reflect::get(&global(), &"navigator".into())?, &"gpu".into())?;
-        let request: Function = Reflect::get(&gpu, &"requestAdapter".into())?.dyn_into()?;
-        JsFuture::from(request.call0(&gpu)?.dyn_into::<Promise>()?).await
-    };
-    adapter().await.is_ok_and(|adapter| adapter.is_instance_of::<Object>())
-}
-
-async fn pixels(stage: &Stage3) -> Vec<u8> {
-    let read = stage.read().unwrap();
-    loop {
-        if let Some(picture) = read.take() {
-            return picture.unwrap();
-        }
-        let mut wait = |resolve: Function, _| {
-            let timer: Function = Reflect::get(&global(), &"setTimeout".into()).unwrap().dyn_into().unwrap();
-            timer.call2(&JsValue::UNDEFINED, &resolve, &1.into()).unwrap();
-        };
-        JsFuture::from(Promise::new(&mut wait)).await.unwrap();
-    }
+    let quiet = |event: &Event| assert!(!matches!(event, Event::Fault(_)), "{event:?}");
+    Some(Stage3::new(card(SIZE, wanted, quiet).await?))
 }
 
 fn look() -> Look {
@@ -122,7 +76,7 @@ async fn pictures(wanted: Wanted) {
             }
         }
         let twin = light(&mend(&relief, eye.focal), &lamp, &look());
-        let shown = pixels(&stage).await;
+        let shown = picture_of(stage.read()).await;
         assert!(lit(&shown) > 2000 && lit(&shown) < shown.len() / 4, "{} lit", lit(&shown));
         // A point that rounding takes to the next pixel changes the light around it.
         assert!(differing(&shown, &twin) < 0.05, "{wanted:?}, points: {}", differing(&shown, &twin));
@@ -133,7 +87,7 @@ async fn pictures(wanted: Wanted) {
         assert!(stage.put_still(size, carve.relief().depth(), carve.relief().codes()));
         assert!(stage.draw().complete);
         let twin = light(carve.relief(), &still_lamp, &look());
-        let shown = pixels(&stage).await;
+        let shown = picture_of(stage.read()).await;
         assert!(differing(&shown, &twin) < 0.005, "{wanted:?}, complete: {}", differing(&shown, &twin));
         // Other light leaves it complete, another eye does not.
         let darker = Lamp::new(&Lighting { ambient: 0.1, ..lighting }, &camera, size, factor, range);

@@ -1,6 +1,4 @@
 //! The locus by the graphics card, against its twin and through JavaScript.
-#![cfg(target_arch = "wasm32")]
-#![expect(clippy::unwrap_used, reason = "a test may fail so")]
 
 use frond_core::{Affine2, Morph, MorphOptions};
 use frond_locus::{Bounds, LocusGrid, SingleLocus, State, unpack_single};
@@ -10,9 +8,9 @@ use glam::DVec2;
 use js_sys::{Float32Array, JSON, Reflect, Uint8Array};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
-use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
+use wasm_bindgen_test::{console_log, wasm_bindgen_test};
 
-wasm_bindgen_test_configure!(run_in_browser);
+use crate::js::get;
 
 /// `None` where the browser has no WebGPU.
 async fn open() -> Option<LocusGpu> {
@@ -91,10 +89,6 @@ async fn the_card_answers_as_its_twin() {
 fn system(maps: &[Affine2]) -> JsValue {
     let rows: Vec<String> = maps.iter().map(|map| format!("{:?}", map.to_row())).collect();
     JSON::parse(&format!("{{\"maps\": [{}]}}", rows.join(","))).unwrap()
-}
-
-fn get(value: &JsValue, key: &str) -> JsValue {
-    Reflect::get(value, &key.into()).unwrap()
 }
 
 fn arrays(value: &JsValue) -> (Vec<u8>, Vec<f32>) {

@@ -1,25 +1,23 @@
 //! What the graphics card draws: each shader against its twin, and complete pictures against the ones that
 //! are swept on the processor, on both backends.
-#![cfg(target_arch = "wasm32")]
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may fail so")]
 
 use std::cell::RefCell;
 use std::rc::Rc;
 
 use frond_core::{Affine2, Hull, Ifs};
 use frond_deform::{Bend, Continuity, Mesh, Roughness, Settings, Spin, Tint};
-use frond_render::gpu::{Canvas, Event, Gpu, Stage, Style, Wanted};
+use frond_render::gpu::{Event, Stage, Style, Wanted};
 use frond_render::{
     Colouring, Density, Detail, Frame, Look, Plan, RasterOptions, View, Window, rasterize, resolve_codes,
     resolve_density, to_bytes,
 };
-use js_sys::{Function, Object, Promise, Reflect, Uint8Array, global};
+use js_sys::{Function, Object, Reflect, Uint8Array};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
-use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
-use web_sys::OffscreenCanvas;
+use wasm_bindgen_test::wasm_bindgen_test;
 
-wasm_bindgen_test_configure!(run_in_browser);
+use crate::card::{card, has_webgpu, pause, picture_of};
+use crate::js::get;
 
 const WINDOW: Window = Window { width: 150, height: 100 };
 const BACKENDS: [Wanted; 2] = [Wanted::WebGl2, Wanted::WebGpu];
@@ -31,51 +29,14 @@ type Events = Rc<RefCell<Vec<Event>>>;
 /// A stage of the backend, and what happens to it. `None` where the browser has no such backend, which may be
 /// so with WebGPU only.
 async fn stage(wanted: Wanted, software: bool) -> Option<(Stage, Events)> {
-    let canvas = Canvas::Offscreen(OffscreenCanvas::new(WINDOW.width, WINDOW.height).unwrap());
     let events = Events::default();
     let heard = Rc::clone(&events);
-    let listener = Rc::new(move |event: &Event| heard.borrow_mut().push(event.clone()));
-    let mut gpu = match Gpu::open(&canvas, wanted, listener).await {
-        Ok(gpu) => gpu,
-        Err(error) if wanted == Wanted::WebGpu && !has_webgpu().await => {
-            console_log!("not tested on WebGPU: {error}");
-            return None;
-        }
-        Err(error) => panic!("{wanted:?}: {error}"),
-    };
-    let backend = if wanted == Wanted::WebGpu { "webgpu" } else { "webgl2" };
-    assert_eq!(gpu.backend, backend);
-    console_log!("{backend}: {}", gpu.description);
+    let mut gpu =
+        card([WINDOW.width, WINDOW.height], wanted, move |event| heard.borrow_mut().push(event.clone()))
+            .await?;
     // The processor stands in for a graphics card here, and would be spared drawing points.
     gpu.software = software;
     Some((Stage::new(gpu), events))
-}
-
-async fn has_webgpu() -> bool {
-    let adapter = async || -> Result<JsValue, JsValue> {
-        let gpu = Reflect::get(&Reflect::get(&global(), &"navigator".into())?, &"gpu".into())?;
-        let request: Function = Reflect::get(&gpu, &"requestAdapter".into())?.dyn_into()?;
-        JsFuture::from(request.call0(&gpu)?.dyn_into::<Promise>()?).await
-    };
-    adapter().await.is_ok_and(|adapter| adapter.is_object())
-}
-
-async fn pause() {
-    let mut wait = |resolve: Function, _| {
-        let timer: Function = Reflect::get(&global(), &"setTimeout".into()).unwrap().dyn_into().unwrap();
-        timer.call2(&JsValue::UNDEFINED, &resolve, &1.into()).unwrap();
-    };
-    JsFuture::from(Promise::new(&mut wait)).await.unwrap();
-}
-
-async fn pixels(stage: &Stage) -> Vec<u8> {
-    let read = stage.read().unwrap();
-    loop {
-        if let Some(picture) = read.take() {
-            return picture.unwrap();
-        }
-        pause().await;
-    }
 }
 
 fn similitude(scale: f64, degrees: f64, e: f64, f: f64) -> Affine2 {
@@ -206,7 +167,7 @@ async fn points_and_their_colours_are_those_of_the_twins() {
                     let plan = plan(&subject, factor);
                     assert_eq!(points, plan.points(), "{what}");
                     let expected = by_twins(&subject, colouring, factor, &plan);
-                    assert_same(&what, &pixels(&stage).await, &expected, 1);
+                    assert_same(&what, &picture_of(stage.read()).await, &expected, 1);
                 }
             }
         }
@@ -224,7 +185,7 @@ async fn a_small_budget_gives_a_whole_picture_of_fewer_pixels() {
         let factor = [0.5, 0.25, 0.125].into_iter().find(|factor| plan(&subject, *factor).points() == points);
         let factor = factor.unwrap();
         let expected = by_twins(&subject, Colouring::Map, factor, &plan(&subject, factor));
-        assert_same(&format!("{wanted:?}"), &pixels(&stage).await, &expected, 2);
+        assert_same(&format!("{wanted:?}"), &picture_of(stage.read()).await, &expected, 2);
         assert!(!stage.draw(20_000).complete);
         assert_no_fault(&events);
     }
@@ -240,7 +201,7 @@ async fn densities_are_those_of_the_twins() {
             show(&mut stage, &subject, Colouring::Density, 1.0, budget);
             let drawn = settle(&mut stage);
             assert!(drawn.complete);
-            let seen = pixels(&stage).await;
+            let seen = picture_of(stage.read()).await;
             // The same pieces and samples, as often.
             let samples = (budget as usize / (2 * 384)).clamp(32, 2048);
             let mut density = Density::new(&subject.frame, subject.view, WINDOW, 384, samples);
@@ -296,7 +257,7 @@ async fn at_rest_the_picture_is_complete() {
                     ..RasterOptions::default()
                 };
                 let truth = rasterize(&subject.ifs, &options).unwrap();
-                let (missed, extra) = disagreement(&pixels(&stage).await, &truth);
+                let (missed, extra) = disagreement(&picture_of(stage.read()).await, &truth);
                 assert!(missed < 0.005 && extra < 0.005, "{name} {wanted:?} x{zoom}: {missed} {extra}");
             }
         }
@@ -355,7 +316,7 @@ async fn bent_pictures_are_those_of_the_processor() {
                 let drawn = settle(&mut stage);
                 assert!(drawn.complete, "{what} {drawn:?}");
                 let truth = bent_truth(&subject, &bend(&subject, 0.08, 5.0, false), Colouring::Map);
-                let (missed, extra) = disagreement(&pixels(&stage).await, &truth);
+                let (missed, extra) = disagreement(&picture_of(stage.read()).await, &truth);
                 assert!(missed < 0.01 && extra < 0.01, "{what}: {missed} {extra}");
                 // Moved, first in a hurry, then at rest.
                 let size = Hull::of(&subject.ifs).max() - Hull::of(&subject.ifs).min();
@@ -363,10 +324,10 @@ async fn bent_pictures_are_those_of_the_processor() {
                 assert!(stage.move_mesh(&moves(0.11, size)), "{what}");
                 let moved = bent_truth(&subject, &bend(&subject, 0.11, 5.0, false), Colouring::Map);
                 assert!(!stage.draw(PLENTY).complete);
-                let (missed, extra) = disagreement(&pixels(&stage).await, &moved);
+                let (missed, extra) = disagreement(&picture_of(stage.read()).await, &moved);
                 assert!(missed < 0.1 && extra < 0.1, "{what} moving: {missed} {extra}");
                 assert!(settle(&mut stage).complete, "{what}");
-                let (missed, extra) = disagreement(&pixels(&stage).await, &moved);
+                let (missed, extra) = disagreement(&picture_of(stage.read()).await, &moved);
                 assert!(missed < 0.01 && extra < 0.01, "{what} moved: {missed} {extra}");
                 stage.set_bend(None);
             }
@@ -384,7 +345,7 @@ async fn bends_carry_colours_and_densities() {
             show(&mut stage, &subject, Colouring::Grid, 1.0, PLENTY);
             stage.set_bend(Some(bend(&subject, 0.05, 4.0, true)));
             assert!(settle(&mut stage).complete);
-            let seen = pixels(&stage).await;
+            let seen = picture_of(stage.read()).await;
             let truth = bent_truth(&subject, &bend(&subject, 0.05, 4.0, true), Colouring::Grid);
             let (missed, extra) = disagreement(&seen, &truth);
             assert!(missed < 0.01 && extra < 0.01, "{wanted:?}: {missed} {extra}");
@@ -398,7 +359,7 @@ async fn bends_carry_colours_and_densities() {
             assert!(opaque().all(|(a, _)| a[2].abs_diff(128) <= 2), "{wanted:?}: blue is the same all over");
             stage.set_style(style(Colouring::Density));
             assert!(settle(&mut stage).complete, "{wanted:?}");
-            let (_, extra) = disagreement(&pixels(&stage).await, &truth);
+            let (_, extra) = disagreement(&picture_of(stage.read()).await, &truth);
             assert!(extra < 0.02, "{wanted:?} dense: {extra}");
             assert_no_fault(&events);
         }
@@ -422,7 +383,7 @@ async fn swept_pictures_are_those_of_the_processor() {
                 ..RasterOptions::default()
             };
             let truth = rasterize(&subject.ifs, &options).unwrap();
-            assert_same(&format!("{name} {wanted:?}"), &pixels(&stage).await, &truth, 1);
+            assert_same(&format!("{name} {wanted:?}"), &picture_of(stage.read()).await, &truth, 1);
             assert_no_fault(&events);
         }
     }
@@ -437,7 +398,7 @@ async fn a_change_of_colours_needs_no_new_points() {
         settle(&mut stage);
         stage.set_style(Style { palette: vec![[255, 0, 0]], ..style(Colouring::Map) });
         assert!(stage.draw(10_000).complete, "it is still the complete picture");
-        let seen = pixels(&stage).await;
+        let seen = picture_of(stage.read()).await;
         let lit: Vec<_> = seen.chunks_exact(4).filter(|pixel| pixel[3] > 0).collect();
         assert!(lit.len() > 500 && lit.iter().all(|pixel| **pixel == [255, 0, 0, 255]));
         assert_no_fault(&events);
@@ -451,12 +412,12 @@ async fn views_that_are_none_and_canvases_of_no_size_draw_nothing() {
         assert!(stage.draw(PLENTY).settled && stage.read().is_none(), "nothing was set yet");
         let subject = subject("gasket");
         show(&mut stage, &subject, Colouring::Map, 1.0, PLENTY);
-        let before = pixels(&stage).await;
+        let before = picture_of(stage.read()).await;
         for scale in [f64::NAN, 0.0, -1.0, f64::INFINITY] {
             assert!(!stage.set_view(View { x: 0.0, y: 0.0, scale }));
         }
         settle(&mut stage);
-        assert!(disagreement(&before, &pixels(&stage).await).0 < 0.1, "the last view stays");
+        assert!(disagreement(&before, &picture_of(stage.read()).await).0 < 0.1, "the last view stays");
         stage.resize(0, 50, 1.0);
         assert!(stage.draw(PLENTY).settled && stage.read().is_none());
         stage.resize(WINDOW.width, WINDOW.height, 1.0);
@@ -465,10 +426,6 @@ async fn views_that_are_none_and_canvases_of_no_size_draw_nothing() {
         stage.draw(PLENTY);
         assert_no_fault(&events);
     }
-}
-
-fn get(value: &JsValue, key: &str) -> JsValue {
-    Reflect::get(value, &key.into()).unwrap()
 }
 
 fn canvas() -> JsValue {

@@ -1,35 +1,10 @@
 //! The programming interface, as JavaScript meets it.
-#![cfg(target_arch = "wasm32")]
-#![expect(clippy::unwrap_used, reason = "a test may fail so")]
 
 use js_sys::{Array, Float32Array, JSON, Object, Reflect, Uint8Array};
 use wasm_bindgen::{JsCast, JsValue};
-use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+use wasm_bindgen_test::wasm_bindgen_test;
 
-wasm_bindgen_test_configure!(run_in_browser);
-
-fn json(text: &str) -> JsValue {
-    JSON::parse(text).unwrap()
-}
-
-fn get(value: &JsValue, key: &str) -> JsValue {
-    Reflect::get(value, &key.into()).unwrap()
-}
-
-fn text(value: &JsValue, key: &str) -> String {
-    get(value, key).as_string().unwrap()
-}
-
-fn code<T>(result: Result<T, JsValue>) -> String {
-    let error = result.err().unwrap();
-    assert!(text(&error, "message").len() > 20, "a message says what to do");
-    text(&error, "code")
-}
-
-fn maps_of(id: &str) -> JsValue {
-    let all: Array = frond_web::presets().unwrap().unchecked_into();
-    all.find(&mut |preset, _, _| text(&preset, "id") == id)
-}
+use crate::js::{code, get, json, maps_of, text};
 
 #[wasm_bindgen_test]
 fn shapes_are_validated_with_stable_codes() {

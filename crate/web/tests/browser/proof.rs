@@ -1,29 +1,10 @@
 //! Verdicts with their evidence, as JavaScript meets them.
-#![cfg(target_arch = "wasm32")]
-#![expect(clippy::unwrap_used, reason = "a test may fail so")]
 
 use js_sys::{Array, JSON, Reflect};
-use wasm_bindgen::{JsCast, JsValue};
-use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+use wasm_bindgen::JsValue;
+use wasm_bindgen_test::wasm_bindgen_test;
 
-wasm_bindgen_test_configure!(run_in_browser);
-
-fn json(text: &str) -> JsValue {
-    JSON::parse(text).unwrap()
-}
-
-fn get(value: &JsValue, key: &str) -> JsValue {
-    Reflect::get(value, &key.into()).unwrap()
-}
-
-fn text(value: &JsValue, key: &str) -> String {
-    get(value, key).as_string().unwrap()
-}
-
-fn maps_of(id: &str) -> JsValue {
-    let all: Array = frond_web::presets().unwrap().unchecked_into();
-    all.find(&mut |preset, _, _| text(&preset, "id") == id)
-}
+use crate::js::{get, json, maps_of, text};
 
 #[wasm_bindgen_test]
 fn connected_comes_with_a_reason_and_touching_with_what_it_hangs_on() {

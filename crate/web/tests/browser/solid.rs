@@ -1,31 +1,11 @@
 //! What JavaScript is told of space.
-#![cfg(target_arch = "wasm32")]
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may fail so")]
 
 use frond_web::space::*;
 use js_sys::{Array, JSON, Object, Reflect};
 use wasm_bindgen::prelude::*;
-use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+use wasm_bindgen_test::wasm_bindgen_test;
 
-wasm_bindgen_test_configure!(run_in_browser);
-
-fn js(text: &str) -> JsValue {
-    JSON::parse(text).unwrap()
-}
-
-fn get(value: &JsValue, key: &str) -> JsValue {
-    Reflect::get(value, &key.into()).unwrap()
-}
-
-fn code<T>(result: Result<T, JsValue>) -> String {
-    match result {
-        Ok(_) => panic!("it was taken"),
-        Err(error) => {
-            assert!(get(&error, "message").as_string().unwrap().len() > 20);
-            get(&error, "code").as_string().unwrap()
-        }
-    }
-}
+use crate::js::{code, get, json};
 
 fn preset(id: &str) -> JsValue {
     let all: Array = gallery3().unwrap().unchecked_into();
@@ -42,7 +22,7 @@ fn view() -> JsValue {
 }
 
 fn look(width: u32, height: u32, factor: u32) -> JsValue {
-    js(&format!(
+    json(&format!(
         r##"{{"width": {width}, "height": {height}, "factor": {factor}, "palette": [], "ground": "#101418"}}"##
     ))
 }
@@ -63,16 +43,16 @@ fn a_space_goes_into_a_link_and_back() {
     let again = unpack_space(&word).unwrap();
     assert_eq!(JSON::stringify(&again).unwrap(), JSON::stringify(&space).unwrap());
     assert_eq!(code(unpack_space("o:nothing")), "space-damaged");
-    assert_eq!(code(pack_space(js(r#"{"objects": []}"#))), "space-count");
+    assert_eq!(code(pack_space(json(r#"{"objects": []}"#))), "space-count");
     let many = format!(r#"{{"objects": [{}]}}"#, ["1"; 100_000].join(","));
-    assert_eq!(code(pack_space(js(&many))), "space-count");
-    assert_eq!(code(pack_space(js(r#"{"objects": 7}"#))), "bad-input");
+    assert_eq!(code(pack_space(json(&many))), "space-count");
+    assert_eq!(code(pack_space(json(r#"{"objects": 7}"#))), "bad-input");
 }
 
 #[wasm_bindgen_test]
 fn a_turn_and_its_inverse_leave_the_parameters() {
     let maps = tetrahedron();
-    let turn = turning3(js("[1, 2, 3]"), 0.7, js("[4, 5, 6]")).unwrap();
+    let turn = turning3(json("[1, 2, 3]"), 0.7, json("[4, 5, 6]")).unwrap();
     let there = conjugate3(maps.clone(), turn.clone()).unwrap();
     let back = conjugate3(there, invert3(turn).unwrap()).unwrap();
     let numbers = |value: &JsValue| -> Vec<f64> {
@@ -82,13 +62,13 @@ fn a_turn_and_its_inverse_leave_the_parameters() {
             .collect()
     };
     assert!(numbers(&back).iter().zip(numbers(&maps)).all(|(a, b)| (a - b).abs() < 1e-12));
-    let flat = js("[1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0]");
+    let flat = json("[1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0]");
     assert_eq!(code(conjugate3(maps.clone(), flat.clone())), "transform-singular");
     assert_eq!(code(invert3(flat)), "transform-singular");
-    let tiny = js("[1e-300, 0, 0, 0, 1e-300, 0, 0, 0, 1e-300, 0, 0, 0]");
+    let tiny = json("[1e-300, 0, 0, 0, 1e-300, 0, 0, 0, 1e-300, 0, 0, 0]");
     assert_eq!(code(conjugate3(maps, tiny)), "transform-scale");
-    assert_eq!(code(turning3(js("[0, 0, 0]"), 1.0, js("[0, 0, 0]"))), "bad-input");
-    let many = js(&format!("[{}]", ["[]"; 1_000_000].join(",")));
+    assert_eq!(code(turning3(json("[0, 0, 0]"), 1.0, json("[0, 0, 0]"))), "bad-input");
+    let many = json(&format!("[{}]", ["[]"; 1_000_000].join(",")));
     assert_eq!(code(validate3(many)), "too-many-maps");
 }
 
@@ -116,7 +96,7 @@ fn scenes_of_any_size_are_seen_alike() {
     let carved = |scale: f64| {
         let space = default_space().unwrap();
         let objects: Array = get(&space, "objects").unchecked_into();
-        let by = js(&format!("[{scale:e},0,0,0,{scale:e},0,0,0,{scale:e},0,0,0]"));
+        let by = json(&format!("[{scale:e},0,0,0,{scale:e},0,0,0,{scale:e},0,0,0]"));
         let object = objects.get(0);
         let maps = conjugate3(get(&object, "maps"), by.clone()).unwrap();
         Reflect::set(&object, &"moved".into(), &by).unwrap();
@@ -159,23 +139,24 @@ fn films_verdicts_paths_and_shadows() {
     let verdict = |maps| get(&connectedness3(maps, JsValue::UNDEFINED).unwrap(), "verdict").as_string();
     assert_eq!(verdict(tetrahedron()).as_deref(), Some("connected"));
     assert_eq!(verdict(preset("dust")).as_deref(), Some("disconnected"));
-    assert_eq!(verdict(js("[[2,0,0,0,2,0,0,0,2,0,0,0]]")).as_deref(), Some("no-attractor"));
+    assert_eq!(verdict(json("[[2,0,0,0,2,0,0,0,2,0,0,0]]")).as_deref(), Some("no-attractor"));
     let mut locus =
-        SpaceLocus::new(tetrahedron(), preset("dragon-curled"), js(r#"{"width": 7, "height": 7}"#)).unwrap();
+        SpaceLocus::new(tetrahedron(), preset("dragon-curled"), json(r#"{"width": 7, "height": 7}"#))
+            .unwrap();
     let tile = locus.run(0, 7, 1);
     assert_eq!(get(&get(&tile, "state"), "length").as_f64(), Some(49.0));
     let kept: Array = directions(tetrahedron()).unwrap().unchecked_into();
     assert_eq!(kept.length(), 3);
-    assert_eq!(Array::from(&project(tetrahedron(), js("[0, 0, 1]")).unwrap()).length(), 4);
-    assert_eq!(code(project(preset("dragon"), js("[0, 0, 1]"))), "project-not-kept");
+    assert_eq!(Array::from(&project(tetrahedron(), json("[0, 0, 1]")).unwrap()).length(), 4);
+    assert_eq!(code(project(preset("dragon"), json("[0, 0, 1]"))), "project-not-kept");
     assert_eq!(code(parse_file("a (3D) { 1 2 }")), "ifs-count");
     let word = write_file("tetra", tetrahedron()).unwrap();
     assert_eq!(Array::from(&parse_file(&word).unwrap()).length(), 1);
-    let lifted: Array = lift(js("[[0.5,0,0,0.5,0,0],[0.5,0,0,0.5,0.5,0]]")).unwrap().unchecked_into();
+    let lifted: Array = lift(json("[[0.5,0,0,0.5,0,0],[0.5,0,0,0.5,0.5,0]]")).unwrap().unchecked_into();
     assert_eq!(lifted.length(), 2);
     let examples: Array = examples().unwrap().unchecked_into();
     for example in examples.iter() {
-        let met = intersection3(get(&example, "first"), get(&example, "second"), js(r#"{"points": 100}"#));
+        let met = intersection3(get(&example, "first"), get(&example, "second"), json(r#"{"points": 100}"#));
         let is = !get(&met.unwrap(), "attractor").is_null();
         assert_eq!(Some(is), get(&example, "isAttractor").as_bool());
     }

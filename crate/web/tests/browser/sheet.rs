@@ -1,23 +1,20 @@
 //! Bent photographs: what the graphics card draws against what the processor does, on both backends, and the handle for
 //! JavaScript.
-#![cfg(target_arch = "wasm32")]
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may fail so")]
 
 use std::cell::RefCell;
 use std::rc::Rc;
 
 use frond_core::Ifs;
 use frond_deform::{Bend, Continuity, Mesh, Roughness, Settings, Spin};
-use frond_render::gpu::{Canvas, Event, Gpu, Stage, Wanted};
+use frond_render::gpu::{Event, Stage, Wanted};
 use frond_render::{BentSheet, Photo, Sheet, SheetOptions, View, draw_sheet};
 use glam::DVec2;
-use js_sys::{Function, Promise, Reflect, Uint8Array, global};
+use js_sys::{Reflect, Uint8Array};
 use wasm_bindgen::prelude::*;
-use wasm_bindgen_futures::JsFuture;
-use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
-use web_sys::OffscreenCanvas;
+use wasm_bindgen_test::{console_log, wasm_bindgen_test};
 
-wasm_bindgen_test_configure!(run_in_browser);
+use crate::card::{card, picture_of};
+use crate::js::json;
 
 const SIZE: (u32, u32) = (180, 120);
 
@@ -51,39 +48,14 @@ fn bend(aspect: f64, parts: usize, kb: f64, ke: f64, size: f64) -> Bend {
     Bend::new(&Sheet::maps(aspect, parts), mesh, settings, None).unwrap()
 }
 
-async fn pause() {
-    let mut wait = |resolve: Function, _| {
-        let timer: Function = Reflect::get(&global(), &"setTimeout".into()).unwrap().dyn_into().unwrap();
-        timer.call2(&JsValue::UNDEFINED, &resolve, &1.into()).unwrap();
-    };
-    JsFuture::from(Promise::new(&mut wait)).await.unwrap();
-}
-
-async fn pixels(stage: &Stage) -> Vec<u8> {
-    let read = stage.read().unwrap();
-    loop {
-        if let Some(picture) = read.take() {
-            return picture.unwrap();
-        }
-        pause().await;
-    }
-}
-
 type Faults = Rc<RefCell<Vec<Event>>>;
 
 /// A stage of the backend; `None` where the browser has no such backend, which may be so with WebGPU only.
 async fn stage(wanted: Wanted) -> Option<(Stage, Faults)> {
-    let canvas = Canvas::Offscreen(OffscreenCanvas::new(SIZE.0, SIZE.1).unwrap());
     let events = Faults::default();
     let heard = Rc::clone(&events);
-    match Gpu::open(&canvas, wanted, Rc::new(move |e: &Event| heard.borrow_mut().push(e.clone()))).await {
-        Ok(gpu) => Some((Stage::new(gpu), events)),
-        Err(error) if wanted == Wanted::WebGpu => {
-            console_log!("not tested on WebGPU: {error}");
-            None
-        }
-        Err(error) => panic!("{wanted:?}: {error}"),
-    }
+    let gpu = card([SIZE.0, SIZE.1], wanted, move |event| heard.borrow_mut().push(event.clone())).await?;
+    Some((Stage::new(gpu), events))
 }
 
 fn settle(stage: &mut Stage) {
@@ -109,7 +81,7 @@ fn differences(a: &[u8], b: &[u8]) -> (f64, f64) {
 /// What the stage shows must be what the processor draws.
 async fn compare(stage: &mut Stage, photo: &Photo, sheet: &Sheet, view: View, what: &str) {
     settle(stage);
-    let seen = pixels(stage).await;
+    let seen = picture_of(stage.read()).await;
     let options = SheetOptions { width: SIZE.0, height: SIZE.1, view: Some(view), smooth: true };
     let twin = draw_sheet(photo, sheet, &options).unwrap();
     let (mean, others) = differences(&seen, &twin);
@@ -156,19 +128,15 @@ async fn the_card_draws_what_the_processor_does() {
             steps += 1;
             assert!(steps < 1000);
         }
-        let seen = pixels(&stage).await;
+        let seen = picture_of(stage.read()).await;
         assert!(seen.as_chunks::<4>().0.iter().filter(|p| p[3] > 0).count() > 10_000);
         let faults = events.borrow();
         assert!(faults.is_empty(), "{faults:?}");
     }
 }
 
-fn object(text: &str) -> JsValue {
-    js_sys::JSON::parse(text).unwrap()
-}
-
 fn bend_object(moves: &str) -> JsValue {
-    object(&format!(
+    json(&format!(
         r#"{{"columns":2,"rows":2,"box":[0,0,1.5,1],"moves":{moves},"kb":1,"ke":4,"delta":0.5,"spin":"none",
         "continuity":"auto","superposed":true}}"#
     ))
@@ -179,7 +147,7 @@ fn the_handle_draws_and_refuses() {
     let code = |error: JsValue| Reflect::get(&error, &"code".into()).unwrap().as_string().unwrap();
     let rgba = JsValue::from(Uint8Array::from(&bytes(30, 20)[..]));
     let mut sheet = frond_web::Sheet::new(&rgba, 30.0, 20.0).ok().unwrap();
-    let options = || object(r#"{"width":60,"height":40}"#);
+    let options = || json(r#"{"width":60,"height":40}"#);
     let at_rest = sheet.draw(JsValue::NULL, 2.0, options()).unwrap().to_vec();
     assert_eq!(at_rest.len(), 60 * 40 * 4);
     let still = sheet.draw(bend_object("[0,0,0,0,0,0,0,0]"), 2.0, options()).unwrap().to_vec();
@@ -193,7 +161,7 @@ fn the_handle_draws_and_refuses() {
 
     assert_eq!(code(sheet.draw(bend_object("[0,0]"), 2.0, options()).unwrap_err()), "mesh-count");
     assert_eq!(code(sheet.draw(bend_object("[0,0,0,0,0,0,0,0]"), 5.0, options()).unwrap_err()), "bad-input");
-    let huge = object(r#"{"width":60000,"height":40}"#);
+    let huge = json(r#"{"width":60000,"height":40}"#);
     assert_eq!(code(sheet.draw(JsValue::NULL, 2.0, huge).unwrap_err()), "picture-too-large");
     let new = |rgba: &JsValue, w, h| frond_web::Sheet::new(rgba, w, h).map(|_| ());
     assert_eq!(code(new(&rgba, 31.0, 20.0).unwrap_err()), "photo-bytes");

@@ -1,30 +1,17 @@
 //! Fractal deformation, as JavaScript meets it.
-#![cfg(target_arch = "wasm32")]
-#![expect(clippy::unwrap_used, reason = "a test may fail so")]
 
-use js_sys::{JSON, Object, Reflect};
+use js_sys::{Object, Reflect};
 use wasm_bindgen::JsValue;
-use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+use wasm_bindgen_test::wasm_bindgen_test;
 
-wasm_bindgen_test_configure!(run_in_browser);
+use crate::js::{code, get, json};
+
+fn number(value: &JsValue, key: &str) -> f64 {
+    get(value, key).as_f64().unwrap()
+}
 
 const GASKET: &str =
     r#"{"maps": [[0.5, 0, 0, 0.5, 0, 0], [0.5, 0, 0, 0.5, 0.5, 0], [0.5, 0, 0, 0.5, 0, 0.5]]}"#;
-
-fn json(text: &str) -> JsValue {
-    JSON::parse(text).unwrap()
-}
-
-fn number(value: &JsValue, key: &str) -> f64 {
-    Reflect::get(value, &key.into()).unwrap().as_f64().unwrap()
-}
-
-fn code<T>(result: Result<T, JsValue>) -> String {
-    let error = result.err().unwrap();
-    let text = |key: &str| Reflect::get(&error, &key.into()).unwrap().as_string().unwrap();
-    assert!(text("message").len() > 20, "a message says what to do");
-    text("code")
-}
 
 /// A mesh of four by four over the unit square whose points all move by the same, with some fields changed.
 fn bend(dx: f64, dy: f64, change: &str) -> JsValue {

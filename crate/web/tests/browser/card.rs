@@ -1,0 +1,58 @@
+//! What a graphics card is asked, and waited for.
+
+use frond_render::gpu::{Canvas, Event, Gpu, ReadBack, Wanted};
+use js_sys::{Function, Promise, Reflect, global};
+use std::rc::Rc;
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::JsFuture;
+use wasm_bindgen_test::console_log;
+use web_sys::OffscreenCanvas;
+
+/// A card by this backend and no other. `None` where the browser has no such backend, which may be so with WebGPU only.
+pub async fn card(
+    [width, height]: [u32; 2],
+    wanted: Wanted,
+    listener: impl Fn(&Event) + 'static,
+) -> Option<Gpu> {
+    let canvas = Canvas::Offscreen(OffscreenCanvas::new(width, height).unwrap());
+    let gpu = match Gpu::open(&canvas, wanted, Rc::new(listener)).await {
+        Ok(gpu) => gpu,
+        Err(error) if wanted == Wanted::WebGpu && !has_webgpu().await => {
+            console_log!("not tested on WebGPU: {error}");
+            return None;
+        }
+        Err(error) => panic!("{wanted:?}: {error}"),
+    };
+    assert_eq!(gpu.backend, if wanted == Wanted::WebGpu { "webgpu" } else { "webgl2" });
+    console_log!("{}: {}", gpu.backend, gpu.description);
+    Some(gpu)
+}
+
+pub async fn has_webgpu() -> bool {
+    let adapter = async || -> Result<JsValue, JsValue> {
+        let gpu = Reflect::get(&Reflect::get(&global(), &"navigator".into())?, &"gpu".into())?;
+        let request: Function = Reflect::get(&gpu, &"requestAdapter".into())?.dyn_into()?;
+        JsFuture::from(request.call0(&gpu)?.dyn_into::<Promise>()?).await
+    };
+    adapter().await.is_ok_and(|adapter| adapter.is_object())
+}
+
+/// Lets the browser do something else.
+pub async fn pause() {
+    let mut wait = |resolve: Function, _| {
+        let timer: Function = Reflect::get(&global(), &"setTimeout".into()).unwrap().dyn_into().unwrap();
+        timer.call2(&JsValue::UNDEFINED, &resolve, &1.into()).unwrap();
+    };
+    JsFuture::from(Promise::new(&mut wait)).await.unwrap();
+}
+
+/// The picture that was asked for.
+pub async fn picture_of(read: Option<ReadBack>) -> Vec<u8> {
+    let read = read.unwrap();
+    loop {
+        if let Some(picture) = read.take() {
+            return picture.unwrap();
+        }
+        pause().await;
+    }
+}

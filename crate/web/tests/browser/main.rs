@@ -1,0 +1,18 @@
+//! What the browser gets, in a browser: one program, which is linked, bound and started once.
+#![cfg(target_arch = "wasm32")]
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may fail so")]
+
+use wasm_bindgen_test::wasm_bindgen_test_configure;
+
+mod api;
+mod bend;
+mod card;
+mod js;
+mod locus;
+mod proof;
+mod render;
+mod sheet;
+mod solid;
+mod space;
+
+wasm_bindgen_test_configure!(run_in_browser);
