@@ -5,7 +5,7 @@ test("the gallery has its shapes, each with a picture of its own", async ({ stud
   await studio.idle();
   await page.getByRole("button", { name: /^Shape A: / }).click();
   const items = page.getByRole("dialog", { name: "Shape A" }).getByRole("listitem");
-  expect(await items.count()).toBeGreaterThanOrEqual(16);
+  await expect.poll(() => items.count()).toBeGreaterThanOrEqual(16);
   const pictures = await items.locator("canvas").evaluateAll((all) =>
     all.map((canvas) => {
       const { width, height } = canvas as HTMLCanvasElement;
