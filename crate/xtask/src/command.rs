@@ -22,9 +22,15 @@ pub fn target() -> PathBuf {
     }
 }
 
-/// Where the pinned tools are installed: inside the repository, so that no other project's version is touched.
+/// Where the pinned tools are installed: in a folder of Frond's own among the caches of who runs this, so that every
+/// checkout has them and no other project's version is touched; below target/ where there is no such place.
 pub fn tools() -> PathBuf {
-    root().join("target/tools")
+    let set = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
+    set("XDG_CACHE_HOME")
+        .or_else(|| set("LOCALAPPDATA"))
+        .or_else(|| set("HOME").map(|home| home.join(".cache")))
+        .filter(|caches| caches.is_absolute())
+        .map_or_else(|| root().join("target/tools"), |caches| caches.join("frond/tools"))
 }
 
 /// A program run from the root, with the pinned tools first on the path and the exact answers set.

@@ -64,7 +64,7 @@ fn install(steps: &mut Steps, program: &str, package: &str, version: &str) -> Ou
     if has {
         return Ok(());
     }
-    steps.run(&format!("install {package} {version} into target/tools (once, some minutes)"), || {
+    steps.run(&format!("install {package} {version} into {} (once, some minutes)", tools().display()), || {
         let line = format!("install {package} --version ={version} --force");
         let build = |locked: &[&str]| {
             let mut command = cargo(&line);
