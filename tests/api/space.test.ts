@@ -94,6 +94,7 @@ describe("with a time line", () => {
   it("what is seen stays when the keys go", () => {
     const made = now()?.maps ?? [];
     edits.changeMaps(made.map((map, i) => (i === 0 ? (map.with(9, (map[9] ?? 0) + 0.2) as MapRow3) : map)));
+    edits.changeTimeline((line) => ({ ...line, seconds: 20 }));
     state.setMoment(1.3);
     const [before, seen] = [now(), state.spaceView.value];
     edits.endTimeline();
@@ -102,9 +103,17 @@ describe("with a time line", () => {
     for (const [i, map] of (now()?.now ?? []).entries()) {
       for (const [k, x] of map.entries()) expect(x).toBeCloseTo(before?.now[i]?.[k] ?? Number.NaN, 6);
     }
+    expect(state.moment.value).toBe(1.3);
     expect(state.spaceView.value?.distance).toBeCloseTo(seen?.distance ?? 0, 4);
     undo();
     expect(state.timeline.value?.keys).toHaveLength(2);
+  });
+
+  it("no moment is beyond the end when the keys are gone", () => {
+    edits.changeTimeline((line) => ({ ...line, seconds: 20 }));
+    state.setMoment(15);
+    edits.endTimeline();
+    expect(state.moment.value).toBe(edits.EMPTY_LINE.seconds);
   });
 
   it("a moment beyond the end is the end", () => {

@@ -87,7 +87,8 @@ fn mend_fragment(@builtin(position) position: vec4<f32>) -> Kept {
     if !inside(source) || code_at(source) == 0u {
         return Kept(0u, 0u);
     }
-    return Kept(textureLoad(codes, source, 0).r, textureLoad(depths, source, 0).r);
+    // How far a point was spread is no longer of use.
+    return Kept(textureLoad(codes, source, 0).r & 0xffffffu, textureLoad(depths, source, 0).r);
 }
 
 fn point_at(at: vec2<i32>, depth: f32) -> vec3<f32> {

@@ -56,11 +56,15 @@ impl SpaceRenderer {
     #[wasm_bindgen(js_name = setClouds)]
     pub fn set_clouds(
         &mut self,
-        #[wasm_bindgen(unchecked_param_type = "{ vertices: Uint8Array; instances: Uint8Array }[]")]
+        #[wasm_bindgen(
+            unchecked_param_type = "{ vertices: Uint8Array; instances: Uint8Array; gap: number }[]"
+        )]
         clouds: Array,
     ) -> Result<(), JsValue> {
         let cloud = |value: JsValue| {
-            Ok(Cloud { vertices: list(&value, "vertices")?, instances: list(&value, "instances")? })
+            let gap = Reflect::get(&value, &"gap".into()).ok().and_then(|gap| gap.as_f64()).unwrap_or(0.0);
+            let (vertices, instances) = (list(&value, "vertices")?, list(&value, "instances")?);
+            Ok(Cloud { vertices, instances, gap: gap as f32 })
         };
         let clouds = clouds.iter().map(cloud).collect::<Result<Vec<_>, JsValue>>()?;
         self.stage.set_clouds(&clouds);

@@ -190,6 +190,8 @@ export function endTimeline(): void {
   const frame = spaceFrame.peek();
   const view = spaceView.peek();
   editSpace((now) => settled(now, frame), { own: false });
+  // The next time line begins as long as any.
+  setMoment(Math.min(moment.peek(), EMPTY_LINE.seconds));
   // A flight has no last view of its own: what is seen would jump.
   if (frame?.view && view) setView(view);
 }

@@ -1,7 +1,7 @@
 //! Points of space on the screen: the CPU twin of `shader/space_points.wgsl`.
 
 use bytemuck::{Pod, Zeroable};
-use frond_core::{Affine3, ChaosGame3, Ifs3, adaptive_cut3};
+use frond_core::{Affine3, ChaosGame3, Ifs3, adaptive_cut3, affinity_dimension3};
 
 use super::{Camera, Relief};
 use crate::letters::Letters;
@@ -51,6 +51,8 @@ pub struct Cloud {
     pub vertices: Vec<Vertex3>,
     /// Pieces that together are all of it.
     pub instances: Vec<Instance3>,
+    /// About how far points are from each other, in units of space.
+    pub gap: f32,
 }
 
 /// Letters count from this bit on, objects in codes.
@@ -121,6 +123,21 @@ impl Eye {
     }
 }
 
+/// The space that each of `count` points has to itself, if they are spread over something of the system's dimension and of the
+/// size of `vertices`. Chance leaves larger holes than that, and larger points would hide what is fine: mending closes most.
+fn gap(ifs: &Ifs3, vertices: &[Vertex3], count: usize) -> f32 {
+    let reach = |k: usize| {
+        let of = |v: &Vertex3| v.position[k];
+        let high = vertices.iter().map(of).fold(f32::NEG_INFINITY, f32::max);
+        let low = vertices.iter().map(of).fold(f32::INFINITY, f32::min);
+        high - low
+    };
+    let radius = 0.5 * (0..3).map(reach).map(|side| side * side).sum::<f32>().sqrt();
+    let dimension = affinity_dimension3(ifs).clamp(1.0, 3.0);
+    let gap = f64::from(radius) * (count.max(1) as f64).powf(-1.0 / dimension);
+    if gap.is_finite() { gap as f32 } else { 0.0 }
+}
+
 impl Cloud {
     /// About `count` points of a system that is object `number`, from a seed.
     #[must_use]
@@ -131,7 +148,7 @@ impl Cloud {
         let mut positions = vec![0.0_f32; 3 * share];
         let mut pieces = vec![0_u8; share];
         let made = game.fill(&mut positions, &mut pieces);
-        let vertices = positions
+        let vertices: Vec<Vertex3> = positions
             .chunks_exact(3)
             .zip(&pieces)
             .take(made)
@@ -140,7 +157,8 @@ impl Cloud {
                 letters: Letters::NONE.then(usize::from(piece)).packed(),
             })
             .collect();
-        Self { vertices, instances }
+        let gap = gap(ifs, &vertices, vertices.len() * instances.len());
+        Self { vertices, instances, gap }
     }
 
     /// How many points are drawn.

@@ -2,6 +2,7 @@
 
 use super::Relief;
 use super::light::FAR;
+use super::spread::SEEN;
 
 /// How many of the nine pixels around a hole, itself included, lie before it.
 const MOST: usize = 5;
@@ -31,7 +32,7 @@ pub fn mend(relief: &Relief, focal: f32) -> Relief {
         }
         let from = if before < MOST { (x, y) } else { from };
         if let Some(from) = at(from.0, from.1) {
-            mended.put(x as u32, y as u32, relief.depth()[from], relief.codes()[from]);
+            mended.put(x as u32, y as u32, relief.depth()[from], relief.codes()[from] & SEEN);
         }
     }
     mended

@@ -193,7 +193,7 @@ impl SpacePicture {
     }
 
     /// About so many points in all, shared by the objects: bytes for `SpaceRenderer.setClouds`.
-    #[wasm_bindgen(unchecked_return_type = "{ vertices: Uint8Array; instances: Uint8Array }[]")]
+    #[wasm_bindgen(unchecked_return_type = "{ vertices: Uint8Array; instances: Uint8Array; gap: number }[]")]
     pub fn clouds(&self, points: f64) -> Array {
         // Large objects take up more of the picture, and small ones want to be seen as well.
         let whole: f64 = self.0.bounds.iter().map(|bounds| bounds.radius).sum();
@@ -212,6 +212,7 @@ impl SpacePicture {
                 object(&[
                     ("vertices", bytes(bytemuck::cast_slice(&cloud.vertices))),
                     ("instances", bytes(bytemuck::cast_slice(&cloud.instances))),
+                    ("gap", cloud.gap.into()),
                 ])
             })
             .collect()

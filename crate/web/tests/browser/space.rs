@@ -2,7 +2,7 @@
 
 use frond_core::{Affine3, Ifs3};
 use frond_render::gpu::{Event, Stage3, Uniforms3, Wanted};
-use frond_render::space::{Camera, Carve, Cloud, Eye, Lamp, Lighting, Paint, Relief, light, mend};
+use frond_render::space::{Camera, Carve, Cloud, Eye, Lamp, Lighting, Paint, Relief, Spread, light, mend};
 use frond_render::{Colouring, Look};
 use glam::{DQuat, DVec3};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -48,7 +48,8 @@ fn lit(pixels: &[u8]) -> usize {
 async fn pictures(wanted: Wanted) {
     let Some(mut stage) = open(wanted).await else { return };
     let (systems, camera) = (systems(), camera());
-    for (factor, paint) in [(1, Paint::Map), (2, Paint::Height)] {
+    // Few points are spread far, many hardly.
+    for (factor, paint, count, far) in [(1, Paint::Map, POINTS, 2), (2, Paint::Height, POINTS / 20, 8)] {
         let tints = vec![None, Some([0.9, 0.3, 0.2])];
         let lighting = Lighting { paint, heights: [0.0, 1.0], tints, ..Lighting::default() };
         let mut carve = Carve::new(&systems, &camera, SIZE[0] * factor, SIZE[1] * factor);
@@ -60,14 +61,14 @@ async fn pictures(wanted: Wanted) {
         let clouds: Vec<Cloud> = systems
             .iter()
             .enumerate()
-            .map(|(number, ifs)| Cloud::new(ifs, number as u32, POINTS / 2, 1 + number as u32))
+            .map(|(number, ifs)| Cloud::new(ifs, number as u32, count / 2, 1 + number as u32))
             .collect();
         stage.resize(SIZE[0], SIZE[1]);
         stage.set_clouds(&clouds);
         stage.set_uniforms(Uniforms3 { eye, lamp, still_lamp, look: look() });
 
         let drawn = stage.draw();
-        let right = !drawn.complete && (POINTS as u64 / 2..=POINTS as u64).contains(&drawn.points);
+        let right = !drawn.complete && (count as u64 / 2..=count as u64).contains(&drawn.points);
         assert!(right, "{wanted:?}, {factor}: {drawn:?}");
         let mut relief = Relief::new(SIZE[0], SIZE[1]);
         for cloud in &clouds {
@@ -75,7 +76,11 @@ async fn pictures(wanted: Wanted) {
                 cloud.vertices.iter().for_each(|point| eye.draw(&mut relief, point, piece));
             }
         }
-        let twin = light(&mend(&relief, eye.focal), &lamp, &look());
+        let gaps: Vec<f32> = clouds.iter().map(|cloud| cloud.gap).collect();
+        let steps = Spread::steps(lamp.size, lamp.focal, lamp.range[0], &gaps);
+        assert_eq!(steps.first().map(|spread| spread.step), Some(far));
+        let spread = steps.iter().fold(relief, |relief, spread| spread.of(&relief));
+        let twin = light(&mend(&spread, eye.focal), &lamp, &look());
         let shown = picture_of(stage.read()).await;
         assert!(lit(&shown) > 2000 && lit(&shown) < shown.len() / 4, "{} lit", lit(&shown));
         // A point that rounding takes to the next pixel changes the light around it.

@@ -29,6 +29,8 @@ import { compiled, once } from "../module";
 export interface CloudBytes {
   vertices: Uint8Array;
   instances: Uint8Array;
+  /** About how far points are from each other, in units of the scene. */
+  gap: number;
 }
 
 /** What a renderer is given for one picture, as its shaders read it. */

@@ -7,6 +7,7 @@ use crate::space::{Instance3, Vertex3};
 pub(super) const WORDS: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 
 const POINTS: &str = include_str!("../../../shader/space_points.wgsl");
+const SPREAD: &str = include_str!("../../../shader/space_spread.wgsl");
 const LIGHT: &str =
     concat!(include_str!("../../../shader/colour.wgsl"), include_str!("../../../shader/space_light.wgsl"));
 
@@ -14,13 +15,14 @@ const LIGHT: &str =
 #[derive(Debug)]
 pub(super) struct Pipelines3 {
     pub points: wgpu::RenderPipeline,
+    pub spread: wgpu::RenderPipeline,
     pub mend: wgpu::RenderPipeline,
     /// On the canvas.
     pub show: wgpu::RenderPipeline,
     /// The same into a texture that can be read.
     pub read: wgpu::RenderPipeline,
     pub eye_layout: wgpu::BindGroupLayout,
-    /// Lamp, look, codes and depths.
+    /// Lamp, look, codes and depths; what spreads points has its steps in the lamp's place.
     pub light_layout: wgpu::BindGroupLayout,
 }
 
@@ -31,6 +33,7 @@ impl Pipelines3 {
             device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(label), source })
         };
         let (points, light) = (module("space points", POINTS), module("space light", LIGHT));
+        let spread = module("space spread", SPREAD);
         let eye_layout = layout(device, "eye", &[uniform(0)]);
         let words = wgpu::TextureSampleType::Uint;
         let entries = [uniform(0), uniform(1), texture(2, words), texture(3, words)];
@@ -41,6 +44,7 @@ impl Pipelines3 {
         };
         Self {
             points: draw(device, &points, &eye_layout, &kept),
+            spread: full_screen(device, &spread, &light_layout, "spread_fragment", &kept),
             mend: on_screen("mend_fragment", &kept),
             show: on_screen("light_fragment", &[Some(canvas.into())]),
             read: on_screen("light_fragment", &[Some(READ.into())]),

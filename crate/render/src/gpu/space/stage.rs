@@ -6,7 +6,7 @@ use crate::colour::Look;
 use crate::gpu::buffer::{Buffer, uniform};
 use crate::gpu::device::Gpu;
 use crate::gpu::readback::ReadBack;
-use crate::space::{Cloud, Eye, Instance3, Lamp, MAX_OBJECTS, Vertex3};
+use crate::space::{Cloud, Eye, Instance3, Lamp, MAX_OBJECTS, Spread, Vertex3};
 use crate::window::Window;
 
 /// What [`Stage3::draw`] came to.
@@ -43,9 +43,13 @@ pub struct Stage3 {
     batches: Vec<Batch3>,
     uniforms: Option<Uniforms3>,
     target: Option<[Target3; 2]>,
+    /// Which of them holds the picture.
+    shown: usize,
     still: Option<Target3>,
     eye: wgpu::Buffer,
     lamp: wgpu::Buffer,
+    /// One for each length of a step.
+    spreads: Vec<wgpu::Buffer>,
     look_buffer: wgpu::Buffer,
     stale: bool,
     complete: bool,
@@ -56,6 +60,7 @@ struct Batch3 {
     vertices: Buffer,
     instances: Buffer,
     counts: [u32; 2],
+    gap: f32,
 }
 
 impl Stage3 {
@@ -68,9 +73,11 @@ impl Stage3 {
             batches: Vec::new(),
             uniforms: None,
             target: None,
+            shown: 0,
             still: None,
             eye: uniform::<Eye>(&gpu.device, "eye"),
             lamp: uniform::<Lamp>(&gpu.device, "lamp"),
+            spreads: Vec::new(),
             look_buffer: uniform::<Look>(&gpu.device, "look"),
             stale: true,
             complete: false,
@@ -104,6 +111,7 @@ impl Stage3 {
                 vertices: Buffer::new(&self.gpu.device, "points of space"),
                 instances: Buffer::new(&self.gpu.device, "pieces of space"),
                 counts: [cloud.vertices.len() as u32, cloud.instances.len() as u32],
+                gap: cloud.gap,
             };
             batch.vertices.fill(&self.gpu.device, &self.gpu.queue, &cloud.vertices);
             batch.instances.fill(&self.gpu.device, &self.gpu.queue, &cloud.instances);
@@ -166,8 +174,7 @@ impl Stage3 {
 
     fn draw_points(&mut self, uniforms: &Uniforms3) {
         let window = self.window;
-        let [raw, mended] =
-            self.target.get_or_insert_with(|| [0, 1].map(|_| Target3::new(&self.gpu, window)));
+        let targets = self.target.get_or_insert_with(|| [0, 1].map(|_| Target3::new(&self.gpu, window)));
         self.gpu.queue.write_buffer(&self.eye, 0, bytemuck::bytes_of(&uniforms.eye));
         self.gpu.queue.write_buffer(&self.lamp, 0, bytemuck::bytes_of(&uniforms.lamp));
         let bindings = self.gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
@@ -177,7 +184,7 @@ impl Stage3 {
         });
         let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
-            let mut pass = raw.pass(&mut encoder, true);
+            let mut pass = targets[0].pass(&mut encoder, true);
             pass.set_pipeline(&self.pipelines.points);
             pass.set_bind_group(0, &bindings, &[]);
             for batch in &self.batches {
@@ -187,10 +194,24 @@ impl Stage3 {
                 pass.draw(0..vertices, 0..instances);
             }
         }
-        let bindings = raw.bindings(&self.gpu, &self.pipelines, &self.lamp, &self.look_buffer);
-        {
-            let mut pass = mended.pass(&mut encoder, false);
-            pass.set_pipeline(&self.pipelines.mend);
+        let gaps: Vec<f32> = self.batches.iter().map(|batch| batch.gap).collect();
+        let Lamp { size, focal, range: [nearest, ..], .. } = uniforms.lamp;
+        let steps = Spread::steps(size, focal, nearest, &gaps);
+        while self.spreads.len() < steps.len() {
+            self.spreads.push(uniform::<Spread>(&self.gpu.device, "spread"));
+        }
+        for (buffer, step) in self.spreads.iter().zip(&steps) {
+            self.gpu.queue.write_buffer(buffer, 0, bytemuck::bytes_of(step));
+        }
+        let spreads = self.spreads.iter().take(steps.len()).map(|buffer| (&self.pipelines.spread, buffer));
+        // From one target to the other and back.
+        self.shown = 0;
+        for (pipeline, buffer) in spreads.chain([(&self.pipelines.mend, &self.lamp)]) {
+            let bindings =
+                targets[self.shown].bindings(&self.gpu, &self.pipelines, buffer, &self.look_buffer);
+            self.shown = 1 - self.shown;
+            let mut pass = targets[self.shown].pass(&mut encoder, false);
+            pass.set_pipeline(pipeline);
             pass.set_bind_group(0, &bindings, &[]);
             pass.draw(0..3, 0..1);
         }
@@ -208,7 +229,7 @@ impl Stage3 {
         let (target, lamp) = if self.complete {
             (self.still.as_ref()?, &uniforms.still_lamp)
         } else {
-            (&self.target.as_ref()?[1], &uniforms.lamp)
+            (&self.target.as_ref()?[self.shown], &uniforms.lamp)
         };
         self.gpu.queue.write_buffer(&self.lamp, 0, bytemuck::bytes_of(lamp));
         let look = Look { premultiply, ..uniforms.look };
