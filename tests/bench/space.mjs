@@ -60,7 +60,8 @@ for (const [name, space] of [
   console.log(
     `${name}: complete after ${((performance.now() - start) / 1000).toFixed(1)} s, with all that loads`,
   );
-  await page.waitForTimeout(1500);
+  // What is still smoothed, and the thumbnails of the gallery, come to their end.
+  await page.waitForTimeout(6000);
   const still = await frames(() => page.waitForTimeout(3000));
   console.log(`${name}: ${still.count} frames in ${still.seconds.toFixed(1)} s at rest`);
   const round = await frames(() => drag(60));
