@@ -58,7 +58,7 @@ export function Settings() {
       )}
       <footer class="export-foot">
         {problem === null ? (
-          <Estimate of={now} loops={round.value} cost={preview.cost} />
+          <Estimate of={now} loops={round.value} cost={preview.cost} lit={preview.lit} />
         ) : (
           <p class="export-problem" role="status">
             {problem}
@@ -252,11 +252,18 @@ function Part({ of }: { of: Plan }) {
   );
 }
 
-function Estimate({ of, loops, cost }: { of: Plan; loops: boolean; cost: number | null }) {
-  const bytes = useMemo(
-    () => (isFilm(of.kind) ? filmBytes(of, loops) : of.kind === "frames" ? parametersBytes(of, loops) : null),
-    [of, loops],
-  );
+interface EstimateProps {
+  of: Plan;
+  loops: boolean;
+  cost: number | null;
+  lit: number;
+}
+
+function Estimate({ of, loops, cost, lit }: EstimateProps) {
+  const bytes = useMemo(() => {
+    if (isFilm(of.kind)) return filmBytes(of, loops, lit);
+    return of.kind === "frames" ? parametersBytes(of, loops) : null;
+  }, [of, loops, lit]);
   if (of.kind === "keys") return <p class="hint">A small file.</p>;
   const count = frameCount(of, loops);
   const parts = [

@@ -5,21 +5,24 @@ import { spaceTask } from "../../../engine/space/client";
 import { painters } from "../../../engine/space/film/crew";
 import { Frames, frameRecord } from "../../../engine/space/film/frames";
 import { pictureAt } from "../../../engine/space/film/make";
+import { channels } from "../../../engine/space/film/opaque";
 import { wordsOf } from "../../../state/notice";
 import { dark } from "../../../state/preferences";
 import { space, spaceView } from "../../../state/space";
 import { palette } from "../../../style/palette";
 import { ground } from "./job";
-import { frameCount, isFilm, type Plan } from "./plan";
+import { frameCount, isFilm, litPart, type Plan } from "./plan";
 
 export interface Preview {
   image: ImageData | null;
+  /** The part of it that shows something. */
+  lit: number;
   /** Milliseconds for one pixel of it that is carved. */
   cost: number | null;
   problem: string | null;
 }
 
-const NOTHING: Preview = { image: null, cost: null, problem: null };
+const NOTHING: Preview = { image: null, lit: 0.5, cost: null, problem: null };
 const BOX = { width: 416, height: 234 };
 /** So long after the last change, in milliseconds. */
 const REST = 200;
@@ -49,7 +52,8 @@ export function usePreview({ kind, width, height, from }: Plan): Preview {
         const request = pictureAt({ space: scene, view, ...look }, frames, from, size);
         const { data, took } = await spaceTask("measured", request, { lane: 1, signal: stop.signal });
         const cost = leastCost(scene, took / (size.width * size.height));
-        setPreview({ image: new ImageData(data, size.width, size.height), cost, problem: null });
+        const image = new ImageData(data, size.width, size.height);
+        setPreview({ image, lit: litPart(data, channels(look.ground)), cost, problem: null });
       } catch (problem) {
         if (!stop.signal.aborted) setPreview({ ...NOTHING, problem: wordsOf(problem) });
       } finally {

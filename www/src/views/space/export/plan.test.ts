@@ -7,6 +7,7 @@ import {
   filmBytes,
   frameCount,
   grouped,
+  litPart,
   type Plan,
   planProblem,
   secondsLeft,
@@ -74,7 +75,12 @@ describe("a plan", () => {
     expect(bitrateOf(plan)).toBe(Math.round(1280 * 720 * 30 * 0.2));
     expect(bitrateOf({ ...plan, width: 16, height: 16 })).toBe(300e3);
     expect(filmBytes({ ...plan, quality: "best" }, true)).toBeGreaterThan(2 * filmBytes(plan, true));
-    expect(filmBytes({ ...plan, kind: "gif" }, true)).toBeGreaterThan(1e6);
+    const gif = (lit: number) => filmBytes({ ...plan, kind: "gif" }, true, lit);
+    expect(gif(0.5)).toBeGreaterThan(1e6);
+    expect(gif(0.1)).toBeLessThan(0.3 * gif(0.5));
+    const pixels = Uint8ClampedArray.of(9, 9, 9, 255, 1, 2, 3, 0, 1, 2, 3, 255, 9, 9, 8, 255);
+    expect(litPart(pixels, [9, 9, 9])).toBe(0.5);
+    expect(litPart(new Uint8ClampedArray(0), [0, 0, 0])).toBe(0);
   });
 });
 

@@ -80,10 +80,22 @@ export function bitrateOf({ width, height, fps, quality }: Plan): number {
   return Math.round(Math.min(120e6, Math.max(300e3, width * height * fps * BITS[quality])));
 }
 
-/** About how many bytes a film has. What a GIF takes depends on what moves. */
-export function filmBytes(plan: Plan, round: boolean): number {
+/** The part of all pixels that is neither clear nor the ground. */
+export function litPart(pixels: Uint8ClampedArray, ground: readonly number[]): number {
+  let lit = 0;
+  for (let at = 0; at < pixels.length; at += 4) {
+    if ((pixels[at + 3] ?? 0) > 0 && ground.some((channel, k) => pixels[at + k] !== channel)) lit++;
+  }
+  return pixels.length > 0 ? lit / (pixels.length / 4) : 0;
+}
+
+/** Bytes of a GIF for each pixel that shows something, while it moves; the ground hardly takes any. */
+const GIF_BYTES = 0.6;
+
+/** About how many bytes a film has; `lit` is the part of a frame that shows something. What a GIF takes depends on what moves. */
+export function filmBytes(plan: Plan, round: boolean, lit = 0.5): number {
   const count = frameCount(plan, round);
-  if (plan.kind === "gif") return 800 + 0.35 * plan.width * plan.height * count;
+  if (plan.kind === "gif") return 800 + (GIF_BYTES * lit + 0.003) * plan.width * plan.height * count;
   return (bitrateOf(plan) / 8) * (count / plan.fps) + 2000;
 }
 
