@@ -1,12 +1,5 @@
 // From what was drawn to the picture that is shown. CPU twin: src/resolve.rs.
 
-@vertex
-fn screen_vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
-    // One triangle that holds the whole screen.
-    let corner = vec2<f32>(f32((index << 1u) & 2u), f32(index & 2u));
-    return vec4<f32>(corner * 2.0 - 1.0, 0.0, 1.0);
-}
-
 struct Taps {
     base: vec2<i32>,
     part: vec2<f32>,

@@ -42,6 +42,7 @@ const POINTS: &str =
 const RESOLVE: &str = concat!(
     include_str!("../../shader/colour.wgsl"),
     include_str!("../../shader/tone.wgsl"),
+    include_str!("../../shader/screen.wgsl"),
     include_str!("../../shader/resolve.wgsl")
 );
 

@@ -7,9 +7,13 @@ use crate::space::{Instance3, Vertex3};
 pub(super) const WORDS: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 
 const POINTS: &str = include_str!("../../../shader/space_points.wgsl");
-const SPREAD: &str = include_str!("../../../shader/space_spread.wgsl");
-const LIGHT: &str =
-    concat!(include_str!("../../../shader/colour.wgsl"), include_str!("../../../shader/space_light.wgsl"));
+const SPREAD: &str =
+    concat!(include_str!("../../../shader/screen.wgsl"), include_str!("../../../shader/space_spread.wgsl"));
+const LIGHT: &str = concat!(
+    include_str!("../../../shader/colour.wgsl"),
+    include_str!("../../../shader/screen.wgsl"),
+    include_str!("../../../shader/space_light.wgsl")
+);
 
 /// Everything that is the same for all pictures of space.
 #[derive(Debug)]
