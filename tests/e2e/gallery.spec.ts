@@ -62,6 +62,7 @@ test("a shape is chosen with the keyboard", async ({ studio, page }) => {
 
   // Escape changes nothing, and gives the focus back.
   await page.keyboard.press("Enter");
+  await expect(page.getByRole("dialog", { name: "Shape B" })).toBeVisible();
   await page.keyboard.press("End");
   await page.keyboard.press("Escape");
   await expect(page.getByRole("dialog")).toHaveCount(0);
