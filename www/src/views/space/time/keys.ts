@@ -6,12 +6,14 @@ import { keyAt, MOST_KEYS, momentIn, nextKey, stretched, withoutKey } from "./ch
 import { pauseSpace, scrubSpace } from "./clock";
 import { keyWords, secondsWords } from "./words";
 
-/** Does something to the document, or says why it could not be done. */
-export function attempt(change: () => void): void {
+/** Does something to the document, or says why it could not be done. Whether it was. */
+export function attempt(change: () => void): boolean {
   try {
     change();
+    return true;
   } catch (problem) {
     notify({ kind: "error", text: wordsOf(problem) });
+    return false;
   }
 }
 
@@ -40,7 +42,7 @@ export function setKey(): void {
 export function removeKey(index: number): void {
   pauseSpace();
   const last = timeline.peek()?.keys.length === 1;
-  attempt(() => (last ? endTimeline() : changeTimeline((line) => withoutKey(line, index))));
+  if (!attempt(() => (last ? endTimeline() : changeTimeline((line) => withoutKey(line, index))))) return;
   const left = timeline.peek()?.keys.length ?? 0;
   announce(
     `Key ${index + 1} deleted. ${left === 0 ? "Nothing moves any more; all stays where it is." : `${left} left.`}`,
@@ -50,7 +52,7 @@ export function removeKey(index: number): void {
 /** All keys go; what is seen now stays. */
 export function removeAllKeys(): void {
   pauseSpace();
-  attempt(endTimeline);
+  if (!attempt(endTimeline)) return;
   notify({ kind: "info", text: "All keys are gone, and all stays where it is now. Undo brings them back." });
 }
 
