@@ -1,4 +1,7 @@
-//! Certificates as JSON, which keeps every digit of a double.
+//! Certificates as JSON.
+//!
+//! A number is written with as many digits as tell it from all other doubles, and read as the double nearest to what is
+//! written: what is replayed is what the text says. That takes `float_roundtrip` of `serde_json`.
 
 use crate::certificate::Certificate;
 

@@ -211,6 +211,14 @@ mod tests {
     }
 
     #[test]
+    fn coordinates_keep_every_digit() {
+        let number = |k: u32| 1e3 + f64::from(frond_core::hash::counter(1, k)) / 4_294_967_295.0;
+        let points: Vec<DVec2> = (0..2000).map(|k| DVec2::new(number(2 * k), number(2 * k + 1))).collect();
+        let text: Vec<String> = points.iter().map(|p| format!("[{}, {}]", p.x, p.y)).collect();
+        assert_eq!(read_geo(&format!("[{}]", text.join(", "))).expect("a list")[0].points, points);
+    }
+
+    #[test]
     fn broken_and_empty_ones_are_told_apart() {
         for text in ["{", "{\"type\": \"Polygon\", \"coordinates\": [[[0,0]", "{\"coordinates\": \"x\"}"] {
             assert_eq!(read_geo(text).map(|_| ()).map_err(|e| e.code()), Err("broken"), "{text}");
