@@ -9,6 +9,7 @@ use crate::command::Outcome;
 #[derive(Default)]
 pub struct Steps {
     done: Vec<Step>,
+    again: Option<String>,
 }
 
 struct Step {
@@ -51,6 +52,11 @@ impl Steps {
         result
     }
 
+    /// Says which command tries alone what has just failed: the summary ends with it.
+    pub fn again(&mut self, command: String) {
+        self.again = Some(command);
+    }
+
     /// Whether any step ran.
     pub fn any(&self) -> bool {
         !self.done.is_empty()
@@ -62,6 +68,9 @@ impl Steps {
         for step in &self.done {
             let mark = if step.passed { "ok    " } else { "FAILED" };
             println!("{mark} {:>9}  {}", seconds(step.time), step.name);
+        }
+        if let Some(command) = &self.again {
+            println!("\nTo try alone what failed: {command}");
         }
         let passed = self.done.iter().filter(|step| step.passed).count();
         println!("{passed} passed, {} failed", self.done.len() - passed);

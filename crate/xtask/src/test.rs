@@ -97,8 +97,11 @@ pub fn test(steps: &mut Steps, wanted: &[String]) -> Outcome {
     }
     for check in CHECKS.iter().filter(|check| wanted.is_empty() || wanted.iter().any(|word| check.is(word))) {
         let name = format!("{}: {}", check.name, check.what);
-        steps.prepare(&name, check.set_up)?;
-        steps.run(&name, check.work)?;
+        let outcome = steps.prepare(&name, check.set_up).and_then(|()| steps.run(&name, check.work));
+        if outcome.is_err() {
+            steps.again(format!("cargo xtask test {}", check.name));
+            return outcome;
+        }
     }
     Ok(())
 }
