@@ -66,8 +66,10 @@ fn extend(original: &[Affine2], target: usize, which: &str, steps: &mut Vec<Stri
         order.sort_by(|&i, &j| maps[j].determinant().abs().total_cmp(&maps[i].determinant().abs()));
         let doubles: Vec<_> = order.iter().cycle().take(missing).map(|&i| maps[i]).collect();
         maps.extend(doubles);
-        let noun = if missing == 1 { "map was" } else { "maps were" };
-        steps.push(format!("{missing} {noun} of the {which} shape doubled, so that it has {target}."));
+        let (noun, verb) = if missing == 1 { ("map", "was") } else { ("maps", "were") };
+        steps.push(format!(
+            "{missing} {noun} of the {which} shape {verb} doubled, so that it has {target} maps."
+        ));
     }
     maps
 }
@@ -184,6 +186,9 @@ mod tests {
         let wanted =
             "6 times over, a piece of the first shape was split into its 2 parts, so that it has 8 maps.";
         assert_eq!(steps, [wanted]);
+        let doubled = |count: usize| pair(&ifs(&eight[..8 - count]), &ifs(&eight)).steps;
+        assert_eq!(doubled(1), ["1 map of the first shape was doubled, so that it has 8 maps."]);
+        assert_eq!(doubled(2), ["2 maps of the first shape were doubled, so that it has 8 maps."]);
     }
 
     #[test]
