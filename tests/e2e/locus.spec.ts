@@ -135,7 +135,7 @@ test("what is pointed at is shown, by hand and by keys", async ({ studio, page }
   const { x, y } = await studio.place(1.8, 0.2);
   await page.mouse.move(x, y);
   await expect(card).toBeVisible();
-  await expect(card).toContainText(/\d pieces, gap .*u 1\.80 {2}v 0\.20/);
+  await expect(card).toContainText(/In pieces, proved, gap [\d.]+%.*u 1\.80 {2}v 0\.20/);
   await page.mouse.move(10, 300);
   await expect(card).toBeHidden();
   // Nothing was taken.

@@ -17,7 +17,7 @@ test("a way point says where the path breaks, and takes a third number", async (
   await studio.idle();
   await studio.way(1).focus();
   await expect(page.locator(".way-point legend")).toHaveText(
-    /Way point 1 of 1 broken, breaks on the way to it/,
+    /Way point 1 of 1 in pieces, proved, gap [\d.]+%, breaks on the way to it/,
   );
   const w = page.getByRole("spinbutton", { name: "stretch ahead, w" });
   await expect(w).toHaveCount(0);
@@ -38,7 +38,7 @@ test("another way to match is one step", async ({ studio, page }) => {
   const ways = page.getByRole("radiogroup", { name: "Ways to match" }).getByRole("radio");
   await expect(page.getByText(/^The best first/)).toBeVisible();
   expect(await ways.count()).toBeGreaterThan(1);
-  await expect(ways.first()).toHaveAccessibleName(/: (holds all the way|gap [\d.]+%)$/);
+  await expect(ways.first()).toHaveAccessibleName(/: (looks whole all the way|gap [\d.]+%)$/);
   await expect(page.getByRole("radio", { name: /^each keeps its number: / })).toBeChecked();
   await page
     .getByRole("radio", { name: /becomes/ })
@@ -82,13 +82,13 @@ test("where the plane has no path, the third parameter has one", async ({ studio
   await studio.open("a=gasket&b=terdragon-mirrored");
   await studio.idle();
   const words = page.locator(".path-verdict");
-  await expect(words).toHaveText(/^Breaks /);
+  await expect(words).toHaveText(/^In pieces, proved, /);
   await expect(page.locator(".worst-mark")).toBeAttached();
   const third = page.getByRole("switch", { name: /third parameter/ });
   await third.check();
-  await expect(words).toHaveText(/^In one piece all the way/);
+  await expect(words).toHaveText(/all the way\./);
   const { points } = (await studio.scene()).path;
   expect(points.some(([, , w = 0]) => w !== 0)).toBe(true);
   await third.uncheck();
-  await expect(words).toHaveText(/^Breaks /);
+  await expect(words).toHaveText(/^In pieces, proved, /);
 });

@@ -153,7 +153,7 @@ test("the tetrahedron becomes a dragon on a path that holds", async ({ studio, p
   await expect.poll(() => packed(studio)).toMatch(/\/t:0\.\d/);
   await complete(page);
   expect((await studio.look()).lit).toBeGreaterThan(10_000);
-  await expect(page.getByText(/in one piece/i).first()).toBeVisible();
+  await expect(page.getByText(/In one piece, proved|Looks whole at 1\/600/).first()).toBeVisible();
 });
 
 test("a shadow along a direction that is kept goes on into the morph", async ({ studio, page }) => {

@@ -15,7 +15,7 @@ use crate::span::Span;
 pub enum Verdict {
     /// Proved to be in one piece.
     Connected,
-    /// Proved to be in several pieces.
+    /// Proved to be in pieces.
     Disconnected,
     /// In one piece as far as the resolution tells: the pieces come within epsilon of each other.
     Touching,
@@ -80,9 +80,9 @@ pub struct Connectedness {
     /// Pairs of maps whose attractorlets meet, or come within epsilon of each other, the smaller index
     /// first, in ascending order.
     pub overlaps: Vec<(usize, usize)>,
-    /// For each map the number, from 0, of the component its attractorlet is in.
+    /// For each map the number, from 0, of the component of the overlap graph that its attractorlet is in.
     pub components: Vec<usize>,
-    /// How many components there are.
+    /// How many components the overlap graph has. The attractor may have more: attractorlets may be in pieces themselves.
     pub count: usize,
     /// Two points of the attractor in different pieces whose distance is `gap.upper`: the ends of the widest gap
     /// between components, or, where the verdict is `Touching`, of the widest edge between pieces. `None` where it is

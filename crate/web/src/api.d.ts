@@ -23,9 +23,9 @@ export interface Connectedness {
   gap: { lower: number; upper: number };
   /** Pairs of maps whose attractorlets meet (or come within epsilon of each other). */
   overlaps: [number, number][];
-  /** For each map the number (from 0) of the component its attractorlet is in. */
+  /** For each map the number (from 0) of the cluster of attractorlets that its own hangs together with. */
   components: number[];
-  /** How many components there are. */
+  /** How many clusters there are. The attractor may well be in more parts: attractorlets may be in pieces themselves. */
   count: number;
   /** The points of two components that realise the widest gap; absent when there is none. */
   closest?: { from: [number, number]; to: [number, number] };
@@ -681,8 +681,9 @@ export interface Connectedness3 {
   /** The widest gap: 0 if and only if it is in one piece. */
   gap: { lower: number; upper: number };
   overlaps: [number, number][];
-  /** For each map the component its piece is in. */
+  /** For each map the cluster of pieces that its own hangs together with. */
   components: number[];
+  /** How many clusters there are: pieces may be in pieces themselves. */
   count: number;
   /** Two points of different pieces, about as far apart as the gap is wide. */
   closest: [Point3, Point3] | null;

@@ -1,10 +1,12 @@
 /** The film of a closed curve's morph: small pictures at even times, made one after another while there is nothing else to do. */
 import { effect, untracked } from "@preact/signals";
+import { STATE } from "../engine/breaks";
 import type { Frame } from "../engine/results";
 import { FRAME_HEIGHT, FRAME_WIDTH, FRAMES } from "../engine/schedule/strip";
 import { boxAt } from "../state/camera";
 import { curveMorph, film } from "../state/curve";
 import { pathTrack } from "../state/fit";
+import { toldOf } from "../state/words";
 import { curveThumb } from "./curve-thumb";
 import { stageStyle } from "./look";
 
@@ -22,7 +24,7 @@ export function watchFilm(): () => void {
     const frames: Frame[] = Array.from({ length: FRAMES }, (_, i) => ({
       t: i / (FRAMES - 1),
       // By construction, at every moment.
-      verdict: "connected",
+      verdict: toldOf(STATE.connected, 0),
       bitmap: kept[i]?.bitmap ?? null,
     }));
     film.value = frames;

@@ -1,8 +1,9 @@
 import { computed } from "@preact/signals";
 import type { Certificate, Connectedness, Link, MapRow } from "../engine/api";
+import { STATE } from "../engine/breaks";
 import { verdict } from "../engine/results";
 import { proof } from "../engine/schedule/proof";
-import { lengthWords, verdictWords } from "../state/words";
+import { shareOf, shareWords, stateOf } from "../state/words";
 import { toScreen, world } from "./geometry";
 import { stageStyle } from "./look";
 import { evidenceMarked } from "./marks";
@@ -26,20 +27,20 @@ export function Evidence() {
   if (!answer || answer.stale) return null;
   const { width, height } = stageSize.value;
   const marked = evidenceMarked.value;
-  const { connectedness } = answer;
+  const { connectedness, epsilon } = answer;
   return (
     <svg class="overlay quiet" width={width} height={height} aria-hidden="true">
       {marked && <Hulls />}
       {marked && <Links links={connectedness.reason?.links ?? []} />}
-      <Gap answer={connectedness} marked={marked} />
+      <Gap answer={connectedness} epsilon={epsilon} marked={marked} />
     </svg>
   );
 }
 
 /** The two points that are nearest across the widest gap, and how far apart they are. */
-function Gap({ answer, marked }: { answer: Connectedness; marked: boolean }) {
-  const { closest, gap } = answer;
-  const broken = verdictWords(answer).tone === "broken";
+function Gap({ answer, epsilon, marked }: { answer: Connectedness; epsilon: number; marked: boolean }) {
+  const { closest } = answer;
+  const broken = stateOf(answer, epsilon) === STATE.disconnected;
   // A gap that cannot be seen is only shown to those who ask.
   if (!closest || !(broken || (marked && answer.verdict === "disconnected"))) return null;
   const p = place(closest.from);
@@ -53,7 +54,7 @@ function Gap({ answer, marked }: { answer: Connectedness; marked: boolean }) {
       {/* The ends stand off a little, so that the points themselves stay free. */}
       <circle class="gap-ring" cx={middle.x} cy={middle.y} r={radius} />
       <text class="gap-label" x={middle.x + radius + 6} y={middle.y + 4}>
-        {lengthWords(gap.upper)}
+        {shareWords(shareOf(answer))}
       </text>
     </g>
   );

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { atResolution, breaksAlong, clearanceOf, STATE, stateNear, stretches, widestOf } from "./breaks";
+import { atResolution, clearanceOf, STATE, stateNear, statesAlong, stretches, widestOf } from "./breaks";
 
-const { connected, touching, disconnected, none, undecided } = STATE;
+const { connected, touching, disconnected, hidden, none, undecided } = STATE;
 
 describe("stretches", () => {
   it("reaches half a sample to both sides", () => {
@@ -44,15 +44,11 @@ describe("stateNear", () => {
   });
 
   it("marks the broken ends of a path", () => {
-    const found = breaksAlong(
-      field,
-      [
-        [0, 0],
-        [2, 2],
-      ],
-      5,
-    );
-    expect(found).toEqual([
+    const ends: [number, number][] = [
+      [0, 0],
+      [2, 2],
+    ];
+    expect(stretches(statesAlong(field, ends, 5))).toEqual([
       { t0: 0, t1: 0.125 },
       { t0: 0.875, t1: 1 },
     ]);
@@ -60,8 +56,8 @@ describe("stateNear", () => {
 });
 
 describe("atResolution", () => {
-  it("calls a gap within epsilon touching, and no other", () => {
-    expect(atResolution(disconnected, 0.001, 1 / 600)).toBe(touching);
+  it("keeps a gap within epsilon apart from one that is seen, and from none", () => {
+    expect(atResolution(disconnected, 0.001, 1 / 600)).toBe(hidden);
     expect(atResolution(disconnected, 0.002, 1 / 600)).toBe(disconnected);
     expect(atResolution(none, Number.NaN, 1 / 600)).toBe(none);
     expect(atResolution(connected, 0, 1 / 600)).toBe(connected);

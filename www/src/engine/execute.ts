@@ -1,5 +1,6 @@
-import type { Ifs } from "./api";
+import type { Connectedness, Ifs } from "./api";
 import { atResolution, STATE } from "./breaks";
+import { answerOf } from "./family";
 import type { LocusTiles, Proof } from "./proof";
 import type { Kind, Result, Task } from "./protocol";
 import type { Frond } from "./wasm";
@@ -31,18 +32,38 @@ export function executor(
     return locus;
   };
 
-  const decided = (task: Task<"states" | "along">): Result<"along"> => {
-    const count = task.points.length;
-    const found = { state: new Uint8Array(count), gap: new Float32Array(count) };
+  const decided = (task: Task<"states">): Result<"states"> => {
+    const found = new Uint8Array(task.points.length);
     for (const [i, [u, v, w = 0]] of task.points.entries()) {
       const bounds = { u0: u, v0: v, u1: u, v1: v };
       const options = { ...task.options, ...POINT, bounds, w };
       const { state, gap } = frond.locus({ maps: task.from }, { maps: task.to }, options);
-      found.gap[i] = gap[0] ?? Number.NaN;
-      found.state[i] = atResolution(state[0] ?? STATE.undecided, gap[0] ?? Number.NaN, task.options.epsilon);
+      found[i] = atResolution(state[0] ?? STATE.undecided, gap[0] ?? Number.NaN, task.options.epsilon);
     }
     return found;
   };
+
+  /** All that is known of one shape: the page says nothing else of it anywhere. */
+  const answer = (ifs: Ifs, epsilon: number): Connectedness => {
+    const found = frond.connectedness(ifs, { epsilon });
+    if (found.verdict !== "touching" && found.verdict !== "undecided") return found;
+    // The search that maps are made by stops elsewhere: where it has seen a gap, this one is to look as closely.
+    const bounds = { u0: 0, v0: 0, u1: 0, v1: 0 };
+    const { state, gap } = frond.locus(ifs, ifs, { ...POINT, bounds, epsilon });
+    const seen = gap[0] ?? 0;
+    if (state[0] !== STATE.disconnected || !(seen > 0)) return found;
+    const closer = frond.connectedness(ifs, { epsilon: seen / 4 });
+    return closer.verdict === "disconnected" ? closer : found;
+  };
+
+  /** The same along a path. */
+  const told = ({ from, to, points, options }: Task<"along">): Result<"along"> =>
+    points.map(([u, v, w = 0]) => {
+      const { epsilon, ...morph } = options;
+      const ifs = frond.interpolate({ maps: from }, { maps: to }, { ...morph, u, v, w });
+      const { verdict, gap, diameter } = answer(ifs, epsilon);
+      return { verdict, gap, diameter };
+    });
 
   const handlers: { [K in Kind]: (task: Task<K>) => Result<K> | Promise<Result<K>> } = {
     locus(task) {
@@ -93,9 +114,12 @@ export function executor(
     candidates: (task) => frond.candidates({ maps: task.from }, { maps: task.to }, { limit: task.limit }),
     rate: (task) => frond.rateCandidate({ maps: task.from }, { maps: task.to }, task.options),
     routes: (task) => frond.routes({ maps: task.from }, { maps: task.to }),
-    verdict: (task) => frond.connectedness({ maps: task.maps }, { epsilon: task.epsilon }),
-    states: (task) => decided(task).state,
-    along: decided,
+    verdict({ maps, epsilon, polygon }) {
+      const found = answer({ maps }, epsilon);
+      return polygon ? answerOf(found, polygon.sides, polygon.s) : found;
+    },
+    states: decided,
+    along: told,
     async picture(task) {
       const { width, height } = task.options;
       const pixels = frond.rasterize({ maps: task.maps }, task.options);

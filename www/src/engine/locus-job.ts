@@ -1,5 +1,5 @@
 import type { Bounds, FrondError, Locus, MapRow, MorphOptions } from "./api";
-import { atResolution, STATE } from "./breaks";
+import { atAll, atResolution, STATE } from "./breaks";
 import type { Job, Result, Task } from "./protocol";
 import { CELLS, homeOf } from "./window";
 
@@ -207,9 +207,9 @@ export class LocusWork {
     }
   }
 
-  /** The samples of a stride, as a locus of its own. */
+  /** The samples of a stride, as a locus of its own, for the program. */
   nested(stride: number): Locus {
-    if (stride === 1) return { ...this.raw, state: this.raw.state.slice(), gap: this.raw.gap.slice() };
+    if (stride === 1) return { ...this.raw, state: this.raw.state.map(atAll), gap: this.raw.gap.slice() };
     const size = (SIZE - 1) / stride + 1;
     const locus: Locus = {
       width: size,
@@ -220,7 +220,7 @@ export class LocusWork {
     for (let r = 0; r < size; r++) {
       for (let c = 0; c < size; c++) {
         const from = r * stride * SIZE + c * stride;
-        locus.state[r * size + c] = this.raw.state[from] ?? STATE.undecided;
+        locus.state[r * size + c] = atAll(this.raw.state[from] ?? STATE.undecided);
         locus.gap[r * size + c] = this.raw.gap[from] ?? Number.NaN;
       }
     }

@@ -1,3 +1,4 @@
+import type { Told } from "../state/words";
 import type {
   Bounds,
   Candidate,
@@ -60,7 +61,8 @@ export interface Tasks {
     bounds: Bounds;
     refine?: { from: MapRow[]; to: MapRow[]; options: MorphOptions & { epsilon: number; samples?: number } };
   };
-  verdict: { kind: "verdict"; maps: MapRow[]; epsilon: number };
+  /** `polygon`: the maps are those of this family. */
+  verdict: { kind: "verdict"; maps: MapRow[]; epsilon: number; polygon?: { sides: number; s: PathPoint } };
   /** The state of the morph at single points of the (u, v) plane. */
   states: {
     kind: "states";
@@ -69,7 +71,7 @@ export interface Tasks {
     options: MorphOptions & { epsilon: number };
     points: readonly PathPoint[];
   };
-  /** The same with the widest gap at each, relative to the size of the shape: NaN where there is none. */
+  /** All that is known at single points, as `verdict` tells it. */
   along: {
     kind: "along";
     from: MapRow[];
@@ -115,7 +117,7 @@ export interface Results {
   routes: Route[];
   verdict: Connectedness;
   states: Uint8Array;
-  along: { state: Uint8Array; gap: Float32Array };
+  along: Told[];
   picture: ImageBitmap;
   buffer: { components: number[]; overlaps: [number, number][] };
 }

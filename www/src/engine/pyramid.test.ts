@@ -143,7 +143,7 @@ describe("Pyramid", () => {
     expect(pyramid.read(windowOf(view(3)), 3).state.includes(STATE.pending)).toBe(false);
   });
 
-  it("calls a gap within epsilon touching, at the epsilon of its depth", () => {
+  it("tells a gap within epsilon from one that is seen, at the epsilon of its depth", () => {
     const pyramid = new Pyramid(morph);
     const watch = { painted() {}, coarse() {}, failed() {} };
     const found = new WindowWork(pyramid, watch, true);
@@ -153,6 +153,6 @@ describe("Pyramid", () => {
       const { state } = answer(task);
       job.accept(task, { state, gap: new Float32Array(state.length).fill(0.999 * epsilonOf(2)) }, 1);
     }
-    expect(pyramid.read(windowOf(view(4)), 4).state.every((s) => s === STATE.touching)).toBe(true);
+    expect(pyramid.read(windowOf(view(4)), 4).state.every((s) => s === STATE.hidden)).toBe(true);
   });
 });

@@ -1,7 +1,8 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { pathPoints } from "../state/morph";
-import type { Bounds, Connectedness, Locus, PathPlan, PathPoint, Verdict } from "./api";
-import { breaksAlong, type Stretch, type Worst } from "./breaks";
+import type { Told } from "../state/words";
+import type { Bounds, Connectedness, Locus, PathPlan, PathPoint } from "./api";
+import { type Stretch, statesAlong, stretches, type Worst } from "./breaks";
 import type { Pyramid } from "./pyramid";
 
 export interface LocusResult extends Locus {
@@ -21,6 +22,8 @@ export interface WindowResult {
 
 export interface VerdictResult {
   connectedness: Connectedness;
+  /** What it was looked at with. */
+  epsilon: number;
   uv: PathPoint;
   /** The picture has moved on and the next answer is under way. */
   stale: boolean;
@@ -28,7 +31,7 @@ export interface VerdictResult {
 
 export interface Frame {
   t: number;
-  verdict: Verdict | null;
+  verdict: Told | null;
   bitmap: ImageBitmap | null;
 }
 
@@ -42,6 +45,10 @@ export interface WorkersState {
 export interface Along {
   points: readonly PathPoint[];
   states: Uint8Array;
+  /** What is said of each moment. */
+  told: readonly (Told | null)[];
+  /** What is said of each point between the ends. */
+  ways: readonly (Told | null)[];
   breaks: Stretch[];
   worst: Worst | null;
 }
@@ -79,13 +86,18 @@ export const along: ReadonlySignal<Along | null> = computed(() => {
 });
 
 /**
- * Broken stretches of the present path, in t. Decided sample by sample where that answer is in; until then read off the
- * locus field.
+ * The states of even moments of the present path. Decided one by one where that answer is in; until then read off the locus
+ * field.
  */
-export const pathBreaks: ReadonlySignal<Stretch[]> = computed(() => {
+export const pathStates: ReadonlySignal<Uint8Array> = computed(() => {
   const points = pathPoints.value;
   const exact = along.value;
-  if (exact) return exact.breaks;
+  if (exact) return exact.states;
   const field = publish.locus.value;
-  return field ? breaksAlong(field, points) : [];
+  return field ? statesAlong(field, points) : new Uint8Array();
 });
+
+/** Stretches of the present path, in t, where it is broken for all to see. */
+export const pathBreaks: ReadonlySignal<Stretch[]> = computed(
+  () => along.value?.breaks ?? stretches(pathStates.value),
+);

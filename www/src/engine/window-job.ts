@@ -1,6 +1,7 @@
 /** The samples of the window that is looked at: a coarse picture first, then tile by tile from the middle outwards. */
 import type { Bounds, FrondError, LocusView } from "./api";
-import { atResolution } from "./breaks";
+import { atResolution, STATE } from "./breaks";
+import { fills } from "./family";
 import { nextKey } from "./locus-job";
 import type { Job, Result, Task } from "./protocol";
 import { type Pyramid, STEP, type TileId, WHOLE_LEVELS } from "./pyramid";
@@ -163,9 +164,12 @@ export class WindowWork {
     const epsilon = epsilonOf(id.level);
     const first = rows[0] * width;
     const part = (rows[1] - rows[0]) * width;
+    const proved = provedIn(task);
     for (let k = 0; k < part; k++) {
       const g = gap[k] ?? Number.NaN;
-      under.state[first + k] = atResolution(state[k] ?? 3, g, epsilon);
+      const found = atResolution(state[k] ?? STATE.undecided, g, epsilon);
+      const open = found === STATE.touching || found === STATE.undecided;
+      under.state[first + k] = open && proved(k) ? STATE.connected : found;
       under.gap[first + k] = g;
     }
     under.done += rows[1] - rows[0];
@@ -179,6 +183,19 @@ export class WindowWork {
     }
     this.#watch.painted();
   }
+}
+
+/** Which samples of a tile of a family are in one piece whatever a search says. */
+function provedIn(task: Task<Kinds>): (k: number) => boolean {
+  if (task.kind !== "patch" || !("sides" in task.of)) return () => false;
+  const { x0, y0, x1, of } = task;
+  const { bounds, width, height } = of.options;
+  const at = (low: number, high: number, k: number, count: number) => low + ((high - low) * k) / (count - 1);
+  return (k) => {
+    const column = x0 + (k % (x1 - x0));
+    const row = y0 + Math.floor(k / (x1 - x0));
+    return fills(of.sides, [at(bounds.u0, bounds.u1, column, width), at(bounds.v0, bounds.v1, row, height)]);
+  };
 }
 
 const name = ({ level, i, j }: TileId, what: "coarse" | "fine"): string => `${what}/${level}/${i}/${j}`;

@@ -10,12 +10,14 @@ describe("breakage", () => {
     expect(found.share).toBe(0.25);
     expect(found.halves).toEqual([0.25, 0.25]);
     expect(found.stretches).toHaveLength(2);
+    expect(breakage([holds, STATE.hidden]).share).toBe(0);
+    expect(breakage([holds, STATE.hidden]).hidden).toBe(1);
   });
   it("leaves the middle of an odd number to neither half", () => {
     expect(breakage([holds, broken, broken]).halves).toEqual([0, 1]);
   });
   it("lives with nothing", () => {
-    expect(breakage([])).toEqual({ stretches: [], share: 0, halves: [0, 0] });
+    expect(breakage([])).toEqual({ stretches: [], share: 0, halves: [0, 0], hidden: 0 });
   });
 });
 

@@ -1,5 +1,5 @@
 /** How much of a path is broken, in numbers and in words. */
-import { isBroken, type Stretch, stretches } from "../engine/breaks";
+import { isBroken, STATE, type Stretch, stretches } from "../engine/breaks";
 import { fixed } from "../ui/number";
 
 export interface Breakage {
@@ -7,6 +7,8 @@ export interface Breakage {
   /** Parts of the samples that are broken: of all, and of the first and the second half. */
   share: number;
   halves: [number, number];
+  /** How many are proved to be in pieces by a gap that is not seen. */
+  hidden: number;
 }
 
 export function breakage(states: ArrayLike<number>): Breakage {
@@ -18,6 +20,7 @@ export function breakage(states: ArrayLike<number>): Breakage {
     stretches: stretches(states),
     share: part(0, broken.length),
     halves: [part(0, middle), part(broken.length - middle, broken.length)],
+    hidden: Array.from(states).filter((state) => state === STATE.hidden).length,
   };
 }
 

@@ -11,7 +11,7 @@ import { Lesson, Question, Truth } from "./lesson";
 import { Picture } from "./picture";
 import { nearWords, usePrediction } from "./predict";
 import { studioHref } from "./studio";
-import { ExactChip, Why } from "./verdict";
+import { EXACT, VerdictChip, Why } from "./verdict";
 import { useVerdict } from "./work";
 
 const WHOLE: Box = { x0: 0, y0: 0, x1: 1, y1: HEIGHT };
@@ -187,7 +187,7 @@ function Closer({ r, gap }: { r: number; gap: number }) {
       </Drawn>
       <figcaption>
         <span>Your scale through the lens, {Math.round(0.5 / half)} times larger.</span>
-        <ExactChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
+        <VerdictChip epsilon={EXACT} answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
         <Why answer={judged?.answer} />
       </figcaption>
     </figure>

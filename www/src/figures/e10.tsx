@@ -2,7 +2,8 @@ import { useMemo, useState } from "preact/hooks";
 import type { PathPlan } from "../engine/api";
 import type { Task } from "../engine/protocol";
 import { frond } from "../engine/wasm";
-import { lengthWords } from "../state/words";
+import { meritWords } from "../state/morph-words";
+import { shareWords } from "../state/words";
 import { Segmented } from "../ui/Segmented";
 import { useChart } from "./chart";
 import { Choices } from "./choices";
@@ -140,9 +141,9 @@ function Pairing({ prediction }: { prediction: Prediction<Name> }) {
             <p>
               With the other pairings Frond finds no way from A to B that does not break; the best it finds
               opens a gap of{" "}
-              {broken.map((name) => `${lengthWords(plans[name]?.gap ?? 0)} (${LETTERS[name]})`).join(" and ")}{" "}
-              of the size of the shape. In Q each piece becomes the one that lies as it does itself, and no
-              two pieces have to change places.
+              {broken.map((name) => `${shareWords(plans[name]?.gap ?? 0)} (${LETTERS[name]})`).join(" and ")}{" "}
+              of the diameter. In Q each piece becomes the one that lies as it does itself, and no two pieces
+              have to change places.
             </p>
           </Truth>
         ) : (
@@ -202,8 +203,7 @@ function Chart({ ends, name }: { ends: Ends; name: Name }) {
   const field = useChart(wish);
   const plan = usePlan(ends, name);
   const holds = plan?.holds ?? false;
-  const state =
-    plan === null ? "being looked for" : holds ? "it holds together" : `widest gap ${lengthWords(plan.gap)}`;
+  const state = plan === null ? "being looked for" : meritWords(plan);
   return (
     <figure class="panel">
       <Square
@@ -217,8 +217,8 @@ function Chart({ ends, name }: { ends: Ends; name: Name }) {
         </span>
         <Chip
           tone={plan === null ? "unknown" : holds ? "close" : "broken"}
-          text={plan === null ? "Looking …" : holds ? "Holds" : "Breaks"}
-          aside={plan === null || holds ? "" : `gap ${lengthWords(plan.gap)}`}
+          text={plan === null ? "Looking …" : holds ? "Looks whole" : "In pieces"}
+          aside={plan === null ? "" : holds ? "all the way" : `gap ${shareWords(plan.gap)}`}
         />
       </figcaption>
     </figure>

@@ -202,8 +202,7 @@ function Answer({ found, drawn, count: pieces }: AnswerProps) {
         {missed.length > 0 && `You left out ${words(missed)}. `}
         {extra.length > 0 && `You joined ${words(extra)}, which are apart. `}
         No line leads from the left half of the graph to the right one, and that settles it. Every small copy
-        has the same cut, so there are not two pieces but infinitely many; yet four dots were enough to see
-        it.
+        has the same cut, so there are not two parts but infinitely many; yet four dots were enough to see it.
       </p>
     </Truth>
   );

@@ -181,8 +181,8 @@ function Never() {
         <Segmented label="Scale r" options={SCALES} value={scale} onChange={setScale} />
         <Chip
           tone={apart ? "broken" : "unknown"}
-          text={apart ? "Disconnected" : "Nothing proved"}
-          aside={apart ? `proved at n = ${rounds.at(-1)?.n}` : `after ${MOST} steps, nor ever`}
+          text={apart ? "In pieces, proved" : "Nothing proved"}
+          aside={apart ? `at n = ${rounds.at(-1)?.n}` : `after ${MOST} steps, nor ever`}
         />
         <p>
           At ½ the pieces meet, and the two curves fall side by side for ever. The test can only say “apart”

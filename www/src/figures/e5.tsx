@@ -105,7 +105,7 @@ function Pixels({ size }: { size: number }) {
         </span>
         <Chip
           tone={count === 1 ? "close" : "broken"}
-          text={count === 1 ? "Connected" : `${count} pieces`}
+          text={count === 1 ? "Connected" : "In pieces"}
           aside={count === 1 ? "it seems" : "seen apart"}
         />
       </figcaption>

@@ -1,7 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
+import { STATE } from "../engine/breaks";
 import { prover } from "../engine/proof";
 import { type Uv, uvAt } from "../state/path";
-import { lengthWords } from "../state/words";
+import { shareWords, toldOf, verdictWords } from "../state/words";
 import { fixed } from "../ui/number";
 import { Slider } from "../ui/Slider";
 import { breakage, stretchWords } from "./broken";
@@ -193,8 +194,8 @@ function Leading({ way, onWay }: { way: Uv; onWay: (way: Uv) => void }) {
         <div aria-live="polite">
           <Chip
             tone={check.holds ? "close" : "broken"}
-            text={check.holds ? "It holds together" : `Widest gap ${lengthWords(check.gap)}`}
-            aside={check.holds ? "at each moment judged" : "of the size of the shape"}
+            text={check.holds ? verdictWords(toldOf(STATE.touching, 0)).text : "In pieces"}
+            aside={check.holds ? "at each moment judged" : `widest gap ${shareWords(check.gap)}`}
           />
         </div>
         <Coordinate name="u" about="turn and stretch" value={way[0]} onChange={(u) => onWay([u, way[1]])} />

@@ -3,6 +3,7 @@ import type { Connectedness } from "../engine/api";
 import { epoch, submit } from "../engine/engine";
 import type { LocusResult } from "../engine/results";
 import type { Uv } from "../state/path";
+import { verdictPhrase } from "../state/words";
 import { Button } from "../ui/Button";
 import { fixed } from "../ui/number";
 import { Choices } from "./choices";
@@ -14,10 +15,9 @@ import { type Complex, mapsOf, quarterJob, unfolded } from "./mset";
 import { Picture } from "./picture";
 import { type Prediction, usePrediction } from "./predict";
 import { studioHref } from "./studio";
-import { ExactChip, exactWords, Why } from "./verdict";
+import { EXACT, VerdictChip, Why } from "./verdict";
 import { useChannel, useValue, useVerdict } from "./work";
 
-const EXACT = 1e-6;
 const FIRST: Complex = [0.4, 0.5];
 const SHOWN: readonly { s: Complex; text: string }[] = [
   { s: [0.5, 0.5], text: "s = 0.5 + 0.5i" },
@@ -116,10 +116,14 @@ function Shape({ s, text }: { s: Complex; text: string }) {
   const judged = useVerdict(maps, EXACT);
   return (
     <figure class="panel">
-      <Picture maps={maps} box={box} label={`The shape of ${text}: ${kindWords(judged?.answer)}.`} />
+      <Picture
+        maps={maps}
+        box={box}
+        label={`The shape of ${text}: ${verdictPhrase(judged?.answer ?? null, EXACT)}.`}
+      />
       <figcaption>
         <span class="number">{text}</span>
-        <ExactChip answer={judged?.answer ?? null} />
+        <VerdictChip epsilon={EXACT} answer={judged?.answer ?? null} />
       </figcaption>
     </figure>
   );
@@ -143,20 +147,14 @@ function kindOf(answer: Connectedness | undefined): Which | null {
   }
 }
 
-/** For labels: what is proved, and what is so as far as a millionth tells. */
-function kindWords(answer: Connectedness | undefined): string {
-  const { text, aside } = exactWords(answer ?? null);
-  return [text, aside].filter(Boolean).join(", ");
-}
-
 function foundWords(answer: Connectedness | undefined): string {
   switch (answer?.verdict) {
     case "connected":
-      return "it is in one piece, which is proved";
+      return `it is ${verdictPhrase(answer, EXACT)}`;
     case "touching":
-      return "the pieces touch, to a millionth of its size: in one piece, as far as that tells";
+      return `it ${verdictPhrase(answer, EXACT)}`;
     case "disconnected":
-      return "it is dust, which is proved";
+      return "it is dust: in pieces, proved";
     default:
       return "nobody knows";
   }
@@ -233,11 +231,11 @@ function Here({ s, onMove }: { s: Complex; onMove: (s: Uv) => void }) {
       <Picture
         maps={maps}
         box={box}
-        label={`The shape of s = ${complexWords(s)}: ${kindWords(judged?.answer)}.`}
+        label={`The shape of s = ${complexWords(s)}: ${verdictPhrase(judged?.answer ?? null, EXACT)}.`}
       />
       <div class="ask">
         <p>Move the ring on, or go to a landmark.</p>
-        <ExactChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
+        <VerdictChip epsilon={EXACT} answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
         <Why answer={judged?.answer} />
         <div class="buttons">
           {LANDMARKS.map(({ s: at, name }) => (

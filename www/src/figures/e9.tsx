@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
 import type { MapRow } from "../engine/api";
 import type { Box } from "../state/fit";
-import { lengthWords } from "../state/words";
+import { lengthWords, shareOf, shareWords } from "../state/words";
 import { fixed } from "../ui/number";
 import { Slider } from "../ui/Slider";
 import { type Apart, distances, spanningTree } from "./apart";
@@ -14,14 +14,13 @@ import { boxAround } from "./morphs";
 import { mapsOf } from "./mset";
 import { type Prediction, usePrediction } from "./predict";
 import { studioHref } from "./studio";
-import { ExactChip } from "./verdict";
+import { EXACT, VerdictChip } from "./verdict";
 import { useVerdict } from "./work";
 
 /** Scales of the three pieces: two that meet and one alone, and three apart by three different gaps. */
 const ALONE = [0.5, 0.5, 0.3] as const;
 const THREE = [0.52, 0.42, 0.28] as const;
 const WHOLE: Box = { x0: 0, y0: 0, x1: 1, y1: HEIGHT };
-const EXACT = 1e-6;
 type Gap = "least" | "tree" | "widest" | "sum";
 
 /** Why three pieces differ from two. */
@@ -92,7 +91,7 @@ function Judged({ maps, box, words }: { maps: MapRow[]; box: Box; words: string 
       </Drawn>
       <figcaption>
         <span>{words}</span>
-        <ExactChip answer={judged?.answer ?? null} />
+        <VerdictChip epsilon={EXACT} answer={judged?.answer ?? null} />
       </figcaption>
     </figure>
   );
@@ -107,14 +106,14 @@ function Widest({ prediction }: { prediction: Prediction<Gap> }) {
   const sorted = all.map((pair) => pair.upper).sort((p, q) => p - q);
   const [least = 0, , most = 0] = sorted;
   const tree = widest?.upper ?? 0;
-  const found = judged?.answer.gap.upper;
+  const found = judged?.answer;
   return (
     <Question
       prediction={prediction}
       beside={<Measured maps={maps} all={all} tree={shown ? edges : null} />}
       answer={
         <Truth
-          line={`The gap is ${fixed(tree)}${found === undefined ? "" : `; Frond’s verdict says ${lengthWords(found)}`}.`}
+          line={`The gap is ${fixed(tree)}${found === undefined ? "" : `; Frond’s verdict says ${lengthWords(found.gap.upper)}, ${shareWords(shareOf(found))} of the diameter`}.`}
         >
           <p>
             From 1 to 2 it is {fixed(least)}. From there to 3 the nearer way is {fixed(tree)}, from piece 1.
@@ -200,7 +199,7 @@ function Explore() {
             />
           </Control>
         ))}
-        <ExactChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
+        <VerdictChip epsilon={EXACT} answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
       </div>
     </div>
   );

@@ -16,6 +16,7 @@ export function colourOf(state: number, gap: number): readonly [number, number, 
   switch (state) {
     case STATE.connected:
     case STATE.touching:
+    case STATE.hidden:
       return [...HOLDS, 255];
     case STATE.disconnected:
       return [...ramp(shade(gap)), 255];

@@ -86,7 +86,7 @@ export function Figure1(heading: Heading) {
 
 function Answer({ last, r }: { last: Round | undefined; r: number }) {
   if (last?.apart) {
-    return <Chip tone="broken" text="Disconnected" aside={`proved by iteration ${last.n + 1}`} />;
+    return <Chip tone="broken" text="In pieces, proved" aside={`by iteration ${last.n + 1}`} />;
   }
   const done = (last?.n ?? -1) + 1;
   return (
@@ -130,7 +130,7 @@ function Found({ r }: { r: number }) {
     : "proves nothing either";
   const search = {
     connected: "proves the dust to be in one piece (it is the whole line from 0 to 1)",
-    touching: "finds the pieces to touch, to a millionth of their size",
+    touching: "says that it looks whole at a millionth of its diameter",
     disconnected: `proves a gap of ${fixed(truth.gap.lower, 4)}; by the formula it is 1 − 2r = ${fixed(1 - 2 * r, 4)}`,
     undecided: "gives up",
     "no-attractor": "finds no attractor",

@@ -1,6 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
 import type { MapRow } from "../engine/api";
 import { frond } from "../engine/wasm";
+import { verdictPhrase } from "../state/words";
 import { Button } from "../ui/Button";
 import { fixed } from "../ui/number";
 import { Segmented } from "../ui/Segmented";
@@ -12,7 +13,7 @@ import { Control, Frame, type Heading } from "./frame";
 import { Graph } from "./graph";
 import { PlayButton, usePlay } from "./play";
 import { preset, studioHref } from "./studio";
-import { Chip, verdictLine } from "./verdict";
+import { Chip } from "./verdict";
 import { useVerdict } from "./work";
 
 export const MOST_POINTS = 3000;
@@ -77,7 +78,7 @@ export function Figure2(heading: Heading) {
         <p>
           The buffer calls this {whole ? "connected" : `${joined.count} groups`} after {count} points. Frond’s
           search through pairs of pieces, which uses no pixels, says:{" "}
-          <strong>{verdictLine(truth?.maps === maps ? truth.answer : null)}</strong>. Try the gasket at an
+          <strong>{verdictPhrase(truth?.maps === maps ? truth.answer : null)}</strong>. Try the gasket at an
           even number of pixels a side: the points where its pieces touch then lie exactly on borders between
           pixels, and the buffer never sees it whole.
         </p>

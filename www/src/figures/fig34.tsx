@@ -1,6 +1,7 @@
 import { useMemo } from "preact/hooks";
 import type { Mode } from "../engine/api";
 import type { Box } from "../state/fit";
+import { verdictPhrase } from "../state/words";
 import { fixed } from "../ui/number";
 import { type Breakage, breakage, shareWords, stretchWords } from "./broken";
 import { determinant, gasket, turnedGasket } from "./families";
@@ -11,7 +12,7 @@ import { Plot } from "./plot";
 import { Strip, type StripFrame } from "./strip";
 import { preset, studioHref } from "./studio";
 import { Time, useTime } from "./time";
-import { VerdictChip, verdictLine } from "./verdict";
+import { VerdictChip } from "./verdict";
 import { SAMPLES, useStates, useVerdict } from "./work";
 
 const FRAMES = 9;
@@ -112,7 +113,7 @@ function Side({ mode, number, short, t, box }: SideProps) {
       <Picture
         maps={maps}
         box={box}
-        label={`${number} at t = ${fixed(t)}: ${verdictLine(judged?.answer ?? null)}`}
+        label={`${number} at t = ${fixed(t)}: ${verdictPhrase(judged?.answer ?? null)}`}
       />
       <figcaption>
         <span class="side-name">

@@ -1,6 +1,6 @@
 import { useEffect } from "preact/hooks";
 import type { PathPlan } from "../engine/api";
-import { lengthWords } from "../state/words";
+import { shareWords as gapWords } from "../state/words";
 import { fixed } from "../ui/number";
 import { type Breakage, shareWords, stretchWords } from "./broken";
 import { chart, dragon, followChart } from "./dragon";
@@ -96,7 +96,8 @@ function Found({ plan, straight, led }: FoundProps) {
       From {dragonWords()} the straight way is broken for {shareWords(straight.share)} of its length.{" "}
       {led.share === 0 ? (
         <>
-          On this path of {plan.points.length - 2} way points none of {SAMPLES} moments is.
+          On this path of {plan.points.length - 2} way points none of {SAMPLES} moments is
+          {led.hidden > 0 && `, though ${led.hidden} are proved to be in pieces by gaps finer than 1/600`}.
         </>
       ) : (
         <>
@@ -106,7 +107,7 @@ function Found({ plan, straight, led }: FoundProps) {
           {shareWords(led.share)} is broken (t = {stretchWords(led.stretches)})
           {plan.holds
             ? ", by gaps only just wider than ε."
-            : `, by at most ${lengthWords(plan.gap)} of the size of the shape: the least of all ways it found. The paper’s words are “avoid becoming disconnected when possible”.`}
+            : `, by at most ${gapWords(plan.gap)} of the diameter: the least of all ways it found. The paper’s words are “avoid becoming disconnected when possible”.`}
         </>
       )}
     </p>

@@ -3,6 +3,7 @@ import type { MapRow, PathPlan } from "../engine/api";
 import { isBroken } from "../engine/breaks";
 import type { LocusResult } from "../engine/results";
 import type { Uv } from "../state/path";
+import { verdictPhrase } from "../state/words";
 import { fixed } from "../ui/number";
 import { Slider } from "../ui/Slider";
 import { shareWords } from "./broken";
@@ -14,7 +15,7 @@ import { boxAround, mapsAt, STRAIGHT } from "./morphs";
 import { Picture } from "./picture";
 import { Square } from "./square";
 import { drawn, preset, studioHref } from "./studio";
-import { VerdictChip, verdictLine } from "./verdict";
+import { VerdictChip } from "./verdict";
 import { useValue, useVerdict } from "./work";
 
 /** The connectedness locus of dragon and gasket. */
@@ -37,8 +38,8 @@ export function Figure7(heading: Heading) {
         <p>
           Every point of the square is one shape: <span class="symbol">u</span> says how far its maps have
           turned and stretched from the dragon’s (A) to the gasket’s (B), <span class="symbol">v</span> how
-          far they have moved. White means in one piece. A morph is a way from A to B: the straight one
-          crosses the dark, the other goes round. Drag the ring to see the shapes.
+          far they have moved. White means that no gap is seen at 1/600. A morph is a way from A to B: the
+          straight one crosses the dark, the other goes round. Drag the ring to see the shapes.
         </p>
       }
       found={<Found field={field} plan={plan} />}
@@ -101,7 +102,7 @@ function Here({ maps, box, point, judged, onMove }: HereProps) {
       <Picture
         maps={maps}
         box={box}
-        label={`The shape at u = ${fixed(u)}, v = ${fixed(v)}: ${verdictLine(answer)}`}
+        label={`The shape at u = ${fixed(u)}, v = ${fixed(v)}: ${verdictPhrase(answer)}`}
       />
       <VerdictChip answer={answer} stale={judged?.maps !== maps} />
       <Control label="turn and stretch" symbol="u" value={fixed(u, 3)}>
@@ -110,7 +111,7 @@ function Here({ maps, box, point, judged, onMove }: HereProps) {
           min={-1}
           max={2}
           value={u}
-          valueText={`u = ${fixed(u)}: ${verdictLine(answer)}`}
+          valueText={`u = ${fixed(u)}: ${verdictPhrase(answer)}`}
           onChange={(next) => onMove([next, v])}
         />
       </Control>
@@ -120,7 +121,7 @@ function Here({ maps, box, point, judged, onMove }: HereProps) {
           min={-1}
           max={2}
           value={v}
-          valueText={`v = ${fixed(v)}: ${verdictLine(answer)}`}
+          valueText={`v = ${fixed(v)}: ${verdictPhrase(answer)}`}
           onChange={(next) => onMove([u, next])}
         />
       </Control>
@@ -145,7 +146,7 @@ function Legend({ progress, problem }: { progress: number; problem: string | nul
   return (
     <ul class="key" aria-label="Key">
       <li>
-        <i class="box holds" /> in one piece
+        <i class="box holds" /> no gap wider than 1/600
       </li>
       <li>
         <i class="box broken" /> in pieces, darker the wider the gap

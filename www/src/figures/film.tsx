@@ -2,6 +2,7 @@ import type { ComponentChildren } from "preact";
 import { useMemo } from "preact/hooks";
 import type { Uv } from "../state/path";
 import { uvAt } from "../state/path";
+import { verdictPhrase } from "../state/words";
 import { fixed } from "../ui/number";
 import { type Breakage, breakage } from "./broken";
 import { dragon, ends } from "./dragon";
@@ -9,7 +10,7 @@ import { boxAround, framesAlong, mapsAt } from "./morphs";
 import { Picture } from "./picture";
 import { Strip } from "./strip";
 import { Time, type useTime } from "./time";
-import { VerdictChip, verdictLine } from "./verdict";
+import { VerdictChip } from "./verdict";
 import { useStates, useValue, useVerdict } from "./work";
 
 const FRAMES = 10;
@@ -39,7 +40,7 @@ export function Film({ name, points, time, broken, beside }: FilmProps) {
           <Picture
             maps={maps}
             box={box}
-            label={`${name} at t = ${fixed(t)}: ${verdictLine(judged?.answer ?? null)}`}
+            label={`${name} at t = ${fixed(t)}: ${verdictPhrase(judged?.answer ?? null)}`}
           />
           {beside?.(at)}
         </div>
@@ -50,7 +51,7 @@ export function Film({ name, points, time, broken, beside }: FilmProps) {
           </span>
         </div>
       </div>
-      <Time time={time} words={verdictLine(judged?.answer ?? null)} breaks={broken?.stretches ?? []} />
+      <Time time={time} words={verdictPhrase(judged?.answer ?? null)} breaks={broken?.stretches ?? []} />
       <Strip label={`${name}: frames`} frames={frames} box={box} t={t} onPick={time.go} />
     </>
   );

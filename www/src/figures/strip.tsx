@@ -1,9 +1,10 @@
 import { useRef } from "preact/hooks";
-import type { MapRow } from "../engine/api";
+import type { MapRow, Verdict } from "../engine/api";
 import type { Box } from "../state/fit";
+import { verdictPhrase } from "../state/words";
 import { fixed } from "../ui/number";
 import { Picture } from "./picture";
-import { isBrokenVerdict, verdictLine } from "./verdict";
+import { isBrokenVerdict } from "./verdict";
 import { useVerdict } from "./work";
 
 export interface StripFrame {
@@ -51,6 +52,15 @@ export function Strip({ label, frames, box, t, onPick }: StripProps) {
   );
 }
 
+/** What is said of each, in as few words as there is room for. */
+const MARKS: Record<Verdict, string> = {
+  connected: "one piece",
+  touching: "looks whole",
+  disconnected: "in pieces",
+  undecided: "not decided",
+  "no-attractor": "no attractor",
+};
+
 interface StillProps {
   frame: StripFrame;
   box: Box;
@@ -68,19 +78,13 @@ function Still({ frame, box, current, onPick }: StillProps) {
         class={`still ${broken ? "broken" : ""}`}
         tabIndex={current ? 0 : -1}
         aria-current={current ? "true" : undefined}
-        aria-label={`t = ${fixed(frame.t)}: ${verdictLine(answer)}`}
-        title={`t = ${fixed(frame.t)}: ${verdictLine(answer)}`}
+        aria-label={`t = ${fixed(frame.t)}: ${verdictPhrase(answer)}`}
+        title={`t = ${fixed(frame.t)}: ${verdictPhrase(answer)}`}
         onClick={() => onPick(frame.t)}
       >
         <Picture maps={frame.maps} box={box} label={null} margin={0.04} priority={40} />
         <span class="still-mark" aria-hidden="true">
-          {answer === null
-            ? "…"
-            : answer.verdict === "no-attractor"
-              ? "no shape"
-              : broken
-                ? "broken"
-                : "whole"}
+          {answer === null ? "…" : MARKS[answer.verdict]}
         </span>
       </button>
     </li>

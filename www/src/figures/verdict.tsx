@@ -1,55 +1,25 @@
 import type { Connectedness } from "../engine/api";
 import { reasonWords } from "../state/reason";
-import { lengthWords, verdictWords } from "../state/words";
+import { RESOLUTION, type VerdictWords, verdictWords } from "../state/words";
 
-/** A verdict as one line of text, for labels and tips. */
-export function verdictLine(answer: Connectedness | null): string {
-  if (answer === null) return "being looked at";
-  const { text, aside } = verdictWords(answer);
-  return `${text}, ${aside}`;
-}
-
+/** Whether it is proved to be in pieces, or has no attractor. */
 export function isBrokenVerdict(answer: Connectedness | null): boolean {
   return answer?.verdict === "disconnected" || answer?.verdict === "no-attractor";
 }
 
-type Tone = "whole" | "close" | "broken" | "unknown";
+/** A millionth of the diameter: no screen is spoken of. */
+export const EXACT = 1e-6;
+
+interface VerdictChipProps {
+  answer: Connectedness | null;
+  /** What it was looked at with. */
+  epsilon?: number;
+  stale?: boolean;
+}
 
 /** What holds, in words and with a sign; `stale` while it is still about the moment before. */
-export function VerdictChip({ answer, stale = false }: { answer: Connectedness | null; stale?: boolean }) {
-  const words = answer === null ? null : verdictWords(answer);
-  return (
-    <Chip
-      tone={words?.tone ?? "unknown"}
-      text={words?.text ?? "Looking …"}
-      aside={words?.aside ?? ""}
-      stale={stale}
-    />
-  );
-}
-
-/** The same asked at a millionth of the shape's size: no screen is spoken of. */
-export function ExactChip({ answer, stale = false }: { answer: Connectedness | null; stale?: boolean }) {
-  return <Chip {...exactWords(answer)} stale={stale} />;
-}
-
-export function exactWords(answer: Connectedness | null): { tone: Tone; text: string; aside: string } {
-  switch (answer?.verdict) {
-    case undefined:
-      return { tone: "unknown", text: "Looking …", aside: "" };
-    case "connected":
-      return { tone: "whole", text: "In one piece", aside: "proved" };
-    case "touching":
-      return { tone: "close", text: "Touching", aside: "to a millionth of its size" };
-    case "disconnected":
-      return {
-        tone: "broken",
-        text: "In pieces",
-        aside: `proved, with a gap of ${lengthWords(answer.gap.upper)}`,
-      };
-    default:
-      return { tone: "unknown", text: "Undecided", aside: "" };
-  }
+export function VerdictChip({ answer, epsilon = RESOLUTION, stale = false }: VerdictChipProps) {
+  return <Chip {...verdictWords(answer, epsilon)} stale={stale} />;
 }
 
 /** The reason of a proof that a shape is in one piece, where there is one. */
@@ -59,7 +29,7 @@ export function Why({ answer }: { answer: Connectedness | undefined }) {
 }
 
 export interface ChipProps {
-  tone: Tone;
+  tone: VerdictWords["tone"];
   text: string;
   aside?: string;
   stale?: boolean;
@@ -76,7 +46,7 @@ export function Chip({ tone, text, aside = "", stale = false }: ChipProps) {
 }
 
 /** A shape for each state beside its colour: one disc, two that touch, one cut in two, a ring. */
-export function Sign({ tone }: { tone: Tone }) {
+export function Sign({ tone }: { tone: VerdictWords["tone"] }) {
   return (
     <svg class={`verdict-sign ${tone}`} width={16} height={16} viewBox="0 0 16 16" aria-hidden="true">
       {tone === "whole" && <circle cx={8} cy={8} r={5} />}

@@ -10,19 +10,18 @@ import { curved, curveTime } from "../state/curve";
 import { here, locusView, selection } from "../state/morph";
 import { announce } from "../state/notice";
 import { playing } from "../state/playback";
-import { countWords, type VerdictWords, verdictWords } from "../state/words";
+import { countWords, type VerdictWords, verdictLine, verdictWords } from "../state/words";
 import { CHIP_ID, PANEL_ID } from "./evidence/ids";
 import { Glyph } from "./glyphs";
 
-const words = computed<VerdictWords | null>(() =>
-  verdict.value ? verdictWords(verdict.value.connectedness) : null,
+const words = computed<VerdictWords>(() =>
+  verdictWords(verdict.value?.connectedness ?? null, verdict.value?.epsilon),
 );
 
 /** What holds for the picture on the stage, in words; pressed, it tells why. */
 export function VerdictChip() {
   useAnnouncement();
-  const now = words.value;
-  const tone = now?.tone ?? "unknown";
+  const { tone, text, aside } = words.value;
   return (
     <button
       id={CHIP_ID}
@@ -38,8 +37,10 @@ export function VerdictChip() {
       }}
     >
       <Sign tone={tone} />
-      <span class="chip-text">{now?.text ?? "Looking …"}</span>
-      {now && <span class="chip-aside">{now.aside}</span>}
+      <span class="chip-words">
+        <span class="chip-text">{text}</span>
+        {aside !== "" && <span class="chip-aside">{aside}</span>}
+      </span>
     </button>
   );
 }
@@ -71,7 +72,7 @@ function useAnnouncement() {
     let timer: ReturnType<typeof setTimeout> | null = null;
     let said = "";
     const stop = computed(() => ({
-      text: words.value ? `${words.value.text}, ${words.value.aside}` : "",
+      text: verdict.value ? verdictLine(verdict.value.connectedness, verdict.value.epsilon) : "",
       moving: playing.value || verdict.value?.stale !== false,
     })).subscribe(({ text, moving }) => {
       if (timer) clearTimeout(timer);

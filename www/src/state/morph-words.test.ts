@@ -1,57 +1,55 @@
 import { describe, expect, it } from "vitest";
+import { STATE } from "../engine/breaks";
 import {
   bestWords,
   certifiedWords,
-  gapWords,
   listWords,
   matchWords,
   meritWords,
   pathWords,
   roomWords,
-  shareWords,
-  verdictWords,
 } from "./morph-words";
 
-describe("verdictWords", () => {
-  it("never calls touching proved", () => {
-    expect(verdictWords("touching")).toContain("at 600 px");
-    expect(verdictWords("connected")).toBe("in one piece");
-  });
-});
-
 describe("pathWords", () => {
-  it("says that it holds", () => {
-    expect(pathWords([], 0, 1)).toBe("In one piece all the way, at 600 px.");
-    expect(pathWords([], null, 0.5)).toContain("so far");
-    expect(pathWords([], null, 0)).toContain("Looking");
-  });
-  it("says where it breaks and how wide", () => {
-    expect(pathWords([{ t0: 0.62, t1: 0.8 }], 0.03, 1)).toBe(
-      "Breaks between 62% and 80%, widest gap 3% of its size.",
+  const { connected, touching, disconnected, hidden, none, undecided } = STATE;
+  /** Of 101 moments: a state up to each place. */
+  const along = (...spans: [to: number, state: number][]) =>
+    Array.from({ length: 101 }, (_, i) => spans.find(([to]) => i <= to)?.[1] ?? touching);
+
+  it("says what is said of a shape: whole at the resolution, or proved", () => {
+    expect(pathWords({ states: along(), widest: 0 })).toBe("Looks whole at 1/600 all the way.");
+    expect(pathWords({ states: along([100, connected]), widest: 0 })).toBe(
+      "In one piece, proved, all the way.",
     );
-    expect(pathWords([{ t0: 0.5, t1: 0.502 }], null, 1)).toBe("Breaks at 50%.");
+    expect(pathWords({ states: along(), widest: 0, proved: true })).toBe(
+      "In one piece, proved, all the way.",
+    );
+    expect(pathWords({ states: along(), widest: 0, progress: 0.5 })).toContain("so far");
+    expect(pathWords({ states: [], widest: 0, progress: 0 })).toContain("Looking");
   });
-  it("joins what whole per cents cannot tell apart", () => {
-    const near = [
-      { t0: 0.19, t1: 0.198 },
-      { t0: 0.202, t1: 1 },
-    ];
-    expect(pathWords(near, null, 1)).toBe("Breaks between 19% and 100%.");
+  it("says where it is in pieces and how wide the gap is", () => {
+    expect(pathWords({ states: along([61, touching], [80, disconnected]), widest: 0.03 })).toBe(
+      "In pieces, proved, between 62% and 81%, widest gap 3%.",
+    );
+  });
+  it("says so too where no pixel shows it", () => {
+    const words = pathWords({ states: along([89, touching], [95, hidden]), widest: 0.0015 });
+    expect(words).toBe("In pieces, proved, between 90% and 96%, gap 0.15%, finer than 1/600.");
+    // Beside gaps that are seen, not.
+    const both = along([20, touching], [30, disconnected], [89, touching], [95, hidden]);
+    expect(pathWords({ states: both, widest: 0.03 })).not.toContain("finer");
+  });
+  it("tells pieces from no attractor and from what is not decided", () => {
+    const states = along([20, touching], [30, none], [40, touching], [50, undecided]);
+    expect(pathWords({ states, widest: 0 })).toBe(
+      "No attractor between 21% and 31%. Not decided between 41% and 51%.",
+    );
   });
   it("counts where there are many", () => {
-    const breaks = [0, 0.2, 0.4, 0.6, 0.8].map((t) => ({ t0: t, t1: t + 0.1 }));
-    expect(pathWords(breaks, null, 1)).toBe(
-      "Breaks between 0% and 10%, between 20% and 30% and in 3 more places.",
+    const states = Array.from({ length: 101 }, (_, i) => (i % 20 < 10 ? disconnected : touching));
+    expect(pathWords({ states, widest: 0.2 })).toBe(
+      "In pieces, proved, between 0% and 10%, between 20% and 30% and in 4 more places, widest gap 20%.",
     );
-  });
-});
-
-describe("gapWords", () => {
-  it("has words for nothing and for next to nothing", () => {
-    expect(gapWords(0)).toBe("no gap");
-    expect(gapWords(Number.NaN)).toBe("no gap");
-    expect(gapWords(1e-5)).toBe("under 0.1% of its size");
-    expect(gapWords(0.0312)).toBe("3.1% of its size");
   });
 });
 
@@ -68,10 +66,10 @@ describe("what is proved of a path", () => {
 
   it("gives the bound, the boxes and the place where it is weakest", () => {
     expect(certifiedWords(so)).toBe(
-      "No gap wider than 0.31% of the shape anywhere on this path: proved with 4,212 boxes. The bound is weakest at 63%.",
+      "No gap wider than 0.31% of the shape’s diameter anywhere on this path: proved with 4,212 boxes. The bound is weakest at 63%.",
     );
     expect(certifiedWords({ ...so, gap: 0 })).toBe(
-      "In one piece everywhere on this path: proved with 4,212 boxes.",
+      "In one piece, proved, everywhere on this path, with 4,212 boxes.",
     );
   });
 
@@ -81,14 +79,6 @@ describe("what is proved of a path", () => {
     expect(certifiedWords({ ...so, problem: "The path is too long." })).toBe(
       "It could not be proved. The path is too long.",
     );
-  });
-
-  it("rounds a bound up, never down", () => {
-    expect(shareWords(0.003101)).toBe("0.32%");
-    expect(shareWords(0.0031)).toBe("0.31%");
-    expect(shareWords(0.25)).toBe("25%");
-    expect(shareWords(0)).toBe("0%");
-    expect(shareWords(1e-9)).toBe("0.000001%");
   });
 });
 
@@ -118,8 +108,8 @@ describe("ways to match", () => {
   });
 
   it("are told by the best path that they allow", () => {
-    expect(meritWords({ holds: true, gap: 0 })).toBe("holds all the way");
+    expect(meritWords({ holds: true, gap: 0 })).toBe("looks whole all the way");
     expect(meritWords({ holds: false, gap: 0.012 })).toBe("gap 1.2%");
-    expect(meritWords({ holds: false, gap: Number.POSITIVE_INFINITY })).toBe("meets no shape on the way");
+    expect(meritWords({ holds: false, gap: Number.POSITIVE_INFINITY })).toBe("no attractor on the way");
   });
 });

@@ -1,53 +1,8 @@
-import type { Verdict } from "../engine/api";
-import { STATE } from "../engine/breaks";
+import { STATE, type Stretch, stretches } from "../engine/breaks";
 import { formatNumber } from "../ui/number";
-
-/** The resolution at which the page judges: pieces within 1/600 of the diameter count as touching. */
-export const RESOLUTION = 600;
-
-/** A verdict in words. `touching` is never called proved. */
-export function verdictWords(verdict: Verdict | null): string {
-  switch (verdict) {
-    case "connected":
-      return "in one piece";
-    case "touching":
-      return `in one piece at ${RESOLUTION} px`;
-    case "disconnected":
-      return "broken";
-    case "undecided":
-      return "not decided";
-    case "no-attractor":
-      return "no shape";
-    case null:
-      return "not looked at yet";
-  }
-}
-
-/** The same for one sample of the field. */
-export function stateWords(state: number): string {
-  switch (state) {
-    case STATE.connected:
-      return verdictWords("connected");
-    case STATE.touching:
-      return verdictWords("touching");
-    case STATE.disconnected:
-      return verdictWords("disconnected");
-    case STATE.undecided:
-      return verdictWords("undecided");
-    case STATE.none:
-      return verdictWords("no-attractor");
-    default:
-      return verdictWords(null);
-  }
-}
+import { RESOLUTION, resolutionWords, shareWords, toldOf, verdictWords } from "./words";
 
 export const percent = (t: number): string => `${Math.round(100 * t)}%`;
-
-/** How far apart, in hundredths of the size of the shape. */
-export function gapWords(gap: number): string {
-  if (!(gap > 0)) return "no gap";
-  return gap < 0.0005 ? "under 0.1% of its size" : `${formatNumber(100 * gap, 1)}% of its size`;
-}
 
 /** "A", "A and B", "A, B and C". */
 export function listWords(items: readonly string[]): string {
@@ -71,15 +26,15 @@ export function matchWords(correspondence: readonly number[], turns: readonly nu
 
 /** What a way to match allows: its best path. */
 export function meritWords(plan: { holds: boolean; gap: number }): string {
-  if (plan.holds) return "holds all the way";
-  if (!Number.isFinite(plan.gap)) return "meets no shape on the way";
+  if (plan.holds) return "looks whole all the way";
+  if (!Number.isFinite(plan.gap)) return "no attractor on the way";
   return `gap ${shareWords(plan.gap)}`;
 }
 
 /** Stretches in whole per cents; those that touch then are one. */
-function joined(breaks: readonly { t0: number; t1: number }[]): [from: number, to: number][] {
+function joined(found: readonly Stretch[]): [from: number, to: number][] {
   const spans: [number, number][] = [];
-  for (const { t0, t1 } of breaks) {
+  for (const { t0, t1 } of found) {
     const [from, to] = [Math.round(100 * t0), Math.round(100 * t1)];
     const last = spans.at(-1);
     if (last !== undefined && from <= last[1]) last[1] = Math.max(last[1], to);
@@ -109,17 +64,8 @@ export function certifiedWords(so: {
   const boxes = `${so.boxes.toLocaleString("en")} ${so.boxes === 1 ? "box" : "boxes"}`;
   if (!Number.isFinite(so.gap))
     return `No bound could be proved all the way: at ${percent(so.worst)} it would take more than the ${boxes} that were looked at.`;
-  if (so.gap === 0) return `In one piece everywhere on this path: proved with ${boxes}.`;
-  return `No gap wider than ${shareWords(so.gap)} of the shape anywhere on this path: proved with ${boxes}. The bound is weakest at ${percent(so.worst)}.`;
-}
-
-/** A part of the size of the shape in hundredths, with two figures that count: "0.31%". Never less than it is. */
-export function shareWords(share: number): string {
-  const hundredths = 100 * share;
-  if (!(hundredths > 0)) return "0%";
-  const digits = Math.max(0, Math.min(6, 1 - Math.floor(Math.log10(hundredths))));
-  const up = Math.ceil(hundredths * 10 ** digits - 1e-9) / 10 ** digits;
-  return up === 0 ? "0.000001%" : `${Number(up.toFixed(digits))}%`;
+  if (so.gap === 0) return `In one piece, proved, everywhere on this path, with ${boxes}.`;
+  return `No gap wider than ${shareWords(so.gap)} of the shape’s diameter anywhere on this path: proved with ${boxes}. The bound is weakest at ${percent(so.worst)}.`;
 }
 
 /** What is known where the best path breaks. `apart`: on the samples there is no way that does not. */
@@ -130,19 +76,45 @@ export function bestWords(apart: boolean, third: boolean): string {
     : `${where} was found to hold all the way: this one breaks least.`;
 }
 
-/** The whole path in one sentence. */
-export function pathWords(
-  breaks: readonly { t0: number; t1: number }[],
-  widest: number | null,
-  progress: number,
-): string {
-  if (progress <= 0) return "Looking along the path …";
+/** What is known of a path: of its moments, and by a proof of all of it. */
+export interface PathKnown {
+  /** The states of moments that are evenly spaced over [0, 1]. */
+  states: ArrayLike<number>;
+  /** The widest gap met, as a part of the diameter. */
+  widest: number;
+  /** Whether it is proved to be in one piece at every moment. */
+  proved?: boolean;
+  /** How much of the path, or of what it is read off, has been looked at: 0 to 1. */
+  progress?: number;
+}
+
+/** The whole path in a sentence or two, in the words that are said of a shape. */
+export function pathWords({ states, widest, proved = false, progress = 1 }: PathKnown): string {
+  if (progress <= 0 || states.length === 0) return "Looking along the path …";
   const so = progress < 1 ? " so far" : "";
-  if (breaks.length === 0) return `In one piece all the way${so}, at ${RESOLUTION} px.`;
-  const spans = joined(breaks).map(([from, to]) =>
+  const said = (about: number, gap: string) => {
+    const where = whereWords(stretches(states, (state) => state === about));
+    const told = toldOf(about, widest);
+    return where === "" || told === null ? [] : [`${placed(verdictWords(told).text, where)}${so}${gap}.`];
+  };
+  const wide = said(STATE.disconnected, `, widest gap ${shareWords(widest)}`);
+  // Where wider gaps are told of, those that nobody sees are not worth a sentence.
+  const finer = `, gap ${shareWords(widest)}, finer than ${resolutionWords(RESOLUTION)}`;
+  const narrow = wide.length === 0 ? said(STATE.hidden, finer) : [];
+  const words = [...wide, ...narrow, ...said(STATE.none, ""), ...said(STATE.undecided, "")];
+  if (words.length > 0) return words.join(" ");
+  const whole = proved || Array.from(states).every((state) => state === STATE.connected);
+  const told = toldOf(whole ? STATE.connected : STATE.touching, 0);
+  return `${placed(verdictWords(told).text, "all the way")}${so}.`;
+}
+
+/** "In pieces, proved, at 50%", "Not decided at 50%" */
+const placed = (text: string, where: string) => `${text}${text.includes(",") ? "," : ""} ${where}`;
+
+/** "between 62% and 80%", "at 50%"; two places of many, and how many more there are. */
+function whereWords(found: readonly Stretch[]): string {
+  const spans = joined(found).map(([from, to]) =>
     from === to ? `at ${from}%` : `between ${from}% and ${to}%`,
   );
-  const shown = spans.length > 3 ? [...spans.slice(0, 2), `in ${spans.length - 2} more places`] : spans;
-  const gap = widest !== null && widest > 0 ? `, widest gap ${gapWords(widest)}` : "";
-  return `Breaks ${listWords(shown)}${so}${gap}.`;
+  return listWords(spans.length > 3 ? [...spans.slice(0, 2), `in ${spans.length - 2} more places`] : spans);
 }

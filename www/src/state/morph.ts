@@ -80,6 +80,7 @@ export const WHOLE: LocusView = { family: "morph", sides: 2, x: 0.5, y: 0.5, zoo
 export const locusView: ReadonlySignal<LocusView> = computed(() => scene.value.locus ?? WHOLE);
 
 const off = computed(() => locusView.value.at);
+/** The number of corners where the map is that of a polygon family. */
 const sides = computed(() => (locusView.value.family === "polygon" ? locusView.value.sides : null));
 
 /** Where a polygon family starts: well inside, and all in one piece for any number of sides. */
@@ -100,6 +101,14 @@ const picked: ReadonlySignal<MapRow[]> = computed(() => {
     return current.value;
   }
 });
+
+/** Whether the stage shows what the map speaks of. */
+const mapped = computed(() => morphing.value && !selection.value);
+
+/** The parameter that was picked off the path and is shown, and of which family; null where the stage shows something else. */
+export const shownPick: ReadonlySignal<{ at: Uv; sides: number | null } | null> = computed(() =>
+  mapped.value && (off.value || sides.value !== null) ? { at: here.value, sides: sides.value } : null,
+);
 
 /** What the stage shows: the morph, a system of another family, the shape that is being edited, or what a tool works on. */
 export const shown: ReadonlySignal<MapRow[]> = computed(() => {

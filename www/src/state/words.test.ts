@@ -1,6 +1,17 @@
 import { describe, expect, it } from "vitest";
-import type { Connectedness } from "../engine/api";
-import { countWords, lengthWords, verdictWords } from "./words";
+import {
+  countWords,
+  lengthWords,
+  powerWords,
+  resolutionWords,
+  shareWords,
+  stateOf,
+  type Told,
+  toldOf,
+  verdictLine,
+  verdictPhrase,
+  verdictWords,
+} from "./words";
 
 describe("lengthWords", () => {
   it.each([
@@ -27,32 +38,88 @@ describe("countWords", () => {
   });
 });
 
+describe("shareWords", () => {
+  it.each([
+    [0.003101, "0.32%"],
+    [0.0031, "0.31%"],
+    [0.25, "25%"],
+    [1, "100%"],
+    [0.0312, "3.2%"],
+    [0.1, "10%"],
+    [0.01, "1%"],
+    [0.001, "0.1%"],
+    [8e-6, "0.0008%"],
+    [3e-9, "3 × 10⁻⁷%"],
+    [3.11e-9, "3.2 × 10⁻⁷%"],
+    [0, "0%"],
+    [Number.NaN, ""],
+    [Number.POSITIVE_INFINITY, ""],
+  ])("says a gap of %d of the diameter as %s, never less than it is", (share, words) => {
+    expect(shareWords(share)).toBe(words);
+  });
+});
+
+describe("resolutionWords", () => {
+  it("tells what counts as touching", () => {
+    expect([1 / 600, 1 / 4800, 1 / 19200, 1e-14].map(resolutionWords)).toEqual([
+      "1/600",
+      "1/4800",
+      "1/19 200",
+      "10⁻¹⁴",
+    ]);
+    expect(powerWords(0)).toBe("0");
+  });
+});
+
 describe("verdictWords", () => {
-  const answer: Connectedness = {
-    verdict: "disconnected",
-    gap: { lower: 0.019, upper: 0.02 },
-    overlaps: [],
-    components: [0, 1, 2],
-    count: 3,
-    diameter: 1,
-    nodes: 1,
-  };
+  const told = (verdict: Told["verdict"], upper = 0): Told => ({
+    verdict,
+    gap: { lower: 0, upper },
+    diameter: 2,
+  });
 
-  it("counts the pieces and measures the gap", () => {
-    expect(verdictWords(answer)).toMatchObject({
+  it("has one wording for each of four verdicts, and one for no attractor", () => {
+    expect(verdictLine(told("connected"))).toBe("In one piece, proved");
+    expect(verdictLine(told("touching"))).toBe("Looks whole at 1/600");
+    expect(verdictLine(told("disconnected", 0.062))).toBe("In pieces, proved, gap 3.1%");
+    expect(verdictWords(told("undecided")).text).toBe("Not decided");
+    expect(verdictWords(told("no-attractor")).text).toBe("No attractor");
+    expect(verdictWords(null).text).toBe("Looking …");
+    expect(verdictPhrase(told("disconnected", 0.062))).toBe("in pieces, proved, gap 3.1%");
+  });
+
+  it("says that a shape is in pieces also where no pixel shows it", () => {
+    expect(verdictWords(told("disconnected", 0.002))).toEqual({
       tone: "broken",
-      text: "3 pieces",
-      aside: "widest gap 0.020",
+      text: "In pieces, proved",
+      aside: "gap 0.1%, finer than 1/600",
     });
+    expect(verdictLine(told("disconnected", 0.002), 1 / 4800)).toBe("In pieces, proved, gap 0.1%");
   });
 
-  it("says that a gap finer than the resolution is one", () => {
-    const fine = verdictWords({ ...answer, gap: { lower: 0.0007, upper: 0.0008 } });
-    expect(fine).toMatchObject({ tone: "close", aside: "at 600 px, gap 0.00080" });
+  it("tells the resolution that it was looked at with", () => {
+    expect(verdictLine(told("touching"), 1 / 4800)).toBe("Looks whole at 1/4800");
   });
 
-  it("never calls touching proved", () => {
-    const { text, aside } = verdictWords({ ...answer, verdict: "touching", count: 1 });
-    expect(`${text} ${aside}`).toBe("In one piece at 600 px");
+  it("calls nothing proved that is not, and counts no pieces", () => {
+    for (const verdict of ["touching", "undecided", "no-attractor"] as const)
+      expect(verdictLine(told(verdict, 0.5))).not.toMatch(/proved/);
+    expect(verdictLine(told("disconnected", 0.5))).not.toMatch(/\d+ pieces/);
+  });
+
+  it("says the same of a sample of the map as of the answer that it stands for", () => {
+    const states = [0, 1, 2, 3, 4, 5].map((state) => verdictPhrase(toldOf(state, 0.001)));
+    expect(states).toEqual([
+      "in one piece, proved",
+      "looks whole at 1/600",
+      "in pieces, proved, gap 0.1%, finer than 1/600",
+      "not decided, it would take too long to tell",
+      "no attractor, the maps do not contract together",
+      "in pieces, proved, gap 0.1%, finer than 1/600",
+    ]);
+    expect(toldOf(255, 0)).toBeNull();
+    expect(verdictPhrase(toldOf(2, Math.fround(0.1)))).toBe("in pieces, proved, gap 10%");
+    expect([0, 1, 3, 4].map((state) => stateOf(toldOf(state, 0) as Told))).toEqual([0, 1, 3, 4]);
+    expect([0.001, 0.1].map((gap) => stateOf(toldOf(2, gap) as Told))).toEqual([5, 2]);
   });
 });

@@ -4,9 +4,12 @@ export type Rgb = readonly [r: number, g: number, b: number];
 
 /** In one piece, proved. Far lighter than the rest, so that the border is seen without seeing hue. */
 export const HOLDS: Rgb = [250, 245, 232];
-/** In one piece as far as the resolution tells: a shade deeper, and dotted with the next. */
+/** Looks whole at the resolution: a shade deeper, and dotted with the next. */
 export const TOUCHES: Rgb = [238, 231, 213];
 export const TOUCHES_DOT: Rgb = [205, 195, 170];
+/** In pieces, proved, by a gap that this resolution does not show: between the two, and striped with the next. */
+export const HIDDEN: Rgb = [226, 213, 222];
+export const HIDDEN_STRIPE: Rgb = [190, 166, 198];
 /** Broken, where no size is shown. */
 export const BROKEN: Rgb = [36, 31, 82];
 export const NONE: Rgb = [118, 118, 124];

@@ -21,9 +21,9 @@ pub struct Connectedness3 {
     /// Pairs of maps whose attractorlets meet, or come within epsilon of each other, the smaller index first, in ascending
     /// order.
     pub overlaps: Vec<(usize, usize)>,
-    /// For each map the number, from 0, of the component its attractorlet is in.
+    /// For each map the number, from 0, of the component of the overlap graph that its attractorlet is in.
     pub components: Vec<usize>,
-    /// How many components there are.
+    /// How many components the overlap graph has.
     pub count: usize,
     /// Two points of the attractor in different pieces whose distance is about `gap.upper`. `None` where it is proved to be
     /// in one piece, or is a single point.

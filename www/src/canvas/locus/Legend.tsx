@@ -1,7 +1,7 @@
 import { STATE } from "../../engine/breaks";
+import { resolutionWords, shareWords, toldOf, verdictWords } from "../../state/words";
 import { gradient } from "../../style/ramp";
 import { decades, type LocusStyle } from "./paint";
-import { epsilonWords, partWords } from "./words";
 
 export interface LegendProps {
   /** What there is to be seen: only that is explained. */
@@ -15,32 +15,47 @@ export function Legend({ states, epsilon, style }: LegendProps) {
   const broken = states.has(STATE.disconnected);
   return (
     <ul class="legend" aria-label="Legend">
-      {states.has(STATE.connected) && <Entry box="holds" words="in one piece, proved" />}
-      {states.has(STATE.touching) && (
-        <Entry box="touches" words={`in one piece, to ${epsilonWords(epsilon)}`} />
-      )}
-      {broken && style === "yesno" && <Entry box="broken" words="broken" />}
-      {states.has(STATE.undecided) && <Entry box="open" words="not decided" />}
-      {states.has(STATE.none) && <Entry box="none" words="no shape" />}
+      {BOXES.filter(([state]) => states.has(state)).map(([state, box]) => (
+        <Entry key={state} box={box} words={wordsOf(state, epsilon)} />
+      ))}
+      {broken && style === "yesno" && <Entry box="broken" words={APART} />}
       {broken && style === "gap" && <Ramp least={epsilon} />}
     </ul>
   );
+}
+
+const BOXES = [
+  [STATE.connected, "holds"],
+  [STATE.touching, "touches"],
+  [STATE.hidden, "hidden"],
+  [STATE.undecided, "open"],
+  [STATE.none, "none"],
+] as const;
+
+const lowered = (words: string) => words.charAt(0).toLowerCase() + words.slice(1);
+const textOf = (state: number, epsilon?: number) => lowered(verdictWords(toldOf(state, 1), epsilon).text);
+const APART = textOf(STATE.disconnected);
+
+function wordsOf(state: number, epsilon: number): string {
+  return state === STATE.hidden
+    ? `${APART}, by a gap finer than ${resolutionWords(epsilon)}`
+    : textOf(state, epsilon);
 }
 
 /** The scale of the gap, with the gaps that have a contour. */
 function Ramp({ least }: { least: number }) {
   return (
     <li class="ramp">
-      <span>gap</span>
+      <span>{APART}, gap</span>
       <span class="ramp-bar">
         <span class="legend-box gap" style={{ backgroundImage: gradient() }} />
         {decades(least).map(({ gap, at }) => (
           <span key={gap} class="ramp-tick" style={{ left: `${100 * at}%` }}>
-            {partWords(gap)}
+            {shareWords(gap)}
           </span>
         ))}
       </span>
-      <span>of the shape</span>
+      <span>of its diameter</span>
     </li>
   );
 }

@@ -3,6 +3,8 @@ import type { Bounds, Locus } from "../../engine/api";
 import { STATE } from "../../engine/breaks";
 import {
   BROKEN,
+  HIDDEN,
+  HIDDEN_STRIPE,
   HOLDS,
   mixed,
   NARROWEST,
@@ -43,6 +45,8 @@ const COLOURS = {
   holds: packed(HOLDS),
   touches: packed(TOUCHES),
   touchesDot: packed(TOUCHES_DOT),
+  hidden: packed(HIDDEN),
+  hiddenStripe: packed(HIDDEN_STRIPE),
   broken: packed(BROKEN),
   none: packed(NONE),
   open: packed(UNDECIDED),
@@ -103,6 +107,9 @@ export function paint(
           break;
         case STATE.touching:
           pixel = sprinkled(x, y, 2 * period) ? COLOURS.touchesDot : COLOURS.touches;
+          break;
+        case STATE.hidden:
+          pixel = hatched(x, y, 2 * period) ? COLOURS.hiddenStripe : COLOURS.hidden;
           break;
         case STATE.disconnected:
           if (style === "yesno") {

@@ -1,10 +1,11 @@
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { shown } from "../../state/morph";
 import { wordsOf } from "../../state/notice";
+import { RESOLUTION } from "../../state/words";
 import type { Certificate, CertificateCheck, MapRow } from "../api";
 import { cancel, epoch, submit } from "../engine";
-import { EPSILON } from "../locus-job";
 import { single } from "../protocol";
+import { verdict } from "../results";
 
 /** A proof that the shape on the stage is in pieces. */
 export type Proof =
@@ -23,6 +24,7 @@ export const proof: ReadonlySignal<Proof | null> = computed(() =>
 /** Makes the proof and has it checked. */
 export function prove(): void {
   const maps = shown.peek();
+  const epsilon = verdict.peek()?.epsilon ?? RESOLUTION;
   latest.value = { state: "asked", maps };
   const set = (found: Proof) => {
     if (latest.peek()?.maps === maps) latest.value = found;
@@ -31,7 +33,7 @@ export function prove(): void {
     single<"certificate">(
       "certificate",
       57,
-      { kind: "certificate", maps, epsilon: EPSILON },
+      { kind: "certificate", maps, epsilon },
       {
         accept: (found) =>
           set(

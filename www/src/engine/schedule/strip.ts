@@ -5,9 +5,10 @@ import { mapsAt, pathPoints } from "../../state/morph";
 import { type Uv, uvAt } from "../../state/path";
 import { dark } from "../../state/preferences";
 import { scene } from "../../state/scene";
+import { shareOf, stateOf, type Told } from "../../state/words";
 import { palette } from "../../style/palette";
-import type { Colouring, MapRow, Verdict } from "../api";
-import { STATE, stretches, widestOf } from "../breaks";
+import type { Colouring, MapRow } from "../api";
+import { stretches, widestOf } from "../breaks";
 import { Coalesce } from "../coalesce";
 import { epoch, submit } from "../engine";
 import { EPSILON, type LocusInputs } from "../locus-job";
@@ -26,13 +27,8 @@ const BETWEEN = 20;
 const SLICE = 16;
 const SETTLE_MS = 90;
 
-const WORDS: Record<number, Verdict> = {
-  [STATE.connected]: "connected",
-  [STATE.touching]: "touching",
-  [STATE.disconnected]: "disconnected",
-  [STATE.undecided]: "undecided",
-  [STATE.none]: "no-attractor",
-};
+/** What is said of a moment that could not be judged. */
+const UNKNOWN: Told = { verdict: "undecided", gap: { lower: 0, upper: Number.NaN }, diameter: 1 };
 
 /** Judges the whole path sample by sample: its broken stretches, and the frames of the strip. */
 export function scheduleBreaks(): void {
@@ -51,34 +47,41 @@ export function scheduleBreaks(): void {
 
 function breaksJob(inputs: LocusInputs, points: Uv[]): Job<"along"> {
   const count = (FRAMES - 1) * BETWEEN + 1;
-  const states = new Uint8Array(count).fill(STATE.undecided);
-  const gaps = new Float32Array(count).fill(Number.NaN);
+  const even = Array.from({ length: count }, (_, i) => uvAt(points, i / (count - 1)));
+  const all = [...even, ...points.slice(1, -1)];
+  const told: Told[] = all.map(() => UNKNOWN);
   const firsts = new Map<object, number>();
   let from = 0;
   return {
     channel: "breaks",
     priority: () => 30,
     next() {
-      if (from >= count) return null;
-      const to = Math.min(count, from + SLICE);
-      const at = Array.from({ length: to - from }, (_, i) => uvAt(points, (from + i) / (count - 1)));
+      if (from >= all.length) return null;
       const options = { ...inputs.options, epsilon: EPSILON };
+      const at = all.slice(from, from + SLICE);
       const task = { kind: "along" as const, from: inputs.from, to: inputs.to, options, points: at };
       firsts.set(task, from);
-      from = to;
+      from += at.length;
       return task;
     },
     accept(task, result) {
-      states.set(result.state, firsts.get(task) ?? 0);
-      gaps.set(result.gap, firsts.get(task) ?? 0);
+      told.splice(firsts.get(task) ?? 0, result.length, ...result);
     },
     // Samples that could not be judged count as undecided, not as broken.
     fail() {},
     done() {
       if (points !== pathPoints.peek() || inputs !== morph.peek()) return;
-      publish.along.value = { points, states, breaks: stretches(states), worst: widestOf(states, gaps) };
-      const frames = frameTimes().map((_, i) => WORDS[states[i * BETWEEN] ?? STATE.undecided] ?? null);
-      setFrames((frame, i) => ({ ...frame, verdict: frames[i] ?? null }));
+      const moments = told.slice(0, count);
+      const states = Uint8Array.from(moments, (moment) => stateOf(moment));
+      publish.along.value = {
+        points,
+        states,
+        told: moments,
+        ways: told.slice(count),
+        breaks: stretches(states),
+        worst: widestOf(states, moments.map(shareOf)),
+      };
+      setFrames((frame, i) => ({ ...frame, verdict: moments[i * BETWEEN] ?? null }));
     },
   };
 }

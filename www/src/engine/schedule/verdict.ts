@@ -1,11 +1,12 @@
-import { effect, untracked } from "@preact/signals";
-import { here, selection, shown } from "../../state/morph";
+import { computed, effect, untracked } from "@preact/signals";
+import { here, locusView, selection, shown, shownPick } from "../../state/morph";
 import type { MapRow, PathPoint } from "../api";
 import { Coalesce } from "../coalesce";
 import { epoch, submit } from "../engine";
 import { EPSILON } from "../locus-job";
 import { single } from "../protocol";
 import { publish } from "../results";
+import { clampedView, epsilonOf, levelOf, viewProblem } from "../window";
 
 const queue = new Coalesce(submit);
 
@@ -18,24 +19,45 @@ export function scheduleVerdict(): void {
   effect(() => {
     const maps = shown.value;
     const at = here.value;
+    const epsilon = resolution.value;
+    const pick = shownPick.value;
     epoch.value;
     selection.value;
     untracked(() => {
       const before = publish.verdict.peek();
       if (before && !before.stale) publish.verdict.value = { ...before, stale: true };
-      queue.request(() => judge(maps, at));
+      queue.request(() => judge({ maps, at, epsilon, sides: pick?.sides ?? null }));
     });
   });
 }
 
-function judge(maps: MapRow[], at: PathPoint) {
+/**
+ * What the stage is looked at with: a point that was picked on the map, as finely as the map shows it; a moment of the path,
+ * as the path is.
+ */
+const resolution = computed(() => {
+  const view = locusView.value;
+  return shownPick.value && viewProblem(view) === null ? epsilonOf(levelOf(clampedView(view).zoom)) : EPSILON;
+});
+
+interface What {
+  maps: MapRow[];
+  at: PathPoint;
+  epsilon: number;
+  /** Of the polygon family that the maps are of, if they are. */
+  sides: number | null;
+}
+
+function judge({ maps, at, epsilon, sides }: What) {
+  const polygon = sides === null ? {} : { polygon: { sides, s: at } };
+  const stale = () => maps !== shown.peek() || epsilon !== resolution.peek();
   return single<"verdict">(
     "verdict",
     60,
-    { kind: "verdict", maps, epsilon: EPSILON },
+    { kind: "verdict", maps, epsilon, ...polygon },
     {
       accept: (connectedness) => {
-        publish.verdict.value = { connectedness, uv: at, stale: maps !== shown.peek() };
+        publish.verdict.value = { connectedness, epsilon, uv: at, stale: stale() };
       },
       fail: (error) => {
         // Maps without an attractor are a state like any other; whatever else fails is the caller's to see.
@@ -50,8 +72,9 @@ function judge(maps: MapRow[], at: PathPoint) {
             diameter: 0,
             nodes: 0,
           },
+          epsilon,
           uv: at,
-          stale: maps !== shown.peek(),
+          stale: stale(),
         };
       },
     },

@@ -34,10 +34,10 @@ describe("a locus on its way", () => {
     expect(state[6 * SIZE + 60]).toBe(STATE.connected);
   });
 
-  it("counts pieces that no picture tells apart as touching", () => {
+  it("tells pieces that no picture shows to be apart from those that are seen to be", () => {
     const fill = new LocusFill();
     fill.put(0, 1, 1, tile(0, 1, 1, STATE.disconnected, EPSILON / 2));
-    expect(fill.locus.state[5]).toBe(STATE.touching);
+    expect(fill.locus.state[5]).toBe(STATE.hidden);
     expect(fill.locus.state[SIZE + 5]).toBe(STATE.pending);
   });
 

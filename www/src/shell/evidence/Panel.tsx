@@ -5,13 +5,14 @@ import { verdict } from "../../engine/results";
 import { boxOf } from "../../state/fit";
 import { shown } from "../../state/morph";
 import { dark } from "../../state/preferences";
+import { verdictWords } from "../../state/words";
 import { palette } from "../../style/palette";
 import { IconButton } from "../../ui/Button";
 import { Graph } from "../../ui/Graph";
 import { Switch } from "../../ui/Switch";
 import { CHIP_ID, PANEL_ID } from "./ids";
 import { Proof } from "./Proof";
-import { accountOf, addressWords, gapWords, groupWords, linkWords } from "./words";
+import { accountOf, addressWords, clusterWords, gapWords, linkWords } from "./words";
 
 function close(): void {
   evidenceOpen.value = false;
@@ -36,22 +37,22 @@ export function EvidencePanel() {
       }}
     >
       <header class="evidence-head">
-        <h2 id={`${PANEL_ID}-title`}>{answer ? accountOf(answer.connectedness).title : "Looking …"}</h2>
+        <h2 id={`${PANEL_ID}-title`}>{verdictWords(answer?.connectedness ?? null, answer?.epsilon).text}</h2>
         <IconButton icon="close" label="Close the evidence" kind="quiet" onClick={close} />
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, and keys have to reach it */}
       <div class="evidence-body" tabIndex={0}>
-        {answer && <Account answer={answer.connectedness} />}
+        {answer && <Account answer={answer.connectedness} epsilon={answer.epsilon} />}
       </div>
     </section>
   );
 }
 
-function Account({ answer }: { answer: Connectedness }) {
+function Account({ answer, epsilon }: { answer: Connectedness; epsilon: number }) {
   const gap = gapWords(answer);
   return (
     <>
-      <p>{accountOf(answer).why}</p>
+      <p>{accountOf(answer, epsilon)}</p>
       {answer.reason && <Because reason={answer.reason} />}
       {gap !== null && (
         <p>
@@ -107,7 +108,6 @@ function Because({ reason }: { reason: Reason }) {
 function Groups({ answer }: { answer: Connectedness }) {
   const maps = shown.value;
   const count = answer.components.length;
-  const words = groupWords(answer.components);
   return (
     <figure class="evidence-groups">
       <Graph
@@ -118,10 +118,8 @@ function Groups({ answer }: { answer: Connectedness }) {
         label={`Which pieces meet: ${answer.overlaps.map(([i, j]) => `${i + 1} with ${j + 1}`).join(", ") || "none"}`}
       />
       <figcaption>
-        <span class="evidence-name">Which pieces meet</span>
-        {words.map((sentence) => (
-          <span key={sentence}>{sentence}</span>
-        ))}
+        <span class="evidence-name">Which pieces hang together</span>
+        <span class="number">{clusterWords(answer.components)}</span>
       </figcaption>
     </figure>
   );

@@ -1,15 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Connectedness } from "../../engine/api";
-import {
-  accountOf,
-  addressWords,
-  checkWords,
-  gapWords,
-  groupWords,
-  linkWords,
-  numbersWords,
-  shareWords,
-} from "./words";
+import { accountOf, addressWords, checkWords, clusterWords, gapWords, linkWords } from "./words";
 
 const answer = (of: Partial<Connectedness>): Connectedness => ({
   verdict: "touching",
@@ -23,66 +14,53 @@ const answer = (of: Partial<Connectedness>): Connectedness => ({
 });
 
 describe("accountOf", () => {
-  it("claims a proof only for proofs", () => {
-    const proved = (of: Partial<Connectedness>) =>
-      /is proved/.test(accountOf(answer(of)).why.replace("not proved", ""));
-    expect(proved({ verdict: "connected" })).toBe(true);
-    expect(proved({ verdict: "disconnected", count: 2, gap: { lower: 0.5, upper: 0.6 } })).toBe(true);
-    expect(proved({ verdict: "touching" })).toBe(false);
-    expect(proved({ verdict: "undecided" })).toBe(false);
-    expect(proved({ verdict: "no-attractor" })).toBe(false);
+  it("says so where the gap is too narrow to be seen, and counts no pieces", () => {
+    const broken = (upper: number) =>
+      accountOf(answer({ verdict: "disconnected", count: 3, gap: { lower: upper / 2, upper } }), 1 / 600);
+    expect(broken(2e-4)).toContain("narrower than 1/600");
+    expect(broken(0.2)).not.toContain("narrower");
+    for (const words of [broken(2e-4), broken(0.2)]) expect(words).not.toMatch(/three|3 pieces/);
   });
 
-  it("says so where the gap is too narrow to be seen", () => {
-    const narrow = accountOf(
-      answer({ verdict: "disconnected", count: 3, gap: { lower: 1e-4, upper: 2e-4 } }),
-    );
-    expect(narrow.title).toBe("No gap can be seen, but there is one.");
-    expect(narrow.why).toContain("three pieces");
+  it("names the resolution that it was looked at with", () => {
+    expect(accountOf(answer({}), 1 / 600)).toMatch(/within 1\/600 .* not proved/);
+    expect(accountOf(answer({}), 1 / 4800)).toContain("1/4800");
   });
 });
 
 describe("gapWords", () => {
-  it("tells bounds apart, and no finer", () => {
+  it("tells per cents of the diameter, and its bounds in the unit of the plane, no finer than needed", () => {
     const of = (lower: number, upper: number) =>
       gapWords(answer({ verdict: "disconnected", gap: { lower, upper } }));
-    expect(of(0.021, 0.034)).toBe("between 0.021 and 0.034, 1.7% of its size");
-    expect(of(0.02131, 0.02134)).toBe("between 0.02131 and 0.02134, 1.1% of its size");
-    expect(of(0.5, 0.5)).toBe("0.50000, 25% of its size");
+    expect(of(0.021, 0.034)).toBe("1.7% of the diameter: between 0.021 and 0.034 in units of the plane");
+    expect(of(0.02131, 0.02134)).toBe(
+      "1.1% of the diameter: between 0.02131 and 0.02134 in units of the plane",
+    );
+    expect(of(0.5, 0.5)).toBe("25% of the diameter: 0.50000 in units of the plane");
   });
 
   it("gives only what is known", () => {
     expect(gapWords(answer({ verdict: "connected" }))).toBeNull();
     expect(gapWords(answer({ verdict: "no-attractor", gap: { lower: 0, upper: Infinity } }))).toBeNull();
-    expect(gapWords(answer({ gap: { lower: 0, upper: 1e-3 } }))).toBe("at most 0.0010, 0.05% of its size");
-    expect(gapWords(answer({ gap: { lower: 0, upper: 1e-3 }, diameter: 0 }))).toBe("at most 0.0010");
+    expect(gapWords(answer({ gap: { lower: 0, upper: 1e-3 } }))).toBe(
+      "at most 0.05% of the diameter: 0.0010 in units of the plane",
+    );
+    expect(gapWords(answer({ gap: { lower: 0, upper: 1e-3 }, diameter: 0 }))).toBe(
+      "at most 0.0010 in units of the plane",
+    );
   });
 });
 
-describe("numbers", () => {
-  it("counts from 1 and draws runs together", () => {
-    expect(numbersWords([0, 1, 2, 4])).toBe("1 to 3 and 5");
-    expect(numbersWords([0, 1])).toBe("1 and 2");
-    expect(numbersWords([3])).toBe("4");
-    expect(numbersWords([])).toBe("");
+describe("clusterWords", () => {
+  it("writes clusters of pieces as sets, counted from 1, the largest first", () => {
+    expect(clusterWords([0, 0, 0])).toBe("{1,2,3}");
+    expect(clusterWords([0, 1, 0])).toBe("{1,3} | {2}");
+    expect(clusterWords([0, 1, 2])).toBe("{1} | {2} | {3}");
+    expect(clusterWords([])).toBe("");
   });
 
-  it("says hundredths", () => {
-    expect(shareWords(0.0031)).toBe("0.31%");
-    expect(shareWords(0.5)).toBe("50%");
-    expect(shareWords(1e-9)).toBe("less than 0.001%");
-    expect(shareWords(Number.POSITIVE_INFINITY)).toBe("");
-  });
-});
-
-describe("groupWords", () => {
-  it("names who hangs together and who stands alone", () => {
-    expect(groupWords([0, 0, 0])).toEqual(["All 3 pieces hang together."]);
-    expect(groupWords([4, 4])).toEqual(["Both pieces hang together."]);
-    expect(groupWords([0])).toEqual(["There is a single piece."]);
-    expect(groupWords([0, 1, 0])).toEqual(["Pieces 1 and 3 hang together.", "Piece 2 stands alone."]);
-    expect(groupWords([0, 1, 2])).toEqual(["Pieces 1 to 3 stand alone, each by itself."]);
-    expect(groupWords([])).toEqual([]);
+  it("draws long runs together", () => {
+    expect(clusterWords([0, 0, 0, 0, 1, 0])).toBe("{1 to 4,6} | {5}");
   });
 });
 

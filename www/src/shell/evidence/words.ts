@@ -1,66 +1,43 @@
 /** The evidence for a verdict in plain words. */
+
 import type { CertificateCheck, Connectedness, Link } from "../../engine/api";
-import { countWords, lengthWords, verdictWords } from "../../state/words";
+import { STATE } from "../../engine/breaks";
+import { countWords, lengthWords, resolutionWords, shareOf, shareWords, stateOf } from "../../state/words";
 
-export interface Account {
-  /** What holds, as a sentence. */
-  title: string;
-  /** How far that can be relied on, and why. */
-  why: string;
-}
-
-/** What is known, and how surely. Only a proof is said to be one. */
-export function accountOf(answer: Connectedness): Account {
+/** How far the verdict can be relied on, and why. Only a proof is said to be one. */
+export function accountOf(answer: Connectedness, epsilon: number): string {
+  const fine = resolutionWords(epsilon);
   switch (answer.verdict) {
     case "connected":
-      return {
-        title: "It is in one piece.",
-        why: "That is proved: from each of its pieces every other can be reached without a leap, at any magnification.",
-      };
+      return "From each of its pieces every other can be reached without a leap, at any magnification.";
     case "touching":
-      return {
-        title: "No gap can be seen.",
-        why: "Its pieces come within 1/600 of its size of each other, so a picture of 600 pixels shows one piece. Whether they truly meet is not proved.",
-      };
-    case "disconnected":
-      if (verdictWords(answer).tone === "close")
-        return {
-          title: "No gap can be seen, but there is one.",
-          why: `It is proved to be in at least ${piecesWords(answer.count)}. They lie nearer to each other than 600 pixels can show.`,
-        };
-      return {
-        // Each of its pieces falls apart the same way: the groups of the largest ones are only the first to be seen.
-        title: `It is in at least ${piecesWords(answer.count)}.`,
-        why: "That is proved: no matter how closely one looks, nothing bridges the gap between them.",
-      };
+      return `Its pieces come within ${fine} of its diameter of each other, so that no gap is seen at that resolution. Whether they truly meet is not proved.`;
+    case "disconnected": {
+      const hidden =
+        stateOf(answer, epsilon) === STATE.hidden
+          ? ` It is narrower than ${fine} of the diameter, so that a picture of so many pixels does not show it.`
+          : "";
+      return `No matter how closely one looks, nothing bridges the gap between these clusters of pieces.${hidden} How many parts there are is not counted: each piece is a copy of the whole, and may be in pieces as the whole is.`;
+    }
     case "undecided":
-      return {
-        title: "It could not be decided.",
-        why: `After ${countWords(answer.nodes)} pairs of pieces Frond has neither found a gap nor come close enough to call them touching.`,
-      };
+      return `After ${countWords(answer.nodes)} pairs of pieces Frond has neither found a gap nor come close enough to say that it looks whole.`;
     case "no-attractor":
-      return {
-        title: "There is no shape here.",
-        why: "Together these maps do not contract: points wander off, and never settle on a shape that could be in one piece or several.",
-      };
+      return "Together these maps do not contract: points wander off, and never settle on a shape that could be in one piece or several.";
   }
 }
 
-function piecesWords(count: number): string {
-  const small = ["no pieces", "one piece", "two pieces", "three pieces", "four pieces", "five pieces"];
-  return small[count] ?? `${count} pieces`;
-}
-
-/** The widest gap as a length; null where there is nothing to measure. */
-export function gapWords({ verdict, gap, diameter }: Connectedness): string | null {
+/** The widest gap in per cent of the diameter, and in the unit of the plane; null where there is nothing to measure. */
+export function gapWords(answer: Connectedness): string | null {
+  const { verdict, gap } = answer;
   if (verdict === "connected" || verdict === "no-attractor" || !Number.isFinite(gap.upper)) return null;
-  const share = shareWords(gap.upper / diameter);
-  const of = share === "" ? "" : `, ${share} of its size`;
+  const share = shareWords(shareOf(answer));
+  const part = share === "" ? "" : `${share} of the diameter: `;
+  const unit = "in units of the plane";
   if (verdict === "disconnected") {
     const [low, high] = apart(gap.lower, gap.upper);
-    return low === high ? `${high}${of}` : `between ${low} and ${high}${of}`;
+    return low === high ? `${part}${high} ${unit}` : `${part}between ${low} and ${high} ${unit}`;
   }
-  return `at most ${lengthWords(gap.upper)}${of}`;
+  return `at most ${part}${lengthWords(gap.upper)} ${unit}`;
 }
 
 /** Two bounds with as many digits as it takes to tell them apart, five at most. */
@@ -80,50 +57,29 @@ function plain(x: number, digits: number): string {
   return x.toPrecision(digits).includes("e") ? x.toFixed(0) : x.toPrecision(digits);
 }
 
-/** A part of the whole in hundredths: "1.2%", "0.031%"; empty where it cannot be told. */
-export function shareWords(share: number): string {
-  if (!Number.isFinite(share) || share < 0) return "";
-  const hundredths = 100 * share;
-  if (hundredths === 0) return "0%";
-  if (hundredths < 1e-3) return "less than 0.001%";
-  return `${hundredths >= 10 ? hundredths.toFixed(0) : Number(hundredths.toPrecision(2))}%`;
-}
-
-/** Numbers from 1, runs of three or more as "4 to 9". */
-export function numbersWords(maps: readonly number[]): string {
+/** Numbers from 1, runs of four or more as "4 to 9". */
+function numbersWords(maps: readonly number[]): string {
   const sorted = [...maps].sort((p, q) => p - q);
   const spans: string[] = [];
   for (let i = 0; i < sorted.length; ) {
     let end = i;
     while (sorted[end + 1] === (sorted[end] ?? 0) + 1) end++;
     const [from, to] = [(sorted[i] ?? 0) + 1, (sorted[end] ?? 0) + 1];
-    if (end - i >= 2) spans.push(`${from} to ${to}`);
+    if (end - i >= 3) spans.push(`${from} to ${to}`);
     else for (let n = from; n <= to; n++) spans.push(String(n));
     i = end + 1;
   }
-  return spans.length < 2 ? spans.join("") : `${spans.slice(0, -1).join(", ")} and ${spans.at(-1) ?? ""}`;
+  return spans.join(",");
 }
 
-/** Which maps belong together, each group as a sentence, the largest first. */
-export function groupWords(components: readonly number[]): string[] {
-  const groups = new Map<number, number[]>();
-  components.forEach((group, map) => {
-    groups.set(group, [...(groups.get(group) ?? []), map]);
+/** Which pieces hang together: "{1,3} | {2}", the largest cluster first. */
+export function clusterWords(components: readonly number[]): string {
+  const clusters = new Map<number, number[]>();
+  components.forEach((cluster, map) => {
+    clusters.set(cluster, [...(clusters.get(cluster) ?? []), map]);
   });
-  const sorted = [...groups.values()].sort((p, q) => q.length - p.length);
-  if (sorted.length === 1) {
-    const [all] = sorted;
-    const count = all?.length ?? 0;
-    if (count === 1) return ["There is a single piece."];
-    return [count === 2 ? "Both pieces hang together." : `All ${count} pieces hang together.`];
-  }
-  const alone = sorted.filter((group) => group.length === 1).flat();
-  const words = sorted
-    .filter((group) => group.length > 1)
-    .map((group) => `Pieces ${numbersWords(group)} hang together.`);
-  if (alone.length === 1) words.push(`Piece ${numbersWords(alone)} stands alone.`);
-  else if (alone.length > 1) words.push(`Pieces ${numbersWords(alone)} stand alone, each by itself.`);
-  return words;
+  const sorted = [...clusters.values()].sort((p, q) => q.length - p.length);
+  return sorted.map((cluster) => `{${numbersWords(cluster)}}`).join(" | ");
 }
 
 /** What holds two pieces together, as a sentence. */

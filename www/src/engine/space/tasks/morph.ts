@@ -1,3 +1,5 @@
+import { uvAt } from "../../../state/path";
+import type { Told } from "../../../state/words";
 import type {
   Connectedness3,
   Intersection3,
@@ -32,12 +34,20 @@ export interface PathFound {
   share: number;
 }
 
+/** A path with what is said of its moments, evenly spaced, and of the points between its ends. */
+export interface PathTold extends PathCheck {
+  told: Told[];
+  ways: Told[];
+}
+
 /** Milliseconds from breath to breath. */
 const BREATH = 60;
 /** Samples a side of the locus that a path is looked for in: the next only where the one before has found none that holds. */
 const SIDES = [13, 25, 49] as const;
 /** Moments of a path that are looked at. */
 const MOMENTS = 401;
+/** Moments of which all is told that is known. */
+const TOLD = 201;
 
 export const morphTasks = {
   /** Where a morph holds together, coarse first. */
@@ -96,9 +106,21 @@ export const morphTasks = {
     return { ...(best as PathFound), share: 1 };
   },
 
-  /** Where a path breaks. */
-  morphCheck(_: Context, { points, ...inputs }: MorphInputs & { points: readonly PathPoint[] }): PathCheck {
-    return checked(inputs, points);
+  /** Where a path breaks, and all that is known at its moments. */
+  async morphCheck(
+    { breathe }: Context,
+    { points, ...inputs }: MorphInputs & { points: PathPoint[] },
+  ): Promise<PathTold> {
+    const even = Array.from({ length: TOLD }, (_, i) => uvAt(points, i / (TOLD - 1)));
+    const told: Told[] = [];
+    let last = performance.now();
+    for (const at of [...even, ...points.slice(1, -1)]) {
+      told.push(toldThere(inputs, at));
+      if (performance.now() - last < BREATH) continue;
+      await breathe();
+      last = performance.now();
+    }
+    return { ...checked(inputs, points), told: told.slice(0, TOLD), ways: told.slice(TOLD) };
   },
 
   /** Whether a shape is in one piece. */
@@ -116,6 +138,13 @@ export const morphTasks = {
     return found;
   },
 };
+
+/** The full answer: the one that the picture has there. */
+function toldThere({ from, to, options }: MorphInputs, [u, v, w = 0]: PathPoint): Told {
+  const maps = solid.interpolate3(from, to, { ...options, u, v, w });
+  const { verdict, gap, diameter } = solid.connectedness3(maps, { epsilon: EPSILON });
+  return { verdict, gap, diameter };
+}
 
 function checked({ from, to, options }: MorphInputs, points: readonly PathPoint[]): PathCheck {
   return solid.checkPath3(from, to, points, { ...options, epsilon: EPSILON, samples: MOMENTS });

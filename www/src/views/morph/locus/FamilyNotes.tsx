@@ -1,5 +1,6 @@
-import { lowered, powerWords } from "../../../canvas/locus/words";
+import { lowered } from "../../../canvas/locus/words";
 import { MOST_ZOOM } from "../../../engine/window";
+import { powerWords } from "../../../state/words";
 import { Button } from "../../../ui/Button";
 import { critical, criticalScale } from "./critical";
 import { landmarksOf, symmetryWords, theoremWords } from "./families";

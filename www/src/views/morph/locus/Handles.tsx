@@ -16,7 +16,7 @@ import {
   place,
   pointWords,
   removeAt,
-  stateOn,
+  stateNow,
   wayWords,
 } from "./way";
 
@@ -130,7 +130,7 @@ export function CurrentHandle() {
       aria-valuenow={Math.round(1000 * t) / 10}
       aria-valuemin={0}
       aria-valuemax={100}
-      aria-valuetext={`${percent(t)} of the way, ${stateOn(t)}`}
+      aria-valuetext={`${percent(t)} of the way, ${stateNow()}`}
       onFocus={() => {
         if (chosen.peek() !== null) pick(null);
       }}

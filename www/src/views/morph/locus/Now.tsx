@@ -1,17 +1,15 @@
-import { complexWords, sampleWords } from "../../../canvas/locus/words";
-import { STATE } from "../../../engine/breaks";
+import { complexWords } from "../../../canvas/locus/words";
+import { verdict } from "../../../engine/results";
 import { FIRST_S, uv } from "../../../state/morph";
 import { announce, notify } from "../../../state/notice";
-import type { Uv } from "../../../state/path";
 import { edit } from "../../../state/scene";
+import { verdictPhrase } from "../../../state/words";
 import { Button } from "../../../ui/Button";
 import { fixed } from "../../../ui/number";
 import { type End, nameOf } from "../changes";
 import { digitsOf } from "./geometry";
-import { isOff } from "./Handles";
 import { familyMaps } from "./hover";
-import { sampleAt } from "./shown";
-import { backToPath, epsilon, family, picked, setPlane, sides, view } from "./view";
+import { backToPath, family, picked, setPlane, sides, view } from "./view";
 import { addAt } from "./way";
 
 /** Where the picture is now, in numbers, and what can be done with a point that was taken off the path. */
@@ -32,7 +30,7 @@ function OfMorph() {
         <Value name="move" symbol="v" value={fixed(v, digits)} />
         {third && <Value name="stretch ahead" symbol="w" value={fixed(w, 2)} />}
       </dl>
-      {at && <There at={at} />}
+      {at && <There />}
       {at && (
         <div class="locus-act">
           <Button onClick={backToPath}>Back to the path</Button>
@@ -51,13 +49,11 @@ function OfMorph() {
   );
 }
 
-/** What the map says of a point, as finely as it is looked at: the picture is judged as 600 pixels show it. */
-function There({ at }: { at: Uv }) {
-  const found = sampleAt(at);
-  if (!found || found.state === STATE.pending) return null;
-  const off = family.value === "morph" && isOff(at, view.value.w);
-  if (off) return null;
-  return <p class="hint">On this map: {sampleWords(found.state, found.gap, epsilon.value)}.</p>;
+/** What is known of the point that was picked: what the stage says of it, since one sample of the map may say less. */
+function There() {
+  const known = verdict.value;
+  if (!known || known.stale) return null;
+  return <p class="hint">At this point: {verdictPhrase(known.connectedness, known.epsilon)}.</p>;
 }
 
 function Value({ name, symbol, value }: { name: string; symbol: string; value: string }) {
@@ -80,7 +76,7 @@ function OfFamily() {
       <dl>
         <Value name="turn and shrink by" symbol="s" value={words} />
       </dl>
-      <There at={s} />
+      <There />
       <div class="locus-act">
         <Button onClick={() => use("a", n, s)} description="This shape is where the morph starts">
           Use as A

@@ -1,8 +1,8 @@
 import "../../../canvas/locus/path.css";
-import { useComputed } from "@preact/signals";
+import { computed, useComputed } from "@preact/signals";
 import type { PathKind } from "../../../engine/api";
-import { clearanceOf } from "../../../engine/breaks";
-import { along, locus, pathBreaks, plan, workers } from "../../../engine/results";
+import { clearanceOf, isBroken, STATE } from "../../../engine/breaks";
+import { along, locus, pathStates, plan, workers } from "../../../engine/results";
 import { certified, certify, stopCertifying } from "../../../engine/schedule/certify";
 import { leavesPlane, plan3, setThird, third, wayOf } from "../../../engine/schedule/plan";
 import { locusView, pathPoints } from "../../../state/morph";
@@ -78,17 +78,27 @@ function PathVerdict() {
     if (leavesPlane(points)) return plan3.value?.plan?.clearance ?? null;
     return field && field.progress === 1 ? clearanceOf(field, points) : null;
   });
-  const breaks = pathBreaks.value;
-  const words = pathWords(breaks, widest.value, along.value ? 1 : (locus.value?.progress ?? 0));
+  const proof = certified.value;
+  const words = pathWords({
+    states: pathStates.value,
+    widest: widest.value ?? 0,
+    proved: proof?.holds === true && proof.done === proof.parts && proof.gap === 0,
+    progress: along.value ? 1 : (locus.value?.progress ?? 0),
+  });
+  const breaks = breaksSeen.value || breaksHidden.value;
   return (
-    <p class={`path-verdict ${breaks.length > 0 ? "broken" : "whole"}`}>
+    <p class={`path-verdict ${breaks ? "broken" : "whole"}`}>
       <span class="mark" aria-hidden="true" />
       <span>
-        {words} {breaks.length === 0 && roomWords(room.value)}
+        {words} {!breaks && roomWords(room.value)}
       </span>
     </p>
   );
 }
+
+/** Whether the path is known to break: for all to see, or by a gap that only a proof shows. */
+const breaksSeen = computed(() => pathStates.value.some(isBroken));
+const breaksHidden = computed(() => pathStates.value.includes(STATE.hidden));
 
 /** Where the automatic path cannot hold: says so, and what else there is. */
 function NoWay() {
@@ -226,6 +236,8 @@ function WayPoint({ index }: { index: number }) {
 /** What can be proved of all of the path, not only of the moments that were looked at. */
 function Certificate() {
   const now = certified.value;
+  // What is known to break has no proof that it does not.
+  if (now === null && breaksSeen.value) return null;
   const running = now !== null && now.problem === null && now.done < now.parts;
   return (
     <div class="path-proof">
@@ -246,7 +258,7 @@ function Certificate() {
           disabled={!workers.value.available && along.value === null}
           onClick={certify}
         >
-          Prove it, end to end
+          {breaksHidden.value ? "Bound its gap, end to end" : "Prove it, end to end"}
         </Button>
       ) : (
         <p class="path-proved" role="status">

@@ -1,9 +1,9 @@
 import type { RefObject } from "preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
-import { knownWords } from "../../../canvas/locus/words";
 import type { Bounds } from "../../../engine/api";
 import { announce } from "../../../state/notice";
 import type { Uv } from "../../../state/path";
+import { verdictLine, verdictPhrase } from "../../../state/words";
 import { spot } from "./geometry";
 import { type Pointed, pointed, type Seen, SIDE, seen } from "./hover";
 import { inDigits, shownWindow, view } from "./view";
@@ -52,9 +52,7 @@ function Card({ now, known, frame, square }: CardProps) {
       {known && (
         <>
           <Bitmap bitmap={known.bitmap} />
-          <p class="preview-verdict">
-            {known.answer ? knownWords(known.answer, known.epsilon) : "Looking …"}
-          </p>
+          <p class="preview-verdict">{verdictLine(known.answer, known.epsilon)}</p>
           <p class="preview-at number">{parameterWords(known.at)}</p>
         </>
       )}
@@ -91,7 +89,7 @@ function Bitmap({ bitmap }: { bitmap: ImageBitmap | null }) {
 function useSpoken(known: Seen | null) {
   useEffect(() => {
     if (!known?.answer) return;
-    const text = `${parameterWords(known.at)}: ${knownWords(known.answer, known.epsilon)}.`;
+    const text = `${parameterWords(known.at)}: ${verdictPhrase(known.answer, known.epsilon)}.`;
     const timer = setTimeout(() => announce(text), REST_MS);
     return () => clearTimeout(timer);
   }, [known]);

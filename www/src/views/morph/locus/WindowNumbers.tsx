@@ -1,6 +1,7 @@
-import { epsilonWords, zoomWords } from "../../../canvas/locus/words";
+import { zoomWords } from "../../../canvas/locus/words";
 import { LEAST_EPSILON, MOST_ZOOM } from "../../../engine/window";
 import { endGesture } from "../../../state/scene";
+import { resolutionWords } from "../../../state/words";
 import { NumberField } from "../../../ui/NumberField";
 import { digitsOf } from "./geometry";
 import { epsilon, family, inDigits, picked, pickPoint, setView, shownWindow, view } from "./view";
@@ -28,7 +29,7 @@ export function WindowNumbers() {
         <span class="dim number">{zoomWords(zoom)}</span>
       </summary>
       <p class="hint">
-        Pieces within {epsilonWords(epsilon.value)} of the shape count as touching
+        Pieces within {resolutionWords(epsilon.value)} of the shape’s diameter count as touching
         {epsilon.value === LEAST_EPSILON ? ": finer than this, numbers of 64 bits cannot tell." : "."}
       </p>
       <div class={`window-fields ${zoom > LONG ? "long" : ""}`}>

@@ -1,7 +1,8 @@
 import { along } from "../../../engine/results";
 import { pathPoints } from "../../../state/morph";
-import { gapWords, percent } from "../../../state/morph-words";
+import { percent } from "../../../state/morph-words";
 import { uvAt } from "../../../state/path";
+import { shareWords } from "../../../state/words";
 import { shownWindow } from "./view";
 import { place } from "./way";
 
@@ -16,7 +17,7 @@ export function WorstMark() {
       class="worst-mark"
       style={{ left: `${100 * x}%`, top: `${100 * y}%` }}
       role="img"
-      aria-label={`Widest gap of the path: ${gapWords(worst.gap)}, at ${percent(worst.t)}`}
+      aria-label={`Widest gap of the path: ${shareWords(worst.gap)}, at ${percent(worst.t)}`}
     />
   );
 }

@@ -82,13 +82,19 @@ function drop(): void {
 /** First the verdict, then the picture: two slices of one job. */
 function look(at: Uv): Job<"verdict" | "picture"> {
   const maps = mapsThere(at);
+  const { family: kind, sides } = view.peek();
   const scale = Math.min(2, globalThis.devicePixelRatio || 1);
   const side = Math.round(SIDE * scale);
   const colours = palette(dark.peek() ? "dark" : "light");
   const answer: Seen = { at, bitmap: null, answer: null, epsilon: epsilon.peek() };
   const tasks = maps
     ? [
-        { kind: "verdict" as const, maps, epsilon: answer.epsilon },
+        {
+          kind: "verdict" as const,
+          maps,
+          epsilon: answer.epsilon,
+          ...(kind === "polygon" ? { polygon: { sides, s: at } } : {}),
+        },
         {
           kind: "picture" as const,
           maps,

@@ -1,15 +1,15 @@
 /** What hands and keys do to the path. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { Bounds } from "../../../engine/api";
-import { STATE, stateNear } from "../../../engine/breaks";
-import { along, locus, pathBreaks } from "../../../engine/results";
-import { locusView, pathPoints, uv } from "../../../state/morph";
-import { stateWords } from "../../../state/morph-words";
+import { sampleNear } from "../../../engine/breaks";
+import { along, locus, pathBreaks, verdict } from "../../../engine/results";
+import { here, locusView, pathPoints, uv } from "../../../state/morph";
 import { announce } from "../../../state/notice";
-import { timesOf, type Uv, uvAt } from "../../../state/path";
+import { timesOf, type Uv } from "../../../state/path";
 import { setT } from "../../../state/playback";
 import { clamp, insert, move, nearestOn, remove } from "../../../state/polyline";
 import { edit, endGesture, scene } from "../../../state/scene";
+import { type Told, toldOf, verdictPhrase } from "../../../state/words";
 import { fixed } from "../../../ui/number";
 import { MOST_POINTS, setPoints } from "../changes";
 
@@ -37,30 +37,36 @@ export function pick(index: number | null): void {
   picked.value = index;
 }
 
-/** Whether the shape holds together at a point, as far as the field tells; out of its plane it tells nothing. */
-export function stateAt(point: Uv): string {
+/** What the field tells of a point; out of its plane it tells nothing. */
+function toldAt(point: Uv): Told | null {
   const field = locus.value;
-  if (field === null || (point[2] ?? 0) !== 0) return stateWords(STATE.pending);
-  return stateWords(stateNear(field, point));
+  if (field === null || (point[2] ?? 0) !== 0) return null;
+  const { state, gap } = sampleNear(field, point);
+  return toldOf(state, gap);
 }
 
-/** Whether it holds together at a moment of the path: decided there, or read off the field until that is in. */
-export function stateOn(t: number): string {
-  const found = along.value;
-  if (found === null) return stateAt(uvAt(pathPoints.value, t));
-  return stateWords(found.states[Math.round(t * (found.states.length - 1))] ?? STATE.pending);
+/** Whether the shape holds together at a point, as far as the field tells. */
+export const stateAt = (point: Uv): string => verdictPhrase(toldAt(point));
+
+/** Whether it holds together at the present moment of the path: what the stage says of it, once it does. */
+export function stateNow(): string {
+  const known = verdict.value;
+  if (known && !known.stale && here.value === uv.value) return verdictPhrase(known.connectedness);
+  const { t } = scene.value;
+  const told = along.value?.told;
+  return verdictPhrase(told?.[Math.round(t * (told.length - 1))] ?? toldAt(uv.value));
 }
 
 /** What becomes of the path about a way point: whether it breaks there, before it, or after. */
 export function wayWords(index: number): string {
+  const told = along.value?.ways[index] ?? toldAt(way.value[index] ?? [0, 0]);
   const times = timesOf(pathPoints.value);
-  const [before, here, after] = [times[index] ?? 0, times[index + 1] ?? 0, times[index + 2] ?? 1];
+  const [before, at, after] = [times[index] ?? 0, times[index + 1] ?? 0, times[index + 2] ?? 1];
   const breaks = pathBreaks.value;
   const meets = (from: number, to: number) => breaks.some(({ t0, t1 }) => t0 < to && t1 > from);
-  const inside = breaks.some(({ t0, t1 }) => t0 < here && here < t1);
-  const words = [inside ? stateWords(STATE.disconnected) : stateOn(here)];
-  if (meets(before, here)) words.push("breaks on the way to it");
-  if (meets(here, after)) words.push(words.length > 1 ? "and from it" : "breaks on the way from it");
+  const words = [verdictPhrase(told)];
+  if (meets(before, at)) words.push("breaks on the way to it");
+  if (meets(at, after)) words.push(words.length > 1 ? "and from it" : "breaks on the way from it");
   return words.join(", ").replace(", and", " and");
 }
 

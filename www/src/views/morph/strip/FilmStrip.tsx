@@ -1,9 +1,12 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
+import type { Verdict } from "../../../engine/api";
+import { isBroken } from "../../../engine/breaks";
 import { type Frame, strip } from "../../../engine/results";
 import { curved, film } from "../../../state/curve";
-import { percent, verdictWords } from "../../../state/morph-words";
+import { percent } from "../../../state/morph-words";
 import { scene } from "../../../state/scene";
+import { stateOf, verdictPhrase } from "../../../state/words";
 import { media } from "../../../ui/media";
 import { Thumbnail } from "../../../ui/Thumbnail";
 import { evenly } from "./evenly";
@@ -24,7 +27,10 @@ const here: ReadonlySignal<number> = computed(() => {
   return Math.max(0, away.indexOf(Math.min(...away)));
 });
 
-/** Stills of the whole morph: press one to go there; the broken ones are hatched and say so. */
+/** What is written on a still that does not hold, also where that is not seen. */
+const MARKS: Partial<Record<Verdict, string>> = { disconnected: "in pieces", "no-attractor": "no attractor" };
+
+/** Stills of the whole morph: press one to go there; those that are seen to be broken are hatched. */
 export function FilmStrip() {
   const list = useRef<HTMLOListElement>(null);
   const all = frames.value;
@@ -43,7 +49,9 @@ export function FilmStrip() {
   return (
     <ol class="film" ref={list} onKeyDown={walk} aria-label="Film of the morph">
       {all.map((frame, index) => {
-        const broken = frame.verdict === "disconnected" || frame.verdict === "no-attractor";
+        const broken = frame.verdict !== null && isBroken(stateOf(frame.verdict));
+        const mark = frame.verdict ? MARKS[frame.verdict.verdict] : undefined;
+        const words = `${percent(frame.t)}: ${verdictPhrase(frame.verdict)}`;
         return (
           <li key={frame.t}>
             <button
@@ -51,14 +59,14 @@ export function FilmStrip() {
               class={`frame ${broken ? "broken" : ""}`}
               tabIndex={index === nearest ? 0 : -1}
               aria-current={index === nearest ? "true" : undefined}
-              aria-label={`At ${percent(frame.t)}: ${verdictWords(frame.verdict)}`}
-              title={`${percent(frame.t)}: ${verdictWords(frame.verdict)}`}
+              aria-label={`At ${words}`}
+              title={words}
               onClick={() => scrubTo(frame.t)}
             >
               <Thumbnail bitmap={frame.bitmap} />
-              {broken && (
+              {mark !== undefined && (
                 <span class="frame-mark" aria-hidden="true">
-                  {frame.verdict === "disconnected" ? "broken" : "no shape"}
+                  {mark}
                 </span>
               )}
             </button>

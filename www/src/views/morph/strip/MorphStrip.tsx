@@ -4,15 +4,16 @@ import { computed } from "@preact/signals";
 import { along, pathBreaks } from "../../../engine/results";
 import { curved } from "../../../state/curve";
 import { locusView } from "../../../state/morph";
-import { gapWords, percent } from "../../../state/morph-words";
+import { percent } from "../../../state/morph-words";
 import { loop, pause, play, playing, speed } from "../../../state/playback";
 import { endGesture, scene } from "../../../state/scene";
+import { shareWords } from "../../../state/words";
 import { IconButton } from "../../../ui/Button";
 import { narrow } from "../../../ui/media";
 import { NumberField } from "../../../ui/NumberField";
 import { Segmented } from "../../../ui/Segmented";
 import { Slider } from "../../../ui/Slider";
-import { stateOn } from "../locus/way";
+import { stateNow } from "../locus/way";
 import { FilmStrip, frames } from "./FilmStrip";
 import { scrubTo } from "./scrub";
 
@@ -57,7 +58,7 @@ const faults = computed(() =>
 /** The moment in words, and what is known of it. */
 function timeWords(t: number): string {
   if (offPath.value) return `${percent(t)}; the picture is off the path`;
-  return `${percent(t)}, ${curved.value ? "one closed curve" : stateOn(t)}`;
+  return `${percent(t)}, ${curved.value ? "one closed curve" : stateNow()}`;
 }
 
 function Scrub() {
@@ -91,7 +92,7 @@ function Scrub() {
         <span
           class="scrub-worst"
           style={{ left: `${100 * worst.t}%` }}
-          title={`Widest gap: ${gapWords(worst.gap)}, at ${percent(worst.t)}`}
+          title={`Widest gap: ${shareWords(worst.gap)}, at ${percent(worst.t)}`}
         />
       )}
     </Slider>

@@ -5,9 +5,7 @@ import { judged } from "./work";
 /** Whether what is seen is in one piece, in words; and why, where there is a reason. */
 export function Holds() {
   const now = judged.value;
-  const words: VerdictWords = now
-    ? verdictWords(now.answer)
-    : { tone: "unknown", text: "Looking …", aside: "" };
+  const words = verdictWords(now?.answer ?? null);
   const reason = now?.answer.reason;
   return (
     <div class="morph3-holds">

@@ -7,7 +7,7 @@ import { fixed } from "../../../ui/number";
 import { Slider } from "../../../ui/Slider";
 import { Holds } from "./Holds";
 import { morphPlaying, pause, play } from "./play";
-import { goTo, stateOn } from "./way";
+import { goTo, stateNow } from "./way";
 import { check, moment, uv } from "./work";
 
 /** Where along the path it is, and whether what is seen there is in one piece. */
@@ -30,7 +30,7 @@ export function MomentPanel() {
           label="Place along the path"
           value={t}
           step={0.01}
-          valueText={`${percent(t)}, ${stateOn(t)}`}
+          valueText={`${percent(t)}, ${stateNow()}`}
           onChange={(next) => {
             pause();
             goTo(next);

@@ -1,7 +1,9 @@
 import "../../../canvas/locus/path.css";
 import type { PathKind } from "../../../engine/api";
+import { isBroken, STATE, widestOf } from "../../../engine/breaks";
 import { bestWords, pathWords, roomWords } from "../../../state/morph-words";
 import { endGesture } from "../../../state/scene";
+import { shareOf, stateOf } from "../../../state/words";
 import { Button, IconButton } from "../../../ui/Button";
 import { NumberField } from "../../../ui/NumberField";
 import { Segmented } from "../../../ui/Segmented";
@@ -74,20 +76,18 @@ function endedWords(some: boolean): string {
 function PathVerdict() {
   const kind = morph.value?.path.kind;
   const so = check.value;
-  const breaks = (so?.breaks ?? []).map(([t0, t1]) => ({ t0, t1 }));
-  const gap = so && Number.isFinite(so.gap) ? so.gap : null;
-  const words = pathWords(breaks, gap, so ? 1 : 0);
+  const states = (so?.told ?? []).map((moment) => stateOf(moment));
+  const breaks = states.some((state) => isBroken(state) || state === STATE.hidden);
+  const worst = widestOf(states, so?.told.map(shareOf) ?? []);
+  const words = pathWords({ states, widest: worst?.gap ?? 0, progress: so ? 1 : 0 });
   const best = kind === "auto" ? (found.value?.path ?? null) : null;
   const settled = best && so;
   return (
     <>
-      <p
-        class={`path-verdict ${breaks.length > 0 ? "broken" : so ? "whole" : "open"}`}
-        data-testid="space-path"
-      >
+      <p class={`path-verdict ${breaks ? "broken" : so ? "whole" : "open"}`} data-testid="space-path">
         <span class="mark" aria-hidden="true" />
         <span>
-          {words} {settled && so.holds && roomWords(best.plan.clearance)}
+          {words} {settled && !breaks && roomWords(best.plan.clearance)}
         </span>
       </p>
       {settled && !so.holds && (
@@ -125,7 +125,7 @@ function WayPoint({ index }: { index: number }) {
   return (
     <fieldset class="way-point">
       <legend>
-        Way point {index + 1} of {way.value.length} <span class="dim">{stateAt(point)}</span>
+        Way point {index + 1} of {way.value.length} <span class="dim">{stateAt(index)}</span>
       </legend>
       <NumberField
         terse

@@ -5,7 +5,7 @@ import type { Uv } from "../../../state/path";
 import { nearestOn } from "../../../state/polyline";
 import { endGesture } from "../../../state/scene";
 import { addStep } from "../../../ui/number";
-import { addAfter, addHere, goTo, moveTo, pick, place, pointWords, removeAt, stateAt, stateOn } from "./way";
+import { addAfter, addHere, goTo, moveTo, pick, place, pointWords, removeAt, stateAt, stateNow } from "./way";
 import { moment, pathPoints, uv } from "./work";
 
 type ToUv = (event: PointerEvent) => Uv;
@@ -94,7 +94,7 @@ export function WayHandle({ index, count, point, chosen, toUv }: WayHandleProps)
       aria-valuenow={u}
       aria-valuemin={-1}
       aria-valuemax={2}
-      aria-valuetext={`${pointWords(point)}, ${stateAt(point)}`}
+      aria-valuetext={`${pointWords(point)}, ${stateAt(index)}`}
       {...hold}
       onDblClick={(event) => {
         event.preventDefault();
@@ -136,7 +136,7 @@ export function CurrentHandle({ toUv }: { toUv: ToUv }) {
       aria-valuenow={Math.round(1000 * t) / 10}
       aria-valuemin={0}
       aria-valuemax={100}
-      aria-valuetext={`${percent(t)} of the way, ${stateOn(t)}`}
+      aria-valuetext={`${percent(t)} of the way, ${stateNow()}`}
       {...hold}
       onDblClick={(event) => {
         event.preventDefault();

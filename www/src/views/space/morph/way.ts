@@ -1,17 +1,17 @@
 /** What hands and keys do to the path, and to the place on it. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { PathKind, PathPoint, Space } from "../../../engine/api";
-import { STATE, stateNear } from "../../../engine/breaks";
+import { sampleNear } from "../../../engine/breaks";
 import { BOUNDS } from "../../../engine/locus-job";
-import { stateWords } from "../../../state/morph-words";
 import { announce } from "../../../state/notice";
-import { type Uv, uvAt } from "../../../state/path";
+import type { Uv } from "../../../state/path";
 import { clamp, insert, move, nearestOn, remove } from "../../../state/polyline";
 import { endGesture } from "../../../state/scene";
 import { changeSpace, setMorphTime } from "../../../state/space-edits";
+import { type Told, toldOf, verdictPhrase } from "../../../state/words";
 import { fixed } from "../../../ui/number";
 import { MOST_POINTS, withPath } from "./changes";
-import { check, locus, pathPoints, uv } from "./work";
+import { check, judged, locus, moment, pathPoints, uv } from "./work";
 
 /** Points between the two ends. */
 export const way: ReadonlySignal<Uv[]> = computed(() => pathPoints.value.slice(1, -1));
@@ -30,17 +30,24 @@ export function place([u, v]: Readonly<Uv>): [x: number, y: number] {
   return [(u - BOUNDS.u0) / (BOUNDS.u1 - BOUNDS.u0), (BOUNDS.v1 - v) / (BOUNDS.v1 - BOUNDS.v0)];
 }
 
-/** Whether the shape holds together there, as far as the map tells. */
-export function stateAt(point: Uv): string {
+/** What the map tells of a point. */
+function toldAt(point: Uv): Told | null {
   const field = locus.value;
-  return stateWords(field ? stateNear({ ...field, bounds: BOUNDS }, point) : STATE.pending);
+  if (!field) return null;
+  const { state, gap } = sampleNear({ ...field, bounds: BOUNDS }, point);
+  return toldOf(state, gap);
 }
 
-/** The same for a moment of the path: looked at there, or read off the map until that is in. */
-export function stateOn(t: number): string {
-  const found = check.value;
-  if (found?.breaks.some(([t0, t1]) => t >= t0 && t <= t1)) return stateWords(STATE.disconnected);
-  return found?.holds ? stateWords(STATE.touching) : stateAt(uvAt(pathPoints.value, t));
+/** Whether the shape holds together at a way point: looked at there, or read off the map until that is in. */
+export const stateAt = (index: number): string =>
+  verdictPhrase(check.value?.ways[index] ?? toldAt(way.value[index] ?? [0, 0]));
+
+/** The same at the present moment: what is said of the picture, once that is in. */
+export function stateNow(): string {
+  const known = judged.value;
+  if (known && !known.stale) return verdictPhrase(known.answer);
+  const told = check.value?.told;
+  return verdictPhrase(told?.[Math.round(moment.value * (told.length - 1))] ?? toldAt(uv.value));
 }
 
 export const pointWords = ([u, v]: Readonly<Uv>): string => `u ${fixed(u)}, v ${fixed(v)}`;

@@ -133,14 +133,14 @@ describe("what is worked out of a morph", () => {
 
   it("tells where a path breaks of that path only", async () => {
     const straight = last("morphCheck");
-    straight?.answer({ gap: 0, holds: true, breaks: [] });
+    straight?.answer({ gap: 0, holds: true, breaks: [], told: [], ways: [] });
     await rest();
     // What is straight while a path is looked for is nobody's choice.
     expect(check.value).toBeNull();
     last("morphPath")?.answer({ ...plan([0.25, 0.75]), share: 1 });
     await rest();
     expect(last("morphCheck")?.args["points"]).toContainEqual([0.25, 0.75]);
-    last("morphCheck")?.answer({ gap: 0.1, holds: false, breaks: [[0.2, 0.3]] });
+    last("morphCheck")?.answer({ gap: 0.1, holds: false, breaks: [[0.2, 0.3]], told: [], ways: [] });
     await rest();
     expect(check.value?.breaks).toEqual([[0.2, 0.3]]);
     editSpace((now) => withPath(now, { kind: "drawn", points: [[0.5, 0.1]] }));

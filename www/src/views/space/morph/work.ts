@@ -1,10 +1,10 @@
 /** What is worked out of the morph: where it holds, a path, where that breaks, and whether what is seen is in one piece. */
 import { batch, computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import type { Connectedness3, MapRow3, PathCheck, PathPoint, SpaceMorph } from "../../../engine/api";
+import type { Connectedness3, MapRow3, PathPoint, SpaceMorph } from "../../../engine/api";
 import { InTurn, isStopped, Latest, persist } from "../../../engine/lanes/latest";
 import { spaceTask } from "../../../engine/space/client";
 import { solid } from "../../../engine/space/module";
-import type { LocusSoFar, MorphInputs, PathFound } from "../../../engine/space/tasks/morph";
+import type { LocusSoFar, MorphInputs, PathFound, PathTold } from "../../../engine/space/tasks/morph";
 import { wordsOf } from "../../../state/notice";
 import { pointsOf, thinned, type Uv, uvAt } from "../../../state/path";
 import { replace, scene } from "../../../state/scene";
@@ -61,7 +61,7 @@ export const found = signal<{ of: string; path: PathFound } | null>(null);
 /** Whether the search was called off by hand. */
 export const calledOff = signal(false);
 
-const checked = signal<{ of: string; check: PathCheck } | null>(null);
+const checked = signal<{ of: string; check: PathTold } | null>(null);
 const checkKey = computed(() =>
   asked.value === "" ? "" : `${asked.value} ${JSON.stringify(pathPoints.value)}`,
 );
@@ -70,7 +70,7 @@ export const pathless: ReadonlySignal<boolean> = computed(
   () => search.value !== null && auto.value && morph.value?.path.points.length === 0,
 );
 /** Where the path breaks; null until that is known of this one. */
-export const check: ReadonlySignal<PathCheck | null> = computed(() =>
+export const check: ReadonlySignal<PathTold | null> = computed(() =>
   !pathless.value && checked.value?.of === checkKey.value ? checked.value.check : null,
 );
 

@@ -1,0 +1,67 @@
+import { describe, expect, it } from "vitest";
+import type { Connectedness, MapRow } from "./api";
+import { executor } from "./execute";
+import type { Proof } from "./proof";
+import type { Frond } from "./wasm";
+
+const maps: MapRow[] = [
+  [0.5, 0, 0, 0.5, 0, 0],
+  [0.5, 0, 0, 0.5, 0.5, 0],
+];
+
+/** A program that finds a gap of 0.001 only where it looks closer than that, and whose samples of the map see it. */
+function program(sample: { state: number; gap: number }) {
+  const asked: number[] = [];
+  const answer = (verdict: Connectedness["verdict"], upper: number) => ({
+    verdict,
+    gap: { lower: 0, upper },
+    diameter: 1,
+    components: [0, 1],
+  });
+  const frond = {
+    connectedness: (_: unknown, { epsilon }: { epsilon: number }) => {
+      asked.push(epsilon);
+      return epsilon < 1e-3 ? answer("disconnected", 1e-3) : answer("touching", 1e-3);
+    },
+    locus: () => ({ state: [sample.state], gap: [sample.gap] }),
+    interpolate: () => ({ maps }),
+  } as unknown as Frond & Proof;
+  return { asked, run: executor(frond) };
+}
+
+describe("the answer about one shape", () => {
+  it("looks closer where the map has seen a gap and the search has not", async () => {
+    const { run, asked } = program({ state: 2, gap: 8e-4 });
+    const { result } = await run({ kind: "verdict", maps, epsilon: 1 / 600 });
+    expect(result).toMatchObject({ verdict: "disconnected" });
+    expect(asked).toEqual([1 / 600, 2e-4]);
+  });
+
+  it("is left as it is where the map has seen none", async () => {
+    const { run, asked } = program({ state: 1, gap: 0 });
+    const { result } = await run({ kind: "verdict", maps, epsilon: 1 / 600 });
+    expect(result).toMatchObject({ verdict: "touching" });
+    expect(asked).toHaveLength(1);
+  });
+
+  it("is the same along a path", async () => {
+    const { run } = program({ state: 2, gap: 8e-4 });
+    const points: [number, number][] = [[0.5, 0.5]];
+    const { result } = await run({
+      kind: "along",
+      from: maps,
+      to: maps,
+      options: { epsilon: 1 / 600 },
+      points,
+    });
+    expect(result).toEqual([{ verdict: "disconnected", gap: { lower: 0, upper: 1e-3 }, diameter: 1 }]);
+  });
+
+  it("has what is proved of a polygon family", async () => {
+    const { run } = program({ state: 1, gap: 0 });
+    const polygon = { sides: 3, s: [0.45, 0.45] as [number, number] };
+    const found = { kind: "verdict", maps, epsilon: 1 / 600, polygon } as const;
+    const { result } = await run({ ...found, maps });
+    expect(result).toMatchObject({ verdict: "connected" });
+  });
+});
