@@ -136,6 +136,16 @@ describe("LocusWork", () => {
     expect(coarse.gap[64 * 3 + 5]).toBe(12 * 1000 + 20);
   });
 
+  it("tells gaps that are not seen apart, and tells the program only what it knows", () => {
+    const watch = { painted() {}, stage() {}, failed() {} };
+    const work = new LocusWork(inputs, watch, () => 10, { patches: true, priorities: () => [50, 15] });
+    const state = new Uint8Array(SIZE * SIZE).fill(STATE.disconnected);
+    work.acceptWhole({ state, gap: new Float32Array(SIZE * SIZE).fill(1e-4) });
+    expect(work.raw.state.every((s) => s === STATE.hidden)).toBe(true);
+    for (const stride of STRIDES)
+      expect(work.nested(stride).state.every((s) => s === STATE.disconnected)).toBe(true);
+  });
+
   it("paints a coarse sample over the finer ones that are still open", () => {
     const work = new LocusWork(inputs, { painted() {}, stage() {}, failed() {} }, () => 1e9);
     const job = work.job();
