@@ -43,7 +43,7 @@ pub use closed::{
     ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, Expansion, FitError, Fitter, MAX_KNOTS, MAX_SPAN, MAX_TEXT,
     PackError, Progress, Refiner, Stage, Ties, partition, polyline_error,
 };
-pub use collage::{CollageError, CollageFit, CollageOptions, Domains, RingMap, fit_collage};
+pub use collage::{Bounding, CollageError, CollageFit, CollageOptions, Domains, RingMap, fit_collage};
 pub use curve::{FractalCurve, Side};
 pub use error::{FunctionError, MAX_POINTS};
 pub use function::{Dimension, FractalFunction};

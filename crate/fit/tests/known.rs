@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use frond_fit::{
-    CollageFit, CollageOptions, Dimension, FractalFunction, RingMap, Side, fit_collage, spectral_norm,
+    Bounding, CollageFit, CollageOptions, Dimension, FractalFunction, RingMap, Side, fit_collage,
+    spectral_norm,
 };
 use glam::{DMat2, DVec2};
 use serde_json::Value;
@@ -179,6 +180,7 @@ fn the_fit_of_a_leaf() {
         let options = CollageOptions {
             maps: case["K"].as_u64().unwrap() as usize,
             separable: case["mode"] == "sep",
+            bounding: Bounding::Clipped,
             ..CollageOptions::default()
         };
         let fit = fit_collage(&points, &options).unwrap();

@@ -66,7 +66,7 @@ export function Fit7(heading: Heading) {
           value: "5 intervals each with 52 maps (260 points), 9 with 29",
         },
         { name: "Domains", value: "twice as long, from where a range begins: an RFIF" },
-        { name: "Bound of the factors", value: "0.95" },
+        { name: "Bound of the factors", value: "0.95, by constrained least squares" },
         { name: "A map costs", value: `${NUMBERS_A_MAP} numbers${separable ? ", 2 of them zero" : ""}` },
         { name: "A knot costs", value: "2 numbers, a copied edge 2 more" },
       ]}
