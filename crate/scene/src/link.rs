@@ -14,6 +14,7 @@
 use std::fmt::Write as _;
 
 use frond_core::{IfsError, MAX_MAPS};
+use frond_fit::PackError;
 use thiserror::Error;
 
 use crate::deformation::Tool;
@@ -37,7 +38,7 @@ pub const MAX_LINK: usize = 64 * 1024;
 /// The version that is written.
 pub const VERSION: u32 = 1;
 
-/// Why a link could not be read. The message says what to do.
+/// Why a link could not be read, or a document not be written as one. The message says what to do.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum LinkError {
     /// Longer than [`MAX_LINK`].
@@ -64,6 +65,30 @@ pub enum LinkError {
         /// Why.
         source: IfsError,
     },
+    /// A closed curve of a document cannot be written.
+    #[error("{which} cannot be kept in a link. {source}")]
+    Curve {
+        /// Which one.
+        which: &'static str,
+        /// Why.
+        source: PackError,
+    },
+    /// What a document holds, or a link says, takes more than [`MAX_LINK`] to write.
+    #[error(
+        "This takes {bytes} bytes as a link, and the most is 65536. Remove way points, maps, keys or knots of curves."
+    )]
+    TooLarge {
+        /// The length of its link, in bytes.
+        bytes: usize,
+    },
+    /// A value of a document is one that no link may have.
+    #[error("This cannot be kept in a link: “{key}” cannot be {value}. Set it anew.")]
+    Unfit {
+        /// The key.
+        key: &'static str,
+        /// What is wrong.
+        value: String,
+    },
     /// The link has the version of a later Frond.
     #[error(
         "This link was made by a later version of Frond. What this one understands is shown: reload the page to update it."
@@ -76,17 +101,30 @@ impl LinkError {
     #[must_use]
     pub const fn code(&self) -> &'static str {
         match self {
-            Self::TooLong { .. } => "link-too-long",
+            Self::TooLong { .. } | Self::TooLarge { .. } => "link-too-long",
             Self::Value { .. } => "link-damaged",
             Self::Shape { .. } => "link-shape",
+            Self::Curve { source, .. } => source.code(),
+            Self::Unfit { .. } => "link-unfit",
             Self::Later => "link-later",
         }
     }
 }
 
-/// The link of a document, without the `#`.
-#[must_use]
-pub fn encode(scene: &Scene) -> String {
+/// The link of a document, without the `#`: it opens again.
+///
+/// # Errors
+/// Where it would not: a shape has no attractor, a curve cannot be written, a number is out of its range, or it would be
+/// longer than [`MAX_LINK`].
+pub fn encode(scene: &Scene) -> Result<String, LinkError> {
+    let opened = |link: String| read(&link).map(|_| link);
+    write(scene).and_then(opened).map_err(|error| match error {
+        LinkError::Value { key, value } => LinkError::Unfit { key, value },
+        error => error,
+    })
+}
+
+fn write(scene: &Scene) -> Result<String, LinkError> {
     let mut link = format!("v={VERSION}");
     for (key, shape) in [("a", &scene.a), ("b", &scene.b)] {
         write_shape(&mut link, key, shape);
@@ -142,23 +180,25 @@ pub fn encode(scene: &Scene) -> String {
         write_deform(&mut link, deform);
     }
     if let Some(curves) = &scene.curves {
-        write_curves(&mut link, curves);
+        write_curves(&mut link, curves)?;
     }
     if let Some(fit) = &scene.fit {
-        write_fit(&mut link, fit);
+        write_fit(&mut link, fit)?;
     }
     if let Some(space) = &scene.space {
-        write_space(&mut link, space);
+        write_space(&mut link, space)?;
     }
-    link
+    if link.len() > MAX_LINK { Err(LinkError::TooLarge { bytes: link.len() }) } else { Ok(link) }
 }
 
 /// The document of a link (with or without the `#`), and what was wrong with it. A link that cannot be read
 /// gives the default document: there is always something to show.
+///
+/// What a link gives, [`encode`] writes as a link that gives it again; where that cannot be, the link is one that cannot be read.
 #[must_use]
 pub fn decode(link: &str) -> (Scene, Option<LinkError>) {
     let link = link.strip_prefix('#').unwrap_or(link);
-    match read(link) {
+    match read(link).and_then(|opened| write(&opened.0).map(|_| opened)) {
         Ok((scene, later)) => (scene, later.then_some(LinkError::Later)),
         Err(error) => (Scene::default(), Some(error)),
     }
@@ -214,6 +254,10 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
         let turns: Option<Vec<i32>> = text.split(',').map(|part| part.parse().ok()).collect();
         let turns = turns.filter(|turns| turns.len() == maps && turns.iter().all(|t| (-16..=16).contains(t)));
         scene.turns = turns.ok_or_else(|| damaged("turns", text))?;
+        // None is what nothing stands for.
+        if scene.turns.iter().all(|&turns| turns == 0) {
+            scene.turns.clear();
+        }
     }
     let colours = [
         ("map", Colouring::Map),

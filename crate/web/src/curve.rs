@@ -61,11 +61,11 @@ pub fn pack_curve(#[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue
     read_curve(&curve)?.to_text().map_err(of_pack)
 }
 
-/// The curve that [`pack_curve`] wrote.
+/// The curve that [`pack_curve`] wrote; of another word, as a link keeps it.
 #[wasm_bindgen(js_name = unpackCurve, unchecked_return_type = "Curve")]
 pub fn unpack_curve(text: &str) -> Result<JsValue, JsValue> {
     if text.len() > MAX_TEXT {
-        return Err(of_pack(PackError::TooManyKnots));
+        return Err(of_pack(PackError::TooLong));
     }
     write_curve(&ClosedCurve::from_text(text).map_err(of_pack)?)
 }

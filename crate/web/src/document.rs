@@ -31,8 +31,8 @@ pub fn default_scene() -> Result<JsValue, JsValue> {
     write(&Scene::default())
 }
 
-/// The link of a document: the fragment of a URL, without the `#`. Throws when a shape has no attractor or the
-/// link would be longer than 64 KiB.
+/// The link of a document: the fragment of a URL, without the `#`. Throws where it would not open again: a shape has no
+/// attractor, a curve cannot be written, a number is out of its range, or it would be longer than 64 KiB.
 #[wasm_bindgen(js_name = encodeScene)]
 pub fn encode_scene(
     #[wasm_bindgen(unchecked_param_type = "Scene")] scene: JsValue,
@@ -41,18 +41,7 @@ pub fn encode_scene(
     for shape in [&scene.a, &scene.b] {
         shape.ifs().map_err(|error| of_ifs(&error))?;
     }
-    let curves = scene.curves.iter().flat_map(|curves| [&curves.a, &curves.b]);
-    for shape in curves.chain(scene.fit.iter().filter_map(|fit| fit.curve.as_ref())) {
-        shape.closed().map_err(|error| failure(error.code(), &error.to_string()))?;
-    }
-    let link = frond_scene::encode(&scene);
-    if link.len() > frond_scene::MAX_LINK {
-        return Err(failure(
-            "link-too-long",
-            "This scene is too large for a link. Remove way points or maps.",
-        ));
-    }
-    Ok(link)
+    frond_scene::encode(&scene).map_err(|error| failure(error.code(), &error.to_string()))
 }
 
 /// The document of a link. Never throws: a link that cannot be read gives the default document and a problem.

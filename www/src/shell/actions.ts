@@ -29,9 +29,9 @@ export function studioHref(tool?: Tool): string {
   return `#${link.fragment(tool ? { tool } : {}) ?? ""}`;
 }
 
-/** Puts the address of the present document on the clipboard. */
+/** Puts the address of the present document on the clipboard; not that of an earlier one, where none can hold it. */
 export async function shareLink(): Promise<void> {
-  link.flush();
+  if (!link.flush()) return;
   const { href } = location;
   try {
     await navigator.clipboard.writeText(href);

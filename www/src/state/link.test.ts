@@ -149,6 +149,22 @@ describe("Link", () => {
     expect(bar.writes).toBe(0);
     expect(notices.value.some((notice) => notice.text.includes("Too long"))).toBe(true);
     expect(link.fragment()).toBeNull();
+    // The address is that of another document: it is not to be shared.
+    expect(link.flush()).toBe(false);
+    edit((now) => ({ ...now, turns: [1] }));
+    expect(link.flush()).toBe(true);
+    expect(bar.text).toBe("t=0&turn=1");
+  });
+
+  it("keeps a document that does not fit into a link while one looks at the figures", () => {
+    open("");
+    edit((now) => ({ ...now, turns: [1, 2, 3, 4] }));
+    bar.text = "figures";
+    link.follow();
+    bar.text = "";
+    link.follow();
+    expect(scene.value.turns).toEqual([1, 2, 3, 4]);
+    expect(route.value.page).toBe("studio");
   });
 });
 

@@ -68,14 +68,15 @@ export class Link {
     const next = parseRoute(fragment);
     routed.value = next;
     if (next.page !== "studio") return;
-    if (fragment === this.fragment()) return;
+    // A document that no link can hold has the empty one, and stays.
+    if (fragment === (this.fragment() ?? "")) return;
     const opened = this.#decode(fragment);
     edit(() => opened);
     this.#onOpen();
     this.#kept = scene.peek();
   }
 
-  /** The present document, with a change, as a fragment; null when it is too long for one. */
+  /** The present document, with a change, as a fragment; null when no link can hold it. */
   fragment(change: Partial<Scene> = {}): string | null {
     try {
       return this.#codec.encodeScene({ ...scene.peek(), ...change });
@@ -100,19 +101,21 @@ export class Link {
     };
   }
 
-  /** Writes now: somebody is about to leave, or wants the address. */
-  flush(): void {
+  /** Writes now: somebody is about to leave, or wants the address. False where no link can hold the document: that is said. */
+  flush(): boolean {
     this.#stop();
     const now = scene.peek();
-    if (routed.peek().page !== "studio" || now === this.#kept) return;
+    if (routed.peek().page !== "studio" || now === this.#kept) return true;
     // A link was followed this moment, and the word of it is still on its way: writing would lose it.
-    if (this.#address.read() !== this.#seen) return;
+    if (this.#address.read() !== this.#seen) return true;
     try {
       this.#address.write(this.#codec.encodeScene(now));
       this.#seen = this.#address.read();
       this.#kept = now;
+      return true;
     } catch (problem) {
-      notify({ kind: "error", text: `This document does not fit into a link: ${wordsOf(problem)}` });
+      notify({ kind: "error", text: `The address no longer holds what you see. ${wordsOf(problem)}` });
+      return false;
     }
   }
 

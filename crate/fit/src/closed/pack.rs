@@ -20,6 +20,10 @@ const MOST_FACTOR: i64 = 1 << 20;
 /// The finest grid, in parts of the box's diagonal.
 const FINEST: f64 = 1e-9;
 
+/// No knot lies further out, and no curve is smaller unless it is a point: squares of lengths are numbers then.
+const FAR: f64 = 1e100;
+const SMALL: f64 = 1e-100;
+
 /// Why a curve is not packed or unpacked.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 pub enum PackError {
@@ -35,6 +39,16 @@ pub enum PackError {
     /// More than [`MAX_KNOTS`].
     #[error("The curve has more than 4096 knots. Fit the outline with fewer numbers.")]
     TooManyKnots,
+    /// It would be a word of more than [`MAX_TEXT`](super::MAX_TEXT) characters.
+    #[error(
+        "The curve takes more than the 48 KB that a link has for it. Fit the outline with fewer numbers."
+    )]
+    TooLong,
+    /// A knot lies beyond 1e100, or the box is smaller than 1e-100 and no point.
+    #[error(
+        "The curve is too large, too small or too far out for a link, which holds 1e-100 to 1e100. Scale it."
+    )]
+    Size,
 }
 
 impl PackError {
@@ -46,6 +60,8 @@ impl PackError {
             Self::CutShort => "cut-short",
             Self::Unsound => "unsound",
             Self::TooManyKnots => "too-many-knots",
+            Self::TooLong => "too-long",
+            Self::Size => "size",
         }
     }
 }
@@ -57,18 +73,11 @@ impl ClosedCurve {
     /// A version, the first knot and the width of the grid; then, bit by bit, steps from knot to knot and what edges copy.
     ///
     /// # Errors
-    /// Where the curve is not [sound](Self::is_sound) or has more than [`MAX_KNOTS`] knots.
+    /// Where the curve is not [sound](Self::is_sound), has more than [`MAX_KNOTS`] knots, or lies beyond 1e100 or is
+    /// smaller than 1e-100.
     pub fn to_bytes(&self, precision: f64) -> Result<Vec<u8>, PackError> {
-        if !self.is_sound() {
-            return Err(PackError::Unsound);
-        }
-        if self.knots.len() > MAX_KNOTS {
-            return Err(PackError::TooManyKnots);
-        }
-        let (low, high) = crate::outline::bounds(&self.knots);
-        let finest = FINEST * low.distance(high);
-        // A knot moves by half a diagonal of the grid at most.
-        let step = if precision > finest { precision.min(1e9 * finest) } else { finest } * 1.4;
+        self.check()?;
+        let step = self.step(precision);
         let (curve, places) = self.on_grid(step);
         if !curve.is_sound() {
             return Err(PackError::Unsound);
@@ -103,7 +112,7 @@ impl ClosedCurve {
     /// The curve that [`to_bytes`](Self::to_bytes) made bytes of. It is sound.
     ///
     /// # Errors
-    /// Where the bytes are no curve, cut short, or of one that is not sound.
+    /// Where the bytes are no curve, cut short, or of one that [`to_bytes`](Self::to_bytes) refuses.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, PackError> {
         let mut bits = Reader { bytes, at: 0 };
         if bits.take(8)? != u64::from(VERSION) {
@@ -135,7 +144,33 @@ impl ClosedCurve {
             let c = unzigzag(bits.take_number(8)?) as f64 * FACTOR_STEP;
             curve.edges.push(Some(ArcCopy { from, span, reversed, c }));
         }
-        if curve.is_sound() { Ok(curve) } else { Err(PackError::Unsound) }
+        curve.check().map(|()| curve)
+    }
+
+    /// Whether it can be packed.
+    pub(super) fn check(&self) -> Result<(), PackError> {
+        if !self.is_sound() {
+            return Err(PackError::Unsound);
+        }
+        if self.knots.len() > MAX_KNOTS {
+            return Err(PackError::TooManyKnots);
+        }
+        let (low, high) = crate::outline::bounds(&self.knots);
+        let size = (high - low).max_element();
+        let near = low.abs().max(high.abs()).max_element() <= FAR;
+        if near && (size == 0.0 || size >= SMALL) { Ok(()) } else { Err(PackError::Size) }
+    }
+
+    /// The width of the grid for a precision: a knot moves by half a diagonal of the grid at most.
+    fn step(&self, precision: f64) -> f64 {
+        let (low, high) = crate::outline::bounds(&self.knots);
+        let finest = FINEST * low.distance(high);
+        1.4 * if precision > finest { precision.min(1e9 * finest) } else { finest }
+    }
+
+    /// Whether packing with this precision changes nothing.
+    pub(super) fn lies_on_grid(&self, precision: f64) -> bool {
+        self.on_grid(self.step(precision)).0 == *self
     }
 
     /// The curve with knots and factors on their grids, and the places of the knots.

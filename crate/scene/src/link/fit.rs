@@ -20,11 +20,11 @@ const MODES: [(&str, FitMode); 2] = [("outline", FitMode::Outline), ("graph", Fi
 const MODELS: [(&str, FitModel); 2] = [("closed", FitModel::Closed), ("collage", FitModel::Collage)];
 const KINDS: [(&str, GraphKind); 3] =
     [("fif", GraphKind::Fif), ("rfif", GraphKind::Rfif), ("pfif", GraphKind::Pfif)];
-/// The keys of a curve: of itself and of its name.
-type Keys = [&'static str; 2];
-const A: Keys = ["curve-a", "curve-a-name"];
-const B: Keys = ["curve-b", "curve-b-name"];
-const FITTED: Keys = ["fitted", "fitted-name"];
+/// The keys of a curve: of itself and of its name; and what it is called.
+type Keys = [&'static str; 3];
+const A: Keys = ["curve-a", "curve-a-name", "The first curve"];
+const B: Keys = ["curve-b", "curve-b-name", "The second curve"];
+const FITTED: Keys = ["fitted", "fitted-name", "The fitted curve"];
 
 fn name_of<T: PartialEq>(choices: &[(&'static str, T)], value: &T) -> &'static str {
     choices.iter().find_map(|(name, choice)| (choice == value).then_some(*name)).unwrap_or("")
@@ -40,24 +40,25 @@ fn gallery(id: &str) -> Option<CurveShape> {
     })
 }
 
-pub(super) fn write_curves(link: &mut String, curves: &Curves) {
-    write_curve(link, A, &curves.a);
-    write_curve(link, B, &curves.b);
+pub(super) fn write_curves(link: &mut String, curves: &Curves) -> Result<(), LinkError> {
+    write_curve(link, A, &curves.a)?;
+    write_curve(link, B, &curves.b)
 }
 
-/// A curve that does not hold together is left out: documents with such are refused before.
-fn write_curve(link: &mut String, [key, name_key]: Keys, shape: &CurveShape) {
+fn write_curve(link: &mut String, [key, name_key, which]: Keys, shape: &CurveShape) -> Result<(), LinkError> {
     let same = |found: &CurveShape| found.curve == shape.curve;
     if let Some(id) = shape.preset.as_deref().filter(|id| gallery(id).as_ref().is_some_and(same)) {
         let _ = write!(link, "&{key}={id}");
-        return;
+        return Ok(());
     }
-    let Ok(text) = ClosedCurve::from(&shape.curve).to_text() else { return };
+    let unwritten = |source| LinkError::Curve { which, source };
+    let text = shape.closed().and_then(|curve| curve.to_text()).map_err(unwritten)?;
     let _ = write!(link, "&{key}=curve:{text}");
     let name = tidy(&shape.name);
     if !name.is_empty() {
         let _ = write!(link, "&{name_key}={}", escape(&name));
     }
+    Ok(())
 }
 
 /// The closed curves of a link: none unless it names both.
@@ -70,7 +71,7 @@ pub(super) fn read_curves<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<
 
 fn read_curve<'a>(
     get: &impl Fn(&str) -> Option<&'a str>,
-    [key, name_key]: Keys,
+    [key, name_key, _]: Keys,
 ) -> Result<Option<CurveShape>, LinkError> {
     let Some(text) = get(key) else { return Ok(None) };
     let Some(word) = text.strip_prefix("curve:") else {
@@ -83,17 +84,18 @@ fn read_curve<'a>(
     Ok(Some(CurveShape { preset: None, name, curve: Curve::from(&curve) }))
 }
 
-pub(super) fn write_fit(link: &mut String, fit: &Fit) {
+pub(super) fn write_fit(link: &mut String, fit: &Fit) -> Result<(), LinkError> {
     let (mode, model) = (name_of(&MODES, &fit.mode), name_of(&MODELS, &fit.model));
     let _ = write!(link, "&fit={mode}:{model},{},{}", fit.numbers, number(fit.smoothing));
     if let Some(curve) = &fit.curve {
-        write_curve(link, FITTED, curve);
+        write_curve(link, FITTED, curve)?;
     }
     if let Some(graph) = &fit.graph {
         let piece = |piece: &GraphPiece| numbers(&[&piece.map[..], &piece.domain[..]].concat());
         let pieces: Vec<String> = graph.pieces.iter().map(piece).collect();
         let _ = write!(link, "&graph={}:{}", name_of(&KINDS, &graph.kind), pieces.join(";"));
     }
+    Ok(())
 }
 
 pub(super) fn read_fit<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<Fit>, LinkError> {

@@ -61,7 +61,8 @@ pub(super) fn read_locus<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<O
     if !(within(&[view.x, view.y, view.w], FAR) && (1e-3..=1e15).contains(&view.zoom)) {
         return Err(damaged("locus", text));
     }
-    Ok(Some(view))
+    // All of the morph's is what nothing stands for.
+    Ok(Some(view).filter(|view| *view != LocusView::whole(FamilyName::Morph)))
 }
 
 pub(super) fn read_way(key: &'static str, text: &str) -> Result<Vec<WayPoint>, LinkError> {

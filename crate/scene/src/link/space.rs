@@ -16,7 +16,15 @@ use crate::space::{Held, MAX_PACKED, SpacePart, view_numbers, view_of};
 /// Moments further away than this are a mistake.
 const FAR: f64 = 1e6;
 
-pub(super) fn write_space(link: &mut String, space: &SpacePart) {
+/// Whether a word can stand in a link as it is.
+fn stands(packed: &str) -> bool {
+    packed.len() <= MAX_PACKED && packed.chars().all(|c| c.is_ascii_graphic() && !"&#".contains(c))
+}
+
+pub(super) fn write_space(link: &mut String, space: &SpacePart) -> Result<(), LinkError> {
+    if !stands(&space.packed) {
+        return Err(damaged("space", &space.packed));
+    }
     let _ = write!(link, "&space={}", space.packed);
     if let Some(view) = space.view.as_ref().filter(|view| view.is_one()) {
         let _ = write!(link, "&space-view={}", numbers(&view_numbers(view)));
@@ -30,12 +38,12 @@ pub(super) fn write_space(link: &mut String, space: &SpacePart) {
     if space.at != 0.0 && within(&[space.at], FAR) {
         let _ = write!(link, "&space-at={}", number(space.at));
     }
+    Ok(())
 }
 
 pub(super) fn read_space<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<SpacePart>, LinkError> {
     let Some(packed) = get("space") else { return Ok(None) };
-    let plain = |c: char| c.is_ascii_graphic() && !"&#".contains(c);
-    if packed.len() > MAX_PACKED || !packed.chars().all(plain) {
+    if !stands(packed) {
         return Err(damaged("space", packed));
     }
     // A view or a moment that is none leaves the rest as it is: to look again is easy.

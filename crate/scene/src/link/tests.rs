@@ -9,6 +9,10 @@ use crate::fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece};
 use crate::scene::{FamilyName, LocusView, MAX_WAY_POINTS, Path, WayPoint};
 use crate::space::{Held, SpacePart, SpaceView};
 
+fn encode(scene: &Scene) -> String {
+    super::encode(scene).unwrap()
+}
+
 fn any_shape() -> impl Strategy<Value = Shape> {
     let number = prop_oneof![
         4 => -0.3..0.3_f64,
@@ -454,8 +458,53 @@ fn a_fit_of_260_numbers_takes_less_than_4_kilobytes() {
     let shape = CurveShape { preset: None, name: "A leaf".to_owned(), curve: Curve::from(&curve) };
     assert_eq!(curve.numbers(), 260);
     let mut link = String::new();
-    write_curves(&mut link, &Curves { a: shape.clone(), b: shape });
+    write_curves(&mut link, &Curves { a: shape.clone(), b: shape }).unwrap();
     assert!(link.len() > 500 && link.len() < 2 * 4096, "{}", link.len());
+}
+
+#[test]
+fn what_would_not_open_again_is_told_and_not_left_out() {
+    let (with_curves, _) = decode("v=1&curve-a=maple&curve-b=oak&fitted=snowflake");
+    let code = |change: &dyn Fn(&mut Scene)| {
+        let mut scene = with_curves.clone();
+        change(&mut scene);
+        super::encode(&scene).map_err(|error| (error.code(), error.to_string())).unwrap_err()
+    };
+    fn far(curve: &mut CurveShape) {
+        curve.curve.knots[0] = [1e150, 0.0];
+    }
+    let (size, words) = code(&|scene| far(&mut scene.curves.as_mut().unwrap().b));
+    assert!(size == "size" && words.starts_with("The second curve cannot be kept in a link."), "{words}");
+    let (_, words) = code(&|scene| far(scene.fit.as_mut().unwrap().curve.as_mut().unwrap()));
+    assert!(words.starts_with("The fitted curve"), "{words}");
+    assert_eq!(code(&|scene| scene.curves.as_mut().unwrap().a.curve.edges.clear()).0, "unsound");
+    let (unfit, words) = code(&|scene| scene.t = f64::NAN);
+    assert!(unfit == "link-unfit" && words.contains("“t”"), "{words}");
+    let part = SpacePart { packed: "o:sponge&b=koch".to_owned(), ..SpacePart::default() };
+    assert_eq!(code(&|scene| scene.space = Some(part.clone())).0, "link-unfit");
+    assert_eq!(code(&|scene| scene.a.maps = vec![[2.0, 0.0, 0.0, 2.0, 0.0, 0.0]]).0, "link-shape");
+    let moves = |k: usize| vec![-0.123_456_789_012_345_67 * k as f64; 512];
+    let keys = (0..32).map(|k| Key { at: k as f64 / 32.0, moves: moves(k + 1) }).collect();
+    let large = Deformation { columns: 16, rows: 16, keys, ..Deformation::at_rest([0.0, 0.0, 1.0, 1.0]) };
+    let (long, words) = code(&|scene| scene.deform = Some(large.clone()));
+    assert!(long == "link-too-long" && words.contains("65536"), "{words}");
+}
+
+#[test]
+fn a_link_that_would_grow_too_long_to_be_written_is_refused() {
+    let moves = (1..=256).map(|point| format!("{point},9e9,9e9")).collect::<Vec<_>>().join(",");
+    let keys: Vec<String> = (0..15).map(|k| format!("{k}e-2:{moves}")).collect();
+    let link = format!("mesh=16x16:0,0,1,1&keys={}", keys.join(";"));
+    assert!(link.len() < MAX_LINK, "{}", link.len());
+    let (scene, problem) = decode(&link);
+    assert_eq!((scene, problem.map(|problem| problem.code())), (Scene::default(), Some("link-too-long")));
+}
+
+#[test]
+fn what_stands_for_nothing_opens_as_nothing() {
+    for link in ["locus=morph:", "locus=morph", "locus=morph:0.5,0.5,1", "turns=0,0,0"] {
+        assert_eq!(decode(link), (Scene::default(), None), "{link}");
+    }
 }
 
 #[test]
