@@ -39,10 +39,12 @@ pub enum ReadError {
     /// The drawing defines entities, which can be made to grow without end.
     #[error("The drawing defines entities (<!ENTITY>), which are not read. Save it again as plain SVG.")]
     Entities,
-    /// The drawing has more elements than are looked at.
-    #[error("The drawing has too many elements: at most {most} are looked at. Leave only the outline in it.")]
+    /// The drawing has more than is looked at.
+    #[error("The drawing has too many {what}: at most {most} are looked at. Leave only the outline in it.")]
     TooMany {
-        /// How many are looked at.
+        /// What there is too much of, once all that is used more than once is counted as often.
+        what: &'static str,
+        /// How many of them are looked at.
         most: usize,
     },
     /// Nothing in it has an outline.
@@ -123,7 +125,7 @@ impl ReadError {
 /// What is to be said of a file that was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Remark {
-    /// A name that does not change, for programs: `crossing`, `thinned`, `gaps`, `closed`, `ignored`, `several`.
+    /// A name that does not change, for programs: `crossing`, `thinned`, `gaps`, `closed`, `ignored`, `assumed`, `several`.
     pub code: &'static str,
     /// A sentence or two that say what to try.
     pub message: String,

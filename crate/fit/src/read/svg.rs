@@ -1,103 +1,135 @@
 //! Drawings: each closed part of each shape is an outline.
 
+mod flatten;
+mod path;
 mod shape;
 mod transform;
+mod tree;
 
-use glam::DVec2;
-use kurbo::{Affine, BezPath, PathEl, Rect, Shape};
-use roxmltree::{Document, Node, ParsingOptions};
+use std::collections::BTreeMap;
 
-use self::shape::{number, path_of};
+use kurbo::{Affine, PathEl, Rect};
+
+use self::flatten::flatten;
+use self::shape::{Drawn, draw, is_shape};
 use self::transform::transform;
-use super::Raw;
+use self::tree::{Tag, Tree};
+use super::FileContent;
 use super::problem::{ReadError, Remark};
 use super::text::short;
 
-/// Elements in the file, and elements drawn with all that is used more than once.
-const MAX_ELEMENTS: usize = 200_000;
+/// Elements that are drawn, with all that is used more than once.
 const MAX_DRAWN: usize = 20_000;
+/// Letters that are looked through beyond those of the file: what is used more than once is read as often.
+const MAX_AGAIN: usize = 16 << 20;
 /// Things used within things used.
 const MAX_USES: usize = 16;
-/// Points of all curves once they are flattened.
-const MAX_FLAT: usize = 1 << 21;
-/// Curves are flattened to this part of the diagonal of all.
-const FLATNESS: f64 = 5e-5;
+/// Elements of all paths, and points of all lines once their curves are flattened.
+const MAX_POINTS: usize = 1 << 23;
+/// A shape that all is drawn on has no more elements.
+const MAX_GROUND: usize = 10;
 
 /// Reads the shapes of an SVG: paths, polygons, polylines, rectangles, circles and ellipses, with their transforms, in
 /// groups and wherever they are used. Nothing is run or fetched.
-pub fn read_svg(text: &str) -> Result<(Vec<Raw>, Vec<Remark>), ReadError> {
+///
+/// The text is gone through twice: once to see how large all is, which says how finely curves are to be flattened, and
+/// once to flatten them. No shape is ever kept as a whole.
+pub fn read_svg(text: &str) -> Result<FileContent, ReadError> {
     if text.contains("<!ENTITY") {
         return Err(ReadError::Entities);
     }
-    let options =
-        ParsingOptions { allow_dtd: true, nodes_limit: MAX_ELEMENTS as u32, ..ParsingOptions::default() };
-    let document = Document::parse_with_options(text, options).map_err(|error| match error {
-        roxmltree::Error::NodesLimitReached => ReadError::TooMany { most: MAX_ELEMENTS },
-        error => ReadError::Broken { format: "SVG", why: short(&error.to_string(), 120) },
-    })?;
-    let mut drawing = Drawing::default();
-    drawing.walk(&document)?;
-    let (raws, mut remarks) = drawing.flattened()?;
+    let tree = Tree::read(text)?;
+    let mut drawing =
+        Drawing { tree: &tree, shapes: Vec::new(), ignored: Vec::new(), budget: text.len() + MAX_AGAIN };
+    drawing.walk()?;
+    let around = drawing.measure()?;
+    let (gathered, parts) = flatten(&drawing.shapes, around, page(&tree.tag(0)))?;
+    let mut remarks = Vec::new();
     if !drawing.ignored.is_empty() {
         let message = format!("Not looked at: {}.", drawing.ignored.join(", "));
         remarks.push(Remark::new("ignored", message));
     }
-    if raws.is_empty() { Err(ReadError::Nothing { format: "SVG" }) } else { Ok((raws, remarks)) }
+    // A shape of many parts has one name, and its text may be long.
+    let mut names = BTreeMap::new();
+    for &(shape, _) in gathered.kept.iter().map(|kept| &kept.label) {
+        let Shape { tag, number, .. } = &drawing.shapes[shape];
+        names.entry(shape).or_insert_with(|| {
+            tag.get("id").map_or_else(|| format!("{} {number}", tag.name), |id| short(&id, 40))
+        });
+    }
+    gathered.finish("svg", remarks, |&(shape, part)| match parts[shape] {
+        1 => names[&shape].clone(),
+        count => format!("{}, part {} of {count}", names[&shape], part + 1),
+    })
 }
 
-#[derive(Default)]
-struct Drawing {
-    shapes: Vec<(String, BezPath)>,
-    ignored: Vec<&'static str>,
-    /// What is shown of the plane.
-    page: Option<Rect>,
+/// A shape that is drawn.
+struct Shape<'a> {
+    tag: Tag<'a>,
+    place: Affine,
+    /// How many shapes were drawn up to it.
+    number: usize,
+    /// Whether it has few elements, as what all is drawn on has.
+    simple: bool,
 }
 
-/// An element that is still to be drawn.
-struct Todo<'a, 'b> {
-    node: Node<'a, 'b>,
+/// Elements that are still to be drawn: a span of the tree.
+struct Todo {
+    next: u32,
+    end: u32,
     place: Affine,
     uses: usize,
     used: bool,
 }
 
-impl Drawing {
-    fn walk(&mut self, document: &Document<'_>) -> Result<(), ReadError> {
-        let root = document.root_element();
-        self.page = page(root);
-        let mut todo = vec![Todo { node: root, place: Affine::IDENTITY, uses: 0, used: false }];
+struct Drawing<'a> {
+    tree: &'a Tree<'a>,
+    shapes: Vec<Shape<'a>>,
+    ignored: Vec<&'static str>,
+    /// Letters that may still be looked through.
+    budget: usize,
+}
+
+impl<'a> Drawing<'a> {
+    /// Finds the shapes that are drawn.
+    fn walk(&mut self) -> Result<(), ReadError> {
+        let whole = Todo { next: 0, end: 1, place: Affine::IDENTITY, uses: 0, used: false };
+        let mut todo = vec![whole];
         let mut drawn = 0;
-        while let Some(Todo { node, place, uses, used }) = todo.pop() {
-            drawn += 1;
-            if drawn > MAX_DRAWN {
-                return Err(ReadError::TooMany { most: MAX_DRAWN });
-            }
-            if !node.is_element() || hidden(node) {
+        while let Some(span) = todo.last_mut() {
+            if span.next >= span.end {
+                todo.pop();
                 continue;
             }
-            let name = node.tag_name().name();
-            let mut place = place * node.attribute("transform").map_or(Affine::IDENTITY, transform);
-            match name {
+            let (node, uses, used, mut place) = (span.next, span.uses, span.used, span.place);
+            span.next = self.tree.after(node);
+            drawn += 1;
+            if drawn > MAX_DRAWN {
+                return Err(ReadError::TooMany { what: "elements", most: MAX_DRAWN });
+            }
+            let tag = self.tag(node)?;
+            if hidden(&tag) {
+                continue;
+            }
+            if let Some(text) = tag.get("transform") {
+                place *= transform(&text);
+            }
+            match tag.name {
+                // What is only defined is drawn where it is used.
+                "symbol" if !used => {}
                 "svg" | "g" | "a" | "switch" | "symbol" => {
-                    if name == "symbol" && !used {
-                        continue;
+                    if tag.name == "svg" && node != 0 {
+                        place *= Affine::translate((tag.number("x"), tag.number("y")));
                     }
-                    if name == "svg" && node != root {
-                        place *= Affine::translate((number(node, "x"), number(node, "y")));
-                    }
-                    // The last one is taken from the stack first: their order stays.
-                    let children: Vec<_> = node.children().filter(Node::is_element).collect();
-                    todo.extend(children.into_iter().rev().map(|node| Todo {
-                        node,
-                        place,
-                        uses,
-                        used: false,
-                    }));
+                    let (next, end) = self.tree.inside(node);
+                    todo.push(Todo { next, end, place, uses, used: false });
                 }
                 "use" => {
-                    let place = place * Affine::translate((number(node, "x"), number(node, "y")));
-                    match (target(document, node), uses < MAX_USES) {
-                        (Some(node), true) => todo.push(Todo { node, place, uses: uses + 1, used: true }),
+                    place *= Affine::translate((tag.number("x"), tag.number("y")));
+                    match (self.target(&tag), uses < MAX_USES) {
+                        (Some(node), true) => {
+                            todo.push(Todo { next: node, end: node + 1, place, uses: uses + 1, used: true });
+                        }
                         (None, _) => self.ignore("uses of what is elsewhere or missing"),
                         (_, false) => self.ignore("uses within uses beyond 16"),
                     }
@@ -107,19 +139,31 @@ impl Drawing {
                 "image" => self.ignore("pictures"),
                 "foreignObject" => self.ignore("foreign objects"),
                 "style" => self.ignore("style sheets"),
-                _ => match path_of(node) {
-                    Some(Ok(path)) => {
-                        let kind = self.shapes.len() + 1;
-                        let name =
-                            node.attribute("id").map_or_else(|| format!("{name} {kind}"), |id| short(id, 40));
-                        self.shapes.push((name, place * path));
-                    }
-                    Some(Err(why)) => self.ignore(why),
-                    None => {}
-                },
+                name if is_shape(name) => {
+                    self.shapes.push(Shape { tag, place, number: self.shapes.len() + 1, simple: false });
+                }
+                _ => {}
             }
         }
         Ok(())
+    }
+
+    /// The tag of an element, if what is left of the budget is enough to look through it.
+    fn tag(&mut self, node: u32) -> Result<Tag<'a>, ReadError> {
+        let Some(left) = self.budget.checked_sub(self.tree.tag_text(node).len()) else {
+            return Err(ReadError::TooMany {
+                what: "letters in shapes that are used again",
+                most: MAX_AGAIN,
+            });
+        };
+        self.budget = left;
+        Ok(self.tree.tag(node))
+    }
+
+    /// What a `use` means, if it is in the same drawing.
+    fn target(&self, tag: &Tag<'_>) -> Option<u32> {
+        let link = tag.get("href")?;
+        self.tree.find(link.trim().strip_prefix('#')?)
     }
 
     fn ignore(&mut self, what: &'static str) {
@@ -128,87 +172,66 @@ impl Drawing {
         }
     }
 
-    /// The parts of all shapes as polylines with y up.
-    fn flattened(&mut self) -> Result<(Vec<Raw>, Vec<Remark>), ReadError> {
-        let finite = |path: &BezPath| {
-            let bounds = path.control_box();
-            [bounds.x0, bounds.y0, bounds.x1, bounds.y1].iter().all(|side| side.abs() <= 1e9)
-        };
-        let before = self.shapes.len();
-        self.shapes.retain(|(_, path)| !path.is_empty() && finite(path));
-        if self.shapes.len() < before {
-            self.ignore("shapes that are empty, or beyond all bounds");
-        }
-        let mut raws = Vec::new();
-        let mut count = 0;
-        let around = self.shapes.iter().map(|(_, path)| path.control_box()).reduce(|a, b| a.union(b));
-        let Some(around) = around else { return Ok((raws, Vec::new())) };
-        let tolerance = (FLATNESS * around.size().to_vec2().hypot()).max(1e-12);
-        for (name, path) in &self.shapes {
-            let first = raws.len();
-            let (mut points, mut closed): (Vec<DVec2>, bool) = (Vec::new(), false);
-            let ground =
-                path.elements().len() <= 6 && self.page.is_some_and(|page| covers(path.bounding_box(), page));
-            let mut take = |points: &mut Vec<DVec2>, closed: bool| {
-                if points.len() > 1 {
-                    let points = std::mem::take(points);
-                    let closed = closed || points.first() == points.last();
-                    raws.push(Raw { name: name.clone(), points, closed, ground });
-                }
-                points.clear();
-            };
-            kurbo::flatten(path, tolerance, |element| {
+    /// Leaves the shapes that can be seen, and returns the box around them and the control points of their curves.
+    fn measure(&mut self) -> Result<Option<Rect>, ReadError> {
+        let mut all: Option<Rect> = None;
+        let mut elements = 0;
+        for mut shape in std::mem::take(&mut self.shapes) {
+            let (mut bounds, mut count, mut beyond): (Option<Rect>, usize, bool) = (None, 0, false);
+            let drawn = draw(&shape.tag, &mut |element| {
                 count += 1;
-                match element {
-                    PathEl::MoveTo(p) => {
-                        take(&mut points, closed);
-                        closed = false;
-                        points.push(DVec2::new(p.x, -p.y));
+                let (points, used) = match element {
+                    PathEl::MoveTo(p) | PathEl::LineTo(p) => ([p; 3], 1),
+                    PathEl::QuadTo(p, q) => ([p, q, q], 2),
+                    PathEl::CurveTo(p, q, r) => ([p, q, r], 3),
+                    PathEl::ClosePath => return,
+                };
+                for p in points[..used].iter().map(|&p| shape.place * p) {
+                    if !(p.x.abs() <= 1e9 && p.y.abs() <= 1e9) {
+                        beyond = true;
                     }
-                    PathEl::LineTo(p) if count < MAX_FLAT => points.push(DVec2::new(p.x, -p.y)),
-                    PathEl::ClosePath => closed = true,
-                    _ => {}
+                    bounds = Some(bounds.map_or(Rect::from_points(p, p), |bounds| bounds.union_pt(p)));
                 }
             });
-            take(&mut points, closed);
-            let parts = raws.len() - first;
-            if parts > 1 {
-                for (k, raw) in raws[first..].iter_mut().enumerate() {
-                    raw.name = format!("{name}, part {} of {parts}", k + 1);
+            elements += count;
+            if elements > MAX_POINTS {
+                return Err(ReadError::TooMany { what: "points", most: MAX_POINTS });
+            }
+            match (drawn, bounds) {
+                (Drawn::Not(why), _) => self.ignore(why),
+                (Drawn::Partly, None) => self.ignore("paths that are miswritten"),
+                (_, Some(bounds)) if !beyond => {
+                    if matches!(drawn, Drawn::Partly) {
+                        self.ignore("what follows a mistake in a path");
+                    }
+                    all = Some(all.map_or(bounds, |all| all.union(bounds)));
+                    shape.simple = count <= MAX_GROUND;
+                    self.shapes.push(shape);
                 }
+                _ => self.ignore("shapes that are empty, or beyond all bounds"),
             }
         }
-        if count >= MAX_FLAT {
-            return Err(ReadError::TooMany { most: MAX_FLAT });
-        }
-        Ok((raws, Vec::new()))
+        Ok(all)
     }
 }
 
-fn hidden(node: Node<'_, '_>) -> bool {
-    let style: String = node.attribute("style").unwrap_or_default().split_whitespace().collect();
-    node.attribute("display") == Some("none") || style.contains("display:none")
+fn hidden(tag: &Tag<'_>) -> bool {
+    let none = |style: &str| {
+        style.split(';').filter_map(|rule| rule.split_once(':')).any(|(name, value)| {
+            name.trim() == "display" && value.split('!').next().is_some_and(|value| value.trim() == "none")
+        })
+    };
+    tag.get("display").as_deref() == Some("none") || tag.get("style").is_some_and(|style| none(&style))
 }
 
-/// What a `use` means, if it is in the same drawing.
-fn target<'a, 'b>(document: &'a Document<'b>, node: Node<'_, '_>) -> Option<Node<'a, 'b>> {
-    let link = node.attribute("href").or_else(|| node.attribute(("http://www.w3.org/1999/xlink", "href")))?;
-    let id = link.trim().strip_prefix('#')?;
-    document.descendants().find(|node| node.attribute("id") == Some(id))
-}
-
-fn page(root: Node<'_, '_>) -> Option<Rect> {
-    let sides: Vec<f64> = root
-        .attribute("viewBox")?
+/// What is shown of the plane.
+fn page(root: &Tag<'_>) -> Option<Rect> {
+    let text = root.get("viewBox")?;
+    let sides: Vec<f64> = text
         .split(|sign: char| sign.is_whitespace() || sign == ',')
         .filter_map(|part| part.parse().ok())
+        .take(5)
         .collect();
     let [x, y, width, height] = sides[..] else { return None };
     Some(Rect::new(x, y, x + width, y + height))
-}
-
-/// Whether a box is as good as all of the page, as grounds are.
-fn covers(bounds: Rect, page: Rect) -> bool {
-    let slack = 0.01 * page.width().max(page.height());
-    bounds.inflate(slack, slack).union(page) == bounds.inflate(slack, slack)
 }

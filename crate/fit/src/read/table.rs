@@ -1,12 +1,15 @@
 //! Tables of numbers: points of an outline, or values of a function.
 
+mod columns;
+mod number;
+
 use glam::DVec2;
 
+use self::columns::{Columns, columns};
+use super::gather::Line;
 use super::problem::{ReadError, Remark};
 use super::text::short;
 
-/// Lines are kept up to so many points; of more, every second one, and so on.
-const KEPT: usize = 1 << 20;
 /// As many lines as are looked at to find out how columns are parted.
 const SAMPLE: usize = 200;
 /// A heading may be so long, in lines.
@@ -15,43 +18,14 @@ const HEADING: usize = 30;
 /// The numbers in a table.
 pub struct Table {
     /// The two first columns of numbers; with one column, x is the row's number from 0.
-    pub points: Vec<DVec2>,
+    pub line: Line,
     /// Whether there is a second column.
     pub two: bool,
-    /// How many lines had numbers.
-    pub rows: usize,
     pub remarks: Vec<Remark>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Parted {
-    By(char),
-    BySpaces,
-}
-
-impl Parted {
-    const ALL: [Self; 4] = [Self::By('\t'), Self::By(';'), Self::By(','), Self::BySpaces];
-
-    fn fields(self, line: &str) -> Box<dyn Iterator<Item = &str> + '_> {
-        match self {
-            Self::By(sign) => Box::new(line.split(sign)),
-            Self::BySpaces => Box::new(line.split_whitespace()),
-        }
-    }
-
-    /// A number; with a decimal comma where columns are not parted by commas. It may be NaN.
-    fn number(self, field: &str) -> Option<f64> {
-        let field = field.trim().trim_matches('"').trim();
-        field.parse().ok().or_else(|| match self {
-            Self::By(',') => None,
-            _ if field.contains('.') || field.matches(',').count() != 1 => None,
-            _ => field.replace(',', ".").parse().ok(),
-        })
-    }
-}
-
 /// Reads a table: one or two columns of numbers, or more, of which the first two are taken; parted by tabs, semicolons,
-/// commas or blanks; perhaps with a heading, and with comments after `#`, `%` or `//`.
+/// commas or blanks; with decimal points or commas; perhaps with a heading, and with comments after `#`, `%` or `//`.
 pub fn read_table(text: &str) -> Result<Table, ReadError> {
     // Machines of old ended lines so.
     let end = if text.contains('\n') { '\n' } else { '\r' };
@@ -62,35 +36,22 @@ pub fn read_table(text: &str) -> Result<Table, ReadError> {
     };
     let Some((first_line, first)) = lines().next() else { return Err(ReadError::Empty) };
     let sample: Vec<&str> = lines().map(|(_, line)| line).take(SAMPLE).collect();
-    let found =
-        Parted::ALL.iter().filter_map(|&parted| columns(parted, &sample)).max_by_key(|found| found.rank);
-    let Some(found) = found else {
+    let Some(found) = columns(&sample) else {
         return Err(ReadError::NoNumbers { line: first_line, text: short(first, 40) });
     };
-    let mut table = Table { points: Vec::new(), two: found.second.is_some(), rows: 0, remarks: Vec::new() };
-    let (mut stride, mut bad, mut bad_count) = (1, Vec::new(), 0);
-    if let Some(row) = single_row(found.parted, &sample) {
+    let mut table = Table { line: Line::default(), two: found.second.is_some(), remarks: Vec::new() };
+    table.remarks.extend(found.assumed(&sample));
+    if let Some(row) = single_row(&found, &sample) {
         table.two = false;
-        table.rows = row.len();
-        table.points = row;
+        table.line = row;
         return Ok(table);
     }
+    let (mut bad, mut bad_count) = (Vec::new(), 0);
     for (number, line) in lines() {
-        let fields = found.parted.fields(line);
-        match point(found.parted, fields, found.first, found.second, table.rows) {
-            Some(point) => {
-                if table.rows.is_multiple_of(stride) {
-                    table.points.push(point);
-                }
-                table.rows += 1;
-                if table.points.len() > KEPT {
-                    let mut k = 0;
-                    table.points.retain(|_| (k % 2 == 0, k += 1).0);
-                    stride *= 2;
-                }
-            }
+        match point(&found, line, table.line.count) {
+            Some(point) => table.line.push(point),
             // Before the first numbers stands a heading.
-            None if table.rows == 0 && number < first_line + HEADING => {}
+            None if table.line.count == 0 && number < first_line + HEADING => {}
             None => {
                 bad_count += 1;
                 if bad.len() < 5 {
@@ -99,15 +60,16 @@ pub fn read_table(text: &str) -> Result<Table, ReadError> {
             }
         }
     }
-    if bad_count > table.rows || table.rows == 0 {
+    let rows = table.line.count;
+    if bad_count > rows || rows == 0 {
         let (line, text) = bad.first().copied().unwrap_or((first_line, first));
         return Err(ReadError::NoNumbers { line, text: short(text, 40) });
     }
     if bad_count > 0 {
         table.remarks.push(gaps(&bad, bad_count));
     }
-    if stride > 1 {
-        let message = format!("Of {} points every {stride}th is kept.", table.rows);
+    if table.line.stride() > 1 {
+        let message = format!("Of {rows} points every {}th is kept.", table.line.stride());
         table.remarks.push(Remark::new("thinned", message));
     }
     if found.more {
@@ -135,75 +97,43 @@ fn gaps(bad: &[(usize, &str)], count: usize) -> Remark {
     )
 }
 
-struct Columns {
-    parted: Parted,
-    first: usize,
-    second: Option<usize>,
-    more: bool,
-    /// Two columns go before one, then more lines before fewer.
-    rank: (usize, usize),
+fn finite(columns: &Columns, field: &str) -> Option<f64> {
+    columns.style.number(field).filter(|value| value.abs() <= 1e100)
 }
 
-/// The first two columns in which most of the lines after the heading have numbers.
-fn columns(parted: Parted, sample: &[&str]) -> Option<Columns> {
-    let numbers = |line: &&str| -> Vec<bool> {
-        parted.fields(line).take(64).map(|field| parted.number(field).is_some()).collect()
-    };
-    let rows: Vec<Vec<bool>> = sample.iter().map(numbers).collect();
-    let begin = rows.iter().position(|row| row.contains(&true))?;
-    let rows = &rows[begin..];
-    let most = rows.iter().map(Vec::len).max()?;
-    let count = |column: usize| rows.iter().filter(|row| row.get(column) == Some(&true)).count();
-    let mut full = (0..most).filter(|&column| 2 * count(column) > rows.len());
-    let first = full.next()?;
-    let second = full.next();
-    let lines = second.map_or(count(first), |second| count(first).min(count(second)));
-    Some(Columns {
-        parted,
-        first,
-        second,
-        more: most > 1 + usize::from(second.is_some()),
-        rank: (1 + usize::from(second.is_some()), lines),
-    })
-}
-
-fn point<'a>(
-    parted: Parted,
-    fields: impl Iterator<Item = &'a str>,
-    first: usize,
-    second: Option<usize>,
-    row: usize,
-) -> Option<DVec2> {
-    let good = |field: &str| parted.number(field).filter(|value| value.abs() <= 1e100);
+fn point(columns: &Columns, line: &str, row: usize) -> Option<DVec2> {
     let (mut x, mut y) = (None, None);
-    for (column, field) in fields.enumerate().take(second.unwrap_or(first) + 1) {
-        if column == first {
-            x = Some(good(field)?);
-        } else if Some(column) == second {
-            y = Some(good(field)?);
+    let last = columns.second.unwrap_or(columns.first);
+    for (column, field) in columns.parted.fields(line).enumerate().take(last + 1) {
+        if column == columns.first {
+            x = Some(finite(columns, field)?);
+        } else if Some(column) == columns.second {
+            y = Some(finite(columns, field)?);
         }
     }
-    match second {
+    match columns.second {
         Some(_) => Some(DVec2::new(x?, y?)),
         None => Some(DVec2::new(row as f64, x?)),
     }
 }
 
 /// All values in one line: a column that lies down.
-fn single_row(parted: Parted, sample: &[&str]) -> Option<Vec<DVec2>> {
-    let [line] = sample else { return None };
-    let values: Option<Vec<f64>> =
-        parted.fields(line).map(|field| parted.number(field).filter(|value| value.abs() <= 1e100)).collect();
-    let values = values.filter(|values| values.len() > 3)?;
-    Some(values.iter().take(KEPT).enumerate().map(|(i, &value)| DVec2::new(i as f64, value)).collect())
+fn single_row(columns: &Columns, sample: &[&str]) -> Option<Line> {
+    let [text] = sample else { return None };
+    let mut line = Line::default();
+    for field in columns.parted.fields(text) {
+        line.push(DVec2::new(line.count as f64, finite(columns, field)?));
+    }
+    (line.count > 3).then_some(line)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::gather::KEPT;
     use super::*;
 
     fn points(text: &str) -> Vec<[f64; 2]> {
-        read_table(text).expect("a table").points.iter().map(|p| p.to_array()).collect()
+        read_table(text).expect("a table").line.points().iter().map(|p| p.to_array()).collect()
     }
 
     #[test]
@@ -224,6 +154,80 @@ mod tests {
         }
     }
 
+    /// What was assumed, if anything.
+    fn assumed(text: &str) -> String {
+        let remarks = read_table(text).expect("a table").remarks;
+        remarks
+            .into_iter()
+            .find(|remark| remark.code == "assumed")
+            .map_or(String::new(), |remark| remark.message)
+    }
+
+    #[test]
+    fn decimal_commas_are_told_from_commas_that_part_columns() {
+        for text in [
+            "1,23;4,56\n-7,5;8,25\n9;0,5",
+            "1,23\t4,56\n-7,5\t8,25\n9\t0,5",
+            "1,23 4,56\n-7,5 8,25\n9 0,5",
+            "x;y\n1,23;4,56\n-7,5;8,25\n9;0,5",
+            "x (mm); y (mm)\r\n1,23; 4,56\r\n-7,5; 8,25\r\n9; 0,5\r\n",
+            "\"1,23\";\"4,56\"\n\"-7,5\";\"8,25\"\n9;0,5",
+            "\"1,23\",\"4,56\"\n\"-7,5\",\"8,25\"\n\"9\",\"0,5\"",
+            "name;x;y\na, b;1,23;4,56\nc, d;-7,5;8,25\ne, f;9;0,5",
+        ] {
+            assert_eq!(points(text), [[1.23, 4.56], [-7.5, 8.25], [9.0, 0.5]], "{text:?}");
+            assert!(assumed(text).contains("“1,23” is 1.23"), "{text:?}: {}", assumed(text));
+        }
+        assert!(
+            assumed("1,23;4,56\n7,5;8,25")
+                .starts_with("Columns are taken to be parted by semicolons, and the comma")
+        );
+        // A single line, too.
+        assert_eq!(points("1,23;4,56"), [[1.23, 4.56]]);
+        // One column: no whole number begins with 0.
+        assert_eq!(points("m\n1,05\n2,10\n3,50"), [[0.0, 1.05], [1.0, 2.1], [2.0, 3.5]]);
+        assert!(assumed("1,05\n2,10\n3,50").starts_with("There is taken to be one column"));
+    }
+
+    #[test]
+    fn thousands_are_put_together_where_they_must_be_and_asked_about_where_they_may_be() {
+        for (text, first, said) in [
+            ("1.234,5;7.890,25\n2;3", [1234.5, 7890.25], "the point to part thousands: “1.234,5” is 1234.5"),
+            ("1.234;5,6\n2.345;7,8", [1234.0, 5.6], "the point to part thousands: “1.234” is 1234"),
+            ("1,234.5;7,890\n2;3", [1234.5, 7890.0], "the comma to part thousands: “1,234.5” is 1234.5"),
+            ("\"1,234.5\",\"7,890\"\n\"2\",\"3\"", [1234.5, 7890.0], "the comma to part thousands"),
+            ("1 234,5;7\u{a0}890,25\n2;3", [1234.5, 7890.25], "“1 234,5” is 1234.5"),
+            ("1,234\t5,678\n2,345\t6,789", [1.234, 5.678], "If it parts thousands"),
+            ("1.234;5.678\n2.345;6.789", [1.234, 5.678], "If it parts thousands"),
+            ("1.5;2,5\n0.5;3,5", [1.5, 2.5], "a decimal sign, as the point is: “2,5” is 2.5"),
+        ] {
+            assert_eq!(points(text)[0], first, "{text:?}");
+            assert!(assumed(text).contains(said), "{text:?}: {}", assumed(text));
+        }
+    }
+
+    #[test]
+    fn what_is_plain_is_read_as_ever_and_nothing_is_said() {
+        for text in [
+            "1,2\n3,4",
+            "x,y\n1,23\n4,56",
+            "1.5,2\n3,4",
+            "1, 2\n3, 4",
+            "1;2\n3;4",
+            "0.125;0.5\n1.234;2.5",
+            "5\n6\n7",
+        ] {
+            assert_eq!(assumed(text), "", "{text:?}");
+        }
+        assert_eq!(points("1,23\n4,56"), [[1.0, 23.0], [4.0, 56.0]]);
+        // A heading of fewer columns makes that doubtful.
+        assert!(assumed("x,y\n1,23,4,56\n7,8,9,1").contains("is 4 of them, though its heading has 2"));
+        assert!(
+            assumed("height\n5,5\n6,25")
+                .contains("Where they are decimal signs, part the columns by semicolons")
+        );
+    }
+
     #[test]
     fn one_column_counts_rows() {
         assert_eq!(points("height\n5\n6\n7"), [[0.0, 5.0], [1.0, 6.0], [2.0, 7.0]]);
@@ -234,7 +238,7 @@ mod tests {
     #[test]
     fn gaps_are_named() {
         let table = read_table("x,y\n1,2\nNaN,3\n4,5\n,\n6,7\n8,inf\n9,9\n10,10").expect("a table");
-        assert_eq!((table.points.len(), table.rows), (5, 5));
+        assert_eq!((table.line.points().len(), table.line.count), (5, 5));
         assert_eq!(table.remarks.len(), 1);
         assert!(table.remarks[0].message.starts_with("Lines 3, 5, 7 had"), "{}", table.remarks[0].message);
     }
@@ -252,8 +256,9 @@ mod tests {
     fn memory_is_bounded() {
         let text = "0,1\n".repeat(3_000_000);
         let table = read_table(&text).expect("a table");
-        assert_eq!(table.rows, 3_000_000);
-        assert!(table.points.len() <= KEPT && table.points.len() > KEPT / 2);
+        assert_eq!(table.line.count, 3_000_000);
+        let kept = table.line.points().len();
+        assert!(kept <= KEPT && kept > KEPT / 2);
         assert_eq!(table.remarks[0].code, "thinned");
     }
 }

@@ -1,28 +1,51 @@
 //! Bytes as text.
 
+use std::borrow::Cow;
+
 /// Reads bytes as UTF-8, or UTF-16 where a mark says so. What is wrongly written becomes a replacement character.
-pub fn decode(bytes: &[u8]) -> String {
-    let wide = |rest: &[u8], unit: fn([u8; 2]) -> u16| {
-        let units = rest.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
-        char::decode_utf16(units).map(|letter| letter.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
-    };
+pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
     if let Some(rest) = bytes.strip_prefix(b"\xff\xfe") {
-        return wide(rest, u16::from_le_bytes);
+        return Cow::Owned(wide(rest, u16::from_le_bytes));
     }
     if let Some(rest) = bytes.strip_prefix(b"\xfe\xff") {
-        return wide(rest, u16::from_be_bytes);
+        return Cow::Owned(wide(rest, u16::from_be_bytes));
     }
-    String::from_utf8_lossy(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)).into_owned()
+    let rest = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    if let Ok(text) = str::from_utf8(rest) {
+        return Cow::Borrowed(text);
+    }
+    // The room is measured first: a text that grows as it is written takes up to three times as much.
+    let mark = |bad: bool| if bad { char::REPLACEMENT_CHARACTER.len_utf8() } else { 0 };
+    let chunks = || rest.utf8_chunks().map(|chunk| (chunk.valid(), !chunk.invalid().is_empty()));
+    let mut text = String::with_capacity(chunks().map(|(valid, bad)| valid.len() + mark(bad)).sum());
+    for (valid, bad) in chunks() {
+        text.push_str(valid);
+        if bad {
+            text.push(char::REPLACEMENT_CHARACTER);
+        }
+    }
+    Cow::Owned(text)
+}
+
+fn wide(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> String {
+    let letters = || {
+        let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
+        char::decode_utf16(units).map(|letter| letter.unwrap_or(char::REPLACEMENT_CHARACTER))
+    };
+    let mut text = String::with_capacity(letters().map(char::len_utf8).sum());
+    text.extend(letters());
+    text
 }
 
 /// At most so many letters, for messages.
 pub fn short(text: &str, most: usize) -> String {
-    let clean: String =
-        text.trim().chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect();
-    if clean.chars().count() <= most {
-        return clean;
+    let mut letters = text.trim().chars().map(|letter| if letter.is_control() { ' ' } else { letter });
+    let mut kept: String = letters.by_ref().take(most).collect();
+    if letters.next().is_some() {
+        kept.pop();
+        kept.push('…');
     }
-    clean.chars().take(most.saturating_sub(1)).chain(['…']).collect()
+    kept
 }
 
 #[cfg(test)]

@@ -1,103 +1,94 @@
 //! Shapes as paths.
 
-use kurbo::{Affine, BezPath, Circle, Ellipse, Rect, RoundedRect, Shape};
-use roxmltree::Node;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// A path with more numbers is not read.
-const MAX_NUMBERS: usize = 2_500_000;
+use kurbo::{PathEl, Point, Rect, Vec2};
 
-/// The path of a shape, or why it has none; None where the element is no shape.
-pub fn path_of(node: Node<'_, '_>) -> Option<Result<BezPath, &'static str>> {
-    let get = |name| number(node, name);
-    let path = match node.tag_name().name() {
-        "path" => {
-            let data = node.attribute("d").unwrap_or_default();
-            if too_long(data) {
-                return Some(Err("paths of more than 2,500,000 numbers"));
-            }
-            return Some(BezPath::from_svg(data).map_err(|_| "paths that are miswritten"));
-        }
-        "polygon" | "polyline" => {
-            let list = node.attribute("points").unwrap_or_default();
-            if too_long(list) {
-                return Some(Err("paths of more than 2,500,000 numbers"));
-            }
-            let numbers: Vec<f64> = list
-                .split(|sign: char| sign.is_whitespace() || sign == ',')
-                .filter(|part| !part.is_empty())
-                .map_while(|part| part.parse().ok())
-                .collect();
-            let mut path = BezPath::new();
-            for (i, pair) in numbers.chunks_exact(2).enumerate() {
-                let point = (pair[0], pair[1]);
-                if i == 0 { path.move_to(point) } else { path.line_to(point) }
-            }
-            if node.tag_name().name() == "polygon" && !path.is_empty() {
-                path.close_path();
-            }
-            path
+use super::path::{Sink, arc, corners, path};
+use super::tree::Tag;
+
+/// What came of a shape.
+#[derive(Clone, Copy)]
+pub enum Drawn {
+    /// All of it went to the sink.
+    Whole,
+    /// What stands before a mistake went to the sink.
+    Partly,
+    /// It has no outline, and why.
+    Not(&'static str),
+}
+
+/// Whether an element is a shape.
+pub fn is_shape(name: &str) -> bool {
+    matches!(name, "path" | "polygon" | "polyline" | "rect" | "circle" | "ellipse")
+}
+
+/// Sends the outline of a shape to `sink`, element by element. Nothing hangs on how large or small it is: as many
+/// curves go round a circle of any radius.
+pub fn draw(tag: &Tag<'_>, sink: Sink<'_>) -> Drawn {
+    let get = |name| tag.number(name);
+    let whole = match tag.name {
+        "path" => path(&tag.get("d").unwrap_or_default(), sink),
+        name @ ("polygon" | "polyline") => {
+            corners(&tag.get("points").unwrap_or_default(), name == "polygon", sink)
         }
         "rect" => {
             let (width, height) = (get("width"), get("height"));
             if width <= 0.0 || height <= 0.0 {
-                return Some(Err("rectangles without a size in numbers"));
+                return Drawn::Not("rectangles without a size in numbers");
             }
             let bounds = Rect::new(get("x"), get("y"), get("x") + width, get("y") + height);
-            let (rx, ry) = match (get("rx"), get("ry")) {
+            let radii = match (get("rx"), get("ry")) {
                 (rx, 0.0) => (rx, rx),
                 (0.0, ry) => (ry, ry),
                 both => both,
             };
-            let (rx, ry) = (rx.min(0.5 * width), ry.min(0.5 * height));
-            if rx > 0.0 && ry > 0.0 {
-                // Corners are round in a plane where both radii are the same.
-                let squeeze = Affine::scale_non_uniform(1.0, ry / rx);
-                let (top, bottom) = (bounds.y0 * rx / ry, bounds.y1 * rx / ry);
-                squeeze * RoundedRect::new(bounds.x0, top, bounds.x1, bottom, rx).to_path(1e-4 * rx)
-            } else {
-                bounds.to_path(0.1)
-            }
+            rectangle(bounds, Vec2::new(radii.0.min(0.5 * width), radii.1.min(0.5 * height)), sink);
+            true
         }
         "circle" => {
             let radius = get("r");
             if radius <= 0.0 {
-                return Some(Err("circles without a radius in numbers"));
+                return Drawn::Not("circles without a radius in numbers");
             }
-            Circle::new((get("cx"), get("cy")), radius).to_path(1e-4 * radius)
+            ellipse(Point::new(get("cx"), get("cy")), Vec2::new(radius, radius), sink);
+            true
         }
         "ellipse" => {
-            let radii = (get("rx"), get("ry"));
-            if radii.0 <= 0.0 || radii.1 <= 0.0 {
-                return Some(Err("ellipses without radii in numbers"));
+            let radii = Vec2::new(get("rx"), get("ry"));
+            if radii.x <= 0.0 || radii.y <= 0.0 {
+                return Drawn::Not("ellipses without radii in numbers");
             }
-            Ellipse::new((get("cx"), get("cy")), radii, 0.0).to_path(1e-4 * radii.0.min(radii.1))
+            ellipse(Point::new(get("cx"), get("cy")), radii, sink);
+            true
         }
-        _ => return None,
+        _ => true,
     };
-    Some(Ok(path))
+    if whole { Drawn::Whole } else { Drawn::Partly }
 }
 
-/// A length in the drawing's own units: whatever unit stands after it is passed over. 0 where there is none, and for
-/// parts of a page (%).
-pub fn number(node: Node<'_, '_>, name: &str) -> f64 {
-    let text = node.attribute(name).unwrap_or_default().trim();
-    let text = text.trim_end_matches(|sign: char| sign.is_ascii_alphabetic());
-    text.parse().ok().filter(|value: &f64| value.abs() <= 1e9).unwrap_or(0.0)
+fn ellipse(centre: Point, radii: Vec2, sink: Sink<'_>) {
+    sink(PathEl::MoveTo(centre + Vec2::new(radii.x, 0.0)));
+    arc(centre, radii, 0.0, 0.0, TAU, sink);
+    sink(PathEl::ClosePath);
 }
 
-/// Counts numbers by the places where one may begin.
-fn too_long(data: &str) -> bool {
-    if data.len() < MAX_NUMBERS {
-        return false;
-    }
-    let mut before = b' ';
-    let mut count = 0;
-    for byte in data.bytes() {
-        let digit = byte.is_ascii_digit() || byte == b'.';
-        if digit && !(before.is_ascii_digit() || before == b'.') {
-            count += 1;
+/// A rectangle whose corners are quarters of ellipses, or sharp.
+fn rectangle(bounds: Rect, radii: Vec2, sink: Sink<'_>) {
+    let round = radii.x > 0.0 && radii.y > 0.0;
+    let inner = if round { bounds.inflate(-radii.x, -radii.y) } else { bounds };
+    // Each corner with the place where it begins.
+    let corners = [
+        ((bounds.x0, inner.y0), (inner.x0, inner.y0)),
+        ((inner.x1, bounds.y0), (inner.x1, inner.y0)),
+        ((bounds.x1, inner.y1), (inner.x1, inner.y1)),
+        ((inner.x0, bounds.y1), (inner.x0, inner.y1)),
+    ];
+    for (k, (start, centre)) in corners.into_iter().enumerate() {
+        sink(if k == 0 { PathEl::MoveTo(start.into()) } else { PathEl::LineTo(start.into()) });
+        if round {
+            arc(centre.into(), radii, 0.0, PI + FRAC_PI_2 * k as f64, FRAC_PI_2, sink);
         }
-        before = byte;
     }
-    count > MAX_NUMBERS
+    sink(PathEl::ClosePath);
 }

@@ -8,10 +8,12 @@ pub fn transform(text: &str) -> Affine {
     let mut rest = text;
     while let Some((word, after)) = rest.split_once('(') {
         let Some((inside, after)) = after.split_once(')') else { break };
+        // None of them has more than six numbers: a seventh makes it miswritten.
         let numbers: Vec<f64> = inside
             .split(|sign: char| sign.is_whitespace() || sign == ',')
             .filter(|part| !part.is_empty())
             .map_while(|part| part.parse().ok())
+            .take(7)
             .collect();
         let word = word.trim_matches(|sign: char| sign.is_whitespace() || sign == ',');
         all *= match (word, &numbers[..]) {

@@ -33,6 +33,8 @@ export type WarningCode =
   | "thinned"
   /** Lines without numbers, or with NaN, were left out; the message names them. */
   | "gaps"
+  /** Numbers could be meant otherwise: the message says how commas and points were taken. */
+  | "assumed"
   /** Lines that were open were closed. */
   | "closed"
   /** Scripts, pictures, texts or things from elsewhere in a drawing, which are never looked at. */
