@@ -36,26 +36,26 @@ impl Periodic {
         Some(self.head.iter().rev().fold(fixed, |point, i| map(i).apply(point)))
     }
 
+    /// As people read it: letters from 1, "1(2)" for 1222.. Of more than nine maps letters are joined by dots, and one stands
+    /// before the bracket, so that "12.3.(10)" and ".(12)" cannot be taken for other letters.
+    pub fn shown(&self, maps: usize) -> String {
+        let dot = if maps > 9 { "." } else { "" };
+        format!("{}{dot}({})", shown(&self.head, maps), shown(&self.repeat, maps))
+    }
+
     /// Reads what is shown.
     #[cfg(test)]
     pub fn parse(text: &str) -> Option<Self> {
         let (head, repeat) = text.strip_suffix(')')?.split_once('(')?;
-        let letters = |part: &str| -> Vec<u8> {
-            if part.contains('.') {
-                part.split('.').filter_map(|n| n.parse::<u8>().ok()).map(|n| n - 1).collect()
+        let letter = |n: &str| n.parse::<u8>().ok()?.checked_sub(1);
+        let letters = |part: &str| -> Option<Vec<u8>> {
+            if text.contains('.') {
+                part.split('.').filter(|n| !n.is_empty()).map(letter).collect()
             } else {
-                part.bytes().map(|b| b - b'1').collect()
+                part.split("").filter(|n| !n.is_empty()).map(letter).collect()
             }
         };
-        Some(Self { head: letters(head), repeat: letters(repeat) })
-    }
-}
-
-impl Periodic {
-    /// As people read it: letters from 1, "1(2)" for 1222.. Where there are more than nine maps letters are joined by dots:
-    /// "12.3(10)".
-    pub fn shown(&self, maps: usize) -> String {
-        format!("{}({})", shown(&self.head, maps), shown(&self.repeat, maps))
+        Some(Self { head: letters(head)?, repeat: letters(repeat)? })
     }
 }
 
@@ -78,8 +78,30 @@ mod tests {
         assert_eq!(shown(&[1, 1], &[1]), "(2)");
         assert_eq!(shown(&[0, 1, 2], &[1, 2, 1, 2]), "1(23)");
         assert_eq!(shown(&[0, 2], &[1, 2]), "1(32)");
-        assert_eq!(Periodic::new(vec![9, 0], vec![1, 10]).unwrap().shown(64), "10.1(2.11)");
+        assert_eq!(Periodic::new(vec![9, 0], vec![1, 10]).unwrap().shown(64), "10.1.(2.11)");
         assert_eq!(Periodic::new(vec![1], vec![]), None);
+    }
+
+    #[test]
+    fn what_is_shown_is_read_as_it_was() {
+        let words = |letters: &[u8]| -> Vec<Vec<u8>> {
+            let one = letters.iter().map(|&a| vec![a]);
+            one.chain(letters.iter().flat_map(|&a| letters.iter().map(move |&b| vec![a, b]))).collect()
+        };
+        for (maps, letters) in [(9, &[0_u8, 1, 8][..]), (10, &[0, 1, 8, 9]), (64, &[0, 1, 10, 11, 62, 63])] {
+            for head in words(letters).into_iter().chain([vec![]]) {
+                for repeat in words(letters) {
+                    let Some(address) = Periodic::new(head.clone(), repeat) else { continue };
+                    let text = address.shown(maps);
+                    assert_eq!(Periodic::parse(&text), Some(address), "{text}");
+                }
+            }
+        }
+        assert_eq!(Periodic::new(vec![], vec![11]).unwrap().shown(12), ".(12)");
+        assert_eq!(
+            [Periodic::parse("1(0)"), Periodic::parse("1.(x)"), Periodic::parse("12")],
+            [None, None, None]
+        );
     }
 
     #[test]

@@ -81,7 +81,8 @@ pub struct Link {
     /// Two maps, from 0, the smaller index first.
     pub pair: (usize, usize),
     /// The addresses of the point in the first piece and in the second, or the words of the pieces that cross or are too
-    /// large, as people read them: letters from 1, "1(2)" for 1222..
+    /// large, as people read them: letters from 1, "1(2)" for 1222.. Of more than nine maps letters are joined by dots:
+    /// "12.3.(10)".
     pub words: [String; 2],
     /// The shared point, to rounding, the middle of the crossing, or where large pieces come near; in the plane.
     pub at: DVec2,

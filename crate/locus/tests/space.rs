@@ -1,11 +1,11 @@
 //! Known answers in space.
 
-use frond_core::{Affine3, Ifs3, Morph3, MorphOptions};
+use frond_core::{Affine2, Affine3, Ifs, Ifs3, Morph3, MorphOptions};
 use frond_locus::{
-    Bounds, LocusGrid, Options, PathOptions, Reason3Kind, State, Verdict, check_path3, connectedness3,
-    find_path3, locus3,
+    Bounds, LocusGrid, Options, PathOptions, Reason3Kind, State, Verdict, check_path3, connectedness,
+    connectedness3, find_path3, locus3,
 };
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec2, DVec3};
 
 fn shrunk(ratio: f64, corners: &[[f64; 3]]) -> Ifs3 {
     let map =
@@ -49,6 +49,22 @@ fn half_scale_shapes_that_share_corners_are_connected_with_a_proof() {
     // All pairs of the tetrahedron meet, and of the octahedron: opposite pieces in its middle.
     assert_eq!(connectedness3(&shrunk(0.5, &TETRAHEDRON), &Options::default()).overlaps.len(), 6);
     assert_eq!(connectedness3(&shrunk(0.5, &OCTAHEDRON), &Options::default()).overlaps.len(), 15);
+}
+
+#[test]
+fn addresses_are_written_alike_in_the_plane_and_in_space() {
+    for (count, wanted) in [(8, ["1(8)", "2(1)"]), (16, ["1.(16)", "2.(1)"])] {
+        // A segment of equal parts, of which each shares its end with the next.
+        let part = 1.0 / f64::from(count);
+        let plane = (0..count).map(|k| Affine2::similitude(part, 0.0, DVec2::new(part * f64::from(k), 0.0)));
+        let reason = connectedness(&Ifs::new(plane.collect()).unwrap(), &Options::default()).reason.unwrap();
+        assert_eq!(reason.links.iter().find(|link| link.pair == (0, 1)).unwrap().words, wanted);
+        let space = (0..count)
+            .map(|k| Affine3::similitude(part, DQuat::IDENTITY, DVec3::new(part * f64::from(k), 0.0, 0.0)));
+        let reason =
+            connectedness3(&Ifs3::new(space.collect()).unwrap(), &Options::default()).reason.unwrap();
+        assert_eq!(reason.points.iter().find(|point| point.pair == (0, 1)).unwrap().words, wanted);
+    }
 }
 
 #[test]

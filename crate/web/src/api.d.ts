@@ -67,7 +67,10 @@ export interface Link {
   kind: "point" | "crossing" | "area";
   /** Two maps, the smaller index first. */
   pair: [i: number, j: number];
-  /** The addresses of the point, or the words of the crossing pieces, as people read them: letters from 1, "1(2)" is 1222.. */
+  /**
+   * The addresses of the point, or the words of the crossing pieces, as people read them: letters from 1, "1(2)" is 1222..
+   * Of more than nine maps letters are joined by dots: "12.3.(10)".
+   */
   words: [string, string];
   /** The shared point, or the middle of the crossing. */
   at: [x: number, y: number];

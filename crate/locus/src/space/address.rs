@@ -3,36 +3,14 @@
 use frond_core::Affine3;
 use glam::DVec3;
 
-/// An address: a head, then a word for ever.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Address {
-    pub head: Vec<u8>,
-    pub repeat: Vec<u8>,
-}
-
-impl Address {
-    /// The largest piece it is in.
-    pub fn first(&self) -> usize {
-        usize::from(self.head.first().or(self.repeat.first()).copied().unwrap_or(0))
-    }
-
-    /// As people read it: letters from 1, "1(2)" for 1222..
-    pub fn shown(&self, count: usize) -> String {
-        let dot = if count > 9 { "." } else { "" };
-        let join = |word: &[u8]| {
-            word.iter().map(|l| (usize::from(*l) + 1).to_string()).collect::<Vec<_>>().join(dot)
-        };
-        let between = if self.head.is_empty() { "" } else { dot };
-        format!("{}{between}({})", join(&self.head), join(&self.repeat))
-    }
-}
+use crate::periodic::Periodic;
 
 /// Addresses that are tried at most.
 const MOST: usize = 60_000;
 
 /// Pairs of addresses of two pieces each whose points are one to rounding, over systems of a few letters: short heads and words of
 /// one or two letters for ever. `near` is how far rounding may take points apart.
-pub(crate) fn meetings(maps: &[Affine3], near: f64) -> Vec<(Address, Address, DVec3)> {
+pub(crate) fn meetings(maps: &[Affine3], near: f64) -> Vec<(Periodic, Periodic, DVec3)> {
     let count = maps.len();
     let letters = || (0..count).map(|i| i as u8);
     let mut repeats: Vec<Vec<u8>> = letters().map(|i| vec![i]).collect();
@@ -48,7 +26,7 @@ pub(crate) fn meetings(maps: &[Affine3], near: f64) -> Vec<(Address, Address, DV
         }
         heads.extend(level.iter().cloned());
     }
-    let mut found: Vec<(DVec3, Address)> = Vec::new();
+    let mut found: Vec<(DVec3, Periodic)> = Vec::new();
     for repeat in &repeats {
         let word = repeat.iter().fold(Affine3::IDENTITY, |map, &l| map * maps[usize::from(l)]);
         let Some(fixed) = word.fixed_point() else { continue };
@@ -58,7 +36,7 @@ pub(crate) fn meetings(maps: &[Affine3], near: f64) -> Vec<(Address, Address, DV
                 continue;
             }
             let point = head.iter().rev().fold(fixed, |x, &l| maps[usize::from(l)].apply(x));
-            found.push((point, Address { head: head.clone(), repeat: repeat.clone() }));
+            found.push((point, Periodic { head: head.clone(), repeat: repeat.clone() }));
         }
     }
     found.sort_by(|a, b| a.0.x.total_cmp(&b.0.x));

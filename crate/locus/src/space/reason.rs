@@ -4,7 +4,8 @@ use frond_core::Affine3;
 use glam::DVec3;
 
 use crate::graph::OverlapGraph;
-use crate::space::address::{Address, meetings};
+use crate::periodic::Periodic;
+use crate::space::address::meetings;
 use crate::space::exact::Exact;
 
 /// The kinds of reasons in space.
@@ -41,7 +42,7 @@ impl Reason3Kind {
 pub struct Shared3 {
     /// Two maps, from 0, the smaller index first.
     pub pair: (usize, usize),
-    /// The addresses of the point in the first piece and in the second: letters from 1, "1(2)" for 1222..
+    /// The addresses of the point in the first piece and in the second: letters from 1, "1(2)" for 1222.. as in the plane.
     pub words: [String; 2],
     /// The point, to rounding.
     pub at: DVec3,
@@ -126,7 +127,7 @@ pub(crate) fn find(maps: &[Affine3], size: f64) -> Option<Reason3> {
 }
 
 /// What is left of a reason in whole numbers.
-fn check(maps: &[Affine3], exact: &Exact, met: &[(Address, Address, DVec3)]) -> Option<Reason3> {
+fn check(maps: &[Affine3], exact: &Exact, met: &[(Periodic, Periodic, DVec3)]) -> Option<Reason3> {
     let count = maps.len();
     let mut graph = OverlapGraph::new(count);
     let mut volumes = Vec::new();
@@ -145,7 +146,7 @@ fn check(maps: &[Affine3], exact: &Exact, met: &[(Address, Address, DVec3)]) -> 
         if graph.components().joined(i, j) {
             continue;
         }
-        let point = |address: &Address| exact.point(&address.head, &address.repeat);
+        let point = |address: &Periodic| exact.point(&address.head, &address.repeat);
         if let (Some(p), Some(q)) = (point(a), point(b))
             && p == q
         {

@@ -78,8 +78,13 @@ describe("links and checks", () => {
     expect(addressWords("12(31)")).toBe(
       "12(31) is short for 12313…: each letter is a piece within the one before.",
     );
-    expect(addressWords("11 3(2 12)")).toMatch(/^In an address each letter/);
-    expect(addressWords("nonsense")).toBe("");
+    expect(addressWords("12.3.(10)")).toBe(
+      "12.3.(10) is short for 12.3.10.10.10…: each letter is a piece within the one before.",
+    );
+    expect(addressWords(".(12)")).toMatch(/^\.\(12\) is short for 12\.12\.12\.12\.12…/);
+    expect(addressWords("3.3.3.3.(1.2)")).toMatch(/short for 3\.3\.3\.3\.1\.2…/);
+    expect(addressWords("3333(12)")).toMatch(/short for 333312…/);
+    for (const none of ["nonsense", "", "()", ".(.)", "1()"]) expect(addressWords(none)).toBe("");
   });
 
   it("says what was checked, or what is wrong", () => {

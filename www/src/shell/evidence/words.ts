@@ -93,17 +93,22 @@ export function linkWords({ kind, pair: [i, j], words, at }: Link): string {
   return `${pieces} share the point (${place}), address ${words[0]} = ${words[1]}.`;
 }
 
-/** How an address is read: "1(2)" is 1222.., each letter a piece of the one before. */
+/**
+ * How an address is read: "1(2)" is 1222.., each letter a piece of the one before. Of more than nine maps letters are
+ * joined by dots, and one stands before the bracket: "12.3.(10)".
+ */
 export function addressWords(address: string): string {
-  const [, first = "", cycle = ""] = /^([\d ,.]*)\(([^)]*)\)/.exec(address) ?? [];
-  if (cycle === "") return "";
-  const written = /^\d*$/.test(first + cycle)
-    ? `${(first + cycle.repeat(4)).slice(0, Math.max(5, first.length + 2))}…`
-    : "";
-  const meaning = "each letter is a piece within the one before";
-  return written === ""
-    ? `In an address ${meaning}; what is in brackets goes on for ever.`
-    : `${address} is short for ${written}: ${meaning}.`;
+  const [, first = "", cycle = ""] = /^([\d.]*)\(([\d.]*)\)$/.exec(address) ?? [];
+  const dot = address.includes(".") ? "." : "";
+  const letters = (part: string) => part.split(dot).filter((letter) => letter !== "");
+  const head = letters(first);
+  const again = letters(cycle);
+  if (again.length === 0) return "";
+  const written: string[] = [...head];
+  while (written.length < Math.max(5, head.length + 2)) {
+    written.push(again[(written.length - head.length) % again.length] ?? "");
+  }
+  return `${address} is short for ${written.join(dot)}…: each letter is a piece within the one before.`;
 }
 
 /** What the checker said. */
