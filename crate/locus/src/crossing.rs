@@ -1,5 +1,12 @@
 //! Pieces that cross: a proof of connectedness that small changes leave valid.
 //!
+//! The idea is the *trap* of Calegari, Koch & Walker (Roots, Schottky semigroups, and a proof of Bandt's conjecture,
+//! arXiv 1410.8542). An attractor is connected in steps as short as its gap, so that two smaller copies whose ends
+//! take turns around a disc would have to come nearer to each other than that gap. They take it for two similarities
+//! with one factor, to find inner points of the set M. Stated and proved here is a version for any number of affine
+//! maps that contract in one norm, with a graph of pairs in place of the one pair, and with rays, which take no more
+//! than the hulls of pieces.
+//!
 //! **Theorem.** Let all maps `w_i` of a system contract in one norm, `|w_i| <= s < 1`, and let g be the widest gap of
 //! its attractor A: the widest edge of the least spanning tree of the distances between the pieces `A_i`. For a word u
 //! write `A_u` for its piece, `|w_u|` for the norm of its map, and `r_u = |w_u| G / 2` for some `G >= g`.
