@@ -28,7 +28,7 @@ export function Figure6(heading: Heading) {
         <p>
           The same two shapes. Turning and moving need not go in step: <span class="symbol">u</span> turns and
           stretches the maps, <span class="symbol">v</span> moves them, and a path on the map of Figure 7 says
-          how far each has come. Frond looks for one on which no gap opens, or else for the one whose widest
+          how far each has come. Frond looks for one on which no gap is seen, or else for the one whose widest
           gap is least.
         </p>
       }
