@@ -30,6 +30,11 @@ fn name_of<T: PartialEq>(choices: &[(&'static str, T)], value: &T) -> &'static s
     choices.iter().find_map(|(name, choice)| (choice == value).then_some(*name)).unwrap_or("")
 }
 
+/// What a value cannot be, and why: the full stop comes after it.
+fn as_a(what: &str, why: &impl std::fmt::Display) -> String {
+    format!("{what}. {why}").trim_end_matches('.').to_owned()
+}
+
 /// The curve of the gallery with this id.
 fn gallery(id: &str) -> Option<CurveShape> {
     let preset = frond_fit::curve_presets().into_iter().find(|preset| preset.id == id)?;
@@ -78,7 +83,7 @@ fn read_curve<'a>(
         return gallery(text).map(Some).ok_or_else(|| damaged(key, text));
     };
     let curve = ClosedCurve::from_text(word)
-        .map_err(|error| LinkError::Value { key, value: format!("read as a curve. {error}") })?;
+        .map_err(|error| LinkError::Value { key, value: as_a("read as a curve", &error) })?;
     let name = get(name_key).map(unescape).map(|name| tidy(&name)).filter(|name| !name.is_empty());
     let name = name.unwrap_or_else(|| "Own curve".to_owned());
     Ok(Some(CurveShape { preset: None, name, curve: Curve::from(&curve) }))
@@ -128,6 +133,6 @@ fn read_graph<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<Graph
     let graph = Graph { kind, pieces: rows.iter().map(piece).collect() };
     match graph.function() {
         Ok(_) => Ok(Some(graph)),
-        Err(error) => Err(LinkError::Value { key: "graph", value: format!("drawn. {error}") }),
+        Err(error) => Err(LinkError::Value { key: "graph", value: as_a("drawn", &error) }),
     }
 }
