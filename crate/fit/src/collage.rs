@@ -8,10 +8,14 @@ use thiserror::Error;
 use self::factor::{bounded, clipped};
 use crate::curve::FractalCurve;
 use crate::error::FunctionError;
+use crate::outline::bounds;
 use crate::piece::{Piece, spectral_norm};
 
 /// The most votes of range against domain.
 const MAX_PAIRS: usize = 1 << 24;
+
+/// How much smaller the bound is made where ends cannot be tied.
+const SHRINK: f64 = 0.9;
 
 /// Which parts of the outline may be copied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -135,7 +139,8 @@ pub struct CollageFit {
 
 /// Fits a ring of feature points by the collage: for each range the domain, way round and factors of least squares.
 ///
-/// Of equals the first in the order of `start`, forwards before reversed. Points beyond maps * M are left out.
+/// Of equals the first in the order of `start`, forwards before reversed. Points beyond maps * M are left out. Where the
+/// ends of copies of any part cannot be tied under the bound, a smaller one is taken for all of them.
 ///
 /// # Errors
 /// Where there are too few or too many points, one is not finite, or the bound is not in (0, 1).
@@ -156,6 +161,19 @@ pub fn fit_collage(points: &[DVec2], options: &CollageOptions) -> Result<Collage
     if !(options.bound > 0.0 && options.bound < 1.0) {
         return Err(CollageError::BadBound);
     }
+    let mut options = *options;
+    let mut fit = nearest(ring, intervals, &options);
+    while options.tied && options.domains == Domains::Partitioned && !tie(&mut fit, ring) {
+        options.bound *= SHRINK;
+        fit = nearest(ring, intervals, &options);
+    }
+    Ok(fit)
+}
+
+/// For each range of a ring the domain, way round and factors of least squares.
+fn nearest(ring: &[DVec2], intervals: usize, options: &CollageOptions) -> CollageFit {
+    let step = if options.domains == Domains::Recurrent { intervals } else { 1 };
+    let maps = options.maps;
     let mut fit = CollageFit { maps: Vec::with_capacity(maps), intervals, collage: 0.0 };
     let (mut range, mut domain) = (Vec::new(), Vec::new());
     for k in 0..maps {
@@ -186,18 +204,21 @@ pub fn fit_collage(points: &[DVec2], options: &CollageOptions) -> Result<Collage
             fit.maps.push(map);
         }
     }
-    if options.tied && options.domains == Domains::Partitioned {
-        tie(&mut fit, ring);
-    }
-    Ok(fit)
+    fit
 }
 
 /// Ties the ends through the attractor: where a domain ends inside a piece, the curve does not pass through the feature
 /// point there, and a map that brings feature points to feature points leaves a gap.
-fn tie(fit: &mut CollageFit, ring: &[DVec2]) {
+///
+/// False where that does not come to rest. With each step the way to where it would is multiplied by no more than twice the
+/// largest factor, since a point of a domain moves and its chord does, too: below a half it always does, above it often.
+fn tie(fit: &mut CollageFit, ring: &[DVec2]) -> bool {
+    let (low, high) = bounds(ring);
+    let size = low.distance(high);
+    let mut moved = 0.0_f64;
     for _ in 0..1000 {
         let (points, _) = fit.attractor();
-        let mut moved: f64 = 0.0;
+        moved = 0.0;
         for (k, map) in fit.maps.iter_mut().enumerate() {
             let knot = |k: usize| ring[k * fit.intervals % ring.len()];
             let end = |m| points[source(map.start, map.reversed, m, fit.intervals, ring.len())];
@@ -207,10 +228,11 @@ fn tie(fit: &mut CollageFit, ring: &[DVec2]) {
             moved = moved.max(offset.distance(map.offset) + step.distance(map.step));
             (map.offset, map.step) = (offset, step);
         }
-        if moved <= 1e-14 * ring[0].length() {
+        if moved <= 1e-14 * ring[0].length() || moved.is_nan() || moved > 1e3 * size {
             break;
         }
     }
+    moved <= 1e-12 * size
 }
 
 /// The ring index of sample m of a domain.
@@ -370,6 +392,30 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn ends_of_rough_copies_of_any_part_are_tied_too() {
+        let mut shrunk = 0;
+        for seed in 0..8_u32 {
+            let rough = |i: usize| {
+                let unit = f64::from(frond_core::hash::unit(frond_core::hash::counter(seed, i as u32)));
+                DVec2::from_angle(std::f64::consts::TAU * i as f64 / 60.0) * (1.0 + unit)
+            };
+            let ring: Vec<_> = (0..60).map(rough).collect();
+            let options = CollageOptions {
+                maps: 10,
+                separable: seed % 2 == 0,
+                domains: Domains::Partitioned,
+                tied: true,
+                ..CollageOptions::default()
+            };
+            let fit = fit_collage(&ring, &options).unwrap();
+            assert!(fit.gaps().0 < 1e-12, "{seed}: {:?}", fit.gaps());
+            assert!(fit.attractor().0.iter().all(|p| p.length() < 20.0), "{seed}");
+            shrunk += usize::from(fit.maps.iter().all(|map| spectral_norm(map.factor) < 0.86));
+        }
+        assert!(shrunk > 2, "{shrunk}");
     }
 
     #[test]
