@@ -28,7 +28,11 @@ test("what a finger presses is large enough", async ({ studio, page }) => {
   await studio.drawn();
   const small = () =>
     page.evaluate(() =>
-      [...document.querySelectorAll<HTMLElement>("button, select, summary, .segment, .switch, .choice, a")]
+      [
+        ...document.querySelectorAll<HTMLElement>(
+          "button, select, summary, .segment, .switch, .bend-choice, a",
+        ),
+      ]
         .filter((element) => element.getClientRects().length > 0)
         .map((element) => ({ element, box: element.getBoundingClientRect() }))
         .filter(({ element, box }) => box.width < 44 || box.height < (element.matches(".segment") ? 38 : 44))
@@ -38,7 +42,7 @@ test("what a finger presses is large enough", async ({ studio, page }) => {
     );
   expect(await small()).toEqual([]);
   await page.getByRole("radio", { name: "Grid" }).check();
-  for (const summary of await page.locator(".fold > summary").all()) await summary.tap();
+  for (const summary of await page.locator(".bend-fold > summary").all()) await summary.tap();
   expect(await small()).toEqual([]);
 });
 
@@ -95,7 +99,7 @@ for (const colorScheme of ["light", "dark"] as const) {
     };
     await clean();
     await page.getByRole("button", { name: "Wave" }).tap();
-    for (const summary of await page.locator(".fold > summary").all()) await summary.tap();
+    for (const summary of await page.locator(".bend-fold > summary").all()) await summary.tap();
     await studio.drawn();
     await clean();
   });

@@ -147,7 +147,7 @@ test("two leaves: one is taken, and the other can be picked", async ({ page }) =
   const about = page.locator(".source-about");
   await expect(about).toContainText("points");
   const first = await about.textContent();
-  await page.locator(".part input").nth(1).check({ force: true });
+  await page.locator(".cut-part input").nth(1).check({ force: true });
   await expect(about).not.toHaveText(first ?? "");
   await expect(tool.status).toHaveText("Cut out: 2 parts");
 });

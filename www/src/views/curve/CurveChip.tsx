@@ -38,7 +38,7 @@ export function CurveChip() {
         {crosses === "" ? (
           <circle cx={8} cy={8} r={5} />
         ) : (
-          <path class="hollow" d="M8 8C11 4 14.500 5 14.500 8S11 12 8 8 1.500 11 1.500 8 5 4 8 8z" />
+          <path class="curve-sign" d="M8 8C11 4 14.500 5 14.500 8S11 12 8 8 1.500 11 1.500 8 5 4 8 8z" />
         )}
       </svg>
       <span class="chip-text">One closed curve</span>

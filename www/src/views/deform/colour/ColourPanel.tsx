@@ -118,7 +118,7 @@ function GridColours({ now }: { now: Tint }) {
           </Button>
         )}
       </div>
-      <details class="fold">
+      <details class="bend-fold">
         <summary>
           <span>How small parts take colour</span>
         </summary>

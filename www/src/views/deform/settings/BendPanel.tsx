@@ -140,7 +140,7 @@ function Roughness() {
         >
           {rough.value < MOST_ROUGHNESS && (
             <span
-              class="slider-mark"
+              class="bend-mark"
               style={{ left: `${(100 * rough.value) / MOST_ROUGHNESS}%` }}
               title={`From ${formatNumber(rough.value, 2)} on it is rough: each scale answers more than it is smaller`}
             />

@@ -11,9 +11,9 @@ export interface ChoicesProps<T extends string> {
 export function Choices<T extends string>({ label, options, value, onChange }: ChoicesProps<T>) {
   const name = useOwnId("choices");
   return (
-    <div class="choices" role="radiogroup" aria-label={label}>
+    <div class="bend-choices" role="radiogroup" aria-label={label}>
       {options.map((option) => (
-        <label key={option.value} class="choice">
+        <label key={option.value} class="bend-choice">
           <input
             type="radio"
             name={name}
@@ -22,7 +22,7 @@ export function Choices<T extends string>({ label, options, value, onChange }: C
             onChange={() => onChange(option.value)}
           />
           <span class="choice-name">{option.label}</span>
-          <span class="choice-about">{option.about}</span>
+          <span class="bend-choice-about">{option.about}</span>
         </label>
       ))}
     </div>

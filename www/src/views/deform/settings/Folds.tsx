@@ -11,7 +11,7 @@ const continuity = computed(() => deformation.value.continuity);
 export function SpinFold() {
   const now = SPINS.find(({ value }) => value === spin.value);
   return (
-    <details class="fold">
+    <details class="bend-fold">
       <summary>
         <span>Turning in the pieces</span>
         <span class="fold-now">{now?.label.toLowerCase()}</span>
@@ -30,7 +30,7 @@ export function SpinFold() {
 export function ContinuityFold() {
   const got = facts.value?.continuity ?? null;
   return (
-    <details class="fold">
+    <details class="bend-fold">
       <summary>
         <span>Kept together by</span>
         <span class="fold-now">{holdWords(continuity.value, got)}</span>

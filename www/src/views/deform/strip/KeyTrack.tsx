@@ -79,7 +79,7 @@ function Key({ index, at, tab, timeOf, focus }: KeyProps) {
   };
   return (
     <div
-      class={`key ${chosen ? "chosen" : ""}`}
+      class={`key-frame ${chosen ? "chosen" : ""}`}
       style={{ left: `${100 * at}%` }}
       role="slider"
       tabIndex={tab ? 0 : -1}

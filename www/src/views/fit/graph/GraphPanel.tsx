@@ -13,7 +13,7 @@ import { isTable, takeFile } from "./series";
 export function GraphPanel() {
   useEffect(() => listenForFiles(take), []);
   return (
-    <div class="graph-panel">
+    <div class="fit-graph-panel">
       <FindSection />
       <FoundSection />
       <FunctionSection />

@@ -178,7 +178,7 @@ function Parts() {
     <fieldset class="parts">
       <legend class="row-name">Which part</legend>
       {all.map((component, i) => (
-        <label key={i} class="part" title={`Part ${i + 1}`}>
+        <label key={i} class="cut-part" title={`Part ${i + 1}`}>
           <input
             type="radio"
             name="fit-part"

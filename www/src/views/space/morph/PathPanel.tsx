@@ -84,7 +84,10 @@ function PathVerdict() {
   const settled = best && so;
   return (
     <>
-      <p class={`path-verdict ${breaks ? "broken" : so ? "whole" : "open"}`} data-testid="space-path">
+      <p
+        class={`path-verdict ${breaks ? "broken" : so ? "whole" : "space-undecided"}`}
+        data-testid="space-path"
+      >
         <span class="mark" aria-hidden="true" />
         <span>
           {words} {settled && !breaks && roomWords(best.plan.clearance)}

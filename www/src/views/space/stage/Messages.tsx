@@ -48,7 +48,7 @@ export function Messages() {
             <Button onClick={showWhole}>Show all</Button>
           </div>
         )}
-        {inside !== null && <p class="space-note">{inside}</p>}
+        {inside !== null && <p class="space-inside">{inside}</p>}
       </div>
       {flown.value && (
         <Button

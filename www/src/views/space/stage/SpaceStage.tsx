@@ -65,7 +65,7 @@ export function SpaceStage({ backend }: { backend: "auto" | PainterBackend }) {
     <>
       <div
         ref={host}
-        class="picture space-picture"
+        class="picture space-canvas"
         role="application"
         aria-label={LABEL}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: it takes keys
