@@ -1,6 +1,6 @@
-import { afterEach, describe, expect, it, vi } from "vitest";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { LocusCompute } from "../../www/pkg/renderer.js";
-import { createLocusCompute, timeLocus } from "../../www/pkg/renderer.js";
+import { timeLocus } from "../../www/pkg/renderer.js";
 
 const { open, opened } = vi.hoisted(() => {
   const opened = { software: false, free: () => undefined };
@@ -11,11 +11,28 @@ vi.mock("../../www/pkg/frond-webgpu.js", () => ({
   LocusCompute: { create: open },
 }));
 
-/** A browser with this adapter. */
-function pretend(adapter: object) {
+vi.mock("../../www/pkg/frond-webgl2.js", () => ({
+  default: async () => undefined,
+  Renderer: { create: async () => "a picture" },
+  SpaceRenderer: { create: async () => "a picture of space" },
+}));
+
+/** A browser with this adapter, or none behind the interface. */
+function pretend(adapter: object | null) {
   open.mockClear();
-  vi.stubGlobal("navigator", { gpu: { requestAdapter: async () => adapter } });
+  const requestAdapter = vi.fn(async () => adapter);
+  vi.stubGlobal("navigator", { gpu: { requestAdapter } });
+  return requestAdapter;
 }
+
+// What the browser said is kept by the module: a new page has one of its own.
+let createLocusCompute: typeof import("../../www/pkg/renderer.js").createLocusCompute;
+let renderer: typeof import("../../www/pkg/renderer.js");
+beforeEach(async () => {
+  vi.resetModules();
+  renderer = await import("../../www/pkg/renderer.js");
+  ({ createLocusCompute } = renderer);
+});
 
 afterEach(() => void vi.unstubAllGlobals());
 
@@ -74,5 +91,26 @@ describe("which of the two decides a locus", () => {
 
   it("is not asked for where there is no WebGPU", async () => {
     expect(await createLocusCompute()).toBeUndefined();
+  });
+});
+
+describe("a browser that has no adapter, and warns when it is asked", () => {
+  it("is asked once, for however many pictures and loci", async () => {
+    const request = pretend(null);
+    const canvas = {} as OffscreenCanvas;
+    const { createRenderer, createSpaceRenderer, hasWebGpu } = renderer;
+    const both = await Promise.all([createRenderer(canvas), createSpaceRenderer(canvas)]);
+    expect(both).toEqual(["a picture", "a picture of space"]);
+    expect(await createLocusCompute()).toBeUndefined();
+    expect(await createLocusCompute({ software: true })).toBeUndefined();
+    expect(await createRenderer(canvas)).toBe("a picture");
+    expect(await hasWebGpu()).toBe(false);
+    expect(request).toHaveBeenCalledTimes(1);
+  });
+
+  it("is not asked at all for WebGL2", async () => {
+    const request = pretend(null);
+    expect(await renderer.createRenderer({} as OffscreenCanvas, { backend: "webgl2" })).toBe("a picture");
+    expect(request).not.toHaveBeenCalled();
   });
 });

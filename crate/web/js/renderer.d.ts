@@ -11,6 +11,12 @@ export interface RendererOptions {
   onLost?: (reason: string) => void;
 }
 
+/**
+ * Whether there is WebGPU. The browser is asked once, here or by what is below: one that has none warns each time on the
+ * console. To spare even that, give `backend: "webgl2"`.
+ */
+export function hasWebGpu(): Promise<boolean>;
+
 /** A live picture on a canvas that has had no context yet. Rejects with a FrondError where there is no graphics card. */
 export function createRenderer(
   canvas: HTMLCanvasElement | OffscreenCanvas,

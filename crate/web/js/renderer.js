@@ -18,14 +18,24 @@ function load(backend) {
   return loading[backend];
 }
 
-/** The adapter of WebGPU: some browsers have the interface and none behind it. */
-async function adapter() {
-  try {
-    return (await globalThis.navigator?.gpu?.requestAdapter()) ?? undefined;
-  } catch {
-    return undefined;
-  }
+let asked;
+
+/**
+ * The adapter of WebGPU: some browsers have the interface and none behind it, and warn of it on the console each time that
+ * they are asked. So they are asked once, whoever wants to know.
+ */
+function adapter() {
+  asked ??= (async () => {
+    try {
+      return (await globalThis.navigator?.gpu?.requestAdapter()) ?? undefined;
+    } catch {
+      return undefined;
+    }
+  })();
+  return asked;
 }
+
+export const hasWebGpu = async () => (await adapter()) !== undefined;
 
 /** Whether the processor stands in for a graphics card, as far as the browser tells without a device. */
 function isSoftware(adapter) {

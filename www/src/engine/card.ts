@@ -2,6 +2,7 @@
 import { createLocusCompute, type LocusCompute, timeLocus } from "../../pkg/renderer.js";
 import type { Locus, LocusOptions, MapRow } from "./api";
 import { toError } from "./protocol";
+import { lacksWebGpu } from "./webgpu";
 
 export interface Ends {
   from: MapRow[];
@@ -24,7 +25,7 @@ export function adoptCard(found: LocusCompute): void {
 
 /** A card, if there is one. `software` takes one that the processor stands in for: for trying this without a card. */
 export async function openCard(software: boolean): Promise<LocusCompute | null> {
-  return (await createLocusCompute({ software })) ?? null;
+  return (await lacksWebGpu()) ? null : ((await createLocusCompute({ software })) ?? null);
 }
 
 /** Times a card against the processor. */

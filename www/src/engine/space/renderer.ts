@@ -1,6 +1,7 @@
 import { createSpaceRenderer as create } from "../../../pkg/renderer.js";
 import type { RendererOptions } from "../renderer";
 import type { Backend } from "../wasm";
+import { settled } from "../webgpu";
 import type { CloudBytes, UniformBytes } from "./module";
 
 /**
@@ -23,8 +24,15 @@ export interface SpaceRenderer {
   free(): void;
 }
 
-/** Loads the renderer for the graphics interface that there is. */
-export const createSpaceRenderer = create as unknown as (
+const open = create as unknown as (
   canvas: HTMLCanvasElement | OffscreenCanvas,
   options: RendererOptions,
 ) => Promise<SpaceRenderer>;
+
+/** Loads the renderer for the graphics interface that there is. */
+export async function createSpaceRenderer(
+  canvas: HTMLCanvasElement | OffscreenCanvas,
+  options: RendererOptions,
+): Promise<SpaceRenderer> {
+  return open(canvas, await settled(options));
+}
