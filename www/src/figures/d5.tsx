@@ -4,8 +4,11 @@ import { bendAt } from "../state/bend";
 import type { Box } from "../state/fit";
 import { fixed } from "../ui/number";
 import { Segmented } from "../ui/Segmented";
+import type { Point } from "./apart";
+import { Bent } from "./bent";
 import { SWAY } from "./deform-meshes";
 import { deformationBy, numbersOf, type Panel, toAndFro } from "./deformations";
+import { PieceNames } from "./drawn";
 import { Frame, type Heading } from "./frame";
 import { type Lens, Magnified, WithFrames } from "./magnified";
 import { Panels } from "./panels";
@@ -21,6 +24,14 @@ export const FERN: MapRow[] = [
 ];
 const BOX: Box = { x0: -5.3, y0: -0.5, x1: 5.3, y1: 10.4 };
 const ASPECT = (BOX.x1 - BOX.x0) / (BOX.y1 - BOX.y0);
+/** The fern itself, and where the names of its pieces stand: in the middle, on the two lowest leaves, and on the stem. */
+const REST: Box = { x0: -2.2, y0: 0, x1: 2.7, y1: 10 };
+const NAMES: readonly Point[] = [
+  [0.4, 5.6],
+  [-1.15, 2.6],
+  [1.2, 1.9],
+  [0, 0.6],
+];
 const KE = 6;
 
 const PANELS: readonly Panel[] = [
@@ -41,16 +52,19 @@ const LENSES: readonly Lens[] = [
 ];
 
 const SPINS = [
-  { value: "scaled", label: "Scaled", description: "by A / ‖A‖: less across a flat map" },
   { value: "rotation", label: "Rotation", description: "the rotation, with reflections split off" },
   { value: "orthogonal", label: "Orthogonal", description: "the orthogonal factor, reflections included" },
+  { value: "scaled", label: "Scaled", description: "by A / ‖A‖: less across a flat map" },
   { value: "none", label: "None", description: "displacements keep their direction" },
 ] as const;
+
+/** As the paper words it: by "the rotation factors" of the maps. */
+const SPIN: Spin = "rotation";
 
 /** The fern in the wind. */
 export function Deformation5(heading: Heading) {
   const sway = useSway(0.2);
-  const [spin, setSpin] = useState<Spin>("scaled");
+  const [spin, setSpin] = useState<Spin>(SPIN);
   const deformationOf = useCallback(
     (settings: Partial<Deformation>) => swayOf({ ...settings, spin }),
     [spin],
@@ -71,10 +85,11 @@ export function Deformation5(heading: Heading) {
       found={
         <p>
           The paper turns the displacements by “the rotation factors” of the maps and does not say what those
-          are for a map that also shears, mirrors, or is flat, as the stem’s is. Four answers are to choose
-          from above. Dividing each matrix by its largest stretch needs no cases, is the same for all maps
-          that only turn and scale, and looks best on this fern. Nothing has to be kept together here: a leaf
-          is attached by a single point, and pieces are cut until they are too small to show it.
+          are for a map that also shears, mirrors, or is flat, as the stem’s is. Here a mirror image is split
+          off first, and the stem’s map does not turn; other answers are to choose from above. Dividing each
+          matrix by its largest stretch needs no cases, and is the same for all maps that only turn and scale.
+          Nothing is kept together here: a leaf is free to sway about the point that it hangs on, and where
+          the sway is rough it may come off.
         </p>
       }
       parameters={[
@@ -95,7 +110,7 @@ export function Deformation5(heading: Heading) {
         { name: "Time", symbol: "t", value: `${fixed(sway.t)} of one sway` },
       ]}
       captions={["Figure 5: Fractal deformations of a Black Spleenwort fern. ke = 6."]}
-      reconstructed="The maps, ke and the kb of B are printed (section 5.3, example 2, eq 18), and that δ falls as kb grows. The mesh, the other kb, all values of δ and the magnified parts, whose frames go with what they show, are made from the text. Its (X), the addressing rule, is the order of the maps."
+      reconstructed="The maps, ke and the kb of B are printed (section 5.3, example 2, eq 18), and that δ falls as kb grows. The mesh, the other kb, all values of δ and the magnified parts, whose frames go with what they show, are made from the text. Of (X), the addressing rule, only the order of the maps is known."
       studio={{ href: hrefOf(swayOf({ ...B, spin, phase: sway.t })) }}
     >
       <Sway sway={sway} />
@@ -120,14 +135,41 @@ export function Deformation5(heading: Heading) {
         <WithFrames {...framed} aspect={ASPECT} />
       </Panels>
       <Magnified {...framed} />
+      <div class="magnified">
+        <Addresses />
+      </div>
     </Frame>
+  );
+}
+
+/** The addressing rule: each piece by the letter of its map. */
+function Addresses() {
+  const rest = useMemo(() => bendAt(swayOf({ kb: KE }), 0), []);
+  return (
+    <figure class="panel">
+      <Bent
+        maps={FERN}
+        bend={rest}
+        box={REST}
+        aspect={ASPECT}
+        grid={0}
+        label="The fern at rest: the part of map 1 is all but the lowest leaves, map 2 has the left one of them, map 3 the right one, and map 4 the stem"
+      >
+        {(place) => <PieceNames at={NAMES.map(place)} />}
+      </Bent>
+      <figcaption>
+        <span class="side-name">
+          X <span>the letters of the codes</span>
+        </span>
+      </figcaption>
+    </figure>
   );
 }
 
 export function swayOf(settings: Partial<Deformation>): Deformation {
   return deformationBy(SWAY, {
     ke: KE,
-    spin: "scaled",
+    spin: SPIN,
     keys: toAndFro(SWAY),
     loop: true,
     seconds: 6,
