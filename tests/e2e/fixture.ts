@@ -6,7 +6,7 @@ import { Studio } from "./studio";
  * than once.
  */
 const driver = /GL Driver Message|GroupMarkerNotSet|willReadFrequently/;
-/** Chromium where it has no WebGPU, each time that it is asked: a page asks once, and again when it is loaded anew. */
+/** Chromium where it has no WebGPU, each time that it is asked: a page asks once. */
 const noWebGpu = /No available adapters/;
 
 /**
@@ -27,10 +27,8 @@ export const test = base.extend<{ expected: RegExp | null; quiet: undefined; stu
       page.on("console", (message) => {
         if (message.type() === "error" || message.type() === "warning") complain(message.text());
       });
-      page.on("domcontentloaded", async () => {
-        const reloaded = () =>
-          (performance.getEntriesByType("navigation")[0] as PerformanceNavigationTiming).type;
-        if ((await page.evaluate(reloaded).catch(() => "")) === "reload") asked = 0;
+      page.on("request", (request) => {
+        if (request.isNavigationRequest() && request.frame() === page.mainFrame()) asked = 0;
       });
       page.on("pageerror", (error) => complain(String(error)));
       page.on("requestfailed", (request) => {
