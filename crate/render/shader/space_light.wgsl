@@ -91,14 +91,14 @@ fn point_at(at: vec2<i32>, depth: f32) -> vec3<f32> {
 }
 
 fn normal_at(at: vec2<i32>, depth: f32) -> vec3<f32> {
-    let unit = depth / lamp.focal;
     var squares = vec3<f32>(0.0);
     var slopes = vec2<f32>(0.0);
     for (var dy = -2; dy <= 2; dy++) {
         for (var dx = -2; dx <= 2; dx++) {
             let near = depth_at(at + vec2<i32>(dx, dy));
             if near < FAR {
-                let step = (near - depth) / unit;
+                // In pixels. Of a plane it is the inverse of the depth that changes evenly from pixel to pixel.
+                let step = lamp.focal * (1.0 - depth / near);
                 let f = vec2<f32>(f32(dx), f32(dy));
                 let weight = 1.0 / (1.0 + 0.15 * step * step);
                 squares += weight * vec3<f32>(f.x * f.x, f.x * f.y, f.y * f.y);
@@ -112,26 +112,40 @@ fn normal_at(at: vec2<i32>, depth: f32) -> vec3<f32> {
     }
     let gx = (slopes.x * squares.z - slopes.y * squares.y) / det;
     let gy = (slopes.y * squares.x - slopes.x * squares.y) / det;
-    return normalize(vec3<f32>(gx, -gy, -1.0));
+    // Rows go down, y goes up; and beside the middle of the picture the eye looks at a slant.
+    let slant = point_at(at, 1.0);
+    return normalize(vec3<f32>(gx, -gy, slant.y * gy - slant.x * gx - 1.0));
 }
 
-fn ring_at(at: vec2<i32>, depth: f32, radius: f32, turn: f32) -> f32 {
+// What stands out of the plane of the surface on a ring; what lies beyond the border of the picture is not known.
+fn ring_at(at: vec2<i32>, depth: f32, normal: vec3<f32>, radius: f32, turn: f32) -> f32 {
     let unit = depth / lamp.focal;
+    let own = point_at(at, depth);
     var covered = 0.0;
+    var known = 0.0;
     for (var ray = 0; ray < 8; ray++) {
         let angle = 6.2831855 * (f32(ray) + turn) / 8.0;
-        let off = vec2<i32>(round(radius * vec2<f32>(cos(angle), sin(angle))));
-        let rise = (depth - depth_at(at + off)) / (radius * unit);
+        let next = at + vec2<i32>(round(radius * vec2<f32>(cos(angle), sin(angle))));
+        if !inside(next) {
+            continue;
+        }
+        known += 1.0;
+        let there = depth_at(next);
+        if there >= FAR {
+            continue;
+        }
+        let way = (point_at(next, there) - own) / (radius * unit);
+        let rise = dot(normal, way);
         if rise > 0.0 {
-            covered += min(0.7 * rise, 1.0) / (1.0 + 0.02 * rise * rise);
+            covered += min(0.7 * rise, 1.0) / (1.0 + 0.02 * dot(way, way));
         }
     }
-    return covered / 8.0;
+    return covered / max(known, 1.0);
 }
 
-fn hollow_at(at: vec2<i32>, depth: f32) -> f32 {
-    let sum = 0.2 * ring_at(at, depth, 2.0, 0.0) + 0.3 * ring_at(at, depth, 5.0, 0.25)
-        + 0.3 * ring_at(at, depth, 12.0, 0.5) + 0.2 * ring_at(at, depth, 28.0, 0.75);
+fn hollow_at(at: vec2<i32>, depth: f32, normal: vec3<f32>) -> f32 {
+    let sum = 0.2 * ring_at(at, depth, normal, 2.0, 0.0) + 0.3 * ring_at(at, depth, normal, 5.0, 0.25)
+        + 0.3 * ring_at(at, depth, normal, 12.0, 0.5) + 0.2 * ring_at(at, depth, normal, 28.0, 0.75);
     return min(sum, 1.0);
 }
 
@@ -152,8 +166,9 @@ fn lit(at: vec2<i32>) -> vec4<f32> {
         let share = clamp((height - lamp.range.z) / max(lamp.range.w - lamp.range.z, 1e-30), 0.0, 1.0);
         colour = mix(look.palette[1].rgb, look.palette[0].rgb, share);
     }
-    let facing = max(dot(normal_at(at, depth), lamp.towards.xyz), 0.0);
-    let open = 1.0 - lamp.hollows * hollow_at(at, depth);
+    let normal = normal_at(at, depth);
+    let facing = max(dot(normal, lamp.towards.xyz), 0.0);
+    let open = 1.0 - lamp.hollows * hollow_at(at, depth, normal);
     let shine = (lamp.towards.w + (1.0 - lamp.towards.w) * facing) * open;
     let light = pow(pow(colour, vec3<f32>(2.2)) * shine * 1.25, vec3<f32>(1.0 / 2.2));
     let fog = lamp.ground.w * clamp((depth - lamp.range.x) / max(lamp.range.y - lamp.range.x, 1e-30), 0.0, 1.0);

@@ -47,11 +47,14 @@ struct Scene<'a> {
 }
 
 impl Scene<'_> {
+    fn inside(&self, x: i32, y: i32) -> bool {
+        x >= 0 && y >= 0 && x < self.relief.width() as i32 && y < self.relief.height() as i32
+    }
+
     /// The code at a pixel; 0 beyond the border.
     fn code(&self, x: i32, y: i32) -> u32 {
-        let (width, height) = (self.relief.width() as i32, self.relief.height() as i32);
-        let inside = x >= 0 && y >= 0 && x < width && y < height;
-        if inside { self.relief.codes()[(y * width + x) as usize] } else { 0 }
+        let at = || (y * self.relief.width() as i32 + x) as usize;
+        if self.inside(x, y) { self.relief.codes()[at()] } else { 0 }
     }
 
     /// The depth at a pixel.
@@ -80,8 +83,9 @@ impl Scene<'_> {
             colour = paint(1).lerp(paint(0), share);
         }
         let towards = Vec4::from(lamp.towards);
-        let facing = self.normal(x, y, depth).dot(towards.truncate()).max(0.0);
-        let open = 1.0 - lamp.hollows * self.hollow(x, y, depth);
+        let normal = self.normal(x, y, depth);
+        let facing = normal.dot(towards.truncate()).max(0.0);
+        let open = 1.0 - lamp.hollows * self.hollow(x, y, depth, normal);
         let shine = (towards.w + (1.0 - towards.w) * facing) * open;
         // Light adds up as it is, not as it is written.
         let light = (to_linear(colour) * shine * 1.25).powf(1.0 / 2.2);
@@ -100,7 +104,6 @@ impl Scene<'_> {
 
     /// The lie of the surface: a plane through what is near, by least squares, each pixel weighed by how near it is in depth.
     fn normal(&self, x: i32, y: i32, depth: f32) -> Vec3 {
-        let unit = depth / self.lamp.focal;
         let (mut xx, mut xy, mut yy, mut xz, mut yz) = (0.0_f32, 0.0_f32, 0.0_f32, 0.0_f32, 0.0_f32);
         for dy in -REACH..=REACH {
             for dx in -REACH..=REACH {
@@ -108,7 +111,8 @@ impl Scene<'_> {
                 if near >= FAR {
                     continue;
                 }
-                let step = (near - depth) / unit;
+                // In pixels. Of a plane it is the inverse of the depth that changes evenly from pixel to pixel.
+                let step = self.lamp.focal * (1.0 - depth / near);
                 let (fx, fy) = (dx as f32, dy as f32);
                 let weight = 1.0 / (1.0 + 0.15 * step * step);
                 xx += weight * fx * fx;
@@ -123,25 +127,41 @@ impl Scene<'_> {
             return Vec3::new(0.0, 0.0, -1.0);
         }
         let (gx, gy) = ((xz * yy - yz * xy) / det, (yz * xx - xz * xy) / det);
-        // Rows go down, y goes up.
-        Vec3::new(gx, -gy, -1.0).normalize()
+        // Rows go down, y goes up; and beside the middle of the picture the eye looks at a slant.
+        let slant = self.point(x, y, 1.0);
+        Vec3::new(gx, -gy, slant.y * gy - slant.x * gx - 1.0).normalize()
     }
 
-    /// How much of what is around lies nearer than the surface: 0 in the open, 1 in a deep hole.
-    fn hollow(&self, x: i32, y: i32, depth: f32) -> f32 {
+    /// How much of what is around stands out of the plane of the surface: 0 in the open, 1 in a deep hole. A slope alone is
+    /// no hollow, and what lies beyond the border of the picture is not known: it does not count as open.
+    fn hollow(&self, x: i32, y: i32, depth: f32, normal: Vec3) -> f32 {
         let unit = depth / self.lamp.focal;
+        let own = self.point(x, y, depth);
         let mut sum = 0.0;
         for (ring, (radius, weight)) in RINGS.into_iter().enumerate() {
-            let mut covered = 0.0;
+            let (mut covered, mut known) = (0.0, 0.0_f32);
             for ray in 0..RAYS {
                 // Rings are turned against each other.
                 let angle = std::f32::consts::TAU * (ray as f32 + 0.25 * ring as f32) / RAYS as f32;
                 let (dx, dy) = ((radius * angle.cos()).round() as i32, (radius * angle.sin()).round() as i32);
-                let rise = (depth - self.depth(x + dx, y + dy)) / (radius * unit);
+                if !self.inside(x + dx, y + dy) {
+                    continue;
+                }
+                known += 1.0;
+                let there = self.depth(x + dx, y + dy);
+                if there >= FAR {
+                    continue;
+                }
+                let way = (self.point(x + dx, y + dy, there) - own) / (radius * unit);
+                let rise = normal.dot(way);
                 // What lies far before it is something else, and throws little shade.
-                covered += if rise > 0.0 { (0.7 * rise).min(1.0) / (1.0 + 0.02 * rise * rise) } else { 0.0 };
+                covered += if rise > 0.0 {
+                    (0.7 * rise).min(1.0) / (1.0 + 0.02 * way.length_squared())
+                } else {
+                    0.0
+                };
             }
-            sum += weight * covered / RAYS as f32;
+            sum += weight * covered / known.max(1.0);
         }
         sum.min(1.0)
     }
@@ -183,6 +203,55 @@ mod tests {
         let slope = |s: f32| greys(60, move |x, _| 10.0 + s * x * 8.0, &lighting)[30 * 60 + 30];
         let (left, flat, right) = (slope(-1.0), slope(0.0), slope(1.0));
         assert!(left > flat && flat > right, "{left} {flat} {right}");
+    }
+
+    #[test]
+    fn a_plane_at_a_slant_is_of_one_brightness_up_to_the_border() {
+        let lighting = Lighting { fog: 0.0, ..Lighting::default() };
+        let lamp = Lamp::new(&lighting, &camera(), [120, 120], 1, [10.0, 30.0]);
+        let across = 120.0 / lamp.focal;
+        // The plane 1 = a x + b y + c z: over the picture the inverse of its depth changes evenly.
+        for [a, b, c] in [[0.0, 0.0, 0.1_f32], [0.0, -0.2, 0.1], [0.08, 0.1, 0.1], [-0.2, 0.0, 0.1]] {
+            let plane = |x: f32, y: f32| 1.0 / (across * (a * x + b * y) + c);
+            let greys = greys(120, plane, &lighting);
+            let (least, most) = (greys.iter().min().unwrap(), greys.iter().max().unwrap());
+            assert!(most - least <= 1, "{a} {b}: {least} to {most}");
+        }
+    }
+
+    #[test]
+    fn a_rough_surface_has_no_rim_along_the_border() {
+        // What is seen of it in a picture that goes on all around is what it should look like at the border of this one.
+        let (whole, part) = (180_u32, 100_u32);
+        let margin = (whole - part) / 2;
+        let lighting = Lighting { fog: 0.0, ..Lighting::default() };
+        let look = Look::new(Colouring::Map, &[[200, 200, 200]], 1);
+        for slant in [0.0, 0.08] {
+            let rough = |x: u32, y: u32| {
+                let (x, y) = (x as f32, y as f32);
+                20.0 - slant * y + 1.2 * ((0.23 * x).sin() * (0.27 * y).sin() + (0.31 * x - 0.19 * y).sin())
+            };
+            let picture = |side: u32, from: u32| {
+                let mut relief = Relief::new(side, side);
+                for (y, x) in (0..side).flat_map(|y| (0..side).map(move |x| (y, x))) {
+                    relief.put(x, y, rough(x + from, y + from), 1);
+                }
+                let lamp = Lamp::new(&lighting, &camera(), [side, side], 1, [10.0, 30.0]);
+                light(&relief, &Lamp { focal: 200.0, ..lamp }, &look)
+            };
+            let (wide, narrow) = (picture(whole, 0), picture(part, margin));
+            let (mut sum, mut count) = (0.0, 0.0);
+            for (y, x) in (0..part).flat_map(|y| (0..part).map(move |x| (y, x))) {
+                if x.min(y).min(part - 1 - x).min(part - 1 - y) < 8 {
+                    let there = (y + margin) * whole + x + margin;
+                    sum +=
+                        f64::from(narrow[4 * (y * part + x) as usize]) - f64::from(wide[4 * there as usize]);
+                    count += 1.0;
+                }
+            }
+            let rim: f64 = sum / count;
+            assert!(rim.abs() < 1.0, "slant {slant}: {rim}");
+        }
     }
 
     #[test]
