@@ -11,7 +11,7 @@ for (const figure of SPACES) {
     const main = page.getByRole("main");
     // What was not printed is called reconstructed; the open question is a page of Frond's own.
     if (figure !== "s9") {
-      await expect(main.getByText(/^(reconstructed|by Frond)$/).first()).toBeVisible();
+      await expect(main.getByText(/^(reconstructed|by Frond|Frond’s own)$/).first()).toBeVisible();
     }
     const lit = () =>
       page.evaluate(() =>

@@ -24,6 +24,8 @@ export interface FrameProps extends Heading {
   captions: readonly string[];
   /** Why the picture is not the paper's own: what was not printed, and what stands for it here; null where all was. */
   reconstructed: string | null;
+  /** The picture is Frond’s own, on the paper's subject: hardly anything of it was printed. `reconstructed` says what. */
+  own?: boolean;
   /** What differs from the paper all the same. */
   differs?: ComponentChildren;
   studio?: { href: string; label?: string };
@@ -36,7 +38,7 @@ export function Frame(props: FrameProps) {
       <Head
         number={props.number}
         title={props.title}
-        badge={props.reconstructed === null ? "as printed" : "reconstructed"}
+        badge={props.own ? "Frond’s own" : props.reconstructed === null ? "as printed" : "reconstructed"}
         {...(props.studio ? { studio: props.studio } : {})}
       >
         {props.lead}
@@ -62,7 +64,7 @@ export function Frame(props: FrameProps) {
           ))}
           {props.reconstructed !== null && (
             <p>
-              <strong>Reconstructed.</strong> {props.reconstructed}
+              <strong>{props.own ? "Frond’s own." : "Reconstructed."}</strong> {props.reconstructed}
             </p>
           )}
           {props.differs !== undefined && (

@@ -114,7 +114,8 @@ function Page(heading: Heading) {
       captions={[
         "If we apply a scaling transform in a given direction say z making the scaling factor very small then the result is a planner fractal-with derived parameters- in the x-y plane.",
       ]}
-      reconstructed="The section has no figure: this one is Frond’s own, on shapes of its gallery."
+      own
+      reconstructed="The section has no figure: this one is made here, on shapes of Frond’s gallery."
       differs="The paper concludes that projections of IFS fractals are IFS fractals. That is so where the line of sight is kept by every map, and in the limit not elsewhere."
       studio={{
         href: spaceHref([

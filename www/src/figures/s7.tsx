@@ -53,7 +53,8 @@ function Page(heading: Heading) {
         { name: "Height of the picture", value: `${formatNumber((home.angle * 180) / Math.PI, 1)}°` },
       ]}
       captions={["Fig vii a natural scene"]}
-      reconstructed="Of its parameters the print shows a few numbers of two or three maps, and the picture is hard to make out. This scene is Frond’s own; that it has several objects and is seen from the origin is the paper’s."
+      own
+      reconstructed="The maps of this scene were made here: of the paper’s, the print shows nine numbers that look like the matrix of one map, the last digit of one cut off, and pieces of another; its picture is hard to make out. That a scene has several objects and is seen from the origin is the paper’s. Figure viii shows what can be read."
       studio={{ href: spaceHref(made, home), label: "Open in the Space tool" }}
     >
       <Scenery

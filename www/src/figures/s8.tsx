@@ -1,8 +1,10 @@
 import { useMemo, useState } from "preact/hooks";
 import { about3, turns3 } from "../engine/space/affine";
 import { Button } from "../ui/Button";
-import { formatNumber } from "../ui/number";
+import "../ui/map-blocks.css";
+import { fixed, formatNumber } from "../ui/number";
 import { Frame, type Heading } from "./frame";
+import { FIGURE_VII, FIGURE_VIII, farthest, type Matrix3, TURN, turned } from "./printed3";
 import { looksAway, useScene } from "./s7";
 import { MIDDLE, Scenery } from "./scenery";
 import { inSpace, spaceHref } from "./solid";
@@ -29,11 +31,29 @@ function Page(heading: Heading) {
         </p>
       }
       found={
-        <p>
-          A scene is the union of its objects, and T of a union is the union of the parts: what holds for one
-          set of parameters holds for a list of them. In the Space tool the same is done at the moments of a
-          time line, and each frame of a film is the list that comes of it.
-        </p>
+        <>
+          <p>
+            A scene is the union of its objects, and T of a union is the union of the parts: what holds for
+            one set of parameters holds for a list of them. In the Space tool the same is done at the moments
+            of a time line, and each frame of a film is the list that comes of it.
+          </p>
+          <p>One matrix of the paper’s scene is printed whole, under Figure viii:</p>
+          <Printed label="Fig viii" rows={FIGURE_VIII} />
+          <p>
+            It shrinks a plane to 0.54 and flattens what is across it, so that it is a map of something flat.
+            Of its translation only 25.59 is left, and of the map beside it six numbers: that is too little to
+            draw.
+          </p>
+          <Printed label="Fig vii" rows={FIGURE_VII} />
+          <p>
+            These nine stand under Figure vii; the sixth is cut off after its first decimal. They look like
+            the same map before it was turned: a turn by {TURN.degrees}° about ({TURN.axis.join(", ")}) brings
+            them onto the matrix above by eq 1, with no number off by more than{" "}
+            {formatNumber(farthest(turned(FIGURE_VII, TURN), FIGURE_VIII), 4)}, which is the rounding of the
+            print. Turns from some 150° to 170° about axes nearby do about as well, so that the paper’s own
+            cannot be told.
+          </p>
+        </>
       }
       parameters={[
         ...(["x", "y", "z"] as const).map((axis, k) => ({
@@ -47,7 +67,8 @@ function Page(heading: Heading) {
         { name: "Conjugations", value: String(maps) },
       ]}
       captions={["Fig viii Rotation of vii"]}
-      reconstructed="The angles are not printed, and the scene is Frond’s own, as in Figure vii."
+      own
+      reconstructed="The scene and its maps were made here, as in Figure vii, and the angles are chosen here: the paper prints none. The one matrix that it prints whole is shown on this page; no shape here is drawn with it."
       studio={{
         href: spaceHref(
           made.map((object) => ({ ...object, moved: by })),
@@ -73,6 +94,24 @@ function Page(heading: Heading) {
         </Button>
       </div>
     </Frame>
+  );
+}
+
+/** Nine numbers as they stand in print. */
+function Printed({ label, rows }: { label: string; rows: Matrix3 }) {
+  return (
+    <table class="map-block printed" style={{ "--digits": "2" }}>
+      <caption>{label}</caption>
+      <tbody>
+        {rows.map((row, i) => (
+          <tr key={i}>
+            {row.map((value, k) => (
+              <td key={k}>{fixed(value, 2)}</td>
+            ))}
+          </tr>
+        ))}
+      </tbody>
+    </table>
   );
 }
 
