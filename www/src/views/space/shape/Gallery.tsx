@@ -1,15 +1,16 @@
-import { useEffect, useMemo, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import type { SpaceObject } from "../../../engine/api";
 import { solid } from "../../../engine/space/module";
 import { standing } from "../../../state/morph";
 import { scene } from "../../../state/scene";
 import { space } from "../../../state/space";
+import { Button } from "../../../ui/Button";
 import { Dialog } from "../../../ui/Dialog";
 import { Segmented } from "../../../ui/Segmented";
 import { mapsNote, ShapeGrid, type ShapeItem } from "../../../ui/ShapeGrid";
 import { object } from "./now";
 import { presets } from "./presets";
-import { type How, take } from "./take";
+import { type How, take, takenWords } from "./take";
 import { makePictures, pictures } from "./thumbs";
 
 interface Item extends ShapeItem {
@@ -50,54 +51,121 @@ function note({ objects }: Item): string {
   return objects.length > 1 || !first ? `${objects.length} objects` : mapsNote(first);
 }
 
-/** Shapes to begin with, to put in the place of an object, or to add. */
-export function Gallery({ how: first, onClose }: { how: How; onClose: () => void }) {
-  const [how, setHow] = useState<How>(first);
+/**
+ * Shapes to begin with, to put in the place of an object, or to add. Where nobody has said which of these (`ask`), that is
+ * asked once a shape is chosen: no object of several leaves unasked.
+ */
+export function Gallery({ how: first, onClose }: { how: How | "ask"; onClose: () => void }) {
+  const [how, setHow] = useState<How | "ask">(first);
+  const [asked, setAsked] = useState<Item | null>(null);
   const all = useMemo(items, []);
   useEffect(() => makePictures(all), [all]);
   const now = object.value;
   const several = (space.value?.objects.length ?? 1) > 1;
   // A scene cannot stand in the place of one of its own objects.
   const shown = how === "instead" ? all.filter(({ objects }) => objects.length === 1) : all;
+  const takeIn = ({ name, objects }: Item, where: How) => {
+    take(objects, where, takenWords(name, where, now?.name ?? ""));
+    onClose();
+  };
+  const grid = useRef<HTMLDivElement>(null);
+  // Back from the question, keys go on where they were.
+  const back = () => {
+    setAsked(null);
+    requestAnimationFrame(() => grid.current?.querySelector<HTMLElement>('[tabindex="0"]')?.focus());
+  };
   return (
     <Dialog
       wide
-      title="Shapes of space"
-      about="Each is a handful of maps, and nothing else."
+      title={asked ? `Where is ${asked.name} to stand?` : "Shapes of space"}
+      about={asked ? "Nothing has changed so far." : "Each is a handful of maps, and nothing else."}
       onClose={onClose}
     >
-      <div class="solid-how">
-        <Segmented
-          label="What becomes of what there is"
-          value={how}
-          onChange={setHow}
-          options={[
-            {
-              value: "alone",
-              label: "Alone",
-              description: "Begin anew with it: neither morph nor time line stays",
-            },
-            { value: "instead", label: several ? `Instead of ${now?.name}` : "Instead" },
-            { value: "beside", label: "Beside" },
-          ]}
+      {asked && (
+        <Question
+          item={asked}
+          instead={now?.name ?? ""}
+          count={space.value?.objects.length ?? 1}
+          onTake={(where) => takeIn(asked, where)}
+          onBack={back}
         />
-        <p class="hint">{WORDS[how]}</p>
+      )}
+      <div ref={grid} hidden={asked !== null}>
+        <div class="solid-how">
+          <Segmented<How | "ask">
+            label="What becomes of what there is"
+            value={how}
+            onChange={setHow}
+            options={[
+              {
+                value: "alone",
+                label: "Alone",
+                description: "Begin anew with it: neither morph nor time line stays",
+              },
+              { value: "instead", label: several ? `Instead of ${now?.name}` : "Instead" },
+              { value: "beside", label: "Beside" },
+            ]}
+          />
+          <p class="hint">{WORDS[how]}</p>
+        </div>
+        <ShapeGrid
+          presets={shown}
+          pictures={pictures.value}
+          noteOf={note}
+          chosen={several ? (now?.preset?.startsWith("natural-") ? NATURAL : undefined) : now?.preset}
+          onChoose={(item) => {
+            if (how === "ask") setAsked(item);
+            else takeIn(item, how);
+          }}
+        />
       </div>
-      <ShapeGrid
-        presets={shown}
-        pictures={pictures.value}
-        noteOf={note}
-        chosen={several ? (now?.preset?.startsWith("natural-") ? NATURAL : undefined) : now?.preset}
-        onChoose={({ name, objects }) => {
-          take(objects, how, `${name}: ${WORDS[how]}`);
-          onClose();
-        }}
-      />
     </Dialog>
   );
 }
 
-const WORDS: Record<How, string> = {
+interface QuestionProps {
+  item: Item;
+  /** The name of the object that would leave. */
+  instead: string;
+  count: number;
+  onTake: (how: How) => void;
+  onBack: () => void;
+}
+
+/** What is to become of the objects that there are, for a shape that has been chosen. */
+function Question({ item, instead, count, onTake, onBack }: QuestionProps) {
+  const first = useRef<HTMLButtonElement>(null);
+  useEffect(() => first.current?.focus(), []);
+  return (
+    <ul class="solid-systems">
+      <li>
+        <Button kind="primary" buttonRef={first} onClick={() => onTake("beside")}>
+          Beside what there is <span class="solid-fate">all {count} stay</span>
+        </Button>
+      </li>
+      {item.objects.length === 1 && (
+        <li>
+          <Button onClick={() => onTake("instead")}>
+            Instead of {instead} <span class="solid-fate">{instead} leaves</span>
+          </Button>
+        </li>
+      )}
+      <li>
+        <Button onClick={() => onTake("alone")}>
+          Alone <span class="solid-fate">all {count} leave</span>
+        </Button>
+      </li>
+      <li>
+        <Button kind="quiet" onClick={onBack}>
+          Back to the shapes
+        </Button>
+      </li>
+    </ul>
+  );
+}
+
+const WORDS: Record<How | "ask", string> = {
+  ask: "Choose a shape first: what becomes of the objects here is asked then.",
   alone: "A new beginning: all that was there leaves, and Undo brings it back.",
   instead: "It takes the place of the chosen object, moved and coloured as that is.",
   beside: "It stands beside what there is.",

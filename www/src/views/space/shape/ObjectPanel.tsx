@@ -18,7 +18,7 @@ import { makePictures, pictures } from "./thumbs";
 
 /** What there is: the objects, the one that all else is about, and where others come from. */
 export function ObjectPanel() {
-  const [gallery, setGallery] = useState<How | null>(null);
+  const [gallery, setGallery] = useState<How | "ask" | null>(null);
   const input = useRef<HTMLInputElement>(null);
   const now = object.value;
   const count = space.value?.objects.length ?? 0;
@@ -36,7 +36,7 @@ export function ObjectPanel() {
         aria-haspopup="dialog"
         aria-label={`${now?.name}. Choose another shape`}
         title="Choose another shape"
-        onClick={() => setGallery(count > 1 ? "instead" : "alone")}
+        onClick={() => setGallery(count > 1 ? "ask" : "alone")}
       >
         <Thumbnail bitmap={pictures.value.get("chosen")} />
         <span class="solid-subject-name">{now?.name}</span>

@@ -31,10 +31,13 @@ export async function openFile(file: File): Promise<void> {
   }
 }
 
+/** Alone, or beside what there is where that is several: no object of several leaves unasked. */
 export function takeFound({ name, maps }: Found): void {
   const several = (space.peek()?.objects.length ?? 1) > 1;
-  const what = `${name} is there, with ${maps.length} maps, in place of what was. Undo brings that back.`;
-  take([{ name, maps }], several ? "instead" : "alone", what, (text) => notify({ kind: "info", text }));
+  const what = several
+    ? `${name} stands beside what there is, with ${maps.length} maps.`
+    : `${name} is there, with ${maps.length} maps, in place of what was. Undo brings that back.`;
+  take([{ name, maps }], several ? "beside" : "alone", what, true);
 }
 
 /** Saves the parameters as they are now: what was done to the object is in them. */

@@ -2,6 +2,7 @@
 import type { SpaceObject } from "../../../engine/api";
 import { solid } from "../../../engine/space/module";
 import { announce, notify, wordsOf } from "../../../state/notice";
+import { scene, undo } from "../../../state/scene";
 import { choose, chosen, setView, space, spaceFrame } from "../../../state/space";
 import { changeSpace, reshapeSpace, startWith } from "../../../state/space-edits";
 import { around, beside, MOST_OBJECTS, withObject, withShape } from "./changes";
@@ -10,10 +11,39 @@ import { factsOf } from "./now";
 /** Alone, with neither morph nor time line; in place of the chosen object; or beside what there is. */
 export type How = "alone" | "instead" | "beside";
 
-/** Takes objects in. Of what cannot be taken it says why, and nothing changes; else `tell` gets what was done. */
-export function take(objects: readonly SpaceObject[], how: How, what: string, tell = announce): void {
+/** What was done, where `name` was taken in and `chosen` was the chosen object. */
+export function takenWords(name: string, how: How, chosen: string): string {
+  if (how === "beside") return `${name} stands beside what there is.`;
+  if (how === "instead") return `${name} stands in the place of ${chosen}, moved and coloured as that was.`;
+  return `${name} is alone: all that was there has left.`;
+}
+
+/** Says what was done; where something has left, with a way back. */
+function tellOf(what: string, left: boolean, aloud: boolean): void {
+  if (!left) {
+    if (aloud) notify({ kind: "info", text: what });
+    else announce(what);
+    return;
+  }
+  const { space: after } = scene.peek();
+  const back = () => {
+    // What was done since is not to be undone for it.
+    if (scene.peek().space?.packed === after?.packed) undo();
+    else
+      notify({
+        kind: "info",
+        text: "More has been done since. Undo, in the header, goes back step by step.",
+      });
+  };
+  notify({ kind: "info", text: what, action: { label: "Undo", run: back } });
+}
+
+/** Takes objects in, and says `what` was done, to be seen where `aloud`. Of what cannot be taken it says why, and nothing changes. */
+export function take(objects: readonly SpaceObject[], how: How, what: string, aloud = false): void {
   const [first] = objects;
   if (!first) return;
+  const before = space.peek();
+  const much = (before?.objects.length ?? 0) > 1 || before?.morph || before?.timeline;
   try {
     for (const { maps } of objects) solid.validate3(maps);
     if (how === "alone") {
@@ -33,7 +63,7 @@ export function take(objects: readonly SpaceObject[], how: How, what: string, te
       // All of it is to be seen.
       setView(null);
     }
-    tell(what);
+    tellOf(what, how !== "beside" && Boolean(much), aloud);
   } catch (problem) {
     notify({ kind: "error", text: `${first.name} cannot be taken: ${wordsOf(problem)}` });
   }
