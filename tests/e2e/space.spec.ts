@@ -141,6 +141,47 @@ test("a flight through the natural scene is keyed, exported as a film that plays
   await other.close();
 });
 
+test("no object of several leaves unasked, and the background goes with the link", async ({
+  studio,
+  page,
+  browser,
+}) => {
+  await studio.open("tool=space");
+  await choose(page, "A natural scene");
+  const objects = page.getByRole("radiogroup", { name: "The object that is worked on" }).getByRole("radio");
+  await expect(objects).toHaveCount(8);
+  // By keys alone.
+  const card = page.getByRole("button", { name: "Ground. Choose another shape" });
+  await card.press("Enter");
+  await page.getByRole("dialog").locator(".gallery-item:focus").waitFor();
+  await page.keyboard.press("Home");
+  await page.keyboard.press("Enter");
+  const asked = page.getByRole("dialog", { name: /^Where is .* to stand\?$/ });
+  await expect(asked.getByRole("button", { name: /^Beside what there is/ })).toBeFocused();
+  await expect(objects).toHaveCount(8);
+  await page.keyboard.press("Tab");
+  await expect(asked.getByRole("button", { name: /^Instead of Ground/ })).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(page.getByText(/stands in the place of Ground/).first()).toBeVisible();
+  await expect(card).toHaveCount(0);
+  await page.locator(".notices").getByRole("button", { name: "Undo" }).click();
+  await expect(card).toBeVisible();
+
+  await page.getByRole("radio", { name: "Light", exact: true }).first().check({ force: true });
+  await page
+    .getByRole("radiogroup", { name: "What the picture is seen before" })
+    .getByRole("radio", { name: "Dark" })
+    .check({ force: true });
+  const colour = (on: Page) => stage(on).evaluate((element) => getComputedStyle(element).backgroundColor);
+  expect(await colour(page)).toBe("rgb(14, 16, 21)");
+  await page.waitForTimeout(600);
+  const other = await browser.newPage({ viewport: page.viewportSize(), colorScheme: "light" });
+  await other.goto(page.url());
+  await whole(other);
+  expect(await colour(other)).toBe("rgb(14, 16, 21)");
+  await other.close();
+});
+
 test("the tetrahedron becomes a dragon on a path that holds", async ({ studio, page }) => {
   test.setTimeout(400_000);
   await studio.open("tool=space");

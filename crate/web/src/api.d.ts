@@ -620,6 +620,8 @@ export interface Space {
   /** 1 to 60. */
   objects: SpaceObject[];
   light: SpaceLight;
+  /** What it is seen before: "#rrggbb", or "page" for the colour under the pictures of whatever page shows it, as where absent. */
+  background?: string;
   /** Absent: the first object is what it is. */
   morph?: SpaceMorph;
   /** Absent: nothing moves. */

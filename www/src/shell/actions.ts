@@ -39,12 +39,21 @@ export async function shareLink(): Promise<void> {
     notify({
       kind: "info",
       text: whole
-        ? "Link copied. Whoever opens it sees the same picture."
+        ? `Link copied. Whoever opens it sees ${await seen()}.`
         : "Link copied. It holds the bend, and not the picture: that stays here.",
     });
   } catch {
     notify({ kind: "info", text: "The link is in the address bar: copying it was not allowed here." });
   }
+}
+
+/** What is the same for all who open the link: the background belongs to a picture of space, and else to the page. */
+async function seen(): Promise<string> {
+  if (scene.peek().tool !== "space") return "the same, light or dark as their page is";
+  const { space } = await import("../state/space");
+  const background = space.peek()?.background;
+  const page = background === undefined || background === "page";
+  return page ? "the same shapes, before the colour of their own page" : "the same picture";
 }
 
 const LONG_SIDE = 2400;

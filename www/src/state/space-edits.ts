@@ -11,7 +11,7 @@ import type {
 } from "../engine/api";
 import { solid } from "../engine/space/module";
 import { notify, wordsOf } from "./notice";
-import { edit } from "./scene";
+import { edit, replace, scene } from "./scene";
 import {
   chosen,
   editSpace,
@@ -22,6 +22,7 @@ import {
   setView,
   space,
   spaceFrame,
+  spacePart,
   spacePlaying,
   spaceView,
   timeline,
@@ -41,6 +42,18 @@ export function changeSpace(change: (space: Space) => Space, options: Options = 
   } catch (problem) {
     notify({ kind: "error", text: wordsOf(problem) });
     return false;
+  }
+}
+
+/** The background of a document that says nothing of it: from now on it does. Nothing to undo. */
+export function keepBackground(background: string): void {
+  const now = space.peek();
+  if (!now || now.background !== undefined) return;
+  try {
+    const packed = solid.packSpace({ ...now, background });
+    replace({ ...scene.peek(), space: { ...spacePart.peek(), packed } });
+  } catch {
+    // As full as a link can be: it stays as it came.
   }
 }
 
@@ -140,7 +153,9 @@ export function startWith(objects: SpaceObject[]): void {
   for (const object of objects) solid.validate3(object.maps);
   edit((now) => {
     const light = solid.defaultSpace().light;
-    return { ...now, space: { packed: solid.packSpace({ objects, light }), at: 0 } };
+    const background = space.peek()?.background;
+    const first: Space = { objects, light, ...(background === undefined ? {} : { background }) };
+    return { ...now, space: { packed: solid.packSpace(first), at: 0 } };
   });
 }
 

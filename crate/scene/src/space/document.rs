@@ -101,6 +101,9 @@ pub fn natural_objects() -> Vec<SpaceObject> {
     (0..natural_scene().len()).filter_map(|k| SpaceObject::of_preset(&format!("{NATURAL}{k}"))).collect()
 }
 
+/// A background that is that of the page.
+pub const PAGE: &str = "page";
+
 /// What colours a pixel.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -270,6 +273,10 @@ pub struct Space {
     /// How it is lit.
     #[serde(default)]
     pub light: SpaceLight,
+    /// What it is seen before: `#rrggbb`, or `page` for the colour under the pictures of whatever page shows it. Absent in what
+    /// was made before there was a choice.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub background: Option<String>,
     /// What the first object becomes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub morph: Option<SpaceMorph>,
@@ -282,7 +289,8 @@ impl Default for Space {
     /// What a visitor sees first.
     fn default() -> Self {
         let object = SpaceObject::of_preset("sponge").unwrap_or_else(|| unreachable!("it is in the gallery"));
-        Self { objects: vec![object], light: SpaceLight::default(), morph: None, timeline: None }
+        let light = SpaceLight::default();
+        Self { objects: vec![object], light, background: None, morph: None, timeline: None }
     }
 }
 

@@ -1,7 +1,7 @@
 //! What there is in space, as a word of a link.
 //!
 //! ```text
-//! o:sponge/l:height,-0.56,0.55,0.35,0.75,0.25
+//! o:sponge/l:height,-0.56,0.55,0.35,0.75,0.25/b:0e1015
 //! o:tetrahedron/to:dragon-curled/way:auto,0.2,0.4;0.6,0.5/t:0.5
 //! o:natural-0/o:natural-1~m1,0,0,0,1,0,0,0,1,2,0,0~cd5dde6/time:6,1,smooth/k:0,inout~v12,0,0,12,-1.57,0,0.46/k:3,even~p1,1,0,..
 //! ```
@@ -16,7 +16,7 @@ use thiserror::Error;
 use crate::link::words::{escape, number, numbers, tidy, unescape};
 use crate::scene::{MAX_WAY_POINTS, ModeName, Path, PathKind, WayPoint};
 use crate::space::document::{
-    CourseName, EaseName, MAX_KEYS3, MAX_OBJECTS3, PaintName, Shape3, Space, SpaceKey, SpaceLight,
+    CourseName, EaseName, MAX_KEYS3, MAX_OBJECTS3, PAGE, PaintName, Shape3, Space, SpaceKey, SpaceLight,
     SpaceMorph, SpaceObject, Timeline,
 };
 use crate::space::part::{Held, SpaceView};
@@ -130,6 +130,9 @@ pub fn pack(space: &Space) -> Result<String, PackedError> {
         let paint = name_of(&PAINTS, &space.light.paint);
         let _ = write!(word, "/l:{paint},{}", numbers(&space.light.numbers()));
     }
+    if let Some(background) = &space.background {
+        let _ = write!(word, "/b:{}", background.trim_start_matches('#'));
+    }
     if let Some(morph) = &space.morph {
         write_morph(&mut word, morph);
     }
@@ -232,13 +235,18 @@ pub fn unpack(word: &str) -> Result<Space, PackedError> {
     if word.len() > MAX_PACKED {
         return Err(PackedError::TooLong { bytes: word.len() });
     }
-    let mut space = Space { objects: Vec::new(), light: SpaceLight::default(), morph: None, timeline: None };
+    let mut space = Space { objects: Vec::new(), ..Space::default() };
     for part in word.split('/') {
         // Parts that are not known are of a later version.
         let Some((key, text)) = part.split_once(':') else { return Err(damaged(part)) };
         let read = match key {
             "o" => read_object(text).map(|object| space.objects.push(object)),
             "l" => read_light(text).map(|light| space.light = light),
+            "b" => {
+                let page = text == PAGE;
+                space.background = Some(if page { text.to_owned() } else { format!("#{text}") });
+                Some(())
+            }
             "to" => read_shape(text).map(|(to, _)| {
                 let (mode, path) = (ModeName::Polar, Path::default());
                 space.morph = Some(SpaceMorph {
@@ -376,6 +384,10 @@ fn entry<'a, T>(list: &'a mut Vec<Option<T>>, index: &str) -> Option<&'a mut Opt
     list.get_mut(index)
 }
 
+fn is_colour(text: &str) -> bool {
+    text.len() == 7 && text.starts_with('#') && text[1..].bytes().all(|b| b.is_ascii_hexdigit())
+}
+
 /// Whether all of it is in range, and every shape one.
 fn check(space: &Space) -> Result<(), PackedError> {
     let count = |what, count: usize, most: usize, range| {
@@ -393,12 +405,12 @@ fn check(space: &Space) -> Result<(), PackedError> {
         if let Some(moved) = &object.moved {
             held("a place", moved, FINITE, &far)?;
         }
-        let hex = |tint: &String| {
-            tint.len() == 7 && tint.starts_with('#') && tint[1..].bytes().all(|b| b.is_ascii_hexdigit())
-        };
-        if object.tint.as_ref().is_some_and(|tint| !hex(tint)) {
+        if object.tint.as_ref().is_some_and(|tint| !is_colour(tint)) {
             return Err(PackedError::Number { what: "a colour", range: "#rrggbb is what one looks like" });
         }
+    }
+    if space.background.as_ref().is_some_and(|colour| colour != PAGE && !is_colour(colour)) {
+        return Err(PackedError::Number { what: "the background", range: "#rrggbb or page is what one is" });
     }
     held("the light", &space.light.numbers()[..1], "angles below 1e6 are allowed", &|x| x.abs() <= 1e6)?;
     held("the light", &space.light.numbers()[1..], "0 to 1 are allowed", &|x| (0.0..=1.0).contains(&x))?;

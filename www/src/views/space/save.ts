@@ -1,8 +1,10 @@
 /** The picture of space as a file. */
 import { signal } from "@preact/signals";
+import { layOn } from "../../engine/space/film/opaque";
 import { pictureOf } from "../../engine/space/picture";
 import { announce, notify, wordsOf } from "../../state/notice";
 import { space, spaceView } from "../../state/space";
+import { PAGE } from "./light/background";
 import { colours, ground, sight } from "./stage/sight";
 import { stageSize } from "./stage/state";
 
@@ -11,7 +13,7 @@ const LONG_SIDE = 2400;
 /** Whether one is being made. */
 export const savingPng = signal(false);
 
-/** What is on the stage, complete and larger, on a transparent ground. */
+/** What is on the stage, complete and larger, on the background of the document; clear where that is the page's. */
 export async function savePng(): Promise<void> {
   const now = sight.peek();
   const view = spaceView.peek();
@@ -32,6 +34,8 @@ export async function savePng(): Promise<void> {
       ground: ground.peek(),
       factor: 2,
     });
+    const background = space.peek()?.background;
+    if (background !== undefined && background !== PAGE) layOn(image.data, background);
     download(await pngOf(image));
   } catch (problem) {
     notify({ kind: "error", text: `The picture could not be saved: ${wordsOf(problem)}` });

@@ -84,8 +84,10 @@ fn any_space() -> impl Strategy<Value = Space> {
                 Timeline { seconds, repeats, course, keys }
             },
         ));
-    (proptest::collection::vec(any_object(), 1..5), light, morph, line)
-        .prop_map(|(objects, light, morph, timeline)| Space { objects, light, morph, timeline })
+    let background = proptest::option::of(prop_oneof![Just("#0e1015".to_owned()), Just(PAGE.to_owned())]);
+    (proptest::collection::vec(any_object(), 1..5), light, background, morph, line).prop_map(
+        |(objects, light, background, morph, timeline)| Space { objects, light, background, morph, timeline },
+    )
 }
 
 proptest! {
@@ -127,6 +129,15 @@ fn words_are_short_where_the_gallery_says_it() {
 }
 
 #[test]
+fn the_background_is_part_of_the_word_and_older_words_have_none() {
+    let dark = Space { background: Some("#0e1015".to_owned()), ..Space::default() };
+    assert_eq!(pack(&dark).unwrap(), "o:sponge/b:0e1015");
+    assert_eq!(unpack("o:sponge/b:0e1015").unwrap(), dark);
+    assert_eq!(unpack("o:sponge/b:page").unwrap().background.as_deref(), Some(PAGE));
+    assert_eq!(unpack("o:sponge").unwrap().background, None);
+}
+
+#[test]
 fn damage_is_told() {
     let many = "o:sponge/".repeat(61);
     for (word, code) in [
@@ -144,6 +155,9 @@ fn damage_is_told() {
         ("o:sponge/time:6,1,smooth/k:0,even~v0,0,0,-1,0,0,1", "space-damaged"),
         ("o:sponge~mNaN,0,0,0,1,0,0,0,1,0,0,0", "space-damaged"),
         ("o:sponge~c12", "space-number"),
+        ("o:sponge/b:12", "space-number"),
+        ("o:sponge/b:", "space-number"),
+        ("o:sponge/b:éééé", "space-number"),
     ] {
         assert_eq!(unpack(word).map_err(|error| error.code().to_owned()), Err(code.to_owned()), "{word}");
     }

@@ -7,10 +7,8 @@ import { Frames, frameRecord } from "../../../engine/space/film/frames";
 import { pictureAt } from "../../../engine/space/film/make";
 import { channels } from "../../../engine/space/film/opaque";
 import { wordsOf } from "../../../state/notice";
-import { dark } from "../../../state/preferences";
 import { space, spaceView } from "../../../state/space";
-import { palette } from "../../../style/palette";
-import { ground } from "./job";
+import { colours, ground } from "../stage/sight";
 import { frameCount, isFilm, litPart, type Plan } from "./plan";
 
 export interface Preview {
@@ -45,8 +43,8 @@ export function usePreview({ kind, width, height, from }: Plan): Preview {
       const frames = new Frames(scene);
       try {
         const look = {
-          palette: palette(dark.peek() ? "dark" : "light"),
-          ground: ground(),
+          palette: colours.peek(),
+          ground: ground.peek(),
           factor: 1 as const,
         };
         const request = pictureAt({ space: scene, view, ...look }, frames, from, size);

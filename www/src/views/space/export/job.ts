@@ -3,9 +3,8 @@ import { type ReadonlySignal, signal } from "@preact/signals";
 import { spaceTask } from "../../../engine/space/client";
 import { type Film, makeFilm } from "../../../engine/space/film/make";
 import { notify, wordsOf } from "../../../state/notice";
-import { dark } from "../../../state/preferences";
 import { space, spacePart, spaceView } from "../../../state/space";
-import { palette } from "../../../style/palette";
+import { colours, ground } from "../stage/sight";
 import { exportOpen, exportProgress, openExport } from "../time/exporting";
 import { savedText } from "../time/saved";
 import { bitrateOf, bytesWords, fileName, isFilm, type Plan, secondsLeft, timesOf } from "./plan";
@@ -36,12 +35,6 @@ export const job: ReadonlySignal<Job | null> = running;
 export const made: ReadonlySignal<Made | null> = finished;
 
 let stop: AbortController | null = null;
-
-/** The ground that the stage has now. */
-export function ground(): string {
-  const found = getComputedStyle(document.documentElement).getPropertyValue("--stage").trim();
-  return /^#[0-9a-f]{6}$/i.test(found) ? found : "#ffffff";
-}
 
 /** Makes it, and saves it. */
 export async function make(plan: Plan, round: boolean): Promise<void> {
@@ -84,8 +77,8 @@ export async function make(plan: Plan, round: boolean): Promise<void> {
             kind: plan.kind,
             bitrate: bitrateOf(plan),
             factor: plan.smooth ? 2 : 1,
-            palette: palette(dark.peek() ? "dark" : "light"),
-            ground: ground(),
+            palette: colours.peek(),
+            ground: ground.peek(),
           },
           signal,
           onFrame,

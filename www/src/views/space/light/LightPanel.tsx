@@ -2,10 +2,13 @@ import "./light.css";
 import { computed } from "@preact/signals";
 import type { SpaceLight } from "../../../engine/api";
 import { solid } from "../../../engine/space/module";
+import { endGesture } from "../../../state/scene";
 import { space } from "../../../state/space";
 import { changeSpace } from "../../../state/space-edits";
 import { Button } from "../../../ui/Button";
 import { Segmented } from "../../../ui/Segmented";
+import { ground } from "../stage/sight";
+import { type Choice, choiceOf, chosenBackground } from "./background";
 import { LightSlider } from "./LightSlider";
 import { ViewPanel } from "./ViewPanel";
 import { degrees, frontWords, radians, shareWords, sideWords } from "./words";
@@ -22,6 +25,7 @@ export function LightPanel() {
   return (
     <div class="space-light">
       <Light />
+      <Background />
       <ViewPanel />
     </div>
   );
@@ -94,6 +98,53 @@ function Light() {
         words={shareWords(now.fog, "no fog")}
         onChange={(fog) => change({ fog })}
       />
+    </section>
+  );
+}
+
+const BACKGROUNDS: { value: Choice; label: string; description: string }[] = [
+  { value: "paper", label: "Light", description: "Like light paper" },
+  { value: "night", label: "Dark", description: "Like the night" },
+  { value: "own", label: "Own", description: "A colour of your own" },
+  { value: "page", label: "Page", description: "That of the page of whoever looks" },
+];
+
+const ABOUT: Record<Choice, string> = {
+  paper: "It is part of the picture: of its link, and of what is saved.",
+  night: "It is part of the picture: of its link, and of what is saved.",
+  own: "It is part of the picture: of its link, and of what is saved.",
+  page: "Whoever opens the link sees it before the colour of their page, light or dark. A saved PNG is clear there; a film has the colour of this page.",
+};
+
+/** What it is seen before. */
+function Background() {
+  const now = space.value;
+  if (!now) return null;
+  const choice = choiceOf(now.background);
+  const set = (background: string, gesture?: string) =>
+    changeSpace((all) => ({ ...all, background }), gesture === undefined ? {} : { gesture });
+  return (
+    <section class="light-panel" aria-label="Background">
+      <div class="section-head">
+        <h2>Background</h2>
+        {choice === "own" && (
+          <input
+            type="color"
+            class="solid-tint"
+            aria-label="Colour of the background"
+            value={ground.value}
+            onInput={(event) => set(event.currentTarget.value, "space-background")}
+            onChange={endGesture}
+          />
+        )}
+      </div>
+      <Segmented
+        label="What the picture is seen before"
+        options={BACKGROUNDS}
+        value={choice}
+        onChange={(next) => set(chosenBackground(next, ground.peek()))}
+      />
+      <p class="hint">{ABOUT[choice]}</p>
     </section>
   );
 }

@@ -41,6 +41,9 @@ export function SpaceStage({ backend }: { backend: "auto" | PainterBackend }) {
       stageSize.value = css;
     });
     const stopGround = watchGround();
+    const stopBehind = effect(() => {
+      element.style.background = ground.value;
+    });
     const stopShow = effect(() => {
       const { width, height, ratio } = device.value;
       const now = sight.value;
@@ -55,6 +58,7 @@ export function SpaceStage({ backend }: { backend: "auto" | PainterBackend }) {
     return () => {
       stopGestures();
       stopShow();
+      stopBehind();
       stopGround();
       stopSize();
       setPainter(null);

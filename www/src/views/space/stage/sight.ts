@@ -6,7 +6,9 @@ import { type SpacePictureHandle, solid } from "../../../engine/space/module";
 import type { Shown } from "../../../engine/space/picture";
 import { dark, theme } from "../../../state/preferences";
 import { chosen, space, spaceFrame } from "../../../state/space";
+import { keepBackground } from "../../../state/space-edits";
 import { palette } from "../../../style/palette";
+import { groundOf, isDark } from "../light/background";
 import type { Ball } from "./camera";
 
 export interface Sight {
@@ -87,14 +89,21 @@ export function chosenBall(): Ball | null {
   return { centre: apply3(object.moved, known.ball.centre), radius: known.ball.radius * stretch };
 }
 
-/** One colour a map, as the stage of the plane has them. */
-export const colours: ReadonlySignal<string[]> = computed(() => palette(dark.value ? "dark" : "light"));
-
 const stageColour = signal("#fbfaf6");
-/** The colour under the picture, "#rrggbb": what fog fades into. */
-export const ground: ReadonlySignal<string> = stageColour;
+/** The colour under the pictures of the page, "#rrggbb". */
+export const pageGround: ReadonlySignal<string> = stageColour;
 
-/** Keeps `ground` up with the theme. Returns the end of it. */
+/** The colour under the picture, "#rrggbb": what fog fades into. */
+export const ground: ReadonlySignal<string> = computed(() =>
+  groundOf(space.value?.background, stageColour.value),
+);
+
+/** One colour a map, as the stage of the plane has them: those that stand out from the ground. */
+export const colours: ReadonlySignal<string[]> = computed(() =>
+  palette(isDark(ground.value) ? "dark" : "light"),
+);
+
+/** Keeps `ground` up with the document and the theme. Returns the end of it. */
 export function watchGround(): () => void {
   let frame = 0;
   const read = () => {
@@ -102,6 +111,11 @@ export function watchGround(): () => void {
     if (/^#[0-9a-f]{6}$/i.test(found)) stageColour.value = found;
   };
   read();
+  // From now on the picture looks as it does here, whoever opens it.
+  const stopKeeping = effect(() => {
+    const now = space.value;
+    if (now && now.background === undefined) queueMicrotask(() => keepBackground(stageColour.peek()));
+  });
   const stop = effect(() => {
     dark.value;
     theme.value;
@@ -110,6 +124,7 @@ export function watchGround(): () => void {
     frame = requestAnimationFrame(read);
   });
   return () => {
+    stopKeeping();
     stop();
     cancelAnimationFrame(frame);
   };

@@ -3,9 +3,8 @@ import { effect, type ReadonlySignal, signal } from "@preact/signals";
 import type { Space } from "../../../engine/api";
 import { Frames } from "../../../engine/space/film/frames";
 import { type PictureRequest, pictureOf } from "../../../engine/space/picture";
-import { dark } from "../../../state/preferences";
 import { space, spacePlaying, spaceView } from "../../../state/space";
-import { palette } from "../../../style/palette";
+import { colours, ground } from "../stage/sight";
 
 const shown = signal<readonly (ImageData | null)[]>([]);
 
@@ -26,14 +25,14 @@ export function watchKeys(): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const end = effect(() => {
     const now = space.value;
-    const theme = dark.value ? "dark" : "light";
+    const look = { palette: colours.value, ground: ground.value };
     const still = !spacePlaying.value;
     clearTimeout(timer);
     stop?.abort();
     if (!now?.timeline || !still) return;
     const ending = new AbortController();
     stop = ending;
-    timer = setTimeout(() => void draw(now, theme, ending.signal), REST);
+    timer = setTimeout(() => void draw(now, look, ending.signal), REST);
   });
   return () => {
     end();
@@ -42,8 +41,10 @@ export function watchKeys(): () => void {
   };
 }
 
-async function draw(now: Space, theme: "light" | "dark", signal: AbortSignal): Promise<void> {
-  const wanted = requestsOf(now, theme);
+type Look = Pick<PictureRequest, "palette" | "ground">;
+
+async function draw(now: Space, look: Look, signal: AbortSignal): Promise<void> {
+  const wanted = requestsOf(now, look);
   const images = wanted.map((request) => kept.get(JSON.stringify(request)) ?? null);
   shown.value = images;
   for (const [i, request] of wanted.entries()) {
@@ -66,10 +67,9 @@ async function draw(now: Space, theme: "light" | "dark", signal: AbortSignal): P
 }
 
 /** One for each key; null where its moment has no attractor. */
-function requestsOf(now: Space, theme: "light" | "dark"): (PictureRequest | null)[] {
+function requestsOf(now: Space, look: Look): (PictureRequest | null)[] {
   const fallback = spaceView.peek();
   if (!fallback) return [];
-  const ground = getComputedStyle(document.documentElement).getPropertyValue("--stage").trim();
   let frames: Frames | null = null;
   try {
     frames = new Frames(now);
@@ -81,7 +81,7 @@ function requestsOf(now: Space, theme: "light" | "dark"): (PictureRequest | null
         return tint === undefined ? { maps } : { maps, tint };
       });
       const view = frame.view ?? fallback;
-      return { objects, view, light: now.light, ...SIZE, factor: 1, palette: palette(theme), ground };
+      return { objects, view, light: now.light, ...SIZE, factor: 1, ...look };
     });
   } catch {
     return [];
