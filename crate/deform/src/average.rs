@@ -2,28 +2,33 @@
 
 use std::collections::HashMap;
 
-use frond_core::Affine2;
+use frond_core::Ifs;
 use glam::{DMat2, DVec2};
 use spade::{DelaunayTriangulation, FloatTriangulation, HasPosition, Point2, Triangulation};
 
 use crate::fill::{Source, Words};
 use crate::footing::Footing;
+use crate::means::{Means, words};
 use crate::mesh::Mesh;
 use crate::terms::Terms;
 
-/// A superposed displacement made continuous as Fujimoto et al. do it in section 5.3: one displacement for each region
+/// A superposed displacement made continuous as Fujimoto et al. do it in section 5.3: the mean displacement of each region
 /// that the shuffle leaves whole, interpolated over a Delaunay triangulation of the regions' middles.
 ///
-/// Here the regions are the words of ke letters, and each has the displacement of its middle. Middles that coincide are
-/// taken together, and four points far out have the displacement of the middle that is nearest, so that the
-/// triangulation covers all and there is one even for middles in a line. The plain displacement is left exact.
+/// Here the regions are the pieces of ke letters. The mean of a term over one is that of F_v over the piece that it is
+/// shuffled to, exactly, turned as a whole; all points count alike, as the chaos game throws them. Where the roughness
+/// varies, the weights are those at the middle. Middles that coincide are taken together, and four points far out have
+/// the displacement of the middle that is nearest, so that the triangulation covers all and there is one even for middles
+/// in a line. The terms that are no shuffle at all are the plain displacement, which is left exact, unlike in the paper:
+/// so kb = ke is the plain deformation.
 #[derive(Clone, Debug)]
 pub(crate) struct Average {
     maps: usize,
+    means: Means,
     middles: Vec<DVec2>,
-    /// For each word the vertex that it belongs to, and how many do.
+    /// For each word the vertex that it belongs to, and for each vertex what each of its words counts there.
     vertices: Vec<u32>,
-    shared: Vec<u32>,
+    shares: Vec<f64>,
     /// The vertices whose displacements the outer four have.
     nearest: [usize; 4],
     triangulation: DelaunayTriangulation<Vertex>,
@@ -68,15 +73,15 @@ impl Average {
             .count()
     }
 
-    /// Over the words of as many letters as the last term; `middle` is a point amid the shape, which the box holds.
-    pub fn new(maps: &[Affine2], terms: &Terms, middle: DVec2, (low, high): (DVec2, DVec2)) -> Self {
-        let words = (0..terms.depth()).fold(vec![Affine2::IDENTITY], |words, _| {
-            words.iter().flat_map(|word| maps.iter().map(move |map| *word * *map)).collect()
-        });
-        let middles: Vec<DVec2> = words.iter().map(|word| word.apply(middle)).collect();
+    /// Over the words of as many letters as the last term, for meshes of the same size as this; the box holds the shape.
+    pub fn new(ifs: &Ifs, mesh: &Mesh, terms: &Terms, (low, high): (DVec2, DVec2)) -> Self {
+        let means = Means::new(ifs, terms.depth(), mesh, (low, high));
+        let middle = means.middle();
+        let middles: Vec<DVec2> =
+            words(ifs.maps(), terms.depth()).iter().map(|word| word.apply(middle)).collect();
         let scale = 1.0 / (high - low).max_element().max(1e-300);
         let mut known: HashMap<(i64, i64), u32> = HashMap::with_capacity(middles.len());
-        let (mut points, mut shared, mut vertices) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut points, mut shared, mut vertices) = (Vec::new(), Vec::<u32>::new(), Vec::new());
         for &middle in &middles {
             let cell = ((middle - low) * scale / STEP).round();
             let number = *known.entry((cell.x as i64, cell.y as i64)).or_insert(points.len() as u32);
@@ -96,28 +101,30 @@ impl Average {
             position: Point2::new(point.x, point.y),
             number: number as u32,
         };
+        let shares = shared.into_iter().map(|count| 1.0 / f64::from(count)).collect();
         // It refuses coordinates that are NaN or beyond all measure: there are none.
         let list = points.iter().enumerate().map(vertex).collect();
         let triangulation = DelaunayTriangulation::bulk_load(list).unwrap_or_default();
-        Self { maps: maps.len(), middles, vertices, shared, nearest, triangulation, low, scale }
+        Self { maps: ifs.len(), means, middles, vertices, shares, nearest, triangulation, low, scale }
     }
 
     /// The shuffled terms at each vertex of the triangulation.
     pub fn fill<S: Source>(&self, source: &S, mesh: &Mesh, terms: &Terms, factors: &[DMat2]) -> Vec<DVec2> {
-        let samples: Vec<DVec2> = self.middles.iter().map(|&middle| source.at(middle)).collect();
-        let mut values = vec![DVec2::ZERO; self.shared.len()];
+        let means = source.means(&self.means);
+        let mut values = vec![DVec2::ZERO; self.shares.len()];
         let mut words = Words::new(terms, if S::TURNS { factors } else { &[] });
         let mut rest = self.middles.len();
         for k in 1..=terms.depth() {
             rest /= self.maps;
             words.advance(k, self.maps, |family, to, from, turn| {
+                let same = terms.fixed().map(|weights| weights.list[family.slot(k)]);
                 for i in 0..rest {
                     let (to, from) = (to * rest + i, from * rest + i);
-                    let weight = terms.weight(family, k, mesh, self.middles[to]);
-                    let sample = samples[from] * weight;
-                    let sample = if S::TURNS && !factors.is_empty() { *turn * sample } else { sample };
+                    let weight = same.unwrap_or_else(|| terms.weight(family, k, mesh, self.middles[to]));
+                    let mean = means[from] * weight;
+                    let mean = if S::TURNS && !factors.is_empty() { *turn * mean } else { mean };
                     let vertex = self.vertices[to] as usize;
-                    values[vertex] += sample / f64::from(self.shared[vertex]);
+                    values[vertex] += mean * self.shares[vertex];
                 }
             });
         }

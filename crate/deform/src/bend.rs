@@ -100,7 +100,7 @@ impl Bend {
         let mut this = Self {
             region: region(&ifs, &shape, &anchors),
             raw: Raw::new(maps, spin),
-            support: Support::new(continuity, maps, &terms, &shape),
+            support: Support::new(continuity, &ifs, &mesh, &terms, &shape),
             counted: if continuity == Continuity::Corners { terms.depth() } else { 0 },
             continuity,
             ke,

@@ -2,6 +2,7 @@
 
 use glam::{DMat2, DVec2};
 
+use crate::means::Means;
 use crate::terms::{Family, Terms};
 
 /// Walks the levels of the tree of words, with what is known of the words behind each family's head: which number the
@@ -69,6 +70,8 @@ impl<'a> Words<'a> {
 pub(crate) trait Source {
     /// The displacement at a point.
     fn at(&self, point: DVec2) -> DVec2;
+    /// Its means over pieces.
+    fn means(&self, means: &Means) -> Vec<DVec2>;
     /// Whether it has a direction that turns.
     const TURNS: bool;
 }
@@ -78,6 +81,10 @@ impl Source for crate::Mesh {
 
     fn at(&self, point: DVec2) -> DVec2 {
         Self::at(self, point)
+    }
+
+    fn means(&self, means: &Means) -> Vec<DVec2> {
+        means.of(self)
     }
 }
 
@@ -89,5 +96,9 @@ impl Source for One {
 
     fn at(&self, _: DVec2) -> DVec2 {
         DVec2::X
+    }
+
+    fn means(&self, means: &Means) -> Vec<DVec2> {
+        vec![DVec2::X; means.count()]
     }
 }

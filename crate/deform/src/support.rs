@@ -106,16 +106,14 @@ impl Support {
         most.min(DEEPEST)
     }
 
-    pub fn new(continuity: Continuity, maps: &[Affine2], terms: &Terms, shape: &Shape) -> Self {
-        let place = (shape.low, shape.high);
+    pub fn new(continuity: Continuity, ifs: &Ifs, mesh: &Mesh, terms: &Terms, shape: &Shape) -> Self {
+        let (maps, place) = (ifs.maps(), (shape.low, shape.high));
         match (continuity, &shape.corners) {
             (Continuity::Corners, Some(corners)) => {
                 Self::Corners(Box::new(Smooth::new(Lattice::new(maps, corners.clone(), terms.depth()))))
             }
             (Continuity::Splat, _) => Self::Splat(Box::new(Splat::new(maps, terms, shape.middle, place))),
-            (Continuity::Average, _) => {
-                Self::Average(Box::new(Average::new(maps, terms, shape.middle, place)))
-            }
+            (Continuity::Average, _) => Self::Average(Box::new(Average::new(ifs, mesh, terms, place))),
             _ => Self::Raw,
         }
     }

@@ -5,9 +5,9 @@ mod common;
 use common::{
     bumps, cursor, fern, fern_mesh, gasket, mirrored, polygon, settings, square, twindragon, unit_mesh,
 };
-use frond_core::Affine2;
+use frond_core::{Affine2, Ifs};
 use frond_deform::{
-    Bend, BendError, Continuity, Corners, Field, Mesh, Place, Roughness, Settings, Spin, Tint,
+    Bend, BendError, Continuity, Corners, Field, Mesh, Place, Roughness, Settings, Spin, Tint, weights,
 };
 use glam::DVec2;
 use proptest::prelude::*;
@@ -307,6 +307,72 @@ fn splats_go_where_the_formula_goes() {
         }
         let (likeness, size) = (both / (ours * theirs).sqrt(), (ours / theirs).sqrt());
         assert!(likeness > 0.8 && size > 0.5 && size < 1.5, "{continuity:?} {likeness} {size}");
+    }
+}
+
+/// The smallest parts of a piece, each with how much it counts, down to a hundredth of the size of the whole.
+fn parts(ifs: &Ifs, piece: Affine2, code: &[u8], share: f64, visit: &mut impl FnMut(&[u8], Affine2, f64)) {
+    if piece.norm() < 0.01 {
+        return visit(code, piece, share);
+    }
+    for (i, (map, p)) in ifs.maps().iter().zip(ifs.probabilities()).enumerate() {
+        parts(ifs, piece * *map, &[code, &[i as u8]].concat(), share * p, visit);
+    }
+}
+
+#[test]
+fn averages_are_the_means_over_the_regions() {
+    let (low, high) = (DVec2::new(-3.0, -1.0), DVec2::new(3.0, 10.2));
+    let list: Vec<DVec2> = unit_mesh(&bumps(0.03)).displacements().to_vec();
+    let over = |low, high| Mesh::new(low, high, 4, 4, list.clone()).unwrap();
+    for (maps, mesh) in [
+        (gasket(), unit_mesh(&bumps(0.03))),
+        (twindragon(), over(DVec2::splat(-1.2), DVec2::splat(1.6))),
+        (fern(), over(low, high)),
+    ] {
+        let ifs = Ifs::new(maps.clone()).unwrap();
+        // The middle of the shape, as of its parts; the fern's last parts need it to be at home in them.
+        let mut middle = DVec2::ZERO;
+        for _ in 0..2 {
+            let mut sum = DVec2::ZERO;
+            parts(&ifs, Affine2::IDENTITY, &[], 1.0, &mut |_, part, share| sum += part.apply(middle) * share);
+            middle = sum;
+        }
+        for (ke, spin) in [(1, Spin::Orthogonal), (2, Spin::None), (2, Spin::Scaled)] {
+            let bend = Bend::new(
+                &maps,
+                mesh.clone(),
+                settings(0.0, f64::from(ke), 0.8, spin, Continuity::Average),
+                None,
+            )
+            .unwrap();
+            let field = Field::new(&maps, &mesh, spin);
+            // The terms that are shuffled: from k = 2 on, with a turn from 1 on.
+            let first = if spin == Spin::None { 2 } else { 1 };
+            let list = weights(0.8, 0, ke as usize);
+            let plain: f64 = list[..first].iter().sum();
+            let mut farthest = 0.0_f64;
+            for number in 0..maps.len().pow(ke) {
+                let code: Vec<u8> =
+                    (0..ke).rev().map(|k| (number / maps.len().pow(k) % maps.len()) as u8).collect();
+                let region = code.iter().fold(Affine2::IDENTITY, |map, &i| map * maps[usize::from(i)]);
+                let at = region.apply(middle);
+                let mut wanted = mesh.at(at) * plain;
+                parts(&ifs, region, &code, 1.0, &mut |code, _, share| {
+                    let place = Place { code, tail: middle };
+                    for (k, weight) in list.iter().enumerate().skip(first) {
+                        wanted += field.term(0, k, place) * (weight * share);
+                    }
+                });
+                let sampled = field.superposed(0, ke as usize, 0.8, Place { code: &code, tail: middle });
+                farthest = farthest.max(sampled.distance(wanted));
+                let found = bend.point(&bend.whole(), at) - at;
+                assert!(found.distance(wanted) < 1e-4 * bend.reach(), "{code:?}: {found} {wanted}");
+            }
+            // What lies in the middle of a region is something else.
+            println!("{} {ke} {spin:?}: {}", maps.len(), farthest / bend.reach());
+            assert!(farthest > 2e-3 * bend.reach(), "{farthest} of {}", bend.reach());
+        }
     }
 }
 

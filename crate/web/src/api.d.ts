@@ -359,8 +359,9 @@ export interface Fit {
 export type Spin = "none" | "orthogonal" | "rotation" | "scaled";
 
 /**
- * What keeps neighbouring pieces together: shared corners, a splat for each level, nothing, or the paper's averages over a
- * Delaunay triangulation. `"auto"` takes what fits the shape.
+ * What keeps neighbouring pieces together: shared corners, a splat for each level, nothing, or the paper's averages: the mean
+ * displacement of each of the smallest pieces, over a Delaunay triangulation of their middles. `"auto"` takes what fits the
+ * shape: nothing for ferns and trees, which may fray.
  */
 export type Continuity = "auto" | "corners" | "splat" | "raw" | "average";
 
