@@ -43,12 +43,12 @@ export const HOLDS: readonly { value: Continuity; label: string; about: string }
   {
     value: "raw",
     label: "Nothing",
-    about: "Parts may come apart: for ferns and trees, where it is not seen.",
+    about: "Parts may come apart, the rougher the more: for ferns and trees, whose leaves are free to sway.",
   },
   {
     value: "average",
     label: "Averages, as published",
-    about: "Means of neighbours, joined by triangles. May leave cracks at fine tips.",
+    about: "The mean of each of the smallest parts, joined by triangles. Fine tips lean on their neighbours.",
   },
 ];
 
