@@ -27,6 +27,36 @@ describe("the package", () => {
     expect(missing).toEqual([]);
   });
 
+  it("looks through a window of the plane for pieces in one pixel, and says what is wrong with one", () => {
+    const height = Math.sqrt(0.75);
+    const corners: [number, number][] = [
+      [0, 0],
+      [0.5, 0],
+      [0.25, height / 2],
+    ];
+    const gasket: frond.Ifs = { maps: corners.map(([e, f]) => [0.5, 0, 0, 0.5, e, f]) };
+    const options = { size: 150, points: 1_000_000, seed: 1 };
+    // Its pieces touch on a border between pixels, unless the window is off the middle.
+    expect(frond.indexBuffer(gasket, options).connected).toBe(false);
+    const [x, y, side] = [-0.0271, height / 2 - 0.5271, 1.05];
+    const seen = frond.indexBuffer(gasket, { ...options, window: [x, y, x + side, y + side] });
+    expect(seen).toMatchObject({ connected: true, count: 1 });
+    const refused = (window: number[]) => {
+      try {
+        frond.indexBuffer(gasket, { ...options, window: window as [number, number, number, number] });
+        return "";
+      } catch (problem) {
+        const { code, message } = problem as { code: string; message: string };
+        return `${code}: ${message}`;
+      }
+    };
+    expect(refused([1, 0, 0, 1])).toMatch(
+      /^index-buffer-window: .*lower left corner and then the upper right/,
+    );
+    expect(refused([0, 0, Number.NaN, 1])).toMatch(/^index-buffer-window: /);
+    expect(refused([0, 0, 1])).toMatch(/^bad-input: /);
+  });
+
   it("hands what one module gives to the other", () => {
     const dust = frond.presets().find(({ id }) => id === "dust");
     if (!dust) throw new Error("there is no dust");

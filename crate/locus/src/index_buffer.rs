@@ -30,11 +30,14 @@ pub struct IndexBufferOptions {
     pub choice: Choice,
     /// By how much the window is larger than the attractor, relative to it: 0 to 10.
     pub margin: f64,
+    /// The window itself, lower left and upper right corner in units of the plane; the margin then counts for nothing. Its
+    /// pixels are as wide and as high as it is. Points outside are not plotted.
+    pub window: Option<[DVec2; 2]>,
 }
 
 impl Default for IndexBufferOptions {
     fn default() -> Self {
-        Self { size: 600, points: 1_000_000, seed: 1, choice: Choice::Uniform, margin: 0.05 }
+        Self { size: 600, points: 1_000_000, seed: 1, choice: Choice::Uniform, margin: 0.05, window: None }
     }
 }
 
@@ -53,6 +56,12 @@ pub enum IndexBufferError {
         /// What was given.
         margin: f64,
     },
+    /// The window has no area, or numbers that are not finite or too large.
+    #[error(
+        "The window of the index buffer has no area. Give the lower left corner and then the upper right one, in numbers \
+         from -1e100 to 1e100."
+    )]
+    Window,
 }
 
 impl IndexBufferError {
@@ -62,6 +71,7 @@ impl IndexBufferError {
         match self {
             Self::Size { .. } => "index-buffer-size",
             Self::Margin { .. } => "index-buffer-margin",
+            Self::Window => "index-buffer-window",
         }
     }
 }
@@ -84,12 +94,14 @@ impl IndexBuffer {
     /// The most pixels along a side.
     pub const LARGEST: usize = 8192;
 
-    /// Plays the chaos game into the buffer. The window is the bounding box of the attractor, made square.
+    /// Plays the chaos game into the buffer. The window is the bounding box of the attractor, made square, if none is
+    /// given: then borders between pixels may run through the very points where pieces meet, so that an even number of
+    /// pixels never sees the gasket whole at 1/2.
     ///
     /// # Errors
-    /// [`IndexBufferError`] for sizes and margins out of range.
+    /// [`IndexBufferError`] for sizes, margins and windows out of range.
     pub fn run(ifs: &Ifs, options: &IndexBufferOptions) -> Result<Self, IndexBufferError> {
-        let &IndexBufferOptions { size, points, seed, choice, margin } = options;
+        let &IndexBufferOptions { size, points, seed, choice, margin, window } = options;
         if !(1..=Self::LARGEST).contains(&size) {
             return Err(IndexBufferError::Size { size });
         }
@@ -97,14 +109,15 @@ impl IndexBuffer {
             return Err(IndexBufferError::Margin { margin });
         }
         let hull = Hull::of(ifs);
-        let side = (hull.max() - hull.min()).max_element() * (1.0 + margin);
-        // An attractor that is one point lands in the middle of any window.
-        let side = if side > 0.0 { side } else { 1.0 };
-        let corner = (hull.min() + hull.max() - DVec2::splat(side)) * 0.5;
-        let scale = size as f64 / side;
-
+        let (corner, sides) = window.map_or_else(|| about(&hull, margin), |[low, high]| (low, high - low));
+        let scale = DVec2::splat(size as f64) / sides;
+        let fits = |p: DVec2| p.abs().max_element() <= LARGEST_NUMBER;
+        let is_window = |[low, high]: [DVec2; 2]| fits(low) && fits(high) && sides.cmpgt(DVec2::ZERO).all();
+        if window.is_some_and(|window| !(is_window(window) && scale.is_finite())) {
+            return Err(IndexBufferError::Window);
+        }
         let count = ifs.len();
-        let view = View { size, corner, scale };
+        let view = View { size, corner, scale, clipped: window.is_some() };
         let start = ifs.maps()[0].fixed_point().unwrap_or(hull.centre());
         let (pixels, seen) = match choice {
             Choice::Uniform => {
@@ -134,12 +147,26 @@ impl IndexBuffer {
     }
 }
 
+/// The largest coordinate of a window.
+const LARGEST_NUMBER: f64 = 1e100;
+
+/// The bounding box, made square and larger by the margin: its lower left corner and its sides.
+fn about(hull: &Hull, margin: f64) -> (DVec2, DVec2) {
+    let side = (hull.max() - hull.min()).max_element() * (1.0 + margin);
+    // An attractor that is one point lands in the middle of any window.
+    let side = if side > 0.0 { side } else { 1.0 };
+    let corner = (hull.min() + hull.max() - DVec2::splat(side)) * 0.5;
+    (corner, DVec2::splat(side))
+}
+
 /// From the plane to pixels, with y still pointing up.
 #[derive(Clone, Copy)]
 struct View {
     size: usize,
     corner: DVec2,
-    scale: f64,
+    scale: DVec2,
+    /// Whether what is outside is left out. Else nothing is outside, but for rounding.
+    clipped: bool,
 }
 
 /// The game: the pixels, and for each map whether it met an empty pixel or one of each map.
@@ -148,17 +175,22 @@ fn play(
     start: DVec2,
     points: u32,
     seed: u32,
-    View { size, corner, scale }: View,
+    View { size, corner, scale, clipped }: View,
     map: impl Fn(u32) -> usize,
 ) -> (Vec<u8>, Vec<bool>) {
     let mut pixels = vec![0_u8; size * size];
     let mut seen = vec![false; maps.len() * (maps.len() + 1)];
+    let most = DVec2::splat(size as f64);
     let mut x = start;
     for step in 0..points {
         let i = map(hash::counter(seed, step));
         x = maps[i].apply(x);
         let p = (x - corner) * scale;
-        // From above and below: rounding may carry a point out of a window without a margin.
+        if clipped && !(p.cmpge(DVec2::ZERO).all() && p.cmple(most).all()) {
+            continue;
+        }
+        // From above and below: the last pixels hold the upper border, and rounding may carry a point out of a window
+        // without a margin.
         let column = (p.x as usize).min(size - 1);
         let row = size - 1 - (p.y as usize).min(size - 1);
         let pixel = &mut pixels[row * size + column];
@@ -205,6 +237,57 @@ mod tests {
         let scales = [75, 150, 300, 600].map(critical);
         assert!(scales.is_sorted() && scales[0] > 0.47 && scales[0] < 0.499, "{scales:?}");
         assert!(scales[3] > 0.496 && scales[3] < 0.503, "{scales:?}");
+    }
+
+    #[test]
+    fn a_window_off_the_middle_sees_the_gasket_whole_at_one_half() {
+        let even = |size: usize, shift: f64| {
+            // The window about the attractor, moved by a part of a pixel.
+            let (middle, side) = (DVec2::new(0.5, 0.75_f64.sqrt() / 2.0), 1.05);
+            let low = middle - DVec2::splat(side / 2.0 + shift * side / size as f64);
+            let options = IndexBufferOptions {
+                size,
+                window: Some([low, low + DVec2::splat(side)]),
+                ..IndexBufferOptions::default()
+            };
+            IndexBuffer::run(&gasket(0.5), &options).unwrap()
+        };
+        for size in [64, 150] {
+            assert!(!run(&gasket(0.5), size).is_connected() && !even(size, 0.0).is_connected(), "{size}");
+            assert!(even(size, 0.3).is_connected(), "{size}");
+        }
+    }
+
+    #[test]
+    fn a_window_shows_its_part_alone() {
+        let low = DVec2::ZERO;
+        let look = |window| {
+            let options = IndexBufferOptions { size: 32, window: Some(window), ..Default::default() };
+            IndexBuffer::run(&gasket(0.5), &options)
+        };
+        // The first piece alone; with its neighbours' corners at the border.
+        let first = look([low, DVec2::new(0.49, 0.42)]).unwrap();
+        assert!(first.pixels.iter().all(|&p| p <= 1) && first.pixels.contains(&1));
+        assert_eq!(first.graph.edges(), []);
+        // Nothing of it at all.
+        assert!(look([DVec2::splat(5.0), DVec2::splat(6.0)]).unwrap().pixels.iter().all(|&p| p == 0));
+        // Wider than high: pixels are, too. The lower left one holds the corner.
+        let wide = look([low, DVec2::new(4.0, 0.9)]).unwrap();
+        assert!(
+            wide.pixels[31 * 32] == 1
+                && wide.pixels[..32 * 32].chunks(32).all(|row| row[8..].iter().all(|&p| p == 0))
+        );
+        for bad in [
+            [low, low],
+            [DVec2::ONE, low],
+            [low, DVec2::X],
+            [low, DVec2::splat(f64::NAN)],
+            [low, DVec2::INFINITY],
+            [DVec2::splat(-1e300), DVec2::splat(1e300)],
+            [low, DVec2::splat(5e-324)],
+        ] {
+            assert_eq!(look(bad).unwrap_err().code(), "index-buffer-window", "{bad:?}");
+        }
     }
 
     #[test]

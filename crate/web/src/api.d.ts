@@ -459,6 +459,25 @@ export interface Pairing {
   steps: string[];
 }
 
+export interface IndexBufferOptions {
+  /** Pixels a side, 1 to 8192. */
+  size: number;
+  /** Points of the chaos game, up to 1e9. */
+  points: number;
+  /** Default 0. */
+  seed?: number;
+  /** By how much the window is larger than the shape, relative to it: 0 to 10. Default 0.05. Nothing beside `window`. */
+  margin?: number;
+  /** Whether the probabilities of the system count; else each map is as likely as any other. */
+  weighted?: boolean;
+  /**
+   * What part of the plane the buffer shows: [x0, y0, x1, y1], lower left and upper right, in units of the plane. What lies
+   * outside is not plotted. Default: a square about the shape. There an even number of pixels has a border in the middle,
+   * through which the gasket's pieces touch: it is never seen whole at one half. A window off the middle sees it.
+   */
+  window?: [number, number, number, number];
+}
+
 export interface IndexBuffer {
   connected: boolean;
   overlaps: [number, number][];

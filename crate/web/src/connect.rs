@@ -2,6 +2,7 @@
 
 use frond_core::{Ifs, IfsError};
 use frond_locus::{BarnsleyOptions, Choice, Connectedness, IndexBuffer, IndexBufferOptions, Options};
+use glam::DVec2;
 use js_sys::Uint8Array;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
@@ -83,6 +84,7 @@ struct Buffer {
     margin: Option<f64>,
     #[serde(default)]
     weighted: bool,
+    window: Option<[f64; 4]>,
 }
 
 /// The index buffer test: the chaos game into a small picture, and which pieces fell into the same pixels
@@ -90,10 +92,7 @@ struct Buffer {
 #[wasm_bindgen(js_name = indexBuffer, unchecked_return_type = "IndexBuffer")]
 pub fn index_buffer(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue,
-    #[wasm_bindgen(
-        unchecked_param_type = "{ size: number; points: number; seed?: number; margin?: number; weighted?: boolean }"
-    )]
-    options: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "IndexBufferOptions")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let ifs = read_ifs(&ifs)?;
     let plain: Buffer = read("The options", options)?;
@@ -110,6 +109,7 @@ pub fn index_buffer(
     if let Some(margin) = plain.margin {
         options.margin = margin;
     }
+    options.window = plain.window.map(|[x0, y0, x1, y1]| [DVec2::new(x0, y0), DVec2::new(x1, y1)]);
     let found =
         IndexBuffer::run(&ifs, &options).map_err(|error| failure(error.code(), &error.to_string()))?;
     let components = found.graph.components();

@@ -90,7 +90,7 @@ const TYPES: &str = include_str!("api.d.ts");
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"import type {
   BarnsleyTest, Bounds, Candidate, Certificate, CertificateCheck, CertifyOptions, Connectedness, FamilyOptions, Ifs,
-  IndexBuffer, Locus, LocusOptions, MorphOptions, PathCertificate, PathCheck, PathOptions, PathPlan, PathPoint,
+  IndexBuffer, IndexBufferOptions, Locus, LocusOptions, MorphOptions, PathCertificate, PathCheck, PathOptions, PathPlan, PathPoint,
   PolygonFamily, RatedCandidate, Route
 } from "./frond.js";"#;
 

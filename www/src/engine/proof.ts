@@ -10,6 +10,7 @@ import type {
   FamilyOptions,
   Ifs,
   IndexBuffer,
+  IndexBufferOptions,
   Locus,
   LocusOptions,
   MorphOptions,
@@ -43,10 +44,7 @@ export interface PathSearch {
 /** What decides and proves, in a module of its own: the workers have it, and who asks for it. */
 export interface Proof {
   connectedness(ifs: Ifs, options?: { epsilon?: number; budget?: number }): Connectedness;
-  indexBuffer(
-    ifs: Ifs,
-    options: { size: number; points: number; seed: number; margin?: number; weighted?: boolean },
-  ): IndexBuffer;
+  indexBuffer(ifs: Ifs, options: IndexBufferOptions): IndexBuffer;
   barnsleyTest(ifs: Ifs, options: { iterations: number }): BarnsleyTest;
   locus(from: Ifs, to: Ifs, options: LocusOptions): Locus;
   /** A proof of disconnection; null where there is none to be had. */

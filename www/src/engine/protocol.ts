@@ -9,6 +9,7 @@ import type {
   FamilyOptions,
   FrondError,
   Ifs,
+  IndexBufferOptions,
   Locus,
   LocusOptions,
   MapRow,
@@ -21,14 +22,6 @@ import type {
   RatedCandidate,
   Route,
 } from "./api";
-
-export interface IndexBufferOptions {
-  size: number;
-  points: number;
-  seed: number;
-  margin?: number;
-  weighted?: boolean;
-}
 
 /** What can be asked of a worker, by kind. Every task is one slice: some ten milliseconds of work, unless it says so. */
 export interface Tasks {

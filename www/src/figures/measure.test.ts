@@ -1,6 +1,17 @@
 import { describe, expect, it } from "vitest";
 import type { Result, Task } from "../engine/protocol";
-import { exactJob, MARGIN, measureJob, RUNS, SIZES, searches, shifted, shiftOf, WINDOWS } from "./measure";
+import {
+  exactJob,
+  MARGIN,
+  measureJob,
+  RUNS,
+  runTask,
+  SIZES,
+  searches,
+  shiftOf,
+  WINDOWS,
+  windowOf,
+} from "./measure";
 
 type Buffered = Result<"buffer">;
 const answer = (connected: boolean): Buffered => ({
@@ -46,20 +57,30 @@ describe("measureJob", () => {
   });
 });
 
-describe("shifted", () => {
-  it("moves the middle of the box by so many pixels and keeps the window's side", () => {
-    const { ifs, margin } = shifted(0.5, 75, [0.5, 0.25]);
-    const [, , , , x = 0, y = 0] = ifs.maps[3] ?? [];
+describe("windowOf", () => {
+  it("moves by so many pixels and keeps its side", () => {
     const pixel = (1 + MARGIN) / 75;
-    expect(-x / 2).toBeCloseTo(0.5 * pixel, 12);
-    expect(-y / 2).toBeCloseTo(0.25 * pixel, 12);
-    expect((1 - x) * (1 + margin)).toBeCloseTo(1 + MARGIN, 12);
-    expect(ifs.probabilities).toEqual([1, 1, 1, 0]);
+    const [x0, y0, x1, y1] = windowOf(75, [0.5, 0.25]);
+    expect((x0 + x1) / 2).toBeCloseTo(0.5 - 0.5 * pixel, 12);
+    expect((y0 + y1) / 2).toBeCloseTo(Math.sqrt(0.75) / 2 - 0.25 * pixel, 12);
+    expect([x1 - x0, y1 - y0]).toEqual([expect.closeTo(1 + MARGIN, 12), expect.closeTo(1 + MARGIN, 12)]);
   });
   it("leaves all of the gasket inside, whatever the shift", () => {
-    for (const size of SIZES) expect(shifted(0.5, size, [1, 1]).margin).toBeGreaterThan(0);
+    for (const size of SIZES) {
+      const [x0, y0, x1, y1] = windowOf(size, [1, 1]);
+      expect(x0 < 0 && y0 < 0 && x1 > 1 && y1 > Math.sqrt(0.75)).toBe(true);
+    }
     for (let i = 0; i < WINDOWS; i++) {
       for (const part of shiftOf(i)) expect(part >= 0 && part < 1).toBe(true);
+    }
+  });
+  it("is all that a question has beside the gasket's three maps", () => {
+    for (const search of searches()) {
+      const { ifs, options } = runTask(search, 10, 1);
+      expect(ifs.maps).toHaveLength(3);
+      expect(ifs.probabilities).toBeUndefined();
+      const shifted = search.window === null ? undefined : windowOf(search.size, shiftOf(search.window));
+      expect(options.window).toEqual(shifted);
     }
   });
 });

@@ -1,5 +1,4 @@
 /** Table 1: at which scale an index buffer first calls the gasket connected. */
-import type { Ifs } from "../engine/api";
 import type { Channel, Job, Task } from "../engine/protocol";
 import { Bisection } from "./bisect";
 import { gasket } from "./families";
@@ -18,23 +17,14 @@ export function shiftOf(window: number): [number, number] {
   return [((window + 0.5) * 0.7548776662) % 1, ((window + 0.5) * 0.569840291) % 1];
 }
 
-/**
- * The gasket of scale `r` so that the window of its buffer, which lies about the middle of the attractor, is shifted by
- * `shift` pixels without growing: a fourth map, a single point outside, moves the middle. It has no chance in the game,
- * so it is never plotted.
- */
-export function shifted(
-  r: number,
-  size: number,
-  shift: readonly [number, number],
-): { ifs: Ifs; margin: number } {
-  const pixel = (1 + MARGIN) / size;
-  // The middle moves by half of what the box grows.
-  const [x, y] = [2 * shift[0] * pixel, 2 * shift[1] * pixel];
-  return {
-    ifs: { maps: [...gasket(r), [0, 0, 0, 0, -x, -y]], probabilities: [1, 1, 1, 0] },
-    margin: (1 + MARGIN) / (1 + x) - 1,
-  };
+/** The gasket's middle: its triangle is that of its corners, whatever the scale. */
+const MIDDLE = [0.5, Math.sqrt(0.75) / 2] as const;
+
+/** The window about the middle, shifted by so many pixels of a buffer of that size. */
+export function windowOf(size: number, shift: readonly [number, number]): [number, number, number, number] {
+  const side = 1 + MARGIN;
+  const [x0, y0] = [0, 1].map((axis) => (MIDDLE[axis] ?? 0) - side / 2 - ((shift[axis] ?? 0) * side) / size);
+  return [x0 ?? 0, y0 ?? 0, (x0 ?? 0) + side, (y0 ?? 0) + side];
 }
 
 export interface Search {
@@ -56,13 +46,11 @@ export function searches(): Search[] {
 
 export const RUNS = SIZES.length * (WINDOWS + 1) * Bisection.answers(LOWEST, HIGHEST, WIDTH);
 
-/** Whether a search ended where it began to look: the buffer says connected nowhere below the upper end. */
+/** The next question of a search. The chances of the maps are uniform, as in the paper. */
 export function runTask({ size, window, bisection }: Search, points: number, seed: number): Task<"buffer"> {
-  const r = bisection.middle;
-  const { ifs, margin } =
-    window === null ? { ifs: { maps: gasket(r) }, margin: MARGIN } : shifted(r, size, shiftOf(window));
-  // Uniform chances, as in the paper; they are given where a fourth map must have none.
-  return { kind: "buffer", ifs, options: { size, points, seed, margin, weighted: window !== null } };
+  const options = { size, points, seed, margin: MARGIN };
+  const shifted = window === null ? {} : { window: windowOf(size, shiftOf(window)) };
+  return { kind: "buffer", ifs: { maps: gasket(bisection.middle) }, options: { ...options, ...shifted } };
 }
 
 /** All searches, side by side as far as workers are free: each asks its next question when the last is answered. */
