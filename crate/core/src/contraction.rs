@@ -1,5 +1,7 @@
 //! Whether maps contract together, and coordinates in which they are seen to.
 
+use std::collections::VecDeque;
+
 use glam::{DMat2, DVec2};
 
 use crate::affine2::{Affine2, singular_values, spectral_radius};
@@ -70,35 +72,31 @@ impl Contraction {
 
     /// Gripenberg's search: a word is prolonged until its norm is below 1.
     fn with_blocks(maps: &[Affine2], to_round: DMat2, from_round: DMat2) -> Result<Self, IfsError> {
-        let round = |map: Affine2| singular_values(to_round * map.linear * from_round).0;
-        let mut open: Vec<(Affine2, Vec<usize>)> = vec![(Affine2::IDENTITY, Vec::new())];
+        let mut open = VecDeque::from([(Affine2::IDENTITY, Vec::new())]);
         let mut blocks = Vec::new();
         let (mut factor, mut length, mut seen) = (0.0_f64, 1, 0);
-        while let Some((prefix, word)) = open.pop() {
+        // Breadth first, so that short words that do not contract are met before long ones.
+        while let Some((prefix, word)) = open.pop_front() {
             for (i, &map) in maps.iter().enumerate() {
                 seen += 1;
                 if seen > WORDS || word.len() >= LETTERS {
                     return Err(IfsError::Unproved);
                 }
                 let block = prefix * map;
-                let mut letters = word.clone();
+                let mut letters: Vec<usize> = word.clone();
                 letters.push(i);
-                let radius = block.spectral_radius();
-                if radius >= NEUTRAL {
-                    return Err(no_attractor(&letters, radius));
-                }
-                let norm = round(block);
+                let norm = singular_values(to_round * block.linear * from_round).0;
                 if norm < 0.99 {
                     factor = factor.max(norm);
                     length = length.max(letters.len());
                     blocks.push(block);
-                } else {
-                    open.push((block, letters));
+                    continue;
                 }
-            }
-            // Breadth first, so that short words that do not contract are met before long ones.
-            if open.len() > 1 {
-                open.rotate_right(1);
+                let radius = block.spectral_radius();
+                if radius >= NEUTRAL {
+                    return Err(no_attractor(&letters, radius));
+                }
+                open.push_back((block, letters));
             }
         }
         let mut this = Self { to_round, from_round, factor, length, centre: DVec2::ZERO, radius: 0.0 };
@@ -275,6 +273,23 @@ mod tests {
         let nilpotent = [map([0.0, 1.2, 0.0, 0.0, 0.0, 0.0]), map([0.0, 0.0, 0.6, 0.0, 1.0, 1.0])];
         let found = Contraction::find(&nilpotent).unwrap();
         assert!(found.factor < 1.0 && found.radius.is_finite());
+    }
+
+    #[test]
+    fn a_short_word_that_does_not_contract_is_met_before_long_ones_are_followed() {
+        // No ellipse shrinks the first and the last together: their product has the spectral radius 1.106. Words of the
+        // one between them would have to be followed beyond all bounds.
+        let k = 0.65;
+        let maps = [
+            map([k, k, 0.0, k, 0.0, 0.0]),
+            map([0.9999, 0.0, 0.0, 0.9999, 0.0, 1.0]),
+            map([k, 0.0, k, k, 1.0, 0.0]),
+        ];
+        let orders = [[0, 1, 2], [1, 0, 2], [0, 2, 1], [2, 1, 0], [1, 2, 0], [2, 0, 1]];
+        for order in orders {
+            let error = Contraction::find(&order.map(|i| maps[i])).unwrap_err();
+            assert_eq!(error.code(), "no-attractor", "{order:?}: {error}");
+        }
     }
 
     #[test]

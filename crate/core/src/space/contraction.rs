@@ -311,6 +311,18 @@ mod tests {
     }
 
     #[test]
+    fn a_short_word_that_does_not_contract_is_met_before_long_ones_are_followed() {
+        let k = 0.65;
+        let a = Affine3::from_row([k, k, 0.0, 0.0, k, 0.0, 0.0, 0.0, k, 0.0, 0.0, 0.0]);
+        let b = Affine3::from_row([k, 0.0, 0.0, k, k, 0.0, 0.0, 0.0, k, 1.0, 0.0, 0.0]);
+        let slow = similitude(0.9999, DVec3::X, 0.0, DVec3::Y);
+        for maps in [[a, slow, b], [slow, a, b], [a, b, slow]] {
+            let error = Contraction3::find(&maps).unwrap_err();
+            assert_eq!(error.code(), "no-attractor", "{error}");
+        }
+    }
+
+    #[test]
     fn expanding_and_neutral_maps_are_refused() {
         for map in [
             similitude(1.0, DVec3::X, 0.0, DVec3::X),
