@@ -167,7 +167,8 @@ fn coordinates(p: f64, q: f64) -> (DMat2, DMat2) {
     (to, from)
 }
 
-/// The ellipse whose largest shrunk image is smallest, with that factor.
+/// An ellipse whose largest shrunk image is about as small as can be, with that factor: a rounder one than the best, where
+/// little is lost by it.
 ///
 /// The factor is quasi-convex in the ellipse's matrix `P` (the condition `M^T P M <= f^2 P` is linear
 /// in `P`), so that a search of one number inside a search of the other finds the least.
@@ -180,15 +181,46 @@ fn best_ellipse(maps: &[Affine2], plain: f64) -> (DMat2, DMat2, f64) {
     };
     let best_q = |s: f64| golden(-14.0, 14.0, |log_q| factor(s, log_q));
     let (s, _) = golden(-12.0, 12.0, |s| best_q(s).1);
-    let (p, log_q) = (s.sinh(), best_q(s).0);
-    let (to, from) = coordinates(p, log_q.exp());
-    let found = worst_norm(maps, to, from);
+    let (p, q) = (s.sinh(), best_q(s).0.exp());
+    let (to, from) = coordinates(p, q);
+    let least = worst_norm(maps, to, from);
     // Only for a gain that shows: the circle has no rounding errors of its own.
-    if 1.0 - found > 1.5 * (1.0 - plain) {
-        (to, from, found)
-    } else {
-        (DMat2::IDENTITY, DMat2::IDENTITY, plain)
+    if 1.0 - least <= 1.5 * (1.0 - plain) {
+        return (DMat2::IDENTITY, DMat2::IDENTITY, plain);
     }
+    // A defective map comes nearer to its spectral radius the thinner the ellipse, without end; and whatever is
+    // bounded in a thin ellipse is bounded badly in the plane.
+    let price = THINNESS * (1.0 - least).abs() * log_aspect(p, q);
+    let rounder = |share: f64| if share < 1.0 { rounder(p, q, share) } else { (to, from) };
+    let cost = |share: f64| {
+        let (to, from) = rounder(share);
+        worst_norm(maps, to, from) + price * share
+    };
+    let (share, least) = golden(0.0, 1.0, cost);
+    let (to, from) = rounder(if least < cost(1.0) { share } else { 1.0 });
+    (to, from, worst_norm(maps, to, from))
+}
+
+/// What an ellipse costs that is e times as thin, in parts of what the best one shrinks.
+const THINNESS: f64 = 0.1;
+
+/// The logarithm of how many times longer than wide the ellipse is.
+fn log_aspect(p: f64, q: f64) -> f64 {
+    ((1.0 + p * p + q * q) / (2.0 * q)).max(1.0).acosh()
+}
+
+/// The ellipse of the same axes as that of `p` and `q`, whose aspect is raised to the power `share`: its matrix is the
+/// power of that of the other, at determinant 1. The factor falls from the circle to the best ellipse, since
+/// these matrices are, but for their scale, on the straight line between the two.
+fn rounder(p: f64, q: f64, share: f64) -> (DMat2, DMat2) {
+    let log = log_aspect(p, q);
+    if log < 1e-6 {
+        return coordinates(p * share, 1.0 + (q - 1.0) * share);
+    }
+    let of_circle = (log * (1.0 - share)).sinh() / log.sinh();
+    let of_ellipse = (log * share).sinh() / log.sinh();
+    let first = of_circle + of_ellipse / q;
+    coordinates(of_ellipse * p / q / first, 1.0 / first)
 }
 
 /// The least value of a quasi-convex function on an interval, by the golden section.
@@ -289,6 +321,24 @@ mod tests {
         for order in orders {
             let error = Contraction::find(&order.map(|i| maps[i])).unwrap_err();
             assert_eq!(error.code(), "no-attractor", "{order:?}: {error}");
+        }
+    }
+
+    #[test]
+    fn defective_maps_get_an_ellipse_that_is_round_enough() {
+        let aspect = |found: &Contraction| {
+            let norm = |m: DMat2| singular_values(m).0;
+            norm(found.to_round) * norm(found.from_round)
+        };
+        // One eigenvalue, 1/4, and one eigenvector: the thinner the ellipse, the nearer is the factor to 1/4, without end.
+        let row = |e: f64, f: f64| map([0.75, -1.0, 0.25, -0.25, e, f]);
+        let shifts =
+            [(1.0, 1.0), (4.0, -2.0), (-2.0, 2.0), (1.0, -3.0), (-2.0, 0.0), (-3.0, 1.0), (1.0, 2.0)];
+        let found = Contraction::find(&shifts.map(|(e, f)| row(e, f))).unwrap();
+        assert!(found.factor < 0.35 && aspect(&found) < 15.0, "{found:?}, {}", aspect(&found));
+        for shear in [1.0, 1e2, 1e4] {
+            let found = Contraction::find(&[map([0.5, shear, 0.0, 0.5, 0.0, 1.0])]).unwrap();
+            assert!(found.factor < 0.57 && aspect(&found) < 15.0 * shear, "{found:?}, {}", aspect(&found));
         }
     }
 

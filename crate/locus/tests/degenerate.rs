@@ -4,7 +4,7 @@
 use frond_core::{Affine2, Ifs};
 use frond_locus::{
     BarnsleyOptions, Connectedness, IndexBuffer, IndexBufferOptions, Options, Scratch, State, Verdict,
-    barnsley_test, connectedness, decide,
+    barnsley_test, connectedness, decide, decide_bounds,
 };
 use glam::{DMat2, DVec2};
 
@@ -258,5 +258,30 @@ fn points_among_other_pieces() {
             .collect();
         let state = decide(&maps, 1e-4, 2_000, &mut Scratch::default()).state;
         assert_ne!(state, State::NoAttractor, "{maps:?}");
+    }
+}
+
+#[test]
+fn a_defective_linear_part_is_measured_and_decided_alike_by_all() {
+    // In the thinnest ellipse that a search came to, the diameter was bounded by some thousand times itself.
+    let shifts =
+        [[1, 1], [4, -2], [-2, 2], [1, -3], [-2, 0], [-3, 1], [1, 2]].map(|[e, f]| [e, f].map(f64::from));
+    let maps = rows(&shifts.map(|[e, f]| [0.75, -1.0, 0.25, -0.25, e, f]));
+    // Points of the attractor, all over it.
+    let mut points = vec![maps[0].fixed_point().unwrap()];
+    for _ in 0..5 {
+        points = points.iter().flat_map(|p| maps.iter().map(|map| map.apply(*p))).collect();
+    }
+    let wide = |normal: DVec2| {
+        let along = points.iter().map(|p| p.dot(normal));
+        along.clone().fold(f64::MIN, f64::max) - along.fold(f64::MAX, f64::min)
+    };
+    let diameter = (0..100).map(|k| wide(DVec2::from_angle(f64::from(k) * 0.0314))).fold(0.0, f64::max);
+    for epsilon in [1.0 / 600.0, 1e-3, 1e-6] {
+        let full = apart(&maps, epsilon);
+        let known = decide_bounds(&maps, epsilon, 20_000, &mut Scratch::default());
+        for bound in [full.diameter, known.diameter] {
+            assert!(bound >= diameter && bound < 1.6 * diameter, "{bound}, {diameter}");
+        }
     }
 }
