@@ -16,8 +16,11 @@ pub(crate) struct Enclosure {
     pub letters: usize,
 }
 
-/// How much larger than the attractor it may be, relative to that.
-const SLACK: f64 = 0.02;
+/// Of what rounding may do to one support value: an image's, and that of the corners, on both sides.
+const OFF: f64 = 4.0;
+/// How much larger than the attractor it may be where rounding needs so much: pieces are then told apart some letters
+/// further down.
+const MOST: f64 = 8.0;
 /// Directions tried, coarse to fine: maps that hardly shrink need a polygon that is nearly round.
 const FANS: [usize; 3] = [24, 96, 288];
 /// How many words of several letters are tried.
@@ -33,14 +36,19 @@ impl Enclosure {
     /// Its support values `h` in a fan of directions solve `h(d) = max_i ( h(M_i^T d) + t_i . d ) + delta`, with `h`
     /// between two directions of the fan bounded by the chord: so each map takes the polygon to a distance `delta` from
     /// its edges.
-    pub fn find(frame: &Frame, diameter: f64) -> Option<Self> {
-        let delta = SLACK * diameter * (1.0 - frame.factor).clamp(1e-4, 1.0);
-        if delta < 64.0 * frame.rounding {
+    ///
+    /// It may be larger than the attractor by about `slack`, relative to that; `coarsest` is the number of the coarsest fan
+    /// to try.
+    pub fn find(frame: &Frame, diameter: f64, slack: f64, coarsest: usize) -> Option<Self> {
+        let delta = slack * diameter * (1.0 - frame.factor).clamp(1e-4, 1.0);
+        // What rounding needs, be it more: half of it is left when the support values have settled.
+        let delta = delta.max(4.0 * OFF * frame.rounding);
+        if delta >= MOST * diameter {
             return None;
         }
         let mut blocks = frame.maps.clone();
         for letters in 1.. {
-            for count in FANS {
+            for &count in &FANS[coarsest..] {
                 let fan = Fan::new(count);
                 if let Some(support) = fan.settle(&blocks, delta)
                     && let Some(found) = Self::around(frame, &fan.polygon(&support), &blocks, letters)
@@ -68,7 +76,7 @@ impl Enclosure {
                 corners.iter().map(|&p| frame.to_plane(p)).map(|p| DVec2::new(snap(p.x), snap(p.y)));
             let plane = strictly_convex(snapped.collect())?;
             let here: Vec<DVec2> = plane.iter().map(|&p| inverse * (p - origin)).collect();
-            let tolerance = 16.0 * frame.rounding;
+            let tolerance = OFF * frame.rounding;
             takes_inside(&here, blocks, tolerance).then_some(Self { plane, here, letters })
         })
     }
@@ -211,7 +219,7 @@ mod tests {
         let maps: Vec<Affine2> = rows.iter().copied().map(Affine2::from_row).collect();
         let mut frame = Frame::default();
         frame.set(&maps).unwrap();
-        Enclosure::find(&frame, 1.0)
+        Enclosure::find(&frame, 1.0, 0.02, 0)
     }
 
     #[test]

@@ -116,6 +116,30 @@ impl Frame {
         }));
     }
 
+    /// These coordinates, drawn `aspect` times as long along a unit vector.
+    pub fn drawn(&self, along: DVec2, aspect: f64) -> Self {
+        let stretched = |by: f64| {
+            let square = DMat2::from_cols(along * along.x, along * along.y);
+            DMat2::IDENTITY + square * (by - 1.0)
+        };
+        let (to, from) = (stretched(aspect), stretched(1.0 / aspect));
+        let from_round = self.from_round * from;
+        let to_round = to * self.to_round;
+        let maps = self.maps.iter().map(|map| Affine2::new(to * map.linear * from, to * map.translation));
+        Self {
+            maps: maps.collect(),
+            from_round,
+            to_round,
+            metric: from_round.transpose() * from_round,
+            dual: to_round * to_round.transpose(),
+            plain: false,
+            stretch: Affine2::new(from_round, DVec2::ZERO).norm(),
+            // That of this conjugation, and of products of maps that are longer here.
+            rounding: self.rounding * aspect * aspect,
+            ..*self
+        }
+    }
+
     /// Points of the plane within this distance are not told apart: `epsilon` of the diameter, or as near as
     /// rounding lets one see, unless rounding has become coarse itself.
     pub fn resolution(&self, epsilon: f64, diameter: f64) -> f64 {

@@ -141,6 +141,11 @@ impl Outline {
         });
     }
 
+    /// Points of the attractor, far out in every direction of the fan.
+    pub fn points(&self) -> &[DVec2] {
+        &self.points[..4 * self.per]
+    }
+
     /// Whether it was last made by [`Outline::set`].
     pub fn is_fine(&self) -> bool {
         self.per == FINE

@@ -73,8 +73,8 @@ impl<'a> Descent<'a> {
             }
             self.budget -= 1;
             let (a, b) = (self.words[u as usize].map, self.words[v as usize].map);
-            if let Some(normal) = self.direction(&a, &b) {
-                let normal = self.in_the_plane(normal, &a, &b);
+            if let Some(normal) = self.direction(&a, &b).and_then(|normal| self.in_the_plane(normal, &a, &b))
+            {
                 self.pairs.push(Separation { u: self.word(u), v: self.word(v), normal });
                 continue;
             }
@@ -125,10 +125,11 @@ impl<'a> Descent<'a> {
         (far + map.translation.dot(normal), map.apply(corner))
     }
 
-    /// By how much a direction separates two images of the polygon, beyond rounding, with the nearest corners.
+    /// By how much a direction separates two images of the polygon, beyond rounding, with the nearest corners: each image
+    /// may be off, and so may the corners themselves.
     fn between(&self, normal: DVec2, a: &Affine2, b: &Affine2) -> (f64, DVec2) {
         let ((most, p), (least, q)) = (self.support(a, normal), self.support(b, -normal));
-        (-least - most - 2.0 * self.frame.rounding * normal.length(), q - p)
+        (-least - most - 4.0 * self.frame.rounding * normal.length(), q - p)
     }
 
     /// A direction that separates: along the line between the middles, then better ones (Frank & Wolfe's algorithm for
@@ -150,16 +151,19 @@ impl<'a> Descent<'a> {
         None
     }
 
-    /// The direction in the plane, its longer number of size 1, with as few digits as will do.
-    fn in_the_plane(&self, normal: DVec2, a: &Affine2, b: &Affine2) -> DVec2 {
+    /// The direction in the plane, its longer number of size 1, with as few digits as will do. `None` if none of the
+    /// directions that can be written down there is near enough.
+    fn in_the_plane(&self, normal: DVec2, a: &Affine2, b: &Affine2) -> Option<DVec2> {
         let normal = self.to_plane * normal;
         let normal = normal / normal.abs().max_element();
         let rounded = |digits: i32| {
             let scale = 2.0_f64.powi(digits);
-            let short = (normal * scale).round() / scale;
-            let back = self.frame.from_round.transpose() * short;
-            (self.between(back, a, b).0 > 0.0).then_some(short)
+            (normal * scale).round() / scale
         };
-        DIGITS.into_iter().find_map(rounded).unwrap_or(normal)
+        let separates = |normal: &DVec2| {
+            let back = self.frame.from_round.transpose() * *normal;
+            self.between(back, a, b).0 > 0.0
+        };
+        DIGITS.into_iter().map(rounded).chain([normal]).find(separates)
     }
 }
