@@ -18,7 +18,8 @@ use crate::motion::Extent;
 pub struct CertifyOptions {
     /// The gap that is to be excluded, relative to the diameter of the attractor.
     pub within: f64,
-    /// The most boxes to look at.
+    /// The most boxes to look at. On average no more than 1000 pairs of pieces are looked at in each: where it takes
+    /// more, fewer boxes are looked at.
     pub budget: usize,
     /// Where the stretch begins and ends, as fractions of the length of the path in (u, v, w).
     pub t0: f64,
@@ -56,6 +57,16 @@ struct Segment {
     leg: usize,
     from: f64,
     to: f64,
+    /// The part of the gap that comes of points moving over the segment: the rest stays when it is split.
+    moving: f64,
+    /// Whether it was looked at for long.
+    deep: bool,
+}
+
+impl Segment {
+    const fn new(leg: usize, from: f64, to: f64) -> Self {
+        Self { gap: f64::INFINITY, leg, from, to, moving: 1.0, deep: false }
+    }
 }
 
 impl PartialEq for Segment {
@@ -83,6 +94,17 @@ const SHORTEST: f64 = 1e-12;
 const TIGHT: f64 = 1.1;
 /// Where points move farther than this over a segment, no crossing is likely to last.
 const STRAY: f64 = 0.1;
+/// Where motion makes up less than this part of what bounds a gap, it is worth asking whether the gap is there; and where
+/// hardly any, splitting the segment does not help: then it is looked at once more, for long.
+const SETTLED: f64 = 0.2;
+const STUCK: f64 = 0.02;
+/// Pairs of words tried for a crossing of two maps.
+const TRIES: usize = 150;
+const FEWEST_TRIES: usize = 10;
+/// Looks spent on each two maps where one looks for long.
+const DEEP: usize = 20_000;
+/// Pairs of pieces looked at for each box of the budget, at most: so that it bounds the time.
+const PAIRS: usize = 1000;
 /// Where they move less than this, it is worth looking long for points that are near.
 const CLOSE: f64 = 0.01;
 
@@ -113,6 +135,8 @@ pub fn certify_path(morph: &Morph, points: &[DVec3], options: &CertifyOptions) -
         within: options.within.max(0.0),
         least: 0.0,
         looks: 0,
+        pairs: 0,
+        tries: TRIES,
         scratch: Scratch::default(),
         descent: Descent::default(),
         maps: Vec::with_capacity(morph.len()),
@@ -133,7 +157,7 @@ pub fn certify_path(morph: &Morph, points: &[DVec3], options: &CertifyOptions) -
         let (from, to) = if length > 0.0 { (part(options.t0), part(options.t1)) } else { (0.0, 1.0) };
         let touches = from < to || length == 0.0 || total == 0.0;
         if touches && (length > 0.0 || legs_without_length(&lengths)) {
-            cover.push(work.look(Segment { gap: f64::INFINITY, leg, from, to }));
+            cover.push(work.look(Segment::new(leg, from, to)));
         }
     }
     let complete = work.shrink(&mut cover, options.budget);
@@ -160,6 +184,10 @@ struct Work<'a> {
     /// Somewhere the relative gap is known to be at least this.
     least: f64,
     looks: usize,
+    /// Pairs of pieces looked at.
+    pairs: usize,
+    /// Pairs of words to try for a crossing: fewer where none was found before, as where pieces just touch.
+    tries: usize,
     scratch: Scratch,
     descent: Descent<3>,
     maps: Vec<Affine2>,
@@ -173,18 +201,26 @@ impl Work<'_> {
             if worst.gap <= self.within {
                 return true;
             }
-            let Segment { leg, from, to, gap } = worst;
-            self.weigh(leg, from.midpoint(to));
-            if self.least > self.within && gap <= TIGHT * self.least {
-                return true;
+            let Segment { leg, from, to, gap, moving, deep } = worst;
+            if moving < SETTLED {
+                self.weigh(leg, from.midpoint(to));
+                if self.least > self.within && gap <= TIGHT * self.least {
+                    return true;
+                }
             }
-            if self.looks + 2 > budget || to - from < SHORTEST {
+            let stuck = moving < STUCK && gap * (1.0 - moving) > self.within || to - from < SHORTEST;
+            let spent = self.looks + 2 > budget || self.pairs > budget.saturating_mul(PAIRS);
+            if spent || stuck && deep {
                 return false;
             }
             cover.pop();
+            if stuck {
+                cover.push(self.look(Segment { deep: true, ..worst }));
+                continue;
+            }
             let middle = from.midpoint(to);
             for (from, to) in [(from, middle), (middle, to)] {
-                cover.push(self.look(Segment { gap, leg, from, to }));
+                cover.push(self.look(Segment { gap, ..Segment::new(leg, from, to) }));
             }
         }
     }
@@ -202,7 +238,7 @@ impl Work<'_> {
     /// Bounds the gap over a segment, no worse than it is known to be.
     fn look(&mut self, segment: Segment) -> Segment {
         self.looks += 1;
-        let Segment { gap, leg, from, to } = segment;
+        let Segment { gap, leg, from, to, deep, .. } = segment;
         let extent = Extent::between(DVec2::new(from, 0.0), DVec2::new(to, 0.0));
         if !self.descent.begin(&self.legs[leg], extent, &mut self.scratch.frame) {
             return segment;
@@ -212,13 +248,31 @@ impl Work<'_> {
         // The shorter the segment, the nearer points there may be that stay near.
         let stray = self.descent.lanes.stray();
         let effort = Effort {
-            looks: if stray < CLOSE { 2000 } else { 150 },
-            tries: if stray < STRAY { 150 } else { 0 },
-            near: 0.2 * self.within * unit,
+            looks: if deep {
+                DEEP
+            } else if stray < CLOSE {
+                2000
+            } else {
+                150
+            },
+            tries: if deep {
+                TRIES
+            } else if stray < STRAY {
+                self.tries
+            } else {
+                0
+            },
+            near: 0.8 * self.within * unit,
         };
         let joined = self.descent.cross(f64::INFINITY, effort).is_some();
+        if effort.tries > 0 {
+            self.tries = if joined { TRIES } else { (self.tries / 2).max(FEWEST_TRIES) };
+        }
+        self.pairs += self.descent.nodes;
         let seen = if joined { 0.0 } else { self.descent.bottleneck() / unit };
         // NaN, of an attractor that may be a point, bounds nothing.
-        Segment { gap: if seen < gap { seen } else { gap }, ..segment }
+        let gap = if seen < gap { seen } else { gap };
+        let moving = if stray < CLOSE { 2.0 * stray / (unit * gap) } else { 1.0 };
+        Segment { gap, moving, ..segment }
     }
 }

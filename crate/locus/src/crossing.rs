@@ -44,6 +44,7 @@ use crate::family::{Drift, Family};
 use crate::fan::{FAN, Points, direction};
 use crate::frame::Frame;
 use crate::motion::{Extent, bows};
+use crate::tree::Tree;
 
 /// Two pieces that cross, so that they hold two attractorlets together.
 #[derive(Clone, Debug, PartialEq)]
@@ -171,21 +172,37 @@ impl<const L: usize> Descent<L> {
         }
         self.open.sort_unstable_by(|a, b| a.overlap.total_cmp(&b.overlap));
         let pairs = std::mem::take(&mut self.open);
-        for &pair in &pairs {
-            let joins = self.components.join(usize::from(pair.i), usize::from(pair.j));
-            if !joins && (self.count > 4 || pair.overlap >= 1.0) {
-                continue;
-            }
-            self.dive(pair, effort);
+        self.close_in(&pairs, Effort { looks: effort.looks.min(BRIEF), ..effort });
+        if effort.looks > BRIEF {
+            self.close_in(&pairs, effort);
         }
-        let found = if self.components.count() == 1 {
-            let gap = self.bottleneck().min(known);
-            self.join_by_crossings(&pairs, &filled, gap, effort)
-        } else {
-            None
-        };
+        let gap = self.bottleneck().min(known);
+        let found = self.join_by_crossings(&pairs, &filled, gap, effort);
         self.open = pairs;
         found
+    }
+
+    /// Looks for near points of the pairs that bound the widest gap: again and again of those across the cut that the
+    /// widest edge of the least spanning tree bridges, the one that overlaps most, until that edge is near or
+    /// none of these is left that may be shorter.
+    fn close_in(&mut self, pairs: &[Couple], effort: Effort) {
+        let mut tried = vec![false; pairs.len()];
+        let mut tree = Tree::default();
+        loop {
+            let upper = |i: u8, j: u8| self.upper[usize::from(i.min(j)) * self.count + usize::from(i.max(j))];
+            let widest = tree.cut(self.count, upper);
+            if widest < effort.near {
+                return;
+            }
+            let helps = |pair: &Couple| {
+                tree.beyond[usize::from(pair.i)] != tree.beyond[usize::from(pair.j)]
+                    && pair.overlap < 1.0 + widest
+            };
+            // They are in the order of how deep they overlap.
+            let Some(k) = (0..pairs.len()).find(|&k| !tried[k] && helps(&pairs[k])) else { return };
+            tried[k] = true;
+            self.dive(pairs[k], effort);
+        }
     }
 
     /// `filled` are pairs that meet for another reason.
@@ -396,17 +413,9 @@ impl<const L: usize> Descent<L> {
     }
 
     /// The widest edge of the least spanning tree of the nearest points known, over all corners.
-    pub fn bottleneck(&mut self) -> f64 {
-        let mut edges: Vec<(f64, usize, usize)> = Vec::with_capacity(self.count * self.count / 2);
-        for i in 0..self.count {
-            for j in i + 1..self.count {
-                edges.push((self.upper[i * self.count + j], i, j));
-            }
-        }
-        edges.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-        self.components.reset(self.count);
-        let widest = edges.iter().filter(|&&(_, i, j)| self.components.join(i, j)).map(|edge| edge.0);
-        widest.fold(0.0, f64::max)
+    pub fn bottleneck(&self) -> f64 {
+        let upper = |i: u8, j: u8| self.upper[usize::from(i.min(j)) * self.count + usize::from(i.max(j))];
+        Tree::default().cut(self.count, upper)
     }
 
     fn crossing(&self, couple: Couple, corners: [DVec2; 4]) -> Crossing {
@@ -421,6 +430,8 @@ impl<const L: usize> Descent<L> {
     }
 }
 
+/// Looks spent on a pair at first: mostly near points are found soon, or not at all.
+const BRIEF: usize = 150;
 /// Two convex pieces take more turns than this only where the points of one hardly reach beyond the other.
 const MOST_TURNS: usize = 12;
 

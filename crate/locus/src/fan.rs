@@ -178,15 +178,23 @@ impl<const L: usize> Fan<L> {
     /// most over the fan, and a distance between two points of the attractor that is the least over the lanes.
     pub fn diameter(&self) -> (f64, f64) {
         let (mut upper, mut lower) = (0.0_f64, 0.0_f64);
+        let apart = |k: usize, m: usize| {
+            let each = self.points[k].iter().zip(&self.points[m]);
+            each.map(|(p, q)| p.distance_squared(*q)).fold(f64::INFINITY, f64::min)
+        };
         for k in 0..FAN / 2 {
             let length = direction(k).length();
-            let mut least = f64::INFINITY;
             for l in 0..L {
                 upper = upper.max((self.values[k][l] + self.values[k + FAN / 2][l]) / length);
-                least = least.min(self.points[k][l].distance(self.points[k + FAN / 2][l]));
             }
-            lower = lower.max(least);
+            // The points farthest apart need not be opposite each other.
+            for m in k + FAN / 2 - ASIDE..=k + FAN / 2 + ASIDE {
+                lower = lower.max(apart(k, m % FAN));
+            }
         }
-        (upper / 0.992_507_556, lower)
+        (upper / 0.992_507_556, lower.sqrt())
     }
 }
+
+/// How many directions off the opposite one the farthest point is looked for.
+const ASIDE: usize = 2;

@@ -1,6 +1,6 @@
 //! Paths proved from end to end, against their samples.
 
-use frond_core::{Affine2, Morph, MorphOptions, hash};
+use frond_core::{Affine2, Ifs, Morph, MorphOptions, hash, routes};
 use frond_locus::{CertifyOptions, PathOptions, Scratch, along, certify_path, decide_bounds, find_path};
 use glam::{DVec2, DVec3};
 
@@ -109,4 +109,28 @@ fn odd_paths_are_no_trouble() {
     }
     let none = certify_path(&morph, &[a, b], &CertifyOptions { budget: 0, within: f64::NAN, ..options });
     assert!(!none.complete || none.gap == 0.0, "{none:?}");
+}
+
+/// A shape of the gallery.
+fn preset(id: &str) -> Ifs {
+    let rows = frond_scene::preset(id).unwrap().maps;
+    Ifs::new(rows.into_iter().map(Affine2::from_row).collect()).unwrap()
+}
+
+/// Hulls of pieces that overlap deep need not belong to pieces that meet: near points of other pieces bound the gap.
+#[test]
+fn paths_of_many_pieces_are_proved_by_the_pieces_that_meet() {
+    for (from, to, way, corner) in [
+        ("gasket", "gosper", 0, [0.625, 0.1875]),
+        ("terdragon", "hexagon", 0, [0.6875, 1.0625]),
+        ("terdragon-mirrored", "carpet", 1, [0.4375, 0.875]),
+    ] {
+        let route = routes(&preset(from), &preset(to)).swap_remove(way);
+        let (correspondence, turns) = (route.correspondence, route.turns);
+        let options = MorphOptions { correspondence, turns, ..MorphOptions::default() };
+        let morph = Morph::new(&route.from, &route.to, &options).unwrap();
+        let points = [DVec3::ZERO, DVec2::from_array(corner).extend(0.0), DVec3::new(1.0, 1.0, 0.0)];
+        let proved = certify_path(&morph, &points, &CertifyOptions::default());
+        assert!(proved.holds && proved.complete && proved.boxes < 1000, "{from} to {to}: {proved:?}");
+    }
 }

@@ -185,7 +185,7 @@ export interface CertifyOptions extends MorphOptions {
   /** The stretch of the path, by length. Default 0 to 1. */
   t0?: number;
   t1?: number;
-  /** The most boxes to look at. */
+  /** The most boxes to look at; fewer where each takes long. */
   budget?: number;
 }
 
@@ -199,7 +199,10 @@ export interface PathCertificate {
   boxes: number;
   /** Where the least could be proved, by length of the whole path. */
   worst: number;
-  /** Whether the budget sufficed. */
+  /**
+   * Whether the question is answered: it holds, or a gap as wide is there. Otherwise less could not be proved within the
+   * budget.
+   */
   complete: boolean;
 }
 
