@@ -16,7 +16,7 @@ struct Certifying {
     budget: Option<f64>,
 }
 
-/// The most boxes that one call looks at: some seconds.
+/// The most boxes that one call looks at: some minutes at worst.
 const MOST_BOXES: f64 = 200_000.0;
 
 /// Proves as small a bound of the widest gap along a stretch of a path as it can. Long work: call it in a worker, a
