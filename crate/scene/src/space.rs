@@ -16,7 +16,7 @@ pub use document::{
     SpaceMorph, SpaceObject, Timeline, natural_objects,
 };
 pub use epsilon::{EpsilonProjection, epsilon_projection};
-pub use file::{FileError, SpaceFile, parse_ifs3, write_ifs3};
+pub use file::{FileError, SpaceFile, SpaceSystems, parse_ifs3, write_ifs3};
 pub use film::{Film, FilmError, Moment, Moved};
 pub use meet::{Arrow, Intersection, MeetError, MeetExample, intersection, meet_examples};
 pub use natural::{Thing, natural_scene};

@@ -18,6 +18,15 @@ pub struct SpaceFile {
     pub probabilities: Vec<f64>,
 }
 
+/// What a file has.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpaceSystems {
+    /// Its systems of space, at least one, in their order.
+    pub systems: Vec<SpaceFile>,
+    /// How many systems of the plane were passed over.
+    pub flat: usize,
+}
+
 /// Why a file cannot be read.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum FileError {
@@ -31,10 +40,16 @@ pub enum FileError {
     #[error("There is no system in this file. One looks so: name (3D) {{ a b c d e f g h i x y z p .. }}")]
     Empty,
     /// There are systems, but all of the plane.
-    #[error("\"{name}\" and all others in this file are of the plane: 7 numbers a line. Open it in Morph.")]
+    #[error(
+        "{} of the plane: no (3D) stands behind the name. Space opens systems of space, and no other tool opens .ifs files \
+         yet: type the maps in Morph. If they are of space, write (3D) there.",
+        whose(name, *count)
+    )]
     Flat {
         /// The first of them.
         name: String,
+        /// How many there are.
+        count: usize,
     },
     /// A word where a number should be.
     #[error("Line {line}: \"{word}\" is no number.")]
@@ -82,6 +97,14 @@ pub enum FileError {
     },
 }
 
+fn whose(name: &str, count: usize) -> String {
+    if count == 1 {
+        format!("\"{name}\", the only system in this file, is")
+    } else {
+        format!("All {count} systems in this file, from \"{name}\" on, are")
+    }
+}
+
 impl FileError {
     /// A name that stays the same over versions, for programs.
     #[must_use]
@@ -105,16 +128,17 @@ const LONGEST: usize = 1 << 20;
 /// Reads the systems of space of a Fractint file: `name (3D) { .. }`, with the sign `(3D)` before the brace or behind it.
 ///
 /// A map has 13 numbers: the three rows of its matrix, its translation and its probability; ends of lines mean nothing, and what
-/// follows a semicolon is a remark. Systems of the plane, without the sign, are passed over.
+/// follows a semicolon is a remark. Systems of the plane, without the sign, are passed over and counted.
 ///
 /// # Errors
 /// [`FileError`] with the line where it is.
-pub fn parse_ifs3(text: &str) -> Result<Vec<SpaceFile>, FileError> {
+pub fn parse_ifs3(text: &str) -> Result<SpaceSystems, FileError> {
     if text.len() > LONGEST {
         return Err(FileError::TooLong { bytes: text.len() });
     }
-    let mut found = Vec::new();
-    let mut flat = None;
+    let mut systems = Vec::new();
+    let mut flat = 0;
+    let mut first_flat = None;
     let mut open: Option<Entry> = None;
     let mut before = String::new();
     for (k, line) in text.lines().enumerate() {
@@ -153,9 +177,10 @@ pub fn parse_ifs3(text: &str) -> Result<Vec<SpaceFile>, FileError> {
                     entry.take(&rest[..at], line_number);
                     if let Some(entry) = open.take() {
                         if entry.solid {
-                            found.push(entry.read()?);
+                            systems.push(entry.read()?);
                         } else {
-                            flat.get_or_insert(entry.name);
+                            flat += 1;
+                            first_flat.get_or_insert(entry.name);
                         }
                     }
                     rest = &rest[at + 1..];
@@ -167,9 +192,9 @@ pub fn parse_ifs3(text: &str) -> Result<Vec<SpaceFile>, FileError> {
     if let Some(entry) = open {
         return Err(FileError::Brace { line: entry.line });
     }
-    match (found.is_empty(), flat) {
-        (false, _) => Ok(found),
-        (true, Some(name)) => Err(FileError::Flat { name }),
+    match (systems.is_empty(), first_flat) {
+        (false, _) => Ok(SpaceSystems { systems, flat }),
+        (true, Some(name)) => Err(FileError::Flat { name, count: flat }),
         (true, None) => Err(FileError::Empty),
     }
 }
@@ -256,8 +281,9 @@ mod tests {
           .2 -.2 0 .2 .2 0 0 0 .3 0 .8 0 .07 }";
 
     #[test]
-    fn systems_of_space_are_read_and_those_of_the_plane_passed_over() {
-        let found = parse_ifs3(FERN).unwrap();
+    fn systems_of_space_are_read_and_those_of_the_plane_counted() {
+        let SpaceSystems { systems: found, flat } = parse_ifs3(FERN).unwrap();
+        assert_eq!(flat, 1);
         assert_eq!(found.iter().map(|file| &*file.name).collect::<Vec<_>>(), ["fern3d", "behind"]);
         assert_eq!(found[0].maps[1], [0.85, 0.0, 0.0, 0.0, 0.85, 0.1, 0.0, -0.1, 0.85, 0.0, 1.6, 0.0]);
         assert_eq!(found[0].probabilities, [0.01, 0.85]);
@@ -269,8 +295,28 @@ mod tests {
         for preset in presets3() {
             let probabilities = vec![1.0 / 3.0; preset.maps.len()];
             let file = SpaceFile { name: preset.id.to_owned(), maps: preset.maps.clone(), probabilities };
-            assert_eq!(parse_ifs3(&write_ifs3(&file)), Ok(vec![file]));
+            let text = write_ifs3(&file);
+            assert_eq!(parse_ifs3(&text), Ok(SpaceSystems { systems: vec![file], flat: 0 }));
         }
+    }
+
+    #[test]
+    fn a_file_of_both_says_how_many_are_left_out() {
+        let solid = "solid (3D) { .5 0 0 0 .5 0 0 0 .5 0 0 0 1 }\n";
+        let flat = "flat { .5 0 0 .5 0 0 .5 }\n";
+        let found = parse_ifs3(&format!("{}{}{}", flat.repeat(6), solid.repeat(7), flat.repeat(7))).unwrap();
+        assert_eq!((found.systems.len(), found.flat), (7, 13));
+        let told = |count: usize| parse_ifs3(&flat.repeat(count)).unwrap_err().to_string();
+        assert!(
+            told(13).starts_with("All 13 systems in this file, from \"flat\" on, are of the plane"),
+            "{}",
+            told(13)
+        );
+        assert!(
+            told(1).starts_with("\"flat\", the only system in this file, is of the plane"),
+            "{}",
+            told(1)
+        );
     }
 
     #[test]

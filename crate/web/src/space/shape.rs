@@ -4,7 +4,7 @@ use frond_core::{
     Affine2, Affine3, Bounds3, ChaosGame3, Contraction3, Place3, affinity_dimension3, box_dimension,
     similarity_dimension3,
 };
-use frond_scene::{Row3, SpaceFile};
+use frond_scene::{FileError, Row3, SpaceFile};
 use glam::{DMat3, DVec3};
 use js_sys::{Float32Array, Uint8Array};
 use serde::{Deserialize, Serialize};
@@ -169,16 +169,32 @@ struct PlainFile {
     probabilities: Vec<f64>,
 }
 
-/// The systems of space of a Fractint file, `name (3D) { .. }`. Throws with the line where it is wrong.
+/// The systems of space of a Fractint file, `name (3D) { .. }`; `countFlat` says how many of the plane are passed over. Throws
+/// with the line where it is wrong.
 #[wasm_bindgen(
     js_name = parseIfs3,
     unchecked_return_type = "{ name: string; maps: MapRow3[]; probabilities: number[] }[]"
 )]
 pub fn parse_file(text: &str) -> Result<JsValue, JsValue> {
-    let found = frond_scene::parse_ifs3(text).map_err(|error| failure(error.code(), &error.to_string()))?;
+    let found = frond_scene::parse_ifs3(text).map_err(|error| of_file(&error))?;
     let plain =
         |file: SpaceFile| PlainFile { name: file.name, maps: file.maps, probabilities: file.probabilities };
-    write(&found.into_iter().map(plain).collect::<Vec<_>>())
+    write(&found.systems.into_iter().map(plain).collect::<Vec<_>>())
+}
+
+/// How many systems of the plane a Fractint file has, without the sign `(3D)`. Throws as `parseIfs3`, but not for a file of these
+/// alone.
+#[wasm_bindgen(js_name = countFlat)]
+pub fn count_flat(text: &str) -> Result<usize, JsValue> {
+    match frond_scene::parse_ifs3(text) {
+        Ok(found) => Ok(found.flat),
+        Err(FileError::Flat { count, .. }) => Ok(count),
+        Err(error) => Err(of_file(&error)),
+    }
+}
+
+fn of_file(error: &FileError) -> JsValue {
+    failure(error.code(), &error.to_string())
 }
 
 /// A system as Fractint reads it.

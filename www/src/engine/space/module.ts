@@ -129,6 +129,8 @@ export interface SpaceModule {
   ): { positions: Float32Array; pieces: Uint8Array };
   /** Systems of space in a Fractint file. Throws with the line. */
   parseIfs3(text: string): { name: string; maps: MapRow3[]; probabilities: number[] }[];
+  /** How many systems of the plane the same file has: they are passed over. */
+  countFlat(text: string): number;
   writeIfs3(name: string, maps: MapRow3[]): string;
   /** Maps of the plane as maps of space, flat at z = 0. */
   lift(maps: MapRow[]): MapRow3[];

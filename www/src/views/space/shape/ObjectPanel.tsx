@@ -9,7 +9,7 @@ import { useOwnId } from "../../../ui/id";
 import { mapsNote } from "../../../ui/ShapeGrid";
 import { Thumbnail } from "../../../ui/Thumbnail";
 import { MOST_OBJECTS, withoutObject, withTint } from "./changes";
-import { opened, openFile, saveFile, takeFound } from "./files";
+import { leftOut, opened, openFile, saveFile, takeFound } from "./files";
 import { Gallery } from "./Gallery";
 import { object } from "./now";
 import { Swatch } from "./Swatch";
@@ -149,14 +149,14 @@ function ObjectTools({ index, tint, name }: { index: number; tint: string | unde
 
 /** The systems of a file with several. */
 function Systems() {
-  const { file, systems } = opened.value ?? { file: "", systems: [] };
+  const { file, systems, flat } = opened.value ?? { file: "", systems: [], flat: 0 };
   const close = () => {
     opened.value = null;
   };
   return (
     <Dialog
       title={file}
-      about={`${systems.length} systems of space are in it. Which one shall it be?`}
+      about={`${systems.length} systems of space are in it. Which one shall it be? ${leftOut(flat)}`}
       onClose={close}
     >
       <ul class="solid-systems">
