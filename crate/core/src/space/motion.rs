@@ -9,7 +9,7 @@ use crate::morph::{MorphError, MorphOptions};
 use crate::space::ifs::Ifs3;
 use crate::space::morph::Morph3;
 use crate::space::place::Place3;
-use crate::space::spline::{cubic, cubic_turn};
+use crate::space::spline::{cubic, cubic_turn, straight};
 use crate::transform::TransformError;
 
 /// How a value goes from one key to the next.
@@ -49,7 +49,8 @@ pub enum Course {
     /// Straight from key to key, the turn about one axis.
     #[default]
     Straight,
-    /// Without a corner at the keys.
+    /// Without a jerk at the keys, and never past them: each coordinate stays between those of two keys, and a turn within a sixth
+    /// of its angle of the shortest arc.
     Smooth,
 }
 
@@ -83,7 +84,7 @@ pub enum MotionError {
         key: usize,
     },
     /// The length of the loop does not hold all keys.
-    #[error("The loop of {period} s ends before the last key, or has no length.")]
+    #[error("The loop of {period} s ends before the last key, or has no length. Make it longer.")]
     Period {
         /// Its length in seconds.
         period: f64,
@@ -118,9 +119,10 @@ impl MotionError {
 /// A time line of one object: where it is, and what its parameters are, at each moment. Each moment is a set of parameters: that
 /// of the shape, conjugated by its place (Darwish & Abd-El-Wahab, section 3.6).
 ///
-/// Shifts and logarithms of scales go straight or along cubics, turns about one axis or along a cubic of turns, and shapes by
-/// [`Morph3`] from key to key. Before the first key and after the last all stays as it is there; in a loop, the last goes on
-/// to the first.
+/// Shifts and logarithms of scales go straight or along monotone cubics, turns about one axis or along a cubic of turns, and shapes
+/// by [`Morph3`] from key to key. Before the first key and after the last all stays as it is there; in a loop, the last goes on
+/// to the first. Where one stands at the beginning of a loop and another at its end, it jumps from the one to the other; where
+/// both say the same, it goes on without a seam.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion3 {
     places: Vec<Key3<Place3>>,
@@ -136,7 +138,7 @@ impl Motion3 {
     pub const MOST_KEYS: usize = 1000;
 
     /// A time line of these keys, in any order; without places the object stays at home. `period` is the length of a loop in
-    /// seconds, from time 0 on, `None` where it does not repeat.
+    /// seconds, from time 0 on, `None` where it does not repeat. Keys may stand at its end.
     ///
     /// # Errors
     /// [`MotionError`] where keys are missing, too many or without times of their own, where shapes that follow each other cannot be
@@ -159,8 +161,13 @@ impl Motion3 {
         for key in &shapes {
             Ifs3::new(key.value.clone())?;
         }
+        if let Some(period) = period {
+            close(&mut places, period);
+            close(&mut shapes, period);
+        }
         let count = shapes.len();
-        let ends = if period.is_some() { count } else { count - 1 };
+        let cut = period.is_some_and(|period| shapes[count - 1].time - shapes[0].time == period);
+        let ends = if period.is_some() && !cut { count } else { count - 1 };
         let morph = |k: usize| {
             Morph3::new(&shapes[k].value, &shapes[(k + 1) % count].value, &MorphOptions::default())
         };
@@ -168,13 +175,13 @@ impl Motion3 {
         Ok(Self { places, shapes, morphs, course, period })
     }
 
-    /// The keys with places, in the order of their times.
+    /// The keys with places, in the order of their times; of a loop without the one at its end that says what its first says.
     #[must_use]
     pub fn places(&self) -> &[Key3<Place3>] {
         &self.places
     }
 
-    /// The keys with shapes, in the order of their times.
+    /// The keys with shapes, as [`Self::places`].
     #[must_use]
     pub fn shapes(&self) -> &[Key3<Vec<Affine3>>] {
         &self.shapes
@@ -195,28 +202,29 @@ impl Motion3 {
         let Some(leg) = self.leg(keys, time) else { return Place3::HOME };
         let [_, from, to, _] = leg.keys;
         let (a, b) = (keys[from].value, keys[to].value);
-        if leg.part == 0.0 {
+        if leg.part == 0.0 || a == b {
             return a;
         }
         if leg.part == 1.0 {
             return b;
         }
-        match self.course {
-            Course::Straight => Place3 {
-                shift: a.shift.lerp(b.shift, leg.part),
-                turn: a.turn.slerp(b.turn, leg.part).normalize(),
-                scale: exp(log(a.scale).lerp(log(b.scale), leg.part)),
-                shear: a.shear.lerp(b.shear, leg.part),
-            },
-            Course::Smooth => {
-                let values = leg.keys.map(|k| keys[k].value);
-                Place3 {
-                    shift: cubic(values.map(|p| p.shift), leg.times, leg.part),
-                    turn: cubic_turn(values.map(|p| p.turn), leg.times, leg.part),
-                    scale: exp(cubic(values.map(|p| log(p.scale)), leg.times, leg.part)),
-                    shear: cubic(values.map(|p| p.shear), leg.times, leg.part),
-                }
-            }
+        let values = leg.keys.map(|k| keys[k].value);
+        let along = |p: [DVec3; 4]| match self.course {
+            Course::Straight => straight(p[1], p[2], leg.part),
+            Course::Smooth => cubic(p, leg.times, leg.part),
+        };
+        let turn = match self.course {
+            Course::Straight if a.turn == b.turn => a.turn,
+            Course::Straight => a.turn.slerp(b.turn, leg.part).normalize(),
+            Course::Smooth => cubic_turn(values.map(|p| p.turn), leg.times, leg.part),
+        };
+        // As factors of the first, so that what is equal stays equal.
+        let scale = a.scale * exp(along(values.map(|p| log(p.scale / a.scale))));
+        Place3 {
+            shift: along(values.map(|p| p.shift)),
+            turn,
+            scale: scale.clamp(a.scale.min(b.scale), a.scale.max(b.scale)),
+            shear: along(values.map(|p| p.shear)),
         }
     }
 
@@ -255,21 +263,32 @@ impl Motion3 {
             let around = [from.saturating_sub(1), from, (from + 1).min(last), (from + 2).min(last)];
             return Some(Leg::new(keys, around, around.map(|k| keys[k].time), time));
         };
-        // Once round: from the first key on.
-        let time = low + (time - low).rem_euclid(period);
-        let time = if time.is_finite() { time } else { low };
+        let time = once_round(time, low, period);
         let from = keys.partition_point(|key| key.time <= time).saturating_sub(1);
-        let around = [(from + last) % count, from, (from + 1) % count, (from + 2) % count];
-        let mut times = around.map(|k| keys[k].time);
-        if from == 0 {
-            times[0] -= period;
-        }
-        for k in [2, 3] {
-            while times[k] <= times[k - 1] {
-                times[k] += period;
-            }
-        }
-        Some(Leg::new(keys, around, times, time))
+        // As often round as it takes, from the loop before on.
+        let around = [from + last, from + count, from + count + 1, from + count + 2];
+        let times = around.map(|k| keys[k % count].time + period * ((k / count) as f64 - 1.0));
+        Some(Leg::new(keys, around.map(|k| k % count), times, time))
+    }
+}
+
+/// The same moment of a loop within one round from `first` on. The end of it is kept: it is not the beginning where a key stands at
+/// both.
+pub(crate) fn once_round(time: f64, first: f64, period: f64) -> f64 {
+    if time == first + period {
+        return time;
+    }
+    let time = first + (time - first).rem_euclid(period);
+    if time.is_finite() { time } else { first }
+}
+
+/// Leaves out a key at the end of a loop that says what the one at its beginning says: it is that one again.
+fn close<T: PartialEq>(keys: &mut Vec<Key3<T>>, period: f64) {
+    if let [first, .., last] = &keys[..]
+        && last.time - first.time == period
+        && last.value == first.value
+    {
+        keys.pop();
     }
 }
 
@@ -309,7 +328,7 @@ fn order<T>(keys: &mut [Key3<T>], period: Option<f64>) -> Result<(), MotionError
         return Err(MotionError::Time { key: key + 1 });
     }
     if let Some(period) = period {
-        let fits = |key: &Key3<T>| (0.0..period).contains(&key.time);
+        let fits = |key: &Key3<T>| (0.0..=period).contains(&key.time);
         if !(period > 0.0 && period < 1e9 && keys.iter().all(fits)) {
             return Err(MotionError::Period { period });
         }
@@ -404,6 +423,46 @@ mod tests {
     }
 
     #[test]
+    fn a_key_at_the_end_of_a_loop_is_reached_and_cut_from() {
+        for course in [Course::Straight, Course::Smooth] {
+            let places = vec![key(0.0, place(0.0, 0.0, 1.0)), key(6.0, place(6.0, 1.0, 4.0))];
+            let shapes = vec![key(0.0, halves(0.5)), key(6.0, halves(0.3))];
+            let motion = Motion3::new(places, shapes, course, Some(6.0)).unwrap();
+            for k in 0..=60 {
+                let part = f64::from(k) / 60.0;
+                let now = motion.place(6.0 * part);
+                // With nothing beyond the ends it is even.
+                assert!((now.shift.x - 6.0 * part).abs() < 1e-9, "{course:?} {part}");
+                assert!(now.turn.dot(DQuat::from_rotation_z(part)) > 1.0 - 1e-12, "{course:?} {part}");
+            }
+            assert_eq!(motion.place(6.0), place(6.0, 1.0, 4.0));
+            assert_eq!(motion.shape(6.0), halves(0.3));
+            assert_eq!(
+                (motion.place(12.0), motion.place(-6.0)),
+                (place(0.0, 0.0, 1.0), place(0.0, 0.0, 1.0))
+            );
+            assert_eq!(motion.shape(12.0), halves(0.5));
+            assert!((motion.place(6.5).shift.x - 0.5).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_loop_that_ends_as_it_begins_has_no_seam() {
+        let round = |last: Option<Place3>| {
+            let values = [place(0.0, 0.0, 1.0), place(3.0, 1.0, 2.0), place(1.0, 2.5, 1.5)];
+            let mut places: Vec<_> = (0..3).map(|k| key(2.0 * f64::from(k), values[k as usize])).collect();
+            places.extend(last.map(|value| key(6.0, value)));
+            Motion3::new(places, vec![key(0.0, halves(0.5))], Course::Smooth, Some(6.0)).unwrap()
+        };
+        let (with, without) = (round(Some(place(0.0, 0.0, 1.0))), round(None));
+        assert!((0..=60).all(|k| with.place(0.1 * f64::from(k)) == without.place(0.1 * f64::from(k))));
+        // As fast behind the seam as before it.
+        let h = 1e-6;
+        let speed = |time: f64| (with.place(time + h).shift - with.place(time - h).shift) / (2.0 * h);
+        assert!(speed(6.0 - 2.0 * h).distance(speed(2.0 * h)) < 1e-4);
+    }
+
+    #[test]
     fn easing_keeps_the_ends() {
         for ease in [Ease::Even, Ease::In, Ease::Out, Ease::InOut, Ease::Hold] {
             assert_eq!((ease.at(0.0), ease.at(1.0)), (0.0, 1.0));
@@ -421,7 +480,8 @@ mod tests {
         assert_eq!(new(&[0.0, 1.0, 0.5], None), Ok(()));
         assert_eq!(new(&[0.0, 1.0, 1.0], None), Err(MotionError::Time { key: 2 }));
         assert_eq!(new(&[f64::NAN], None), Err(MotionError::Time { key: 0 }));
-        assert_eq!(new(&[0.0, 1.0], Some(1.0)), Err(MotionError::Period { period: 1.0 }));
+        assert_eq!(new(&[0.0, 1.0], Some(1.0)), Ok(()));
+        assert_eq!(new(&[0.0, 1.0], Some(0.9)), Err(MotionError::Period { period: 0.9 }));
         assert_eq!(new(&[0.0], Some(0.0)), Err(MotionError::Period { period: 0.0 }));
         assert_eq!(new(&vec![0.0; 1001], None), Err(MotionError::TooManyKeys { count: 1001 }));
         let shapes = |shapes| Motion3::new(Vec::new(), shapes, Course::Straight, None).unwrap_err().code();
