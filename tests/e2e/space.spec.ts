@@ -96,6 +96,13 @@ test("a flight through the natural scene is keyed, exported as a film that plays
   const before = await keys.count();
   await page.getByRole("button", { name: "Set key" }).click();
   await expect(keys).toHaveCount(before + 1);
+  // By the keyboard alone it is made to go to and fro.
+  const after = page.getByRole("button", { name: /^After the end: / });
+  await after.press("Enter");
+  await page.getByRole("menuitem", { name: "Once", exact: true }).press("End");
+  await page.keyboard.press("Enter");
+  await expect(after).toHaveAccessibleName("After the end: to and fro");
+  expect(await packed(studio)).toContain("/time:12,2,");
   await page.getByRole("button", { name: "Play", exact: true }).click();
   await expect(page.getByRole("button", { name: "Pause", exact: true })).toBeVisible();
   await page.getByRole("button", { name: "Pause", exact: true }).click();

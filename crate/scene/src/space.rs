@@ -12,7 +12,7 @@ mod preset;
 mod project;
 
 pub use document::{
-    CourseName, EaseName, MAX_KEYS3, MAX_OBJECTS3, PaintName, Shape3, Space, SpaceKey, SpaceLight,
+    CourseName, EaseName, MAX_KEYS3, MAX_OBJECTS3, PaintName, Repeat, Shape3, Space, SpaceKey, SpaceLight,
     SpaceMorph, SpaceObject, Timeline, natural_objects,
 };
 pub use epsilon::{EpsilonProjection, epsilon_projection};

@@ -626,13 +626,22 @@ export interface SpaceKey {
   t?: number;
 }
 
-/** A time line. Between keys a transform goes by its polar factors, its turn as a quaternion. */
+/** What comes after the end of a time line: nothing, its beginning, or the way back to that. */
+export type Repeat = "once" | "round" | "pingpong";
+
+/**
+ * A time line. Between keys a transform goes by its polar factors, its turn as a quaternion. Nothing goes beyond two keys between
+ * them: each number stays between theirs, and a turn within a sixth of its angle of the shortest arc.
+ */
 export interface SpaceTimeline {
   /** How long it is: 0.1 to 600. */
   seconds: number;
-  /** Whether the last key goes on to the first. */
-  loop: boolean;
-  /** Straight from key to key, or without a corner at the keys. */
+  /**
+   * "round": the last key goes on to the first, and one at the very end jumps there, unless it says the same. Of older documents
+   * `true` is read as "round", `false` as "once".
+   */
+  loop: Repeat;
+  /** Straight from key to key, or without a jerk at the keys. */
   course: "straight" | "smooth";
   /** In the order of their times, at most 100. */
   keys: SpaceKey[];

@@ -32,7 +32,7 @@ type Options = { gesture?: string; own?: boolean };
 
 /** Keys within this many seconds are one. */
 export const NEAR = 0.02;
-export const EMPTY_LINE: SpaceTimeline = { seconds: 6, loop: true, course: "smooth", keys: [] };
+export const EMPTY_LINE: SpaceTimeline = { seconds: 6, loop: "round", course: "smooth", keys: [] };
 
 /** As `editSpace`, where nobody else says why it could not be done. Whether it was. */
 export function changeSpace(change: (space: Space) => Space, options: Options = {}): boolean {

@@ -1,7 +1,7 @@
 //! What there is in space.
 
 use frond_core::{Affine3, Course, Ease, Ifs3, IfsError, MAX_MAPS, MorphOptions};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::scene::{ModeName, Path};
 use crate::space::natural::natural_scene;
@@ -216,7 +216,7 @@ pub enum CourseName {
     /// Straight.
     #[default]
     Straight,
-    /// Without a corner at the keys.
+    /// Without a jerk at the keys.
     Smooth,
 }
 
@@ -227,6 +227,34 @@ impl From<CourseName> for Course {
             CourseName::Smooth => Self::Smooth,
         }
     }
+}
+
+/// What comes after the end of a time line.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Repeat {
+    /// Nothing.
+    #[default]
+    Once,
+    /// Its beginning: the last key goes on to the first, or jumps there from the end.
+    Round,
+    /// The way back to its beginning, and so on.
+    PingPong,
+}
+
+/// Older documents say whether it goes round.
+pub(super) fn read_repeat<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Repeat, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(untagged, expecting = "`loop` is \"once\", \"round\" or \"pingpong\"")]
+    enum Written {
+        Older(bool),
+        Name(Repeat),
+    }
+    Written::deserialize(deserializer).map(|written| match written {
+        Written::Older(false) => Repeat::Once,
+        Written::Older(true) => Repeat::Round,
+        Written::Name(repeat) => repeat,
+    })
 }
 
 /// All that is, at one moment; what is absent goes on as if there were no key here.
@@ -256,9 +284,9 @@ pub struct SpaceKey {
 pub struct Timeline {
     /// How long it is, in seconds.
     pub seconds: f64,
-    /// Whether the last key goes on to the first.
-    #[serde(rename = "loop")]
-    pub repeats: bool,
+    /// What comes after its end.
+    #[serde(rename = "loop", deserialize_with = "read_repeat")]
+    pub repeat: Repeat,
     /// The way from key to key.
     pub course: CourseName,
     /// In the order of their times.

@@ -6,7 +6,7 @@ use frond_core::{
 use glam::{DQuat, DVec3};
 use thiserror::Error;
 
-use crate::space::document::{Space, SpaceKey, SpaceObject, affine, system};
+use crate::space::document::{Repeat, Space, SpaceKey, SpaceObject, affine, system};
 use crate::space::part::SpaceView;
 use crate::space::preset::Row3;
 
@@ -97,14 +97,16 @@ pub struct Moment {
 
 /// A [`Space`] that can be asked for any moment.
 ///
-/// Transforms go from key to key by their polar factors: shifts and the logarithms of stretches straight or along cubics, turns as
-/// quaternions ([`Motion3`]); shapes by [`Morph3`]. Where an object has no key it stays what it is. In a loop, keys at its
-/// end or beyond wait.
+/// Transforms go from key to key by their polar factors: shifts and the logarithms of stretches straight or along monotone cubics,
+/// turns as quaternions ([`Motion3`]); shapes by [`Morph3`]. Where an object has no key it stays what it is. In a loop, keys
+/// beyond its end wait; from one at its end it jumps to one at its beginning, unless both say the same.
 #[derive(Clone, Debug)]
 pub struct Film {
     actors: Vec<Actor>,
     morph: Option<Change>,
     view: Option<Flight>,
+    /// After how many seconds it goes back, where it goes to and fro.
+    back: Option<f64>,
 }
 
 /// Where it is seen from.
@@ -122,7 +124,10 @@ impl Flight {
     fn at(&self, time: f64) -> SpaceView {
         let place = self.places.place(time);
         let time = match self.round {
-            Some([first, period]) if time.is_finite() => first + (time - first).rem_euclid(period),
+            // The end of a loop is not its beginning where a key stands at both.
+            Some([first, period]) if time.is_finite() && time != first + period => {
+                first + (time - first).rem_euclid(period)
+            }
             _ => time,
         };
         let angles = self.angles.place(time).shift;
@@ -201,9 +206,10 @@ impl Film {
         let line = space.timeline.as_ref();
         let joined = Joined {
             course: line.map_or(Course::Straight, |line| line.course.into()),
-            period: line.and_then(|line| line.repeats.then_some(line.seconds)),
+            period: line.filter(|line| line.repeat == Repeat::Round).map(|line| line.seconds),
         };
-        let counts = |key: &&SpaceKey| joined.period.is_none_or(|period| key.at < period);
+        let back = line.filter(|line| line.repeat == Repeat::PingPong).map(|line| line.seconds);
+        let counts = |key: &&SpaceKey| joined.period.is_none_or(|period| key.at <= period);
         let keys: Vec<&SpaceKey> = line.map_or(Vec::new(), |line| line.keys.iter().filter(counts).collect());
         let actors = space
             .objects
@@ -222,7 +228,7 @@ impl Film {
             let times = joined.places(&keys, time, FilmError::Keys)?;
             Ok::<_, FilmError>(Change { family, path, t: morph.t, times })
         });
-        Ok(Self { morph: morph.transpose()?, view: view_of(&keys, joined)?, actors })
+        Ok(Self { morph: morph.transpose()?, view: view_of(&keys, joined)?, actors, back })
     }
 
     /// All that is at a time, in seconds; NaN counts as 0.
@@ -230,6 +236,13 @@ impl Film {
     /// # Errors
     /// [`FilmError`] where a moment between keys has no attractor, or a place cannot be undone.
     pub fn at(&self, time: f64) -> Result<Moment, FilmError> {
+        let time = match self.back {
+            Some(back) if time.is_finite() => {
+                let time = time.rem_euclid(2.0 * back);
+                if time > back { 2.0 * back - time } else { time }
+            }
+            _ => time,
+        };
         let t = self.morph.as_ref().map(|morph| {
             morph.times.as_ref().map_or(morph.t, |times| times.place(time).shift.x.clamp(0.0, 1.0))
         });
@@ -280,18 +293,26 @@ fn view_of(keys: &[&SpaceKey], joined: Joined) -> Result<Option<Flight>, FilmErr
     if let (Some(period), [first, ..], [.., last]) = (joined.period, &turns[..], &turns[..]) {
         round = Some([first.0, period]);
         let turned = near(first.1, last.1) - first.1;
-        // The keys around the seam once more, a loop earlier and later.
-        let again = |key: &Key3<Place3>, loops: f64| Key3 {
-            time: key.time + loops * period,
-            ease: key.ease,
-            value: shifted(key.value.shift + DVec3::X * turned * loops),
-        };
-        let count = angles.len();
-        let before = again(&angles[count - 1], -1.0);
-        let after = [again(&angles[0], 1.0), again(&angles[1 % count], 1.0)];
-        angles.insert(0, before);
-        angles.extend(after);
-        angles.dedup_by(|a, b| a.time == b.time);
+        let cut = last.0 - first.0 == period;
+        // One at the end that looks as the one at the beginning, if a whole turn further, is that one again.
+        let off = angles[angles.len() - 1].value.shift - angles[0].value.shift - DVec3::X * turned;
+        if cut && off.abs().max_element() < 1e-9 {
+            angles.pop();
+        }
+        if !cut || angles.len() < turns.len() {
+            // The keys around the seam once more, a loop earlier and later.
+            let again = |key: &Key3<Place3>, loops: f64| Key3 {
+                time: key.time + loops * period,
+                ease: key.ease,
+                value: shifted(key.value.shift + DVec3::X * turned * loops),
+            };
+            let count = angles.len();
+            let before = again(&angles[count - 1], -1.0);
+            let after = [again(&angles[0], 1.0), again(&angles[1 % count], 1.0)];
+            angles.insert(0, before);
+            angles.extend(after);
+            angles.dedup_by(|a, b| a.time == b.time);
+        }
     }
     if angles.is_empty() {
         return Ok(None);

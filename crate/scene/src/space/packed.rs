@@ -16,8 +16,8 @@ use thiserror::Error;
 use crate::link::words::{escape, number, numbers, tidy, unescape};
 use crate::scene::{MAX_WAY_POINTS, ModeName, Path, PathKind, WayPoint};
 use crate::space::document::{
-    CourseName, EaseName, MAX_KEYS3, MAX_OBJECTS3, PAGE, PaintName, Shape3, Space, SpaceKey, SpaceLight,
-    SpaceMorph, SpaceObject, Timeline,
+    CourseName, EaseName, MAX_KEYS3, MAX_OBJECTS3, PAGE, PaintName, Repeat, Shape3, Space, SpaceKey,
+    SpaceLight, SpaceMorph, SpaceObject, Timeline,
 };
 use crate::space::part::{Held, SpaceView};
 use crate::space::preset::Row3;
@@ -38,6 +38,8 @@ const EASES: [(&str, EaseName); 5] = [
     ("hold", EaseName::Hold),
 ];
 const COURSES: [(&str, CourseName); 2] = [("straight", CourseName::Straight), ("smooth", CourseName::Smooth)];
+/// The first two are older than the third.
+const REPEATS: [(&str, Repeat); 3] = [("0", Repeat::Once), ("1", Repeat::Round), ("2", Repeat::PingPong)];
 const KINDS: [(&str, PathKind); 3] =
     [("auto", PathKind::Auto), ("straight", PathKind::Straight), ("drawn", PathKind::Drawn)];
 
@@ -137,8 +139,8 @@ pub fn pack(space: &Space) -> Result<String, PackedError> {
         write_morph(&mut word, morph);
     }
     if let Some(line) = &space.timeline {
-        let (repeats, course) = (u8::from(line.repeats), name_of(&COURSES, &line.course));
-        let _ = write!(word, "/time:{},{repeats},{course}", number(line.seconds));
+        let (repeat, course) = (name_of(&REPEATS, &line.repeat), name_of(&COURSES, &line.course));
+        let _ = write!(word, "/time:{},{repeat},{course}", number(line.seconds));
         for key in &line.keys {
             write_key(&mut word, key);
         }
@@ -345,9 +347,9 @@ fn read_choice(morph: &mut SpaceMorph, key: &str, text: &str) -> Option<()> {
 fn read_line(text: &str) -> Option<Timeline> {
     let mut parts = text.split(',');
     let seconds = parts.next()?.parse().ok()?;
-    let repeats = choice(&[("0", false), ("1", true)], parts.next()?)?;
+    let repeat = choice(&REPEATS, parts.next()?)?;
     let course = choice(&COURSES, parts.next()?)?;
-    Some(Timeline { seconds, repeats, course, keys: Vec::new() })
+    Some(Timeline { seconds, repeat, course, keys: Vec::new() })
 }
 
 fn read_key(text: &str) -> Option<SpaceKey> {

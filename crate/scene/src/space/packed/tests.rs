@@ -1,9 +1,11 @@
 //! Tests of the word of a space.
 
 use proptest::prelude::*;
+use serde::de::IntoDeserializer;
+use serde::de::value::Error as ValueError;
 
 use super::*;
-use crate::space::document::natural_objects;
+use crate::space::document::{natural_objects, read_repeat};
 
 fn any_row() -> impl Strategy<Value = Row3> {
     let number = prop_oneof![6 => -0.28..0.28_f64, 1 => Just(0.0), 1 => Just(-0.0), 1 => Just(1e-300)];
@@ -78,10 +80,10 @@ fn any_space() -> impl Strategy<Value = Space> {
             t,
         });
     let line =
-        proptest::option::of((0.1..600.0_f64, any::<bool>(), proptest::collection::vec(key, 0..5)).prop_map(
-            |(seconds, repeats, keys)| {
-                let course = if repeats { CourseName::Smooth } else { CourseName::Straight };
-                Timeline { seconds, repeats, course, keys }
+        proptest::option::of((0.1..600.0_f64, 0..3_usize, proptest::collection::vec(key, 0..5)).prop_map(
+            |(seconds, repeat, keys)| {
+                let course = if repeat == 1 { CourseName::Smooth } else { CourseName::Straight };
+                Timeline { seconds, repeat: REPEATS[repeat].1, course, keys }
             },
         ));
     let background = proptest::option::of(prop_oneof![Just("#0e1015".to_owned()), Just(PAGE.to_owned())]);
@@ -138,6 +140,25 @@ fn the_background_is_part_of_the_word_and_older_words_have_none() {
 }
 
 #[test]
+fn links_of_before_to_and_fro_open_as_they_were() {
+    let line =
+        |word: &str| unpack(&format!("o:sponge/time:{word}/k:0,even/k:6,even")).unwrap().timeline.unwrap();
+    assert_eq!(
+        ["6,0,smooth", "6,1,straight", "6,2,smooth"].map(|word| line(word).repeat),
+        [Repeat::Once, Repeat::Round, Repeat::PingPong]
+    );
+    // And so do documents that other programs keep.
+    let older = |round: bool| read_repeat(IntoDeserializer::<ValueError>::into_deserializer(round)).unwrap();
+    assert_eq!([older(false), older(true)], [Repeat::Once, Repeat::Round]);
+    let named = |name: &'static str| read_repeat(IntoDeserializer::<ValueError>::into_deserializer(name));
+    assert_eq!(
+        ["once", "round", "pingpong"].map(|name| named(name).unwrap()),
+        [Repeat::Once, Repeat::Round, Repeat::PingPong]
+    );
+    assert!(named("twice").unwrap_err().to_string().contains("pingpong"));
+}
+
+#[test]
 fn damage_is_told() {
     let many = "o:sponge/".repeat(61);
     for (word, code) in [
@@ -150,6 +171,7 @@ fn damage_is_told() {
         ("o:sponge/l:map,0,2,0,0,0", "space-number"),
         ("o:sponge/time:0,1,smooth", "space-number"),
         ("o:sponge/time:1e9,1,smooth", "space-number"),
+        ("o:sponge/time:6,3,smooth", "space-damaged"),
         ("o:sponge/k:0,even", "space-damaged"),
         ("o:sponge/to:dust/match:1,1", "space-number"),
         ("o:sponge/time:6,1,smooth/k:0,even~v0,0,0,-1,0,0,1", "space-damaged"),

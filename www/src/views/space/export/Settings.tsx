@@ -1,16 +1,18 @@
 import { useEffect, useMemo } from "preact/hooks";
+import type { Repeat } from "../../../engine/api";
 import { timeline } from "../../../state/space";
 import { Button } from "../../../ui/Button";
 import { NumberField } from "../../../ui/NumberField";
 import { Segmented } from "../../../ui/Segmented";
 import { Switch } from "../../../ui/Switch";
-import { secondsWords } from "../time/words";
+import { loopOf, secondsWords } from "../time/words";
 import { parametersBytes, secondsFor, usePreview } from "./estimate";
 import { make } from "./job";
 import { Picture } from "./Picture";
 import {
   bytesWords,
   filmBytes,
+  filmSeconds,
   frameCount,
   grouped,
   isFilm,
@@ -23,7 +25,7 @@ import {
   planProblem,
   timeWords,
 } from "./plan";
-import { able, askAble, choose, chooseAll, plan, round, SIZES } from "./settings";
+import { able, askAble, choose, chooseAll, framesGo, loop, plan, SIZES } from "./settings";
 
 const JSON_KINDS = [
   { value: "frames", label: "Every frame", description: "The parameters of each frame, for other programs" },
@@ -42,7 +44,7 @@ export function Settings() {
   // biome-ignore lint/correctness/useExhaustiveDependencies: what can be written depends on the size
   useEffect(() => void askAble(), [width, height, fps]);
   const preview = usePreview(now);
-  const problem = planProblem(now, round.value) ?? preview.problem;
+  const problem = planProblem(now, framesGo.value) ?? preview.problem;
   const film = isFilm(now.kind);
   return (
     <div class="export-sheet">
@@ -58,18 +60,13 @@ export function Settings() {
       )}
       <footer class="export-foot">
         {problem === null ? (
-          <Estimate of={now} loops={round.value} cost={preview.cost} lit={preview.lit} />
+          <Estimate of={now} go={framesGo.value} cost={preview.cost} lit={preview.lit} />
         ) : (
           <p class="export-problem" role="status">
             {problem}
           </p>
         )}
-        <Button
-          kind="primary"
-          icon="save"
-          disabled={problem !== null}
-          onClick={() => void make(now, round.value)}
-        >
+        <Button kind="primary" icon="save" disabled={problem !== null} onClick={() => void make(now)}>
           {film ? "Make the film" : "Save"}
         </Button>
       </footer>
@@ -254,23 +251,23 @@ function Part({ of }: { of: Plan }) {
 
 interface EstimateProps {
   of: Plan;
-  loops: boolean;
+  go: Repeat;
   cost: number | null;
   lit: number;
 }
 
-function Estimate({ of, loops, cost, lit }: EstimateProps) {
+function Estimate({ of, go, cost, lit }: EstimateProps) {
   const bytes = useMemo(() => {
-    if (isFilm(of.kind)) return filmBytes(of, loops, lit);
-    return of.kind === "frames" ? parametersBytes(of, loops) : null;
-  }, [of, loops, lit]);
+    if (isFilm(of.kind)) return filmBytes(of, go, lit);
+    return of.kind === "frames" ? parametersBytes(of, go) : null;
+  }, [of, go, lit]);
   if (of.kind === "keys") return <p class="hint">A small file.</p>;
-  const count = frameCount(of, loops);
+  const count = frameCount(of, go);
   const parts = [
-    `${grouped(count)} ${count === 1 ? "frame" : "frames"}, ${secondsWords(of.to - of.from)}${loops ? ", round and round" : ""}`,
+    `${grouped(count)} ${count === 1 ? "frame" : "frames"}, ${secondsWords(filmSeconds(of, go))}${go === "once" ? "" : `, ${loopOf(loop.value)?.label.toLowerCase()}`}`,
     ...(bytes === null ? [] : [`about ${bytesWords(bytes)}`]),
     ...(isFilm(of.kind) && cost !== null
-      ? [`about ${timeWords(secondsFor(of, loops, cost))} on this device`]
+      ? [`about ${timeWords(secondsFor(of, go, cost))} on this device`]
       : []),
   ];
   return <p class="hint number">{parts.join(" · ")}</p>;

@@ -1,6 +1,6 @@
 /** How much it will be, measured on this device. */
 import { useEffect, useState } from "preact/hooks";
-import type { Space } from "../../../engine/api";
+import type { Repeat, Space } from "../../../engine/api";
 import { spaceTask } from "../../../engine/space/client";
 import { painters } from "../../../engine/space/film/crew";
 import { Frames, frameRecord } from "../../../engine/space/film/frames";
@@ -77,16 +77,16 @@ function leastCost(scene: Space, cost: number): number {
 }
 
 /** About how many seconds all frames take. */
-export function secondsFor(plan: Plan, round: boolean, cost: number): number {
+export function secondsFor(plan: Plan, loop: Repeat, cost: number): number {
   const carved = plan.width * plan.height * (plan.smooth ? 4 : 1);
   // Colouring and writing take about as long again as a picture that is easily carved.
   const each = 0.7 * cost * carved + plan.width * plan.height * 4e-5;
   const hands = painters(carved, navigator.hardwareConcurrency);
-  return (each * frameCount(plan, round)) / hands / 1000;
+  return (each * frameCount(plan, loop)) / hands / 1000;
 }
 
 /** How many bytes the parameters of all frames are, from some of them; null where they cannot be told. */
-export function parametersBytes(plan: Plan, round: boolean): number | null {
+export function parametersBytes(plan: Plan, loop: Repeat): number | null {
   const scene = space.peek();
   const view = spaceView.peek();
   if (!scene || !view) return null;
@@ -96,7 +96,7 @@ export function parametersBytes(plan: Plan, round: boolean): number | null {
     const tried = [0, 0.21, 0.43, 0.68, 1].map((part) => plan.from + part * (plan.to - plan.from));
     let bytes = 0;
     for (const time of tried) bytes += JSON.stringify(frameRecord(scene, time, frames.at(time), view)).length;
-    return (bytes / tried.length + 2) * frameCount(plan, round) + 40;
+    return (bytes / tried.length + 2) * frameCount(plan, loop) + 40;
   } catch {
     return null;
   } finally {

@@ -8,6 +8,7 @@ import { colours, ground } from "../stage/sight";
 import { exportOpen, exportProgress, openExport } from "../time/exporting";
 import { savedText } from "../time/saved";
 import { bitrateOf, bytesWords, fileName, isFilm, type Plan, secondsLeft, timesOf } from "./plan";
+import { framesGo } from "./settings";
 
 export interface Job {
   plan: Plan;
@@ -37,7 +38,7 @@ export const made: ReadonlySignal<Made | null> = finished;
 let stop: AbortController | null = null;
 
 /** Makes it, and saves it. */
-export async function make(plan: Plan, round: boolean): Promise<void> {
+export async function make(plan: Plan): Promise<void> {
   const scene = space.peek();
   const view = spaceView.peek();
   if (running.peek() || !scene || !view) return;
@@ -48,7 +49,7 @@ export async function make(plan: Plan, round: boolean): Promise<void> {
     finish({ plan, name, frames: 0 }, { bytes, type: "application/json", missing: 0 });
     return;
   }
-  const times = timesOf(plan, round);
+  const times = timesOf(plan, framesGo.peek());
   const began = performance.now();
   const ending = new AbortController();
   stop = ending;

@@ -5,6 +5,7 @@ import {
   even,
   fileName,
   filmBytes,
+  filmSeconds,
   frameCount,
   grouped,
   litPart,
@@ -27,44 +28,54 @@ const plan: Plan = {
 };
 
 describe("frames", () => {
-  it("have the last moment, but not where it is the first", () => {
-    expect(frameCount(plan, false)).toBe(61);
-    expect(frameCount(plan, true)).toBe(60);
-    expect(timesOf({ from: 1, to: 1.2, fps: 10 }, false)).toEqual([1, 1.1, 1.2]);
-    expect(timesOf({ from: 1, to: 1.2, fps: 10 }, true)).toEqual([1, 1.1]);
-    expect(timesOf({ from: 0, to: 0.01, fps: 10 }, true)).toEqual([0]);
+  it("are as many as there are in the time of the film", () => {
+    for (const loop of ["once", "round"] as const) expect(frameCount(plan, loop)).toBe(60);
+    expect([filmSeconds(plan, "pingpong"), frameCount(plan, "pingpong")]).toEqual([4, 120]);
+    for (const loop of ["once", "round", "pingpong"] as const) {
+      expect(timesOf(plan, loop)).toHaveLength(frameCount(plan, loop));
+      expect(timesOf({ from: 0, to: 0.01, fps: 10 }, loop)).toEqual([0]);
+    }
   });
 
-  it("are evenly spaced, and never beyond the end", () => {
-    const times = timesOf({ from: 0, to: 7, fps: 24 }, false);
-    expect(Math.max(...times)).toBe(7);
+  it("end with the end, where it ends there", () => {
+    const times = timesOf({ from: 1, to: 7.1, fps: 24 }, "once");
+    expect([times.length, times[0], times.at(-1)]).toEqual([146, 1, 7.1]);
     times.forEach((time, i) => {
-      expect(time).toBeCloseTo(i / 24, 9);
+      expect(time).toBeCloseTo(1 + (6.1 * i) / 145, 9);
     });
   });
 
+  it("do not show the first again, where it goes round", () => {
+    const times = timesOf({ from: 0, to: 6, fps: 30 }, "round");
+    expect(times).toEqual(Array.from({ length: 180 }, (_, i) => i / 30));
+  });
+
+  it("show each moment there and back, where it goes to and fro", () => {
+    expect(timesOf({ from: 1, to: 3, fps: 2 }, "pingpong")).toEqual([1, 1.5, 2, 2.5, 3, 2.5, 2, 1.5]);
+  });
+
   it("are refused in words where there are too many", () => {
-    expect(planProblem({ ...plan, to: 100_000 / 30 }, true)).toContain("100,000 frames are too many");
-    expect(planProblem({ ...plan, to: 120 }, true)).toBeNull();
-    expect(planProblem({ ...plan, to: 120 }, false)).toContain("3,601");
-    expect(planProblem({ ...plan, kind: "frames", to: 600 }, true)).toContain("at most 120 s");
+    expect(planProblem({ ...plan, to: 100_000 / 30 }, "round")).toContain("100,000 frames are too many");
+    expect(planProblem({ ...plan, to: 120 }, "round")).toBeNull();
+    expect(planProblem({ ...plan, to: 120 }, "pingpong")).toContain("at most 60 s");
+    expect(planProblem({ ...plan, kind: "frames", to: 600 }, "round")).toContain("at most 120 s");
   });
 });
 
 describe("a plan", () => {
   it("is refused where it is none", () => {
-    expect(planProblem(plan, false)).toBeNull();
-    expect(planProblem({ ...plan, to: 0 }, false)).toContain("later end");
-    expect(planProblem({ ...plan, to: Number.NaN }, false)).toContain("later end");
-    expect(planProblem({ ...plan, fps: 61 }, false)).toContain("10 to 60");
-    expect(planProblem({ ...plan, fps: 9 }, false)).toContain("10 to 60");
-    expect(planProblem({ ...plan, kind: "gif", fps: 60 }, false)).toContain("at most 50");
-    expect(planProblem({ ...plan, kind: "gif", fps: 50 }, false)).toBeNull();
+    expect(planProblem(plan, "once")).toBeNull();
+    expect(planProblem({ ...plan, to: 0 }, "once")).toContain("later end");
+    expect(planProblem({ ...plan, to: Number.NaN }, "once")).toContain("later end");
+    expect(planProblem({ ...plan, fps: 61 }, "once")).toContain("10 to 60");
+    expect(planProblem({ ...plan, fps: 9 }, "once")).toContain("10 to 60");
+    expect(planProblem({ ...plan, kind: "gif", fps: 60 }, "once")).toContain("at most 50");
+    expect(planProblem({ ...plan, kind: "gif", fps: 50 }, "once")).toBeNull();
     for (const width of [14, 3842, 101])
-      expect(planProblem({ ...plan, width }, false)).toContain("16 to 3,840");
+      expect(planProblem({ ...plan, width }, "once")).toContain("16 to 3,840");
     // Numbers have no size, and keys no frames.
-    expect(planProblem({ ...plan, kind: "frames", width: 101 }, false)).toBeNull();
-    expect(planProblem({ ...plan, kind: "keys", to: 0 }, false)).toBeNull();
+    expect(planProblem({ ...plan, kind: "frames", width: 101 }, "once")).toBeNull();
+    expect(planProblem({ ...plan, kind: "keys", to: 0 }, "once")).toBeNull();
   });
 
   it("has even sides", () => {
@@ -74,8 +85,8 @@ describe("a plan", () => {
   it("says about how large it will be", () => {
     expect(bitrateOf(plan)).toBe(Math.round(1280 * 720 * 30 * 0.2));
     expect(bitrateOf({ ...plan, width: 16, height: 16 })).toBe(300e3);
-    expect(filmBytes({ ...plan, quality: "best" }, true)).toBeGreaterThan(2 * filmBytes(plan, true));
-    const gif = (lit: number) => filmBytes({ ...plan, kind: "gif" }, true, lit);
+    expect(filmBytes({ ...plan, quality: "best" }, "round")).toBeGreaterThan(2 * filmBytes(plan, "round"));
+    const gif = (lit: number) => filmBytes({ ...plan, kind: "gif" }, "round", lit);
     expect(gif(0.5)).toBeGreaterThan(1e6);
     expect(gif(0.1)).toBeLessThan(0.3 * gif(0.5));
     const pixels = Uint8ClampedArray.of(9, 9, 9, 255, 1, 2, 3, 0, 1, 2, 3, 255, 9, 9, 8, 255);

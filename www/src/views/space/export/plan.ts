@@ -1,4 +1,5 @@
 /** What is to be exported: which moments, how large, and how much that will be. Pure, for the tests. */
+import type { Repeat } from "../../../engine/api";
 import { MOST_GIF_FPS } from "../../../engine/space/film/gif";
 import { formatNumber } from "../../../ui/number";
 
@@ -30,24 +31,34 @@ export const isFilm = (kind: Kind): kind is "mp4" | "webm" | "gif" => kind !== "
 /** Codecs halve the sides for colours. */
 export const even = (side: number): number => 2 * Math.round(side / 2);
 
-/**
- * How many frames it has. One that goes round and round leaves out its end, which is its beginning; another has the last
- * moment, too.
- */
-export function frameCount({ from, to, fps }: Pick<Plan, "from" | "to" | "fps">, round: boolean): number {
-  const steps = Math.max(0, Math.round((to - from) * fps));
-  return round ? Math.max(1, steps) : steps + 1;
+type Part = Pick<Plan, "from" | "to" | "fps">;
+
+/** How many seconds a film of it has: there and back where it goes to and fro. */
+export const filmSeconds = ({ from, to }: Pick<Plan, "from" | "to">, loop: Repeat): number =>
+  (loop === "pingpong" ? 2 : 1) * (to - from);
+
+/** How many frames it has: as many a second as were asked for. */
+export function frameCount(plan: Part, loop: Repeat): number {
+  return Math.max(1, Math.round(filmSeconds(plan, loop) * plan.fps));
 }
 
-/** The moments of its frames. Ask `planProblem` first. */
-export function timesOf(plan: Pick<Plan, "from" | "to" | "fps">, round: boolean): number[] {
-  return Array.from({ length: frameCount(plan, round) }, (_, i) =>
-    Math.min(plan.to, plan.from + i / plan.fps),
-  );
+/**
+ * The moments of its frames, evenly spaced. Where it goes round, or to and fro, a frame more would be the first again. Where it ends,
+ * its last frame shows the end.
+ */
+export function timesOf(plan: Part, loop: Repeat): number[] {
+  const { from, to } = plan;
+  const count = frameCount(plan, loop);
+  const all = filmSeconds(plan, loop);
+  return Array.from({ length: count }, (_, i) => {
+    if (loop === "once") return i > 0 && i === count - 1 ? to : from + (i * all) / Math.max(1, count - 1);
+    const gone = (i * all) / count;
+    return gone <= to - from ? from + gone : from + all - gone;
+  });
 }
 
 /** Why it cannot be made, in words that say what to do; null where it can. */
-export function planProblem(plan: Plan, round: boolean): string | null {
+export function planProblem(plan: Plan, loop: Repeat): string | null {
   const { kind, width, height, fps, from, to } = plan;
   if (kind === "keys") return null;
   if (![fps, from, to].every(Number.isFinite) || !(to > from)) {
@@ -58,9 +69,9 @@ export function planProblem(plan: Plan, round: boolean): string | null {
       ? `A GIF shows at most ${MOST_GIF_FPS} frames a second. Choose fewer.`
       : `Choose ${LEAST_FPS} to ${mostFps(kind)} frames a second.`;
   }
-  const count = frameCount(plan, round);
+  const count = frameCount(plan, loop);
   if (count > MOST_FRAMES) {
-    const seconds = Math.floor(MOST_FRAMES / fps);
+    const seconds = Math.floor(MOST_FRAMES / fps / (loop === "pingpong" ? 2 : 1));
     return `${grouped(count)} frames are too many: ${grouped(MOST_FRAMES)} is the most. Choose fewer frames a second, or at most ${seconds} s.`;
   }
   if (!isFilm(kind)) return null;
@@ -93,8 +104,8 @@ export function litPart(pixels: Uint8ClampedArray, ground: readonly number[]): n
 const GIF_BYTES = 0.6;
 
 /** About how many bytes a film has; `lit` is the part of a frame that shows something. What a GIF takes depends on what moves. */
-export function filmBytes(plan: Plan, round: boolean, lit = 0.5): number {
-  const count = frameCount(plan, round);
+export function filmBytes(plan: Plan, loop: Repeat, lit = 0.5): number {
+  const count = frameCount(plan, loop);
   if (plan.kind === "gif") return 800 + (GIF_BYTES * lit + 0.003) * plan.width * plan.height * count;
   return (bitrateOf(plan) / 8) * (count / plan.fps) + 2000;
 }

@@ -1,5 +1,6 @@
 /** What was chosen last stays for the visit. */
 import { computed, signal } from "@preact/signals";
+import type { Repeat } from "../../../engine/api";
 import { spaceTask } from "../../../engine/space/client";
 import type { Encodable } from "../../../engine/space/tasks/export";
 import { timeline } from "../../../state/space";
@@ -34,11 +35,18 @@ export const plan = computed<Plan>(() => {
   return { ...chosen.value, from: Math.min(from, seconds), to: Math.min(to, seconds) };
 });
 
-/** Whether the film ends where it begins, and can go round without a jerk. */
-export const round = computed(() => {
+/** What comes after the end of what is exported: a part of a loop does not go round. */
+export const loop = computed<Repeat>(() => {
   const line = timeline.value;
-  return line?.loop === true && plan.value.from === 0 && plan.value.to === line.seconds;
+  const { from, to } = plan.value;
+  const part = from !== 0 || to !== line?.seconds;
+  return line?.loop === "round" && part ? "once" : (line?.loop ?? "once");
 });
+
+/** How its frames go. On the way back, numbers would be the same once more. */
+export const framesGo = computed<Repeat>(() =>
+  plan.value.kind === "frames" && loop.value === "pingpong" ? "once" : loop.value,
+);
 
 export function choose(change: Partial<Plan>): void {
   const { from, to, width, height, ...rest } = change;

@@ -45,7 +45,7 @@ describe("leading the first object to a shape", () => {
   it("takes what keys said of its maps, and of no others", () => {
     const timeline = {
       seconds: 4,
-      loop: true,
+      loop: "round" as const,
       course: "smooth" as const,
       keys: [
         { at: 0, ease: "even" as const, maps: [A.maps, null] },
@@ -57,7 +57,7 @@ describe("leading the first object to a shape", () => {
   });
 
   it("can begin with two shapes alone", () => {
-    const timeline = { seconds: 4, loop: true, course: "smooth" as const, keys: [] };
+    const timeline = { seconds: 4, loop: "round" as const, course: "smooth" as const, keys: [] };
     const after = startingWith({ ...plain, timeline }, B, A, [0, 1, 2]);
     expect(after.objects).toEqual([B]);
     expect(after).not.toHaveProperty("timeline");
@@ -111,7 +111,7 @@ describe("the other way round", () => {
   it("turns what keys say of it, too", () => {
     const timeline = {
       seconds: 4,
-      loop: true,
+      loop: "round" as const,
       course: "smooth" as const,
       keys: [{ at: 0, ease: "even" as const, t: 0.1 }],
     };

@@ -19,7 +19,7 @@ const moving: Space = {
   morph: { to: { name: "Three", maps: [third, half] }, path: { kind: "straight", points: [] }, t: 0.5 },
   timeline: {
     seconds: 6,
-    loop: true,
+    loop: "round",
     course: "smooth",
     keys: [
       { at: 0, ease: "inout", moved: [half, third], t: 0 },

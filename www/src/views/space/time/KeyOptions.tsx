@@ -3,7 +3,7 @@ import { lookingAround, space, timeline } from "../../../state/space";
 import { changeTimeline } from "../../../state/space-edits";
 import { Button, IconButton } from "../../../ui/Button";
 import { NumberField } from "../../../ui/NumberField";
-import { lastMoment, MOST_KEYS, withKeyAt } from "./changes";
+import { MOST_KEYS, withKeyAt } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";
 import { EaseMenu } from "./EaseMenu";
 import { keyHere } from "./KeyTrack";
@@ -23,7 +23,7 @@ export function KeyOptions({ problems }: Problems) {
         label={`Key ${here + 1} of ${line.keys.length}`}
         value={key.at}
         min={0}
-        max={lastMoment(line)}
+        max={line.seconds}
         step={0.1}
         digits={2}
         unit="s"

@@ -1,9 +1,8 @@
 import { endGesture } from "../../../state/scene";
 import { moment, space, timeline } from "../../../state/space";
 import { changeTimeline, EMPTY_LINE } from "../../../state/space-edits";
-import { IconButton } from "../../../ui/Button";
 import { NumberField, type NumberFieldProps } from "../../../ui/NumberField";
-import { LONGEST, SHORTEST, secondsProblem, withLoop, withSeconds } from "./changes";
+import { LONGEST, SHORTEST, secondsProblem, withSeconds } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";
 import { attempt } from "./keys";
 
@@ -12,7 +11,7 @@ export interface Problems {
   problems?: NonNullable<NumberFieldProps["problems"]>;
 }
 
-/** The moment, the length, and whether it goes round, as numbers. */
+/** The moment and the length as numbers. */
 export function TimeNumbers({ terse = true, problems }: Problems & { terse?: boolean }) {
   const line = timeline.value ?? space.value?.timeline ?? EMPTY_LINE;
   const told = problems ? { problems } : {};
@@ -54,17 +53,6 @@ export function TimeNumbers({ terse = true, problems }: Problems & { terse?: boo
           return undefined;
         }}
         onDone={endGesture}
-      />
-      <IconButton
-        icon="loop"
-        label="Round and round"
-        kind="quiet"
-        pressed={line.loop}
-        onClick={() => {
-          pauseSpace();
-          attempt(() => changeTimeline((now) => withLoop(now, !now.loop)));
-          scrubSpace(moment.peek());
-        }}
       />
     </>
   );

@@ -9,13 +9,14 @@ import { fly } from "./fly";
 import { KeyOptions } from "./KeyOptions";
 import { keyHere } from "./KeyTrack";
 import { attempt, removeKey } from "./keys";
+import { LoopRow } from "./LoopChoice";
 import { openAnimation } from "./open";
 import { TimeNumbers } from "./TimeNumbers";
 import { ExportButton } from "./TimeStrip";
 import { easeWords, keyWords, secondsWords } from "./words";
 
 const COURSES = [
-  { value: "smooth", label: "Smooth", description: "Without a corner at the keys" },
+  { value: "smooth", label: "Smooth", description: "Without a jerk at the keys, and never past them" },
   { value: "straight", label: "Straight", description: "Straight from key to key" },
 ] as const;
 
@@ -31,6 +32,7 @@ export function TimePanel() {
       <div class="time-fields">
         <TimeNumbers terse={false} />
       </div>
+      <LoopRow />
       <div class="row">
         <span class="row-name">From key to key</span>
         <Segmented

@@ -13,6 +13,7 @@ import { exportOpen, exportProgress, openExport } from "./exporting";
 import { fly } from "./fly";
 import { KeyOptions, SetKey } from "./KeyOptions";
 import { KeyTrack } from "./KeyTrack";
+import { LoopMenu } from "./LoopChoice";
 import { watchKeys } from "./pictures";
 import { listenForTime } from "./shortcuts";
 import { TimeMenu } from "./TimeMenu";
@@ -103,6 +104,7 @@ function AllOptions() {
       )}
       <div class="time-row">
         <TimeNumbers problems={problems} />
+        <LoopMenu />
         <TimeMenu />
       </div>
       <div class="time-row">

@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
 import type { SpaceTimeline } from "../../../engine/api";
 import {
+  jumpsBack,
   keyAt,
-  lastMoment,
   momentIn,
   nextKey,
   secondsProblem,
@@ -16,18 +16,18 @@ import {
 
 const line: SpaceTimeline = {
   seconds: 6,
-  loop: false,
+  loop: "once",
   course: "smooth",
   keys: [0, 2, 6].map((at) => ({ at, ease: "even" })),
 };
 const moments = ({ keys }: SpaceTimeline) => keys.map(({ at }) => at);
 
 describe("a moment", () => {
-  it("is within the time line; the end of a loop is its beginning", () => {
-    expect([-1, 0.12345, 6, 9, Number.NaN].map((at) => momentIn(line, at))).toEqual([0, 0.123, 6, 6, 0]);
-    const loop = { seconds: 6, loop: true };
-    expect(momentIn(loop, 6)).toBeLessThan(6);
-    expect(momentIn(loop, 6)).toBe(lastMoment(loop));
+  it("is within the time line, and may be its very end, however it goes on", () => {
+    for (const loop of ["once", "round", "pingpong"] as const) {
+      const now: SpaceTimeline = { ...line, loop };
+      expect([-1, 0.12345, 6, 9, Number.NaN].map((at) => momentIn(now, at))).toEqual([0, 0.123, 6, 6, 0]);
+    }
   });
 
   it("finds the key that is there, and the next ones", () => {
@@ -35,8 +35,9 @@ describe("a moment", () => {
     expect(nextKey(line, 0, 1)).toBe(2);
     expect(nextKey(line, 2, -1)).toBe(0);
     expect(nextKey(line, 6, 1)).toBe(6);
-    expect(nextKey({ ...line, loop: true }, 6, 1)).toBe(0);
-    expect(nextKey({ ...line, loop: true }, 0, -1)).toBe(6);
+    expect(nextKey({ ...line, loop: "round" }, 6, 1)).toBe(0);
+    expect(nextKey({ ...line, loop: "round" }, 0, -1)).toBe(6);
+    expect(nextKey({ ...line, loop: "pingpong" }, 6, 1)).toBe(6);
   });
 });
 
@@ -48,7 +49,8 @@ describe("a key", () => {
     expect(keyAt({ keys: line.keys.filter((_, i) => i !== 1) }, far)).toBe(-1);
     const [, near = 0] = moments(withKeyAt(line, 1, -5));
     expect(near).toBeGreaterThan(0);
-    expect(moments(withKeyAt(line, 2, 99))).toEqual([0, 2, 6]);
+    for (const loop of ["once", "round", "pingpong"] as const)
+      expect(moments(withKeyAt({ ...line, loop }, 2, 99))).toEqual([0, 2, 6]);
     expect(withKeyAt(line, 1, 2)).toBe(line);
     expect(withKeyAt(line, 1, Number.NaN)).toBe(line);
     expect(withKeyAt(line, 7, 1)).toBe(line);
@@ -68,23 +70,18 @@ describe("the length", () => {
     expect(withSeconds(line, 5)).toBe(line);
     expect(secondsProblem(line, 5)).toContain("Key 3 stands at 6 s");
     expect(secondsProblem(line, 6)).toBeUndefined();
-    expect(secondsProblem({ ...line, loop: true }, 6)).toBeDefined();
+    expect(secondsProblem({ ...line, loop: "round" }, 6)).toBeUndefined();
   });
 
-  it("grows where a loop needs time to come back", () => {
-    expect(withLoop(line, true)).toEqual({ ...line, loop: true, seconds: 9 });
-    expect(withLoop({ ...line, seconds: 8 }, true)).toEqual({ ...line, loop: true, seconds: 8 });
-    expect(withLoop({ ...line, loop: true, seconds: 9 }, false)).toEqual({ ...line, seconds: 9 });
-    expect(withLoop(line, false)).toBe(line);
-    const full = {
-      ...line,
-      seconds: 600,
-      keys: [
-        { at: 0, ease: "even" as const },
-        { at: 600, ease: "even" as const },
-      ],
-    };
-    expect(withLoop(full, true)).toBe(full);
+  it("and the keys stay, whatever comes after the end", () => {
+    for (const loop of ["round", "pingpong"] as const) {
+      expect(withLoop(line, loop)).toEqual({ ...line, loop });
+      expect(withLoop(withLoop(line, loop), "once")).toEqual(line);
+    }
+    expect(withLoop(line, "once")).toBe(line);
+    const jumps = (["once", "round", "pingpong"] as const).map((loop) => jumpsBack({ ...line, loop }));
+    expect(jumps).toEqual([false, true, false]);
+    expect(jumpsBack({ ...line, loop: "round", seconds: 7 })).toBe(false);
   });
 
   it("takes the keys along where all of it is slower or faster", () => {

@@ -1,5 +1,5 @@
 /** Edits of a time line. Each gives back the one it was given where there is nothing to change. */
-import type { Ease, SpaceKey, SpaceTimeline } from "../../../engine/api";
+import type { Ease, Repeat, SpaceKey, SpaceTimeline } from "../../../engine/api";
 import { NEAR } from "../../../state/space-edits";
 import { formatNumber } from "../../../ui/number";
 
@@ -7,20 +7,13 @@ export const MOST_KEYS = 100;
 export const SHORTEST = 0.1;
 export const LONGEST = 600;
 
-type Length = Pick<SpaceTimeline, "seconds" | "loop">;
-
 /** As fine as anyone can point, and short in a link. */
 export const rounded = (at: number): number => Math.round(at * 1000) / 1000;
 
-/** The last moment of a time line: the end of a loop is its beginning. */
-export function lastMoment({ seconds, loop }: Length): number {
-  return loop ? rounded(seconds - NEAR) : seconds;
-}
-
 /** The moment of the time line that is nearest. */
-export function momentIn(line: Length, at: number): number {
+export function momentIn({ seconds }: Pick<SpaceTimeline, "seconds">, at: number): number {
   if (!Number.isFinite(at)) return 0;
-  return rounded(Math.min(lastMoment(line), Math.max(0, at)));
+  return rounded(Math.min(seconds, Math.max(0, at)));
 }
 
 /** The number of the key at a moment, or -1. */
@@ -36,7 +29,7 @@ export function withKeyAt(line: SpaceTimeline, index: number, at: number): Space
   const before = keys[index - 1];
   const behind = keys[index + 1];
   const least = before ? before.at + 2 * NEAR : 0;
-  const most = behind ? behind.at - 2 * NEAR : lastMoment(line);
+  const most = behind ? behind.at - 2 * NEAR : line.seconds;
   const to = rounded(Math.max(least, Math.min(most, at)));
   return to === key.at || least > most ? line : withItem(line, index, { ...key, at: to });
 }
@@ -58,7 +51,7 @@ function withItem(line: SpaceTimeline, index: number, item: SpaceKey): SpaceTime
 /** Why a time line cannot be so long, or nothing. */
 export function secondsProblem(line: SpaceTimeline, seconds: number): string | undefined {
   const last = line.keys.at(-1);
-  if (!last || last.at <= lastMoment({ ...line, seconds })) return undefined;
+  if (!last || last.at <= seconds) return undefined;
   return `Key ${line.keys.length} stands at ${formatNumber(last.at, 2)} s. Move it first, or make it all faster.`;
 }
 
@@ -67,18 +60,14 @@ export function withSeconds(line: SpaceTimeline, seconds: number): SpaceTimeline
   return { ...line, seconds };
 }
 
-/**
- * Round and round, or once. A loop needs time from its last key back to its first one: where there is none, it becomes
- * longer by as much as there is between keys.
- */
-export function withLoop(line: SpaceTimeline, loop: boolean): SpaceTimeline {
-  if (loop === line.loop) return line;
-  const { keys, seconds } = line;
-  const last = keys.at(-1);
-  if (!loop || !last || last.at <= lastMoment({ seconds, loop })) return { ...line, loop };
-  const between = keys.length > 1 ? last.at / (keys.length - 1) : 1;
-  const longer = rounded(Math.min(LONGEST, last.at + Math.max(0.1, between)));
-  return longer > last.at + NEAR ? { ...line, loop, seconds: longer } : line;
+/** What comes after the end. */
+export function withLoop(line: SpaceTimeline, loop: Repeat): SpaceTimeline {
+  return loop === line.loop ? line : { ...line, loop };
+}
+
+/** Whether it goes round, and may jump from a key at its end to one at its beginning. */
+export function jumpsBack({ keys, loop, seconds }: SpaceTimeline): boolean {
+  return loop === "round" && keys.length > 1 && keys[0]?.at === 0 && keys.at(-1)?.at === seconds;
 }
 
 /** All of it slower by a factor, or faster. The same where it would be too long or short, or keys would meet. */
@@ -95,5 +84,5 @@ export function stretched(line: SpaceTimeline, factor: number): SpaceTimeline {
 export function nextKey({ keys, loop }: SpaceTimeline, at: number, by: 1 | -1): number {
   const moments = keys.map((key) => key.at);
   const ahead = by > 0 ? moments.find((x) => x > at + NEAR) : moments.findLast((x) => x < at - NEAR);
-  return ahead ?? (loop ? moments.at(by > 0 ? 0 : -1) : undefined) ?? at;
+  return ahead ?? (loop === "round" ? moments.at(by > 0 ? 0 : -1) : undefined) ?? at;
 }

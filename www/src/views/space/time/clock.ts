@@ -1,20 +1,34 @@
 /** Plays the time line of space. */
+import type { SpaceTimeline } from "../../../engine/api";
 import { whilePlaying } from "../../../state/frames";
 import { reducedMotion } from "../../../state/preferences";
 import { moment, setMoment, spacePlaying, timeline } from "../../../state/space";
 import { EMPTY_LINE } from "../../../state/space-edits";
 import { momentIn } from "./changes";
 
-/** Where the moment is after `dt` seconds. Pure, for the tests. */
+/** Where the moment is after `dt` seconds, and which way it goes from there. Pure, for the tests. */
 export function advance(
   at: number,
   dt: number,
-  { seconds, loop }: { seconds: number; loop: boolean },
-): { at: number; ended: boolean } {
+  { seconds, loop }: Pick<SpaceTimeline, "seconds" | "loop">,
+  way: 1 | -1 = 1,
+): { at: number; way: 1 | -1; ended: boolean } {
+  if (loop === "round") return { at: wrapped(at + dt, seconds), way: 1, ended: false };
+  if (loop === "pingpong") {
+    // There and back is one round.
+    const next = wrapped((way > 0 ? at : 2 * seconds - at) + dt, 2 * seconds);
+    return next < seconds
+      ? { at: next, way: 1, ended: false }
+      : { at: 2 * seconds - next, way: -1, ended: false };
+  }
   const next = at + dt;
-  if (loop) return { at: next - seconds * Math.floor(next / seconds), ended: false };
-  return { at: Math.min(seconds, Math.max(0, next)), ended: next >= seconds };
+  return { at: Math.min(seconds, Math.max(0, next)), way: 1, ended: next >= seconds };
 }
+
+const wrapped = (at: number, length: number) => at - length * Math.floor(at / length);
+
+/** Which way it goes, where it goes to and fro. */
+let way: 1 | -1 = 1;
 
 function step(dt: number): void {
   const line = timeline.peek();
@@ -23,7 +37,8 @@ function step(dt: number): void {
     spacePlaying.value = false;
     return;
   }
-  const next = advance(moment.peek(), dt, line);
+  const next = advance(moment.peek(), dt, line, way);
+  way = next.way;
   setMoment(next.at);
   if (next.ended) pauseSpace();
 }
@@ -32,7 +47,10 @@ function step(dt: number): void {
 export function playSpace(): void {
   const line = timeline.peek();
   if (spacePlaying.peek() || !line || line.keys.length < 2) return;
-  if (!line.loop && moment.peek() >= line.seconds) setMoment(0);
+  const over = moment.peek() >= line.seconds;
+  if (line.loop !== "pingpong" || moment.peek() <= 0) way = 1;
+  else if (over) way = -1;
+  if (over && line.loop !== "pingpong") setMoment(0);
   spacePlaying.value = true;
 }
 
@@ -56,6 +74,7 @@ export function presentSpace(): void {
 /** What plays stops, and the moment is this one, seen as the time line has it. */
 export function scrubSpace(at: number): void {
   pauseSpace();
+  way = 1;
   setMoment(momentIn(timeline.peek() ?? EMPTY_LINE, at));
 }
 

@@ -60,14 +60,14 @@ describe("a flight", () => {
     const alone = withFlight(null, views);
     expect([alone.seconds, alone.loop, alone.keys.map(({ at }) => at)]).toEqual([
       FLIGHT_SECONDS,
-      false,
+      "once",
       [0, 4, 8, 12],
     ]);
     expect(alone.keys.every((key) => key.view && !("holds" in key.view))).toBe(true);
     const moved: (MapRow3 | null)[] = [[1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]];
     const line: SpaceTimeline = {
       seconds: 6,
-      loop: false,
+      loop: "once",
       course: "straight",
       keys: [
         { at: 0, ease: "hold", moved, view },

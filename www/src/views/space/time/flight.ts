@@ -1,7 +1,7 @@
 /** Ready flights of the eye. */
 import type { Point3, SpaceKey, SpaceTimeline, SpaceView } from "../../../engine/api";
 import { NEAR } from "../../../state/space-edits";
-import { lastMoment, MOST_KEYS, rounded } from "./changes";
+import { MOST_KEYS, rounded } from "./changes";
 
 /** A ball around all there is. */
 export interface Ball {
@@ -93,11 +93,10 @@ export function withFlight(line: SpaceTimeline | null, views: readonly SpaceView
   });
   // A flight alone goes once and ends where it began; other things keep their time.
   const base: Omit<SpaceTimeline, "keys"> =
-    line && held.length > 0 ? line : { seconds: FLIGHT_SECONDS, loop: false, course: "smooth" };
-  const end = lastMoment(base);
+    line && held.length > 0 ? line : { seconds: FLIGHT_SECONDS, loop: "once", course: "smooth" };
   const keys = [...held];
   views.forEach((view, i) => {
-    const at = rounded((end * i) / Math.max(1, views.length - 1));
+    const at = rounded((base.seconds * i) / Math.max(1, views.length - 1));
     const { holds: _, ...plain } = view;
     const there = keys.findIndex((key) => Math.abs(key.at - at) < NEAR);
     const key = keys[there];

@@ -1,12 +1,12 @@
 import { expect, it } from "vitest";
 import type { MapRow3, SpaceTimeline, SpaceView } from "../../../engine/api";
-import { EASES, easeWords, keyWords, momentWords } from "./words";
+import { EASES, easeWords, keyWords, LOOPS, loopOf, momentWords } from "./words";
 
 const stay: MapRow3 = [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0];
 const view: SpaceView = { target: [0, 0, 0], distance: 3, turn: 0, tilt: 0, angle: 1 };
 const line: SpaceTimeline = {
   seconds: 6,
-  loop: true,
+  loop: "round",
   course: "smooth",
   keys: [
     { at: 0, ease: "even", view },
@@ -27,6 +27,10 @@ it("says what a key holds", () => {
   );
   expect(keyWords({ at: 0, ease: "even", moved: [null, stay] })).toBe("one object");
   expect(keyWords({ at: 0, ease: "even" })).toBe("nothing yet");
+});
+
+it("has a word for each way to go on", () => {
+  expect(LOOPS.map(({ value }) => loopOf(value)?.label)).toEqual(["Once", "Round and round", "To and fro"]);
 });
 
 it("has a word for each pace", () => {

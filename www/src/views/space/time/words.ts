@@ -1,4 +1,5 @@
-import type { Ease, SpaceKey, SpaceTimeline } from "../../../engine/api";
+import type { Ease, Repeat, SpaceKey, SpaceTimeline } from "../../../engine/api";
+import type { IconName } from "../../../ui/Icon";
 import { formatNumber } from "../../../ui/number";
 import { keyAt } from "./changes";
 
@@ -10,6 +11,20 @@ export const EASES: readonly { value: Ease; label: string }[] = [
   { value: "inout", label: "Slow at both ends" },
   { value: "hold", label: "Stay, then jump" },
 ];
+
+/** What comes after the end. */
+export const LOOPS: readonly { value: Repeat; label: string; description: string; icon: IconName }[] = [
+  { value: "once", label: "Once", description: "It stops at its end", icon: "once" },
+  {
+    value: "round",
+    label: "Round and round",
+    description: "It begins again: the last key goes on to the first, and from the very end it jumps there",
+    icon: "loop",
+  },
+  { value: "pingpong", label: "To and fro", description: "It goes back the way it came", icon: "swing" },
+];
+
+export const loopOf = (loop: Repeat) => LOOPS.find(({ value }) => value === loop) ?? LOOPS[0];
 
 export const easeWords = (ease: Ease): string =>
   EASES.find(({ value }) => value === ease)?.label.toLowerCase() ?? ease;

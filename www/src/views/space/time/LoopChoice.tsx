@@ -1,0 +1,55 @@
+import type { Repeat } from "../../../engine/api";
+import { space, timeline } from "../../../state/space";
+import { changeTimeline, EMPTY_LINE } from "../../../state/space-edits";
+import { Menu } from "../../../ui/Menu";
+import { Segmented } from "../../../ui/Segmented";
+import { jumpsBack, withLoop } from "./changes";
+import { pauseSpace } from "./clock";
+import { attempt } from "./keys";
+import { LOOPS, loopOf } from "./words";
+
+const lineNow = () => timeline.value ?? space.value?.timeline ?? EMPTY_LINE;
+
+function choose(loop: Repeat): void {
+  pauseSpace();
+  attempt(() => changeTimeline((now) => withLoop(now, loop)));
+}
+
+/** What comes after the end, where there is little room. */
+export function LoopMenu() {
+  const { loop } = lineNow();
+  const now = loopOf(loop);
+  const what = `After the end: ${now?.label.toLowerCase()}`;
+  return (
+    <div class="loop-menu" title={what}>
+      <Menu
+        label={what}
+        icon={now?.icon ?? "loop"}
+        items={LOOPS.map(({ value, label }) => ({
+          label,
+          ...(value === loop ? { icon: "check" as const } : {}),
+          onSelect: () => choose(value),
+        }))}
+      />
+    </div>
+  );
+}
+
+/** The same with all choices in view, and with what it comes to. */
+export function LoopRow() {
+  const line = lineNow();
+  return (
+    <>
+      <div class="row">
+        <span class="row-name">After the end</span>
+        <Segmented label="After the end" options={LOOPS} value={line.loop} onChange={choose} />
+      </div>
+      {jumpsBack(line) && (
+        <p class="hint">
+          The last key stands at the very end: unless it looks as the first, all jumps back from there. To and
+          fro goes back the way it came.
+        </p>
+      )}
+    </>
+  );
+}
