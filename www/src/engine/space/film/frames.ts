@@ -1,4 +1,4 @@
-import type { MapRow3, Point3, Space, SpaceFrame, SpaceView } from "../../api";
+import type { MapRow3, Point3, Repeat, Space, SpaceFrame, SpaceView } from "../../api";
 import { type SpaceMotionHandle, solid } from "../module";
 
 /** The parameters of one frame, as a file has them. */
@@ -23,6 +23,23 @@ export function frameRecord(
   ];
   const objects = frame.objects.map(({ now }, i) => ({ name: space.objects[i]?.name ?? "", maps: now }));
   return { time, view: { eye, target, turn, tilt, angle }, objects };
+}
+
+/** What a file says of its frames: what they are made of, so that they can be read back, and how they go. */
+export interface FramesHead {
+  packed: string;
+  at: number;
+  view: SpaceView;
+  loop: Repeat;
+  fps: number;
+  seconds: number;
+}
+
+/** Frames as a file: each of them is text already. */
+export function framesText(about: FramesHead, frames: readonly string[]): string {
+  const { packed, at, view, loop, fps, seconds } = about;
+  const head = JSON.stringify({ frond: "frames", packed, at, view, loop, fps, seconds });
+  return `${head.slice(0, -1)},"frames":[\n${frames.join(",\n")}\n]}\n`;
 }
 
 /** Frames one after the other. Where a moment has no attractor the frame before it stands, as on the stage. */

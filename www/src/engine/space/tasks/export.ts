@@ -1,6 +1,6 @@
-import type { Space, SpaceView } from "../../api";
+import type { Space } from "../../api";
 import type { Context } from "../../lanes/task";
-import { Frames, frameRecord } from "../film/frames";
+import { Frames, type FramesHead, frameRecord, framesText } from "../film/frames";
 import { gifSink } from "../film/gif";
 import { layOn } from "../film/opaque";
 import type { FrameSize, Sink } from "../film/sink";
@@ -78,9 +78,9 @@ export const exportTasks = {
   /** The parameters of every frame, as text. */
   async parameters(
     context: Context<number>,
-    request: { space: Space; view: SpaceView; times: number[]; fps: number; seconds: number },
+    request: FramesHead & { space: Space; times: number[] },
   ): Promise<FileBytes & { missing: number }> {
-    const { space, view, times, fps, seconds } = request;
+    const { space, view, times } = request;
     const frames = new Frames(space);
     try {
       const texts: string[] = [];
@@ -91,8 +91,7 @@ export const exportTasks = {
           await context.breathe();
         }
       }
-      const text = `{"fps":${fps},"seconds":${seconds},"frames":[\n${texts.join(",\n")}\n]}\n`;
-      const bytes = new TextEncoder().encode(text);
+      const bytes = new TextEncoder().encode(framesText(request, texts));
       context.transfer(bytes.buffer);
       return { bytes, type: "application/json", missing: frames.missing };
     } finally {

@@ -5,6 +5,7 @@ import { Button } from "../../../ui/Button";
 import { NumberField } from "../../../ui/NumberField";
 import { Segmented } from "../../../ui/Segmented";
 import { Switch } from "../../../ui/Switch";
+import { MOST_BYTES } from "../time/saved";
 import { loopOf, secondsWords } from "../time/words";
 import { parametersBytes, secondsFor, usePreview } from "./estimate";
 import { make } from "./job";
@@ -28,8 +29,12 @@ import {
 import { able, askAble, choose, chooseAll, framesGo, loop, plan, SIZES } from "./settings";
 
 const JSON_KINDS = [
-  { value: "frames", label: "Every frame", description: "The parameters of each frame, for other programs" },
-  { value: "keys", label: "Shapes and keys", description: "What Frond opens again" },
+  {
+    value: "frames",
+    label: "Every frame",
+    description: "The parameters of each frame, for other programs and for Frond",
+  },
+  { value: "keys", label: "Shapes and keys", description: "A small file for Frond" },
 ] as const;
 
 const QUALITIES = [
@@ -199,7 +204,7 @@ function NumbersFields({ of }: { of: Plan }) {
       <p class="hint">
         {of.kind === "keys"
           ? "The shapes, the light and the keys as they are here. Frond opens it again: More of time, Open a saved animation."
-          : "For each frame its time, the view, and the parameters of every object: 12 numbers a map, the rows of its matrix and then its translation. It is for other programs; Frond does not read it."}
+          : "For each frame its time, the view, and the parameters of every object: 12 numbers a map, the rows of its matrix and then its translation. Frond opens it again, with its keys."}
       </p>
       {of.kind === "frames" && (
         <NumberField
@@ -266,6 +271,9 @@ function Estimate({ of, go, cost, lit }: EstimateProps) {
   const parts = [
     `${grouped(count)} ${count === 1 ? "frame" : "frames"}, ${secondsWords(filmSeconds(of, go))}${go === "once" ? "" : `, ${loopOf(loop.value)?.label.toLowerCase()}`}`,
     ...(bytes === null ? [] : [`about ${bytesWords(bytes)}`]),
+    ...(!isFilm(of.kind) && bytes !== null && bytes > MOST_BYTES
+      ? ["too large to be opened here again"]
+      : []),
     ...(isFilm(of.kind) && cost !== null
       ? [`about ${timeWords(secondsFor(of, go, cost))} on this device`]
       : []),

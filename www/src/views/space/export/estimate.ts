@@ -7,7 +7,7 @@ import { Frames, frameRecord } from "../../../engine/space/film/frames";
 import { pictureAt } from "../../../engine/space/film/make";
 import { channels } from "../../../engine/space/film/opaque";
 import { wordsOf } from "../../../state/notice";
-import { space, spaceView } from "../../../state/space";
+import { space, spacePart, spaceView } from "../../../state/space";
 import { colours, ground } from "../stage/sight";
 import { frameCount, isFilm, litPart, type Plan } from "./plan";
 
@@ -96,7 +96,8 @@ export function parametersBytes(plan: Plan, loop: Repeat): number | null {
     const tried = [0, 0.21, 0.43, 0.68, 1].map((part) => plan.from + part * (plan.to - plan.from));
     let bytes = 0;
     for (const time of tried) bytes += JSON.stringify(frameRecord(scene, time, frames.at(time), view)).length;
-    return (bytes / tried.length + 2) * frameCount(plan, loop) + 40;
+    const head = spacePart.peek().packed.length + 300;
+    return (bytes / tried.length + 2) * frameCount(plan, loop) + head;
   } catch {
     return null;
   } finally {

@@ -8,7 +8,7 @@ import { colours, ground } from "../stage/sight";
 import { exportOpen, exportProgress, openExport } from "../time/exporting";
 import { savedText } from "../time/saved";
 import { bitrateOf, bytesWords, fileName, isFilm, type Plan, secondsLeft, timesOf } from "./plan";
-import { framesGo } from "./settings";
+import { framesGo, loop } from "./settings";
 
 export interface Job {
   plan: Plan;
@@ -43,8 +43,8 @@ export async function make(plan: Plan): Promise<void> {
   const view = spaceView.peek();
   if (running.peek() || !scene || !view) return;
   const name = fileName(scene.objects, plan);
+  const { packed, at } = spacePart.peek();
   if (plan.kind === "keys") {
-    const { packed, at } = spacePart.peek();
     const bytes = new TextEncoder().encode(savedText({ packed, at, view, space: scene }));
     finish({ plan, name, frames: 0 }, { bytes, type: "application/json", missing: 0 });
     return;
@@ -86,7 +86,7 @@ export async function make(plan: Plan): Promise<void> {
         )
       : await spaceTask(
           "parameters",
-          { ...moving, fps: plan.fps, seconds: plan.to - plan.from },
+          { ...moving, packed, at, loop: loop.peek(), fps: plan.fps, seconds: plan.to - plan.from },
           { lane: 1, signal, onProgress: (done) => onFrame(done) },
         );
     finish({ plan, name, frames: times.length }, film);

@@ -3,6 +3,7 @@ import { signal } from "@preact/signals";
 import { solid } from "../../../engine/space/module";
 import { notify, wordsOf } from "../../../state/notice";
 import { space } from "../../../state/space";
+import { isAnimation, takeAnimation } from "../time/open";
 import { object, parameters } from "./now";
 import { take } from "./take";
 
@@ -16,6 +17,7 @@ export const opened = signal<{ file: string; systems: Found[]; flat: number } | 
 const MOST_BYTES = 1_000_000;
 
 export async function openFile(file: File): Promise<void> {
+  if (isAnimation(file)) return takeAnimation(file);
   try {
     if (file.size > MOST_BYTES) throw new Error("it is larger than a megabyte, and so no file of maps.");
     const text = await file.text();

@@ -22,7 +22,7 @@ it("says what is wrong with other files", () => {
   expect(problem("<svg>")).toContain("no JSON");
   expect(problem("null")).toContain("no animation");
   expect(problem('{"frond":"space"}')).toContain("no animation");
-  expect(problem('{"fps":30,"frames":[]}')).toContain("every frame");
+  expect(problem('{"fps":30,"frames":[]}')).toContain("no frame");
 });
 
 it("leaves out a view and a moment that are none", () => {
