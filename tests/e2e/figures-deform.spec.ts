@@ -156,8 +156,11 @@ test("Figure 5 sways, and turns by choice", async ({ page }) => {
   expect(magnified.lit).toBeGreaterThan(0.02);
   await page.getByRole("radio", { name: "None" }).check();
   await expect.poll(async () => (await settled(b)).hash).not.toBe(first.hash);
-  await page.getByRole("radio", { name: "Scaled" }).check();
+  // It began as the paper words it.
+  await page.getByRole("radio", { name: "Rotation" }).check();
   await expect.poll(async () => (await settled(b)).hash).toBe(first.hash);
+  const addresses = await settled(page.getByRole("img", { name: /^The fern at rest: the part of map 1/ }));
+  expect(addresses.colours).toBeGreaterThan(3);
   const time = page.getByRole("slider", { name: "Time t" });
   for (let i = 0; i < 5; i++) await time.press("PageUp");
   await expect.poll(async () => (await settled(b)).hash).not.toBe(first.hash);
