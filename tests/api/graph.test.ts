@@ -20,17 +20,22 @@ interface Known {
   box_dim_formula?: number;
 }
 
+interface KnownTable {
+  maps_abcde: Row[];
+  domain: [number, number];
+  F_left: number;
+  F_right: number;
+  join_left_limit: number;
+  join_right_limit: number;
+  box_dim_formula: number;
+}
+
 /** The project's own copy, or the directory that FROND_KNOWN names. */
 const folder = process.env["FROND_KNOWN"] ?? "tests/known";
-const known: Record<string, Known> & {
-  table1: {
-    maps_abcde: Row[];
-    domain: [number, number];
-    F_left: number;
-    F_right: number;
-    box_dim_formula: number;
-  };
-} = JSON.parse(readFileSync(`${folder}/fit/fif.json`, "utf8"));
+const known: Record<string, Known | KnownTable> = JSON.parse(readFileSync(`${folder}/fit/fif.json`, "utf8"));
+/** Cases are told by what is in them, and not by their names. */
+const functions = Object.entries(known).filter((entry): entry is [string, Known] => "c" in entry[1]);
+const tables = Object.entries(known).filter((entry): entry is [string, KnownTable] => "domain" in entry[1]);
 
 const read = (name: string) => readFile(new URL(`../../www/pkg/${name}`, import.meta.url));
 
@@ -60,9 +65,13 @@ describe("fractal functions", () => {
     }),
   );
 
-  it.each(["fig1", "fig1_reflect2", "four_point_unequal", "rfif_2_2"])("agree with the known %s", (name) => {
-    const one = known[name];
-    if (!one) throw new Error(`there is no ${name}`);
+  it("have cases of each kind to agree with", () => {
+    expect(functions.filter(([, one]) => one.jk)).not.toEqual([]);
+    expect(functions.filter(([, one]) => !one.jk)).not.toEqual([]);
+    expect(tables).not.toEqual([]);
+  });
+
+  it.each(functions)("agree with the known %s", (_, one) => {
     const graph = make(one);
     expect(graph.kind).toBe(one.jk ? "rfif" : "fif");
     for (const [i, piece] of graph.pieces.entries()) {
@@ -84,7 +93,15 @@ describe("fractal functions", () => {
   });
 
   it("are sampled within a tolerance, and finer in a window", () => {
-    const graph = make(known["four_point_unequal"] as Known);
+    const graph = frond.interpolation(
+      [
+        [0, 0.5],
+        [0.2, 1],
+        [0.7, -0.5],
+        [1, 0.25],
+      ],
+      { c: [1 / 3, -0.4, 0.5] },
+    );
     const all = frond.sampleGraph(graph, { tolerance: 1e-2 });
     const part = frond.sampleGraph(graph, { tolerance: 1e-4, window: [0.3, 0.302] });
     expect([all.at(0), all.at(-2), part.at(0), part.at(-2)]).toEqual([0, 1, 0.3, 0.302]);
@@ -121,22 +138,29 @@ describe("fractal functions", () => {
     for (const [t, x] of knots) expect(frond.graphAt(free, t)).toBeCloseTo(x, 9);
     expect(frond.graphFacts(free)).toMatchObject({ continuous: true, integral: null, counted: true });
     expect(frond.toRecurrent(free, 8)).toBeNull();
-    const whole = make(known["fig1"] as Known);
+    const whole = frond.interpolation(
+      [
+        [0, 0],
+        [0.5, 1],
+        [1, 0],
+      ],
+      { c: [0.6, 0.4] },
+    );
     const again = frond.toRecurrent({ ...whole, kind: "pfif" }, 64);
     expect(again?.kind).toBe("rfif");
     expect(again?.pieces.length).toBe(2);
   });
 
-  it("need not meet: a table whose maps meet only to rounding", () => {
-    const { maps_abcde, domain, F_left, F_right, box_dim_formula } = known.table1;
+  it.each(tables)("need not meet: the known %s, whose maps meet only to rounding", (_, table) => {
+    const { maps_abcde, domain, F_left, F_right, box_dim_formula } = table;
     const graph: Graph = { kind: "pfif", pieces: maps_abcde.map((map) => ({ map, domain })) };
-    expect(frond.graphAt(graph, -1)).toBeCloseTo(F_left, 14);
-    expect(frond.graphAt(graph, 1)).toBeCloseTo(F_right, 14);
+    expect(frond.graphAt(graph, domain[0])).toBeCloseTo(F_left, 14);
+    expect(frond.graphAt(graph, domain[1])).toBeCloseTo(F_right, 14);
     const facts = frond.graphFacts(graph);
     expect(facts.continuous).toBe(false);
-    expect(facts.widestGap).toBeCloseTo(0.000875, 9);
+    expect(facts.widestGap).toBeCloseTo(Math.abs(table.join_left_limit - table.join_right_limit), 9);
     expect(facts.dimension).toBeCloseTo(box_dim_formula, 9);
-    expect(facts.interval).toEqual([-1, 1]);
+    expect(facts.interval).toEqual(domain);
   });
 
   it("say what is wrong with them", () => {
