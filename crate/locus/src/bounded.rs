@@ -36,7 +36,8 @@ pub struct Bounded {
     /// An upper bound of the diameter of the attractor, in units of the plane: 0 if it is one point, NaN
     /// where it is not known to exist.
     pub diameter: f64,
-    /// Where the attractor lies and how fast it contracts; `None` where it is not known to exist.
+    /// Where the attractor lies and how fast it contracts; `None` where it is not known to exist, or so small, below 1e-300,
+    /// that no double holds the inverse of its size.
     pub ellipse: Option<Ellipse>,
 }
 

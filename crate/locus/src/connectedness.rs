@@ -1,10 +1,11 @@
 //! The full answer for one system.
 
-use frond_core::Ifs;
+use frond_core::{Affine2, Contraction, Ifs};
 use glam::DVec2;
 
 use crate::frame::Frame;
 use crate::graph::Components;
+use crate::lens::Lens;
 use crate::outline::Outline;
 use crate::reason::{self, Points, Reason};
 use crate::search::Search;
@@ -64,7 +65,8 @@ impl Default for Options {
 pub struct Gap {
     /// It is at least this.
     pub lower: f64,
-    /// It is at most this.
+    /// It is at most this: two points of the attractor are as near, to rounding. Rounding is reckoned with but where the maps
+    /// stretch distances, so that they are computed in other coordinates.
     pub upper: f64,
 }
 
@@ -75,7 +77,8 @@ pub struct Connectedness {
     pub verdict: Verdict,
     /// The widest edge of the least spanning tree between the pieces, in plane units: zero if and only if
     /// the attractor is connected. Where it is disconnected, the bounds are within 1 in 100 of each other
-    /// or within 1e-9 of the diameter, unless the budget was spent.
+    /// or within 1e-9 of the diameter, unless the budget was spent. It does not depend on epsilon: pieces that come within it
+    /// count as far apart as they are.
     pub gap: Gap,
     /// Pairs of maps whose attractorlets meet, or come within epsilon of each other, the smaller index
     /// first, in ascending order.
@@ -84,9 +87,8 @@ pub struct Connectedness {
     pub components: Vec<usize>,
     /// How many components the overlap graph has. The attractor may have more: attractorlets may be in pieces themselves.
     pub count: usize,
-    /// Two points of the attractor in different pieces whose distance is `gap.upper`: the ends of the widest gap
-    /// between components, or, where the verdict is `Touching`, of the widest edge between pieces. `None` where it is
-    /// proved to be in one piece, or is a single point.
+    /// Two points of the attractor in different pieces whose distance is `gap.upper`, but for rounding: the ends of the widest
+    /// edge between pieces. `None` where it is proved to be in one piece, or is a single point.
     pub closest: Option<(DVec2, DVec2)>,
     /// An upper bound of the diameter of the attractor, in plane units: epsilon is relative to it.
     pub diameter: f64,
@@ -117,9 +119,19 @@ pub struct Connectedness {
 /// ```
 #[must_use]
 pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
-    let maps = ifs.maps();
+    if let Some(lens) = Lens::of(ifs.maps()) {
+        let maps = lens.magnify(ifs.maps());
+        // Size is no matter for it: those as given have one.
+        if let Ok(contraction) = Contraction::find(&maps) {
+            return lens.connectedness(decided(&maps, &contraction, options));
+        }
+    }
+    decided(ifs.maps(), ifs.contraction(), options)
+}
+
+fn decided(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Connectedness {
     let mut frame = Frame::default();
-    frame.set_round(maps, ifs.contraction());
+    frame.set_round(maps, contraction);
     let at_once = reason::at_once(maps);
     if frame.point {
         return in_one_point(maps.len(), at_once.or_else(|| reason::one_point(maps)));
@@ -181,10 +193,7 @@ pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
     let span = match verdict {
         Verdict::Connected => Span::default(),
         Verdict::Touching => search.reach(),
-        Verdict::Disconnected => {
-            let budget = search.nodes.saturating_add(options.budget);
-            search.span(&frame, &outline, 0.01, 1e-9 * diameter, budget)
-        }
+        Verdict::Disconnected => measure(&mut search, &frame, &outline, options.budget),
         Verdict::Undecided => search.reach(),
     };
     let closest = span.widest.map(|n| (frame.to_plane(n.from), frame.to_plane(n.to)));
@@ -198,6 +207,35 @@ pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
         diameter,
         nodes: search.nodes,
         reason,
+    }
+}
+
+/// The widest gap of an attractor that is in several pieces, from the search that told them apart.
+fn measure(search: &mut Search, frame: &Frame, outline: &Outline, budget: usize) -> Span {
+    let absolute = 1e-9 * search.plane_diameter;
+    let mut best = Span { upper: f64::INFINITY, ..Span::default() };
+    loop {
+        let near = search.resolution;
+        let span = search.span(frame, outline, 0.01, absolute, search.nodes.saturating_add(budget));
+        best.lower = best.lower.max(span.lower);
+        if span.upper < best.upper {
+            best = Span { lower: best.lower, ..span };
+        }
+        // Where it is pieces that were joined for being near that are farthest apart, they are to be told apart as well: but for
+        // those that are nearer than the gap is wide.
+        let finer = 0.5 * best.lower;
+        let loose = best.upper - best.lower > (0.011 * best.upper).max(absolute);
+        if !loose || best.upper > 2.0 * near || finer >= near {
+            return best;
+        }
+        let spent = search.nodes;
+        search.begin(frame, outline, finer / search.plane_diameter);
+        let begun = search.resolution < near;
+        let settled = begun && search.settle(frame, outline, budget);
+        search.nodes += spent;
+        if !settled {
+            return best;
+        }
     }
 }
 

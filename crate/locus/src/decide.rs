@@ -7,6 +7,7 @@ use crate::bounded::Bounded;
 use crate::dive::Dive;
 use crate::equal::{self, Differences, Translates};
 use crate::frame::Frame;
+use crate::lens::Lens;
 use crate::outline::Outline;
 use crate::pieces::Pieces;
 use crate::proof;
@@ -150,6 +151,9 @@ struct Ask {
 
 impl Scratch {
     fn decide(&mut self, maps: &[Affine2], epsilon: f64, budget: usize, ask: Ask) -> Bounded {
+        if let Some(lens) = Lens::of(maps) {
+            return lens.bounded(self.decide(&lens.magnify(maps), epsilon, budget, ask));
+        }
         let Ask { polygon, bounds } = ask;
         let Self { frame, outline, dive, pieces, differences, rift, .. } = self;
         let equal = polygon || equal::are_equal(maps);
@@ -161,6 +165,10 @@ impl Scratch {
         match frame.set(maps) {
             Ok(()) => {}
             Err(IfsError::Unproved) => return Bounded::unknown(State::Undecided),
+            // Too large to compute with, which says nothing about the attractor.
+            Err(IfsError::NotFinite { .. }) if maps.iter().all(|map| map.is_finite()) => {
+                return Bounded::unknown(State::Undecided);
+            }
             Err(_) => return Bounded::unknown(State::NoAttractor),
         }
         let ellipse = Some(frame.ellipse());
@@ -196,7 +204,7 @@ impl Scratch {
                 return whole(State::Touching, f64::INFINITY, f64::NAN);
             }
             // The differences reach as far to both sides.
-            let diameter = 0.5 * outline.diameter(frame.from_round);
+            let diameter = frame.diameter(0.5 * outline.diameter(frame.from_round));
             let resolution = frame.resolution(epsilon, diameter);
             let size = 0.5 * outline.diameter(DMat2::IDENTITY);
             let mut translates = Translates::new(frame, outline, differences, resolution, size);
@@ -217,15 +225,15 @@ impl Scratch {
             } else {
                 outline.set(&frame.maps, 0.012 * (1.0 - frame.factor), 64);
             }
-            let diameter = outline.diameter(frame.from_round);
+            let diameter = frame.diameter(outline.diameter(frame.from_round));
             let resolution = frame.resolution(epsilon, diameter);
             (rift.bracket(&mut Words::new(frame, outline, pieces, resolution), resolution, budget), diameter)
         };
-        // Points are computed: they may be this far off.
-        let off = frame.rounding * frame.stretch;
         let relative = |length: f64| length / diameter;
-        let (lower, upper) =
-            (relative(bracket.lower) * (1.0 - SLACK), relative(rift.bottleneck() + off) * (1.0 + SLACK));
+        let (lower, upper) = (
+            relative(bracket.lower) * (1.0 - SLACK),
+            relative(rift.bottleneck() + frame.off()) * (1.0 + SLACK),
+        );
         if rift.is_whole() {
             return whole(State::Touching, upper, diameter);
         }

@@ -75,7 +75,7 @@ impl Dive {
     /// The square of a distance that the attractor has at least across, in the plane: between images of one of its points.
     pub fn extent(&self, frame: &Frame) -> f64 {
         let images = || frame.maps.iter().map(|map| map.apply(self.point));
-        let far = |p: DVec2| images().map(|q| square(frame, q - p)).fold(0.0, f64::max);
+        let far = |p: DVec2| images().map(|q| frame.square(q - p)).fold(0.0, f64::max);
         far(self.point).max(images().map(far).fold(0.0, f64::max))
     }
 
@@ -93,7 +93,7 @@ impl Dive {
         for _ in 0..STEPS {
             let [p, q] = pair.linear;
             let between = pair.apart + p * self.point - q * self.point;
-            let squared = square(frame, between);
+            let squared = frame.square(between);
             if squared <= reach {
                 return Some(squared);
             }
@@ -155,11 +155,6 @@ impl Dive {
 }
 
 const SIGN: [f64; 2] = [1.0, -1.0];
-
-#[inline(always)]
-fn square(frame: &Frame, between: DVec2) -> f64 {
-    between.dot(frame.metric * between)
-}
 
 #[inline(always)]
 fn number(score: f64) -> usize {

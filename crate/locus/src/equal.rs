@@ -141,7 +141,7 @@ impl Differences {
 
     /// The square of a distance that the attractor has at least across, in the plane: between images of one point.
     pub fn extent(&self, frame: &Frame) -> f64 {
-        self.sorted.iter().map(|d| d.dot(frame.metric * *d)).fold(0.0, f64::max)
+        self.sorted.iter().map(|&d| frame.square(d)).fold(0.0, f64::max)
     }
 
     /// The square of the distance in the plane of two points of pieces `i` and `j`, if it was found to be `reach` or
@@ -152,7 +152,7 @@ impl Differences {
         self.passed.clear();
         let mut back = 0;
         for _ in 0..STEPS {
-            let squared = offset.dot(frame.metric * offset);
+            let squared = frame.square(offset);
             // 0 is the difference of any point from itself.
             if squared <= reach {
                 return Some(squared);

@@ -16,10 +16,9 @@ pub(crate) struct Frame {
     pub to_round: DMat2,
     /// The point of the plane that is 0 here.
     pub origin: DVec2,
-    /// The metric of the plane, pulled back: a step `d` here is `sqrt(d . metric d)` long in the plane.
+    /// The metric of the plane, pulled back: a step `d` here is `sqrt(d . metric d)` long in the plane, roughly. Of flat
+    /// shapes this cancels most digits, so that bounds take `from_round * d` instead.
     pub metric: DMat2,
-    /// The metric of directions: the normal `m` of a line here is `sqrt(m . dual m)` long in the plane.
-    pub dual: DMat2,
     /// Whether distances here are those of the plane, but for a factor.
     pub plain: bool,
     /// The largest factor by which a distance here grows in the plane.
@@ -46,7 +45,6 @@ impl Default for Frame {
             to_round: DMat2::IDENTITY,
             origin: DVec2::ZERO,
             metric: DMat2::IDENTITY,
-            dual: DMat2::IDENTITY,
             plain: true,
             stretch: 1.0,
             rounding: 0.0,
@@ -106,7 +104,6 @@ impl Frame {
         self.from_round = from * unit;
         self.to_round = to * (1.0 / unit);
         self.metric = self.from_round.transpose() * self.from_round;
-        self.dual = to * to.transpose() * (1.0 / (unit * unit));
         self.plain = to == DMat2::IDENTITY;
         self.stretch = if self.plain { unit } else { Affine2::new(self.from_round, DVec2::ZERO).norm() };
         self.maps.clear();
@@ -131,7 +128,6 @@ impl Frame {
             from_round,
             to_round,
             metric: from_round.transpose() * from_round,
-            dual: to_round * to_round.transpose(),
             plain: false,
             stretch: Affine2::new(from_round, DVec2::ZERO).norm(),
             // That of this conjugation, and of products of maps that are longer here.
@@ -144,6 +140,22 @@ impl Frame {
     /// rounding lets one see, unless rounding has become coarse itself.
     pub fn resolution(&self, epsilon: f64, diameter: f64) -> f64 {
         (epsilon * diameter).max((4.0 * self.rounding * self.stretch).min(1e-9 * diameter))
+    }
+
+    /// The square of the length, in the plane, of a step here.
+    #[inline(always)]
+    pub fn square(&self, step: DVec2) -> f64 {
+        (self.from_round * step).length_squared()
+    }
+
+    /// By how much the distance of two computed points of the attractor may be off, in the plane.
+    pub fn off(&self) -> f64 {
+        2.0 * self.rounding * self.stretch
+    }
+
+    /// An upper bound of the attractor's diameter in the plane, from one that is computed. It lies in the unit disc.
+    pub fn diameter(&self, computed: f64) -> f64 {
+        (computed + self.off()).min(2.0 * self.stretch) * (1.0 + 4.0 * f64::EPSILON)
     }
 
     /// Where the attractor lies.

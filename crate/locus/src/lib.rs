@@ -57,6 +57,7 @@ mod graph;
 mod grid;
 mod hunt;
 mod index_buffer;
+mod lens;
 mod line;
 mod look;
 mod motion;

@@ -46,8 +46,12 @@ pub(crate) struct Distances {
 pub(crate) struct Gauge {
     /// Whether lengths are those of the plane, but for a factor: its square, and the inverse of that.
     plain: Option<[f64; 2]>,
-    metric: DMat2,
-    dual: DMat2,
+    /// Takes steps to the plane.
+    to_plane: DMat2,
+    /// Takes the normals of lines to the plane.
+    normal_to_plane: DMat2,
+    /// How far a normal that is taken to the plane may be off there, against the sum of its sides here.
+    blur: f64,
     /// In which metric to look for lines that separate pieces.
     lean: DMat2,
     rounding: f64,
@@ -81,11 +85,14 @@ impl Gauge {
     /// To tell pieces apart: they are round in the frame, and most easily told apart there, however flat they
     /// are in the plane.
     pub fn to_separate(frame: &Frame) -> Self {
-        let plain = frame.plain.then_some([frame.metric.x_axis.x, frame.dual.x_axis.x]);
+        let factor = |m: DMat2| m.x_axis.x * m.x_axis.x;
+        let to_round = frame.to_round;
+        let largest = to_round.x_axis.abs().max(to_round.y_axis.abs()).max_element();
         Self {
-            plain,
-            metric: frame.metric,
-            dual: frame.dual,
+            plain: frame.plain.then_some([factor(frame.from_round), factor(to_round)]),
+            to_plane: frame.from_round,
+            normal_to_plane: to_round.transpose(),
+            blur: BLUR * largest,
             lean: DMat2::IDENTITY,
             rounding: frame.rounding,
         }
@@ -94,7 +101,9 @@ impl Gauge {
     /// To measure how far apart they are: distances are those of the plane, and so are the directions that
     /// show them best.
     pub fn to_measure(frame: &Frame) -> Self {
-        Self { lean: frame.metric, ..Self::to_separate(frame) }
+        // Of size 1, or of small shapes the squares of what is seen would vanish.
+        let lean = frame.metric * (1.0 / (frame.stretch * frame.stretch));
+        Self { lean, ..Self::to_separate(frame) }
     }
 
     /// Bounds the distances of one to four pieces from another: support functions along the lines between their
@@ -152,7 +161,7 @@ impl Gauge {
         let first = self.along::<PLAIN>(middle, middle, &see);
         if first.apart.0.iter().all(|&apart| apart > 0.0) {
             return Looks {
-                apart: distance(first.apart, first.scale).0,
+                apart: self.distance::<PLAIN>(first.apart, first.scale, first.blur).0,
                 overlap: first.overlap.0,
                 reach: first.reach.0,
                 points: first.points,
@@ -170,13 +179,14 @@ impl Gauge {
         let (a, b) = (signed(first.apart, second.scale), signed(second.apart, first.scale));
         let apart = a.choose_less(b, second.apart, first.apart);
         let scale = a.choose_less(b, second.scale, first.scale);
+        let blur = if PLAIN { first.blur } else { a.choose_less(b, second.blur, first.blur) };
         let nearer = |a: Four, b: Four| second.reach.choose_less(first.reach, b, a);
         let chosen = |k: usize| Vec4 {
             x: nearer(first.points[k].x, second.points[k].x),
             y: nearer(first.points[k].y, second.points[k].y),
         };
         Looks {
-            apart: distance(apart, scale).0,
+            apart: self.distance::<PLAIN>(apart, scale, blur).0,
             overlap: first.overlap.min(second.overlap).0,
             reach: first.reach.min(second.reach).0,
             points: [chosen(0), chosen(1)],
@@ -196,27 +206,41 @@ impl Gauge {
         let along = normal.dot(middle);
         let between = points[1] - points[0];
         // Rounding outward; the sum of the sides is no shorter than the normal.
-        let off = Four::splat(self.rounding) * (normal.x.abs() + normal.y.abs());
-        let squares = |v: Vec4, metric: DMat2, factor: f64| {
-            if PLAIN { v.dot(v) * Four::splat(factor) } else { v.dot(Linear4::splat(metric).times(v)) }
+        let sides = normal.x.abs() + normal.y.abs();
+        let off = Four::splat(self.rounding) * sides;
+        let squares = |v: Vec4, linear: DMat2, factor: f64| {
+            if PLAIN {
+                v.dot(v) * Four::splat(factor)
+            } else {
+                let there = Linear4::splat(linear).times(v);
+                there.dot(there)
+            }
         };
-        let [metric, dual] = self.plain.unwrap_or_default();
+        let [to_plane, normal_to_plane] = self.plain.unwrap_or_default();
         View {
             normal,
             apart: along - reach - off,
-            scale: squares(normal, self.dual, dual),
+            scale: squares(normal, self.normal_to_plane, normal_to_plane),
+            blur: if PLAIN { Four::default() } else { Four::splat(self.blur) * sides },
             overlap: along / reach,
-            reach: squares(between, self.metric, metric),
+            reach: squares(between, self.to_plane, to_plane),
             points,
         }
     }
+
+    /// A lower bound of the distance in the plane, 0 where it is less.
+    #[inline(always)]
+    fn distance<const PLAIN: bool>(&self, apart: Four, scale: Four, blur: Four) -> Four {
+        let length = if PLAIN { scale.sqrt() } else { scale.sqrt() + blur };
+        Four::default().choose_less(apart, apart * Four::splat(INWARD) / length, Four::default())
+    }
 }
 
-/// The distance in the plane, 0 where it is less.
-#[inline(always)]
-fn distance(apart: Four, scale: Four) -> Four {
-    Four::default().choose_less(apart, apart / scale.sqrt(), Four::default())
-}
+/// By how much a number that is computed from given ones in two or three steps may be off, relative to their sizes. A frame's
+/// inverse has no more of its own.
+const BLUR: f64 = 16.0 * f64::EPSILON;
+/// What takes care of the rounding of a few last operations.
+const INWARD: f64 = 1.0 - 8.0 * f64::EPSILON;
 
 /// The maps of four pieces and of another one.
 struct Sides {
@@ -248,9 +272,10 @@ impl Sides {
 /// What is seen of two pieces along one direction, in four lanes.
 struct View {
     normal: Vec4,
-    /// How far they are apart along the normal, which is `scale.sqrt()` long in the plane.
+    /// How far they are apart along the normal, which is `scale.sqrt()` long in the plane, and `blur` more at most.
     apart: Four,
     scale: Four,
+    blur: Four,
     overlap: Four,
     reach: Four,
     points: [Vec4; 2],

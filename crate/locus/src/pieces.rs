@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use frond_core::Affine2;
-use glam::DMat2;
+use glam::{DMat2, DVec2};
 
 use crate::frame::Frame;
 use crate::pair::Piece;
@@ -12,14 +12,15 @@ use crate::pair::Piece;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pieces {
     list: Vec<Piece>,
-    metric: DMat2,
+    /// See [`Frame::from_round`].
+    from_round: DMat2,
 }
 
 impl Pieces {
     /// Begins again with the pieces of the maps of a frame.
     pub fn begin(&mut self, frame: &Frame) {
         self.list.clear();
-        self.metric = frame.metric;
+        self.from_round = frame.from_round;
         for &map in &frame.maps {
             self.add(map);
         }
@@ -27,7 +28,8 @@ impl Pieces {
 
     fn add(&mut self, map: Affine2) {
         let m = map.linear;
-        let size = 0.5 * (m.x_axis.dot(self.metric * m.x_axis) + m.y_axis.dot(self.metric * m.y_axis));
+        let square = |side: DVec2| (self.from_round * side).length_squared();
+        let size = 0.5 * (square(m.x_axis) + square(m.y_axis));
         self.list.push(Piece { map, size, parts: 0 });
     }
 
@@ -59,18 +61,17 @@ impl Pieces {
         (parts..parts + frame.maps.len() as u32, first)
     }
 
-    /// Whether the sum of the largest stretches of two pieces into the plane is `limit` or less.
+    /// Whether the sum of the largest stretches of two pieces into the plane is `limit` or less. None is below 0.
     pub fn are_small(&self, u: u32, v: u32, limit: f64) -> bool {
-        let limit = limit * limit;
+        let limit = limit * limit.abs();
         let (u, v) = (self.get(u), self.get(v));
         // The larger stretch is between one and 1.42 times the mean square one.
         if u.size + v.size > limit {
             return false;
         }
         let stretch = |piece: &Piece| {
-            let m = piece.map.linear;
-            let (x, y) = (self.metric * m.x_axis, self.metric * m.y_axis);
-            let (xx, xy, yy) = (m.x_axis.dot(x), m.x_axis.dot(y), m.y_axis.dot(y));
+            let m = self.from_round * piece.map.linear;
+            let (xx, xy, yy) = (m.x_axis.length_squared(), m.x_axis.dot(m.y_axis), m.y_axis.length_squared());
             (f64::midpoint(xx, yy) + (0.5 * (xx - yy)).hypot(xy)).sqrt()
         };
         let sum = stretch(u) + stretch(v);

@@ -40,11 +40,16 @@ pub(crate) struct Search {
     rounding: f64,
     /// See [`Frame::stretch`].
     stretch: f64,
+    /// See [`Frame::off`]: in coordinates of the plane. In others, which flat shapes need, it says so much too much that no
+    /// narrow gap would have an upper bound, and is left out.
+    pub off: f64,
     /// The diameter of the attractor in the frame, and in the plane.
     diameter: f64,
     pub plane_diameter: f64,
     /// Pieces within this distance touch.
     pub resolution: f64,
+    /// Points that are computed to be within this distance are within the resolution, whatever rounding may add.
+    near: f64,
 }
 
 impl Search {
@@ -57,7 +62,7 @@ impl Search {
         self.gauge = Gauge::to_separate(frame);
         self.rounding = frame.rounding;
         self.diameter = outline.diameter(DMat2::IDENTITY);
-        self.plane_diameter = outline.diameter(frame.from_round);
+        self.plane_diameter = frame.diameter(outline.diameter(frame.from_round));
         self.pieces.begin(frame);
         self.open.clear();
         self.apart.clear();
@@ -69,7 +74,9 @@ impl Search {
         self.components.reset(count);
         self.nodes = 0;
         self.stretch = frame.stretch;
+        self.off = if frame.plain { frame.off() } else { 0.0 };
         self.resolution = frame.resolution(epsilon, self.plane_diameter);
+        self.near = (self.resolution - self.off).max(0.5 * self.resolution);
         for i in 0..count {
             for first in (i + 1..count).step_by(4) {
                 let pairs = first..count.min(first + 4);
@@ -117,7 +124,7 @@ impl Search {
 
     /// Decides a pair, or splits it; `false`, leaving it open, if the budget is spent.
     fn pursue(&mut self, frame: &Frame, outline: &Outline, pair: Pair, budget: usize) -> bool {
-        if self.pieces.are_small(pair.u, pair.v, self.resolution / self.diameter)
+        if self.pieces.are_small(pair.u, pair.v, self.near / self.diameter)
             && self.rounding * self.stretch <= self.resolution
         {
             self.meet(usize::from(pair.i), usize::from(pair.j));
@@ -186,7 +193,7 @@ impl Search {
             let (part, other) = looks.points(k);
             let (from, to) = if first { (part, other) } else { (other, part) };
             *nearest = Nearest { reach, from, to, met: nearest.met };
-            if reach.sqrt() <= self.resolution {
+            if reach.sqrt() <= self.near {
                 self.meet(i, j);
                 return true;
             }
@@ -206,6 +213,11 @@ impl Search {
             pair.key = looks.overlap[k];
             self.open.push(pair);
         }
+    }
+
+    /// From here on no two attractorlets are found to meet, however near they come.
+    pub fn stop_joining(&mut self) {
+        (self.resolution, self.near) = (-1.0, -1.0);
     }
 
     /// Records that two attractorlets `i < j` meet, as far as the resolution tells.

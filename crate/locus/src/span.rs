@@ -15,22 +15,14 @@ pub(crate) struct Span {
     pub widest: Option<Nearest>,
 }
 
-impl Span {
-    fn widen(&mut self, reach: f64, nearest: Nearest) {
-        if reach >= self.upper {
-            self.upper = reach;
-            self.widest = Some(nearest);
-        }
-    }
-}
-
 /// How many pairs are followed down after a search that was cut short, and how far.
 const DIVES: usize = 8;
 const DEPTH: usize = 24;
 
 impl Search {
     /// Joins the components in the order of their distances until one is left, or `budget` looks are
-    /// spent, and so measures the widest gap.
+    /// spent, and so measures the widest gap. Pieces that were joined before for being near count as far apart as their
+    /// nearest known points: the upper bound is that of all pieces.
     ///
     /// A distance is known well enough when its bounds differ by `relative` of it or by `absolute`.
     pub fn span(
@@ -42,15 +34,13 @@ impl Search {
         budget: usize,
     ) -> Span {
         // From here on pieces are known to be apart, however near they come.
-        self.resolution = -1.0;
+        self.stop_joining();
         self.gauge = Gauge::to_measure(frame);
         // Unless they were left open: then they may meet, as far as the lower bound goes.
-        let found = self.components.count();
         for pair in self.open.iter().chain(&self.later) {
             self.components.join(usize::from(pair.i), usize::from(pair.j));
         }
-        let settled = self.components.count() == found;
-        let mut span = Span::default();
+        let mut lower = 0.0_f64;
         while self.components.count() > 1 {
             self.by_distance.extend(self.apart.drain(..));
             let Some(pair) = self.by_distance.pop() else { break };
@@ -59,12 +49,11 @@ impl Search {
                 continue;
             }
             // Whatever is still to be joined is at least as far apart as the nearest pair left.
-            span.lower = span.lower.max(pair.key);
+            lower = lower.max(pair.key);
             let nearest = self.nearest[i * self.count + j];
             let reach = nearest.reach.sqrt();
             if reach - pair.key <= (relative * reach).max(absolute) {
                 self.components.join(i, j);
-                span.widen(reach, nearest);
             } else if self.nodes < budget {
                 self.split(frame, outline, pair, pair.key);
             } else {
@@ -72,12 +61,7 @@ impl Search {
                 break;
             }
         }
-        if settled {
-            self.bridge(&mut span);
-            span
-        } else {
-            Span { lower: span.lower, ..self.reach() }
-        }
+        Span { lower, ..self.reach() }
     }
 
     /// Follows the nearest parts of some of the nearest pairs down, for points that are nearer than those met
@@ -105,16 +89,11 @@ impl Search {
         }
     }
 
-    /// An upper bound of the widest gap from the nearest points known alone.
+    /// An upper bound of the widest gap: the widest edge of the least spanning tree of the nearest points known, and what
+    /// rounding may add.
     pub fn reach(&mut self) -> Span {
         let mut span = Span::default();
         self.components.reset(self.count);
-        self.bridge(&mut span);
-        span
-    }
-
-    /// Joins what is left by the nearest points known.
-    fn bridge(&mut self, span: &mut Span) {
         while self.components.count() > 1 {
             let mut best: Option<(f64, usize, usize)> = None;
             for i in 0..self.count {
@@ -125,9 +104,15 @@ impl Search {
                     }
                 }
             }
-            let Some((reach, i, j)) = best else { return };
+            let Some((reach, i, j)) = best else { break };
             self.components.join(i, j);
-            span.widen(reach.sqrt(), self.nearest[i * self.count + j]);
+            if reach.sqrt() >= span.upper {
+                span.upper = reach.sqrt();
+                span.widest = Some(self.nearest[i * self.count + j]);
+            }
         }
+        // No two points are farther apart than the diameter.
+        span.upper = (span.upper * (1.0 + 4.0 * f64::EPSILON) + self.off).min(self.plane_diameter);
+        span
     }
 }

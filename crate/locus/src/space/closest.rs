@@ -242,9 +242,10 @@ impl Closest {
         let (mut lower, mut depth) = (f64::NEG_INFINITY, 0.0_f64);
         let nearest = &mut self.nearest[pair];
         for round in 0..ROUNDS {
-            // The direction is that of `step` in space, and a form on the frame.
+            // The direction is about that of `step` in space, and a form on the frame.
             let normal = frame.metric * step;
-            let length = (frame.linear * step).length();
+            // That of the normal as it is, not as it would be without rounding; no shorter than it may be.
+            let length = (frame.normal * normal).length() + frame.blur * normal.abs().element_sum();
             if length == 0.0 {
                 break;
             }

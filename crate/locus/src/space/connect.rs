@@ -1,10 +1,11 @@
 //! The full answer for one system of space.
 
-use frond_core::{Fan3, Ifs3};
+use frond_core::{Affine3, Contraction3, Fan3, Ifs3};
 use glam::DVec3;
 
 use crate::connectedness::{Gap, Options, Verdict};
 use crate::graph::OverlapGraph;
+use crate::lens::Lens;
 use crate::space::closest::Closest;
 use crate::space::frame::Frame3;
 use crate::space::reason::{self, Reason3};
@@ -60,10 +61,20 @@ const WITHIN: f64 = 0.01;
 /// ```
 #[must_use]
 pub fn connectedness3(ifs: &Ifs3, options: &Options) -> Connectedness3 {
-    let maps = ifs.maps();
+    if let Some(lens) = Lens::of3(ifs.maps()) {
+        let maps = lens.magnify3(ifs.maps());
+        // Size is no matter for it: those as given have one.
+        if let Ok(contraction) = Contraction3::find(&maps) {
+            return lens.connectedness3(decided(&maps, &contraction, options));
+        }
+    }
+    decided(ifs.maps(), ifs.contraction(), options)
+}
+
+fn decided(maps: &[Affine3], contraction: &Contraction3, options: &Options) -> Connectedness3 {
     let count = maps.len();
     let mut frame = Frame3::default();
-    frame.set_round(maps, ifs.contraction());
+    frame.set_round(maps, contraction);
     if frame.point || count == 1 {
         return in_one_point(count, reason::find(maps, 0.0));
     }

@@ -10,9 +10,13 @@ pub(crate) struct Frame3 {
     pub maps: Vec<Affine3>,
     /// From here to space.
     pub linear: DMat3,
+    /// Takes the normals of planes to space: the inverse, transposed.
+    pub normal: DMat3,
+    /// How far a normal that is taken to space may be off there, against the sum of its sides here.
+    pub blur: f64,
     /// The point of space that is 0 here.
     pub origin: DVec3,
-    /// The metric of space, pulled back.
+    /// The metric of space, pulled back, but for a factor: which directions show a distance best.
     pub metric: DMat3,
     /// The largest factor by which a distance here grows in space.
     pub stretch: f64,
@@ -30,6 +34,8 @@ impl Default for Frame3 {
         Self {
             maps: Vec::new(),
             linear: DMat3::IDENTITY,
+            normal: DMat3::IDENTITY,
+            blur: 0.0,
             origin: DVec3::ZERO,
             metric: DMat3::IDENTITY,
             stretch: 1.0,
@@ -84,8 +90,14 @@ impl Frame3 {
         self.point = radius <= 1e-14 * (to * DVec3::splat(extent)).length();
         let unit = if self.point { 1.0 } else { radius };
         self.linear = from * unit;
-        self.metric = self.linear.transpose() * self.linear;
+        self.normal = to.transpose() * (1.0 / unit);
+        let sides = [self.normal.x_axis, self.normal.y_axis, self.normal.z_axis];
+        self.blur = ULPS * sides.map(|side| side.abs().max_element()).into_iter().fold(0.0, f64::max);
+        self.blur *= norm(to) * norm(from);
         self.stretch = if from == DMat3::IDENTITY { unit } else { norm(self.linear) };
+        // Of size 1, or of small shapes the squares of what is seen would vanish.
+        let round = self.linear * (1.0 / self.stretch);
+        self.metric = round.transpose() * round;
         self.maps.clear();
         self.maps.extend(maps.iter().map(|map| {
             let translation = to * (map.apply(origin) - origin) * (1.0 / unit);

@@ -3,6 +3,7 @@
 use frond_core::{Affine3, Fan3, IfsError};
 
 use crate::decide::{Sample, State};
+use crate::lens::Lens;
 use crate::space::closest::Closest;
 use crate::space::frame::Frame3;
 
@@ -28,10 +29,17 @@ const FULL: f64 = 1.0 + 1e-12;
 /// plenty for a few maps). `Disconnected` is proved, rounding reckoned with; `Connected` only where the volumes of two maps
 /// leave no room between their pieces. The answer depends on the arguments alone.
 pub fn decide3(maps: &[Affine3], epsilon: f64, budget: usize, scratch: &mut Scratch3) -> Sample {
+    if let Some(lens) = Lens::of3(maps) {
+        return decide3(&lens.magnify3(maps), epsilon, budget, scratch);
+    }
     let Scratch3 { frame, fan, closest } = scratch;
     match frame.set(maps) {
         Ok(()) => {}
         Err(IfsError::Unproved) => return Sample { state: State::Undecided, gap: f32::NAN },
+        // Too large to compute with, which says nothing about the attractor.
+        Err(IfsError::NotFinite { .. }) if maps.iter().all(|map| map.is_finite()) => {
+            return Sample { state: State::Undecided, gap: f32::NAN };
+        }
         Err(_) => return Sample { state: State::NoAttractor, gap: f32::NAN },
     }
     let whole = |state| Sample { state, gap: 0.0 };
