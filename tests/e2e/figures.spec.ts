@@ -203,7 +203,7 @@ test("Figure 1 proves below one half only", async ({ page }) => {
   await open(page, "1");
   const next = page.getByRole("button", { name: "Next iteration" });
   while (await next.isEnabled()) await next.click();
-  await expect(page.getByText("proved by iteration 4")).toBeVisible();
+  await expect(page.getByText("by iteration 4")).toBeVisible();
   const r = page.getByRole("slider", { name: "Scale r" });
   for (let i = 0; i < 6; i++) await r.press("ArrowRight");
   while (await next.isEnabled()) await next.click();
