@@ -85,8 +85,11 @@ test("links that were given out still open", async ({ studio, page }) => {
       }, link);
       await studio.drawn();
       await expect(studio.alerts).toHaveCount(0);
-      // A path that is planned here is written into the address; all else stays as it was sent.
-      const sent = (hash: string) => (link.includes("&path=") ? hash : hash.replace(/&path=auto[^&]*/, ""));
+      // A path that is planned here is written into the address, and the background on which a scene of space is first
+      // shown; all else stays as it was sent.
+      const planned = link.includes("&path=") ? /$^/ : /&path=auto[^&]*/;
+      const shown = link.includes("/b:") ? /$^/ : /\/b:[0-9a-f]{6}/;
+      const sent = (hash: string) => hash.replace(planned, "").replace(shown, "");
       if (link.includes("&tool=fit")) {
         // It has a picture of its own, and what it finds is written into the address.
         await expect(page.getByRole("link", { name: "Fit", exact: true })).toHaveAttribute("aria-current");
