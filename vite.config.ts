@@ -9,6 +9,7 @@ export default defineConfig({
   base: "./",
   // No fallback to index.html: a missing file is a missing file, as on that host.
   appType: "mpa",
+  resolve: { tsconfigPaths: true },
   publicDir: "www/public",
   worker: { format: "es" },
   build: {

@@ -15,7 +15,7 @@ import { route } from "./state/link";
 import { announcement, dismiss, notices, notify, wordsOf } from "./state/notice";
 import { lazily } from "./ui/lazy";
 import { Toasts } from "./ui/Toasts";
-import { MorphPanel, MorphStrip } from "./views/morph";
+import { MorphPanel, MorphStrip } from "./views/morph/index";
 
 /** The whole page. */
 export function App({ backend }: { backend: "auto" | PainterBackend }) {
@@ -70,8 +70,8 @@ const TOOLS: Record<Tool, { title: string; side: string; missing: string }> = {
 function Studio({ backend }: { backend: "auto" | PainterBackend }) {
   const now = tool.value;
   useSignalEffect(() => {
-    if (tool.value === "deform") load(deform, () => import("./views/deform"), tool.value);
-    if (tool.value === "fit") load(fit, () => withCurves(import("./views/fit")), tool.value);
+    if (tool.value === "deform") load(deform, () => import("./views/deform/index"), tool.value);
+    if (tool.value === "fit") load(fit, () => withCurves(import("./views/fit/index")), tool.value);
     if (tool.value === "space") load(space, openSpace, tool.value);
   });
   const [Deform, Fit, Space] = [deform.value, fit.value, space.value];
@@ -119,13 +119,13 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
 }
 
 /** What is shown of closed curves is loaded when there are some, or when one may be chosen. */
-const CurveChip = lazily(() => withCurves(import("./views/curve")).then((module) => module.CurveChip));
+const CurveChip = lazily(() => withCurves(import("./views/curve/index")).then((module) => module.CurveChip));
 const CurveEvidence = lazily(() =>
-  withCurves(import("./views/curve")).then((module) => module.CurveEvidence),
+  withCurves(import("./views/curve/index")).then((module) => module.CurveEvidence),
 );
 const CURVE: CurveParts = {
-  Panel: lazily(() => withCurves(import("./views/curve")).then((module) => module.CurvePanel)),
-  Shelf: lazily(() => withCurves(import("./views/curve")).then((module) => module.Shelf)),
+  Panel: lazily(() => withCurves(import("./views/curve/index")).then((module) => module.CurvePanel)),
+  Shelf: lazily(() => withCurves(import("./views/curve/index")).then((module) => module.Shelf)),
 };
 
 /** What is known of the picture is loaded when somebody asks. */
@@ -137,7 +137,7 @@ export function fetchAhead(): void {
   const tried = () => {
     curvesFetched.value = true;
   };
-  Promise.all([withCurves(import("./views/curve")), evidence()]).then(tried, tried);
+  Promise.all([withCurves(import("./views/curve/index")), evidence()]).then(tried, tried);
 }
 
 /** A part of the page, with what makes closed curves and graphs. */
@@ -146,13 +146,13 @@ async function withCurves<T>(part: Promise<T>): Promise<T> {
   return module;
 }
 
-const deform = signal<typeof import("./views/deform") | null>(null);
-const fit = signal<typeof import("./views/fit") | null>(null);
-const space = signal<typeof import("./views/space") | null>(null);
+const deform = signal<typeof import("./views/deform/index") | null>(null);
+const fit = signal<typeof import("./views/fit/index") | null>(null);
+const space = signal<typeof import("./views/space/index") | null>(null);
 
 /** Space, with what computes it. */
 async function openSpace() {
-  const module = await import("./views/space");
+  const module = await import("./views/space/index");
   await module.openSpace();
   return module;
 }

@@ -7,7 +7,7 @@ import { App, fetchAhead } from "./app";
 import { whenFirstPicture } from "./canvas/first";
 import { startEngine } from "./engine/engine";
 import { compileProof } from "./engine/proof";
-import { startSchedules } from "./engine/schedule";
+import { startSchedules } from "./engine/schedule/index";
 import { load } from "./engine/wasm";
 import { link } from "./shell/actions";
 import { installHook } from "./shell/hook";

@@ -1,6 +1,6 @@
 import { useMemo } from "preact/hooks";
-import { type CurveMorph, curveBoxAt } from "../state/curve";
-import { Thumbnail } from "../ui/Thumbnail";
+import { type CurveMorph, curveBoxAt } from "#state/curve";
+import { Thumbnail } from "#ui/Thumbnail";
 import { curveThumb } from "./curve-thumb";
 import { stageStyle } from "./look";
 

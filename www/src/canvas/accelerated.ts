@@ -1,6 +1,6 @@
-import type { Bend, MapRow } from "../engine/api";
-import type { Renderer, RenderStyle } from "../engine/wasm";
-import type { Photograph } from "../state/photograph";
+import type { Bend, MapRow } from "#engine/api";
+import type { Renderer, RenderStyle } from "#engine/wasm";
+import type { Photograph } from "#state/photograph";
 import type { View } from "./geometry";
 import type { Drawn, Pixels, Surface } from "./surface";
 

@@ -1,7 +1,7 @@
-import type { Bend } from "../engine/api";
-import type { RenderStyle } from "../engine/wasm";
-import type { CurveMorph } from "../state/curve";
-import { wordsOf } from "../state/notice";
+import type { Bend } from "#engine/api";
+import type { RenderStyle } from "#engine/wasm";
+import type { CurveMorph } from "#state/curve";
+import { wordsOf } from "#state/notice";
 import { lookOf, paintCurve } from "./curve-paint";
 import type { View } from "./geometry";
 import type { PainterState } from "./painter";

@@ -1,7 +1,7 @@
 /** Small pictures of closed curves. */
-import type { Box } from "../state/camera";
-import type { CurveMorph } from "../state/curve";
-import { fitFor } from "../state/fit";
+import type { Box } from "#state/camera";
+import type { CurveMorph } from "#state/curve";
+import { fitFor } from "#state/fit";
 import { lookOf, paintCurve } from "./curve-paint";
 
 /** CSS pixels. */

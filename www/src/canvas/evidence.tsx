@@ -1,9 +1,9 @@
 import { computed } from "@preact/signals";
-import type { Certificate, Connectedness, Link, MapRow } from "../engine/api";
-import { STATE } from "../engine/breaks";
-import { verdict } from "../engine/results";
-import { proof } from "../engine/schedule/proof";
-import { shareOf, shareWords, stateOf } from "../state/words";
+import type { Certificate, Connectedness, Link, MapRow } from "#engine/api";
+import { STATE } from "#engine/breaks";
+import { verdict } from "#engine/results";
+import { proof } from "#engine/schedule/proof";
+import { shareOf, shareWords, stateOf } from "#state/words";
 import { toScreen, world } from "./geometry";
 import { stageStyle } from "./look";
 import { evidenceMarked } from "./marks";

@@ -1,11 +1,11 @@
 import { computed, signal, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import type { MapRow, Shape } from "../engine/api";
-import { type Box, boxOf } from "../state/fit";
-import { selection } from "../state/morph";
-import { announce } from "../state/notice";
-import { edit, endGesture, inGesture, scene } from "../state/scene";
-import { lengthWords } from "../state/words";
+import type { MapRow, Shape } from "#engine/api";
+import { type Box, boxOf } from "#state/fit";
+import { selection } from "#state/morph";
+import { announce } from "#state/notice";
+import { edit, endGesture, inGesture, scene } from "#state/scene";
+import { lengthWords } from "#state/words";
 import { screen, toScreen, toWorld, type World } from "./geometry";
 import { stageStyle } from "./look";
 import { type Corners, cornersOf, dragged, GRIPS, type Grip } from "./parallelogram";

@@ -1,9 +1,9 @@
-import type { Bend, MapRow } from "../engine/api";
-import type { Channel } from "../engine/protocol";
-import { createRenderer } from "../engine/renderer";
-import type { Backend, Renderer, RenderStyle } from "../engine/wasm";
-import { notify, wordsOf } from "../state/notice";
-import type { Photograph } from "../state/photograph";
+import type { Bend, MapRow } from "#engine/api";
+import type { Channel } from "#engine/protocol";
+import { createRenderer } from "#engine/renderer";
+import type { Backend, Renderer, RenderStyle } from "#engine/wasm";
+import { notify, wordsOf } from "#state/notice";
+import type { Photograph } from "#state/photograph";
 import { Accelerated } from "./accelerated";
 import { Fallback } from "./fallback";
 import type { View } from "./geometry";

@@ -1,6 +1,6 @@
-import type { Bend } from "../engine/api";
-import { frond, type SheetHandle } from "../engine/wasm";
-import type { Photograph } from "../state/photograph";
+import type { Bend } from "#engine/api";
+import { frond, type SheetHandle } from "#engine/wasm";
+import type { Photograph } from "#state/photograph";
 import type { View } from "./geometry";
 import type { Drawn } from "./surface";
 

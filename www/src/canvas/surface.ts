@@ -1,6 +1,6 @@
-import type { Bend, MapRow } from "../engine/api";
-import type { RenderStyle } from "../engine/wasm";
-import type { Photograph } from "../state/photograph";
+import type { Bend, MapRow } from "#engine/api";
+import type { RenderStyle } from "#engine/wasm";
+import type { Photograph } from "#state/photograph";
 import type { View } from "./geometry";
 
 /** Straight alpha, row 0 on top. */

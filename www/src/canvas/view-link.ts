@@ -1,6 +1,6 @@
 import { effect, untracked } from "@preact/signals";
-import { selection } from "../state/morph";
-import { replace, scene } from "../state/scene";
+import { selection } from "#state/morph";
+import { replace, scene } from "#state/scene";
 import type { View } from "./geometry";
 import { baseView, effectiveView, stageSize, view } from "./view";
 

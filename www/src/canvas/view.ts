@@ -1,8 +1,8 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import { type Box, blendTracks, boxAt, sameTrack, type Track } from "../state/camera";
-import { fitFor, pairBox, stageTrack } from "../state/fit";
-import { reducedMotion } from "../state/preferences";
-import { inGesture, scene } from "../state/scene";
+import { type Box, blendTracks, boxAt, sameTrack, type Track } from "#state/camera";
+import { fitFor, pairBox, stageTrack } from "#state/fit";
+import { reducedMotion } from "#state/preferences";
+import { inGesture, scene } from "#state/scene";
 import type { Size, View } from "./geometry";
 import { panelInset } from "./marks";
 

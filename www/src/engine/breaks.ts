@@ -1,4 +1,4 @@
-import { type Uv, uvAt } from "../state/path";
+import { type Uv, uvAt } from "#state/path";
 import type { Bounds, Locus } from "./api";
 
 export interface Stretch {

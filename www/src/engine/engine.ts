@@ -1,5 +1,5 @@
 import { signal } from "@preact/signals";
-import { notify, wordsOf } from "../state/notice";
+import { notify, wordsOf } from "#state/notice";
 import { executor } from "./execute";
 import { Inline } from "./inline";
 import { Pool, type WorkerLike } from "./pool";

@@ -1,4 +1,4 @@
-import type { Told } from "../state/words";
+import type { Told } from "#state/words";
 import type {
   Bounds,
   Candidate,

@@ -1,6 +1,6 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import { pathPoints } from "../state/morph";
-import type { Told } from "../state/words";
+import { pathPoints } from "#state/morph";
+import type { Told } from "#state/words";
 import type { Bounds, Connectedness, Locus, PathPlan, PathPoint } from "./api";
 import { type Stretch, statesAlong, stretches, type Worst } from "./breaks";
 import type { Pyramid } from "./pyramid";

@@ -1,5 +1,5 @@
 /** Addresses of points on gaskets: which words of maps lead to them, all of them where there are several. */
-import type { MapRow } from "../engine/api";
+import type { MapRow } from "#engine/api";
 import { apply, type Point } from "./apart";
 
 export type Triangle = readonly [Point, Point, Point];

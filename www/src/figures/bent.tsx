@@ -1,8 +1,8 @@
 import type { ComponentChildren } from "preact";
 import { useMemo } from "preact/hooks";
-import type { Bend } from "../engine/api";
-import { bentAt } from "../state/bezier";
-import { fitFor } from "../state/fit";
+import type { Bend } from "#engine/api";
+import { bentAt } from "#state/bezier";
+import { fitFor } from "#state/fit";
 import type { Point } from "./apart";
 import type { Place } from "./drawn";
 import { Picture, type PictureProps } from "./picture";

@@ -1,6 +1,6 @@
 /** How much of a path is broken, in numbers and in words. */
-import { isBroken, STATE, type Stretch, stretches } from "../engine/breaks";
-import { fixed } from "../ui/number";
+import { isBroken, STATE, type Stretch, stretches } from "#engine/breaks";
+import { fixed } from "#ui/number";
 
 export interface Breakage {
   stretches: Stretch[];

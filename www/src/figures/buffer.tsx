@@ -1,6 +1,6 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { dark } from "../state/preferences";
-import { palette } from "../style/palette";
+import { dark } from "#state/preferences";
+import { palette } from "#style/palette";
 import type { Collisions } from "./collisions";
 import { usePixels } from "./picture";
 import { useValue } from "./work";

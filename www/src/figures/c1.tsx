@@ -1,10 +1,10 @@
 import { useMemo, useState } from "preact/hooks";
-import type { Graph } from "../engine/api";
-import { rough } from "../engine/curves";
-import { NumberField } from "../ui/NumberField";
-import { fixed, formatNumber } from "../ui/number";
-import { Slider } from "../ui/Slider";
-import { Switch } from "../ui/Switch";
+import type { Graph } from "#engine/api";
+import { rough } from "#engine/curves";
+import { NumberField } from "#ui/NumberField";
+import { fixed, formatNumber } from "#ui/number";
+import { Slider } from "#ui/Slider";
+import { Switch } from "#ui/Switch";
 
 import { Control, Frame, type Heading } from "./frame";
 import { byPiece, rangeOf } from "./graphs";

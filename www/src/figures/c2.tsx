@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
-import { rough } from "../engine/curves";
-import { fixed, formatNumber } from "../ui/number";
-import { Segmented } from "../ui/Segmented";
-import { Slider } from "../ui/Slider";
+import { rough } from "#engine/curves";
+import { fixed, formatNumber } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
+import { Slider } from "#ui/Slider";
 import { Control, Frame, type Heading } from "./frame";
 import { byPiece, fixedPointImages, graphOf, rangeOf } from "./graphs";
 import { MapTable } from "./map-table";

@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
-import { Button } from "../ui/Button";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
-import { Switch } from "../ui/Switch";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
+import { Switch } from "#ui/Switch";
 import { arrowhead } from "./arrowhead";
 import { Control, Frame, type Heading } from "./frame";
 import { type Eye, SpaceView, STEEPEST } from "./space-view";

@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
-import { fixed, formatNumber } from "../ui/number";
-import { Segmented } from "../ui/Segmented";
-import { Slider } from "../ui/Slider";
+import { fixed, formatNumber } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
+import { Slider } from "#ui/Slider";
 import { bestCopy, type Heights, heightsAlong, TOP } from "./arrowhead";
 import { Control, Frame, type Heading } from "./frame";
 import { rangeOf } from "./graphs";

@@ -1,10 +1,10 @@
 import { useMemo, useState } from "preact/hooks";
-import type { FoundCluster } from "../engine/fit/tasks/hough";
-import { dark } from "../state/preferences";
-import { palette } from "../style/palette";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
-import { Switch } from "../ui/Switch";
+import type { FoundCluster } from "#engine/fit/tasks/hough";
+import { dark } from "#state/preferences";
+import { palette } from "#style/palette";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
+import { Switch } from "#ui/Switch";
 import { cornerImages, heightsOf, TOP } from "./arrowhead";
 import { KIND_COLOURS, kindWords } from "./cluster-names";
 import { Control, Frame, type Heading } from "./frame";

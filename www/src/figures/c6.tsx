@@ -1,9 +1,9 @@
 import { useMemo, useState } from "preact/hooks";
-import type { Graph } from "../engine/api";
-import { rough } from "../engine/curves";
-import { fixed } from "../ui/number";
-import { Segmented } from "../ui/Segmented";
-import { Slider } from "../ui/Slider";
+import type { Graph } from "#engine/api";
+import { rough } from "#engine/curves";
+import { fixed } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
+import { Slider } from "#ui/Slider";
 import { heightsAlong, TOP } from "./arrowhead";
 import { Control, Frame, type Heading } from "./frame";
 import { byPiece, rangeOfPiece } from "./graphs";

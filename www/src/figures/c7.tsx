@@ -1,9 +1,9 @@
 import { useMemo, useState } from "preact/hooks";
-import type { Collage, Figures } from "../engine/fit/tasks/curve";
-import { Button } from "../ui/Button";
-import { fixed } from "../ui/number";
-import { Segmented } from "../ui/Segmented";
-import { Switch } from "../ui/Switch";
+import type { Collage, Figures } from "#engine/fit/tasks/curve";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
+import { Switch } from "#ui/Switch";
 import { Frame, type Heading } from "./frame";
 import {
   type CurveState,

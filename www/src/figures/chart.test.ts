@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
-import { STATE } from "../engine/breaks";
-import type { LocusResult } from "../engine/results";
+import { STATE } from "#engine/breaks";
+import type { LocusResult } from "#engine/results";
 import { blankChart, chartJob } from "./chart";
 
 const ENDS = { from: [], to: [] };

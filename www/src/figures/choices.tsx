@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
-import { useOwnId } from "../ui/id";
-import { Slider } from "../ui/Slider";
+import { useOwnId } from "#ui/id";
+import { Slider } from "#ui/Slider";
 import { Control } from "./frame";
 import type { Prediction } from "./predict";
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
+import type { FoundCluster } from "#engine/fit/tasks/hough";
 import known from "../../../tests/known/fit/table2.json";
-import type { FoundCluster } from "../engine/fit/tasks/hough";
 import { apartIn, kindWords, letterOf, nearestOf } from "./cluster-names";
 import { after, inverse, type ShearMap, TABLE_1, TABLE_2 } from "./printed";
 import { added } from "./votes";

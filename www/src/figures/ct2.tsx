@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
-import type { FoundCluster } from "../engine/fit/tasks/hough";
-import { fixed } from "../ui/number";
-import { Switch } from "../ui/Switch";
+import type { FoundCluster } from "#engine/fit/tasks/hough";
+import { fixed } from "#ui/number";
+import { Switch } from "#ui/Switch";
 import { TABLE_1_GRAPH } from "./c2";
 import { kindWords, letterOf, nearestOf } from "./cluster-names";
 import { Frame, type Heading } from "./frame";

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import type { Point } from "./apart";
 import { type Cube, codeOf, codeWords, lettersOf } from "./codes";
 import { CubeLine } from "./cube-line";

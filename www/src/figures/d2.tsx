@@ -1,6 +1,6 @@
 import { useMemo, useState } from "preact/hooks";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import { addresses, onGasket, pieceOf, rightGasket } from "./addresses";
 import type { Point } from "./apart";
 import { codeWords } from "./codes";

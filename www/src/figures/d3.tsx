@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
-import { fixed } from "../ui/number";
-import { Segmented } from "../ui/Segmented";
-import { Slider } from "../ui/Slider";
+import { fixed } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
+import { Slider } from "#ui/Slider";
 import { rightGasket } from "./addresses";
 import type { Point } from "./apart";
 import { codeOf, codeWords } from "./codes";

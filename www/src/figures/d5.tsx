@@ -1,9 +1,9 @@
 import { useCallback, useMemo, useState } from "preact/hooks";
-import type { Deformation, MapRow, Spin } from "../engine/api";
-import { bendAt } from "../state/bend";
-import type { Box } from "../state/fit";
-import { fixed } from "../ui/number";
-import { Segmented } from "../ui/Segmented";
+import type { Deformation, MapRow, Spin } from "#engine/api";
+import { bendAt } from "#state/bend";
+import type { Box } from "#state/fit";
+import { fixed } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
 import type { Point } from "./apart";
 import { Bent } from "./bent";
 import { SWAY } from "./deform-meshes";

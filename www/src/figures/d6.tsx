@@ -1,8 +1,8 @@
 import { useMemo } from "preact/hooks";
-import type { Deformation, MapRow } from "../engine/api";
-import { bendAt } from "../state/bend";
-import type { Box } from "../state/fit";
-import { fixed } from "../ui/number";
+import type { Deformation, MapRow } from "#engine/api";
+import { bendAt } from "#state/bend";
+import type { Box } from "#state/fit";
+import { fixed } from "#ui/number";
 import { Bent } from "./bent";
 import { DRAGON_COLOURS, DRAW } from "./deform-meshes";
 import { deformationBy, numbersOf, type Panel } from "./deformations";

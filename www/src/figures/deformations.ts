@@ -1,7 +1,7 @@
 /** The deformations of Figures 4 to 6: which mesh moves how, and what differs from panel to panel. */
-import type { Deformation, DeformKey } from "../engine/api";
-import { AT_REST } from "../state/bend";
-import { fixed } from "../ui/number";
+import type { Deformation, DeformKey } from "#engine/api";
+import { AT_REST } from "#state/bend";
+import { fixed } from "#ui/number";
 import { movesOf, type NamedMesh } from "./deform-meshes";
 
 /** What a deformation by a mesh is, where nothing else is said. */

@@ -1,7 +1,7 @@
-import type { LocusResult } from "../engine/results";
-import type { Uv } from "../state/path";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
+import type { LocusResult } from "#engine/results";
+import type { Uv } from "#state/path";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import { Control } from "./frame";
 import { BOUNDS, type Complex, DUST, WHOLE } from "./mset";
 import { Plane } from "./square";

@@ -1,4 +1,4 @@
-import { Segmented } from "../ui/Segmented";
+import { Segmented } from "#ui/Segmented";
 import { aboutDragon, DRAGONS, dragon } from "./dragon";
 import type { Parameter } from "./frame";
 

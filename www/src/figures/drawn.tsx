@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
-import type { MapRow } from "../engine/api";
-import { type Box, fitFor } from "../state/fit";
+import type { MapRow } from "#engine/api";
+import { type Box, fitFor } from "#state/fit";
 import { apply, type Point } from "./apart";
 import { Picture, type PictureProps } from "./picture";
 

@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
-import type { Box } from "../state/fit";
-import { lengthWords } from "../state/words";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
+import type { Box } from "#state/fit";
+import { lengthWords } from "#state/words";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import { Guess } from "./choices";
 import { Drawn, Span } from "./drawn";
 import { gasket, HEIGHT } from "./families";

@@ -1,10 +1,10 @@
 import { useMemo, useState } from "preact/hooks";
-import type { PathPlan } from "../engine/api";
-import type { Task } from "../engine/protocol";
-import { frond } from "../engine/wasm";
-import { meritWords } from "../state/morph-words";
-import { shareWords } from "../state/words";
-import { Segmented } from "../ui/Segmented";
+import type { PathPlan } from "#engine/api";
+import type { Task } from "#engine/protocol";
+import { frond } from "#engine/wasm";
+import { meritWords } from "#state/morph-words";
+import { shareWords } from "#state/words";
+import { Segmented } from "#ui/Segmented";
 import { useChart } from "./chart";
 import { Choices } from "./choices";
 import { Drawn, middles, PieceNames } from "./drawn";

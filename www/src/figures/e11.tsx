@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
-import { bendAt } from "../state/bend";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
+import { bendAt } from "#state/bend";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import { Bent } from "./bent";
 import { Choices } from "./choices";
 import { GASKET, LIFT_BOX, liftOf } from "./d4";

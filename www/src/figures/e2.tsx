@@ -1,5 +1,5 @@
 import { useMemo, useState } from "preact/hooks";
-import { Button } from "../ui/Button";
+import { Button } from "#ui/Button";
 import { Board } from "./board";
 import { Choices } from "./choices";
 import { gasket } from "./families";

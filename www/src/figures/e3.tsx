@@ -1,7 +1,7 @@
 import { useMemo } from "preact/hooks";
-import type { MapRow } from "../engine/api";
-import type { Box } from "../state/fit";
-import { lengthWords } from "../state/words";
+import type { MapRow } from "#engine/api";
+import type { Box } from "#state/fit";
+import { lengthWords } from "#state/words";
 import { apply, type Point } from "./apart";
 import { type Edge, groups } from "./collisions";
 import { Drawn, PieceNames, Span } from "./drawn";

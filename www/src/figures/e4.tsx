@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
-import { prover } from "../engine/proof";
-import { reasonWords } from "../state/reason";
-import { fixed } from "../ui/number";
-import { Segmented } from "../ui/Segmented";
+import { prover } from "#engine/proof";
+import { reasonWords } from "#state/reason";
+import { fixed } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
 import { barnsley, type Round } from "./barnsley";
 import { Guess } from "./choices";
 import { dust } from "./families";

@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
-import { epoch, submit } from "../engine/engine";
-import { frond } from "../engine/wasm";
-import { fixed } from "../ui/number";
+import { epoch, submit } from "#engine/engine";
+import { frond } from "#engine/wasm";
+import { fixed } from "#ui/number";
 import { median } from "./bisect";
 import { Buffer } from "./buffer";
 import { Guess } from "./choices";

@@ -1,6 +1,6 @@
 import { useMemo } from "preact/hooks";
-import type { MapRow, Mode } from "../engine/api";
-import { fixed } from "../ui/number";
+import type { MapRow, Mode } from "#engine/api";
+import { fixed } from "#ui/number";
 import { Choices } from "./choices";
 import { determinant, gasket, turnedGasket } from "./families";
 import { determinants } from "./fig34";

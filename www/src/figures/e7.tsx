@@ -1,10 +1,10 @@
 import { useMemo, useState } from "preact/hooks";
-import { STATE } from "../engine/breaks";
-import { prover } from "../engine/proof";
-import { type Uv, uvAt } from "../state/path";
-import { shareWords, toldOf, verdictWords } from "../state/words";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
+import { STATE } from "#engine/breaks";
+import { prover } from "#engine/proof";
+import { type Uv, uvAt } from "#state/path";
+import { shareWords, toldOf, verdictWords } from "#state/words";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import { breakage, stretchWords } from "./broken";
 import { useChart } from "./chart";
 import { Guess } from "./choices";

@@ -1,11 +1,11 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
-import type { Connectedness } from "../engine/api";
-import { epoch, submit } from "../engine/engine";
-import type { LocusResult } from "../engine/results";
-import type { Uv } from "../state/path";
-import { verdictPhrase } from "../state/words";
-import { Button } from "../ui/Button";
-import { fixed } from "../ui/number";
+import type { Connectedness } from "#engine/api";
+import { epoch, submit } from "#engine/engine";
+import type { LocusResult } from "#engine/results";
+import type { Uv } from "#state/path";
+import { verdictPhrase } from "#state/words";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
 import { Choices } from "./choices";
 import { complexWords, Disc, Sliders } from "./disc";
 import type { Heading } from "./frame";

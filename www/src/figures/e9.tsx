@@ -1,9 +1,9 @@
 import { useMemo, useState } from "preact/hooks";
-import type { MapRow } from "../engine/api";
-import type { Box } from "../state/fit";
-import { lengthWords, shareOf, shareWords } from "../state/words";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
+import type { MapRow } from "#engine/api";
+import type { Box } from "#state/fit";
+import { lengthWords, shareOf, shareWords } from "#state/words";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import { type Apart, distances, spanningTree } from "./apart";
 import { Choices } from "./choices";
 import { Drawn, middles, PieceNames, type Place, Span } from "./drawn";

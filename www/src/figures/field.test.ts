@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { STATE } from "../engine/breaks";
+import { STATE } from "#engine/breaks";
 import { colourOf, fieldPixels, HOLDS, NARROW, shade, WIDE } from "./field";
 
 describe("colourOf", () => {

@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
-import { prover } from "../engine/proof";
-import { Button } from "../ui/Button";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
+import { prover } from "#engine/proof";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import { barnsley, type Round } from "./barnsley";
 import { dust } from "./families";
 import { Control, Frame, type Heading } from "./frame";

@@ -1,11 +1,11 @@
 import { useMemo, useState } from "preact/hooks";
-import type { MapRow } from "../engine/api";
-import { frond } from "../engine/wasm";
-import { verdictPhrase } from "../state/words";
-import { Button } from "../ui/Button";
-import { fixed } from "../ui/number";
-import { Segmented } from "../ui/Segmented";
-import { Slider } from "../ui/Slider";
+import type { MapRow } from "#engine/api";
+import { frond } from "#engine/wasm";
+import { verdictPhrase } from "#state/words";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
+import { Slider } from "#ui/Slider";
 import { Buffer } from "./buffer";
 import { Collisions, groups, windowOf } from "./collisions";
 import { shrink } from "./families";

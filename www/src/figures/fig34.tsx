@@ -1,8 +1,8 @@
 import { useMemo } from "preact/hooks";
-import type { MapRow, Mode } from "../engine/api";
-import type { Box } from "../state/fit";
-import { verdictPhrase } from "../state/words";
-import { fixed } from "../ui/number";
+import type { MapRow, Mode } from "#engine/api";
+import type { Box } from "#state/fit";
+import { verdictPhrase } from "#state/words";
+import { fixed } from "#ui/number";
 import { type Breakage, breakage, shareWords, stretchWords } from "./broken";
 import { determinant, gasket, HEIGHT, turnedGasket } from "./families";
 import { Frame, type Heading } from "./frame";

@@ -1,7 +1,7 @@
 import { useEffect } from "preact/hooks";
-import type { PathPlan } from "../engine/api";
-import { shareWords as gapWords } from "../state/words";
-import { fixed } from "../ui/number";
+import type { PathPlan } from "#engine/api";
+import { shareWords as gapWords } from "#state/words";
+import { fixed } from "#ui/number";
 import { type Breakage, shareWords, stretchWords } from "./broken";
 import { chart, dragon, followChart } from "./dragon";
 import { DragonChoice, dragonParameters, WHY_DRAGON } from "./dragon-choice";

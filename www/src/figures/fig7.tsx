@@ -1,11 +1,11 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
-import type { MapRow, PathPlan } from "../engine/api";
-import { isBroken } from "../engine/breaks";
-import type { LocusResult } from "../engine/results";
-import type { Uv } from "../state/path";
-import { verdictPhrase } from "../state/words";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
+import type { MapRow, PathPlan } from "#engine/api";
+import { isBroken } from "#engine/breaks";
+import type { LocusResult } from "#engine/results";
+import type { Uv } from "#state/path";
+import { verdictPhrase } from "#state/words";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import { shareWords } from "./broken";
 import { chart, dragon, ends, followChart } from "./dragon";
 import { DragonChoice, dragonParameters, WHY_DRAGON } from "./dragon-choice";

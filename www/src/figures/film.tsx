@@ -1,9 +1,9 @@
 import type { ComponentChildren } from "preact";
 import { useMemo } from "preact/hooks";
-import type { Uv } from "../state/path";
-import { uvAt } from "../state/path";
-import { verdictPhrase } from "../state/words";
-import { fixed } from "../ui/number";
+import type { Uv } from "#state/path";
+import { uvAt } from "#state/path";
+import { verdictPhrase } from "#state/words";
+import { fixed } from "#ui/number";
 import { type Breakage, breakage } from "./broken";
 import { dragon, ends } from "./dragon";
 import { boxAround, framesAlong, mapsAt } from "./morphs";

@@ -1,6 +1,6 @@
 /** Small pictures of the figures on rough curves, made by the same parts as the figures themselves. */
 import { useMemo } from "preact/hooks";
-import { rough } from "../engine/curves";
+import { rough } from "#engine/curves";
 import { arrowhead, heightsAlong, TOP } from "./arrowhead";
 import { FIGURE_1, interpolated } from "./c1";
 import { TABLE_1_GRAPH } from "./c2";

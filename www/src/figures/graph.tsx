@@ -1,5 +1,5 @@
-import { dark } from "../state/preferences";
-import { palette } from "../style/palette";
+import { dark } from "#state/preferences";
+import { palette } from "#style/palette";
 import { type Edge, groups } from "./collisions";
 
 export interface GraphProps {

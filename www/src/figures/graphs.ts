@@ -1,5 +1,5 @@
 /** Graphs of fractal functions as the figures show them. */
-import type { Graph } from "../engine/api";
+import type { Graph } from "#engine/api";
 import type { Piece, ShearMap } from "./printed";
 import { applied } from "./printed";
 

@@ -1,7 +1,7 @@
 /** Small pictures of the lessons, made by the same parts as the lessons themselves. */
 import { useMemo } from "preact/hooks";
-import type { MapRow } from "../engine/api";
-import { bendAt } from "../state/bend";
+import type { MapRow } from "#engine/api";
+import { bendAt } from "#state/bend";
 import { barnsley } from "./barnsley";
 import { Bent } from "./bent";
 import { Board } from "./board";

@@ -1,5 +1,5 @@
 import type { ComponentChildren } from "preact";
-import { Button } from "../ui/Button";
+import { Button } from "#ui/Button";
 import { Head, type Heading, type Parameter, Parameters } from "./frame";
 import type { Prediction } from "./predict";
 

@@ -1,8 +1,8 @@
 import { useMemo } from "preact/hooks";
-import type { Bend, Colouring, MapRow } from "../engine/api";
-import { frond } from "../engine/wasm";
-import type { Box } from "../state/fit";
-import { fixed } from "../ui/number";
+import type { Bend, Colouring, MapRow } from "#engine/api";
+import { frond } from "#engine/wasm";
+import type { Box } from "#state/fit";
+import { fixed } from "#ui/number";
 import type { Point } from "./apart";
 import { Bent } from "./bent";
 import type { Place } from "./drawn";

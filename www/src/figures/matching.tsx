@@ -1,5 +1,5 @@
-import { dark } from "../state/preferences";
-import { palette } from "../style/palette";
+import { dark } from "#state/preferences";
+import { palette } from "#style/palette";
 
 /** In words: "1 to 2, 2 to 1, 3 to 3". */
 export function matchingWords(matching: readonly number[]): string {

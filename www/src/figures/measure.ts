@@ -1,5 +1,5 @@
 /** Table 1: at which scale an index buffer first calls the gasket connected. */
-import type { Channel, Job, Task } from "../engine/protocol";
+import type { Channel, Job, Task } from "#engine/protocol";
 import { Bisection } from "./bisect";
 import { gasket } from "./families";
 

@@ -1,6 +1,6 @@
-import type { Point3 } from "../engine/api";
-import { solid } from "../engine/space/module";
-import { NumberField } from "../ui/NumberField";
+import type { Point3 } from "#engine/api";
+import { solid } from "#engine/space/module";
+import { NumberField } from "#ui/NumberField";
 import { Control } from "./frame";
 import { sharesLinear } from "./meets";
 

@@ -1,8 +1,8 @@
 /** Morphs as the figures show them: frames at even times, and one box for all. */
-import type { MapRow, Mode } from "../engine/api";
-import { frond } from "../engine/wasm";
-import { type Box, boxOf, diagonal } from "../state/fit";
-import { type Uv, uvAt } from "../state/path";
+import type { MapRow, Mode } from "#engine/api";
+import { frond } from "#engine/wasm";
+import { type Box, boxOf, diagonal } from "#state/fit";
+import { type Uv, uvAt } from "#state/path";
 import type { StripFrame } from "./strip";
 
 export interface Ends {

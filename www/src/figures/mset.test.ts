@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import type { Connectedness } from "../engine/api";
-import { STATE } from "../engine/breaks";
-import type { LocusResult } from "../engine/results";
+import type { Connectedness } from "#engine/api";
+import { STATE } from "#engine/breaks";
+import type { LocusResult } from "#engine/results";
 import { determinant } from "./families";
 import { blankQuarter, knownState, mapsOf, quarterJob, REACH, unfolded } from "./mset";
 

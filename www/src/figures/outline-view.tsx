@@ -1,7 +1,7 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { type Box, fitFor } from "../state/fit";
-import { dark } from "../state/preferences";
-import { palette } from "../style/palette";
+import { type Box, fitFor } from "#state/fit";
+import { dark } from "#state/preferences";
+import { palette } from "#style/palette";
 import { usePixels } from "./picture";
 import { useValue } from "./work";
 

@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { IconButton } from "../ui/Button";
+import { IconButton } from "#ui/Button";
 
 /** Calls `step` at every frame while it plays, with the seconds since the last; stops when that returns false. */
 export function usePlay(step: (seconds: number) => boolean): {

@@ -1,7 +1,7 @@
 import { useRef } from "preact/hooks";
-import { dark } from "../state/preferences";
-import { palette } from "../style/palette";
-import { formatNumber } from "../ui/number";
+import { dark } from "#state/preferences";
+import { palette } from "#style/palette";
+import { formatNumber } from "#ui/number";
 import { usePixels } from "./picture";
 import { along, linePath, type Scale } from "./scale";
 

@@ -1,8 +1,8 @@
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { dark } from "../state/preferences";
-import { palette } from "../style/palette";
-import { formatNumber } from "../ui/number";
+import { dark } from "#state/preferences";
+import { palette } from "#style/palette";
+import { formatNumber } from "#ui/number";
 import { usePixels } from "./picture";
 import { along, type Scale } from "./scale";
 import { useValue } from "./work";

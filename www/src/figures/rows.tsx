@@ -1,7 +1,7 @@
 import { useRef } from "preact/hooks";
-import { dark } from "../state/preferences";
-import { palette } from "../style/palette";
-import { fixed } from "../ui/number";
+import { dark } from "#state/preferences";
+import { palette } from "#style/palette";
+import { fixed } from "#ui/number";
 import { common, cover, type Round } from "./barnsley";
 import { usePixels } from "./picture";
 

@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
-import type { SpaceView } from "../engine/api";
-import { turns3 } from "../engine/space/affine";
-import { Segmented } from "../ui/Segmented";
+import type { SpaceView } from "#engine/api";
+import { turns3 } from "#engine/space/affine";
+import { Segmented } from "#ui/Segmented";
 import { Frame, type Heading } from "./frame";
 import { type Form, triangle } from "./sheet3";
 import { inSpace, spaceHref } from "./solid";

@@ -1,6 +1,6 @@
 import { useMemo, useState } from "preact/hooks";
-import { turns3 } from "../engine/space/affine";
-import { fixed } from "../ui/number";
+import { turns3 } from "#engine/space/affine";
+import { fixed } from "#ui/number";
 import { Frame, type Heading } from "./frame";
 import { CUT_OFF, FormChoice, TRIANGLE_VIEW } from "./s1";
 import { type Form, triangle } from "./sheet3";

@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
-import { after3, shift3, turns3 } from "../engine/space/affine";
-import { Button } from "../ui/Button";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
+import { after3, shift3, turns3 } from "#engine/space/affine";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import { Control, Frame, type Heading } from "./frame";
 import { CUT_OFF } from "./s1";
 import { triangle } from "./sheet3";

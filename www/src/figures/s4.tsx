@@ -1,9 +1,9 @@
 import { useMemo, useState } from "preact/hooks";
-import type { MapRow3 } from "../engine/api";
-import { after3, scale3, turns3 } from "../engine/space/affine";
-import { solid } from "../engine/space/module";
-import { Button } from "../ui/Button";
-import { fixed } from "../ui/number";
+import type { MapRow3 } from "#engine/api";
+import { after3, scale3, turns3 } from "#engine/space/affine";
+import { solid } from "#engine/space/module";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
 import { Frame, type Heading } from "./frame";
 import { CUT_OFF, TRIANGLE_VIEW } from "./s1";
 import { triangle } from "./sheet3";

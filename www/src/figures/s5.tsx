@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
-import { scale3, shift3 } from "../engine/space/affine";
-import { Button } from "../ui/Button";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
+import { scale3, shift3 } from "#engine/space/affine";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import { Control, Frame, type Heading } from "./frame";
 import { pyramid } from "./sheet3";
 import { inSpace, spaceHref } from "./solid";

@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
-import { about3, apply3, turns3 } from "../engine/space/affine";
-import { Button } from "../ui/Button";
-import { fixed } from "../ui/number";
-import { Segmented } from "../ui/Segmented";
+import { about3, apply3, turns3 } from "#engine/space/affine";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
 import { Frame, type Heading } from "./frame";
 import { ANGLE, BEFORE } from "./s5";
 import { pyramid } from "./sheet3";

@@ -1,9 +1,9 @@
 import { useMemo, useState } from "preact/hooks";
-import type { SpaceView } from "../engine/api";
-import { scale3 } from "../engine/space/affine";
-import { solid } from "../engine/space/module";
-import { Button } from "../ui/Button";
-import { formatNumber } from "../ui/number";
+import type { SpaceView } from "#engine/api";
+import { scale3 } from "#engine/space/affine";
+import { solid } from "#engine/space/module";
+import { Button } from "#ui/Button";
+import { formatNumber } from "#ui/number";
 import { Frame, type Heading } from "./frame";
 import { Scenery } from "./scenery";
 import { inSpace, spaceHref } from "./solid";

@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
-import { about3, turns3 } from "../engine/space/affine";
-import { Button } from "../ui/Button";
-import "../ui/map-blocks.css";
-import { fixed, formatNumber } from "../ui/number";
+import { about3, turns3 } from "#engine/space/affine";
+import { Button } from "#ui/Button";
+import "#ui/map-blocks.css";
+import { fixed, formatNumber } from "#ui/number";
 import { Frame, type Heading } from "./frame";
 import { FIGURE_VII, FIGURE_VIII, farthest, type Matrix3, TURN, turned } from "./printed3";
 import { looksAway, useScene } from "./s7";

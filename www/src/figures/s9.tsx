@@ -1,11 +1,11 @@
 import "./meet.css";
 import { useMemo, useState } from "preact/hooks";
-import type { MapRow3, SpaceView } from "../engine/api";
-import { solid } from "../engine/space/module";
-import { dark } from "../state/preferences";
-import { palette } from "../style/palette";
-import { Segmented } from "../ui/Segmented";
-import { Switch } from "../ui/Switch";
+import type { MapRow3, SpaceView } from "#engine/api";
+import { solid } from "#engine/space/module";
+import { dark } from "#state/preferences";
+import { palette } from "#style/palette";
+import { Segmented } from "#ui/Segmented";
+import { Switch } from "#ui/Switch";
 import { Head, type Heading, Parameters } from "./frame";
 import { OWN, type Own, OwnShapes } from "./meet-own";
 import { MeetProduct } from "./meet-product";

@@ -1,6 +1,6 @@
 /** A small tree in points, and the same from another side. */
-import type { SpaceView } from "../engine/api";
-import { after3, scale3, shift3, turns3 } from "../engine/space/affine";
+import type { SpaceView } from "#engine/api";
+import { after3, scale3, shift3, turns3 } from "#engine/space/affine";
 import { SpaceDots } from "./space-dots";
 
 /** A trunk, and three boughs that lean out around it. */

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { apply3, same3, scale3, turns3 } from "../engine/space/affine";
-import { apartBy } from "../engine/space/same";
+import { apply3, same3, scale3, turns3 } from "#engine/space/affine";
+import { apartBy } from "#engine/space/same";
 import { pyramid, triangle } from "./sheet3";
 import { dotsOf } from "./space-eye";
 

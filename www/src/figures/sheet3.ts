@@ -1,6 +1,6 @@
 /** The shapes of Darwish & Abd-El-Wahab's figures, as far as they can be told from a print that is cut off. */
-import type { MapRow3, Point3 } from "../engine/api";
-import { about3, scale3 } from "../engine/space/affine";
+import type { MapRow3, Point3 } from "#engine/api";
+import { about3, scale3 } from "#engine/space/affine";
 
 const HEIGHT = Math.sqrt(3) / 2;
 

@@ -1,6 +1,6 @@
 /** Where a picture of space is seen from. */
-import type { MapRow3, Point3, SpaceView } from "../engine/api";
-import { apply3, determinant3 } from "../engine/space/affine";
+import type { MapRow3, Point3, SpaceView } from "#engine/api";
+import { apply3, determinant3 } from "#engine/space/affine";
 
 interface Axes {
   eye: Point3;

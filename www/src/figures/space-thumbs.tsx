@@ -1,6 +1,6 @@
 /** Small pictures of the figures on space, in points. */
-import type { MapRow3, SpaceView } from "../engine/api";
-import { about3, after3, scale3, shift3, turns3 } from "../engine/space/affine";
+import type { MapRow3, SpaceView } from "#engine/api";
+import { about3, after3, scale3, shift3, turns3 } from "#engine/space/affine";
 import { pyramid, triangle } from "./sheet3";
 import { SpaceDots } from "./space-dots";
 

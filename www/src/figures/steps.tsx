@@ -1,6 +1,6 @@
 import { useMemo } from "preact/hooks";
-import { dark } from "../state/preferences";
-import { palette } from "../style/palette";
+import { dark } from "#state/preferences";
+import { palette } from "#style/palette";
 import { pieceOf, rightGasket, type Triangle } from "./addresses";
 import type { Point } from "./apart";
 import { allCodes, codeWords } from "./codes";

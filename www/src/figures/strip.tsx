@@ -1,8 +1,8 @@
 import { useRef } from "preact/hooks";
-import type { MapRow, Verdict } from "../engine/api";
-import type { Box } from "../state/fit";
-import { verdictPhrase } from "../state/words";
-import { fixed } from "../ui/number";
+import type { MapRow, Verdict } from "#engine/api";
+import type { Box } from "#state/fit";
+import { verdictPhrase } from "#state/words";
+import { fixed } from "#ui/number";
 import { Picture } from "./picture";
 import { isBrokenVerdict } from "./verdict";
 import { useVerdict } from "./work";

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import { PlayButton, usePlay } from "./play";
 
 const SECONDS = 6;

@@ -1,8 +1,8 @@
 import { useEffect, useState } from "preact/hooks";
-import { cancel, epoch, submit } from "../engine/engine";
-import { Button } from "../ui/Button";
-import { fixed, formatNumber } from "../ui/number";
-import { Segmented } from "../ui/Segmented";
+import { cancel, epoch, submit } from "#engine/engine";
+import { Button } from "#ui/Button";
+import { fixed, formatNumber } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
 import { median } from "./bisect";
 import { gasket } from "./families";
 import { Frame, type Heading } from "./frame";

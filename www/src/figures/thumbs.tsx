@@ -1,6 +1,6 @@
 /** Small pictures of the figures, made by the same parts as the figures themselves. */
 import { useEffect, useMemo } from "preact/hooks";
-import { uvAt } from "../state/path";
+import { uvAt } from "#state/path";
 import { barnsley } from "./barnsley";
 import { Buffer as Pixels } from "./buffer";
 import { chart, ends, followChart } from "./dragon";

@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
-import type { Stretch } from "../engine/breaks";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
+import type { Stretch } from "#engine/breaks";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import { PlayButton, usePlay } from "./play";
 
 const SECONDS = 8;

@@ -1,11 +1,11 @@
 import type { ComponentChildren } from "preact";
 import { useMemo } from "preact/hooks";
-import type { MapRow3, Point3, SpaceView } from "../engine/api";
-import { solid } from "../engine/space/module";
-import { apartBy, apartWords } from "../engine/space/same";
-import { MapBlocks } from "../ui/MapBlocks";
-import { fixed } from "../ui/number";
-import { Slider } from "../ui/Slider";
+import type { MapRow3, Point3, SpaceView } from "#engine/api";
+import { solid } from "#engine/space/module";
+import { apartBy, apartWords } from "#engine/space/same";
+import { MapBlocks } from "#ui/MapBlocks";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import { Control } from "./frame";
 import { SpacePicture } from "./space-picture";
 

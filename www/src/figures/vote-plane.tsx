@@ -1,5 +1,5 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { dark } from "../state/preferences";
+import { dark } from "#state/preferences";
 import { useValue } from "./work";
 
 /** Bins of a and of c. */

@@ -1,21 +1,21 @@
 import { computed } from "@preact/signals";
-import { stageStyle } from "../canvas/look";
-import { bentPicture, type SheetRequest } from "../canvas/sheet";
-import { effectiveView, stageSize } from "../canvas/view";
-import type { Tool } from "../engine/api";
-import { submit } from "../engine/engine";
-import { single } from "../engine/protocol";
-import { adoptPath } from "../engine/schedule";
-import { frond } from "../engine/wasm";
-import { bend, deformation } from "../state/bend";
-import { curved } from "../state/curve";
-import { addressBar, Link } from "../state/link";
-import { selection, shown } from "../state/morph";
-import { notify, wordsOf } from "../state/notice";
-import type { Photograph } from "../state/photograph";
-import { ownPicture, pictureShown } from "../state/picture";
-import { spacePlaying } from "../state/playback";
-import { scene } from "../state/scene";
+import { stageStyle } from "#canvas/look";
+import { bentPicture, type SheetRequest } from "#canvas/sheet";
+import { effectiveView, stageSize } from "#canvas/view";
+import type { Tool } from "#engine/api";
+import { submit } from "#engine/engine";
+import { single } from "#engine/protocol";
+import { adoptPath } from "#engine/schedule/index";
+import { frond } from "#engine/wasm";
+import { bend, deformation } from "#state/bend";
+import { curved } from "#state/curve";
+import { addressBar, Link } from "#state/link";
+import { selection, shown } from "#state/morph";
+import { notify, wordsOf } from "#state/notice";
+import type { Photograph } from "#state/photograph";
+import { ownPicture, pictureShown } from "#state/picture";
+import { spacePlaying } from "#state/playback";
+import { scene } from "#state/scene";
 
 /** The one link between this page's document and its address. */
 export const link = new Link(frond, addressBar, () => {
@@ -50,7 +50,7 @@ export async function shareLink(): Promise<void> {
 /** What is the same for all who open the link: the background belongs to a picture of space, and else to the page. */
 async function seen(): Promise<string> {
   if (scene.peek().tool !== "space") return "the same, light or dark as their page is";
-  const { space } = await import("../state/space");
+  const { space } = await import("#state/space");
   const background = space.peek()?.background;
   const page = background === undefined || background === "page";
   return page ? "the same shapes, before the colour of their own page" : "the same picture";
@@ -63,7 +63,7 @@ export const CURVE_FILES = ["png", "svg", "csv", "json"] as const;
 
 export async function saveCurve(kind: (typeof CURVE_FILES)[number]): Promise<void> {
   try {
-    await (await import("../views/curve/save")).save(kind);
+    await (await import("#views/curve/save")).save(kind);
   } catch (problem) {
     notSaved(problem);
   }
@@ -75,11 +75,11 @@ export const curveOnStage = computed(() => curved.value && !pictureShown.value);
 /** The picture as it stands on the stage, larger, complete, on a transparent ground. */
 export function savePicture(): void {
   if (scene.peek().tool === "fit") {
-    import("../views/fit/save").then((save) => save.savePng(), notSaved);
+    import("#views/fit/save").then((save) => save.savePng(), notSaved);
     return;
   }
   if (scene.peek().tool === "space") {
-    import("../views/space/save").then((save) => save.savePng(), notSaved);
+    import("#views/space/save").then((save) => save.savePng(), notSaved);
     return;
   }
   const size = stageSize.peek();

@@ -1,13 +1,13 @@
 import type { ComponentChildren } from "preact";
-import type { Tool as ToolName } from "../engine/api";
-import { openTool, tool } from "../state/bend";
-import { help } from "../state/help";
-import { route } from "../state/link";
-import { selection } from "../state/morph";
-import { setTheme, type Theme, theme } from "../state/preferences";
-import { canRedo, canUndo, redo, undo } from "../state/scene";
-import { Icon } from "../ui/Icon";
-import { Menu, type MenuItem } from "../ui/Menu";
+import type { Tool as ToolName } from "#engine/api";
+import { openTool, tool } from "#state/bend";
+import { help } from "#state/help";
+import { route } from "#state/link";
+import { selection } from "#state/morph";
+import { setTheme, type Theme, theme } from "#state/preferences";
+import { canRedo, canUndo, redo, undo } from "#state/scene";
+import { Icon } from "#ui/Icon";
+import { Menu, type MenuItem } from "#ui/Menu";
 import { CURVE_FILES, curveOnStage, saveCurve, savePicture, shareLink, studioHref } from "./actions";
 import { Glyph, type GlyphName } from "./glyphs";
 

@@ -1,19 +1,19 @@
 import { effect } from "@preact/signals";
-import { stageStyle } from "../canvas/look";
-import { bentPicture } from "../canvas/sheet";
-import { linearPainter, linearPicture, mainPainter, picture } from "../canvas/stage";
-import type { Pixels } from "../canvas/surface";
-import { effectiveView, stageSize } from "../canvas/view";
-import type { Scene } from "../engine/api";
-import { curvesFetched } from "../engine/curves";
-import { killWorker } from "../engine/engine";
-import { locus, verdict, workers } from "../engine/results";
-import { frond } from "../engine/wasm";
-import { bend, deformation } from "../state/bend";
-import { linear, selection, shown } from "../state/morph";
-import { pictureShown } from "../state/picture";
-import { spaceShown } from "../state/playback";
-import { scene } from "../state/scene";
+import { stageStyle } from "#canvas/look";
+import { bentPicture } from "#canvas/sheet";
+import { linearPainter, linearPicture, mainPainter, picture } from "#canvas/stage";
+import type { Pixels } from "#canvas/surface";
+import { effectiveView, stageSize } from "#canvas/view";
+import type { Scene } from "#engine/api";
+import { curvesFetched } from "#engine/curves";
+import { killWorker } from "#engine/engine";
+import { locus, verdict, workers } from "#engine/results";
+import { frond } from "#engine/wasm";
+import { bend, deformation } from "#state/bend";
+import { linear, selection, shown } from "#state/morph";
+import { pictureShown } from "#state/picture";
+import { spaceShown } from "#state/playback";
+import { scene } from "#state/scene";
 
 /** The picture on the stage, or the linear one beside it. */
 export type Which = "main" | "linear";
@@ -50,7 +50,7 @@ export function installHook(): void {
     locusProgress: () => locus.peek()?.progress ?? 0,
     forceLoss: () => {
       if (scene.peek().tool === "space")
-        import("../views/space/stage/state").then((stage) => stage.loseSpace());
+        import("#views/space/stage/state").then((stage) => stage.loseSpace());
       else mainPainter.peek()?.forceLoss();
     },
     killWorker,
@@ -60,7 +60,7 @@ export function installHook(): void {
 }
 
 async function readPixels(which: Which = "main"): Promise<Pixels> {
-  if (scene.peek().tool === "space") return (await import("../views/space/stage/state")).spacePixels();
+  if (scene.peek().tool === "space") return (await import("#views/space/stage/state")).spacePixels();
   const painter = (which === "main" ? mainPainter : linearPainter).peek();
   if (!painter) throw new Error("There is no picture on this page.");
   return painter.pixels();

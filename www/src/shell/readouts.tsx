@@ -1,16 +1,16 @@
 import { computed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { fitStage } from "../canvas/gestures";
-import { evidenceOpen } from "../canvas/marks";
-import { picture } from "../canvas/stage";
-import { view, zoom } from "../canvas/view";
-import { verdict, workers } from "../engine/results";
-import { tool } from "../state/bend";
-import { curved, curveTime } from "../state/curve";
-import { here, locusView, selection } from "../state/morph";
-import { announce } from "../state/notice";
-import { playing } from "../state/playback";
-import { countWords, type VerdictWords, verdictLine, verdictWords } from "../state/words";
+import { fitStage } from "#canvas/gestures";
+import { evidenceOpen } from "#canvas/marks";
+import { picture } from "#canvas/stage";
+import { view, zoom } from "#canvas/view";
+import { verdict, workers } from "#engine/results";
+import { tool } from "#state/bend";
+import { curved, curveTime } from "#state/curve";
+import { here, locusView, selection } from "#state/morph";
+import { announce } from "#state/notice";
+import { playing } from "#state/playback";
+import { countWords, type VerdictWords, verdictLine, verdictWords } from "#state/words";
 import { CHIP_ID, PANEL_ID } from "./evidence/ids";
 import { Glyph } from "./glyphs";
 

@@ -1,5 +1,5 @@
 /** What is done to a document that holds closed curves, as functions from scene to scene. */
-import type { CurveShape, Deformation, Scene } from "../engine/api";
+import type { CurveShape, Deformation, Scene } from "#engine/api";
 import { inBox } from "./mesh";
 
 export type End = "a" | "b";

@@ -1,6 +1,6 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
-import type { Deformation, MapRow } from "../engine/api";
-import { frond } from "../engine/wasm";
+import type { Deformation, MapRow } from "#engine/api";
+import { frond } from "#engine/wasm";
 import { type Box, calmTrack, stillTrack, type Track, union } from "./camera";
 import { curveBoxAt, curveMorph, curveTime } from "./curve";
 import { locusView, mapsAt, morphOptions, pairing, pathPoints, selection, shown, standing } from "./morph";

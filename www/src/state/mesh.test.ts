@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Deformation } from "../engine/api";
+import type { Deformation } from "#engine/api";
 import { bentAt } from "./bezier";
 import { type Mesh, placed, remesh, rest, toCount } from "./mesh";
 

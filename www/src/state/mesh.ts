@@ -1,5 +1,5 @@
 /** The control mesh of a deformation as numbers: where its points rest, and the same bend by a mesh of another size. */
-import type { Bend, Deformation } from "../engine/api";
+import type { Bend, Deformation } from "#engine/api";
 
 /** What of a bend places its control points. */
 export type Mesh = Pick<Bend, "columns" | "rows" | "box" | "moves">;

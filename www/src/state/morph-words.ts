@@ -1,5 +1,5 @@
-import { STATE, type Stretch, stretches } from "../engine/breaks";
-import { formatNumber } from "../ui/number";
+import { STATE, type Stretch, stretches } from "#engine/breaks";
+import { formatNumber } from "#ui/number";
 import { RESOLUTION, resolutionWords, shareWords, toldOf, verdictWords } from "./words";
 
 export const percent = (t: number): string => `${Math.round(100 * t)}%`;

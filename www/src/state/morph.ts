@@ -1,6 +1,6 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { Ifs, LocusView, MapRow, MorphOptions, Pairing } from "../engine/api";
-import { frond } from "../engine/wasm";
+import type { Ifs, LocusView, MapRow, MorphOptions, Pairing } from "#engine/api";
+import { frond } from "#engine/wasm";
 import { pointsOf, type Uv, uvAt } from "./path";
 import { scene } from "./scene";
 

@@ -1,4 +1,4 @@
-import type { PathPoint, Scene } from "../engine/api";
+import type { PathPoint, Scene } from "#engine/api";
 
 /** A parameter of the morph; without a third number it lies in the plane w = 0. */
 export type Uv = PathPoint;

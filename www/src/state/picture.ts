@@ -1,5 +1,5 @@
 import { computed, effect, type ReadonlySignal } from "@preact/signals";
-import type { MapRow } from "../engine/api";
+import type { MapRow } from "#engine/api";
 import { deformation, tool } from "./bend";
 import { notify } from "./notice";
 import { aspect, haveSample, mapsOfRectangle, ownPicture, type Photograph, photograph } from "./photograph";
@@ -34,7 +34,7 @@ export function watchPicture(): () => void {
     first = false;
     if (!sampled || asked) return;
     asked = true;
-    import("../views/deform/picture/sample").then(
+    import("#views/deform/picture/sample").then(
       ({ drawSample }) => haveSample(drawSample()),
       () => {
         asked = false;

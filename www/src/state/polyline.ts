@@ -1,7 +1,7 @@
 /** The path as a line of points in the (u, v) plane: finding, cutting, adding, moving. */
-import type { Bounds } from "../engine/api";
-import { STATE } from "../engine/breaks";
-import type { LocusResult } from "../engine/results";
+import type { Bounds } from "#engine/api";
+import { STATE } from "#engine/breaks";
+import type { LocusResult } from "#engine/results";
 import { timesOf, type Uv, uvAt } from "./path";
 
 export interface Nearest {

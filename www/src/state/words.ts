@@ -1,6 +1,6 @@
-import type { Connectedness, Verdict } from "../engine/api";
-import { atResolution, STATE } from "../engine/breaks";
-import { formatNumber } from "../ui/number";
+import type { Connectedness, Verdict } from "#engine/api";
+import { atResolution, STATE } from "#engine/breaks";
+import { formatNumber } from "#ui/number";
 
 /** A length in plane units with two figures that count: 0.021, 1.4, 2.1e-6. */
 export function lengthWords(length: number): string {

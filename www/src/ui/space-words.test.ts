@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Place3 } from "../engine/api";
+import type { Place3 } from "#engine/api";
 import { axisWords, divergingWords, placeWords, unit } from "./space-words";
 
 const still: Place3 = { shift: [0, 0, 0], turn: [0, 0, 0, 1], scale: [1, 1, 1], exact: true, determinant: 1 };

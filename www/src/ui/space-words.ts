@@ -1,4 +1,4 @@
-import type { Place3, Point3 } from "../engine/api";
+import type { Place3, Point3 } from "#engine/api";
 import { formatNumber } from "./number";
 
 /** What was done to an object, as a hand would say it. */

@@ -1,8 +1,8 @@
+import { executor } from "#engine/execute";
+import type { Proof } from "#engine/proof";
+import { type Request, type Response, toError } from "#engine/protocol";
+import { adopt, frond } from "#engine/wasm";
 import init, * as bindings from "../../pkg/frond-proof.js";
-import { executor } from "../engine/execute";
-import type { Proof } from "../engine/proof";
-import { type Request, type Response, toError } from "../engine/protocol";
-import { adopt, frond } from "../engine/wasm";
 
 /** The task under way, and whether its answer is still wanted. */
 let current = 0;

@@ -1,5 +1,5 @@
-import { performer } from "../engine/fit/performer";
-import type { Ask } from "../engine/lanes/task";
+import { performer } from "#engine/fit/performer";
+import type { Ask } from "#engine/lanes/task";
 
 const perform = performer((answer, transfer) => self.postMessage(answer, { transfer }));
 

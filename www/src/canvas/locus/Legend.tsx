@@ -1,6 +1,6 @@
-import { STATE } from "../../engine/breaks";
-import { resolutionWords, shareWords, toldOf, verdictWords } from "../../state/words";
-import { gradient } from "../../style/ramp";
+import { STATE } from "#engine/breaks";
+import { resolutionWords, shareWords, toldOf, verdictWords } from "#state/words";
+import { gradient } from "#style/ramp";
 import { decades, type LocusStyle } from "./paint";
 
 export interface LegendProps {

@@ -1,16 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { LocusResult } from "../../engine/results";
-import {
-  BROKEN,
-  HOLDS,
-  NARROWEST,
-  NONE,
-  type Rgb,
-  ramp,
-  shadeOf,
-  TOUCHES,
-  TOUCHES_DOT,
-} from "../../style/ramp";
+import type { LocusResult } from "#engine/results";
+import { BROKEN, HOLDS, NARROWEST, NONE, type Rgb, ramp, shadeOf, TOUCHES, TOUCHES_DOT } from "#style/ramp";
 import { crossing, decades, paint } from "./paint";
 
 /** Relative luminance of WCAG. */

@@ -1,6 +1,6 @@
 /** Paints a gap field, as far as it is known, into pixels. */
-import type { Bounds, Locus } from "../../engine/api";
-import { STATE } from "../../engine/breaks";
+import type { Bounds, Locus } from "#engine/api";
+import { STATE } from "#engine/breaks";
 import {
   BROKEN,
   HIDDEN,
@@ -15,7 +15,7 @@ import {
   TOUCHES,
   TOUCHES_DOT,
   UNDECIDED,
-} from "../../style/ramp";
+} from "#style/ramp";
 
 export type LocusStyle = "gap" | "yesno";
 

@@ -1,7 +1,7 @@
 /** The locus in words. */
-import type { Uv } from "../../state/path";
-import { powerWords } from "../../state/words";
-import { fixed, formatNumber } from "../../ui/number";
+import type { Uv } from "#state/path";
+import { powerWords } from "#state/words";
+import { fixed, formatNumber } from "#ui/number";
 
 const LOWERED = "₀₁₂₃₄₅₆₇₈₉";
 

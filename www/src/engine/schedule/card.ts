@@ -1,8 +1,8 @@
 /** Looks for a graphics card for the locus when the page has come to rest, and times it against the workers. */
 import { effect } from "@preact/signals";
+import { playing } from "#state/playback";
+import { inGesture } from "#state/scene";
 import type { LocusCompute } from "../../../pkg/renderer.js";
-import { playing } from "../../state/playback";
-import { inGesture } from "../../state/scene";
 import { adoptCard, type Ends, isFaster, openCard } from "../card";
 import { submit } from "../engine";
 import { nextKey } from "../locus-job";

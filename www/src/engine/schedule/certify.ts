@@ -1,7 +1,7 @@
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import { pathPoints } from "../../state/morph";
-import { wordsOf } from "../../state/notice";
-import type { Uv } from "../../state/path";
+import { pathPoints } from "#state/morph";
+import { wordsOf } from "#state/notice";
+import type { Uv } from "#state/path";
 import type { PathCertificate } from "../api";
 import { cancel, epoch, submit } from "../engine";
 import { EPSILON, type LocusInputs } from "../locus-job";

@@ -1,5 +1,5 @@
 import { computed } from "@preact/signals";
-import { morphOptions, pairing } from "../../state/morph";
+import { morphOptions, pairing } from "#state/morph";
 import type { LocusInputs } from "../locus-job";
 
 /** All that the locus hangs on: a new object when any of it changes. */

@@ -1,5 +1,5 @@
 import { effect, untracked } from "@preact/signals";
-import { notify, wordsOf } from "../../state/notice";
+import { notify, wordsOf } from "#state/notice";
 import { hasCard, locusByCard } from "../card";
 import { cancel, epoch, sliceMilliseconds, submit } from "../engine";
 import { BOUNDS, EPSILON, type LocusInputs, LocusWork, SIZE, STRIDES } from "../locus-job";

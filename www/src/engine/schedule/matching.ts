@@ -1,7 +1,7 @@
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import { pairing } from "../../state/morph";
-import { wordsOf } from "../../state/notice";
-import { scene } from "../../state/scene";
+import { pairing } from "#state/morph";
+import { wordsOf } from "#state/notice";
+import { scene } from "#state/scene";
 import type { Candidate, MapRow, Mode, RatedCandidate } from "../api";
 import { cancel, epoch, submit } from "../engine";
 import { EPSILON } from "../locus-job";

@@ -1,7 +1,7 @@
 import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import { announce, notify, wordsOf } from "../../state/notice";
-import { thinned } from "../../state/path";
-import { edit, replace, scene } from "../../state/scene";
+import { announce, notify, wordsOf } from "#state/notice";
+import { thinned } from "#state/path";
+import { edit, replace, scene } from "#state/scene";
 import type { PathPlan, PathPoint } from "../api";
 import { cancel, submit } from "../engine";
 import { BOUNDS, EPSILON, type LocusInputs, type LocusWork } from "../locus-job";

@@ -1,7 +1,7 @@
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import { shown } from "../../state/morph";
-import { wordsOf } from "../../state/notice";
-import { RESOLUTION } from "../../state/words";
+import { shown } from "#state/morph";
+import { wordsOf } from "#state/notice";
+import { RESOLUTION } from "#state/words";
 import type { Certificate, CertificateCheck, MapRow } from "../api";
 import { cancel, epoch, submit } from "../engine";
 import { single } from "../protocol";

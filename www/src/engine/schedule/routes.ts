@@ -1,6 +1,6 @@
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import { wordsOf } from "../../state/notice";
-import { scene } from "../../state/scene";
+import { wordsOf } from "#state/notice";
+import { scene } from "#state/scene";
 import type { MapRow, Route } from "../api";
 import { cancel, epoch, submit } from "../engine";
 import { sameMaps } from "../maps";

@@ -1,7 +1,7 @@
 import { effect, untracked } from "@preact/signals";
-import { dark } from "../../state/preferences";
-import { scene } from "../../state/scene";
-import { palette } from "../../style/palette";
+import { dark } from "#state/preferences";
+import { scene } from "#state/scene";
+import { palette } from "#style/palette";
 import type { MapRow } from "../api";
 import { Coalesce } from "../coalesce";
 import { epoch, submit } from "../engine";

@@ -1,5 +1,5 @@
 import { computed, effect, untracked } from "@preact/signals";
-import { here, locusView, selection, shown, shownPick } from "../../state/morph";
+import { here, locusView, selection, shown, shownPick } from "#state/morph";
 import type { MapRow, PathPoint } from "../api";
 import { Coalesce } from "../coalesce";
 import { epoch, submit } from "../engine";

@@ -1,7 +1,7 @@
 /** Keeps the samples of the window coming that the locus view looks at. */
 import { computed, effect, type ReadonlySignal, untracked } from "@preact/signals";
-import { locusView } from "../../state/morph";
-import { wordsOf } from "../../state/notice";
+import { locusView } from "#state/morph";
+import { wordsOf } from "#state/notice";
 import type { FrondError, LocusView } from "../api";
 import { cancel, epoch, submit } from "../engine";
 import type { LocusInputs } from "../locus-job";

@@ -1,10 +1,10 @@
 import "./curve.css";
 import { computed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { evidenceOpen } from "../../canvas/marks";
-import { curves } from "../../state/curve";
-import { sameCurves } from "../../state/curve-changes";
-import { IconButton } from "../../ui/Button";
+import { evidenceOpen } from "#canvas/marks";
+import { curves } from "#state/curve";
+import { sameCurves } from "#state/curve-changes";
+import { IconButton } from "#ui/Button";
 import { factsNow, watchFacts } from "./facts";
 import { crossingWords, whyWords } from "./words";
 

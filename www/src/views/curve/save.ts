@@ -1,13 +1,13 @@
 /** The curve of the present moment as a file. */
-import { lookOf, paintCurve } from "../../canvas/curve-paint";
-import { moved, TOLERANCE } from "../../canvas/curve-painter";
-import { stageStyle } from "../../canvas/look";
-import { effectiveView, stageSize } from "../../canvas/view";
-import { rough } from "../../engine/curves";
-import { bend } from "../../state/bend";
-import { curveMorph, curves, curveTime } from "../../state/curve";
-import { sameCurves } from "../../state/curve-changes";
-import { notify, wordsOf } from "../../state/notice";
+import { lookOf, paintCurve } from "#canvas/curve-paint";
+import { moved, TOLERANCE } from "#canvas/curve-painter";
+import { stageStyle } from "#canvas/look";
+import { effectiveView, stageSize } from "#canvas/view";
+import { rough } from "#engine/curves";
+import { bend } from "#state/bend";
+import { curveMorph, curves, curveTime } from "#state/curve";
+import { sameCurves } from "#state/curve-changes";
+import { notify, wordsOf } from "#state/notice";
 import { csvOf, jsonOf, nameOf, svgOf } from "./files";
 
 export type Kind = "svg" | "png" | "csv" | "json";

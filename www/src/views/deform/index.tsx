@@ -1,8 +1,8 @@
 /** The deformation tool: its side panel, its time strip, and what it lays over the picture. Loaded when it is first opened. */
 import { useEffect } from "preact/hooks";
-import type { CurveParts } from "../../state/curve";
-import { help } from "../../state/help";
-import { Button } from "../../ui/Button";
+import type { CurveParts } from "#state/curve";
+import { help } from "#state/help";
+import { Button } from "#ui/Button";
 import { ColourPanel } from "./colour/ColourPanel";
 import { ringed } from "./facts";
 import { GridPanel } from "./mesh/GridPanel";
@@ -13,7 +13,7 @@ import { BendPanel } from "./settings/BendPanel";
 import { ContinuityFold, SpinFold } from "./settings/Folds";
 import { Gallery, ShapePanel } from "./shape/ShapePanel";
 import { listen } from "./shortcuts";
-import "../../ui/panel.css";
+import "#ui/panel.css";
 import "./deform.css";
 
 export { DeformOverlay } from "./mesh/Overlay";

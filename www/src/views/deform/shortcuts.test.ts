@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Focus, KeyPress } from "../../ui/focus";
+import type { Focus, KeyPress } from "#ui/focus";
 import { commandOf, nextKey } from "./shortcuts";
 
 const press = (key: string, held: Partial<KeyPress> = {}): KeyPress => ({

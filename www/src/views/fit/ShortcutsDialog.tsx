@@ -1,5 +1,5 @@
-import { help } from "../../state/help";
-import { ShortcutsDialog as List } from "../../ui/ShortcutsDialog";
+import { help } from "#state/help";
+import { ShortcutsDialog as List } from "#ui/ShortcutsDialog";
 import { SHORTCUTS } from "./shortcuts";
 
 /** The keys of this tool, while they are asked for. */

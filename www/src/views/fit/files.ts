@@ -1,7 +1,7 @@
 /** Fits as text. */
-import type { Curve } from "../../engine/api";
-import type { CurveMap } from "../../engine/curves";
-import type { Collage, CollageOptions, Figures } from "../../engine/fit/tasks/curve";
+import type { Curve } from "#engine/api";
+import type { CurveMap } from "#engine/curves";
+import type { Collage, CollageOptions, Figures } from "#engine/fit/tasks/curve";
 
 const short = (x: number) => Number(x.toPrecision(9));
 

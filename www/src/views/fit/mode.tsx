@@ -1,17 +1,17 @@
 /** An outline or a graph: two halves of one tool, of which the second is loaded when it is first opened. */
 import { computed, effect, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { notify, wordsOf } from "../../state/notice";
-import { changeFit, fitDocument } from "../../state/outline";
-import { Segmented } from "../../ui/Segmented";
+import { notify, wordsOf } from "#state/notice";
+import { changeFit, fitDocument } from "#state/outline";
+import { Segmented } from "#ui/Segmented";
 
 export const graphOpen = computed(() => fitDocument.value.mode === "graph");
 
-const graph = signal<typeof import("./graph") | null>(null);
+const graph = signal<typeof import("./graph/index") | null>(null);
 
 function load(): void {
   if (graph.peek()) return;
-  import("./graph").then(
+  import("./graph/index").then(
     (module) => {
       graph.value = module;
     },

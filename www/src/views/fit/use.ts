@@ -1,8 +1,8 @@
 /** A fit becomes a shape like any other. */
-import type { Curve } from "../../engine/api";
-import { rough } from "../../engine/curves";
-import { notify, wordsOf } from "../../state/notice";
-import { useCurve as takeCurve } from "../../state/outline";
+import type { Curve } from "#engine/api";
+import { rough } from "#engine/curves";
+import { notify, wordsOf } from "#state/notice";
+import { useCurve as takeCurve } from "#state/outline";
 import { shapeOf, shownFit } from "./work/fitting";
 import { source } from "./work/source";
 

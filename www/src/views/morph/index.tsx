@@ -1,10 +1,10 @@
 /** The morph tool: its side panel and its time strip. */
 import { useEffect } from "preact/hooks";
-import { type CurveParts, curved } from "../../state/curve";
-import { help } from "../../state/help";
-import { selection } from "../../state/morph";
-import { Button } from "../../ui/Button";
-import { narrow } from "../../ui/media";
+import { type CurveParts, curved } from "#state/curve";
+import { help } from "#state/help";
+import { selection } from "#state/morph";
+import { Button } from "#ui/Button";
+import { narrow } from "#ui/media";
 import type { End } from "./changes";
 import { gallery } from "./dialogs";
 import { LocusBeside, LocusPanel } from "./locus/LocusPanel";
@@ -17,7 +17,7 @@ import { Ends } from "./shapes/Ends";
 import { Gallery } from "./shapes/Gallery";
 import { listen } from "./shortcuts";
 import { PlaybackOptions } from "./strip/MorphStrip";
-import "../../ui/panel.css";
+import "#ui/panel.css";
 import "./morph.css";
 
 export { MorphStrip } from "./strip/MorphStrip";

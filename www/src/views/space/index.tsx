@@ -1,12 +1,12 @@
 /** Space: its stage, its side panel and its strip. Loaded when it is first opened. */
-import "../../ui/panel.css";
+import "#ui/panel.css";
 import "./space.css";
 import { effect, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { help } from "../../state/help";
-import { spaceShown } from "../../state/playback";
-import { Button } from "../../ui/Button";
-import { Segmented } from "../../ui/Segmented";
+import { help } from "#state/help";
+import { spaceShown } from "#state/playback";
+import { Button } from "#ui/Button";
+import { Segmented } from "#ui/Segmented";
 import { LightPanel } from "./light/LightPanel";
 import { MorphPanel3 } from "./morph/MorphPanel3";
 import { watchMorph } from "./morph/work";
@@ -15,9 +15,9 @@ import { listenForDrops } from "./shape/files";
 import { ShapePanel } from "./shape/ShapePanel";
 import { listen } from "./shortcuts";
 import { spaceDrawn } from "./stage/state";
-import { TimePanel, TimeStrip } from "./time";
+import { TimePanel, TimeStrip } from "./time/index";
 
-export { openSpace } from "../../state/space";
+export { openSpace } from "#state/space";
 export { SpaceStage } from "./stage/SpaceStage";
 export { TimeStrip as SpaceStrip };
 

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Focus } from "../../ui/focus";
+import type { Focus } from "#ui/focus";
 import { commandOf, SHORTCUTS } from "./shortcuts";
 import { stageCommand } from "./stage/keys";
 import { timeCommandOf } from "./time/shortcuts";

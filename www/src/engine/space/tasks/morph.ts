@@ -1,5 +1,5 @@
-import { uvAt } from "../../../state/path";
-import type { Told } from "../../../state/words";
+import { uvAt } from "#state/path";
+import type { Told } from "#state/words";
 import type {
   Connectedness3,
   Intersection3,

@@ -1,11 +1,11 @@
 import { computed } from "@preact/signals";
-import { changeDeformation } from "../../../state/bend";
-import { LEAST_SIDE, MOST_SIDE, remesh } from "../../../state/mesh";
-import { endGesture } from "../../../state/scene";
-import { Button } from "../../../ui/Button";
-import { NumberField } from "../../../ui/NumberField";
-import { type Option, Segmented } from "../../../ui/Segmented";
-import { Switch } from "../../../ui/Switch";
+import { changeDeformation } from "#state/bend";
+import { LEAST_SIDE, MOST_SIDE, remesh } from "#state/mesh";
+import { endGesture } from "#state/scene";
+import { Button } from "#ui/Button";
+import { NumberField } from "#ui/NumberField";
+import { type Option, Segmented } from "#ui/Segmented";
+import { Switch } from "#ui/Switch";
 import { mesh } from "./document";
 import { resetAll } from "./edit";
 import { HandleFields } from "./HandleFields";

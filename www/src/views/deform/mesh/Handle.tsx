@@ -1,5 +1,5 @@
-import type { Screen } from "../../../canvas/geometry";
-import { endGesture } from "../../../state/scene";
+import type { Screen } from "#canvas/geometry";
+import { endGesture } from "#state/scene";
 import { choose, chosen, lead, lookAt } from "./chosen";
 import { mesh } from "./document";
 import { handleId, handleKey } from "./keyboard";

@@ -1,5 +1,5 @@
-import { endGesture } from "../../../state/scene";
-import { NumberField } from "../../../ui/NumberField";
+import { endGesture } from "#state/scene";
+import { NumberField } from "#ui/NumberField";
 import { chosen, lead } from "./chosen";
 import { farthest, mesh } from "./document";
 import { nudge } from "./edit";

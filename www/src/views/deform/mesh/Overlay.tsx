@@ -1,10 +1,10 @@
 import "./mesh.css";
 import { computed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { type Screen, screen } from "../../../canvas/geometry";
-import { stageSize } from "../../../canvas/view";
-import { phasePlaying } from "../../../state/bend";
-import { useOwnId } from "../../../ui/id";
+import { type Screen, screen } from "#canvas/geometry";
+import { stageSize } from "#canvas/view";
+import { phasePlaying } from "#state/bend";
+import { useOwnId } from "#ui/id";
 import { chosen, lead } from "./chosen";
 import { mesh } from "./document";
 import { HandBar } from "./HandBar";

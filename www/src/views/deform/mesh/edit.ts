@@ -1,6 +1,6 @@
 /** What the hand, the keys and the fields do to the mesh. */
-import type { Point } from "../../../state/mesh";
-import { announce } from "../../../state/notice";
+import type { Point } from "#state/mesh";
+import { announce } from "#state/notice";
 import { chosen, lead } from "./chosen";
 import { mesh, setMoves } from "./document";
 import { pullMoves } from "./pull";

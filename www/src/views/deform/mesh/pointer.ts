@@ -3,13 +3,13 @@
  * goes on to the picture, which is moved and enlarged as ever. A second finger always means the picture.
  */
 import { signal } from "@preact/signals";
-import { type Screen, screen } from "../../../canvas/geometry";
-import { effectiveView } from "../../../canvas/view";
-import { phasePlaying } from "../../../state/bend";
-import { placeAt } from "../../../state/bezier";
-import type { Point } from "../../../state/mesh";
-import { announce } from "../../../state/notice";
-import { endGesture, undo } from "../../../state/scene";
+import { type Screen, screen } from "#canvas/geometry";
+import { effectiveView } from "#canvas/view";
+import { phasePlaying } from "#state/bend";
+import { placeAt } from "#state/bezier";
+import type { Point } from "#state/mesh";
+import { announce } from "#state/notice";
+import { endGesture, undo } from "#state/scene";
 import { choose, chosen, clearChosen, toggle } from "./chosen";
 import { mesh, setMoves } from "./document";
 import { pulled, shifted } from "./edit";

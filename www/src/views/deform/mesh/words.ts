@@ -1,6 +1,6 @@
 /** What is said of control points. */
-import type { Mesh } from "../../../state/mesh";
-import { formatNumber } from "../../../ui/number";
+import type { Mesh } from "#state/mesh";
+import { formatNumber } from "#ui/number";
 
 /** "Column 2, row 3": counted from the left and from below. */
 export function nameOf({ columns }: Pick<Mesh, "columns">, index: number): string {

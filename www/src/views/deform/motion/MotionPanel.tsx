@@ -1,9 +1,9 @@
 import { computed } from "@preact/signals";
-import { changeDeformation, deformation, phasePlaying } from "../../../state/bend";
-import { announce } from "../../../state/notice";
-import { reducedMotion } from "../../../state/preferences";
-import { Button } from "../../../ui/Button";
-import { narrow } from "../../../ui/media";
+import { changeDeformation, deformation, phasePlaying } from "#state/bend";
+import { announce } from "#state/notice";
+import { reducedMotion } from "#state/preferences";
+import { Button } from "#ui/Button";
+import { narrow } from "#ui/media";
 import { pausePhase, playPhase, presentPhase } from "../clock";
 import { MOTIONS, type Motion, motionOf, withMotion } from "../motions";
 import { TimeOptions } from "../strip/TimeOptions";

@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { ownPicture, type Photograph, photograph } from "../../../state/picture";
-import { Button } from "../../../ui/Button";
-import { Thumbnail } from "../../../ui/Thumbnail";
+import { ownPicture, type Photograph, photograph } from "#state/picture";
+import { Button } from "#ui/Button";
+import { Thumbnail } from "#ui/Thumbnail";
 import { listenForPictures } from "./arrivals";
 import { takeFile, takeSample } from "./take";
 import "./picture.css";

@@ -1,4 +1,4 @@
-import { type Photograph, SAMPLE } from "../../../state/photograph";
+import { type Photograph, SAMPLE } from "#state/photograph";
 
 const { width: WIDTH, height: HEIGHT } = SAMPLE;
 const HORIZON = 0.66 * HEIGHT;

@@ -1,11 +1,11 @@
 import { computed } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { changeDeformation, deformation } from "../../../state/bend";
-import { endGesture } from "../../../state/scene";
-import { NumberField } from "../../../ui/NumberField";
-import { formatNumber } from "../../../ui/number";
-import { Segmented } from "../../../ui/Segmented";
-import { Switch } from "../../../ui/Switch";
+import { changeDeformation, deformation } from "#state/bend";
+import { endGesture } from "#state/scene";
+import { NumberField } from "#ui/NumberField";
+import { formatNumber } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
+import { Switch } from "#ui/Switch";
 import { MOST_ROUGHNESS, withCorners, withDetail, withLocality } from "../changes";
 import { deepest, problem, rough } from "../facts";
 import { detailWords, localityWords, roughnessWords } from "../words";

@@ -1,4 +1,4 @@
-import { useOwnId } from "../../../ui/id";
+import { useOwnId } from "#ui/id";
 
 export interface ChoicesProps<T extends string> {
   label: string;

@@ -1,7 +1,7 @@
 import type { ComponentChildren } from "preact";
-import { endGesture } from "../../../state/scene";
-import { NumberField } from "../../../ui/NumberField";
-import { Slider } from "../../../ui/Slider";
+import { endGesture } from "#state/scene";
+import { NumberField } from "#ui/NumberField";
+import { Slider } from "#ui/Slider";
 
 export interface SliderFieldProps {
   label: string;

@@ -1,9 +1,9 @@
-import "../../../ui/strip.css";
+import "#ui/strip.css";
 import "./strip.css";
-import { deformation, phasePlaying } from "../../../state/bend";
-import { IconButton } from "../../../ui/Button";
-import { narrow } from "../../../ui/media";
-import { Slider } from "../../../ui/Slider";
+import { deformation, phasePlaying } from "#state/bend";
+import { IconButton } from "#ui/Button";
+import { narrow } from "#ui/media";
+import { Slider } from "#ui/Slider";
 import { pausePhase, playPhase, scrubPhase } from "../clock";
 import { KeyTrack } from "./KeyTrack";
 import { TimeOptions } from "./TimeOptions";

@@ -1,9 +1,9 @@
-import { changeDeformation, deformation, movesAt } from "../../../state/bend";
-import { keyNear, MOST_KEYS, momentOf, SAME } from "../../../state/keys";
-import { announce } from "../../../state/notice";
-import { endGesture } from "../../../state/scene";
-import { Button, IconButton } from "../../../ui/Button";
-import { NumberField } from "../../../ui/NumberField";
+import { changeDeformation, deformation, movesAt } from "#state/bend";
+import { keyNear, MOST_KEYS, momentOf, SAME } from "#state/keys";
+import { announce } from "#state/notice";
+import { endGesture } from "#state/scene";
+import { Button, IconButton } from "#ui/Button";
+import { NumberField } from "#ui/NumberField";
 import { withKey, withKeyAt, withLoop, withoutKey } from "../changes";
 import { pausePhase, scrubPhase } from "../clock";
 import { percentWords } from "./words";

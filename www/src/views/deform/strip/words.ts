@@ -1,6 +1,6 @@
-import type { Deformation } from "../../../engine/api";
-import { keyNear } from "../../../state/keys";
-import { formatNumber } from "../../../ui/number";
+import type { Deformation } from "#engine/api";
+import { keyNear } from "#state/keys";
+import { formatNumber } from "#ui/number";
 
 type Line = Pick<Deformation, "keys" | "loop" | "phase">;
 

@@ -1,9 +1,9 @@
 import { useRef } from "preact/hooks";
-import { Button } from "../../../ui/Button";
-import { formatNumber } from "../../../ui/number";
-import { Segmented } from "../../../ui/Segmented";
-import { Slider } from "../../../ui/Slider";
-import { Switch } from "../../../ui/Switch";
+import { Button } from "#ui/Button";
+import { formatNumber } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
+import { Slider } from "#ui/Slider";
+import { Switch } from "#ui/Switch";
 import { EXAMPLES } from "./examples";
 import { cancel, featuresChanged, find, problem, reflected, running } from "./search";
 import {

@@ -1,8 +1,8 @@
 import { signal } from "@preact/signals";
-import { Button } from "../../../ui/Button";
-import { formatNumber } from "../../../ui/number";
-import { Segmented } from "../../../ui/Segmented";
-import { Switch } from "../../../ui/Switch";
+import { Button } from "#ui/Button";
+import { formatNumber } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
+import { Switch } from "#ui/Switch";
 import { CandidateList } from "./Candidates";
 import { type AxesId, ClusterPlot } from "./ClusterPlot";
 import { graph } from "./document";

@@ -1,13 +1,13 @@
 import { computed } from "@preact/signals";
-import { dark } from "../../../state/preferences";
-import { endGesture } from "../../../state/scene";
-import { palette } from "../../../style/palette";
-import { Button } from "../../../ui/Button";
-import { NumberField } from "../../../ui/NumberField";
-import { formatNumber } from "../../../ui/number";
-import { Segmented } from "../../../ui/Segmented";
-import { Slider } from "../../../ui/Slider";
-import { Switch } from "../../../ui/Switch";
+import { dark } from "#state/preferences";
+import { endGesture } from "#state/scene";
+import { palette } from "#style/palette";
+import { Button } from "#ui/Button";
+import { NumberField } from "#ui/NumberField";
+import { formatNumber } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
+import { Slider } from "#ui/Slider";
+import { Switch } from "#ui/Switch";
 import {
   changeModel,
   chooseKind,

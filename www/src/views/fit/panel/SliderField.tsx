@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
-import { NumberField } from "../../../ui/NumberField";
-import { Slider } from "../../../ui/Slider";
+import { NumberField } from "#ui/NumberField";
+import { Slider } from "#ui/Slider";
 
 interface SliderFieldProps {
   label: string;

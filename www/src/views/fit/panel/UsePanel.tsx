@@ -1,5 +1,5 @@
-import { fitDocument } from "../../../state/outline";
-import { Button } from "../../../ui/Button";
+import { fitDocument } from "#state/outline";
+import { Button } from "#ui/Button";
 import { saveCsv, saveJson, savePng, saveSvg } from "../save";
 import { cutting } from "../stage/layers";
 import { use } from "../use";

@@ -1,9 +1,9 @@
 import { effect, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { watchSize } from "../../../canvas/picture";
-import { dark, theme } from "../../../state/preferences";
-import { palette } from "../../../style/palette";
-import { IconButton } from "../../../ui/Button";
+import { watchSize } from "#canvas/picture";
+import { dark, theme } from "#state/preferences";
+import { palette } from "#style/palette";
+import { IconButton } from "#ui/Button";
 import { statusWords } from "../words";
 import { brushKey, brushKeyUp, endStroke, painting } from "./brush";
 import { effectiveView, fitStage, stageSize, view, watchCamera, zoom } from "./camera";

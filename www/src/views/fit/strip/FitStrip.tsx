@@ -1,9 +1,9 @@
-import "../../../ui/strip.css";
-import { changeFit, fitDocument } from "../../../state/outline";
-import { endGesture } from "../../../state/scene";
-import { narrow } from "../../../ui/media";
-import { NumberField } from "../../../ui/NumberField";
-import { Slider } from "../../../ui/Slider";
+import "#ui/strip.css";
+import { changeFit, fitDocument } from "#state/outline";
+import { endGesture } from "#state/scene";
+import { narrow } from "#ui/media";
+import { NumberField } from "#ui/NumberField";
+import { Slider } from "#ui/Slider";
 import { even, HIGH, LOW, numbersAt, placeOf } from "../numbers";
 import { collageOptions, LEAST_NUMBERS, MOST_NUMBERS } from "../work/fitting";
 import { CompareButton } from "./CompareButton";

@@ -1,5 +1,5 @@
-import { fitDocument } from "../../../state/outline";
-import { Switch } from "../../../ui/Switch";
+import { fitDocument } from "#state/outline";
+import { Switch } from "#ui/Switch";
 import { knotsShown, outlineShown, photoShown } from "../stage/layers";
 import { opened } from "../work/source";
 

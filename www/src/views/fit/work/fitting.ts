@@ -1,8 +1,8 @@
 /** The fit of the outline: the latest that was asked for, the best so far, its figures, and what it is compared with. */
 import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import type { Curve, CurveShape } from "../../../engine/api";
-import { rough } from "../../../engine/curves";
-import { fitTask } from "../../../engine/fit/client";
+import type { Curve, CurveShape } from "#engine/api";
+import { rough } from "#engine/curves";
+import { fitTask } from "#engine/fit/client";
 import type {
   Collage,
   CollageOptions,
@@ -11,10 +11,10 @@ import type {
   Method,
   Prepared,
   Rival,
-} from "../../../engine/fit/tasks/curve";
-import { isStopped, Latest, persist } from "../../../engine/lanes/latest";
-import { announce, notify, wordsOf } from "../../../state/notice";
-import { fitDocument, replaceFit } from "../../../state/outline";
+} from "#engine/fit/tasks/curve";
+import { isStopped, Latest, persist } from "#engine/lanes/latest";
+import { announce, notify, wordsOf } from "#state/notice";
+import { fitDocument, replaceFit } from "#state/outline";
 import { numbersOf, polylineOf, prepared, ready, SEEDS } from "./outline";
 import { source, takeSource } from "./source";
 

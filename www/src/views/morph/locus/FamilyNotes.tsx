@@ -1,7 +1,7 @@
-import { lowered } from "../../../canvas/locus/words";
-import { MOST_ZOOM } from "../../../engine/window";
-import { powerWords } from "../../../state/words";
-import { Button } from "../../../ui/Button";
+import { lowered } from "#canvas/locus/words";
+import { MOST_ZOOM } from "#engine/window";
+import { powerWords } from "#state/words";
+import { Button } from "#ui/Button";
 import { critical, criticalScale } from "./critical";
 import { landmarksOf, symmetryWords, theoremWords } from "./families";
 import { fly, pickPoint, sides } from "./view";

@@ -1,10 +1,10 @@
-import "../../../canvas/locus/locus.css";
+import "#canvas/locus/locus.css";
 import "./field.css";
 import { computed, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { Legend } from "../../../canvas/locus/Legend";
-import type { LocusStyle } from "../../../canvas/locus/paint";
-import { Segmented } from "../../../ui/Segmented";
+import { Legend } from "#canvas/locus/Legend";
+import type { LocusStyle } from "#canvas/locus/paint";
+import { Segmented } from "#ui/Segmented";
 import { followCritical } from "./critical";
 import { FamilyNotes } from "./FamilyNotes";
 import { LocusSquare } from "./LocusSquare";

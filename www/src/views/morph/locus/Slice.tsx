@@ -1,9 +1,9 @@
 import { useState } from "preact/hooks";
-import { uv } from "../../../state/morph";
-import { Button } from "../../../ui/Button";
-import { NumberField } from "../../../ui/NumberField";
-import { fixed } from "../../../ui/number";
-import { Slider } from "../../../ui/Slider";
+import { uv } from "#state/morph";
+import { Button } from "#ui/Button";
+import { NumberField } from "#ui/NumberField";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import { mode } from "../parts";
 import { THICKNESS } from "./Handles";
 import { offSlice, picked, setView, view } from "./view";

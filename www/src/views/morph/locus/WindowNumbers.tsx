@@ -1,8 +1,8 @@
-import { zoomWords } from "../../../canvas/locus/words";
-import { LEAST_EPSILON, MOST_ZOOM } from "../../../engine/window";
-import { endGesture } from "../../../state/scene";
-import { resolutionWords } from "../../../state/words";
-import { NumberField } from "../../../ui/NumberField";
+import { zoomWords } from "#canvas/locus/words";
+import { LEAST_EPSILON, MOST_ZOOM } from "#engine/window";
+import { endGesture } from "#state/scene";
+import { resolutionWords } from "#state/words";
+import { NumberField } from "#ui/NumberField";
 import { digitsOf } from "./geometry";
 import { epsilon, family, inDigits, picked, pickPoint, setView, shownWindow, view } from "./view";
 

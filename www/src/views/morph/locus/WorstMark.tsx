@@ -1,8 +1,8 @@
-import { along } from "../../../engine/results";
-import { pathPoints } from "../../../state/morph";
-import { percent } from "../../../state/morph-words";
-import { uvAt } from "../../../state/path";
-import { shareWords } from "../../../state/words";
+import { along } from "#engine/results";
+import { pathPoints } from "#state/morph";
+import { percent } from "#state/morph-words";
+import { uvAt } from "#state/path";
+import { shareWords } from "#state/words";
 import { shownWindow } from "./view";
 import { place } from "./way";
 

@@ -1,5 +1,5 @@
-import { MOST_ZOOM } from "../../../engine/window";
-import { IconButton } from "../../../ui/Button";
+import { MOST_ZOOM } from "#engine/window";
+import { IconButton } from "#ui/Button";
 import { goHome, view, zoomBy } from "./view";
 
 const STEP = 2;

@@ -1,8 +1,8 @@
 /** The real s at which a family closes, bisected by Frond: shown beside what others proved. */
 import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import { epoch, submit } from "../../../engine/engine";
-import type { Job } from "../../../engine/protocol";
-import { frond } from "../../../engine/wasm";
+import { epoch, submit } from "#engine/engine";
+import type { Job } from "#engine/protocol";
+import { frond } from "#engine/wasm";
 import { familyMaps } from "./hover";
 import { family, sides } from "./view";
 

@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
-import type { MapRow } from "../../../engine/api";
-import { useOwnId } from "../../../ui/id";
-import { NumberField } from "../../../ui/NumberField";
+import type { MapRow } from "#engine/api";
+import { useOwnId } from "#ui/id";
+import { NumberField } from "#ui/NumberField";
 import { compose, decompose, type Parts } from "./affine";
 
 export interface MapFieldsProps {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { MapRow } from "../../../engine/api";
+import type { MapRow } from "#engine/api";
 import { compose, decompose, determinant, halfAbout, mapWords, reflect } from "./affine";
 
 const close = (got: MapRow, want: MapRow) => {

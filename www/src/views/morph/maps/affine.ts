@@ -1,5 +1,5 @@
 /** A map as turn, stretch, slant and move, and as six numbers; and the small changes that the editor offers. */
-import type { MapRow } from "../../../engine/api";
+import type { MapRow } from "#engine/api";
 
 export interface Parts {
   /** Degrees, counter-clockwise, in (-180, 180]. */

@@ -1,9 +1,9 @@
 import "./pairs.css";
-import { pairing } from "../../../state/morph";
-import { listWords } from "../../../state/morph-words";
-import { edit, endGesture } from "../../../state/scene";
-import { Button } from "../../../ui/Button";
-import { NumberField } from "../../../ui/NumberField";
+import { pairing } from "#state/morph";
+import { listWords } from "#state/morph-words";
+import { edit, endGesture } from "#state/scene";
+import { Button } from "#ui/Button";
+import { NumberField } from "#ui/NumberField";
 import { flatPairs } from "../changes";
 import { openRoutes, pairsOpen } from "../dialogs";
 import { correspondence, turns } from "../parts";

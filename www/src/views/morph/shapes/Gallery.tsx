@@ -1,10 +1,10 @@
-import { originOf, presets } from "../../../engine/presets";
-import { thumbnails } from "../../../engine/results";
-import { type CurveParts, curved, editSystems } from "../../../state/curve";
-import { selection } from "../../../state/morph";
-import { announce } from "../../../state/notice";
-import { Dialog } from "../../../ui/Dialog";
-import { mapsNote, ShapeGrid } from "../../../ui/ShapeGrid";
+import { originOf, presets } from "#engine/presets";
+import { thumbnails } from "#engine/results";
+import { type CurveParts, curved, editSystems } from "#state/curve";
+import { selection } from "#state/morph";
+import { announce } from "#state/notice";
+import { Dialog } from "#ui/Dialog";
+import { mapsNote, ShapeGrid } from "#ui/ShapeGrid";
 import { choose, nameOf } from "../changes";
 import { gallery } from "../dialogs";
 import { pick } from "../locus/way";

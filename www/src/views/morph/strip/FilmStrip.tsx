@@ -1,14 +1,14 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import type { Verdict } from "../../../engine/api";
-import { isBroken } from "../../../engine/breaks";
-import { type Frame, strip } from "../../../engine/results";
-import { curved, film } from "../../../state/curve";
-import { percent } from "../../../state/morph-words";
-import { scene } from "../../../state/scene";
-import { stateOf, verdictPhrase } from "../../../state/words";
-import { media } from "../../../ui/media";
-import { Thumbnail } from "../../../ui/Thumbnail";
+import type { Verdict } from "#engine/api";
+import { isBroken } from "#engine/breaks";
+import { type Frame, strip } from "#engine/results";
+import { curved, film } from "#state/curve";
+import { percent } from "#state/morph-words";
+import { scene } from "#state/scene";
+import { stateOf, verdictPhrase } from "#state/words";
+import { media } from "#ui/media";
+import { Thumbnail } from "#ui/Thumbnail";
 import { evenly } from "./evenly";
 import { scrubTo } from "./scrub";
 

@@ -1,7 +1,7 @@
 import "./export.css";
-import { space, timeline } from "../../../state/space";
-import { Button } from "../../../ui/Button";
-import { Dialog } from "../../../ui/Dialog";
+import { space, timeline } from "#state/space";
+import { Button } from "#ui/Button";
+import { Dialog } from "#ui/Dialog";
 import { exportOpen } from "../time/exporting";
 import { fly } from "../time/fly";
 import { Finished } from "./Finished";

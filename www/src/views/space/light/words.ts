@@ -1,6 +1,6 @@
 /** What the settings of light come to, in words. Pure. */
-import type { Point3 } from "../../../engine/api";
-import { formatNumber } from "../../../ui/number";
+import type { Point3 } from "#engine/api";
+import { formatNumber } from "#ui/number";
 
 const DEGREE = Math.PI / 180;
 

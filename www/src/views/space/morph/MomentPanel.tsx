@@ -1,10 +1,10 @@
-import { percent } from "../../../state/morph-words";
-import { endGesture } from "../../../state/scene";
-import { timeline } from "../../../state/space";
-import { IconButton } from "../../../ui/Button";
-import { NumberField } from "../../../ui/NumberField";
-import { fixed } from "../../../ui/number";
-import { Slider } from "../../../ui/Slider";
+import { percent } from "#state/morph-words";
+import { endGesture } from "#state/scene";
+import { timeline } from "#state/space";
+import { IconButton } from "#ui/Button";
+import { NumberField } from "#ui/NumberField";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
 import { Holds } from "./Holds";
 import { morphPlaying, pause, play } from "./play";
 import { goTo, stateNow } from "./way";

@@ -1,11 +1,11 @@
 import { useRef } from "preact/hooks";
-import { Field } from "../../../canvas/locus/Field";
-import type { LocusStyle } from "../../../canvas/locus/paint";
-import { BOUNDS } from "../../../engine/locus-job";
-import { EPSILON } from "../../../engine/space/locus-fill";
-import type { Uv } from "../../../state/path";
-import { nearestOn, slice } from "../../../state/polyline";
-import { endGesture } from "../../../state/scene";
+import { Field } from "#canvas/locus/Field";
+import type { LocusStyle } from "#canvas/locus/paint";
+import { BOUNDS } from "#engine/locus-job";
+import { EPSILON } from "#engine/space/locus-fill";
+import type { Uv } from "#state/path";
+import { nearestOn, slice } from "#state/polyline";
+import { endGesture } from "#state/scene";
 import { CurrentHandle, focusHandle, WayHandle } from "./handles";
 import { addAt, chosen, goTo, pick, place, way } from "./way";
 import { check, locus, locusProblem, morph, pathless, pathPoints } from "./work";

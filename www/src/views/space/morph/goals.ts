@@ -1,6 +1,6 @@
 /** What the first object can become. */
-import type { Preset3, Shape3, SpaceObject } from "../../../engine/api";
-import { sameMaps } from "../../../engine/maps";
+import type { Preset3, Shape3, SpaceObject } from "#engine/api";
+import { sameMaps } from "#engine/maps";
 
 export interface Goal {
   id: string;

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { MapRow3, PathPoint, Space } from "../../../engine/api";
-import { canUndo, scene, start, undo } from "../../../state/scene";
+import type { MapRow3, PathPoint, Space } from "#engine/api";
+import { canUndo, scene, start, undo } from "#state/scene";
 
 const half = (x: number): MapRow3 => [0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5, x, 0, 0];
 const { asked, solid } = vi.hoisted(() => {
@@ -32,8 +32,8 @@ const { asked, solid } = vi.hoisted(() => {
   };
   return { asked, solid };
 });
-vi.mock("../../../engine/space/module", () => ({ solid, loadSpace: async () => {} }));
-vi.mock("../../../engine/space/client", () => ({
+vi.mock("#engine/space/module", () => ({ solid, loadSpace: async () => {} }));
+vi.mock("#engine/space/client", () => ({
   spaceTask: (
     name: string,
     args: Record<string, unknown>,
@@ -45,7 +45,7 @@ vi.mock("../../../engine/space/client", () => ({
     }),
 }));
 
-const { openSpace, editSpace, space } = await import("../../../state/space");
+const { openSpace, editSpace, space } = await import("#state/space");
 const { withMode, withPath } = await import("./changes");
 const { callOff, check, found, judged, locus, lookAgain, search, watchMorph } = await import("./work");
 

@@ -1,8 +1,8 @@
 import { computed, signal } from "@preact/signals";
-import { apartBy, apartWords } from "../../../engine/space/same";
-import { Button } from "../../../ui/Button";
-import { MapBlocks } from "../../../ui/MapBlocks";
-import { Segmented } from "../../../ui/Segmented";
+import { apartBy, apartWords } from "#engine/space/same";
+import { Button } from "#ui/Button";
+import { MapBlocks } from "#ui/MapBlocks";
+import { Segmented } from "#ui/Segmented";
 import { made, moved, parameters } from "./now";
 
 /** So many maps are shown at first. */

@@ -1,8 +1,8 @@
 import "./shape.css";
 import { useEffect } from "preact/hooks";
-import { chosen, spaceReady } from "../../../state/space";
-import { formatNumber } from "../../../ui/number";
-import { mapsNote } from "../../../ui/ShapeGrid";
+import { chosen, spaceReady } from "#state/space";
+import { formatNumber } from "#ui/number";
+import { mapsNote } from "#ui/ShapeGrid";
 import { FactsPanel } from "./FactsPanel";
 import { Fold } from "./Fold";
 import { HandPanel } from "./HandPanel";

@@ -1,6 +1,6 @@
-import { endGesture } from "../../../state/scene";
-import { NumberField } from "../../../ui/NumberField";
-import { Slider } from "../../../ui/Slider";
+import { endGesture } from "#state/scene";
+import { NumberField } from "#ui/NumberField";
+import { Slider } from "#ui/Slider";
 
 export interface SliderFieldProps {
   label: string;

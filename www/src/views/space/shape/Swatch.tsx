@@ -1,5 +1,5 @@
-import { dark } from "../../../state/preferences";
-import { palette } from "../../../style/palette";
+import { dark } from "#state/preferences";
+import { palette } from "#style/palette";
 
 /** The number of a map or an object in its colour. */
 export function Swatch({ map, tint }: { map: number; tint?: string | undefined }) {

@@ -1,8 +1,8 @@
 import { computed } from "@preact/signals";
-import { hand, space, spaceView } from "../../../state/space";
-import { Button, IconButton } from "../../../ui/Button";
-import { media } from "../../../ui/media";
-import { Segmented } from "../../../ui/Segmented";
+import { hand, space, spaceView } from "#state/space";
+import { Button, IconButton } from "#ui/Button";
+import { media } from "#ui/media";
+import { Segmented } from "#ui/Segmented";
 import { atOrigin, goToOrigin, showWhole } from "./actions";
 
 const HANDS = [

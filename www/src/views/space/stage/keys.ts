@@ -1,7 +1,7 @@
 /** Keys on the focused stage of space. */
-import { endGesture } from "../../../state/scene";
-import { hand } from "../../../state/space";
-import type { KeyPress } from "../../../ui/focus";
+import { endGesture } from "#state/scene";
+import { hand } from "#state/space";
+import type { KeyPress } from "#ui/focus";
 import { changeView, flightStep, handObject, showWhole } from "./actions";
 import { flown, neared, panned, turned, withAngle } from "./camera";
 import { sight } from "./sight";

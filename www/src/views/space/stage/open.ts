@@ -1,6 +1,6 @@
-import type { PainterBackend } from "../../../canvas/painter";
-import { createSpaceRenderer } from "../../../engine/space/renderer";
-import { notify, wordsOf } from "../../../state/notice";
+import type { PainterBackend } from "#canvas/painter";
+import { createSpaceRenderer } from "#engine/space/renderer";
+import { notify, wordsOf } from "#state/notice";
 import { Accelerated } from "./accelerated";
 import { Plain } from "./plain";
 import type { Surface } from "./surface";

@@ -1,8 +1,8 @@
-import { endGesture } from "../../../state/scene";
-import { lookingAround, space, timeline } from "../../../state/space";
-import { changeTimeline } from "../../../state/space-edits";
-import { Button, IconButton } from "../../../ui/Button";
-import { NumberField } from "../../../ui/NumberField";
+import { endGesture } from "#state/scene";
+import { lookingAround, space, timeline } from "#state/space";
+import { changeTimeline } from "#state/space-edits";
+import { Button, IconButton } from "#ui/Button";
+import { NumberField } from "#ui/NumberField";
 import { MOST_KEYS, withKeyAt } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";
 import { EaseMenu } from "./EaseMenu";

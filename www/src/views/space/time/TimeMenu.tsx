@@ -1,6 +1,6 @@
-import { timeline } from "../../../state/space";
-import { changeTimeline } from "../../../state/space-edits";
-import { Menu } from "../../../ui/Menu";
+import { timeline } from "#state/space";
+import { changeTimeline } from "#state/space-edits";
+import { Menu } from "#ui/Menu";
 import { openExport } from "./exporting";
 import { fly } from "./fly";
 import { attempt, removeAllKeys, stretch } from "./keys";

@@ -1,7 +1,7 @@
-import { endGesture } from "../../../state/scene";
-import { moment, space, timeline } from "../../../state/space";
-import { changeTimeline, EMPTY_LINE } from "../../../state/space-edits";
-import { NumberField, type NumberFieldProps } from "../../../ui/NumberField";
+import { endGesture } from "#state/scene";
+import { moment, space, timeline } from "#state/space";
+import { changeTimeline, EMPTY_LINE } from "#state/space-edits";
+import { NumberField, type NumberFieldProps } from "#ui/NumberField";
 import { LONGEST, SHORTEST, secondsProblem, withSeconds } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";
 import { attempt } from "./keys";

@@ -1,8 +1,8 @@
 import "./time.css";
-import { space, timeline } from "../../../state/space";
-import { changeTimeline, EMPTY_LINE } from "../../../state/space-edits";
-import { Button, IconButton } from "../../../ui/Button";
-import { Segmented } from "../../../ui/Segmented";
+import { space, timeline } from "#state/space";
+import { changeTimeline, EMPTY_LINE } from "#state/space-edits";
+import { Button, IconButton } from "#ui/Button";
+import { Segmented } from "#ui/Segmented";
 import { scrubSpace } from "./clock";
 import { EaseMenu } from "./EaseMenu";
 import { fly } from "./fly";

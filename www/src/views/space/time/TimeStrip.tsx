@@ -1,13 +1,13 @@
-import "../../../ui/strip.css";
+import "#ui/strip.css";
 import "./time.css";
 import { useEffect, useState } from "preact/hooks";
-import { moment, space, spacePlaying, timeline } from "../../../state/space";
-import { EMPTY_LINE } from "../../../state/space-edits";
-import { Button, IconButton } from "../../../ui/Button";
-import { useOwnId } from "../../../ui/id";
-import { lazily } from "../../../ui/lazy";
-import { narrow } from "../../../ui/media";
-import { Slider } from "../../../ui/Slider";
+import { moment, space, spacePlaying, timeline } from "#state/space";
+import { EMPTY_LINE } from "#state/space-edits";
+import { Button, IconButton } from "#ui/Button";
+import { useOwnId } from "#ui/id";
+import { lazily } from "#ui/lazy";
+import { narrow } from "#ui/media";
+import { Slider } from "#ui/Slider";
 import { pauseSpace, scrubSpace, togglePlay } from "./clock";
 import { exportOpen, exportProgress, openExport } from "./exporting";
 import { fly } from "./fly";
@@ -20,7 +20,7 @@ import { TimeMenu } from "./TimeMenu";
 import { TimeNumbers } from "./TimeNumbers";
 import { momentWords } from "./words";
 
-const ExportDialog = lazily(() => import("../export").then((module) => module.ExportDialog));
+const ExportDialog = lazily(() => import("../export/index").then((module) => module.ExportDialog));
 
 /** Time: play, scrub, and the keys. */
 export function TimeStrip() {

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import type { Focus } from "../../../ui/focus";
+import type { Focus } from "#ui/focus";
 import { timeCommandOf } from "./shortcuts";
 
 const press = (key: string, more: Partial<KeyboardEvent> = {}) => ({

@@ -1,6 +1,6 @@
 /** Keys of the keyboard that are about time, unless something is being typed or a dialog is open. */
-import { type Focus, focusOf, type KeyPress } from "../../../ui/focus";
-import type { ShortcutRow } from "../../../ui/ShortcutTable";
+import { type Focus, focusOf, type KeyPress } from "#ui/focus";
+import type { ShortcutRow } from "#ui/ShortcutTable";
 import { togglePlay } from "./clock";
 import { goToKey, setKey } from "./keys";
 
