@@ -8,7 +8,7 @@ import {
   codeWords,
   lettersOf,
   shuffled,
-} from "../../www/src/figures/codes";
+} from "../../www/src/figures/fujimoto/codes/codes";
 
 /** The project's own copy, or the directory that FROND_KNOWN names. */
 function known<T>(name: string): T[] {

@@ -1,11 +1,11 @@
-import "./figures.css";
-import "./deform.css";
-import "./fits.css";
-import "./lesson.css";
-import "./spaces.css";
-import "./parts.css";
+import "./kit/frame/figures.css";
+import "./fujimoto/deform.css";
+import "./cochran/fits.css";
+import "./lessons/lesson.css";
+import "./darwish/spaces.css";
+import "./kit/frame/parts.css";
 import { useEffect, useRef } from "preact/hooks";
-import { DEFORMS, type Entry, FITS, find, LESSONS, SPACES } from "./catalogue";
+import { DEFORMS, type Entry, FITS, find, LESSONS, SPACES } from "./list";
 import { Overview } from "./overview";
 
 /** The figures of the paper and the lessons as live pages: all of them, or the one that the address names. */

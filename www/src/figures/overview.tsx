@@ -1,4 +1,4 @@
-import { CATALOGUE, DEFORMS, type Entry, FITS, LESSONS, SPACES } from "./catalogue";
+import { CATALOGUE, DEFORMS, type Entry, FITS, LESSONS, SPACES } from "./list";
 
 /** All figures and lessons, each with a small picture that the program made. */
 export function Overview({ missing }: { missing: string | null }) {

@@ -1,0 +1,31 @@
+import { Segmented } from "#ui/Segmented";
+import type { Parameter } from "../../kit/frame/frame";
+import { aboutDragon, DRAGONS, dragon } from "./dragon";
+
+/** Which dragon stands for the paper's. */
+export function DragonChoice() {
+  return (
+    <div class="dragon-choice">
+      <Segmented
+        label="Dragon"
+        options={DRAGONS.map(({ value, label, about }) => ({ value, label, description: about }))}
+        value={dragon.value}
+        onChange={(next) => {
+          dragon.value = next;
+        }}
+      />
+      <p class="choice-about">{aboutDragon(dragon.value)}.</p>
+    </div>
+  );
+}
+
+export const WHY_DRAGON =
+  "The paper calls the first shape a dragon of three maps and prints no matrices. Two dragons of three maps stand for it here, one of them also mirrored.";
+
+export function dragonParameters(): Parameter[] {
+  return [
+    { name: "First shape", value: aboutDragon(dragon.value) },
+    { name: "Last shape", value: "gasket, three maps of scale ½" },
+    { name: "Which map becomes which", value: "1 to 1, 2 to 2, 3 to 3, by the shortest turns" },
+  ];
+}

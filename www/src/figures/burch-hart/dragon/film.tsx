@@ -1,0 +1,75 @@
+import type { ComponentChildren } from "preact";
+import { useMemo } from "preact/hooks";
+import type { Uv } from "#state/path";
+import { uvAt } from "#state/path";
+import { verdictPhrase } from "#state/words";
+import { fixed } from "#ui/number";
+import { VerdictChip } from "../../kit/frame/verdict";
+import { type Breakage, breakage } from "../../kit/maps/breakage";
+import { boxAround, framesAlong, mapsAt } from "../../kit/maps/morphs";
+import { Picture } from "../../kit/picture/picture";
+import { Strip } from "../../kit/picture/stills";
+import { Time, type useTime } from "../../kit/time/time";
+import { useStates, useValue, useVerdict } from "../../kit/workers";
+import { dragon, ends } from "./dragon";
+
+const FRAMES = 10;
+
+export interface FilmProps {
+  name: string;
+  points: readonly Uv[];
+  time: ReturnType<typeof useTime>;
+  broken: Breakage | null;
+  /** What stands beside the picture, for the point of the path at which it is. */
+  beside?: (at: Uv) => ComponentChildren;
+}
+
+/** A morph along a path: the picture of one moment, the slider, and stills of all. */
+export function Film({ name, points, time, broken, beside }: FilmProps) {
+  const pair = useValue(ends);
+  const { t } = time;
+  const at = useMemo(() => uvAt(points, t), [points, t]);
+  const maps = useMemo(() => mapsAt(pair, at), [pair, at]);
+  const judged = useVerdict(maps);
+  const frames = useMemo(() => framesAlong(pair, points, FRAMES), [pair, points]);
+  const box = useMemo(() => boxAround(frames.map((frame) => frame.maps)), [frames]);
+  return (
+    <>
+      <div class="panel film-picture">
+        <div class="film-top">
+          <Picture
+            maps={maps}
+            box={box}
+            label={`${name} at t = ${fixed(t)}: ${verdictPhrase(judged?.answer ?? null)}`}
+          />
+          {beside?.(at)}
+        </div>
+        <div class="film-foot">
+          <VerdictChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
+          <span class="number">
+            <span class="symbol">u</span> {fixed(at[0])} <span class="symbol">v</span> {fixed(at[1])}
+          </span>
+        </div>
+      </div>
+      <Time time={time} words={verdictPhrase(judged?.answer ?? null)} breaks={broken?.stretches ?? []} />
+      <Strip label={`${name}: frames`} frames={frames} box={box} t={t} onPick={time.go} />
+    </>
+  );
+}
+
+/** How much of a way is broken, or null until it is known. */
+export function useBroken(points: readonly Uv[] | null): Breakage | null {
+  const pair = useValue(ends);
+  const way = useMemo(() => (points ? { ...pair, options: {}, points } : null), [pair, points]);
+  const states = useStates(way);
+  return useMemo(() => (states ? breakage(states) : null), [states]);
+}
+
+/** The name of the present dragon in a sentence. */
+export function dragonWords(): string {
+  return {
+    "dragon-3": "Heighway’s dragon",
+    terdragon: "the terdragon",
+    "terdragon-mirrored": "the mirrored terdragon",
+  }[dragon.value];
+}

@@ -1,0 +1,221 @@
+import { useMemo, useState } from "preact/hooks";
+import type { MapRow } from "#engine/api";
+import { frond } from "#engine/wasm";
+import { verdictPhrase } from "#state/words";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
+import { Slider } from "#ui/Slider";
+import { Collisions, groups, windowOf } from "../../kit/connectedness/collisions";
+import { Buffer } from "../../kit/connectedness/index-buffer";
+import { Graph } from "../../kit/connectedness/overlap-graph";
+import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { preset, studioHref } from "../../kit/frame/studio-link";
+import { Chip } from "../../kit/frame/verdict";
+import { shrink } from "../../kit/maps/families";
+import { PlayButton, usePlay } from "../../kit/time/play";
+import { useVerdict } from "../../kit/workers";
+
+export const MOST_POINTS = 3000;
+const SEED = 1;
+const MARGIN = 0.05;
+/** Steps a second while it plays. */
+const PACE = 12;
+
+const SHAPES = [
+  { value: "gasket", label: "Gasket" },
+  { value: "pentagon", label: "Pentagon" },
+  { value: "terdragon", label: "Terdragon" },
+  { value: "koch", label: "Koch" },
+] as const;
+const STEPS = [
+  { value: "1", label: "1" },
+  { value: "10", label: "10" },
+  { value: "100", label: "100" },
+] as const;
+
+/** Points of the chaos game, each map as likely as any other, as the paper has it. */
+export function gamePoints(maps: MapRow[], points: number) {
+  return frond.attractor({ maps, probabilities: maps.map(() => 1) }, { points, seed: SEED });
+}
+
+export function startRun(maps: MapRow[], size: number, points = MOST_POINTS): Collisions {
+  const { min, max } = frond.bounds({ maps });
+  return new Collisions(size, windowOf(min, max, MARGIN), gamePoints(maps, points));
+}
+
+/** The index buffer, point by point. */
+export function Figure2(heading: Heading) {
+  const [shape, setShape] = useState<(typeof SHAPES)[number]["value"]>("gasket");
+  const [size, setSize] = useState(31);
+  const [scale, setScale] = useState(1);
+  const [count, setCount] = useState(300);
+  const [step, setStep] = useState<(typeof STEPS)[number]["value"]>("10");
+
+  const maps = useMemo(() => shrink(preset(shape).maps, scale), [shape, scale]);
+  const run = useRun(maps, size, count);
+  const angles = useMemo(() => directions(maps), [maps]);
+  const truth = useVerdict(maps);
+  const player = usePlayer(count, Number(step), setCount);
+  const joined = groups(
+    maps.length,
+    run.edges.map((edge) => edge.between),
+  );
+  const whole = joined.count === 1;
+
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          A point hops about the shape by maps drawn at random, and each pixel remembers which piece plotted
+          it last. When another piece falls into the same pixel, the two overlap as far as pixels tell, and
+          the graph gains an edge. Once the graph hangs together, so does the picture. Large pixels say so too
+          early: shrink the maps a little and see.
+        </p>
+      }
+      found={
+        <p>
+          The buffer calls this {whole ? "connected" : `${joined.count} groups`} after {count} points. Frond’s
+          search through pairs of pieces, which uses no pixels, says:{" "}
+          <strong>{verdictPhrase(truth?.maps === maps ? truth.answer : null)}</strong>. Try the gasket at an
+          even number of pixels a side: the points where its pieces touch then lie exactly on borders between
+          pixels, and the buffer never sees it whole.
+        </p>
+      }
+      parameters={[
+        { name: "Maps", symbol: "N", value: String(maps.length) },
+        { name: "Scale of each map about its fixed point", value: fixed(scale, 3) },
+        { name: "Index buffer", value: `${size} × ${size} pixels` },
+        { name: "Window", value: `square about the shape, ${100 * MARGIN}% larger` },
+        { name: "Points plotted", symbol: "n", value: `${count} of at most ${MOST_POINTS}` },
+        { name: "Collisions", value: String(run.collisions) },
+        { name: "Chances of the maps", value: "all the same" },
+        { name: "Seed", value: String(SEED) },
+      ]}
+      captions={["Figure 2: The Index Buffer algorithm for determining path connectedness."]}
+      reconstructed="The algorithm is the paper’s (what it prints as p = w₂v(x) is the map from the window to the pixels). It prints no example: shapes, resolution and points are chosen here."
+      studio={{ href: href(shape, scale) }}
+    >
+      <div class="controls">
+        <Segmented label="Shape" options={SHAPES} value={shape} onChange={setShape} />
+        <div class="choice">
+          <span class="choice-label">Points a step</span>
+          <Segmented label="Points a step" options={STEPS} value={step} onChange={setStep} />
+        </div>
+        <div class="buttons">
+          <Button onClick={() => player.go(count + Number(step))} disabled={count >= MOST_POINTS}>
+            Plot {step} more
+          </Button>
+          <Button icon="reset" onClick={() => player.go(0)} disabled={count === 0}>
+            Clear
+          </Button>
+        </div>
+      </div>
+      <div class="figure-time">
+        <PlayButton playing={player.playing} toggle={player.toggle} />
+        <Slider
+          label="Points plotted"
+          min={0}
+          max={MOST_POINTS}
+          step={Number(step)}
+          value={count}
+          valueText={`${count} points`}
+          onChange={(next) => player.go(Math.round(next))}
+        />
+        <output class="number">{count} points</output>
+      </div>
+      <div class="two-columns">
+        <div class="panel">
+          <Buffer
+            run={run}
+            count={count}
+            label={`Index buffer of ${size} by ${size} pixels with ${count} points plotted; ${run.collisions} times a pixel was plotted by two pieces.`}
+          />
+        </div>
+        <div class="panel graph-panel">
+          <Graph count={maps.length} angles={angles} edges={run.edges} />
+          <div aria-live="polite">
+            <Chip
+              tone={whole ? "close" : "broken"}
+              text={whole ? "Connected" : `${joined.count} groups`}
+              aside={whole ? `as far as ${size} pixels tell` : "so far"}
+            />
+          </div>
+          <ol class="edges">
+            {run.edges.map(({ between: [i, j], at }) => (
+              <li key={`${i}-${j}`}>
+                {i + 1} meets {j + 1} <span class="number">at point {at}</span>
+              </li>
+            ))}
+          </ol>
+        </div>
+      </div>
+      <div class="controls">
+        <Control label="Pixels a side" value={String(size)}>
+          <Slider
+            label="Pixels a side"
+            min={8}
+            max={96}
+            step={1}
+            value={size}
+            valueText={`${size} pixels`}
+            onChange={(next) => setSize(Math.round(next))}
+          />
+        </Control>
+        <Control label="Scale of the maps" value={fixed(scale, 3)}>
+          <Slider
+            label="Scale of the maps"
+            min={0.8}
+            max={1}
+            step={0.01}
+            value={scale}
+            valueText={fixed(scale, 3)}
+            onChange={setScale}
+          />
+        </Control>
+      </div>
+    </Frame>
+  );
+}
+
+/** The run at a count of points; it goes on where it can, and begins anew to go back. */
+function useRun(maps: MapRow[], size: number, count: number): Collisions {
+  const fresh = useMemo(() => ({ run: startRun(maps, size) }), [maps, size]);
+  if (fresh.run.count > count) fresh.run = startRun(maps, size);
+  fresh.run.plotTo(count);
+  return fresh.run;
+}
+
+function usePlayer(count: number, step: number, setCount: (count: number) => void) {
+  const [rest, setRest] = useState(0);
+  const player = usePlay((seconds) => {
+    const due = rest + seconds * PACE;
+    const next = Math.min(MOST_POINTS, count + step * Math.floor(due));
+    setRest(due % 1);
+    if (next !== count) setCount(next);
+    return next < MOST_POINTS;
+  });
+  const go = (next: number) => {
+    player.stop();
+    setCount(Math.min(MOST_POINTS, Math.max(0, next)));
+  };
+  const toggle = () => {
+    if (!player.playing && count >= MOST_POINTS) setCount(0);
+    player.toggle();
+  };
+  return { playing: player.playing, go, toggle };
+}
+
+/** In which direction from the middle each piece lies. */
+function directions(maps: MapRow[]): number[] {
+  const { min, max } = frond.bounds({ maps });
+  const [x, y] = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2];
+  return maps.map(([a, b, c, d, e, f]) => Math.atan2(c * x + d * y + f - y, a * x + b * y + e - x));
+}
+
+function href(shape: string, scale: number): string {
+  const whole = preset(shape);
+  const apart = { name: `${whole.name}, maps at 0.8`, maps: shrink(whole.maps, 0.8) };
+  return studioHref({ a: whole, b: apart, t: (1 - scale) / 0.2 });
+}

@@ -1,0 +1,186 @@
+import { useEffect, useMemo, useState } from "preact/hooks";
+import type { MapRow, PathPlan } from "#engine/api";
+import { isBroken } from "#engine/breaks";
+import type { LocusResult } from "#engine/results";
+import type { Uv } from "#state/path";
+import { verdictPhrase } from "#state/words";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
+import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { drawn, preset, studioHref } from "../../kit/frame/studio-link";
+import { VerdictChip } from "../../kit/frame/verdict";
+import { Square } from "../../kit/locus/locus-square";
+import { shareWords } from "../../kit/maps/breakage";
+import { boxAround, mapsAt, STRAIGHT } from "../../kit/maps/morphs";
+import { Picture } from "../../kit/picture/picture";
+import { useValue, useVerdict } from "../../kit/workers";
+import { chart, dragon, ends, followChart } from "../dragon/dragon";
+import { DragonChoice, dragonParameters, WHY_DRAGON } from "../dragon/dragon-choice";
+import { dragonWords } from "../dragon/film";
+
+/** The connectedness locus of dragon and gasket. */
+export function Figure7(heading: Heading) {
+  useEffect(followChart, []);
+  const [point, setPoint] = useState<Uv>([0.5, 0.5]);
+  const { field, plan, problem } = chart.value;
+  const pair = useValue(ends);
+  const maps = useMemo(() => mapsAt(pair, point), [pair, point]);
+  const judged = useVerdict(maps);
+  const box = useMemo(() => boxAround([pair.from, pair.to, maps]), [pair, maps]);
+  const lines = [
+    { name: "straight", points: STRAIGHT, dashed: true },
+    ...(plan ? [{ name: "planned", points: plan.points }] : []),
+  ];
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          Every point of the square is one shape: <span class="symbol">u</span> says how far its maps have
+          turned and stretched from the dragon’s (A) to the gasket’s (B), <span class="symbol">v</span> how
+          far they have moved. White means that no gap is seen at 1/600. A morph is a way from A to B: the
+          straight one crosses the dark, the other goes round. Drag the ring to see the shapes.
+        </p>
+      }
+      found={<Found field={field} plan={plan} />}
+      parameters={[
+        ...dragonParameters(),
+        { name: "Domain", symbol: "(u, v)", value: "[−1, 2] × [−1, 2]" },
+        { name: "Samples", value: "253 × 253" },
+        { name: "Resolution of the verdicts", symbol: "ε", value: "1/600 of the shape" },
+        { name: "The ring", symbol: "(u, v)", value: `(${fixed(point[0], 3)}, ${fixed(point[1], 3)})` },
+      ]}
+      captions={[
+        "Figure 7: The connectedness locus for the Dragon-to-Gasket interpolation. White indicates parameters of path-connected attractors.",
+      ]}
+      reconstructed={WHY_DRAGON}
+      studio={{
+        href: studioHref({
+          a: preset(dragon.value),
+          b: preset("gasket"),
+          t: 0.5,
+          ...(plan ? { path: drawn(plan.points) } : {}),
+        }),
+      }}
+    >
+      <DragonChoice />
+      <div class="two-columns even">
+        <div>
+          <div class="axes">
+            <Ticks axis="v" />
+            <Square
+              field={field}
+              label="The connectedness locus over u and v from −1 to 2, with the straight and the planned path from (0, 0) to (1, 1)."
+              lines={lines}
+              point={point}
+              onMove={setPoint}
+            />
+            <Ticks axis="u" />
+          </div>
+          <Legend progress={field?.progress ?? 0} problem={problem} />
+        </div>
+        <Here maps={maps} box={box} point={point} judged={judged} onMove={setPoint} />
+      </div>
+    </Frame>
+  );
+}
+
+interface HereProps {
+  maps: MapRow[];
+  box: ReturnType<typeof boxAround>;
+  point: Uv;
+  judged: ReturnType<typeof useVerdict>;
+  onMove: (point: Uv) => void;
+}
+
+/** The shape at the ring, and the sliders that move it. */
+function Here({ maps, box, point, judged, onMove }: HereProps) {
+  const [u, v] = point;
+  const answer = judged?.answer ?? null;
+  return (
+    <div class="panel here">
+      <Picture
+        maps={maps}
+        box={box}
+        label={`The shape at u = ${fixed(u)}, v = ${fixed(v)}: ${verdictPhrase(answer)}`}
+      />
+      <VerdictChip answer={answer} stale={judged?.maps !== maps} />
+      <Control label="turn and stretch" symbol="u" value={fixed(u, 3)}>
+        <Slider
+          label="u, turn and stretch"
+          min={-1}
+          max={2}
+          value={u}
+          valueText={`u = ${fixed(u)}: ${verdictPhrase(answer)}`}
+          onChange={(next) => onMove([next, v])}
+        />
+      </Control>
+      <Control label="move" symbol="v" value={fixed(v, 3)}>
+        <Slider
+          label="v, move"
+          min={-1}
+          max={2}
+          value={v}
+          valueText={`v = ${fixed(v)}: ${verdictPhrase(answer)}`}
+          onChange={(next) => onMove([u, next])}
+        />
+      </Control>
+    </div>
+  );
+}
+
+function Ticks({ axis }: { axis: "u" | "v" }) {
+  return (
+    <div class={`axis ${axis}`} aria-hidden="true">
+      {[-1, 0, 1, 2].map((at) => (
+        <span key={at} style={{ "--at": `${(100 * (at + 1)) / 3}%` }}>
+          {fixed(at, 0)}
+        </span>
+      ))}
+      <em>{axis}</em>
+    </div>
+  );
+}
+
+function Legend({ progress, problem }: { progress: number; problem: string | null }) {
+  return (
+    <ul class="key" aria-label="Key">
+      <li>
+        <i class="box holds" /> no gap wider than 1/600
+      </li>
+      <li>
+        <i class="box broken" /> in pieces, darker the wider the gap
+      </li>
+      <li>
+        <i class="line dashed" /> Figure 5
+      </li>
+      <li>
+        <i class="line" /> Figure 6
+      </li>
+      <li class="number">
+        {problem ?? (progress < 1 ? `${Math.round(100 * progress)}% computed` : "all computed")}
+      </li>
+    </ul>
+  );
+}
+
+function Found({ field, plan }: { field: LocusResult | null; plan: PathPlan | null }) {
+  const white = useMemo(() => (field?.progress === 1 ? 1 - share(field.state) : null), [field]);
+  if (white === null || plan === null) return <p>The square is being filled in …</p>;
+  return (
+    <p>
+      {shareWords(white)} of the square is white for {dragonWords()} and the gasket. The gasket, B, lies on
+      its very edge.{" "}
+      {plan.holds
+        ? "A and B hang together in it: there is a way round."
+        : "Dark stripes part A from B, so every way breaks somewhere. For the mirror image of this dragon there is a way round: how a shape is written decides what it can become."}
+    </p>
+  );
+}
+
+/** The part of the samples that is broken. */
+function share(state: Uint8Array): number {
+  let broken = 0;
+  for (const s of state) if (isBroken(s)) broken++;
+  return broken / state.length;
+}

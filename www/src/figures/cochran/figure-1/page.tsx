@@ -1,0 +1,204 @@
+import { useMemo, useState } from "preact/hooks";
+import type { Graph } from "#engine/api";
+import { rough } from "#engine/curves";
+import { NumberField } from "#ui/NumberField";
+import { fixed, formatNumber } from "#ui/number";
+import { Slider } from "#ui/Slider";
+import { Switch } from "#ui/Switch";
+
+import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { fitHref } from "../../kit/frame/studio-link";
+import { byPiece, rangeOf } from "../graphs/graphs";
+import { Profile } from "../graphs/profile";
+import { Grip } from "./grip";
+
+type Points = readonly [t: number, x: number][];
+
+export const FIGURE_1: { points: Points; c: readonly number[] } = {
+  points: [
+    [0, 0],
+    [0.5, 1],
+    [1, 0],
+  ],
+  c: [0.6, 0.4],
+};
+/** The rougher the higher; at 1 there is no end to it. */
+const MOST_C = 0.95;
+const LOW = -1;
+const HIGH = 2;
+const NEAR = 0.02;
+const T = { min: 0, max: 1, ticks: [0, 0.25, 0.5, 0.75, 1], name: "t" };
+const POINT_NAMES = ["First point", "Middle point", "Last point"];
+
+export function interpolated(
+  points: Points,
+  c: readonly number[],
+  reflected: readonly boolean[] = [],
+): Graph {
+  return rough.interpolation(
+    points.map(([t, x]): [number, number] => [t, x]),
+    { c: [...c], reflected: c.map((_, i) => reflected[i] ?? false) },
+  );
+}
+
+/** A fractal interpolation function, to be taken hold of. */
+export function Fit1(heading: Heading) {
+  const [points, setPoints] = useState<Points>(FIGURE_1.points);
+  const [c, setC] = useState<readonly number[]>(FIGURE_1.c);
+  const [reflected, setReflected] = useState<readonly boolean[]>([false, false]);
+  const graph = useMemo(() => interpolated(points, c, reflected), [points, c, reflected]);
+  const facts = useMemo(() => rough.graphFacts(graph), [graph]);
+  const samples = useMemo(() => rough.sampleGraph(graph, { tolerance: 0.004, most: 20_000 }), [graph]);
+  const y = rangeOf([samples], { min: -0.25, max: 1.75 });
+  const move = (index: number, t: number, x: number) =>
+    setPoints(points.map((point, i) => (i === index ? [within(index, t, points), clamp(x)] : point)));
+  const setFactor = (index: number, value: number) =>
+    setC(c.map((old, i) => (i === index ? Math.min(MOST_C, Math.max(-MOST_C, value)) : old)));
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          Three points, and a curve through them that is not smooth anywhere: its left half is the whole
+          curve, squeezed and sheared, and so is its right half. How much of the whole’s height a half keeps
+          is its roughness, <span class="symbol">c</span>. Take hold of the points, and turn the roughness
+          down to 0: what is left is the straight lines. Below 0 the copies hang upside down.
+        </p>
+      }
+      found={
+        <p>
+          Counted in boxes, this graph has the dimension{" "}
+          {facts.dimension === null ? "–" : fixed(facts.dimension, 3)}: 1 is a line, 2 would fill the plane.
+          It rises above 1 as soon as the two roughnesses, signs aside, add up to more than 1. The area under
+          it is {facts.integral === null ? "–" : fixed(facts.integral, 4)}, exactly, although nobody could
+          draw all of it: the integral obeys the same rule of copies.
+        </p>
+      }
+      parameters={[
+        ...points.map(([t, x], i) => ({
+          name: POINT_NAMES[i] ?? "",
+          symbol: `(t${sub(i)}, x${sub(i)})`,
+          value: `(${formatNumber(t)}, ${formatNumber(x)})`,
+        })),
+        ...c.map((value, i) => ({
+          name: i === 0 ? "Roughness, left" : "Roughness, right",
+          symbol: `c${sub(i + 1)}`,
+          value: formatNumber(value),
+        })),
+        ...graph.pieces.map(({ map: [a, b, factor, d, e] }, i) => ({
+          name: `Map ${i + 1}`,
+          symbol: `T${sub(i + 1)}`,
+          value: `t′ = ${formatNumber(a)} t + ${formatNumber(d)}, x′ = ${formatNumber(b)} t + ${formatNumber(factor)} x + ${formatNumber(e)}`,
+        })),
+        { name: "Contractivity in the metric of eq 2", symbol: "s", value: fixed(facts.contractivity, 3) },
+      ]}
+      captions={[
+        "Figure 1: Graph of a fractal interpolation function of the points (0, 0), (0.5, 1), (1, 0) using c1 = 0.6 and c2 = 0.4",
+      ]}
+      reconstructed={null}
+      differs="On the left of eq 1 the paper prints x and y; it is the point (t, x) that is mapped. Reflected copies are in its section 2.1, but not in its figure."
+      studio={{ href: fitHref({ mode: "graph", graph }), label: "Open in the Fit tool" }}
+    >
+      <Profile
+        label={`The curve through ${points.map(([t, x]) => `(${formatNumber(t)}, ${formatNumber(x)})`).join(", ")} with roughness ${c.map((value) => formatNumber(value)).join(" and ")}`}
+        x={T}
+        y={{ ...y, name: "x" }}
+        height={340}
+        lines={[
+          { points: points.flat(), colour: "quiet", width: 1, dashed: true },
+          ...byPiece(graph, samples).map((piece, i) => ({ points: piece, colour: i })),
+        ]}
+      >
+        {(place, size) =>
+          points.map(([t, x], i) => (
+            <Grip
+              key={POINT_NAMES[i]}
+              name={POINT_NAMES[i] ?? ""}
+              t={t}
+              x={x}
+              place={place}
+              size={size}
+              valueAt={(left, top) => [left / size.width, y.max - (top / size.height) * (y.max - y.min)]}
+              onMove={(nextT, nextX) => move(i, nextT, nextX)}
+            />
+          ))
+        }
+      </Profile>
+      <div class="controls">
+        {c.map((value, i) => (
+          <div key={POINT_NAMES[i]} class="control">
+            <Control
+              label={i === 0 ? "roughness, left" : "roughness, right"}
+              symbol={`c${sub(i + 1)}`}
+              value={fixed(value)}
+            >
+              <Slider
+                label={i === 0 ? "Roughness of the left piece" : "Roughness of the right piece"}
+                min={-MOST_C}
+                max={MOST_C}
+                value={value}
+                valueText={`c = ${fixed(value)}`}
+                onChange={(next) => setFactor(i, next)}
+              />
+            </Control>
+            <Switch
+              checked={reflected[i] ?? false}
+              onChange={(next) => setReflected(reflected.map((old, k) => (k === i ? next : old)))}
+            >
+              {i === 0 ? "Left copy runs backwards" : "Right copy runs backwards"}
+            </Switch>
+          </div>
+        ))}
+      </div>
+      <div class="point-fields">
+        <NumberField
+          label="First point"
+          symbol="x₀"
+          value={points[0]?.[1] ?? 0}
+          min={LOW}
+          max={HIGH}
+          onChange={(x) => move(0, 0, x)}
+        />
+        <NumberField
+          label="Middle, across"
+          symbol="t₁"
+          value={points[1]?.[0] ?? 0}
+          min={NEAR}
+          max={1 - NEAR}
+          onChange={(t) => move(1, t, points[1]?.[1] ?? 0)}
+        />
+        <NumberField
+          label="Middle, up"
+          symbol="x₁"
+          value={points[1]?.[1] ?? 0}
+          min={LOW}
+          max={HIGH}
+          onChange={(x) => move(1, points[1]?.[0] ?? 0.5, x)}
+        />
+        <NumberField
+          label="Last point"
+          symbol="x₂"
+          value={points[2]?.[1] ?? 0}
+          min={LOW}
+          max={HIGH}
+          onChange={(x) => move(2, 1, x)}
+        />
+      </div>
+    </Frame>
+  );
+}
+
+const sub = (index: number) => String.fromCharCode(0x2080 + index);
+
+function clamp(x: number): number {
+  return Math.round(Math.min(HIGH, Math.max(LOW, x)) * 1000) / 1000;
+}
+
+/** Where a point may be on the t axis: the first and the last stay, the others keep their order. */
+function within(index: number, t: number, points: Points): number {
+  if (index === 0) return 0;
+  if (index === points.length - 1) return 1;
+  const before = (points[index - 1]?.[0] ?? 0) + NEAR;
+  const behind = (points[index + 1]?.[0] ?? 1) - NEAR;
+  return Math.round(Math.min(behind, Math.max(before, t)) * 1000) / 1000;
+}

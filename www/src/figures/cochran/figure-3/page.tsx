@@ -1,0 +1,114 @@
+import { useMemo, useState } from "preact/hooks";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
+import { Switch } from "#ui/Switch";
+import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { arrowhead } from "../graphs/arrowhead";
+import { type Eye, SpaceView, STEEPEST } from "./space-curve";
+
+export const EYE: Eye = { turn: -35, tilt: 24 };
+const VIEWS: readonly { name: string; about: string; eye: Eye }[] = [
+  { name: "From above", about: "t and x: the function of Figure 4", eye: { turn: 0, tilt: 90 } },
+  { name: "From the front", about: "t and y: its companion", eye: { turn: 0, tilt: 0 } },
+  { name: "From the side", about: "x and y: the gasket", eye: { turn: -90, tilt: 0 } },
+  { name: "From the corner", about: "all three at once", eye: EYE },
+];
+const MOST_DEPTH = 7;
+const raised = (digit: number) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit] ?? "";
+
+/** The Sierpinski space curve and its three projections. */
+export function Fit3(heading: Heading) {
+  const [eye, setEye] = useState<Eye>(EYE);
+  const [depth, setDepth] = useState(6);
+  const [shadows, setShadows] = useState(true);
+  const points = useMemo(() => arrowhead(depth), [depth]);
+  const pieces = points.length - 1;
+  const view = VIEWS.find((one) => one.eye.turn === eye.turn && one.eye.tilt === eye.tilt);
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          A curve runs through a Sierpinski gasket from corner to corner, while <span class="symbol">t</span>{" "}
+          carries it forward, and each third of it is a copy of the whole. From the side you see the gasket,
+          since nothing of the way forward shows. From above you see a function of t that looks rough in a way
+          no formula of Figure 1 gives: part of what its copies need is hidden in the height. Drag to turn it.
+        </p>
+      }
+      found={
+        <p>
+          Three maps of space make all of it. The middle one only shrinks, so the middle of each shadow is a
+          copy of that shadow. The outer two also mirror and turn the gasket: they mix x with y, and a shadow
+          that has lost y cannot copy itself there. That is what “hidden variable” means, and Figure 4 shows
+          what it does to the graph.
+        </p>
+      }
+      parameters={[
+        { name: "Curve", value: "arrowhead through the gasket, t at even steps" },
+        { name: "Corners", symbol: "(x, y)", value: "(0, 0), (½, ½√3), (1, 0)" },
+        { name: "Pieces drawn", symbol: `3${raised(depth)}`, value: String(pieces) },
+        { name: "Seen from", value: `${fixed(eye.turn, 0)}° round, ${fixed(eye.tilt, 0)}° up` },
+      ]}
+      captions={["Figure 3: A 3-D Sierpinski space curve and its projections onto three coordinate planes."]}
+      reconstructed="The maps of this curve are not printed. The arrowhead curve stands for it: with corners at heights 0, ½ and 1 the printed maps of Table 3 come about as near to its top projection as the paper says. The height of the box is the gasket’s own."
+    >
+      <SpaceView
+        points={points}
+        eye={eye}
+        shadows={shadows}
+        onTurn={setEye}
+        label={`The space curve of ${pieces} pieces, seen from ${fixed(eye.turn, 0)} degrees round and ${fixed(eye.tilt, 0)} degrees up${view ? `: ${view.about}` : ""}`}
+      />
+      <fieldset class="buttons bare-fieldset">
+        <legend class="unseen">Where from</legend>
+        {VIEWS.map(({ name, about, eye: there }) => (
+          <Button key={name} description={about} pressed={view?.name === name} onClick={() => setEye(there)}>
+            {name}
+          </Button>
+        ))}
+        <p class="view-about" role="status">
+          {view?.about ?? ""}
+        </p>
+      </fieldset>
+      <div class="controls">
+        <Control label="turn" value={`${fixed(eye.turn, 0)}°`}>
+          <Slider
+            label="Turn"
+            min={-180}
+            max={180}
+            step={5}
+            value={eye.turn}
+            valueText={`${fixed(eye.turn, 0)} degrees`}
+            onChange={(turn) => setEye({ ...eye, turn })}
+          />
+        </Control>
+        <Control label="tilt" value={`${fixed(eye.tilt, 0)}°`}>
+          <Slider
+            label="Tilt"
+            min={-STEEPEST}
+            max={STEEPEST}
+            step={5}
+            value={eye.tilt}
+            valueText={`${fixed(eye.tilt, 0)} degrees`}
+            onChange={(tilt) => setEye({ ...eye, tilt })}
+          />
+        </Control>
+        <Control label="pieces" symbol={`3${raised(depth)}`} value={String(pieces)}>
+          <Slider
+            label="Levels"
+            min={1}
+            max={MOST_DEPTH}
+            step={1}
+            value={depth}
+            valueText={`${pieces} pieces`}
+            onChange={(next) => setDepth(Math.round(next))}
+          />
+        </Control>
+        <Switch checked={shadows} onChange={setShadows}>
+          Shadows on the walls
+        </Switch>
+      </div>
+    </Frame>
+  );
+}

@@ -1,0 +1,315 @@
+import { useMemo, useState } from "preact/hooks";
+import type { Collage, Figures } from "#engine/fit/tasks/curve";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
+import { Switch } from "#ui/Switch";
+import { Frame, type Heading } from "../../kit/frame/frame";
+import { fitHref } from "../../kit/frame/studio-link";
+import {
+  type CurveState,
+  FEATURES,
+  MAPS,
+  type Maps,
+  NUMBERS_A_MAP,
+  useCollages,
+  useCurveFit,
+  useLeaf,
+} from "./leaf-fits";
+import { Closer, CollagePanel, OUTLINE, type PanelProps } from "./leaf-panels";
+import { boxOfPoints, type OutlineLine, OutlineView } from "./outline-view";
+
+const SEED = 1;
+const MOST_SEED = 9999;
+
+/** A leaf, the paper's two fits of it, and a closed curve of as many numbers. */
+export function Fit7(heading: Heading) {
+  const [seed, setSeed] = useState(SEED);
+  const [tied, setTied] = useState(false);
+  const [separable, setSeparable] = useState(false);
+  const [maps, setMaps] = useState<Maps>(29);
+  const numbers = NUMBERS_A_MAP * maps;
+  const { leaf, problem } = useLeaf(seed);
+  const collages = useCollages(leaf, tied, separable);
+  const fit = useCurveFit(leaf, numbers);
+  const box = useMemo(() => boxOfPoints(leaf?.points ?? []), [leaf]);
+  const collage = collages?.[MAPS.indexOf(maps)] ?? null;
+  // Written when it comes to rest: it takes a while.
+  const curve = fit.done?.curve ?? (fit.state === "stopped" ? fit.reached?.curve : undefined);
+  const href = useMemo(
+    () =>
+      curve
+        ? fitHref({ mode: "outline", numbers, curve: { name: "Grown maple leaf", curve } })
+        : fitHref({ mode: "outline", numbers }),
+    [curve, numbers],
+  );
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          A leaf with teeth on its teeth, {FEATURES} feature points on its margin, and two ways to write it
+          down with few numbers. The paper replaces each stretch of the margin by the best copy of a longer
+          stretch. Look closely at its fits: the copies do not meet, and the red ticks mark the gaps. Tie
+          their ends, and the gaps close while the fit gets worse. Below is Frond’s own curve of as many
+          numbers: its edges run from knot to knot, so it cannot come apart.
+        </p>
+      }
+      found={<Found maps={maps} collages={collages} fit={fit} tied={tied} />}
+      parameters={[
+        { name: "Leaf", value: `maple-like, grown by program, seed ${seed}` },
+        { name: "Points of its margin", value: leaf ? String(leaf.points.length / 2) : "…" },
+        { name: "Feature points", value: `${FEATURES}, by polyline splitting` },
+        {
+          name: "Ranges",
+          symbol: "M",
+          value: "5 intervals each with 52 maps (260 points), 9 with 29",
+        },
+        { name: "Domains", value: "twice as long, from where a range begins: an RFIF" },
+        { name: "Bound of the factors", value: "0.95, by constrained least squares" },
+        { name: "A map costs", value: `${NUMBERS_A_MAP} numbers${separable ? ", 2 of them zero" : ""}` },
+        { name: "A knot costs", value: "2 numbers, a copied edge 2 more" },
+      ]}
+      captions={[
+        "Figure 7: Maple leaf (top) and FIF approximations with 52 control vertices (left) and 29 control vertices (right).",
+      ]}
+      reconstructed="The paper’s leaf and its maps are not printed. This leaf is grown by program, with as many feature points; the lengths of ranges and domains are reconstructed from the text of section 3.2."
+      differs={
+        <>
+          The paper does not say that its unconstrained fit leaves gaps, nor what it costs: 52 maps of 10
+          numbers are 520 numbers, and the polygon of its {FEATURES} feature points is 522. At the paper’s own
+          size nothing is saved.
+        </>
+      }
+      studio={{ href, label: "Open in the Fit tool" }}
+    >
+      <div class="controls">
+        <Switch checked={tied} onChange={setTied}>
+          Tie the ends of copies
+        </Switch>
+        <Switch checked={separable} onChange={setSeparable}>
+          Copy x and y apart (eq 8)
+        </Switch>
+        <Button icon="reset" onClick={() => setSeed((seed % MOST_SEED) + 1)}>
+          Grow another leaf
+        </Button>
+      </div>
+      {problem !== null && (
+        <p class="missing" role="alert">
+          {problem}
+        </p>
+      )}
+      <div class="leaves">
+        <figure class="panel">
+          <OutlineView
+            box={box}
+            label={`The leaf with its ${FEATURES} feature points`}
+            lines={
+              leaf
+                ? [
+                    { points: leaf.points, colour: "ink", width: 1, closed: true, filled: true },
+                    { points: leaf.features, colour: 5, dots: 4 },
+                  ]
+                : []
+            }
+          />
+          <figcaption>
+            <span class="side-name">
+              The leaf <span>{FEATURES} feature points</span>
+            </span>
+          </figcaption>
+        </figure>
+        {MAPS.map((count, i) => (
+          <CollagePanel
+            key={count}
+            maps={count}
+            collage={collages?.[i] ?? null}
+            leaf={leaf?.points ?? null}
+            box={box}
+            tied={tied}
+          />
+        ))}
+      </div>
+      <div class="controls">
+        <div class="choice">
+          <span class="choice-label">Compare at</span>
+          <Segmented
+            label="Compare at"
+            options={MAPS.map((count) => ({
+              value: String(count),
+              label: `${NUMBERS_A_MAP * count} numbers`,
+            }))}
+            value={String(maps)}
+            onChange={(value) => setMaps(value === "52" ? 52 : 29)}
+          />
+        </div>
+      </div>
+      <div class="fit-columns">
+        <CurvePanel fit={fit} leaf={leaf?.points ?? null} box={box} numbers={numbers} />
+        <div class="leaf-side">
+          <Errors maps={maps} collage={collage} fit={fit} />
+          <Closer maps={maps} collage={collage} leaf={leaf?.points ?? null} box={box} />
+        </div>
+      </div>
+    </Frame>
+  );
+}
+
+interface CurvePanelProps extends PanelProps {
+  fit: CurveState;
+  numbers: number;
+}
+
+function CurvePanel({ fit, leaf, box, numbers }: CurvePanelProps) {
+  const shown = fit.done ?? fit.reached;
+  const lines = useMemo(
+    (): OutlineLine[] => [
+      ...(leaf ? [{ points: leaf, ...OUTLINE }] : []),
+      ...(shown ? [{ points: shown.points, colour: 0, width: 1.5, closed: true, filled: true }] : []),
+    ],
+    [leaf, shown],
+  );
+  const share = fit.done ? 1 : (fit.reached?.share ?? 0);
+  const rms = fit.done?.figures.rms ?? fit.reached?.rms ?? null;
+  const words =
+    fit.state === "failed"
+      ? fit.problem
+      : fit.state === "done"
+        ? "done"
+        : fit.state === "stopped"
+          ? "stopped: the best so far"
+          : `${Math.round(100 * share)}%, the best so far`;
+  return (
+    <figure class="panel">
+      <OutlineView
+        box={box}
+        lines={lines}
+        label={`Frond’s closed curve of ${numbers} numbers${rms === null ? "" : `, ${fixed(rms, 3)}% off`}`}
+      />
+      <figcaption>
+        <span class="side-name">
+          Frond’s closed curve <span>{numbers} numbers, no gaps</span>
+        </span>
+        <div class="measuring">
+          <progress max={1} value={share} aria-label="Fitted" />
+          {fit.state === "running" ? (
+            <Button onClick={fit.stop}>Stop</Button>
+          ) : (
+            <Button icon="reset" onClick={fit.again}>
+              Fit again
+            </Button>
+          )}
+        </div>
+        <p class="number">{words}</p>
+        <p class="unseen" role="status">
+          {fit.state === "running" ? "Fitting" : words}
+        </p>
+      </figcaption>
+    </figure>
+  );
+}
+
+interface ErrorsProps {
+  maps: Maps;
+  collage: Collage | null;
+  fit: CurveState;
+}
+
+/** How far each is from the leaf, in percent of the diagonal. */
+function Errors({ maps, collage, fit }: ErrorsProps) {
+  const rival = (method: string) => fit.rivals.find((one) => one.method === method);
+  const split = rival("split");
+  const squares = rival("squares");
+  const done = fit.done;
+  const rows: readonly (RowOf & { key: string })[] = [
+    {
+      key: "collage",
+      name: `The paper, ${maps} maps`,
+      numbers: collage?.numbers,
+      gap: collage?.widest,
+      figures: collage?.figures,
+    },
+    { key: "split", name: "Plain polyline", numbers: split?.numbers, gap: 0, figures: split?.figures },
+    {
+      key: "squares",
+      name: "Polyline, least squares",
+      numbers: squares?.numbers,
+      gap: 0,
+      figures: squares?.figures,
+    },
+    {
+      key: "closed",
+      name: "Frond’s closed curve",
+      numbers: done ? 2 * (done.curve.knots.length + done.curve.edges.filter(Boolean).length) : undefined,
+      gap: 0,
+      figures: done?.figures,
+    },
+  ];
+  return (
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by keys
+    <section class="wide-table" aria-label="Errors" tabIndex={0}>
+      <table class="measurements">
+        <caption>Errors in percent of the diagonal</caption>
+        <thead>
+          <tr>
+            <th scope="col">Fit</th>
+            <th scope="col">numbers</th>
+            <th scope="col">RMS</th>
+            <th scope="col">farthest</th>
+            <th scope="col">widest gap</th>
+            <th scope="col">roughness</th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map(({ key, ...row }) => (
+            <ErrorRow key={key} {...row} />
+          ))}
+        </tbody>
+      </table>
+    </section>
+  );
+}
+
+interface RowOf {
+  name: string;
+  numbers: number | undefined;
+  gap: number | undefined;
+  figures: Figures | undefined;
+}
+
+function ErrorRow({ name, numbers, gap, figures }: RowOf) {
+  return (
+    <tr>
+      <th scope="row">{name}</th>
+      <td>{numbers ?? "…"}</td>
+      <td class="strong">{figures ? fixed(figures.rms, 3) : "…"}</td>
+      <td>{figures ? fixed(figures.hausdorff) : "…"}</td>
+      <td>{gap === undefined ? "…" : gap > 1e-6 ? fixed(gap) : "none"}</td>
+      <td>{figures ? fixed(figures.fitSlope, 3) : "…"}</td>
+    </tr>
+  );
+}
+
+interface FoundProps {
+  maps: Maps;
+  collages: readonly Collage[] | null;
+  fit: CurveState;
+  tied: boolean;
+}
+
+function Found({ maps, collages, fit, tied }: FoundProps) {
+  const collage = collages?.[MAPS.indexOf(maps)];
+  const split = fit.rivals.find((one) => one.method === "split");
+  if (!collage || !split || !fit.done) return <p>Fitting …</p>;
+  const times = (rms: number) => fixed(rms / split.figures.rms, 1);
+  return (
+    <p>
+      With {NUMBERS_A_MAP * maps} numbers the paper’s fit{tied ? ", its ends tied," : ""} is{" "}
+      {times(collage.figures.rms)} times as far from this leaf as a plain polyline of as many; Frond’s curve
+      is {fixed(split.figures.rms / fit.done.figures.rms, 1)} times nearer than that polyline. Roughness is
+      the box dimension between 1/64 and 1/256 of the diagonal: {fixed(split.figures.outlineSlope, 3)} for the
+      leaf itself, {fixed(collage.figures.fitSlope, 3)} for the paper’s fit,{" "}
+      {fixed(fit.done.figures.fitSlope, 3)} for Frond’s curve.
+    </p>
+  );
+}

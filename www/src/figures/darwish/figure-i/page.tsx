@@ -1,0 +1,94 @@
+import { useMemo, useState } from "preact/hooks";
+import type { SpaceView } from "#engine/api";
+import { turns3 } from "#engine/space/affine";
+import { Segmented } from "#ui/Segmented";
+import { Frame, type Heading } from "../../kit/frame/frame";
+import { inSpace, spaceHref } from "../space/in-space";
+import { type Form, triangle } from "../space/shapes";
+import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
+
+export const TRIANGLE_VIEW: SpaceView = {
+  target: [0, 0, 0],
+  distance: 2.6,
+  turn: 0.35,
+  tilt: 0.2,
+  angle: 0.5,
+};
+
+export const CUT_OFF =
+  "The scan of the paper cuts the parameters off: of each map only some numbers can be read. The corners of this triangle are Frond’s own.";
+
+export function FormChoice({ form, onChange }: { form: Form; onChange: (form: Form) => void }) {
+  return (
+    <div class="buttons">
+      <span class="choice-label">Maps that</span>
+      <Segmented
+        label="Which maps make the triangle"
+        value={form}
+        options={[
+          { value: "halves", label: "halve everything" },
+          { value: "sheet", label: "also flatten" },
+        ]}
+        onChange={onChange}
+      />
+    </div>
+  );
+}
+
+/** Sierpinski's triangle in space, as it was made. */
+function Page(heading: Heading) {
+  const [form, setForm] = useState<Form>("halves");
+  const [angles, setAngles] = useState<Angles>([0, 0, 0]);
+  const [view, setView] = useState(TRIANGLE_VIEW);
+  const made = useMemo(() => triangle(form), [form]);
+  const by = useMemo(() => turns3(inRadians(angles)), [angles]);
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          Three maps, each of which draws everything halfway to a corner: their attractor is Sierpinski’s
+          triangle, hung up in space. To turn it, Frond turns no point. It turns the three maps, by eq 1 of
+          the paper, and draws what they say then. Drag the picture to walk around it; move the sliders to
+          turn it, and watch the numbers.
+        </p>
+      }
+      found={
+        <p>
+          A half is a half from all sides: the matrix 0.5 I is the same after every turn, and only the
+          translations move. Maps that also flatten whatever leaves the plane of the triangle have the very
+          same attractor, but their matrices turn with it. One picture, two sets of parameters: choose above.
+        </p>
+      }
+      parameters={[
+        { name: "Maps", symbol: "N", value: "3" },
+        {
+          name: "Matrix of each",
+          symbol: "A",
+          value: form === "halves" ? "diag(0.5, 0.5, 0.5)" : "diag(0.5, 0, 0.5)",
+        },
+        { name: "Corners", value: "(±0.5, 0, −0.289) and (0, 0, 0.577)" },
+        { name: "Dimension", value: "ln 3 / ln 2 = 1.585" },
+      ]}
+      captions={["Fig i Sierpinski Triangle"]}
+      reconstructed={CUT_OFF}
+      studio={{
+        href: spaceHref([{ name: "Triangle", maps: made, moved: by }], view),
+        label: "Open in the Space tool",
+      }}
+    >
+      <FormChoice form={form} onChange={setForm} />
+      <Conjugated
+        made={made}
+        by={by}
+        view={view}
+        onView={setView}
+        label="Sierpinski’s triangle, drawn from the parameters beside it"
+      >
+        <AngleSliders angles={angles} onChange={setAngles} />
+      </Conjugated>
+    </Frame>
+  );
+}
+
+export const Space1 = inSpace(Page);

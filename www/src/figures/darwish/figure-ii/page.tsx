@@ -1,0 +1,71 @@
+import { useMemo, useState } from "preact/hooks";
+import { turns3 } from "#engine/space/affine";
+import { fixed } from "#ui/number";
+import { Frame, type Heading } from "../../kit/frame/frame";
+import { CUT_OFF, FormChoice, TRIANGLE_VIEW } from "../figure-i/page";
+import { inSpace, spaceHref } from "../space/in-space";
+import { type Form, triangle } from "../space/shapes";
+import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
+
+export const TURNED: Angles = [25, -35, 40];
+
+/** The triangle turned about x, y and z. */
+function Page(heading: Heading) {
+  const [form, setForm] = useState<Form>("sheet");
+  const [angles, setAngles] = useState(TURNED);
+  const [view, setView] = useState(TRIANGLE_VIEW);
+  const made = useMemo(() => triangle(form), [form]);
+  const by = useMemo(() => turns3(inRadians(angles)), [angles]);
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          The same triangle, turned about x, then about y, then about z. Each matrix A has become T A T⁻¹: the
+          map looked at from axes that were turned. What differs from how it was made is underlined. The line
+          below the table draws the same 2,000 points in both ways, from these parameters and by turning the
+          old points, and says how far they are apart.
+        </p>
+      }
+      found={
+        <p>
+          The order counts: about x first and z last is another turn than about z first, and the paper does
+          not say which it takes, nor by how much it turns. In all of them the trace and the determinant of
+          every matrix stay what they are, and so does the dimension.
+        </p>
+      }
+      parameters={[
+        ...(["x", "y", "z"] as const).map((axis, k) => ({
+          name: `Turned about ${axis}`,
+          value: `${fixed(angles[k] ?? 0, 0)}°`,
+        })),
+        {
+          name: "Matrix of each map as made",
+          symbol: "A",
+          value: form === "halves" ? "diag(0.5, 0.5, 0.5)" : "diag(0.5, 0, 0.5)",
+        },
+        { name: "Eq 1", value: "A′ = T A T⁻¹, b′ = T b + t − A′ t" },
+      ]}
+      captions={["Fig ii After rotation about x,y,z"]}
+      reconstructed={`${CUT_OFF} The angles are not printed.`}
+      differs="Eq 1 is conjugation, w′ = T w T⁻¹: it holds in any dimension and for every T that can be undone, turns or not."
+      studio={{
+        href: spaceHref([{ name: "Triangle", maps: made, moved: by }], view),
+        label: "Open in the Space tool",
+      }}
+    >
+      <FormChoice form={form} onChange={setForm} />
+      <Conjugated
+        made={made}
+        by={by}
+        view={view}
+        onView={setView}
+        label={`The triangle turned by ${angles.join(", ")} degrees about x, y and z`}
+      >
+        <AngleSliders angles={angles} onChange={setAngles} />
+      </Conjugated>
+    </Frame>
+  );
+}
+
+export const Space2 = inSpace(Page);

@@ -1,0 +1,88 @@
+import { useMemo, useState } from "preact/hooks";
+import { after3, shift3, turns3 } from "#engine/space/affine";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
+import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { CUT_OFF } from "../figure-i/page";
+import { fromOrigin } from "../space/eye";
+import { inSpace, spaceHref } from "../space/in-space";
+import { triangle } from "../space/shapes";
+import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
+
+const ANGLE = 0.06;
+/** Halves about corners at 30 have translations of 15, as printed. */
+const PRINTED = 30;
+
+/** The triangle far before the eye, which is at the origin. */
+function Page(heading: Heading) {
+  const [angles, setAngles] = useState<Angles>([20, 30, -65]);
+  const [away, setAway] = useState(PRINTED);
+  const [view, setView] = useState(() => fromOrigin([PRINTED, 0, 0], ANGLE));
+  const made = useMemo(() => triangle("halves"), []);
+  const by = useMemo(() => after3(shift3([away, 0, 0]), turns3(inRadians(angles))), [angles, away]);
+  const home = fromOrigin([away, 0, 0], ANGLE);
+  const turned = Math.abs(view.turn - home.turn) + Math.abs(view.tilt - home.tilt) > 1e-9;
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          In the paper the eye never moves: it sits at the origin and looks along x. To be seen, a shape has
+          to be carried before it, and that, too, is done to the parameters. The first translations in the
+          print are 14.99 and 15.33: as the maps are halves, their corners are twice as far away, at about 30.
+        </p>
+      }
+      found={
+        <p>
+          A translation b alone does not say where a map stands. Where its own corner p stays fixed, b = (I −
+          A) p, so that a half about a corner 30 units away has a translation of 15. Nearer, the picture
+          grows; at 0 the eye is in the middle of it, and the perspective has nothing to hold on to.
+        </p>
+      }
+      parameters={[
+        ...(["x", "y", "z"] as const).map((axis, k) => ({
+          name: `Turned about ${axis}`,
+          value: `${fixed(angles[k] ?? 0, 0)}°`,
+        })),
+        { name: "Carried along x", value: fixed(away, 1) },
+        { name: "Eye", value: "(0, 0, 0), looking along x" },
+        { name: "Height of the picture", value: `${fixed((ANGLE * 180) / Math.PI, 1)}°` },
+      ]}
+      captions={["Fig iii (After more rotations)"]}
+      reconstructed={CUT_OFF}
+      studio={{
+        href: spaceHref([{ name: "Triangle", maps: made, moved: by }], view),
+        label: "Open in the Space tool",
+      }}
+    >
+      <Conjugated
+        made={made}
+        by={by}
+        view={view}
+        onView={setView}
+        label={`The triangle ${fixed(away, 1)} units before the eye`}
+      >
+        <AngleSliders angles={angles} onChange={setAngles} />
+        <div class="controls">
+          <Control label="carried along x" value={fixed(away, 1)}>
+            <Slider
+              label="Carried along x"
+              min={20}
+              max={90}
+              step={1}
+              value={away}
+              valueText={`${fixed(away, 1)} units before the eye`}
+              onChange={(next) => setAway(Math.round(10 * next) / 10)}
+            />
+          </Control>
+          <Button kind="quiet" icon="reset" disabled={!turned} onClick={() => setView(home)}>
+            Look along x again
+          </Button>
+        </div>
+      </Conjugated>
+    </Frame>
+  );
+}
+
+export const Space3 = inSpace(Page);

@@ -1,0 +1,117 @@
+import { useMemo, useState } from "preact/hooks";
+import type { MapRow3 } from "#engine/api";
+import { after3, scale3, turns3 } from "#engine/space/affine";
+import { solid } from "#engine/space/module";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
+import { Frame, type Heading } from "../../kit/frame/frame";
+import { CUT_OFF, TRIANGLE_VIEW } from "../figure-i/page";
+import { inSpace, spaceHref } from "../space/in-space";
+import { triangle } from "../space/shapes";
+import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
+
+const STILL = scale3([1, 1, 1]);
+const MOST = 10_999;
+
+interface Course {
+  step: MapRow3;
+  times: number;
+  now: MapRow3[];
+  /** The same turns, done to points. */
+  by: MapRow3;
+}
+
+/** Goes on by some turns, each of them a conjugation of what the last has left. */
+function onward(course: Course, times: number): Course {
+  let { now, by } = course;
+  for (let i = 0; i < times; i++) {
+    now = solid.conjugate3(now, course.step);
+    by = after3(course.step, by);
+  }
+  return { ...course, times: course.times + times, now, by };
+}
+
+/** Turned again and again: what rounding does to parameters that come of parameters. */
+function Page(heading: Heading) {
+  const made = useMemo(() => triangle("sheet"), []);
+  const [angles, setAngles] = useState<Angles>([7, 11, 13]);
+  const start = (next: Angles, times: number) =>
+    onward({ step: turns3(inRadians(next)), times: 0, now: made, by: STILL }, times);
+  const [course, setCourse] = useState(() => start([7, 11, 13], 4));
+  const [view, setView] = useState(TRIANGLE_VIEW);
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          An animation turns what was turned already, frame after frame, and never goes back to how the shape
+          was made. Do it: each press takes the parameters as they are and conjugates them once more. How long
+          does that go well?
+        </p>
+      }
+      found={
+        <p>
+          After thousands of turns the two ways are still the same to a millionth of a millionth: errors of
+          rounding add up, but they do not grow by themselves. Frond does not let even these add up: it keeps
+          each shape as it was made, and all that was done to it in one transform, so that undoing it is
+          exact.
+        </p>
+      }
+      parameters={[
+        { name: "Turns so far", value: course.times.toLocaleString("en") },
+        ...(["x", "y", "z"] as const).map((axis, k) => ({
+          name: `Each about ${axis}`,
+          value: `${fixed(angles[k] ?? 0, 0)}°`,
+        })),
+        { name: "Matrix of each map as made", symbol: "A", value: "diag(0.5, 0, 0.5)" },
+      ]}
+      captions={["Fig iv (After more rotations)"]}
+      reconstructed={CUT_OFF}
+      studio={{
+        href: spaceHref([{ name: "Triangle", maps: made, moved: course.by }], view),
+        label: "Open in the Space tool",
+      }}
+    >
+      <Conjugated
+        made={made}
+        by={course.by}
+        now={course.now}
+        view={view}
+        onView={setView}
+        label={`The triangle after ${course.times} turns`}
+      >
+        <div class="buttons">
+          {[1, 100, 1000].map((times) => (
+            <Button
+              key={times}
+              disabled={course.times + times > MOST}
+              onClick={() => setCourse(onward(course, times))}
+            >
+              {times === 1 ? "Turn once more" : `${times.toLocaleString("en")} times`}
+            </Button>
+          ))}
+          <Button
+            kind="quiet"
+            icon="reset"
+            disabled={course.times === 0}
+            onClick={() => setCourse(start(angles, 0))}
+          >
+            As made
+          </Button>
+          <span class="choice-label" role="status">
+            {course.times.toLocaleString("en")} {course.times === 1 ? "turn" : "turns"} so far
+          </span>
+        </div>
+        <AngleSliders
+          angles={angles}
+          onChange={(next) => {
+            setAngles(next);
+            setCourse(start(next, Math.min(course.times, 40)));
+          }}
+        />
+      </Conjugated>
+    </Frame>
+  );
+}
+
+export const Space4 = inSpace(Page);

@@ -1,0 +1,94 @@
+import { useMemo, useState } from "preact/hooks";
+import { scale3, shift3 } from "#engine/space/affine";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
+import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { fromOrigin } from "../space/eye";
+import { inSpace, spaceHref } from "../space/in-space";
+import { pyramid } from "../space/shapes";
+import { Conjugated } from "../space/turning";
+
+export const BEFORE = 15;
+export const ANGLE = 0.075;
+const STILL = scale3([1, 1, 1]);
+
+/** Five halves, as far before the eye as one likes. */
+function Page(heading: Heading) {
+  const [away, setAway] = useState(BEFORE);
+  const [view, setView] = useState(() => fromOrigin([BEFORE, 0, 0], ANGLE));
+  const made = useMemo(() => pyramid([BEFORE, 0, 0]), []);
+  const by = useMemo(() => (away === BEFORE ? STILL : shift3([away - BEFORE, 0, 0])), [away]);
+  const home = fromOrigin([away, 0, 0], ANGLE);
+  const turned = Math.abs(view.turn - home.turn) + Math.abs(view.tilt - home.tilt) > 1e-9;
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          Five maps that halve everything: towards the four corners of a base, and towards the tip. The eye is
+          at the origin, the pyramid {fixed(away, 1)} units before it. Carry it nearer or farther: its
+          matrices stay, and all that changes is the first of each map’s three translations.
+        </p>
+      }
+      found={
+        <p>
+          Its dimension is ln 5 / ln 2 = 2.322, more than a surface and less than a solid, although its base
+          is a filled square and its four sides are Sierpinski’s triangles. In the print the first
+          translations are about 15; for halves that puts the corners at about 30. Press the button to see it
+          from there.
+        </p>
+      }
+      parameters={[
+        { name: "Maps", symbol: "N", value: "5" },
+        { name: "Matrix of each", symbol: "A", value: "diag(0.5, 0.5, 0.5)" },
+        { name: "Base", value: "0.8 by 0.8 units, 0.6 below the tip" },
+        { name: "Distance of its middle", value: fixed(away, 1) },
+        { name: "Eye", value: "(0, 0, 0), looking along x" },
+        { name: "Height of the picture", value: `${fixed((ANGLE * 180) / Math.PI, 1)}°` },
+      ]}
+      captions={["Fig v a Fractal pyramid"]}
+      reconstructed="The scan of the paper cuts the parameters off, and prints the rest to one decimal. That they are five halves at some distance before the eye can be read; the corners are Frond’s own."
+      studio={{
+        href: spaceHref([{ name: "Pyramid", maps: made, moved: by }], view),
+        label: "Open in the Space tool",
+      }}
+    >
+      <Conjugated
+        wide
+        made={made}
+        by={by}
+        view={view}
+        onView={setView}
+        label={`A fractal pyramid, ${fixed(away, 1)} units before the eye`}
+      >
+        <div class="controls">
+          <Control label="distance" value={fixed(away, 1)}>
+            <Slider
+              label="Distance from the eye"
+              min={12}
+              max={40}
+              step={0.5}
+              value={away}
+              valueText={`${fixed(away, 1)} units`}
+              onChange={(next) => setAway(Math.round(10 * next) / 10)}
+            />
+          </Control>
+          <div class="buttons">
+            <Button onClick={() => setAway(BEFORE)} pressed={away === BEFORE}>
+              15 units
+            </Button>
+            <Button onClick={() => setAway(30)} pressed={away === 30}>
+              As the print has it: 30
+            </Button>
+            <Button kind="quiet" icon="reset" disabled={!turned} onClick={() => setView(home)}>
+              Look along x again
+            </Button>
+          </div>
+        </div>
+      </Conjugated>
+    </Frame>
+  );
+}
+
+export const Space5 = inSpace(Page);

@@ -1,0 +1,101 @@
+import { useMemo, useState } from "preact/hooks";
+import { about3, apply3, turns3 } from "#engine/space/affine";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
+import { Frame, type Heading } from "../../kit/frame/frame";
+import { ANGLE, BEFORE } from "../figure-v/page";
+import { fromOrigin, seen } from "../space/eye";
+import { inSpace, spaceHref } from "../space/in-space";
+import { pyramid } from "../space/shapes";
+import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
+
+const MIDDLE = [BEFORE, 0, 0] as const;
+const HOME = fromOrigin([...MIDDLE], ANGLE);
+const START: Angles = [0, 20, 40];
+
+/** The pyramid turned, about itself or about the eye. */
+function Page(heading: Heading) {
+  const [angles, setAngles] = useState(START);
+  const [about, setAbout] = useState<"itself" | "eye">("itself");
+  const [view, setView] = useState(HOME);
+  const made = useMemo(() => pyramid([...MIDDLE]), []);
+  const by = useMemo(() => {
+    const turn = turns3(inRadians(angles));
+    return about === "itself" ? about3(turn, [...MIDDLE]) : turn;
+  }, [angles, about]);
+  const [x, y, depth] = seen(view)(apply3(by, [...MIDDLE]));
+  const behind = depth < 0;
+  const gone = behind || Math.abs(x) > 2.5 || Math.abs(y) > 1.6;
+  const turned = Math.abs(view.turn - HOME.turn) + Math.abs(view.tilt - HOME.tilt) > 1e-9;
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          The pyramid of Figure v, turned. About itself, the eye sees another side of it. About the origin it
+          is swung around the eye instead: a few degrees, and it leaves the picture. Both are eq 1; they
+          differ in the translation of T alone.
+        </p>
+      }
+      found={
+        <p>
+          To turn about a point c is to move c to the origin, to turn, and to move it back, all in one T. The
+          matrices of the maps come out the same both ways, and as they are halves, they do not change at all.
+        </p>
+      }
+      parameters={[
+        ...(["x", "y", "z"] as const).map((axis, k) => ({
+          name: `Turned about ${axis}`,
+          value: `${fixed(angles[k] ?? 0, 0)}°`,
+        })),
+        { name: "What stays", value: about === "itself" ? "(15, 0, 0), its middle" : "(0, 0, 0), the eye" },
+        { name: "Matrix of each map", symbol: "A", value: "diag(0.5, 0.5, 0.5)" },
+      ]}
+      captions={["Fig vi Rotation of v"]}
+      reconstructed="The angles are not printed, and of the parameters only a part is left. The first translations, 15.1 to 15.5 after the turn, say that it was turned about itself."
+      studio={{
+        href: spaceHref([{ name: "Pyramid", maps: made, moved: by }], view),
+        label: "Open in the Space tool",
+      }}
+    >
+      <div class="buttons">
+        <span class="choice-label">Turned about</span>
+        <Segmented
+          label="What it is turned about"
+          value={about}
+          options={[
+            { value: "itself", label: "itself" },
+            { value: "eye", label: "the eye" },
+          ]}
+          onChange={setAbout}
+        />
+        <Button kind="quiet" icon="reset" onClick={() => setAngles([0, 0, 0])}>
+          As in Figure v
+        </Button>
+        <Button kind="quiet" icon="reset" disabled={!turned} onClick={() => setView(HOME)}>
+          Look along x again
+        </Button>
+      </div>
+      <Conjugated
+        wide
+        made={made}
+        by={by}
+        view={view}
+        onView={setView}
+        label={`The pyramid turned by ${angles.join(", ")} degrees about ${about}`}
+      >
+        <p class="space-note" role="status">
+          {gone
+            ? behind
+              ? "The pyramid is behind the eye: there is nothing to be seen."
+              : "The pyramid is beside the picture: drag to look for it."
+            : "The pyramid is before the eye."}
+        </p>
+        <AngleSliders angles={angles} onChange={setAngles} />
+      </Conjugated>
+    </Frame>
+  );
+}
+
+export const Space6 = inSpace(Page);

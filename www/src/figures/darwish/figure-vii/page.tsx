@@ -1,0 +1,76 @@
+import { useMemo, useState } from "preact/hooks";
+import type { SpaceView } from "#engine/api";
+import { scale3 } from "#engine/space/affine";
+import { solid } from "#engine/space/module";
+import { Button } from "#ui/Button";
+import { formatNumber } from "#ui/number";
+import { Frame, type Heading } from "../../kit/frame/frame";
+import { inSpace, spaceHref } from "../space/in-space";
+import { Scenery } from "../space/scenery";
+
+const STILL = scale3([1, 1, 1]);
+
+/** The natural scene, and where the eye of the paper is. */
+export function useScene() {
+  return useMemo(() => {
+    const made = solid.naturalScene();
+    return { made, home: solid.defaultView({ objects: made, light: solid.defaultSpace().light }) };
+  }, []);
+}
+
+export const looksAway = (view: SpaceView, home: SpaceView): boolean =>
+  Math.abs(view.turn - home.turn) + Math.abs(view.tilt - home.tilt) > 1e-9;
+
+/** Ground, trees, ferns and clouds from the origin. */
+function Page(heading: Heading) {
+  const { made, home } = useScene();
+  const [view, setView] = useState(home);
+  const maps = made.reduce((sum, object) => sum + object.maps.length, 0);
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          A landscape of {made.length} objects. Each is an attractor with a set of parameters of its own: the
+          ground, the trees on it, two ferns, and two clouds above. Nothing else is stored, no point and no
+          triangle, and every frame of a film is such a list of numbers. Drag to look around from where you
+          stand.
+        </p>
+      }
+      found={
+        <p>
+          All of it takes {maps} maps, {formatNumber(12 * maps)} numbers. The trees are one shape in three
+          places, and so are the clouds in two: to place a copy is to conjugate its maps once, by eq 1, so
+          that copies share a kind and differ in their numbers.
+        </p>
+      }
+      parameters={[
+        ...made.map(({ name, maps: own }) => ({
+          name,
+          value: `${own.length} maps, ${12 * own.length} numbers`,
+        })),
+        { name: "Eye", value: "(0, 0, 0), looking along x" },
+        { name: "Height of the picture", value: `${formatNumber((home.angle * 180) / Math.PI, 1)}°` },
+      ]}
+      captions={["Fig vii a natural scene"]}
+      own
+      reconstructed="The maps of this scene were made here: of the paper’s, the print shows nine numbers that look like the matrix of one map, the last digit of one cut off, and pieces of another; its picture is hard to make out. That a scene has several objects and is seen from the origin is the paper’s. Figure viii shows what can be read."
+      studio={{ href: spaceHref(made, home), label: "Open in the Space tool" }}
+    >
+      <Scenery
+        made={made}
+        by={STILL}
+        view={view}
+        onView={setView}
+        label="A natural scene: hills with trees and ferns under two clouds"
+      />
+      <div class="buttons">
+        <Button kind="quiet" icon="reset" disabled={!looksAway(view, home)} onClick={() => setView(home)}>
+          Look along x again
+        </Button>
+      </div>
+    </Frame>
+  );
+}
+
+export const Space7 = inSpace(Page);

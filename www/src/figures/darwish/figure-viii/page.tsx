@@ -1,0 +1,118 @@
+import { useMemo, useState } from "preact/hooks";
+import { about3, turns3 } from "#engine/space/affine";
+import { Button } from "#ui/Button";
+import "#ui/map-blocks.css";
+import { fixed, formatNumber } from "#ui/number";
+import { Frame, type Heading } from "../../kit/frame/frame";
+import { looksAway, useScene } from "../figure-vii/page";
+import { inSpace, spaceHref } from "../space/in-space";
+import { MIDDLE, Scenery } from "../space/scenery";
+import { AngleSliders, type Angles, inRadians } from "../space/turning";
+import { FIGURE_VII, FIGURE_VIII, farthest, type Matrix3, TURN, turned } from "./printed-matrices";
+
+const START: Angles = [0, 0, 50];
+const NONE: Angles = [0, 0, 0];
+
+/** The scene of Figure vii turned, by the parameters of every object in it. */
+function Page(heading: Heading) {
+  const { made, home } = useScene();
+  const [angles, setAngles] = useState(START);
+  const [view, setView] = useState(home);
+  const by = useMemo(() => about3(turns3(inRadians(angles)), [...MIDDLE]), [angles]);
+  const maps = made.reduce((sum, object) => sum + object.maps.length, 0);
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          The eye stays at the origin, and the world turns. One transform T is applied to the parameters of
+          all {made.length} objects, {maps} conjugations in all, and every one of them is drawn from its new
+          parameters. Turn it about the upright axis to walk around it without a step.
+        </p>
+      }
+      found={
+        <>
+          <p>
+            A scene is the union of its objects, and T of a union is the union of the parts: what holds for
+            one set of parameters holds for a list of them. In the Space tool the same is done at the moments
+            of a time line, and each frame of a film is the list that comes of it.
+          </p>
+          <p>One matrix of the paper’s scene is printed whole, under Figure viii:</p>
+          <Printed label="Fig viii" rows={FIGURE_VIII} />
+          <p>
+            It shrinks a plane to 0.54 and flattens what is across it, so that it is a map of something flat.
+            Of its translation only 25.59 is left, and of the map beside it six numbers: that is too little to
+            draw.
+          </p>
+          <Printed label="Fig vii" rows={FIGURE_VII} />
+          <p>
+            These nine stand under Figure vii; the sixth is cut off after its first decimal. They look like
+            the same map before it was turned: a turn by {TURN.degrees}° about ({TURN.axis.join(", ")}) brings
+            them onto the matrix above by eq 1, with no number off by more than{" "}
+            {formatNumber(farthest(turned(FIGURE_VII, TURN), FIGURE_VIII), 4)}, which is the rounding of the
+            print. Turns from some 150° to 170° about axes nearby do about as well, so that the paper’s own
+            cannot be told.
+          </p>
+        </>
+      }
+      parameters={[
+        ...(["x", "y", "z"] as const).map((axis, k) => ({
+          name: `Turned about ${axis}`,
+          value: `${angles[k] ?? 0}°`,
+        })),
+        {
+          name: "What stays",
+          value: `(${MIDDLE.map((x) => formatNumber(x)).join(", ")}), the middle of the scene`,
+        },
+        { name: "Conjugations", value: String(maps) },
+      ]}
+      captions={["Fig viii Rotation of vii"]}
+      own
+      reconstructed="The scene and its maps were made here, as in Figure vii, and the angles are chosen here: the paper prints none. The one matrix that it prints whole is shown on this page; no shape here is drawn with it."
+      studio={{
+        href: spaceHref(
+          made.map((object) => ({ ...object, moved: by })),
+          home,
+        ),
+        label: "Open in the Space tool",
+      }}
+    >
+      <Scenery
+        made={made}
+        by={by}
+        view={view}
+        onView={setView}
+        label={`The natural scene turned by ${angles.join(", ")} degrees about x, y and z`}
+      />
+      <AngleSliders angles={angles} onChange={setAngles} />
+      <div class="buttons">
+        <Button kind="quiet" icon="reset" disabled={angles === NONE} onClick={() => setAngles(NONE)}>
+          As in Figure vii
+        </Button>
+        <Button kind="quiet" icon="reset" disabled={!looksAway(view, home)} onClick={() => setView(home)}>
+          Look along x again
+        </Button>
+      </div>
+    </Frame>
+  );
+}
+
+/** Nine numbers as they stand in print. */
+function Printed({ label, rows }: { label: string; rows: Matrix3 }) {
+  return (
+    <table class="map-block printed" style={{ "--digits": "2" }}>
+      <caption>{label}</caption>
+      <tbody>
+        {rows.map((row, i) => (
+          <tr key={i}>
+            {row.map((value, k) => (
+              <td key={k}>{fixed(value, 2)}</td>
+            ))}
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+export const Space8 = inSpace(Page);

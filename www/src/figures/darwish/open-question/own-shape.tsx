@@ -1,0 +1,80 @@
+import type { Point3 } from "#engine/api";
+import { solid } from "#engine/space/module";
+import { NumberField } from "#ui/NumberField";
+import { Control } from "../../kit/frame/frame";
+import { sharesLinear } from "./meets";
+
+/** Two shapes of the gallery, the second in its own place. */
+export interface Own {
+  first: string;
+  second: string;
+  scale: number;
+  shift: Point3;
+}
+
+export const OWN: Own = { first: "sponge", second: "dust", scale: 1, shift: [0, 0, 0] };
+
+const AXES = ["x", "y", "z"] as const;
+const FARTHEST = 100;
+
+/** Which two shapes, and where the second lies. */
+export function OwnShapes({ own, onChange }: { own: Own; onChange: (own: Own) => void }) {
+  return (
+    <div class="meet-own">
+      <Choice name="First shape" value={own.first} onChange={(first) => onChange({ ...own, first })} />
+      <Choice name="Second shape" value={own.second} onChange={(second) => onChange({ ...own, second })} />
+      <fieldset class="meet-place">
+        <legend class="choice-label">The second, scaled and moved</legend>
+        <NumberField
+          terse
+          label="Scale of the second shape"
+          symbol="×"
+          value={own.scale}
+          min={0.01}
+          max={FARTHEST}
+          step={0.1}
+          onChange={(scale) => onChange({ ...own, scale })}
+        />
+        {AXES.map((axis, k) => (
+          <NumberField
+            key={axis}
+            terse
+            label={`Second shape moved along ${axis}`}
+            symbol={axis}
+            value={own.shift[k] ?? 0}
+            min={-FARTHEST}
+            max={FARTHEST}
+            step={0.1}
+            onChange={(next) =>
+              onChange({ ...own, shift: own.shift.map((x, i) => (i === k ? next : x)) as Point3 })
+            }
+          />
+        ))}
+      </fieldset>
+    </div>
+  );
+}
+
+function Choice({ name, value, onChange }: { name: string; value: string; onChange: (id: string) => void }) {
+  const all = solid.presets3();
+  const groups = [
+    { label: "One matrix for all maps", list: all.filter(({ maps }) => sharesLinear(maps)) },
+    { label: "Several matrices", list: all.filter(({ maps }) => !sharesLinear(maps)) },
+  ];
+  const chosen = all.find(({ id }) => id === value);
+  return (
+    <Control label={name} value={`${chosen?.maps.length ?? 0} maps`}>
+      <select aria-label={name} value={value} onChange={(event) => onChange(event.currentTarget.value)}>
+        {groups.map(({ label, list }) => (
+          <optgroup key={label} label={label}>
+            {list.map((preset) => (
+              <option key={preset.id} value={preset.id}>
+                {preset.name}
+              </option>
+            ))}
+          </optgroup>
+        ))}
+      </select>
+    </Control>
+  );
+}

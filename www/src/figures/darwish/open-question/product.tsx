@@ -1,0 +1,60 @@
+import type { Intersection3 } from "#engine/api";
+import { MOST_DRAWN, shiftWords, waysOf } from "./meets";
+import { MeetGraph } from "./product-graph";
+
+/** Rows of the table of shifts. */
+const MOST_ROWS = 12;
+
+/** The product of the two systems: drawn, and as a table. */
+export function MeetProduct({ found, stale }: { found: Intersection3 | null; stale: boolean }) {
+  if (!found || found.shifts.length === 0) return null;
+  const ways = waysOf(found);
+  const hidden = found.shifts.length - MOST_DRAWN;
+  return (
+    <div class="meet-product" data-stale={stale ? "" : undefined}>
+      <div>
+        <h2>Shifts, and the ways between them</h2>
+        <MeetGraph found={found} />
+        {hidden > 0 && <p class="hint">{hidden} more shifts are not drawn.</p>}
+      </div>
+      <div>
+        <p class="hint">
+          Write <span class="symbol">X</span>
+          <sub>d</sub> for what the first shape shares with the second moved by <span class="symbol">d</span>.
+          A piece <span class="symbol">a</span> of the first and a piece <span class="symbol">b</span> of the
+          second share a smaller copy of such a set again, for the shift{" "}
+          <span class="symbol">d′ = M⁻¹(d + b − a)</span>. Knot 0 is the intersection itself; an arrow says
+          which pairs of maps, first · second, lead where.
+        </p>
+        <table class="measurements">
+          <thead>
+            <tr>
+              <th scope="col">Knot</th>
+              <th scope="col">Shift</th>
+              <th scope="col">Leads to</th>
+            </tr>
+          </thead>
+          <tbody>
+            {found.shifts.slice(0, MOST_ROWS).map((shift, i) => (
+              <tr key={`${i}`}>
+                <th scope="row">{i}</th>
+                <td class="number">{shiftWords(shift)}</td>
+                <td>
+                  {ways
+                    .filter(({ from }) => from === i)
+                    .map(({ to, pairs }) => `${to} (${pairs.length})`)
+                    .join(", ")}
+                </td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+        {found.shifts.length > MOST_ROWS && (
+          <p class="hint">
+            The first {MOST_ROWS} of {found.shifts.length}. In brackets: how many pairs of maps.
+          </p>
+        )}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,218 @@
+import { useMemo, useState } from "preact/hooks";
+import { ShadowPicture } from "#canvas/ShadowPicture";
+import type { EpsilonProjection, MapRow3, Point3, SpaceView } from "#engine/api";
+import { turns3 } from "#engine/space/affine";
+import { solid } from "#engine/space/module";
+import { wordsOf } from "#state/notice";
+import { MapBlocks } from "#ui/MapBlocks";
+import { formatNumber } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
+import { Slider } from "#ui/Slider";
+import { axisWords, divergingWords, unit } from "#ui/space-words";
+import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { inSpace, presetMaps, spaceHref } from "../space/in-space";
+import { SpaceDots } from "../space/space-dots";
+
+const SHAPES = [
+  { value: "fern", label: "Fern" },
+  { value: "sponge", label: "Sponge" },
+  { value: "dragon", label: "Dragon" },
+] as const;
+type Name = (typeof SHAPES)[number]["value"];
+
+const DIRECTIONS: Record<string, Point3> = {
+  x: [1, 0, 0],
+  y: [0, 1, 0],
+  z: [0, 0, 1],
+  aslant: unit([1, 2, -1]) ?? [1, 0, 0],
+};
+
+/** What is thinner cannot be told from a sheet, on paper or on a screen. */
+const LEAST = -6;
+const FEW = 4;
+
+function flattened(maps: MapRow3[], direction: Point3, epsilon: number): EpsilonProjection | { why: string } {
+  try {
+    return solid.epsilonProjection(maps, direction, epsilon);
+  } catch (problem) {
+    return { why: wordsOf(problem) };
+  }
+}
+
+/** Its y, which is up in the shadow, up in the picture, too. */
+const UPRIGHT = turns3([Math.PI / 2, 0, 0]);
+
+function upright(flat: EpsilonProjection | { why: string }): MapRow3[] | null {
+  return "why" in flat ? null : solid.conjugate3(flat.maps, UPRIGHT);
+}
+
+function exactCount(maps: MapRow3[], direction: Point3): number | null {
+  try {
+    return solid.projectExactly(maps, direction).length;
+  } catch {
+    return null;
+  }
+}
+
+/** From the side, so that the thickness is seen, around a flattened shape. */
+function sideView(maps: MapRow3[]): SpaceView | null {
+  try {
+    const { centre, radius } = solid.facts3(maps);
+    return { target: centre, distance: 3.6 * radius, turn: 0.5, tilt: 0.28, angle: 0.55 };
+  } catch {
+    return null;
+  }
+}
+
+/** Section 3.5: a projection as the limit of flattening. */
+function Page(heading: Heading) {
+  const [shape, setShape] = useState<Name>("fern");
+  const [way, setWay] = useState("y");
+  const [power, setPower] = useState(-0.5);
+  const maps = useMemo(() => presetMaps(shape), [shape]);
+  const direction = DIRECTIONS[way] ?? [0, 1, 0];
+  const epsilon = Number((10 ** power).toPrecision(2));
+  const flat = useMemo(() => flattened(maps, direction, epsilon), [maps, direction, epsilon]);
+  const exact = useMemo(() => exactCount(maps, direction), [maps, direction]);
+  const first = useMemo(() => flattened(maps, direction, 1), [maps, direction]);
+  // The view is that of the shape before it is flattened, so that it is seen to become thin.
+  const whole = useMemo(() => sideView(upright(first) ?? []), [first]);
+  const [turned, setTurned] = useState<SpaceView | null>(null);
+  const view = turned ?? whole;
+  const shown = useMemo(() => upright(flat), [flat]);
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          To throw a shadow, says section 3.5, scale the shape by a very small ε along the line of sight: that
+          is a transform like any other, and what is left is the shadow, coded by parameters. The picture
+          agrees. The parameters do not: in each matrix the two upper numbers of the third column are divided
+          by ε, and as ε goes to 0 they grow without end.
+        </p>
+      }
+      found={
+        <p>
+          {exact === null
+            ? "From here some of these numbers are not 0, and the limit is no set of parameters at all. The shadow is there, but it need not be the attractor of any maps of the plane: where a point of the shadow goes hangs on how deep behind it the point of the shape lies."
+            : `From here they all are 0: every map takes the line of sight to itself, and nothing grows. What is left, when z is dropped, are ${exact} maps of the plane whose attractor is the shadow, exactly. The Space tool takes such a shadow into the morph.`}
+        </p>
+      }
+      parameters={[
+        {
+          name: "Shape",
+          value: `${SHAPES.find(({ value }) => value === shape)?.label}, ${maps.length} maps`,
+        },
+        { name: "Line of sight", value: axisWords(direction) },
+        { name: "Thickness left", symbol: "ε", value: formatNumber(epsilon, 6) },
+        {
+          name: "Largest number",
+          value: "why" in flat ? "–" : formatNumber(flat.largest, 3),
+        },
+        { name: "Numbers that grow as 1/ε", value: "why" in flat ? "–" : String(flat.diverging.length) },
+      ]}
+      captions={[
+        "If we apply a scaling transform in a given direction say z making the scaling factor very small then the result is a planner fractal-with derived parameters- in the x-y plane.",
+      ]}
+      own
+      reconstructed="The section has no figure: this one is made here, on shapes of Frond’s gallery."
+      differs="The paper concludes that projections of IFS fractals are IFS fractals. That is so where the line of sight is kept by every map, and in the limit not elsewhere."
+      studio={{
+        href: spaceHref([
+          { preset: shape, name: SHAPES.find(({ value }) => value === shape)?.label ?? "", maps },
+        ]),
+        label: "Open in the Space tool",
+      }}
+    >
+      <div class="controls">
+        <div class="buttons">
+          <Segmented
+            label="Shape"
+            value={shape}
+            options={SHAPES}
+            onChange={(next) => {
+              setShape(next);
+              setTurned(null);
+            }}
+          />
+          <span class="choice-label">seen along</span>
+          <Segmented
+            label="Line of sight"
+            value={way}
+            options={Object.keys(DIRECTIONS).map((value) => ({ value, label: value }))}
+            onChange={(next) => {
+              setWay(next);
+              setTurned(null);
+            }}
+          />
+        </div>
+      </div>
+      <div class="two-columns even">
+        <figure class="panel">
+          {view && shown && (
+            <SpaceDots
+              maps={shown}
+              view={view}
+              onView={setTurned}
+              points={60_000}
+              label={`The shape flattened to ${formatNumber(epsilon, 6)} of its depth, seen from the side`}
+            />
+          )}
+          <figcaption>
+            <span class="side-name">
+              Flattened <span>from the side</span>
+            </span>
+          </figcaption>
+        </figure>
+        <figure class="panel">
+          <ShadowPicture maps={maps} direction={direction} points={150_000} />
+          <figcaption>
+            <span class="side-name">
+              Its shadow <span>points, projected</span>
+            </span>
+          </figcaption>
+        </figure>
+      </div>
+      <Control label="thickness left" symbol="ε" value={formatNumber(epsilon, 6)}>
+        <Slider
+          label="Thickness left, ε"
+          min={LEAST}
+          max={0}
+          step={0.1}
+          value={power}
+          valueText={formatNumber(epsilon, 6)}
+          onChange={setPower}
+        />
+      </Control>
+      {"why" in flat ? (
+        <p class="space-note" role="status">
+          {flat.why}
+        </p>
+      ) : (
+        <div class="space-table">
+          <h2>Parameters of the flattened shape</h2>
+          <p class="space-note" role="status">
+            The largest number is <strong class="number">{formatNumber(flat.largest, 3)}</strong>.{" "}
+            {divergingWords(flat.diverging)}
+          </p>
+          <MapBlocks
+            label="Parameters of the flattened shape"
+            maps={flat.maps.slice(0, FEW)}
+            digits={3}
+            mark="grows"
+            marked={(map, place) =>
+              flat.diverging.some(([other, row]) => other === map && place === 3 * row + 2)
+            }
+          />
+          {flat.maps.length > FEW && (
+            <p class="choice-label">
+              The first {FEW} of {flat.maps.length} maps. x to the right, y up, z along the line of sight.
+            </p>
+          )}
+        </div>
+      )}
+    </Frame>
+  );
+}
+
+export const Space35 = inSpace(Page);

@@ -1,0 +1,151 @@
+import { useMemo, useState } from "preact/hooks";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
+import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { studioHref } from "../../kit/frame/studio-link";
+import type { Point } from "../../kit/maps/pieces";
+import { addresses, onGasket, pieceOf, rightGasket } from "../codes/addresses";
+import { codeWords } from "../codes/codes";
+import { deformationBy } from "../deformations/deformations";
+import { LIFT } from "../deformations/meshes";
+import { Steps } from "./address-steps";
+
+const GASKETS = [
+  { letter: "a", r: 0.5, words: "pieces of ½, which touch" },
+  { letter: "b", r: 0.55, words: "pieces of 0.55, which overlap" },
+] as const;
+const MOST_STEPS = 7;
+/** Letters of the addresses that are told, and how many of them. */
+const LETTERS = 6;
+const TOLD = 4;
+
+/** Address mappings on attractors. */
+export function Deformation2(heading: Heading) {
+  const [point, setPoint] = useState<Point>([0.5, 0]);
+  const [steps, setSteps] = useState(2);
+  const found = useMemo(
+    () =>
+      GASKETS.map(({ r }) => {
+        const at = onGasket(r, point);
+        return { at, words: addresses(r, at, LETTERS) };
+      }),
+    [point],
+  );
+  const [touching, overlapping] = found.map(({ words }) => words.length);
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          On an attractor the letters are its maps: the first letter of a code says in which copy of the whole
+          a point is, the next in which copy within that. Look at the ring. In (a) it is where two copies
+          touch, in (b) where they lie over each other: there several codes lead to one place. Press anywhere
+          to move it.
+        </p>
+      }
+      found={
+        <p>
+          With {LETTERS} letters the ring has {countWords(touching ?? 0)} in (a) and{" "}
+          {countWords(overlapping ?? 0)} in (b). For the paper, and for Frond, each of them is a point of its
+          own that happens to have the same coordinates (section 5.1), so a deformation may take them apart:
+          where pieces overlap, each goes its own way, and where they touch in (a) something has to keep the
+          two together. Figure 4 tells what.
+        </p>
+      }
+      parameters={[
+        { name: "Maps of (a)", symbol: "w", value: "½ x + (0, 0), (½, 0), (0, ½)" },
+        { name: "Maps of (b)", symbol: "w", value: "0.55 x + (0, 0), (0.45, 0), (0, 0.45)" },
+        { name: "Letters to choose from", symbol: "L", value: "3" },
+        { name: "Steps shown in the middle", value: String(steps) },
+        ...GASKETS.map(({ letter }, i) => ({
+          name: `The ring in (${letter})`,
+          value: `(${(found[i]?.at ?? [0, 0]).map((x) => fixed(x, 3)).join(", ")})`,
+        })),
+        { name: "First letter", value: "1 here, 0 in the paper" },
+      ]}
+      captions={["Figure 2: Address mappings on IFS attractors."]}
+      reconstructed="The maps are the paper’s own (section 5.1). Its drawing shows two steps and the attractor; more steps and the ring are added here."
+      studio={{
+        href: studioHref({
+          a: { name: "Right gasket", maps: rightGasket(0.5) },
+          b: { name: "Gasket of 0.55", maps: rightGasket(0.55) },
+          deform: deformationBy(LIFT, { phase: 1 }),
+        }),
+        label: "Bend the gasket in the studio",
+      }}
+    >
+      <div class="controls">
+        <Control label="Steps in the middle" value={String(steps)}>
+          <Slider
+            label="Steps in the middle"
+            min={2}
+            max={MOST_STEPS}
+            step={1}
+            value={steps}
+            valueText={`${steps} steps`}
+            onChange={(next) => setSteps(Math.round(next))}
+          />
+        </Control>
+        <Control label="The ring, across" symbol="x" value={fixed(point[0], 3)}>
+          <Slider
+            label="The ring, across"
+            value={point[0]}
+            valueText={`x = ${fixed(point[0], 3)}`}
+            onChange={(x) => setPoint([x, point[1]])}
+          />
+        </Control>
+        <Control label="The ring, up" symbol="y" value={fixed(point[1], 3)}>
+          <Slider
+            label="The ring, up"
+            value={point[1]}
+            valueText={`y = ${fixed(point[1], 3)}`}
+            onChange={(y) => setPoint([point[0], y])}
+          />
+        </Control>
+      </div>
+      {GASKETS.map(({ letter, r, words }, i) => {
+        const { at, words: codes } = found[i] ?? { at: [0, 0] as Point, words: [] };
+        const here = (depth: number) => [...new Set(codes.map((code) => codeWords(code.slice(0, depth))))];
+        return (
+          <div key={letter} class="film-row">
+            <h2>
+              ({letter}) {words}
+            </h2>
+            <div class="triple stages">
+              {[1, steps, null].map((depth, column) => (
+                <figure key={column === 2 ? "whole" : column} class="panel">
+                  <Steps
+                    r={r}
+                    depth={depth}
+                    point={at}
+                    onPick={setPoint}
+                    here={codes.map((code) => pieceOf(rightGasket(r), code.slice(0, depth ?? 0)))}
+                    label={`(${letter}) ${depth === null ? "The attractor" : `Step ${depth}`}, with the ring at (${at.map((x) => fixed(x)).join(", ")})${depth === null ? "" : ` in ${here(depth).join(" and ")}`}.`}
+                  />
+                  <figcaption>
+                    {depth === null ? "the attractor" : depth === 1 ? "step 1" : `step ${depth}`}
+                    {depth !== null && (
+                      <span class="number"> in {here(depth).slice(0, TOLD).join(", ")}</span>
+                    )}
+                  </figcaption>
+                </figure>
+              ))}
+            </div>
+            <p class="address-list number">
+              {codes.slice(0, TOLD).map((code) => (
+                <span key={codeWords(code)} class="address">
+                  {codeWords(code)}…
+                </span>
+              ))}
+              {codes.length > TOLD && <span>and {codes.length - TOLD} more</span>}
+            </p>
+          </div>
+        );
+      })}
+    </Frame>
+  );
+}
+
+function countWords(count: number): string {
+  return count === 1 ? "one address" : `${count} addresses`;
+}

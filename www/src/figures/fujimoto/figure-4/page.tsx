@@ -1,0 +1,192 @@
+import { useMemo, useState } from "preact/hooks";
+import type { Bend, Deformation, MapRow } from "#engine/api";
+import { frond } from "#engine/wasm";
+import { bendAt } from "#state/bend";
+import type { Box } from "#state/fit";
+import { lengthWords } from "#state/words";
+import { fixed } from "#ui/number";
+import { Segmented } from "#ui/Segmented";
+import { Slider } from "#ui/Slider";
+import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { studioHref } from "../../kit/frame/studio-link";
+import { Bent } from "../../kit/picture/deformed";
+import { Time, useTime } from "../../kit/time/time";
+import { rightGasket } from "../codes/addresses";
+import { deformationBy, numbersOf, type Panel } from "../deformations/deformations";
+import { LIFT } from "../deformations/meshes";
+import { Panels } from "../deformations/panels";
+
+export const GASKET: MapRow[] = rightGasket(0.5);
+export const LIFT_BOX: Box = { x0: 0, y0: 0, x1: 1, y1: 1 };
+const KE = 9;
+const VARIED: [number, number, number, number] = [0.5, 0.67, 0.75, 0.92];
+
+const PANELS: readonly Panel[] = [
+  { letter: "A", words: "plain", settings: { kb: KE, delta: 0.75 } },
+  { letter: "B", words: "fractal", settings: { kb: 0, delta: 0.75 } },
+  { letter: "C", words: "", settings: { kb: 1, delta: 0.75 } },
+  { letter: "D", words: "", settings: { kb: 2, delta: 0.75 } },
+  { letter: "E", words: "", settings: { kb: 4, delta: 0.75 } },
+  { letter: "F", words: "as A", settings: { kb: KE, delta: 0.75 } },
+  { letter: "G", words: "smoother", settings: { kb: 0, delta: 0.5 } },
+  { letter: "H", words: "smooth to rough", settings: { kb: 0, delta: VARIED } },
+];
+
+const MOMENTS = [
+  { value: "0", label: "t₀" },
+  { value: "0.5", label: "t₁" },
+  { value: "1", label: "t₂" },
+] as const;
+
+export function liftOf(settings: Partial<Deformation>): Deformation {
+  return deformationBy(LIFT, { ke: KE, ...settings });
+}
+
+/** The gasket, bent in eight ways at once, and the slide from plain to fractal. */
+export function Deformation4(heading: Heading) {
+  const time = useTime(0.75);
+  const [kb, setKb] = useState(0);
+  const { t } = time;
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          In all eight the same grid is pulled: the middle of the long side is lifted. Look at the lower left
+          corner. In A, which is how any drawing program bends things, it does not notice. In B it answers,
+          and so does every triangle at every scale; in C to F the answer draws back to where the pull is.
+          Below, one slider goes all the way from B to F.
+        </p>
+      }
+      found={<Found />}
+      parameters={[
+        { name: "Maps", symbol: "w", value: "½ x + (0, 0), (½, 0), (0, ½)" },
+        { name: "Detail", symbol: "ke", value: String(KE) },
+        {
+          name: "Roughness",
+          symbol: "δ",
+          value: "0.75; G 0.50; H 0.50 lower left, 0.67 lower right, 0.75 upper left",
+        },
+        {
+          name: "Locality",
+          symbol: "kb",
+          value: "A plain (eq 16), B 0, C 1, D 2, E 4 (C to E reconstructed), F 9",
+        },
+        { name: "Control points", value: "4 × 4, of degree 3 (reconstructed)" },
+        { name: "Time", symbol: "t", value: `${fixed(t)}; t₀ = 0, t₁ = ½, t₂ = 1 (reconstructed)` },
+        { name: "Corner of H that no piece reaches", value: "0.92, so that δ is even across the shape" },
+      ]}
+      captions={["Figure 4: Fractal deformations of a Sierpinski gasket. ke = 9."]}
+      reconstructed="The maps, ke, the kb of B and F and all values of δ are printed (section 5.3, example 1, eq 18). The kb of C to E, the mesh and the moments are not: they are made from the text, which has the midpoint of the hypotenuse lifted. Neighbouring triangles are kept together at the corners they share, instead of by averages and a triangulation."
+      studio={{ href: hrefOf(liftOf({ kb, phase: t })) }}
+    >
+      <Time time={time} words={t === 0 ? "at rest" : `${Math.round(100 * t)}% lifted`} />
+      <div class="controls">
+        <div class="choice">
+          <span class="choice-label">As printed</span>
+          <Segmented
+            label="Moments that are printed"
+            options={MOMENTS}
+            value={MOMENTS.find(({ value }) => Number(value) === t)?.value ?? ("" as "0")}
+            onChange={(value) => time.go(Number(value))}
+          />
+        </div>
+      </div>
+      <Panels
+        panels={PANELS}
+        maps={GASKET}
+        box={LIFT_BOX}
+        t={t}
+        columns={4}
+        deformationOf={liftOf}
+        words={(panel) =>
+          `The gasket ${panel.words === "" ? "in between" : panel.words}, ${numbersOf(panel)}, ${Math.round(100 * t)}% lifted`
+        }
+      />
+      <Slide t={t} kb={kb} onSlide={setKb} />
+    </Frame>
+  );
+}
+
+function hrefOf(deform: Deformation): string {
+  const gasket = { name: "Right gasket", maps: GASKET };
+  return studioHref({ a: gasket, b: gasket, deform });
+}
+
+/** Section 5.4: locality between whole numbers. */
+function Slide({ t, kb, onSlide }: { t: number; kb: number; onSlide: (kb: number) => void }) {
+  const bend = useMemo(() => bendAt(liftOf({ kb, ke: KE }), t), [kb, t]);
+  return (
+    <div class="slide">
+      <h2>From B to F by one slider</h2>
+      <Bent
+        maps={GASKET}
+        box={LIFT_BOX}
+        bend={bend}
+        label={`The gasket at locality ${fixed(kb)} of 9, ${Math.round(100 * t)}% lifted`}
+        priority={46}
+      />
+      <Control label="Locality" symbol="kb*" value={fixed(kb)}>
+        <Slider
+          label="Locality"
+          min={0}
+          max={KE}
+          step={0.1}
+          value={kb}
+          valueText={`kb* = ${fixed(kb)}${kb === 0 ? ", as in B" : kb === KE ? ", as in F: plain" : ""}`}
+          onChange={onSlide}
+        />
+        <p class="slide-ends" aria-hidden="true">
+          <span>B, fractal</span>
+          <span>F, plain</span>
+        </p>
+      </Control>
+      <p class="why">
+        Between whole numbers it is a blend of the two next to it (section 5.4, eq 19), so nothing jumps. The
+        paper keeps this one for its animations.
+      </p>
+    </div>
+  );
+}
+
+/** Where two parts of the gasket meet: the same point by two addresses. */
+const JOINTS: readonly { parts: [number, number]; name: string }[] = [
+  { parts: [0, 1], name: "lower left and lower right" },
+  { parts: [0, 2], name: "lower left and upper left" },
+  { parts: [1, 2], name: "lower right and upper left" },
+];
+
+/** How far the joints of H would come apart, were each part given one roughness for all of it. */
+export function tears(t: number): { name: string; gap: number }[] {
+  const at = (part: number, toward: number) => {
+    const delta = VARIED[part] ?? 0;
+    const corner = toward === 0 ? [0, 0] : toward === 1 ? [1, 0] : [0, 1];
+    const code = [part, ...new Array<number>(KE - 1).fill(toward)];
+    const bend: Bend = { ...bendAt(liftOf({ kb: 0, delta }), t), continuity: "corners" };
+    const [x = 0, y = 0] = frond.deform({ maps: GASKET }, bend, [code], [corner as [number, number]]);
+    return [x, y] as const;
+  };
+  return JOINTS.map(({ parts: [i, j], name }) => {
+    const [p, q] = [at(i, j), at(j, i)];
+    return { name, gap: Math.hypot(p[0] - q[0], p[1] - q[1]) };
+  });
+}
+
+function Found() {
+  const worst = useMemo(() => tears(1).reduce((a, b) => (b.gap > a.gap ? b : a)), []);
+  return (
+    <>
+      <p>
+        F is A, as the paper says: with <span class="symbol">kb = ke</span> nothing is shuffled. And no crack
+        opens at any <span class="symbol">kb</span>, though the formula as it stands tears the shape: here
+        every term is taken at the corners that triangles share, and is exactly the same on both sides.
+      </p>
+      <p>
+        H needs care. If each of the three parts had one roughness for all of it, as the text reads, the two
+        sides of a joint would disagree: {worst.name} would be {lengthWords(worst.gap)} of the side apart at{" "}
+        <span class="symbol">t₂</span>. Here the roughness itself changes evenly across the shape, from 0.50
+        at the lower left corner to 0.67 and 0.75 at the others, and nothing tears.
+      </p>
+    </>
+  );
+}

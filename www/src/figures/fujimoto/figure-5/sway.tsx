@@ -1,0 +1,39 @@
+import { useState } from "preact/hooks";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
+import { PlayButton, usePlay } from "../../kit/time/play";
+
+const SECONDS = 6;
+
+/** The moment of something that goes round and round. */
+export function useSway(start: number) {
+  const [t, setT] = useState(start);
+  const player = usePlay((seconds) => {
+    setT((t + seconds / SECONDS) % 1);
+    return true;
+  });
+  const go = (next: number) => {
+    player.stop();
+    setT(next);
+  };
+  return { t, go, playing: player.playing, toggle: player.toggle };
+}
+
+/** Play, and a slider over one time round. */
+export function Sway({ sway }: { sway: ReturnType<typeof useSway> }) {
+  return (
+    <div class="figure-time">
+      <PlayButton playing={sway.playing} toggle={sway.toggle} />
+      <Slider
+        label="Time t"
+        value={sway.t}
+        step={0.01}
+        valueText={`t = ${fixed(sway.t)} of one time to and fro`}
+        onChange={sway.go}
+      />
+      <output class="number">
+        <span class="symbol">t</span> {fixed(sway.t)}
+      </output>
+    </div>
+  );
+}

@@ -1,0 +1,152 @@
+import { useMemo } from "preact/hooks";
+import type { Deformation, MapRow } from "#engine/api";
+import { bendAt } from "#state/bend";
+import type { Box } from "#state/fit";
+import { fixed } from "#ui/number";
+import { Frame, type Heading } from "../../kit/frame/frame";
+import { studioHref } from "../../kit/frame/studio-link";
+import { middles, PieceNames } from "../../kit/picture/annotated";
+import { Bent } from "../../kit/picture/deformed";
+import { Time, useTime } from "../../kit/time/time";
+import { deformationBy, numbersOf, type Panel } from "../deformations/deformations";
+import { type Lens, Magnified, WithFrames } from "../deformations/magnified";
+import { DRAGON_COLOURS, DRAW } from "../deformations/meshes";
+import { Panels } from "../deformations/panels";
+
+/** The paper's maps in the paper's order. */
+export const TWIN: MapRow[] = [
+  [0.5, 0.5, -0.5, 0.5, -0.5, 0.375],
+  [0.5, 0.5, -0.5, 0.5, 0.5, 0.625],
+];
+const BOX: Box = { x0: -1.05, y0: -1.42, x1: 2.9, y1: 1.75 };
+/** The dragon itself. */
+const REST: Box = { x0: -0.77, y0: -0.42, x1: 1.77, y1: 1.42 };
+const ASPECT = (BOX.x1 - BOX.x0) / (BOX.y1 - BOX.y0);
+const KE = 8;
+
+const PANELS: readonly Panel[] = [
+  { letter: "A", words: "plain", settings: { kb: KE } },
+  { letter: "B", words: "fractal", settings: { kb: 0 } },
+  { letter: "C", words: "", settings: { kb: 2 } },
+  { letter: "D", words: "", settings: { kb: 4 } },
+  { letter: "E", words: "", settings: { kb: 6 } },
+];
+const B = PANELS[1]?.settings ?? {};
+
+const letters = (code: string) => [...code].map(Number);
+const LENSES: readonly Lens[] = [
+  { number: 1, kind: "red", about: "the tip on the left", code: letters("0001010000"), width: 1 },
+  { number: 2, kind: "black", about: "the middle", code: letters("0100000000"), width: 1 },
+  { number: 3, kind: "green", about: "the tip at the lower right", code: letters("1111010000"), width: 1 },
+];
+
+/** The twin-dragon with colours of its own. */
+export function Deformation6(heading: Heading) {
+  const time = useTime(0.8);
+  const { t } = time;
+  const bend = useMemo(() => bendAt(drawnOf(B), t), [t]);
+  const colours = useMemo(() => bendAt(drawnOf({ ...PLAIN_TINT }), 0), []);
+  const framed = { name: "B", maps: TWIN, bend, box: BOX, colouring: "grid", lenses: LENSES } as const;
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          The lower right part of a dragon is drawn to the lower right. In A only that part goes. In B each
+          spiral tip, at every scale, winds inwards and shrinks on its own; from C to E the pull draws back to
+          where it acts. The colours are shuffled just as the pull is, so that one sees which parts answer
+          alike.
+        </p>
+      }
+      found={
+        <p>
+          Twin-dragons tile the plane, and their pieces have no corners to hold on to. Here each term is
+          spread over a small grid of the plane and read off between its points, so that both sides of a
+          border get the same, and no crack opens at any <span class="symbol">kb</span>. With{" "}
+          <span class="symbol">δ = 1</span> all {KE + 1} terms of B count alike.
+        </p>
+      }
+      parameters={[
+        { name: "Maps", symbol: "w", value: "the paper’s two" },
+        { name: "Detail", symbol: "ke", value: String(KE) },
+        { name: "Roughness", symbol: "δ", value: "1" },
+        { name: "Locality", symbol: "kb", value: "A plain (eq 16), B 0, C 2, D 4, E 6 (reconstructed)" },
+        { name: "Rotation", value: "by the maps from kb + 1 on: both turn by −45°" },
+        {
+          name: "Colours",
+          symbol: "Fc",
+          value: "eq 12 with kb 0, ke 8, δc 1; the 4 × 4 colours are reconstructed",
+        },
+        { name: "Control points", value: "4 × 4 over [−1, 2] × [−0.7, 1.7] (reconstructed)" },
+        { name: "Time", symbol: "t", value: fixed(t) },
+      ]}
+      captions={["Figure 6: Fractal deformations of a Twin-Dragon. ke = 8. δv(s) = 1."]}
+      reconstructed="The maps, ke, δ and the numbers of the colouring are printed (section 5.3, example 3, eqs 12 and 18). The mesh, the colour function (Y), the kb of the panels and the magnified parts are made from the text. Of (X), the addressing rule, only the order of the maps is known."
+      studio={{ href: hrefOf(drawnOf({ ...B, phase: t })) }}
+    >
+      <Time time={time} words={t === 0 ? "at rest" : `${Math.round(100 * t)}% drawn`} />
+      <Panels
+        panels={PANELS}
+        maps={TWIN}
+        box={BOX}
+        t={t}
+        aspect={ASPECT}
+        columns={3}
+        colouring="grid"
+        deformationOf={drawnOf}
+        words={(panel) =>
+          `The twin-dragon ${panel.words === "" ? "in between" : panel.words}, ${numbersOf(panel)}, ${Math.round(100 * t)}% drawn`
+        }
+      >
+        <WithFrames {...framed} aspect={ASPECT} />
+      </Panels>
+      <Magnified {...framed} />
+      <div class="magnified">
+        <figure class="panel">
+          <Bent
+            maps={TWIN}
+            bend={colours}
+            box={BOX}
+            aspect={ASPECT}
+            grid={0}
+            label="The dragon at rest: the part of map 1 on the left, that of map 2 on the right"
+          >
+            {(place) => <PieceNames at={middles(TWIN, REST).map(place)} />}
+          </Bent>
+          <figcaption>
+            <span class="side-name">
+              X <span>the letters of the codes</span>
+            </span>
+          </figcaption>
+        </figure>
+        <figure class="panel">
+          <Bent
+            maps={TWIN}
+            bend={colours}
+            box={BOX}
+            aspect={ASPECT}
+            colouring="grid"
+            label="The colour function on the dragon at rest, before it is shuffled"
+          />
+          <figcaption>
+            <span class="side-name">
+              Y <span>the colours before the shuffle</span>
+            </span>
+          </figcaption>
+        </figure>
+      </div>
+    </Frame>
+  );
+}
+
+const TINT = { colours: [...DRAGON_COLOURS], kb: 0, ke: KE, delta: 1, superposed: true };
+const PLAIN_TINT = { kb: KE, tint: { ...TINT, ke: 0 } };
+
+export function drawnOf(settings: Partial<Deformation>): Deformation {
+  return deformationBy(DRAW, { ke: KE, delta: 1, spin: "scaled", tint: TINT, ...settings });
+}
+
+function hrefOf(deform: Deformation): string {
+  const dragon = { name: "Twin-dragon of the paper", maps: TWIN };
+  return studioHref({ a: dragon, b: dragon, deform });
+}

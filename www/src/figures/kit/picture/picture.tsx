@@ -1,0 +1,109 @@
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import type { Bend, Colouring, MapRow } from "#engine/api";
+import type { Task } from "#engine/protocol";
+import { type Box, fitFor } from "#state/fit";
+import { dark } from "#state/preferences";
+import { palette } from "#style/palette";
+import { useAsk, useValue } from "../workers";
+
+export interface PictureProps {
+  maps: MapRow[];
+  /** What part of the plane is shown. Several pictures with the same box can be compared. */
+  box: Box;
+  /** What is seen, in words; null for a picture that its surroundings describe. */
+  label: string | null;
+  margin?: number;
+  priority?: number;
+  colouring?: Colouring;
+  /** What bends it. While it changes the picture is coarse, so that it follows. */
+  bend?: Bend;
+}
+
+const MOST_RATIO = 2;
+/** So long after the last change, in milliseconds, the picture is drawn in full. */
+const REST = 150;
+/** How much coarser it is until then. */
+const COARSE = 2;
+
+/** An attractor, drawn by a worker, as large as its place. */
+export function Picture({
+  maps,
+  box,
+  label,
+  margin = 0.05,
+  priority = 44,
+  colouring = "map",
+  bend,
+}: PictureProps) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const full = usePixels(canvas);
+  const onDark = useValue(dark);
+  const coarse = !useRest(bend);
+  const [shown, setShown] = useState<Task<"picture"> | null>(null);
+  const task = useMemo<Task<"picture"> | null>(() => {
+    if (full === null) return null;
+    const size = coarse ? coarser(full) : full;
+    const view = fitFor(box, size, margin);
+    const colours = palette(onDark ? "dark" : "light");
+    const options = { ...size, view, colouring, palette: colours };
+    return { kind: "picture", maps, options: bend ? { ...options, bend } : options };
+  }, [maps, box, full, coarse, margin, onDark, colouring, bend]);
+  useAsk<"picture">(task, priority, {
+    accept(about, bitmap) {
+      if (canvas.current) paint(canvas.current, bitmap);
+      bitmap.close();
+      setShown(about);
+    },
+    // Without an attractor there is nothing to see, and the verdict beside it says so. What cannot be bent stays as it was.
+    fail(about) {
+      if (canvas.current && !about.options.bend) canvas.current.width += 0;
+    },
+  });
+  return (
+    <canvas
+      ref={canvas}
+      class="figure-picture"
+      data-complete={task !== null && shown === task && !coarse ? "" : undefined}
+      {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
+    />
+  );
+}
+
+function paint(canvas: HTMLCanvasElement, bitmap: ImageBitmap): void {
+  canvas.width = bitmap.width;
+  canvas.height = bitmap.height;
+  canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
+}
+
+function coarser({ width, height }: { width: number; height: number }) {
+  return { width: Math.max(1, Math.round(width / COARSE)), height: Math.max(1, Math.round(height / COARSE)) };
+}
+
+/** Whether a value has stayed the same for a moment. */
+function useRest(value: unknown): boolean {
+  const [rested, setRested] = useState(value);
+  useEffect(() => {
+    const timer = setTimeout(() => setRested(() => value), REST);
+    return () => clearTimeout(timer);
+  }, [value]);
+  return rested === value;
+}
+
+/** The size of an element in device pixels, or null while it has none. */
+export function usePixels(ref: { current: Element | null }): { width: number; height: number } | null {
+  const [size, setSize] = useState<{ width: number; height: number } | null>(null);
+  useEffect(() => {
+    const element = ref.current;
+    if (!element) return;
+    const observer = new ResizeObserver((entries) => {
+      const box = entries.at(-1)?.contentRect;
+      if (!box || box.width < 1 || box.height < 1) return;
+      const ratio = Math.min(MOST_RATIO, globalThis.devicePixelRatio || 1);
+      const next = { width: Math.round(box.width * ratio), height: Math.round(box.height * ratio) };
+      setSize((now) => (now?.width === next.width && now.height === next.height ? now : next));
+    });
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, [ref]);
+  return size;
+}

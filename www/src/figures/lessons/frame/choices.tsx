@@ -1,0 +1,104 @@
+import type { ComponentChildren } from "preact";
+import { useOwnId } from "#ui/id";
+import { Slider } from "#ui/Slider";
+import { Control } from "../../kit/frame/frame";
+import type { Prediction } from "./prediction";
+
+export interface Choice<T extends string> {
+  value: T;
+  label: ComponentChildren;
+}
+
+export interface ChoicesProps<T extends string> {
+  ask: ComponentChildren;
+  options: readonly Choice<T>[];
+  prediction: Prediction<T>;
+  /** Which of them is so; null while it is still being worked out. */
+  truth: T | null;
+}
+
+const LONGEST = "your guess, this is it";
+
+/** A question with a few answers, one to a line. What was guessed and what is so are marked in words. */
+export function Choices<T extends string>({ ask, options, prediction, truth }: ChoicesProps<T>) {
+  const name = useOwnId("guess");
+  const { guess, shown } = prediction;
+  return (
+    <fieldset class="choices">
+      <legend>{ask}</legend>
+      {options.map(({ value, label }) => {
+        const so = shown && value === truth;
+        const marks = [value === guess ? "your guess" : "", so ? "this is it" : ""]
+          .filter(Boolean)
+          .join(", ");
+        return (
+          <label key={value} class={`option ${so ? "so" : ""}`}>
+            <input
+              type="radio"
+              name={name}
+              value={value}
+              checked={value === guess}
+              disabled={shown && value !== guess}
+              onChange={() => prediction.say(value)}
+            />
+            <span class="option-text">{label}</span>
+            {/* Its room is kept, so that nothing moves when it comes. */}
+            <span class="option-mark" aria-hidden={!shown} data-kept={shown ? undefined : ""}>
+              {shown ? marks : LONGEST}
+            </span>
+          </label>
+        );
+      })}
+    </fieldset>
+  );
+}
+
+export interface GuessProps {
+  ask: ComponentChildren;
+  /** The name of the slider. */
+  label: string;
+  symbol?: string;
+  min: number;
+  max: number;
+  step: number;
+  format: (value: number) => string;
+  prediction: Prediction<number>;
+  truth: number | null;
+}
+
+/** A question whose answer is a number, to be dragged to. Afterwards the truth is a mark on the same track. */
+export function Guess({ ask, label, symbol, min, max, step, format, prediction, truth }: GuessProps) {
+  const { guess, shown } = prediction;
+  const value = guess ?? min;
+  const at = truth === null ? null : Math.min(1, Math.max(0, (truth - min) / (max - min)));
+  const told = shown && truth !== null;
+  return (
+    <fieldset class="choices guess" disabled={shown}>
+      <legend>{ask}</legend>
+      <Control
+        label={shown ? "Your guess" : label}
+        {...(symbol === undefined ? {} : { symbol })}
+        value={format(value)}
+      >
+        <Slider
+          label={label}
+          min={min}
+          max={max}
+          step={step}
+          value={value}
+          valueText={`${format(value)}${told ? `; it is ${format(truth)}` : ""}`}
+          onChange={(next) => prediction.say(step === 1 ? Math.round(next) : next)}
+        >
+          {told && at !== null && <span class="truth-mark" style={{ left: `${100 * at}%` }} />}
+        </Slider>
+        <p class="truth-name" aria-hidden="true">
+          {told && at !== null && (
+            <span style={{ left: `${100 * at}%` }} data-end={at > 0.85 ? "" : undefined}>
+              {format(truth)}
+            </span>
+          )}
+        </p>
+      </Control>
+    </fieldset>
+  );
+}

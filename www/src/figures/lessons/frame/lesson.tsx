@@ -1,0 +1,94 @@
+import type { ComponentChildren } from "preact";
+import { Button } from "#ui/Button";
+import { Head, type Heading, type Parameter, Parameters } from "../../kit/frame/frame";
+import type { Prediction } from "./prediction";
+
+export interface LessonProps extends Heading {
+  /** Two or three plain paragraphs. */
+  text: ComponentChildren;
+  /** The finished picture: it is read without touching it. */
+  children: ComponentChildren;
+  /** What is asked, and what is seen after. */
+  question: ComponentChildren;
+  parameters: readonly Parameter[];
+  /** Who found what is told here. */
+  sources: ComponentChildren;
+  studio: { href: string; label?: string };
+}
+
+/** What every lesson has around its pictures. Nothing of it was printed in a paper. */
+export function Lesson(props: LessonProps) {
+  return (
+    <>
+      <Head number={props.number} title={props.title} badge="by Frond" studio={props.studio}>
+        {props.text}
+      </Head>
+      <section class="figure-live" aria-label="The picture">
+        {props.children}
+      </section>
+      {props.question}
+      <div class="figure-foot">
+        <section aria-labelledby="figure-parameters">
+          <h2 id="figure-parameters">Parameters</h2>
+          <Parameters of={props.parameters} />
+        </section>
+        <section aria-labelledby="figure-sources">
+          <h2 id="figure-sources">Where this comes from</h2>
+          {props.sources}
+        </section>
+      </div>
+    </>
+  );
+}
+
+export interface QuestionProps {
+  prediction: Prediction<unknown>;
+  /** Whether there is something to look at beside the question; it stays in its place when the truth comes. */
+  beside?: ComponentChildren;
+  /** What is asked: choices or a slider, with the question as their name. */
+  children: ComponentChildren;
+  /** The truth beside the prediction, and why. */
+  answer: ComponentChildren;
+  /** What can be tried once it is known, below both. */
+  after?: ComponentChildren;
+}
+
+/** Asks for a prediction and then shows what is so. The one button keeps its place, and with it the focus. */
+export function Question({ prediction, beside, children, answer, after }: QuestionProps) {
+  const { guess, shown, show, again } = prediction;
+  return (
+    <section class="figure-live question" aria-labelledby="question">
+      <h2 id="question">What do you think?</h2>
+      <div class={beside === undefined ? "question-alone" : "two-columns even"}>
+        {beside !== undefined && <div class="panel">{beside}</div>}
+        <div class="ask">
+          {children}
+          <div class="buttons">
+            <Button
+              kind={shown ? "plain" : "primary"}
+              disabled={guess === null}
+              onClick={shown ? again : show}
+            >
+              {shown ? "Think again" : "Show me"}
+            </Button>
+            {guess === null && <p class="hint">Choose first, then look.</p>}
+          </div>
+          <div class="answer" aria-live="polite">
+            {shown && answer}
+          </div>
+        </div>
+      </div>
+      {shown && after}
+    </section>
+  );
+}
+
+/** The truth in a line, and the reason below it. */
+export function Truth({ line, children }: { line: ComponentChildren; children: ComponentChildren }) {
+  return (
+    <>
+      <p class="truth">{line}</p>
+      {children}
+    </>
+  );
+}

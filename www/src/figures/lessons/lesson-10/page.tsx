@@ -1,0 +1,237 @@
+import { useMemo, useState } from "preact/hooks";
+import type { PathPlan } from "#engine/api";
+import type { Task } from "#engine/protocol";
+import { frond } from "#engine/wasm";
+import { meritWords } from "#state/morph-words";
+import { shareWords } from "#state/words";
+import { Segmented } from "#ui/Segmented";
+import type { Heading } from "../../kit/frame/frame";
+import { preset, studioHref } from "../../kit/frame/studio-link";
+import { Chip } from "../../kit/frame/verdict";
+import { Square } from "../../kit/locus/locus-square";
+import { useChart } from "../../kit/locus/morph-locus";
+import { boxAround, type Ends } from "../../kit/maps/morphs";
+import { Drawn, middles, PieceNames } from "../../kit/picture/annotated";
+import { useAsk } from "../../kit/workers";
+import { Choices } from "../frame/choices";
+import { Lesson, Question, Truth } from "../frame/lesson";
+import { type Prediction, usePrediction } from "../frame/prediction";
+import { Matching, matchingWords } from "./matching";
+
+const EPSILON = 1 / 600;
+const SIZE = 85;
+
+/** For each map of the first shape the map of the last that it becomes. */
+const MATCHINGS = {
+  swap: [1, 0, 2],
+  same: [0, 1, 2],
+  round: [2, 0, 1],
+} as const;
+type Name = keyof typeof MATCHINGS;
+const NAMES: readonly Name[] = ["swap", "same", "round"];
+const LETTERS: Record<Name, string> = { swap: "P", same: "Q", round: "R" };
+
+const FIRST = [
+  { value: "dragon-3", label: "Heighway’s dragon" },
+  { value: "terdragon-mirrored", label: "Mirrored terdragon" },
+] as const;
+type First = (typeof FIRST)[number]["value"];
+const LAST = "gasket";
+
+/** The wrong pairing. */
+export function Lesson10(heading: Heading) {
+  const prediction = usePrediction<Name>(null);
+  const guess = prediction.guess ?? "same";
+  return (
+    <Lesson
+      {...heading}
+      text={
+        <>
+          <p>
+            To turn one shape into another, one has to say which piece becomes which. Both ends look the same
+            however that is settled. What lies between them does not: below is the same moment, half-way, for
+            two ways of pairing the pieces.
+          </p>
+          <p>
+            So each pairing has its own map of shapes (as in Lesson 7), and its own ways across. For some
+            there is a way on which the shape stays in one piece. For others, every way breaks.
+          </p>
+        </>
+      }
+      question={<Pairing prediction={prediction} />}
+      parameters={[
+        { name: "First shape", symbol: "A", value: "Heighway’s dragon, written with three maps" },
+        { name: "Last shape", symbol: "B", value: "the gasket" },
+        ...NAMES.map((name) => ({
+          name: `Pairing ${LETTERS[name]}`,
+          value: matchingWords(MATCHINGS[name]),
+        })),
+        { name: "Turns", value: "the shortest" },
+        { name: "Resolution", symbol: "ε", value: "1/600 of the shape" },
+      ]}
+      sources={
+        <p>
+          Burch and Hart take the pairing as given, and name finding one as an open problem (1997). The two
+          shapes are those of their Figures 5 to 7, the dragon <a href="#figures/7">reconstructed</a>. The
+          pairings and their maps are Frond’s.
+        </p>
+      }
+      studio={{
+        href: studioHref({
+          a: preset("dragon-3"),
+          b: preset(LAST),
+          t: 0.5,
+          correspondence: [...MATCHINGS[guess]],
+        }),
+      }}
+    >
+      <Between />
+    </Lesson>
+  );
+}
+
+const endsOf = (first: First): Ends => ({ from: preset(first).maps, to: preset(LAST).maps });
+
+/** Both ends, and two half-way shapes between them. */
+function Between() {
+  const { from, to } = useMemo(() => endsOf("dragon-3"), []);
+  const half = (name: Name) => {
+    const options = { u: 0.5, v: 0.5, correspondence: [...MATCHINGS[name]] };
+    return frond.interpolate({ maps: from }, { maps: to }, options).maps;
+  };
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the ends never change
+  const between = useMemo(() => [half("same"), half("swap")], []);
+  const shapes = [
+    { maps: from, words: "A, the first shape", named: true },
+    { maps: between[0] ?? [], words: "half-way by pairing Q", named: false },
+    { maps: between[1] ?? [], words: "half-way by pairing P", named: false },
+    { maps: to, words: "B, the last shape", named: true },
+  ];
+  return (
+    <div class="quadruple">
+      {shapes.map(({ maps, words, named }) => (
+        <figure key={words} class="panel">
+          <Drawn maps={maps} box={boxAround([maps])} label={words}>
+            {(place) => named && <PieceNames at={middles(maps, boxAround([maps])).map(place)} />}
+          </Drawn>
+          <figcaption>{words}</figcaption>
+        </figure>
+      ))}
+    </div>
+  );
+}
+
+function Pairing({ prediction }: { prediction: Prediction<Name> }) {
+  const { shown, guess } = prediction;
+  const ends = useMemo(() => endsOf("dragon-3"), []);
+  // Asked for before they are shown: they take a moment.
+  const plans = { swap: usePlan(ends, "swap"), same: usePlan(ends, "same"), round: usePlan(ends, "round") };
+  const whole = NAMES.filter((name) => plans[name]?.holds);
+  const known = NAMES.every((name) => plans[name] !== null);
+  const truth = known ? (whole[0] ?? null) : null;
+  const broken = NAMES.filter((name) => plans[name] && !plans[name].holds);
+  return (
+    <Question
+      prediction={prediction}
+      answer={
+        known ? (
+          <Truth
+            line={`You said ${LETTERS[guess ?? "same"]}. ${whole.map((name) => LETTERS[name]).join(" and ") || "None of them"} holds together.`}
+          >
+            <p>
+              With the other pairings Frond finds no way from A to B that does not break; the best it finds
+              opens a gap of{" "}
+              {broken.map((name) => `${shareWords(plans[name]?.gap ?? 0)} (${LETTERS[name]})`).join(" and ")}{" "}
+              of the diameter. In Q each piece becomes the one that lies as it does itself, and no two pieces
+              have to change places.
+            </p>
+          </Truth>
+        ) : (
+          <p>Looking for ways across …</p>
+        )
+      }
+      after={<Maps />}
+    >
+      <Choices<Name>
+        ask="Here are three pairings of the dragon’s pieces with those of the gasket. Which of them can be led across in one piece?"
+        options={NAMES.map((name) => ({
+          value: name,
+          label: (
+            <span class="pairing">
+              {LETTERS[name]}
+              <Matching matching={MATCHINGS[name]} />
+              <span class="pairing-words">{matchingWords(MATCHINGS[name])}</span>
+            </span>
+          ),
+        }))}
+        prediction={prediction}
+        truth={shown ? truth : null}
+      />
+    </Question>
+  );
+}
+
+/** The maps of shapes of all three pairings. */
+function Maps() {
+  const [first, setFirst] = useState<First>("dragon-3");
+  const ends = useMemo(() => endsOf(first), [first]);
+  return (
+    <>
+      <div class="controls">
+        <div class="choice">
+          <span class="choice-label">From</span>
+          <Segmented label="First shape" options={FIRST} value={first} onChange={setFirst} />
+        </div>
+      </div>
+      <div class="triple">
+        {NAMES.map((name) => (
+          <Chart key={`${first} ${name}`} ends={ends} name={name} />
+        ))}
+      </div>
+      <p>
+        Light is in one piece; the line is the best way that Frond finds from A to B. No rule of thumb decides
+        which pairing is good: from the mirrored terdragon Q breaks, though it looks as tidy, and P holds. One
+        has to look; the studio does, and offers other pairings beside the one at hand.
+      </p>
+    </>
+  );
+}
+
+function Chart({ ends, name }: { ends: Ends; name: Name }) {
+  const options = useMemo(() => ({ correspondence: [...MATCHINGS[name]] }), [name]);
+  const wish = useMemo(() => ({ ends, options, size: SIZE }), [ends, options]);
+  const field = useChart(wish);
+  const plan = usePlan(ends, name);
+  const holds = plan?.holds ?? false;
+  const state = plan === null ? "being looked for" : meritWords(plan);
+  return (
+    <figure class="panel">
+      <Square
+        field={field}
+        label={`The map of shapes of pairing ${LETTERS[name]}, with the best way from A to B: ${state}.`}
+        lines={plan ? [{ name: "way", points: plan.points }] : []}
+      />
+      <figcaption>
+        <span class="side-name">
+          {LETTERS[name]} <span>{matchingWords(MATCHINGS[name])}</span>
+        </span>
+        <Chip
+          tone={plan === null ? "unknown" : holds ? "close" : "broken"}
+          text={plan === null ? "Looking …" : holds ? "Looks whole" : "In pieces"}
+          aside={plan === null ? "" : holds ? "all the way" : `gap ${shareWords(plan.gap)}`}
+        />
+      </figcaption>
+    </figure>
+  );
+}
+
+/** The best path of a pairing, or null until it is found. */
+function usePlan(ends: Ends, name: Name): PathPlan | null {
+  const [found, setFound] = useState<{ of: object; plan: PathPlan } | null>(null);
+  const task = useMemo<Task<"plan3">>(
+    () => ({ kind: "plan3", ...ends, options: { correspondence: [...MATCHINGS[name]], epsilon: EPSILON } }),
+    [ends, name],
+  );
+  useAsk<"plan3">(task, 36, { accept: (of, plan) => setFound({ of, plan }) });
+  return found && found.of === task ? found.plan : null;
+}

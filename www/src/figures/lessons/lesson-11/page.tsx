@@ -1,0 +1,172 @@
+import { useMemo, useState } from "preact/hooks";
+import { bendAt } from "#state/bend";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
+import { GASKET, LIFT_BOX, liftOf } from "../../fujimoto/figure-4/page";
+import { Control, type Heading } from "../../kit/frame/frame";
+import { studioHref } from "../../kit/frame/studio-link";
+import { Bent } from "../../kit/picture/deformed";
+import { Choices } from "../frame/choices";
+import { Lesson, Question, Truth } from "../frame/lesson";
+import { type Prediction, usePrediction } from "../frame/prediction";
+
+const KE = 9;
+/** The piece 1111, which is far from the pull. */
+export const FAR = { x0: 0, y0: 0, x1: 0.068, y1: 0.068 };
+
+type Guess = "still" | "along" | "alike" | "apart";
+const TRUTH: Guess = "alike";
+
+/** Plain or fractal. */
+export function Lesson11(heading: Heading) {
+  const prediction = usePrediction<Guess>(null);
+  return (
+    <Lesson
+      {...heading}
+      text={
+        <>
+          <p>
+            Bend a drawing by a grid, and what is near the pull moves most, what is far hardly at all. Below,
+            the middle of the long side is lifted: the corner at the lower left does not notice.
+          </p>
+          <p>
+            Now every point trades its place in the list. Its code (which piece, which part of the piece, and
+            so on) is read the other way round, and it takes the pull of the point that it finds there. A
+            little of that is mixed in at every length of code, from the large pieces down to the small.
+          </p>
+        </>
+      }
+      question={<What prediction={prediction} />}
+      parameters={[
+        { name: "Maps", symbol: "w", value: "½ x + (0, 0), (½, 0), (0, ½)" },
+        { name: "Roughness", symbol: "δ", value: "0.75" },
+        { name: "Detail", symbol: "ke", value: String(KE) },
+        { name: "Locality", symbol: "kb", value: "0 fractal, 9 plain" },
+      ]}
+      sources={
+        <p>
+          Fujimoto, Ohno, Muraoka and Chiba, “Fractal Deformation Using Displacement Vectors Based on Extended
+          Iterated Shuffle Transformation”, section 5.3 and eq 18; their <a href="#figures/d4">Figure 4</a>.
+          The question is Frond’s.
+        </p>
+      }
+      studio={{ href: hrefOf() }}
+    >
+      <Plain />
+    </Lesson>
+  );
+}
+
+const useBend = (kb: number, t: number) => useMemo(() => bendAt(liftOf({ kb }), t), [kb, t]);
+
+/** At rest, and bent as any drawing is. */
+function Plain() {
+  const [rest, plain] = [useBend(KE, 0), useBend(KE, 1)];
+  return (
+    <div class="two-columns even">
+      <figure class="panel">
+        <Bent maps={GASKET} box={LIFT_BOX} bend={rest} label="The gasket at rest, with its grid" />
+        <figcaption>at rest, with its grid</figcaption>
+      </figure>
+      <figure class="panel">
+        <Bent
+          maps={GASKET}
+          box={LIFT_BOX}
+          bend={plain}
+          label="The gasket, plainly bent: its middle is lifted"
+        />
+        <figcaption>plain: the middle of the long side is lifted</figcaption>
+      </figure>
+    </div>
+  );
+}
+
+function What({ prediction }: { prediction: Prediction<Guess> }) {
+  const bend = useBend(KE, 1);
+  return (
+    <Question
+      prediction={prediction}
+      beside={
+        <Bent
+          maps={GASKET}
+          box={FAR}
+          bend={bend}
+          grid={0}
+          label="The lower left corner, nearly fifteen times larger, plainly bent: it is as it was"
+        />
+      }
+      answer={
+        <Truth line="Every triangle there answers, at every scale, with a lift of its own.">
+          <p>
+            With 1 at the lower left, 2 at the right and 3 on top, the parts next to the middle of a long side
+            are 23 and 32. A small part next to the middle of a small triangle has a code that ends so: 1123,
+            say. Read the other way round it is 3211, which lies next to the middle of the whole. So it takes
+            the pull from there, and so it is in every triangle of every size. Nothing comes apart, because
+            the corners that triangles share are given one pull for both.
+          </p>
+        </Truth>
+      }
+      after={<After />}
+    >
+      <Choices<Guess>
+        ask="This is the far corner, fifteen times larger, still plainly bent. What becomes of its small triangles when the pull is shuffled so?"
+        options={[
+          { value: "still", label: "Nothing: it is too far from the pull" },
+          { value: "along", label: "The corner is shifted as a whole" },
+          { value: "alike", label: "Each triangle is lifted in the middle of its own long side" },
+          { value: "apart", label: "They come apart" },
+        ]}
+        prediction={prediction}
+        truth={TRUTH}
+      />
+    </Question>
+  );
+}
+
+/** Both views with the slide from fractal to plain. */
+function After() {
+  const [kb, setKb] = useState(0);
+  const bend = useBend(kb, 1);
+  return (
+    <>
+      <div class="two-columns even">
+        <figure class="panel">
+          <Bent maps={GASKET} box={LIFT_BOX} bend={bend} label={`The gasket at locality ${fixed(kb)} of 9`} />
+          <figcaption>the whole</figcaption>
+        </figure>
+        <figure class="panel">
+          <Bent
+            maps={GASKET}
+            box={FAR}
+            bend={bend}
+            grid={0}
+            label={`The lower left corner at locality ${fixed(kb)} of 9`}
+          />
+          <figcaption>the far corner, nearly fifteen times larger</figcaption>
+        </figure>
+      </div>
+      <div class="controls">
+        <Control label="Locality" symbol="kb" value={fixed(kb)}>
+          <Slider
+            label="Locality"
+            min={0}
+            max={KE}
+            step={0.1}
+            value={kb}
+            valueText={`kb = ${fixed(kb)}`}
+            onChange={setKb}
+          />
+        </Control>
+      </div>
+      <p>
+        Locality says how many letters of the code stay as they are: at 1 a point trades only within its own
+        third, at 2 within its own ninth, and at 9 not at all, which is the plain bend again.
+      </p>
+    </>
+  );
+}
+
+function hrefOf(): string {
+  const gasket = { name: "Right gasket", maps: GASKET };
+  return studioHref({ a: gasket, b: gasket, deform: liftOf({ kb: 0, phase: 1 }) });
+}

@@ -1,0 +1,57 @@
+import { describe, expect, it } from "vitest";
+import { HEIGHT } from "../../kit/maps/families";
+import { CORNERS, hash, holes, isInMiddle, START, Throws, weights } from "./throws";
+
+describe("the chaos game by hand", () => {
+  it("goes half of the way", () => {
+    const game = new Throws();
+    game.throwTo(1);
+    expect(game.here).toEqual([(START[0] + 1) / 2, START[1] / 2]);
+    expect(game.corners).toEqual([1]);
+  });
+
+  it("never throws into the middle, though it begins there", () => {
+    expect(isInMiddle(START)).toBe(true);
+    const game = new Throws();
+    game.roll(10_000);
+    expect(game.count).toBe(10_000);
+    expect(game.inMiddle).toBe(0);
+  });
+
+  it("is the same at every try, and fair", () => {
+    const [one, other] = [new Throws(), new Throws()];
+    one.roll(3000);
+    for (let i = 0; i < 30; i++) other.roll(100);
+    expect(one.here).toEqual(other.here);
+    for (const corner of [0, 1, 2]) {
+      expect(one.corners.filter((c) => c === corner).length).toBeGreaterThan(900);
+    }
+  });
+});
+
+it("weighs corners", () => {
+  for (const [i, corner] of CORNERS.entries()) {
+    const found = weights(corner);
+    expect(found[i]).toBeCloseTo(1, 12);
+    expect(found.reduce((sum, weight) => sum + weight)).toBeCloseTo(1, 12);
+  }
+  expect(isInMiddle([0.5, 0])).toBe(false);
+  // Weights 0.45, 0.45 and 0.1: near the edge of the middle, and in it.
+  expect(isInMiddle([0.5, 0.1 * HEIGHT])).toBe(true);
+  expect(isInMiddle([0.5, 0.51 * HEIGHT])).toBe(false);
+});
+
+it("names the holes of each level", () => {
+  expect(holes(0)).toEqual([]);
+  expect(holes(3)).toHaveLength(1 + 3 + 9);
+  for (const hole of holes(1)) {
+    const middle = hole.reduce<[number, number]>(([x, y], [u, v]) => [x + u / 3, y + v / 3], [0, 0]);
+    expect(isInMiddle(middle)).toBe(true);
+  }
+});
+
+it("hashes evenly into 32 bits", () => {
+  const ones = Array.from({ length: 4096 }, (_, n) => hash(n));
+  expect(new Set(ones).size).toBe(4096);
+  expect(ones.every((x) => Number.isInteger(x) && x >= 0 && x < 2 ** 32)).toBe(true);
+});

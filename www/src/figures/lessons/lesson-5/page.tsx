@@ -1,0 +1,217 @@
+import { useEffect, useMemo, useState } from "preact/hooks";
+import { epoch, submit } from "#engine/engine";
+import { frond } from "#engine/wasm";
+import { fixed } from "#ui/number";
+import { median } from "../../kit/connectedness/bisection";
+import { Collisions, groups, windowOf } from "../../kit/connectedness/collisions";
+import { exactJob, measureJob, PAPER, SIZES, searches } from "../../kit/connectedness/critical-scale";
+import { Buffer } from "../../kit/connectedness/index-buffer";
+import type { Heading } from "../../kit/frame/frame";
+import { preset, studioHref } from "../../kit/frame/studio-link";
+import { Chip } from "../../kit/frame/verdict";
+import { gasket } from "../../kit/maps/families";
+import { useChannel, useValue } from "../../kit/workers";
+import { Guess } from "../frame/choices";
+import { Lesson, Question, Truth } from "../frame/lesson";
+import { nearWords, type Prediction, usePrediction } from "../frame/prediction";
+
+const SHOWN = 0.49;
+const PIXELS = [25, 75, 225] as const;
+const ASKED = 75;
+/** Enough that every pixel of 75 by 75 that holds anything is hit many times. */
+const POINTS = 200_000;
+const DRAWN = 40_000;
+const SEED = 1;
+const [LOWEST, HIGHEST] = [0.46, 0.505];
+
+/** The resolution's lie. */
+export function Lesson5(heading: Heading) {
+  const prediction = usePrediction<number>(LOWEST);
+  const r = prediction.guess ?? LOWEST;
+  return (
+    <Lesson
+      {...heading}
+      text={
+        <>
+          <p>
+            A computer often judges by the picture: if two pieces have a pixel in common, it says, they touch.
+            Below is three times the same shape, with true gaps of a fiftieth of its side. Squares with a hole
+            mark the pixels that two pieces share.
+          </p>
+          <p>
+            With 25 pixels a side all three pieces seem to hang together. With 75 they are seen to be apart.
+            The shape has not changed; only the pixels have. A picture tells the truth about itself, and no
+            more.
+          </p>
+        </>
+      }
+      question={<Seeing prediction={prediction} r={r} />}
+      parameters={[
+        { name: "Maps", symbol: "w", value: "r x + (1 − r) c, c the corners of a triangle of side 1" },
+        { name: "Scale in the pictures above", symbol: "r", value: String(SHOWN) },
+        { name: "Points in each picture", value: "40 000 of the chaos game" },
+        { name: "Points in each buffer that is measured", value: "200 000" },
+        { name: "Pair subdivision", symbol: "ε", value: "10⁻⁶ of the size" },
+      ]}
+      sources={
+        <p>
+          The numbers of the column “paper” are Table 1 of Burch and Hart (1997); the page{" "}
+          <a href="#figures/table-1">Table 1</a> measures all four resolutions. Pair subdivision is Frond’s
+          own.
+        </p>
+      }
+      studio={{
+        href: studioHref({
+          a: { name: "Gasket, maps at 0.46", maps: gasket(LOWEST) },
+          b: { ...preset("gasket") },
+          t: Math.min(1, (r - LOWEST) / (0.5 - LOWEST)),
+        }),
+      }}
+    >
+      <div class="triple">
+        {PIXELS.map((size) => (
+          <Pixels key={size} size={size} />
+        ))}
+      </div>
+    </Lesson>
+  );
+}
+
+function bufferOf(r: number, size: number): Collisions {
+  const maps = gasket(r);
+  const { min, max } = frond.bounds({ maps });
+  const points = frond.attractor({ maps, probabilities: [1, 1, 1] }, { points: DRAWN, seed: SEED });
+  const run = new Collisions(size, windowOf(min, max), points);
+  run.plotTo(DRAWN);
+  return run;
+}
+
+function Pixels({ size }: { size: number }) {
+  const run = useMemo(() => bufferOf(SHOWN, size), [size]);
+  const count = groups(
+    3,
+    run.edges.map((edge) => edge.between),
+  ).count;
+  return (
+    <figure class="panel">
+      <Buffer
+        run={run}
+        count={run.count}
+        label={`The shape in ${size} by ${size} pixels: ${count === 1 ? "pieces share pixels" : "no pixel is shared"}.`}
+      />
+      <figcaption>
+        <span class="number">
+          {size} × {size} pixels
+        </span>
+        <Chip
+          tone={count === 1 ? "close" : "broken"}
+          text={count === 1 ? "Connected" : "In pieces"}
+          aside={count === 1 ? "it seems" : "seen apart"}
+        />
+      </figcaption>
+    </figure>
+  );
+}
+
+function Seeing({ prediction, r }: { prediction: Prediction<number>; r: number }) {
+  const { shown } = prediction;
+  const run = useMemo(() => bufferOf(r, ASKED), [r]);
+  const measured = useMeasured(shown);
+  const seen = measured.found.length > 0 ? median(measured.found) : null;
+  return (
+    <Question
+      prediction={prediction}
+      beside={
+        <Buffer
+          run={run}
+          count={run.count}
+          marked={shown}
+          label={`The triangle with pieces of scale ${fixed(r, 3)} in 75 by 75 pixels.`}
+        />
+      }
+      answer={
+        <Truth
+          line={
+            seen === null
+              ? "Measuring …"
+              : `You said ${fixed(r, 4)}. Here 75 pixels say connected from ${fixed(seen, 4)} on. ${nearWords(r, seen, { close: 0.0015, fair: 0.006 })}`
+          }
+        >
+          <Lies found={measured.found} exact={measured.exact} />
+          <p>
+            A pixel is about a seventieth of the side. A gap much narrower than that has to fall inside one,
+            and then it is gone. Twice the pixels halve the lie but never end it. Pair subdivision has no
+            pixels: it bounds pieces, and pieces of pieces, until they are proved apart.
+          </p>
+        </Truth>
+      }
+    >
+      <Guess
+        ask="In truth the pieces part below ½. From which scale on do 75 pixels call them connected?"
+        label="Scale of the pieces"
+        symbol="r"
+        min={LOWEST}
+        max={HIGHEST}
+        step={0.0005}
+        format={(value) => fixed(value, 4)}
+        prediction={prediction}
+        truth={seen}
+      />
+    </Question>
+  );
+}
+
+function Lies({ found, exact }: { found: readonly number[]; exact: number | null }) {
+  const here = found.length > 0 ? fixed(median(found), 4) : "…";
+  return (
+    <table class="measurements">
+      <caption>
+        Least scale <span class="symbol">r</span> that is called connected
+      </caption>
+      <thead>
+        <tr>
+          <th scope="col">Judged by</th>
+          <th scope="col">Paper</th>
+          <th scope="col">Here</th>
+        </tr>
+      </thead>
+      <tbody>
+        {SIZES.map((size, i) => (
+          <tr key={size}>
+            <th scope="row">{size} pixels a side</th>
+            <td>{fixed(PAPER[i] ?? Number.NaN, 5)}</td>
+            <td class="strong">{size === ASKED ? here : ""}</td>
+          </tr>
+        ))}
+        <tr>
+          <th scope="row">pair subdivision</th>
+          <td>–</td>
+          <td class="strong">{exact === null ? "…" : fixed(exact, 7)}</td>
+        </tr>
+        <tr>
+          <th scope="row">in theory</th>
+          <td>0.50000</td>
+          <td>0.5</td>
+        </tr>
+      </tbody>
+    </table>
+  );
+}
+
+/** The scale at which 75 pixels turn, for nine windows; and where pair subdivision does. Asked for once. */
+function useMeasured(wanted: boolean): { found: number[]; exact: number | null } {
+  const [channel, exactChannel] = [useChannel(), useChannel()];
+  const [found, setFound] = useState<number[]>([]);
+  const [exact, setExact] = useState<number | null>(null);
+  const host = useValue(epoch);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another host has to be asked anew
+  useEffect(() => {
+    if (!wanted) return;
+    const all = searches().filter(({ size, window }) => size === ASKED && window !== null);
+    const done = () =>
+      setFound(all.filter(({ bisection }) => bisection.done).map(({ bisection }) => bisection.high));
+    submit(exactJob(exactChannel, 1e-6, setExact));
+    submit(measureJob(channel, all, { points: POINTS, seed: SEED }, { progress() {}, done, fail() {} }));
+  }, [wanted, channel, exactChannel, host]);
+  return { found, exact };
+}

@@ -1,0 +1,217 @@
+import { useMemo } from "preact/hooks";
+import type { MapRow, Mode } from "#engine/api";
+import { fixed } from "#ui/number";
+import { determinants } from "../../burch-hart/figures-3-and-4/page";
+import { Plot } from "../../kit/chart/plot";
+import type { Heading } from "../../kit/frame/frame";
+import { preset, studioHref } from "../../kit/frame/studio-link";
+import { determinant, gasket, turnedGasket } from "../../kit/maps/families";
+import { boxAround, type Ends, mapsAt } from "../../kit/maps/morphs";
+import { Picture } from "../../kit/picture/picture";
+import { Time, useTime } from "../../kit/time/time";
+import { Choices } from "../frame/choices";
+import { Lesson, Question, Truth } from "../frame/lesson";
+import { type Prediction, usePrediction } from "../frame/prediction";
+import { flagPath, turned } from "./flag";
+
+const FRAMES = 7;
+const SCALE = 0.5;
+const QUARTER: Ends = { from: [turned(Math.PI / 2, SCALE)], to: [turned(0, SCALE)] };
+const HALF: Ends = { from: turnedGasket(), to: gasket(0.5) };
+const MODES: readonly { mode: Mode; name: string }[] = [
+  { mode: "linear", name: "number by number" },
+  { mode: "polar", name: "by turning" },
+];
+type Halfway = "same" | "half" | "point" | "mirror";
+
+/** Why polar. */
+export function Lesson6(heading: Heading) {
+  const prediction = usePrediction<Halfway>(null);
+  const time = useTime(0.5);
+  return (
+    <Lesson
+      {...heading}
+      text={
+        <>
+          <p>
+            A map turns, stretches and moves. It is written as six numbers. To go from one map to another, one
+            might blend the numbers: half-way, take the mean of each. Below, a letter is turned back by a
+            quarter like that. It arrives, but it is too small on the way.
+          </p>
+          <p>
+            The other way splits a map into a turn and a stretch, as a point on a plane may be given by an
+            angle and a distance: this is its <em>polar</em> form. Blend the angle, and the stretch by itself.
+            Now the letter swings round and keeps its size.
+          </p>
+        </>
+      }
+      question={<Turn prediction={prediction} time={time} />}
+      parameters={[
+        { name: "The map above", value: "scale ½, from a quarter turn to none" },
+        { name: "The map in the question", value: "scale ½, from a half turn to none" },
+        { name: "Half-way, a quarter turn, number by number", value: "scale 0.354, which is ½ · √½" },
+        { name: "Maps 2 and 3 of the shape", value: "½ x + (½, 0) and ½ x + (¼, √3/4)" },
+      ]}
+      sources={
+        <p>
+          Ken Shoemake and Tom Duff proposed polar decomposition for animation (1992), and Burch and Hart use
+          it for shapes. The half turn is that of their <a href="#figures/3">Figures 3 and 4</a>, where both
+          ways are told at length.
+        </p>
+      }
+      studio={{
+        href: studioHref({
+          a: { name: "Gasket, map 1 turned", maps: HALF.from },
+          b: preset("gasket"),
+          t: time.t,
+          compare: true,
+        }),
+      }}
+    >
+      {MODES.map(({ mode, name }) => (
+        <Flags key={mode} mode={mode} name={name} />
+      ))}
+    </Lesson>
+  );
+}
+
+/** The letter at even times of a quarter turn. */
+function Flags({ mode, name }: { mode: Mode; name: string }) {
+  const maps = useMemo(
+    () => Array.from({ length: FRAMES }, (_, i) => at(QUARTER, i / (FRAMES - 1), mode)),
+    [mode],
+  );
+  const middle = Math.sqrt(determinant(maps[(FRAMES - 1) / 2] ?? [0, 0, 0, 0, 0, 0]));
+  return (
+    <div class="film-row">
+      <h2>{name[0]?.toUpperCase() + name.slice(1)}</h2>
+      <svg
+        class="flags"
+        viewBox={`0 0 ${70 * FRAMES} 70`}
+        role="img"
+        aria-label={`A letter F turned back by a quarter in ${FRAMES} frames, ${name}: its scale is 0.5 at both ends and ${fixed(middle, 3)} half-way.`}
+      >
+        {maps.map((map, i) => (
+          <g key={`${i + 1}`} transform={`translate(${70 * i + 35} 35)`}>
+            <circle r={33} class="flag-ring" />
+            <path class="flag" d={flagPath(map, 52)} />
+          </g>
+        ))}
+      </svg>
+    </div>
+  );
+}
+
+function at(ends: Ends, t: number, mode: Mode): MapRow {
+  return mapsAt(ends, [t, t], mode)[0] ?? [0, 0, 0, 0, 0, 0];
+}
+
+interface TurnProps {
+  prediction: Prediction<Halfway>;
+  time: ReturnType<typeof useTime>;
+}
+
+function Turn({ prediction, time }: TurnProps) {
+  const { shown } = prediction;
+  return (
+    <Question
+      prediction={prediction}
+      beside={<Ask shown={shown} />}
+      answer={
+        <Truth line="Half-way it is a single point: every number of the map is 0.">
+          <p>
+            A half turn changes the sign of every number: ½ becomes −½. Their mean is 0, so the map sends
+            everything to one place, and the piece vanishes. How much of an area a map leaves is told by its{" "}
+            <em>determinant</em>: it falls to 0 in the middle, while by turning it never changes.
+          </p>
+        </Truth>
+      }
+      after={<Shapes time={time} />}
+    >
+      <Choices<Halfway>
+        ask="Now the letter is upside down and is turned back by a half turn, number by number. What is it half-way?"
+        options={[
+          { value: "same", label: "The letter on its side, as large as before" },
+          { value: "half", label: "The letter on its side, half as large" },
+          { value: "point", label: "A single point" },
+          { value: "mirror", label: "The letter in the mirror" },
+        ]}
+        prediction={prediction}
+        truth="point"
+      />
+    </Question>
+  );
+}
+
+/** Both ends, and between them what is asked for. */
+function Ask({ shown }: { shown: boolean }) {
+  const half = { from: [turned(Math.PI, SCALE)], to: [turned(0, SCALE)] };
+  return (
+    <svg
+      class="flags"
+      viewBox="0 0 230 80"
+      role="img"
+      aria-label={
+        shown
+          ? "The letter upside down, then a single point, then the letter upright."
+          : "The letter upside down, a question mark, and the letter upright."
+      }
+    >
+      {[0, 0.5, 1].map((t, i) => (
+        <g key={t} transform={`translate(${75 * i + 40} 40)`}>
+          <circle r={33} class="flag-ring" />
+          {t !== 0.5 && <path class="flag" d={flagPath(at(half, t, "linear"), 52)} />}
+          {t === 0.5 && shown && <circle class="flag" r={2} />}
+          {t === 0.5 && !shown && (
+            <text class="flag-ask" dy="0.35em" text-anchor="middle">
+              ?
+            </text>
+          )}
+        </g>
+      ))}
+    </svg>
+  );
+}
+
+/** The half turn in a shape, both ways, with the determinant of the map that turns. */
+function Shapes({ time }: { time: ReturnType<typeof useTime> }) {
+  const { t } = time;
+  const all = useMemo(() => MODES.map(({ mode }) => mapsAt(HALF, [t, t], mode)), [t]);
+  const box = useMemo(() => boxAround([HALF.from, HALF.to]), []);
+  const curves = useMemo(() => MODES.map(({ mode }) => determinants(HALF, mode)), []);
+  return (
+    <>
+      <p>The same in a shape: its lower left piece (1) is turned by a half turn.</p>
+      <div class="two-columns even">
+        {MODES.map(({ mode, name }, i) => (
+          <figure key={mode} class="panel">
+            <Picture
+              maps={all[i] ?? []}
+              box={box}
+              label={`The shape at t = ${fixed(t)}, ${name}: map 1 has determinant ${fixed(determinant(all[i]?.[0] ?? [0, 0, 0, 0, 0, 0]), 3)}.`}
+            />
+            <figcaption>{name}</figcaption>
+          </figure>
+        ))}
+      </div>
+      <Time time={time} words={`determinant ${fixed((t - 0.5) ** 2, 3)} against 0.25`} />
+      <Plot
+        label="The determinant of map 1: number by number it falls from 0.25 to 0 at t = 0.5 and rises again, by turning it stays at 0.25."
+        x={{ name: "t", min: 0, max: 1, ticks: [0, 0.25, 0.5, 0.75, 1] }}
+        y={{ name: "determinant of map 1", min: 0, max: 0.3, ticks: [0, 0.1, 0.2, 0.3] }}
+        now={t}
+        series={[
+          { name: "by turning", points: curves[1] ?? [], colour: 1, nameAt: 20 },
+          {
+            name: "number by number",
+            points: curves[0] ?? [],
+            colour: 5,
+            dashed: true,
+            nameAt: 20,
+            raise: 12,
+          },
+        ]}
+      />
+    </>
+  );
+}

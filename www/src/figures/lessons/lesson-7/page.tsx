@@ -1,0 +1,253 @@
+import { useMemo, useState } from "preact/hooks";
+import { STATE } from "#engine/breaks";
+import { prover } from "#engine/proof";
+import { type Uv, uvAt } from "#state/path";
+import { shareWords, toldOf, verdictWords } from "#state/words";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
+import { Control, type Heading } from "../../kit/frame/frame";
+import { drawn, preset, studioHref } from "../../kit/frame/studio-link";
+import { Chip, VerdictChip } from "../../kit/frame/verdict";
+import { Square } from "../../kit/locus/locus-square";
+import { useChart } from "../../kit/locus/morph-locus";
+import { breakage, stretchWords } from "../../kit/maps/breakage";
+import { boxAround, type Ends, framesAlong, mapsAt, STRAIGHT } from "../../kit/maps/morphs";
+import { Drawn } from "../../kit/picture/annotated";
+import { Picture } from "../../kit/picture/picture";
+import { useStates, useVerdict } from "../../kit/workers";
+import { Guess } from "../frame/choices";
+import { Lesson, Question, Truth } from "../frame/lesson";
+import { nearWords, type Prediction, usePrediction } from "../frame/prediction";
+
+const FROM = "dragon-3";
+const TO = "terdragon";
+const EPSILON = 1 / 600;
+const SAMPLES = 301;
+const SIZE = 121;
+const STILLS = 10;
+
+let kept: Ends | null = null;
+
+/** Both shapes, read from the gallery once. */
+function ends(): Ends {
+  kept ??= { from: preset(FROM).maps, to: preset(TO).maps };
+  return kept;
+}
+
+/** Straight against drawn path. */
+export function Lesson7(heading: Heading) {
+  const prediction = usePrediction<number>(0);
+  const [way, setWay] = useState<Uv>([0.5, 0.5]);
+  const t = prediction.guess ?? 0;
+  return (
+    <Lesson
+      {...heading}
+      text={
+        <>
+          <p>
+            One dragon becomes another. Each has three maps; each map turns and stretches by{" "}
+            <span class="symbol">u</span> and moves by <span class="symbol">v</span>, both from 0 to 1. On the
+            straight way they go in step. Both ends are in one piece. Nobody has promised that of the shapes
+            between.
+          </p>
+          <p>
+            But turning and moving need not go in step. Every pair (u, v) is a shape, so all pairs together
+            make a map of shapes, and a morph is a way across that map, from A to B. First guess where the
+            straight way breaks; then lead it yourself.
+          </p>
+        </>
+      }
+      question={<Breaking prediction={prediction} way={way} onWay={setWay} />}
+      parameters={[
+        { name: "First shape", symbol: "A", value: "Heighway’s dragon, written with three maps" },
+        { name: "Last shape", symbol: "B", value: "the terdragon" },
+        { name: "Moment you chose", symbol: "t", value: fixed(t) },
+        { name: "Way point", symbol: "(u, v)", value: `(${fixed(way[0])}, ${fixed(way[1])})` },
+        { name: "Resolution of the verdicts", symbol: "ε", value: "1/600 of the shape" },
+        { name: "Moments judged on a path", value: String(SAMPLES) },
+      ]}
+      sources={
+        <p>
+          The two parameters and the map of shapes, the <em>connectedness locus</em>, are Burch and Hart’s
+          (1997): <a href="#figures/5">Figures 5</a>, <a href="#figures/6">6</a> and{" "}
+          <a href="#figures/7">7</a> show theirs. This pair, and the widest gap as a measure of a path, are
+          Frond’s.
+        </p>
+      }
+      studio={{
+        href: studioHref({
+          a: preset(FROM),
+          b: preset(TO),
+          t,
+          path: prediction.shown ? drawn([[0, 0], way, [1, 1]]) : { kind: "straight", points: [] },
+        }),
+      }}
+    >
+      <Stills />
+    </Lesson>
+  );
+}
+
+/** The straight morph in a few stills, without verdicts. */
+function Stills() {
+  const frames = useMemo(() => framesAlong(ends(), STRAIGHT, STILLS), []);
+  const box = useMemo(() => boxAround(frames.map((frame) => frame.maps)), [frames]);
+  return (
+    <ol class="stills" aria-label="The straight morph" style={{ "--frames": String(STILLS) }}>
+      {frames.map(({ t, maps }) => (
+        <li key={t}>
+          <Picture
+            maps={maps}
+            box={box}
+            margin={0.03}
+            label={`The shape at t = ${fixed(t)} of the straight way`}
+          />
+          <span class="still-mark number" aria-hidden="true">
+            {fixed(t)}
+          </span>
+        </li>
+      ))}
+    </ol>
+  );
+}
+
+interface BreakingProps {
+  prediction: Prediction<number>;
+  way: Uv;
+  onWay: (way: Uv) => void;
+}
+
+function Breaking({ prediction, way, onWay }: BreakingProps) {
+  const t = prediction.guess ?? 0;
+  const maps = useMemo(() => mapsAt(ends(), [t, t]), [t]);
+  const box = useMemo(() => boxAround(framesAlong(ends(), STRAIGHT, STILLS).map((f) => f.maps)), []);
+  const path = useMemo(() => ({ ...ends(), options: {}, points: STRAIGHT }), []);
+  const states = useStates(path);
+  const broken = useMemo(() => (states ? breakage(states) : null), [states]);
+  const first = broken?.stretches[0]?.t0 ?? null;
+  return (
+    <Question
+      prediction={prediction}
+      beside={<Picture maps={maps} box={box} label={`The shape at t = ${fixed(t)} of the straight way.`} />}
+      answer={
+        broken && (
+          <Truth
+            line={`You said t = ${fixed(t)}. It first breaks at ${fixed(first ?? 0)}. ${nearWords(t, first ?? 0, { close: 0.015, fair: 0.06 })}`}
+          >
+            <p>
+              On the straight way the shape is broken for t = {stretchWords(broken.stretches)}. By the time
+              the pieces have turned far enough to let go of each other, they have not yet moved to where they
+              would meet again.
+            </p>
+          </Truth>
+        )
+      }
+      after={<Leading way={way} onWay={onWay} />}
+    >
+      <Guess
+        ask="The straight way from dragon to terdragon. Drag to the moment at which you think it first falls apart."
+        label="Moment"
+        symbol="t"
+        min={0}
+        max={1}
+        step={0.01}
+        format={(value) => fixed(value)}
+        prediction={prediction}
+        truth={first}
+      />
+    </Question>
+  );
+}
+
+/** The map of shapes, with one way point to lead the morph by. */
+function Leading({ way, onWay }: { way: Uv; onWay: (way: Uv) => void }) {
+  const wish = useMemo(() => ({ ends: ends(), options: {}, size: SIZE }), []);
+  const field = useChart(wish);
+  const points = useMemo((): Uv[] => [[0, 0], way, [1, 1]], [way]);
+  const check = useMemo(
+    () =>
+      prover().checkPath({ maps: wish.ends.from }, { maps: wish.ends.to }, points, {
+        epsilon: EPSILON,
+        samples: SAMPLES,
+      }),
+    [wish, points],
+  );
+  return (
+    <div class="two-columns even leading">
+      <Square
+        field={field}
+        label={`The map of shapes with the path from A over (${fixed(way[0])}, ${fixed(way[1])}) to B. Light: in one piece.`}
+        lines={[
+          { name: "straight", points: STRAIGHT, dashed: true },
+          { name: "led", points },
+        ]}
+        point={way}
+        onMove={onWay}
+      />
+      <div class="ask">
+        <p>
+          This is the map of shapes: where it is light the shape is in one piece, and the darker, the wider
+          the gap. Now lead the morph. Drag the ring, or the two sliders, until the solid line stays in the
+          light; the dashed one is the straight way. How good a way is, its <em>widest gap</em> tells: the
+          widest that opens anywhere on it.
+        </p>
+        <div aria-live="polite">
+          <Chip
+            tone={check.holds ? "close" : "broken"}
+            text={check.holds ? verdictWords(toldOf(STATE.touching, 0)).text : "In pieces"}
+            aside={check.holds ? "at each moment judged" : `widest gap ${shareWords(check.gap)}`}
+          />
+        </div>
+        <Coordinate name="u" about="turn and stretch" value={way[0]} onChange={(u) => onWay([u, way[1]])} />
+        <Coordinate name="v" about="move" value={way[1]} onChange={(v) => onWay([way[0], v])} />
+        <Halfway points={points} />
+      </div>
+    </div>
+  );
+}
+
+interface CoordinateProps {
+  name: "u" | "v";
+  about: string;
+  value: number;
+  onChange: (value: number) => void;
+}
+
+function Coordinate({ name, about, value, onChange }: CoordinateProps) {
+  return (
+    <Control label={`way point, ${about}`} symbol={name} value={fixed(value)}>
+      <Slider
+        label={`Way point ${name}, ${about}`}
+        min={-1}
+        max={2}
+        step={0.05}
+        value={value}
+        valueText={`${name} = ${fixed(value)}`}
+        onChange={onChange}
+      />
+    </Control>
+  );
+}
+
+/** A look at the led morph. */
+function Halfway({ points }: { points: readonly Uv[] }) {
+  const [t, setT] = useState(0.5);
+  const maps = useMemo(() => mapsAt(ends(), uvAt(points, t)), [points, t]);
+  const box = useMemo(() => boxAround([maps]), [maps]);
+  const judged = useVerdict(maps);
+  return (
+    <>
+      <Drawn flat maps={maps} box={box} label={`The shape at t = ${fixed(t)} of your way.`} />
+      <VerdictChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
+      <Control label="moment on your way" symbol="t" value={fixed(t)}>
+        <Slider
+          label="Moment on your way"
+          value={t}
+          step={0.01}
+          valueText={`t = ${fixed(t)}`}
+          onChange={setT}
+        />
+      </Control>
+    </>
+  );
+}

@@ -1,0 +1,90 @@
+import type { LocusResult } from "#engine/results";
+import type { Uv } from "#state/path";
+import { fixed } from "#ui/number";
+import { Slider } from "#ui/Slider";
+import { Control } from "../../kit/frame/frame";
+import { Plane } from "../../kit/locus/locus-square";
+import { BOUNDS, type Complex, DUST, WHOLE } from "../../kit/locus/set-m";
+
+/** "0.400 + 0.500i" */
+export function complexWords([re, im]: Complex): string {
+  return `${fixed(re, 3)} ${im < 0 ? "−" : "+"} ${fixed(Math.abs(im), 3)}i`;
+}
+
+interface DiscProps {
+  field: LocusResult | null;
+  s: Complex;
+  shown: boolean;
+  onMove: (s: Uv) => void;
+}
+
+/** The plane of s with its two circles, and M on it once it is shown. */
+export function Disc({ field, s, shown, onMove }: DiscProps) {
+  return (
+    <Plane
+      field={field}
+      bounds={BOUNDS}
+      point={s}
+      onMove={onMove}
+      label={
+        shown
+          ? `The set M, symmetric on four sides, ragged between the circles of size one half and 0.7071, with spikes along the real line; s is at ${complexWords(s)}.`
+          : `The plane of s with two circles, of size one half and 0.7071; s is at ${complexWords(s)}.`
+      }
+    >
+      {(place) => {
+        const [x, y] = place([0, 0]);
+        return (
+          <g class={shown ? "disc shown" : "disc"}>
+            {!shown && <path class="disc-axis" d={`M0 ${y}H300M${x} 0V300`} />}
+            {[DUST, WHOLE].map((size) => (
+              <g key={size}>
+                <circle cx={x} cy={y} r={place([size, 0])[0] - x} />
+                {!shown && (
+                  <text x={x + 4} y={place([0, -size])[1] - 4}>
+                    {size === DUST ? "½" : "0.7071"}
+                  </text>
+                )}
+              </g>
+            ))}
+            {!shown && (
+              <text x={x} y={y - 6} text-anchor="middle">
+                dust
+              </text>
+            )}
+          </g>
+        );
+      }}
+    </Plane>
+  );
+}
+
+/** Both parts of s, for keys and for those who would rather not aim. */
+export function Sliders({ s: [re, im], onMove }: { s: Complex; onMove: (s: Uv) => void }) {
+  return (
+    <div class="controls">
+      <Control label="real part of" symbol="s" value={fixed(re, 3)}>
+        <Slider
+          label="Real part of s"
+          min={-0.74}
+          max={0.74}
+          step={0.01}
+          value={re}
+          valueText={complexWords([re, im])}
+          onChange={(next) => onMove([next, im])}
+        />
+      </Control>
+      <Control label="imaginary part of" symbol="s" value={fixed(im, 3)}>
+        <Slider
+          label="Imaginary part of s"
+          min={-0.74}
+          max={0.74}
+          step={0.01}
+          value={im}
+          valueText={complexWords([re, im])}
+          onChange={(next) => onMove([re, next])}
+        />
+      </Control>
+    </div>
+  );
+}

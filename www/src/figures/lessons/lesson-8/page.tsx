@@ -1,0 +1,264 @@
+import { useEffect, useMemo, useState } from "preact/hooks";
+import type { Connectedness } from "#engine/api";
+import { epoch, submit } from "#engine/engine";
+import type { LocusResult } from "#engine/results";
+import type { Uv } from "#state/path";
+import { verdictPhrase } from "#state/words";
+import { Button } from "#ui/Button";
+import { fixed } from "#ui/number";
+import type { Heading } from "../../kit/frame/frame";
+import { studioHref } from "../../kit/frame/studio-link";
+import { EXACT, VerdictChip, Why } from "../../kit/frame/verdict";
+import { type Complex, mapsOf, quarterJob, unfolded } from "../../kit/locus/set-m";
+import { boxAround } from "../../kit/maps/morphs";
+import { Picture } from "../../kit/picture/picture";
+import { useChannel, useValue, useVerdict } from "../../kit/workers";
+import { Choices } from "../frame/choices";
+import { Lesson, Question, Truth } from "../frame/lesson";
+import { type Prediction, usePrediction } from "../frame/prediction";
+import { complexWords, Disc, Sliders } from "./disc";
+
+const FIRST: Complex = [0.4, 0.5];
+const SHOWN: readonly { s: Complex; text: string }[] = [
+  { s: [0.5, 0.5], text: "s = 0.5 + 0.5i" },
+  { s: [0.3, 0.6], text: "s = 0.3 + 0.6i" },
+  { s: [0.3, 0.55], text: "s = 0.3 + 0.55i" },
+];
+const LANDMARKS: readonly { s: Complex; name: string; about: string }[] = [
+  { s: [0.5, 0], name: "½, a line", about: "The tip of a spike: the shape is a plain line segment." },
+  {
+    s: [0.5, 0.5],
+    name: "½ + ½i, twin-dragon",
+    about: "The twin-dragon, whose two pieces meet all along a border.",
+  },
+  {
+    s: [0.25, Math.sqrt(7) / 4],
+    name: "¼ + ¼√7 i, tame twin-dragon",
+    about:
+      "The tame twin-dragon. Like the twin-dragon it lies on the circle of 0.7071, where two pieces have just the area of the whole.",
+  },
+  {
+    s: [0.0227, 0.703],
+    name: "0.0227 + 0.703i, dust",
+    about:
+      "Dust, and proved so, although |s| is 0.7034 and from 0.7071 on everything is in one piece: the edge of M runs in bays and spirals that are too fine for this map. The gap is too narrow for the picture.",
+  },
+];
+
+type Which = "whole" | "dust";
+
+/** The set M. */
+export function Lesson8(heading: Heading) {
+  const prediction = usePrediction<Which>(null);
+  const [s, setS] = useState<Complex>(FIRST);
+  return (
+    <Lesson
+      {...heading}
+      text={
+        <>
+          <p>
+            Take two maps that differ only by where they put things: both turn and shrink by the same complex
+            number <span class="symbol">s</span>, and one then moves to the left, the other to the right. One
+            number, one shape. Its size |s| says how much the maps shrink, its angle how far they turn.
+          </p>
+          <p>
+            A shape of two pieces has only two ways to be: the pieces meet, and it is in one piece; or they do
+            not, and then their own pieces do not meet either, and so on down, until nothing is left but{" "}
+            <em>dust</em>, single points. All s of the first kind make a set, called <em>M</em>.
+          </p>
+        </>
+      }
+      question={<Where prediction={prediction} s={s} onS={setS} />}
+      parameters={[
+        { name: "Maps", symbol: "w", value: "s z − 1 and s z + 1" },
+        { name: "The ring", symbol: "s", value: complexWords(s) },
+        { name: "Its size", symbol: "|s|", value: fixed(Math.hypot(...s), 4) },
+        { name: "Verdict at s", symbol: "ε", value: "10⁻⁶ of the size" },
+        { name: "Map of M", symbol: "ε", value: "10⁻⁴ of the size" },
+      ]}
+      sources={<Sources />}
+      studio={{
+        href: studioHref({
+          a: { name: `s = ${complexWords(s)}`, maps: mapsOf(s) },
+          b: { name: "Twin-dragon", maps: mapsOf([0.5, 0.5]) },
+          locus: { family: "polygon", sides: 2, x: 0, y: 0, zoom: 1, w: 0, at: shortened(s) },
+        }),
+      }}
+    >
+      <div class="triple">
+        {SHOWN.map(({ s: at, text }) => (
+          <Shape key={text} s={at} text={text} />
+        ))}
+      </div>
+    </Lesson>
+  );
+}
+
+function Sources() {
+  return (
+    <>
+      <p>
+        Michael Barnsley and Andrew Harrington introduced M in 1985 by analogy with Mandelbrot’s set, which is
+        also a map of what holds together. Thierry Bousch proved that M itself is in one piece.
+      </p>
+      <p>
+        Christoph Bandt proved in 2002 that M has a hole, and conjectured that, away from the real line, M is
+        the closure of its interior. Danny Calegari, Sarah Koch and Alden Walker proved this in 2017, and that
+        there are infinitely many holes.
+      </p>
+    </>
+  );
+}
+
+function Shape({ s, text }: { s: Complex; text: string }) {
+  const maps = useMemo(() => mapsOf(s), [s]);
+  const box = useMemo(() => boxAround([maps]), [maps]);
+  const judged = useVerdict(maps, EXACT);
+  return (
+    <figure class="panel">
+      <Picture
+        maps={maps}
+        box={box}
+        label={`The shape of ${text}: ${verdictPhrase(judged?.answer ?? null, EXACT)}.`}
+      />
+      <figcaption>
+        <span class="number">{text}</span>
+        <VerdictChip epsilon={EXACT} answer={judged?.answer ?? null} />
+      </figcaption>
+    </figure>
+  );
+}
+
+/** Short in a link, and still far nearer than the eye tells. */
+function shortened([re, im]: Complex): Complex {
+  const short = (x: number) => Math.round(x * 1e6) / 1e6;
+  return [short(re), short(im)];
+}
+
+function kindOf(answer: Connectedness | undefined): Which | null {
+  switch (answer?.verdict) {
+    case "connected":
+    case "touching":
+      return "whole";
+    case "disconnected":
+      return "dust";
+    default:
+      return null;
+  }
+}
+
+function foundWords(answer: Connectedness | undefined): string {
+  switch (answer?.verdict) {
+    case "connected":
+      return `it is ${verdictPhrase(answer, EXACT)}`;
+    case "touching":
+      return `it ${verdictPhrase(answer, EXACT)}`;
+    case "disconnected":
+      return "it is dust: in pieces, proved";
+    default:
+      return "nobody knows";
+  }
+}
+
+interface WhereProps {
+  prediction: Prediction<Which>;
+  s: Complex;
+  onS: (s: Complex) => void;
+}
+
+function Where({ prediction, s, onS }: WhereProps) {
+  const { shown } = prediction;
+  // What was asked about: afterwards the ring may go on.
+  const [asked, setAsked] = useState<Complex>(FIRST);
+  const at = shown ? asked : s;
+  const maps = useMemo(() => mapsOf(at), [at]);
+  const judged = useVerdict(maps, EXACT);
+  const truth = judged?.maps === maps ? kindOf(judged.answer) : null;
+  const whole = useQuarter(shown);
+  const move = ([re, im]: Uv) => {
+    const size = Math.hypot(re, im);
+    const shrink = size > 0.74 ? 0.74 / size : 1;
+    const next: Complex = [re * shrink, im * shrink];
+    if (!shown) setAsked(next);
+    onS(next);
+  };
+  return (
+    <Question
+      prediction={prediction}
+      beside={
+        <>
+          <Disc field={shown ? whole : null} s={s} shown={shown} onMove={move} />
+          <Sliders s={s} onMove={move} />
+        </>
+      }
+      answer={
+        truth && (
+          <Truth
+            line={`You said ${prediction.guess === "whole" ? "one piece" : "dust"}. At s = ${complexWords(asked)} ${foundWords(judged?.answer)}.`}
+          >
+            <p>
+              The light part is M, as far as a ten-thousandth of each shape tells; the darker, the wider the
+              gap. It is the same on all four sides: turn the sign of the angle, and the shape is mirrored;
+              turn the sign of s, and it stays as it is. Two spikes run inward along the real line to ½ and
+              −½, and the edge between the two circles is ragged however closely one looks.
+            </p>
+          </Truth>
+        )
+      }
+      after={<Here s={s} onMove={move} />}
+    >
+      <Choices<Which>
+        ask={`Choose an s between the two dashed circles. Inside the inner one, |s| below ½, all is dust; outside the outer one, from 0.7071 on, all is in one piece. What is the shape of s = ${complexWords(at)}?`}
+        options={[
+          { value: "whole", label: "In one piece" },
+          { value: "dust", label: "Dust" },
+        ]}
+        prediction={prediction}
+        truth={truth}
+      />
+    </Question>
+  );
+}
+
+/** The shape at the ring, which may now be moved about M. */
+function Here({ s, onMove }: { s: Complex; onMove: (s: Uv) => void }) {
+  const maps = useMemo(() => mapsOf(s), [s]);
+  const box = useMemo(() => boxAround([maps]), [maps]);
+  const judged = useVerdict(maps, EXACT);
+  const landmark = LANDMARKS.find(({ s: at }) => at[0] === s[0] && at[1] === s[1]);
+  return (
+    <div class="two-columns even">
+      <Picture
+        maps={maps}
+        box={box}
+        label={`The shape of s = ${complexWords(s)}: ${verdictPhrase(judged?.answer ?? null, EXACT)}.`}
+      />
+      <div class="ask">
+        <p>Move the ring on, or go to a landmark.</p>
+        <VerdictChip epsilon={EXACT} answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
+        <Why answer={judged?.answer} />
+        <div class="buttons">
+          {LANDMARKS.map(({ s: at, name }) => (
+            <Button key={name} pressed={landmark?.name === name} onClick={() => onMove(at)}>
+              {name}
+            </Button>
+          ))}
+        </div>
+        <p aria-live="polite">{landmark?.about}</p>
+      </div>
+    </div>
+  );
+}
+
+/** M, once it is asked for. */
+function useQuarter(wanted: boolean): LocusResult | null {
+  const channel = useChannel();
+  const host = useValue(epoch);
+  const [quarter, setQuarter] = useState<LocusResult | null>(null);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another host has to be asked anew
+  useEffect(() => {
+    if (!wanted || quarter?.progress === 1) return;
+    submit(quarterJob(channel, 361, true, setQuarter));
+  }, [wanted, channel, host]);
+  return useMemo(() => (quarter ? unfolded(quarter) : null), [quarter]);
+}
