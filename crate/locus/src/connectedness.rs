@@ -3,13 +3,13 @@
 use frond_core::{Affine2, Contraction, Ifs};
 use glam::DVec2;
 
+use crate::evidence::reason::{self, Points, Reason};
 use crate::frame::Frame;
-use crate::graph::Components;
-use crate::lens::Lens;
-use crate::outline::Outline;
-use crate::reason::{self, Points, Reason};
-use crate::search::Search;
-use crate::span::Span;
+use crate::gap::search::Search;
+use crate::gap::span::Span;
+use crate::magnification::Lens;
+use crate::overlap_graph::Components;
+use crate::support::table::Outline;
 
 /// What is known about whether an attractor is in one piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -3,16 +3,16 @@
 use frond_core::{Affine2, IfsError};
 use glam::{DMat2, DVec2};
 
-use crate::bounded::Bounded;
-use crate::dive::Dive;
-use crate::equal::{self, Differences, Translates};
+use crate::exact::area;
 use crate::frame::Frame;
-use crate::lens::Lens;
-use crate::outline::Outline;
-use crate::pieces::Pieces;
-use crate::proof;
-use crate::rift::Rift;
-use crate::words::Words;
+use crate::gap::bracket::Rift;
+use crate::gap::difference_set::{self, Differences, Translates};
+use crate::gap::greedy::Dive;
+use crate::gap::word_pairs::Words;
+use crate::gap::word_tree::Pieces;
+use crate::magnification::Lens;
+use crate::support::table::Outline;
+use crate::verdict::Bounded;
 
 /// What is known of one parameter. The numbers are those of the state arrays of a locus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -156,8 +156,8 @@ impl Scratch {
         }
         let Ask { polygon, bounds } = ask;
         let Self { frame, outline, dive, pieces, differences, rift, .. } = self;
-        let equal = polygon || equal::are_equal(maps);
-        let proved = equal && equal::fill(&maps[0]);
+        let equal = polygon || difference_set::are_equal(maps);
+        let proved = equal && difference_set::fill(&maps[0]);
         if proved && !bounds && maps[0].norm() < 1.0 - 1e-9 && maps.iter().all(|map| map.is_finite()) {
             let sample = Sample { state: State::Connected, gap: 0.0 };
             return Bounded { sample, ..Bounded::unknown(State::Connected) };
@@ -180,7 +180,7 @@ impl Scratch {
             ellipse,
         };
         let equal = equal && frame.length == 1;
-        let proved = proved || proof::at_once(maps);
+        let proved = proved || area::at_once(maps);
         if frame.point {
             return whole(if proved { State::Connected } else { State::Touching }, 0.0, 0.0);
         }
@@ -189,9 +189,9 @@ impl Scratch {
             return whole(State::Connected, 0.0, 2.0 * frame.stretch);
         }
         rift.begin(maps.len(), polygon);
-        let areas = || maps.iter().map(equal::area);
+        let areas = || maps.iter().map(difference_set::area);
         if areas().any(|area| area >= 0.5) {
-            rift.join_proved(|i, j| equal::area(&maps[i]) + equal::area(&maps[j]) >= 1.0);
+            rift.join_proved(|i, j| difference_set::area(&maps[i]) + difference_set::area(&maps[j]) >= 1.0);
             if rift.is_whole() {
                 return whole(State::Connected, 0.0, 2.0 * frame.stretch);
             }

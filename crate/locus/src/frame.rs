@@ -3,7 +3,7 @@
 use frond_core::{Affine2, Contraction, IfsError};
 use glam::{DMat2, DVec2};
 
-use crate::bounded::Ellipse;
+use crate::verdict::Ellipse;
 
 /// Where the search takes place. The attractor lies in the unit disc of these coordinates.
 #[derive(Clone, Debug)]

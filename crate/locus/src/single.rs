@@ -1,8 +1,8 @@
 //! The locus in single precision, the very way a graphics card does it.
 
 mod descent;
-mod fan;
 mod sample;
+mod support;
 mod system;
 
 use frond_core::{Affine2, Morph};

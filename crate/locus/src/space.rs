@@ -4,16 +4,16 @@
 //! The gap is the widest edge of the least spanning tree of the distances between pieces, as in the plane: Hata's theorem
 //! knows no dimension, and balls, support functions and the tree do not either.
 
-mod address;
-mod closest;
-mod connect;
-mod exact;
+mod bracket;
+mod connectedness;
+mod decide;
 mod frame;
-mod hold;
 mod locus;
+mod rational;
 mod reason;
+mod shared_points;
 
-pub use connect::{Connectedness3, connectedness3};
-pub use hold::{Scratch3, decide3};
+pub use connectedness::{Connectedness3, connectedness3};
+pub use decide::{Scratch3, decide3};
 pub use locus::{check_path3, find_path3, locus3};
 pub use reason::{Reason3, Reason3Kind, Shared3};

@@ -3,7 +3,7 @@
 
 use glam::{Vec2, Vec4};
 
-use super::fan::{Fan, Map, image, norm, product, pulled};
+use super::support::{Fan, Map, image, norm, product, pulled};
 
 /// The most maps of a system.
 pub(super) const MAX_MAPS: usize = 8;

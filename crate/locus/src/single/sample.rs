@@ -2,7 +2,7 @@
 
 use super::SingleMap;
 use super::descent::{Descent, End, MAX_MAPS, Pair};
-use super::fan::{Fan, Map};
+use super::support::{Fan, Map};
 use super::system::{System, fixed_point};
 use crate::decide::{Sample, State};
 

@@ -4,7 +4,7 @@ use glam::{Vec2, Vec4};
 
 use super::SingleMap;
 use super::descent::MAX_MAPS;
-use super::fan::{Map, ULP, image, norm};
+use super::support::{Map, ULP, image, norm};
 
 /// Maps must contract by this in the plane's own norm.
 const PLAIN: f32 = 0.97;

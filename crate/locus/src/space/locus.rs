@@ -3,11 +3,11 @@
 use frond_core::Morph3;
 use glam::DVec3;
 
-use crate::find::{CHECKS, PathOptions, REPAIRS, improve};
 use crate::grid::{Bounds, GridError, Locus, LocusGrid};
-use crate::path::{PathError, PathPlan, field_of};
-use crate::space::hold::{Scratch3, decide3};
-use crate::walk::{PathCheck, judge};
+use crate::path::check::{PathCheck, judge};
+use crate::path::plan::{PathError, PathPlan, field_of};
+use crate::path::search::{CHECKS, PathOptions, REPAIRS, improve};
+use crate::space::decide::{Scratch3, decide3};
 
 /// Samples the connectedness locus of a morph in space over a rectangle of (u, v), as [`LocusGrid::locus`] does in the plane.
 /// `epsilon` is relative to the diameter of the attractor.

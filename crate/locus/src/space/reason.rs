@@ -3,10 +3,10 @@
 use frond_core::Affine3;
 use glam::DVec3;
 
-use crate::graph::OverlapGraph;
-use crate::periodic::Periodic;
-use crate::space::address::meetings;
-use crate::space::exact::Exact;
+use crate::exact::address::Periodic;
+use crate::overlap_graph::OverlapGraph;
+use crate::space::rational::Exact;
+use crate::space::shared_points::meetings;
 
 /// The kinds of reasons in space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,0 +1,8 @@
+//! What shows a verdict: reasons to be connected, certificates of being disconnected.
+
+pub(crate) mod certificate;
+pub(crate) mod collinear;
+pub(crate) mod neighbour_graph;
+pub(crate) mod reason;
+pub(crate) mod separate;
+pub(crate) mod shared_points;

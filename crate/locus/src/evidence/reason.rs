@@ -1,0 +1,328 @@
+//! Reasons for an attractor to be in one piece that can be shown.
+
+use frond_core::Affine2;
+use glam::DVec2;
+
+use crate::evidence::collinear::overlaps_on_a_line;
+use crate::evidence::neighbour_graph::Neighbours;
+use crate::evidence::shared_points::{Shared, corners};
+use crate::exact::address::{Periodic, shown};
+use crate::exact::area;
+use crate::exact::quadratic::SurdSystem;
+use crate::exact::recognise::{self, Reading};
+use crate::frame::Frame;
+use crate::overlap_graph::OverlapGraph;
+use crate::region::trap::crossings_beside;
+use crate::support::table::Outline;
+
+/// The kinds of reasons.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum ReasonKind {
+    /// There is one map.
+    OneMap,
+    /// All maps are the same.
+    EqualMaps,
+    /// All maps leave one point where it is: it is the attractor.
+    CommonPoint,
+    /// Two maps whose determinants leave no room between the pieces; or several such pairs.
+    Area,
+    /// Enough pairs of pieces have a point in common.
+    SharedPoints,
+    /// Enough pairs of pieces must cross.
+    Crossings,
+    /// Enough pairs of pieces have points in common, infinitely many, and lie to each other in finitely many ways.
+    Neighbours,
+}
+
+impl ReasonKind {
+    /// Its name in the programming interface.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::OneMap => "one-map",
+            Self::EqualMaps => "equal-maps",
+            Self::CommonPoint => "common-point",
+            Self::Area => "area",
+            Self::SharedPoints => "shared-points",
+            Self::Crossings => "crossings",
+            Self::Neighbours => "neighbours",
+        }
+    }
+}
+
+/// What holds two pieces together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum LinkKind {
+    /// A point that both have.
+    Point,
+    /// Two paths that must cross.
+    Crossing,
+    /// Too much area to lie side by side.
+    Area,
+}
+
+impl LinkKind {
+    /// Its name in the programming interface.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Point => "point",
+            Self::Crossing => "crossing",
+            Self::Area => "area",
+        }
+    }
+}
+
+/// What holds two pieces together, and where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Link {
+    /// What it is.
+    pub kind: LinkKind,
+    /// Two maps, from 0, the smaller index first.
+    pub pair: (usize, usize),
+    /// The addresses of the point in the first piece and in the second, or the words of the pieces that cross or are too
+    /// large, as people read them: letters from 1, "1(2)" for 1222.. Of more than nine maps letters are joined by dots:
+    /// "12.3.(10)".
+    pub words: [String; 2],
+    /// The shared point, to rounding, the middle of the crossing, or where large pieces come near; in the plane.
+    pub at: DVec2,
+    /// Of a crossing: two far points of the first piece, then two of the second. Otherwise empty.
+    pub corners: Vec<DVec2>,
+}
+
+/// Why an attractor is in one piece.
+///
+/// With nothing assumed it is a proof about the maps as they are given, computed without rounding. Otherwise it is one
+/// about numbers that they come near.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reason {
+    /// Which kind of reason.
+    pub kind: ReasonKind,
+    /// What holds the pieces together: enough to reach every piece (Hata 1985). Empty where one fact covers all.
+    pub links: Vec<Link>,
+    /// Readings of numbers that it hangs on, such as "0.3333333333333333 is 1/3".
+    pub assuming: Vec<String>,
+    /// In how many ways pieces of like size lie to each other where they meet, if these are finitely many.
+    pub neighbours: Option<usize>,
+}
+
+impl Reason {
+    pub(crate) const fn of(kind: ReasonKind) -> Self {
+        Self { kind, links: Vec::new(), assuming: Vec::new(), neighbours: None }
+    }
+
+    /// Whether it is a proof about the maps as they are given.
+    #[must_use]
+    pub fn is_proof(&self) -> bool {
+        self.assuming.is_empty()
+    }
+
+    /// The reason in a sentence or two.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let example = self.links.first().map_or(String::new(), |link| {
+            let [a, b] = &link.words;
+            format!("{a} and {b}")
+        });
+        let count = |kind| self.links.iter().filter(|link| link.kind == kind).count();
+        let text = match self.kind {
+            ReasonKind::OneMap => "There is one map, and its attractor is one point.".to_owned(),
+            ReasonKind::EqualMaps => "All maps are the same, and so are all pieces.".to_owned(),
+            ReasonKind::CommonPoint => {
+                "All maps leave the same point where it is, and the attractor is this point.".to_owned()
+            }
+            ReasonKind::Area if self.links.len() < 2 => {
+                "Two pieces that did not meet would have room between them. These have none: the factors by which their maps \
+                 scale areas have a sum of 1 or more."
+                    .to_owned()
+            }
+            ReasonKind::Area => "Pieces that did not meet would have room between them. Enough of these have none: the \
+                                 factors by which two maps scale areas have a sum of 1 or more."
+                .to_owned(),
+            ReasonKind::SharedPoints => match self.links.len() {
+                1 => format!("The pieces share a point: {example} are addresses of the same one."),
+                count => format!(
+                    "Pieces share {count} points, and these reach every piece: {example} are addresses of the first."
+                ),
+            },
+            ReasonKind::Crossings => {
+                let text = match count(LinkKind::Crossing) {
+                    1 => format!("The pieces {example} lie across each other, so that they must meet."),
+                    count => format!(
+                        "{count} pairs of pieces lie across each other, so that they must meet: {example} are the first."
+                    ),
+                };
+                match self.links.len() - count(LinkKind::Crossing) {
+                    0 => text,
+                    1 => format!("{text} Two others share a point."),
+                    others => format!("{text} {others} other pairs share points."),
+                }
+            }
+            ReasonKind::Neighbours => {
+                let ways = self.neighbours.unwrap_or(0);
+                format!(
+                    "Where pieces meet they lie to each other in one of {ways} ways, and from each of these one gets to \
+                     smaller and smaller pieces that do so again. One of the points that they share has the addresses {example}."
+                )
+            }
+        };
+        match self.assuming.as_slice() {
+            [] => text,
+            [one] => format!("If {one}: {text}"),
+            [one, ..] => format!("If numbers mean what they come near ({one}, ..): {text}"),
+        }
+    }
+}
+
+/// Reasons that cost next to nothing.
+pub(crate) fn at_once(maps: &[Affine2]) -> Option<Reason> {
+    area::kind(maps).map(Reason::of)
+}
+
+/// For an attractor that is one point as far as floating point tells.
+pub(crate) fn one_point(maps: &[Affine2]) -> Option<Reason> {
+    let fixed = |i: usize| Periodic { head: vec![], repeat: vec![i as u8] };
+    let all_fix = |system: &SurdSystem| (1..maps.len()).all(|i| system.coincide(&fixed(0), &fixed(i)));
+    let reason = Reason::of(ReasonKind::CommonPoint);
+    if SurdSystem::as_given(maps).is_some_and(|system| all_fix(&system)) {
+        return Some(reason);
+    }
+    let reading = recognise::read(maps).filter(|reading| all_fix(&reading.system))?;
+    Some(Reason { assuming: reading.assuming, ..reason })
+}
+
+/// A proof by pieces that lie across each other, beside points that are shared, where no gap is known to be wider than `gap`
+/// (in the plane). `near` is where two pieces come near each other.
+pub(crate) fn by_crossings(
+    maps: &[Affine2],
+    shared: Vec<Link>,
+    gap: f64,
+    near: impl Fn(usize, usize) -> DVec2,
+) -> Option<Reason> {
+    let met: Vec<(usize, usize)> = shared.iter().map(|link| link.pair).collect();
+    let found = overlaps_on_a_line(&met, maps).or_else(|| crossings_beside(&met, maps, gap, 0.0))?;
+    let crossings = found.into_iter().map(|crossing| {
+        let corners = crossing.corners.to_vec();
+        Link {
+            kind: LinkKind::Crossing,
+            pair: (crossing.i, crossing.j),
+            words: [crossing.u, crossing.v].map(|word| shown(&word, maps.len())),
+            at: corners.iter().sum::<DVec2>() / corners.len() as f64,
+            corners,
+        }
+    });
+    let mut links: Vec<Link> = crossings.chain(shared).collect();
+    let mut graph = OverlapGraph::new(maps.len());
+    for link in &links {
+        graph.add(link.pair.0, link.pair.1);
+    }
+    // Where pieces fill too much to leave room, none need cross.
+    for i in 0..maps.len() {
+        for j in i + 1..maps.len() {
+            if !graph.components().joined(i, j) && area::areas_fill(&maps[i], &maps[j]) {
+                graph.add(i, j);
+                links.push(Link {
+                    kind: LinkKind::Area,
+                    pair: (i, j),
+                    words: [i, j].map(|i| shown(&[i as u8], maps.len())),
+                    at: near(i, j),
+                    corners: Vec::new(),
+                });
+            }
+        }
+    }
+    let crosses = links.iter().any(|link| link.kind == LinkKind::Crossing);
+    let kind = if crosses { ReasonKind::Crossings } else { ReasonKind::Area };
+    graph.is_connected().then(|| Reason { links, ..Reason::of(kind) })
+}
+
+/// Points of two pieces that are checked at most.
+const TRIES: usize = 4;
+
+/// Points that pieces share, proposed by floating point and checked without rounding.
+pub(crate) struct Points<'a> {
+    maps: &'a [Affine2],
+    pairs: &'a [(usize, usize)],
+    found: Vec<Shared>,
+    graph: Option<Neighbours<'a>>,
+}
+
+impl<'a> Points<'a> {
+    /// Looks for points that are shared, where `pairs` of maps may have some.
+    pub fn find(
+        maps: &'a [Affine2],
+        frame: &'a Frame,
+        outline: &'a Outline,
+        pairs: &'a [(usize, usize)],
+    ) -> Self {
+        let mut found = corners(&frame.maps);
+        let graph = Neighbours::new(frame, outline).map(|mut graph| {
+            graph.explore(pairs);
+            found.extend(pairs.iter().filter_map(|&(i, j)| graph.common_point(i, j)));
+            graph
+        });
+        Self { maps, pairs, found, graph }
+    }
+
+    /// A proof for the maps as they are given; or else the points that they do share.
+    pub fn as_given(&self) -> Result<Reason, Vec<Link>> {
+        let system = SurdSystem::as_given(self.maps).ok_or_else(Vec::new)?;
+        self.reason(&system)
+    }
+
+    /// A proof for the numbers that they come near.
+    pub fn as_meant(&self) -> Option<Reason> {
+        if !self.is_enough() {
+            return None;
+        }
+        let Reading { system, assuming } = recognise::read(self.maps)?;
+        Some(Reason { assuming, ..self.reason(&system).ok()? })
+    }
+
+    /// Whether all of them together, if they were shared, would reach every piece.
+    fn is_enough(&self) -> bool {
+        let mut graph = OverlapGraph::new(self.maps.len());
+        for (a, b) in &self.found {
+            graph.add(a.first(), b.first());
+        }
+        graph.is_connected()
+    }
+
+    fn reason(&self, system: &SurdSystem) -> Result<Reason, Vec<Link>> {
+        let mut graph = OverlapGraph::new(self.maps.len());
+        let mut links = Vec::new();
+        let mut tried = vec![0; self.maps.len() * self.maps.len()];
+        for (a, b) in &self.found {
+            let (i, j) = (a.first(), b.first());
+            if i == j || graph.components().joined(i, j) {
+                continue;
+            }
+            // Where some points do not fit, others that lie together in the same way hardly will.
+            let tries = &mut tried[i * self.maps.len() + j];
+            *tries += 1;
+            if *tries > TRIES || !system.coincide(a, b) {
+                continue;
+            }
+            graph.add(i, j);
+            links.push(Link {
+                kind: LinkKind::Point,
+                pair: (i.min(j), i.max(j)),
+                words: [a, b].map(|address| address.shown(self.maps.len())),
+                at: a.point(self.maps).unwrap_or(DVec2::ZERO),
+                corners: Vec::new(),
+            });
+        }
+        links.sort_by_key(|link| link.pair);
+        if !graph.is_connected() {
+            return Err(links);
+        }
+        let closed = self.graph.as_ref().filter(|graph| {
+            !self.pairs.is_empty() && graph.is_closed() && graph.types() > 0 && graph.is_exact(system)
+        });
+        let kind = match closed {
+            Some(graph) if graph.share_many() => ReasonKind::Neighbours,
+            _ => ReasonKind::SharedPoints,
+        };
+        Ok(Reason { links, neighbours: closed.map(Neighbours::types), ..Reason::of(kind) })
+    }
+}

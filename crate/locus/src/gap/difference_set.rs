@@ -1,0 +1,275 @@
+//! Systems whose maps share one linear part.
+
+use std::ops::Range;
+
+use frond_core::Affine2;
+use glam::{DMat2, DVec2};
+
+use crate::frame::Frame;
+use crate::gap::bracket::{Explore, Part};
+use crate::gap::pair::Pair;
+use crate::gap::piece_distance::{Distances, Gauge};
+use crate::support::f64x4::{Four, Vec4};
+use crate::support::table::Outline;
+
+/// The differences of the pieces of maps `M x + t_i`.
+///
+/// Two pieces at the same depth are translates of each other, so that all there is to know of them is by how much
+/// they are moved: `A_i` and `A_j` are as far apart as `t_i - t_j` is from `M D`, where `D`, the set of all differences of two points
+/// of the attractor, is itself an attractor: that of the maps `M x + t_a - t_b`. So a descent follows one
+/// point instead of two words, and most words of a length share their point with others. The supports of
+/// `D` are sums: its convex hull is that of the sum of the widths of all images of the translations.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Differences {
+    /// Whether the linear part is a similitude, or nearly.
+    round: bool,
+    /// The powers of the linear part, from 0.
+    powers: Vec<DMat2>,
+    /// Their norms, at most.
+    sizes: Vec<f64>,
+    /// The differences of two translations, each once, four by four; those left over repeat the last.
+    steps: Vec<Vec4>,
+    /// How many there are.
+    count: usize,
+    /// The points of the descent: where, and at which power.
+    nodes: Vec<(DVec2, u32)>,
+    shifts: Vec<DVec2>,
+    sorted: Vec<DVec2>,
+    passed: Vec<(DVec2, usize, usize)>,
+}
+
+/// More than this many powers are not summed up exactly.
+const TERMS: usize = 96;
+/// What is left out of the sums, against the whole.
+const REST: f64 = 0.004;
+/// How far from the middle of the differences to go on a dive, against the disc they lie in, squared; how often back,
+/// and how many steps.
+const NEAR: f64 = 0.5;
+const BACK: usize = 12;
+const STEPS: usize = 120;
+
+/// Of more maps there are too many differences to look at them all.
+const MOST: usize = 16;
+
+/// Whether the maps share one linear part, and are few.
+pub(crate) fn are_equal(maps: &[Affine2]) -> bool {
+    (2..=MOST).contains(&maps.len()) && maps[1..].iter().all(|map| map.linear == maps[0].linear)
+}
+
+/// Whether any two of these maps, which share one linear part, have pieces that meet: see [`area`].
+pub(crate) fn fill(map: &Affine2) -> bool {
+    area(map) >= 0.5
+}
+
+/// By how much a map shrinks areas, at least.
+///
+/// Where those of two maps add up to 1 or more, their pieces meet: were they apart, a small enough neighbourhood
+/// of the attractor of these two alone would hold its two disjoint images and more.
+pub(crate) fn area(map: &Affine2) -> f64 {
+    let [a, b, c, d, ..] = map.to_row();
+    let (ad, bc) = (a * d, b * c);
+    // Each product and their difference are off by half an ulp, and so may be a sum of two areas.
+    (ad - bc).abs() - 4.0 * f64::EPSILON * (ad.abs() + bc.abs())
+}
+
+impl Differences {
+    /// Gets ready for the maps of a frame, which share one linear part and contract one by one, and bounds their differences.
+    ///
+    /// Of a regular polygon with an even number of corners every other difference is known to repeat another.
+    pub fn set(&mut self, frame: &Frame, outline: &mut Outline, polygon: bool) {
+        let m = frame.maps[0].linear;
+        self.round = frame.factor * frame.factor - m.determinant().abs() < 1e-3;
+        self.powers.clear();
+        self.sizes.clear();
+        self.powers.push(DMat2::IDENTITY);
+        self.sizes.push(1.0);
+        self.shifts.clear();
+        self.shifts.extend(frame.maps.iter().map(|map| map.translation));
+        self.set_steps(polygon);
+        // The attractor lies in the unit disc, its differences in that of radius 2.
+        let mut terms = 1;
+        while terms < TERMS && 2.0 * self.size(terms, m, frame.factor) > REST {
+            terms += 1;
+        }
+        let rest = 2.0 * self.size(terms, m, frame.factor) * (1.0 + 1e-12);
+        outline.set_differences(&self.powers[..terms], &self.shifts, rest);
+        self.nodes.clear();
+    }
+
+    /// An upper bound of the norm of power `k`, which is computed if it was not.
+    fn size(&mut self, k: usize, m: DMat2, factor: f64) -> f64 {
+        while self.powers.len() <= k {
+            let last = self.powers.len() - 1;
+            let power = self.powers[last] * m;
+            self.powers.push(power);
+            let size = self.sizes[last] * factor;
+            // Of a similitude the norms are powers, too.
+            let norm =
+                if self.round { size } else { Affine2::new(power, DVec2::ZERO).norm() * (1.0 + 1e-12) };
+            self.sizes.push(size.min(norm));
+        }
+        self.sizes[k]
+    }
+
+    fn set_steps(&mut self, polygon: bool) {
+        let Self { shifts, sorted, steps, count, .. } = self;
+        sorted.clear();
+        sorted.push(DVec2::ZERO);
+        let sides = shifts.len();
+        let opposite = |i: usize| (i + sides / 2) % sides;
+        let repeats =
+            |i: usize, j: usize| polygon && sides.is_multiple_of(2) && (opposite(j), opposite(i)) < (i, j);
+        for (i, a) in shifts.iter().enumerate() {
+            for (j, b) in shifts.iter().enumerate() {
+                if i != j && !repeats(i, j) {
+                    sorted.push(*a - *b);
+                }
+            }
+        }
+        if sides > 2 && !polygon {
+            sorted.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+            sorted.dedup();
+        }
+        *count = sorted.len();
+        steps.clear();
+        steps.extend(sorted.chunks(4).map(|four| {
+            let lane = |k: usize| four[k.min(four.len() - 1)];
+            let four = [lane(0), lane(1), lane(2), lane(3)];
+            Vec4 { x: Four(four.map(|d| d.x)), y: Four(four.map(|d| d.y)) }
+        }));
+    }
+
+    /// The square of a distance that the attractor has at least across, in the plane: between images of one point.
+    pub fn extent(&self, frame: &Frame) -> f64 {
+        self.sorted.iter().map(|&d| frame.square(d)).fold(0.0, f64::max)
+    }
+
+    /// The square of the distance in the plane of two points of pieces `i` and `j`, if it was found to be `reach` or
+    /// less: always on to where the difference is least.
+    pub fn meet(&mut self, frame: &Frame, i: usize, j: usize, reach: f64) -> Option<f64> {
+        let m = frame.maps[0].linear;
+        let (mut offset, mut k) = (self.shifts[i] - self.shifts[j], 1);
+        self.passed.clear();
+        let mut back = 0;
+        for _ in 0..STEPS {
+            let squared = frame.square(offset);
+            // 0 is the difference of any point from itself.
+            if squared <= reach {
+                return Some(squared);
+            }
+            // The differences lie within twice the norm of the power.
+            let limit = 2.0 * self.size(k + 1, m, frame.factor);
+            let (best, second) = self.nearest_steps(k, offset);
+            let limit = NEAR * limit * limit;
+            if second.0 < limit {
+                self.passed.push((offset, k, second.1));
+            }
+            if best.0 < limit {
+                offset = self.step(offset, k, best.1);
+                k += 1;
+            } else {
+                back += 1;
+                let (passed, at, step) = self.passed.pop().filter(|_| back <= BACK)?;
+                offset = self.step(passed, at, step);
+                k = at + 1;
+            }
+        }
+        None
+    }
+
+    fn step(&self, offset: DVec2, k: usize, step: usize) -> DVec2 {
+        offset + self.powers[k] * self.steps[step / 4].at(step % 4)
+    }
+
+    /// The squares of the two least lengths after a step, and the steps.
+    #[inline(always)]
+    fn nearest_steps(&self, k: usize, offset: DVec2) -> ((f64, usize), (f64, usize)) {
+        let (mut best, mut second) = ((f64::INFINITY, 0), (f64::INFINITY, 0));
+        for (block, &step) in self.steps.iter().enumerate() {
+            let next = after(self.powers[k], offset, step);
+            let squares = next.dot(next);
+            for (l, &square) in squares.0.iter().enumerate().take(self.count - 4 * block) {
+                let this = (square, 4 * block + l);
+                if square < best.0 {
+                    (best, second) = (this, best);
+                } else if square < second.0 {
+                    second = this;
+                }
+            }
+        }
+        (best, second)
+    }
+}
+
+/// Where four steps lead.
+#[inline(always)]
+fn after(power: DMat2, offset: DVec2, step: Vec4) -> Vec4 {
+    let (x, y, o) = (Vec4::splat(power.x_axis), Vec4::splat(power.y_axis), Vec4::splat(offset));
+    Vec4 { x: o.x + x.x * step.x + y.x * step.y, y: o.y + x.y * step.x + y.y * step.y }
+}
+
+/// A descent on [`Differences`].
+pub(crate) struct Translates<'a> {
+    frame: &'a Frame,
+    outline: &'a Outline,
+    differences: &'a mut Differences,
+    small: f64,
+    gauge: Gauge,
+}
+
+impl<'a> Translates<'a> {
+    /// `diameter` is that of the attractor in the frame.
+    pub fn new(
+        frame: &'a Frame,
+        outline: &'a Outline,
+        differences: &'a mut Differences,
+        resolution: f64,
+        diameter: f64,
+    ) -> Self {
+        // Both pieces are as large, and where rounding is coarser than the resolution, nothing is small.
+        let visible = frame.rounding * frame.stretch <= resolution;
+        let small = if visible { 0.5 * resolution / (frame.stretch * diameter) } else { -1.0 };
+        Self { frame, outline, differences, small, gauge: Gauge::default() }
+    }
+}
+
+impl Explore for Translates<'_> {
+    fn lean(&mut self, to_measure: bool) {
+        self.gauge = if to_measure { Gauge::to_measure(self.frame) } else { Gauge::to_separate(self.frame) };
+    }
+
+    fn first(&mut self, i: u32, others: Range<u32>) -> Distances {
+        let shifts = &self.differences.shifts;
+        let offset = |j: u32| shifts[i as usize] - shifts[j as usize];
+        let lanes = [0, 1, 2, 3].map(|k| offset((others.start + k).min(others.end - 1)));
+        let offsets = Vec4 { x: Four(lanes.map(|o| o.x)), y: Four(lanes.map(|o| o.y)) };
+        self.differences.size(1, self.frame.maps[0].linear, self.frame.factor);
+        self.gauge.differences(self.outline, self.differences.powers[1], offsets)
+    }
+
+    fn root(&mut self, i: u8, j: u8) -> (u32, u32) {
+        let Differences { nodes, shifts, .. } = &mut *self.differences;
+        nodes.push((shifts[usize::from(i)] - shifts[usize::from(j)], 1));
+        (nodes.len() as u32 - 1, 0)
+    }
+
+    fn is_small(&self, pair: &Pair) -> bool {
+        let (_, k) = self.differences.nodes[pair.u as usize];
+        self.differences.sizes[k as usize] <= self.small
+    }
+
+    fn split(&mut self, pair: &Pair, into: &mut Vec<Part>) {
+        let (offset, k) = self.differences.nodes[pair.u as usize];
+        self.differences.size(k as usize + 1, self.frame.maps[0].linear, self.frame.factor);
+        let (power, next) = (self.differences.powers[k as usize], self.differences.powers[k as usize + 1]);
+        for block in 0..self.differences.steps.len() {
+            let offsets = after(power, offset, self.differences.steps[block]);
+            let looks = self.gauge.differences(self.outline, next, offsets);
+            for l in 0..4.min(self.differences.count - 4 * block) {
+                let node = self.differences.nodes.len() as u32;
+                self.differences.nodes.push((offsets.at(l), k + 1));
+                into.push(Part::new(&looks, l, pair, node, 0));
+            }
+        }
+    }
+}

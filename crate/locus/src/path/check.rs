@@ -1,0 +1,97 @@
+//! Along a path: where it is, and where it breaks.
+
+use frond_core::{Affine2, Affine3, Morph, Morph3, along};
+use glam::DVec3;
+
+use crate::decide::{Sample, Scratch, decide};
+use crate::grid::LocusGrid;
+use crate::path::field::{WALL, gap_of};
+use crate::space::{Scratch3, decide3};
+
+/// A family of systems over (u, v, w), of the plane or of space.
+pub(crate) trait Parameters {
+    /// Decides one parameter.
+    fn sample(&self, at: DVec3, epsilon: f64, probe: &mut Probe) -> Sample;
+}
+
+/// The memory that samples are decided in.
+#[derive(Default)]
+pub(crate) struct Probe {
+    plane: (Scratch, Vec<Affine2>),
+    space: (Scratch3, Vec<Affine3>),
+}
+
+impl Parameters for Morph {
+    fn sample(&self, at: DVec3, epsilon: f64, probe: &mut Probe) -> Sample {
+        let (scratch, maps) = &mut probe.plane;
+        self.fill3(at.x, at.y, at.z, maps);
+        decide(maps, epsilon, LocusGrid::budget(maps.len()), scratch)
+    }
+}
+
+impl Parameters for Morph3 {
+    fn sample(&self, at: DVec3, epsilon: f64, probe: &mut Probe) -> Sample {
+        let (scratch, maps) = &mut probe.space;
+        self.fill3(at.x, at.y, at.z, maps);
+        decide3(maps, epsilon, LocusGrid::budget(maps.len()), scratch)
+    }
+}
+
+/// What [`check_path`] found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathCheck {
+    /// The widest relative gap met; infinite where there is no attractor, 0 where all holds.
+    pub gap: f64,
+    /// Whether no sample was broken: none apart by more than epsilon, none undecided, none without attractor.
+    pub holds: bool,
+    /// The broken stretches, as fractions of the length of the path in (u, v, w).
+    pub breaks: Vec<(f64, f64)>,
+    /// The parameter where the gap was widest; `None` where all holds.
+    pub worst: Option<DVec3>,
+}
+
+/// Decides `samples` parameters (u, v, w) spread evenly along a path, both ends included, and reports where it
+/// breaks. A path of no points holds.
+#[must_use]
+pub fn check_path(morph: &Morph, points: &[DVec3], epsilon: f64, samples: usize) -> PathCheck {
+    judge(morph, points, epsilon, samples, |_| ())
+}
+
+/// [`check_path`], which also tells each broken sample.
+pub(crate) fn judge(
+    morph: &impl Parameters,
+    points: &[DVec3],
+    epsilon: f64,
+    samples: usize,
+    mut tell: impl FnMut(DVec3),
+) -> PathCheck {
+    let mut check = PathCheck { gap: 0.0, holds: true, breaks: Vec::new(), worst: None };
+    if points.is_empty() {
+        return check;
+    }
+    let samples = samples.max(2);
+    let half = 0.5 / (samples - 1) as f64;
+    let mut probe = Probe::default();
+    let mut was_broken = false;
+    for k in 0..samples {
+        let t = k as f64 / (samples - 1) as f64;
+        let at = along(points, t);
+        let gap = gap_of(morph.sample(at, epsilon, &mut probe), epsilon);
+        let broken = gap > 0.0;
+        if broken {
+            let gap = if gap >= WALL { f64::INFINITY } else { gap };
+            tell(at);
+            check.holds = false;
+            if check.worst.is_none() || gap > check.gap {
+                check.worst = Some(at);
+                check.gap = gap;
+            }
+            match check.breaks.last_mut() {
+                Some(last) if was_broken => last.1 = (t + half).min(1.0),
+                _ => check.breaks.push(((t - half).max(0.0), (t + half).min(1.0))),
+            }
+        }
+        was_broken = broken;
+    }
+    check
+}

@@ -1,0 +1,317 @@
+//! A convex polygon around the attractor as a table of support values.
+
+use frond_core::Affine2;
+use glam::{DMat2, DVec2};
+
+use crate::support::f64x4::{Four, Vec4};
+
+/// The support function `h(d) = max { d . x : x in A }` of an attractor, bounded from above in a fan of
+/// directions, with a point of the attractor that comes near each bound.
+///
+/// The directions lie evenly on the boundary of the square [-1, 1]^2 instead of the circle: then finding
+/// the two that enclose a given one takes a division and no arc tangent. `h` is convex and homogeneous,
+/// so that between two directions it lies below the line through its values.
+#[derive(Clone, Debug)]
+pub(crate) struct Outline {
+    /// Directions on each side of the square.
+    per: usize,
+    /// Upper bounds of `h`; the first ones again at the end.
+    values: [f64; TABLE],
+    /// Points of the attractor far out in each direction; the first ones again at the end.
+    points: [DVec2; TABLE],
+    links: Vec<Link>,
+}
+
+/// How the supports in four neighbouring directions of the image under one map follow from the table.
+#[derive(Clone, Copy, Debug)]
+struct Link {
+    low: [u8; 4],
+    near: [u8; 4],
+    from_low: Four,
+    from_high: Four,
+    shift: Four,
+}
+
+/// Where directions lie in the fan.
+#[derive(Clone, Copy)]
+struct Place {
+    /// The one before, or at its very beginning the one itself.
+    low: [usize; 4],
+    /// The nearest one.
+    near: [usize; 4],
+    /// How far along the sector.
+    along: Four,
+    /// Their length in the maximum norm.
+    length: Four,
+}
+
+/// 1.5 * 2^52: floats around here are whole, and hold their number in their lowest bits.
+const WHOLE: f64 = 6_755_399_441_055_744.0;
+/// As many as six bits reach, and one more: so NaN, which may give any, reads nothing outside.
+const TABLE: usize = MASK as usize + 2;
+const MASK: u64 = 63;
+
+/// Places four directions in a fan of `per` a side.
+///
+/// Directions come in no order, so that a branch on them would be guessed wrong half the time: there is none.
+#[inline(always)]
+fn locate(per: usize, d: Vec4) -> Place {
+    let per = per as f64;
+    let (across, up) = (d.x.abs(), d.y.abs());
+    let large = across.choose_less(up, d.y, d.x);
+    let small = across.choose_less(up, -d.x, d.y);
+    // The sides in their order: right, top, left, bottom.
+    let steep = across.choose_less(up, Four::splat(per), Four::default());
+    let side = steep + large.choose_less(Four::default(), Four::splat(2.0 * per), Four::default());
+    // The zero vector lies in any sector, at length 0.
+    let slope = small / (large + Four::splat(f64::MIN_POSITIVE));
+    let along = slope * Four::splat(0.5 * per) + Four::splat(0.5 * per);
+    // The nearest whole number below, or that just above which is one sector on at its very beginning.
+    let whole = along - Four::splat(0.5) + Four::splat(WHOLE);
+    let index = |x: Four| x.0.map(|x| (x.to_bits() & MASK) as usize);
+    Place {
+        low: index(whole + side),
+        near: index(along + side + Four::splat(WHOLE)),
+        along: along - (whole - Four::splat(WHOLE)),
+        length: large.abs(),
+    }
+}
+
+impl Default for Outline {
+    fn default() -> Self {
+        Self { per: FINE, values: [1.0; TABLE], points: [DVec2::ZERO; TABLE], links: Vec::new() }
+    }
+}
+
+/// Directions a side of a fan that is to be as tight as can be, and of one that is to be made quickly.
+const FINE: usize = 8;
+const ROUGH: usize = 4;
+
+impl Outline {
+    /// Bounds the attractor of `maps`, which is known to lie in the unit disc: support values are lowered
+    /// from those of the disc by `h(d) <= max_i ( h(M_i^T d) + t_i . d )` until they settle to `accuracy`
+    /// or after `rounds`.
+    ///
+    /// Every value on the way is a bound, so that new ones may be used at once.
+    pub fn set(&mut self, maps: &[Affine2], accuracy: f64, rounds: usize) {
+        self.bound(FINE, maps, accuracy, rounds);
+    }
+
+    /// [`Outline::set`] in half as many directions.
+    pub fn sketch(&mut self, maps: &[Affine2], accuracy: f64, rounds: usize) {
+        self.bound(ROUGH, maps, accuracy, rounds);
+    }
+
+    /// Bounds the differences of two points of the attractor of maps that share one linear part, `powers[1]`: sums
+    /// of `powers[k]` times a difference of two `shifts`, over all k. `rest` bounds the lengths of what the
+    /// powers leave out.
+    ///
+    /// In a direction of the fan the sum of the widths of the shifts is what the support is, exactly; the
+    /// differences that reach farthest, and 0 for ever after, add up to a point.
+    pub fn set_differences(&mut self, powers: &[DMat2], shifts: &[DVec2], rest: f64) {
+        self.per = ROUGH;
+        self.values = [4.0; TABLE];
+        self.points = [DVec2::ZERO; TABLE];
+        let half = 2 * self.per;
+        for k in (0..half).step_by(4) {
+            let four = [k, k + 1, k + 2, k + 3].map(|k| self.direction(k));
+            let d = Vec4 { x: Four(four.map(|d| d.x)), y: Four(four.map(|d| d.y)) };
+            let mut far = d.dot(d).sqrt() * Four::splat(rest);
+            let mut point = Vec4::default();
+            for power in powers {
+                let pulled =
+                    Vec4 { x: Vec4::splat(power.x_axis).dot(d), y: Vec4::splat(power.y_axis).dot(d) };
+                let (wide, difference) = match shifts {
+                    [a, b] => width_of_two(*a - *b, pulled),
+                    _ => width(shifts, pulled),
+                };
+                far = far + wide;
+                let (x, y) = (Vec4::splat(power.x_axis), Vec4::splat(power.y_axis));
+                point.x = point.x + x.x * difference.x + y.x * difference.y;
+                point.y = point.y + x.y * difference.x + y.y * difference.y;
+            }
+            for l in 0..4 {
+                let p = point.at(l);
+                (self.values[k + l], self.points[k + l]) = (far.0[l] * (1.0 + 1e-12), p);
+                (self.values[k + l + half], self.points[k + l + half]) = (self.values[k + l], -p);
+            }
+        }
+        self.wrap(|outline, k, from| {
+            (outline.values[k], outline.points[k]) = (outline.values[from], outline.points[from]);
+        });
+    }
+
+    /// Points of the attractor, far out in every direction of the fan.
+    pub fn points(&self) -> &[DVec2] {
+        &self.points[..4 * self.per]
+    }
+
+    /// Whether it was last made by [`Outline::set`].
+    pub fn is_fine(&self) -> bool {
+        self.per == FINE
+    }
+
+    fn bound(&mut self, per: usize, maps: &[Affine2], accuracy: f64, rounds: usize) {
+        self.per = per;
+        // Nothing of what was here before is left, not even where only NaN looks.
+        self.values = [1.5; TABLE];
+        self.links.clear();
+        for k in (0..4 * per).step_by(4) {
+            let four = [k, k + 1, k + 2, k + 3].map(|k| self.direction(k));
+            let d = Vec4 { x: Four(four.map(|d| d.x)), y: Four(four.map(|d| d.y)) };
+            for map in maps {
+                let (x, y) = (Vec4::splat(map.linear.x_axis), Vec4::splat(map.linear.y_axis));
+                let place = locate(per, Vec4 { x: x.dot(d), y: y.dot(d) });
+                self.links.push(Link {
+                    low: place.low.map(|low| low as u8),
+                    near: place.near.map(|near| near as u8),
+                    from_low: place.length * (Four::splat(1.0) - place.along),
+                    from_high: place.length * place.along,
+                    shift: Vec4::splat(map.translation).dot(d),
+                });
+            }
+            self.values[k..k + 4].copy_from_slice(&(d.dot(d).sqrt() * Four::splat(1.0 + 1e-12)).0);
+        }
+        self.wrap(|outline, k, from| outline.values[k] = outline.values[from]);
+        for _ in 0..rounds {
+            if self.lower(maps.len()) < accuracy {
+                break;
+            }
+        }
+        self.reach(maps, accuracy, rounds);
+    }
+
+    /// One round; returns by how much a value fell at most.
+    fn lower(&mut self, maps: usize) -> f64 {
+        let mut change = Four::default();
+        for (chunk, links) in self.links.chunks_exact(maps).enumerate() {
+            let mut best = Four::splat(f64::NEG_INFINITY);
+            for link in links {
+                let gather =
+                    |step: usize| Four(link.low.map(|low| self.values[usize::from(low & 63) + step]));
+                best = best.max(link.from_low * gather(0) + link.from_high * gather(1) + link.shift);
+            }
+            let values = &mut self.values[4 * chunk..4 * chunk + 4];
+            let old = Four([values[0], values[1], values[2], values[3]]);
+            change = change.max(old - best);
+            values.copy_from_slice(&old.min(best).0);
+        }
+        self.wrap(|outline, k, from| outline.values[k] = outline.values[from]);
+        change.0.into_iter().fold(0.0, f64::max)
+    }
+
+    /// Finds points: each is the image of one before under the map that reaches farthest.
+    fn reach(&mut self, maps: &[Affine2], accuracy: f64, rounds: usize) {
+        let fan = 4 * self.per;
+        let mut steps = [(0_u8, 0_u8); 4 * FINE];
+        for (chunk, links) in self.links.chunks_exact(maps.len()).enumerate() {
+            let mut best = Four::splat(f64::NEG_INFINITY);
+            for (i, link) in links.iter().enumerate() {
+                for k in 0..4 {
+                    let low = usize::from(link.low[k] & 63);
+                    let value = link.from_low.0[k] * self.values[low]
+                        + link.from_high.0[k] * self.values[low + 1]
+                        + link.shift.0[k];
+                    if value > best.0[k] {
+                        best.0[k] = value;
+                        steps[4 * chunk + k] = (i as u8, link.near[k]);
+                    }
+                }
+            }
+        }
+        let start = maps.iter().find_map(|map| map.fixed_point()).unwrap_or(DVec2::ZERO);
+        self.points = [start; TABLE];
+        // As many passes as shrink what the start is off to the accuracy.
+        let square = |map: &Affine2| map.linear.x_axis.length_squared() + map.linear.y_axis.length_squared();
+        let shrinks = maps.iter().map(|map| 0.5 * square(map)).fold(0.0, f64::max).clamp(1e-3, 0.9999);
+        let passes = (2.0 * accuracy.ln() / shrinks.ln()).clamp(2.0, rounds as f64) as usize;
+        for _ in 0..passes {
+            for (k, &(i, near)) in steps[..fan].iter().enumerate() {
+                self.points[k] = maps[usize::from(i)].apply(self.points[usize::from(near) % fan]);
+            }
+        }
+        self.wrap(|outline, k, from| outline.points[k] = outline.points[from]);
+    }
+
+    /// Repeats the beginning of the fan at its end, as far as [`locate`] may reach.
+    #[inline(always)]
+    fn wrap(&mut self, copy: impl Fn(&mut Self, usize, usize)) {
+        let fan = 4 * self.per;
+        for k in fan..fan + 3 {
+            copy(self, k, k - fan);
+        }
+    }
+
+    /// Direction `k` of the fan.
+    fn direction(&self, k: usize) -> DVec2 {
+        let s = (k % self.per) as f64 * (2.0 / self.per as f64) - 1.0;
+        match k / self.per % 4 {
+            0 => DVec2::new(1.0, s),
+            1 => DVec2::new(-s, 1.0),
+            2 => DVec2::new(-1.0, -s),
+            _ => DVec2::new(s, -1.0),
+        }
+    }
+
+    /// Upper bounds of `h(d)`, and points of the attractor that come near them.
+    #[inline(always)]
+    pub fn support4(&self, d: Vec4) -> (Four, Vec4) {
+        let place = locate(self.per, d);
+        let gather = |step: usize| Four(place.low.map(|low| self.values[low + step]));
+        let (a, b) = (gather(0), gather(1));
+        let points = place.near.map(|near| self.points[near]);
+        let points = Vec4 { x: Four(points.map(|p| p.x)), y: Four(points.map(|p| p.y)) };
+        (place.length * (a + place.along * (b - a)), points)
+    }
+
+    /// [`Outline::support4`] in one direction.
+    pub fn support(&self, d: DVec2) -> (f64, DVec2) {
+        let (far, points) = self.support4(Vec4::splat(d));
+        (far.0[0], points.at(0))
+    }
+
+    /// The diameter of the attractor, at most, where lengths are measured after `to_plane`.
+    pub fn diameter(&self, to_plane: DMat2) -> f64 {
+        let (x, y) = (Vec4::splat(to_plane.x_axis), Vec4::splat(to_plane.y_axis));
+        let mut widest = Four::default();
+        for k in (0..2 * self.per).step_by(4) {
+            let four = [k, k + 1, k + 2, k + 3].map(|k| self.direction(k));
+            let d = Vec4 { x: Four(four.map(|d| d.x)), y: Four(four.map(|d| d.y)) };
+            let pulled = Vec4 { x: x.dot(d), y: y.dot(d) };
+            let (there, _) = self.support4(pulled);
+            let (back, _) = self.support4(Vec4 { x: -pulled.x, y: -pulled.y });
+            widest = widest.max((there + back) / d.dot(d).sqrt());
+        }
+        // The two points farthest apart lie along a direction at most half a step off one of the fan, and the
+        // widest step is at the middle of a side.
+        let cosine = if self.per == FINE { 0.992_507_556 } else { 0.973_248_989 };
+        widest.0.into_iter().fold(0.0, f64::max) / cosine
+    }
+}
+
+/// The widths of points in four directions, and the differences that they are the lengths of.
+#[inline(always)]
+fn width(points: &[DVec2], d: Vec4) -> (Four, Vec4) {
+    let (mut most, mut least) = (Four::splat(f64::NEG_INFINITY), Four::splat(f64::INFINITY));
+    let (mut first, mut last) = (Vec4::default(), Vec4::default());
+    for &point in points {
+        let p = Vec4::splat(point);
+        let along = p.dot(d);
+        let choose = |a: Four, b: Four, old: Vec4| Vec4 {
+            x: a.choose_less(b, p.x, old.x),
+            y: a.choose_less(b, p.y, old.y),
+        };
+        (first, last) = (choose(most, along, first), choose(along, least, last));
+        (most, least) = (most.max(along), least.min(along));
+    }
+    (most - least, first - last)
+}
+
+/// [`width`] of two points with this difference.
+#[inline(always)]
+fn width_of_two(difference: DVec2, d: Vec4) -> (Four, Vec4) {
+    let p = Vec4::splat(difference);
+    let along = p.dot(d);
+    let signed = |x: Four| along.choose_less(Four::default(), -x, x);
+    (along.abs(), Vec4 { x: signed(p.x), y: signed(p.y) })
+}
