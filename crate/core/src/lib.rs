@@ -13,52 +13,46 @@
 //! Conventions: y points up, angles are radians, counter-clockwise. Indices count from 0 in code and from 1
 //! in messages. No panics on any input, no unsafe code, no web, no GPU.
 
-mod address;
-mod affine2;
-mod affine3;
-mod along;
-mod chaos;
-mod contraction;
-mod correspond;
-mod cut;
-mod dimension;
+mod animation;
+mod bounds;
 mod error;
 pub mod hash;
-mod hull;
 mod ifs;
+mod linear;
 mod morph;
-mod pairing;
-mod polar2;
-mod polar3;
-mod route;
-mod size3;
-mod space;
-mod symmetry;
+mod sample;
 #[cfg(test)]
 mod testing;
-mod transform;
+#[cfg(test)]
+mod testing3;
 
-pub use address::{Word, address_near};
-pub use affine2::Affine2;
-pub use affine3::Affine3;
-pub use along::along;
-pub use chaos::ChaosGame;
-pub use contraction::{Contraction, word_radius};
-pub use correspond::{Candidate, candidates};
-pub use cut::{CutOutcome, adaptive_cut};
-pub use dimension::{affinity_dimension, similarity_dimension};
+pub use animation::keyframes::{Course, Ease, Key3, Motion3, MotionError};
+pub use animation::placement::Place3;
+pub use animation::pose::{Conjugate, Pose};
+pub use bounds::bounds3::Bounds3;
+pub use bounds::hull2::Hull;
+pub use bounds::support_table3::Fan3;
 pub use error::{IfsError, MAX_MAPS};
-pub use hull::Hull;
-pub use ifs::Ifs;
-pub use morph::{Kind, Mode, Morph, MorphError, MorphOptions};
-pub use pairing::{Pairing, pair};
-pub use polar2::Polar2;
-pub use polar3::Polar3;
-pub use route::{Route, RouteKind, routes};
-pub use space::{
-    Bounds3, BoxCount, ChaosGame3, Conjugate, Contraction3, Course, Ease, Fan3, Ifs3, Key3, Morph3, Motion3,
-    MotionError, Place3, Pose, Turn3, adaptive_cut3, affinity_dimension3, box_dimension,
-    similarity_dimension3, word_map3,
-};
-pub use symmetry::symmetries;
-pub use transform::TransformError;
+pub use ifs::address::{Word, address_near};
+pub use ifs::contraction2::{Contraction, word_radius};
+pub use ifs::contraction3::Contraction3;
+pub use ifs::fractal_dimension2::{affinity_dimension, similarity_dimension};
+pub use ifs::fractal_dimension3::{BoxCount, affinity_dimension3, box_dimension, similarity_dimension3};
+pub use ifs::ifs2::Ifs;
+pub use ifs::ifs3::Ifs3;
+pub use ifs::symmetry::symmetries;
+pub use linear::affine2::Affine2;
+pub use linear::affine3::Affine3;
+pub use linear::polar2::Polar2;
+pub use linear::polar3::Polar3;
+pub use linear::transform::TransformError;
+pub use morph::along::along;
+pub use morph::correspondence::{Candidate, candidates};
+pub use morph::morph2::{Kind, Mode, Morph, MorphError, MorphOptions};
+pub use morph::morph3::{Morph3, Turn3};
+pub use morph::pairing::{Pairing, pair};
+pub use morph::route::{Route, RouteKind, routes};
+pub use sample::chaos_game2::ChaosGame;
+pub use sample::chaos_game3::ChaosGame3;
+pub use sample::cut2::{CutOutcome, adaptive_cut};
+pub use sample::cut3::{adaptive_cut3, word_map3};

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::affine3::Affine3;
+use crate::linear::affine3::Affine3;
 
 /// Bounds of an attractor in all directions, and points of it that lie far in them.
 ///
@@ -214,7 +214,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::space::testing::{any_ifs3, orbit3, round};
+    use crate::testing3::{any_ifs3, orbit3, round};
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(64))]

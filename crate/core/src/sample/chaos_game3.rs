@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::hash;
-use crate::space::ifs::Ifs3;
+use crate::ifs::ifs3::Ifs3;
 
 /// How many orbits run side by side, so that no step waits for the one before it.
 const LANES: usize = 8;
@@ -41,7 +41,7 @@ impl ChaosGame3 {
         let start = ifs.maps()[0].fixed_point().unwrap_or(DVec3::ZERO).as_vec3();
         let orbit = [start.x, start.y, start.z, 0.0];
         let mut game = Self {
-            table: crate::chaos::table(ifs.probabilities()),
+            table: crate::sample::chaos_game2::table(ifs.probabilities()),
             columns,
             state: State { orbits: [orbit; LANES], key: hash::pcg(seed), step: 0 },
             left: 0,
@@ -131,9 +131,9 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::affine3::Affine3;
-    use crate::space::bounds::Bounds3;
-    use crate::space::testing::any_ifs3;
+    use crate::bounds::bounds3::Bounds3;
+    use crate::linear::affine3::Affine3;
+    use crate::testing3::any_ifs3;
 
     fn run(ifs: &Ifs3, seed: u32, calls: &[usize]) -> (Vec<f32>, Vec<u8>) {
         let mut game = ChaosGame3::new(ifs, seed);

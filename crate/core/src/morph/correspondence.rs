@@ -4,11 +4,11 @@ use std::collections::{BTreeSet, BinaryHeap};
 
 use glam::DVec2;
 
-use crate::affine2::Affine2;
-use crate::hull::Hull;
-use crate::ifs::Ifs;
-use crate::morph::{Kind, Morph, MorphError, MorphOptions};
-use crate::pairing::assignment;
+use crate::bounds::hull2::Hull;
+use crate::ifs::ifs2::Ifs;
+use crate::linear::affine2::Affine2;
+use crate::morph::morph2::{Kind, Morph, MorphError, MorphOptions};
+use crate::morph::pairing::assignment;
 
 /// A way to match the maps of two systems, for [`MorphOptions`].
 #[derive(Clone, Debug, PartialEq)]

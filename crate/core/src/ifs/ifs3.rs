@@ -1,9 +1,9 @@
 //! Iterated function systems of space.
 
-use crate::affine3::Affine3;
 use crate::error::IfsError;
-use crate::space::contraction::Contraction3;
-use crate::transform::TransformError;
+use crate::ifs::contraction3::Contraction3;
+use crate::linear::affine3::Affine3;
+use crate::linear::transform::TransformError;
 
 /// An iterated function system (IFS) of space: 1 to 64 affine maps that have an attractor together, and the probability
 /// of each in the chaos game. See [`Ifs`](crate::Ifs), of which it is the twin.

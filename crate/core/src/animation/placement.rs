@@ -2,9 +2,9 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-use crate::affine3::Affine3;
-use crate::polar3::{Polar3, jacobi};
-use crate::transform::TransformError;
+use crate::linear::affine3::Affine3;
+use crate::linear::polar3::{Polar3, jacobi};
+use crate::linear::transform::TransformError;
 
 /// A place in space: stretched, then turned, then moved. It is what key frames hold, since a turn and a stretch between
 /// two places are known, whereas a matrix between two matrices may be flat.

@@ -6,10 +6,10 @@
 use glam::{DMat2, DMat3, DQuat, DVec2, DVec3, EulerRot};
 use thiserror::Error;
 
-use crate::affine2::{Affine2, singular_values};
-use crate::affine3::Affine3;
 use crate::error::IfsError;
-use crate::size3::singular_values3;
+use crate::linear::affine2::{Affine2, singular_values};
+use crate::linear::affine3::Affine3;
+use crate::linear::svd3::singular_values3;
 
 /// Why a shape cannot be moved as asked.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -251,13 +251,13 @@ impl Affine3 {
     /// The operator norm of the linear part: the largest factor by which a distance grows.
     #[must_use]
     pub fn norm(self) -> f64 {
-        crate::size3::norm3(self.linear)
+        crate::linear::svd3::norm3(self.linear)
     }
 
     /// The largest absolute value of an eigenvalue of the linear part.
     #[must_use]
     pub fn spectral_radius(self) -> f64 {
-        crate::size3::spectral_radius3(self.linear)
+        crate::linear::svd3::spectral_radius3(self.linear)
     }
 
     /// Whether the map scales all distances by one factor, to a relative `tolerance`.

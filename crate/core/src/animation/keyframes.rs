@@ -3,14 +3,14 @@
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::affine3::Affine3;
+use crate::animation::placement::Place3;
+use crate::animation::spline::{cubic, cubic_turn, straight};
 use crate::error::IfsError;
-use crate::morph::{MorphError, MorphOptions};
-use crate::space::ifs::Ifs3;
-use crate::space::morph::Morph3;
-use crate::space::place::Place3;
-use crate::space::spline::{cubic, cubic_turn, straight};
-use crate::transform::TransformError;
+use crate::ifs::ifs3::Ifs3;
+use crate::linear::affine3::Affine3;
+use crate::linear::transform::TransformError;
+use crate::morph::morph2::{MorphError, MorphOptions};
+use crate::morph::morph3::Morph3;
 
 /// How a value goes from one key to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

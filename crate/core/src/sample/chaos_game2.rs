@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::hash;
-use crate::ifs::Ifs;
+use crate::ifs::ifs2::Ifs;
 
 /// How many orbits run side by side, so that no step waits for the one before it.
 const LANES: usize = 8;
@@ -145,7 +145,7 @@ mod tests {
 
     use super::*;
     use crate::Hull;
-    use crate::affine2::Affine2;
+    use crate::linear::affine2::Affine2;
     use crate::testing::any_ifs;
 
     fn run(ifs: &Ifs, seed: u32, calls: &[usize]) -> (Vec<f32>, Vec<u8>) {

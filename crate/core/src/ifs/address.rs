@@ -5,9 +5,9 @@ use std::str::FromStr;
 
 use glam::DVec2;
 
-use crate::affine2::Affine2;
-use crate::hull::Hull;
-use crate::ifs::Ifs;
+use crate::bounds::hull2::Hull;
+use crate::ifs::ifs2::Ifs;
+use crate::linear::affine2::Affine2;
 
 /// A word `a1 a2 .. an` of maps: it stands for `w_a1 o w_a2 o .. o w_an`, so that the first letter names the
 /// largest piece. On screen letters count from 1 and are joined by dots.

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use crate::space::ifs::Ifs3;
+use crate::ifs::ifs3::Ifs3;
 
 /// The similarity dimension: the `s` with `r_1^s + .. + r_N^s = 1`, where `r_i` are the ratios of maps that are all
 /// similitudes (Hutchinson 1981). `None` where some map is not. See [`similarity_dimension`](crate::similarity_dimension).
@@ -118,8 +118,8 @@ mod tests {
     use glam::{DQuat, DVec3};
 
     use super::*;
-    use crate::affine3::Affine3;
-    use crate::space::chaos::ChaosGame3;
+    use crate::linear::affine3::Affine3;
+    use crate::sample::chaos_game3::ChaosGame3;
 
     fn shrunk(ratio: f64, corners: &[DVec3]) -> Ifs3 {
         let map = |&c: &DVec3| Affine3::similitude(ratio, DQuat::IDENTITY, c * (1.0 - ratio));

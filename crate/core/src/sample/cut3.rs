@@ -2,10 +2,10 @@
 
 use std::collections::VecDeque;
 
-use crate::address::Word;
-use crate::affine3::Affine3;
-use crate::cut::CutOutcome;
-use crate::space::ifs::Ifs3;
+use crate::ifs::address::Word;
+use crate::ifs::ifs3::Ifs3;
+use crate::linear::affine3::Affine3;
+use crate::sample::cut2::CutOutcome;
 
 /// The composed map of a word. `None` if a letter names no map.
 #[must_use]

@@ -2,10 +2,10 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::affine3::Affine3;
 use crate::error::{IfsError, MAX_MAPS};
 use crate::hash;
-use crate::size3::{norm3, spectral_radius3};
+use crate::linear::affine3::Affine3;
+use crate::linear::svd3::{norm3, spectral_radius3};
 
 /// A proof, up to rounding, that maps of space have an attractor: coordinates `y = to_round * x` and a finite set
 /// of blocks (words) in which all of them shrink distances by `factor` or less, and of which every endless word is

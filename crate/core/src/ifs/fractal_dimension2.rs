@@ -1,6 +1,6 @@
 //! Dimensions read off the maps.
 
-use crate::ifs::Ifs;
+use crate::ifs::ifs2::Ifs;
 
 /// The similarity dimension: the `s` with `r_1^s + .. + r_N^s = 1`, where `r_i` are the ratios of maps
 /// that are all similitudes (Hutchinson 1981). It is the Hausdorff dimension where the pieces do not
@@ -49,7 +49,7 @@ mod tests {
     use glam::DVec2;
 
     use super::*;
-    use crate::affine2::Affine2;
+    use crate::linear::affine2::Affine2;
 
     fn similitudes(ratios: &[f64]) -> Ifs {
         let maps = ratios.iter().map(|&r| Affine2::similitude(r, r, DVec2::new(r, 1.0))).collect();

@@ -1,10 +1,10 @@
 //! A shape, and what was done to it.
 
-use crate::affine2::Affine2;
-use crate::affine3::Affine3;
-use crate::ifs::Ifs;
-use crate::space::ifs::Ifs3;
-use crate::transform::TransformError;
+use crate::ifs::ifs2::Ifs;
+use crate::ifs::ifs3::Ifs3;
+use crate::linear::affine2::Affine2;
+use crate::linear::affine3::Affine3;
+use crate::linear::transform::TransformError;
 
 /// A system that is moved by moving its parameters.
 pub trait Conjugate: Clone {

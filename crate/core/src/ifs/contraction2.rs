@@ -4,8 +4,8 @@ use std::collections::VecDeque;
 
 use glam::{DMat2, DVec2};
 
-use crate::affine2::{Affine2, singular_values, spectral_radius};
 use crate::error::{IfsError, MAX_MAPS};
+use crate::linear::affine2::{Affine2, singular_values, spectral_radius};
 
 /// A proof, up to rounding, that maps have an attractor: coordinates `y = to_round * x` and a finite set
 /// of blocks (words) in which all of them shrink distances by `factor` or less, and of which every

@@ -2,12 +2,12 @@
 
 use glam::{DMat2, DVec2};
 
-use crate::affine2::Affine2;
-use crate::correspond::{Costs, Frame};
-use crate::hull::Hull;
-use crate::ifs::Ifs;
-use crate::pairing::{pair, refined};
-use crate::symmetry::symmetries;
+use crate::bounds::hull2::Hull;
+use crate::ifs::ifs2::Ifs;
+use crate::ifs::symmetry::symmetries;
+use crate::linear::affine2::Affine2;
+use crate::morph::correspondence::{Costs, Frame};
+use crate::morph::pairing::{pair, refined};
 
 /// What a [`Route`] does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -2,13 +2,13 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-use crate::affine3::Affine3;
-use crate::morph::{Kind, Mode, MorphError, MorphOptions};
-use crate::pairing::assignment;
-use crate::polar3::{Polar3, jacobi};
-use crate::size3::singular_values3;
-use crate::space::bounds::Bounds3;
-use crate::space::ifs::Ifs3;
+use crate::bounds::bounds3::Bounds3;
+use crate::ifs::ifs3::Ifs3;
+use crate::linear::affine3::Affine3;
+use crate::linear::polar3::{Polar3, jacobi};
+use crate::linear::svd3::singular_values3;
+use crate::morph::morph2::{Kind, Mode, MorphError, MorphOptions};
+use crate::morph::pairing::assignment;
 
 /// How a map turns on its way: from `start`, by `angle` radians about `axis`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -269,7 +269,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::space::testing::any_map3;
+    use crate::testing3::any_map3;
 
     fn options(mode: Mode) -> MorphOptions {
         MorphOptions { mode, ..MorphOptions::default() }

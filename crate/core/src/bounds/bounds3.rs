@@ -5,9 +5,9 @@ use std::collections::BinaryHeap;
 
 use glam::{DMat3, DVec3};
 
-use crate::affine3::Affine3;
-use crate::space::fan::Fan3;
-use crate::space::ifs::Ifs3;
+use crate::bounds::support_table3::Fan3;
+use crate::ifs::ifs3::Ifs3;
+use crate::linear::affine3::Affine3;
 
 /// A box and a ball that hold an attractor of space, each tight to about a hundredth of its size where the maps are not
 /// too many and not too slow.
@@ -60,7 +60,7 @@ impl Bounds3 {
         let origin = contraction.centre;
         // A ball that is nothing but rounding is a point.
         let extent = ifs.maps().iter().map(|map| map.translation.length()).fold(origin.length(), f64::max);
-        if unit <= 1e-14 * crate::size3::norm3(to) * extent {
+        if unit <= 1e-14 * crate::linear::svd3::norm3(to) * extent {
             return Self { min: origin, max: origin, centre: origin, radius: 0.0, diameter: 0.0 };
         }
         let round = |map: &Affine3| {
@@ -71,7 +71,7 @@ impl Bounds3 {
         fan.set(&maps, contraction.factor, effort.cells, effort.support);
         let shape = Shape { maps: &maps, fan: &fan, linear: from * unit, effort };
         // Rounding in the round coordinates, and of these coordinates themselves.
-        let slack = 1e-13 * (unit * crate::size3::norm3(from) + origin.abs().max_element());
+        let slack = 1e-13 * (unit * crate::linear::svd3::norm3(from) + origin.abs().max_element());
         let high = [DVec3::X, DVec3::Y, DVec3::Z].map(|d| shape.support(d) + slack);
         let low = [DVec3::X, DVec3::Y, DVec3::Z].map(|d| -shape.support(-d) - slack);
         let points: Vec<DVec3> = fan.points().iter().map(|&p| shape.linear * p).collect();
@@ -137,7 +137,7 @@ impl Shape<'_> {
             |map| {
                 let away = self.linear * map.translation - centre;
                 // Away from the centre the support says more than the ball, beside it the ball does.
-                let size = crate::size3::norm3(self.linear * map.linear) * held;
+                let size = crate::linear::svd3::norm3(self.linear * map.linear) * held;
                 let length = away.length();
                 let outward = map.linear.transpose()
                     * (self.linear.transpose() * (away / length.max(f64::MIN_POSITIVE)));
@@ -158,7 +158,7 @@ impl Shape<'_> {
         let whole = Affine3::IDENTITY;
         let mut heap = BinaryHeap::from([Open { bound: bound(&whole), map: whole }]);
         let mut best = found(&whole);
-        let near = self.effort.near * crate::size3::norm3(self.linear);
+        let near = self.effort.near * crate::linear::svd3::norm3(self.linear);
         for _ in 0..self.effort.budget / self.maps.len() {
             let Some(top) = heap.peek() else { break };
             if top.bound <= best + near {
@@ -195,7 +195,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::space::testing::{any_ifs3, orbit3};
+    use crate::testing3::{any_ifs3, orbit3};
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(48))]

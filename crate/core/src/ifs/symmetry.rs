@@ -2,9 +2,9 @@
 
 use glam::{DMat2, DVec2};
 
-use crate::affine2::Affine2;
-use crate::ifs::Ifs;
-use crate::polar2::orthogonal;
+use crate::ifs::ifs2::Ifs;
+use crate::linear::affine2::Affine2;
+use crate::linear::polar2::orthogonal;
 
 /// How far numbers of conjugate maps may differ, in proportion to the shape.
 const SAME: f64 = 1e-9;

@@ -1,0 +1,6 @@
+//! Places and parameters that change over time.
+
+pub(crate) mod keyframes;
+pub(crate) mod placement;
+pub(crate) mod pose;
+pub(crate) mod spline;

@@ -1,0 +1,6 @@
+//! Points of an attractor: at random, or one for each piece of a size.
+
+pub(crate) mod chaos_game2;
+pub(crate) mod chaos_game3;
+pub(crate) mod cut2;
+pub(crate) mod cut3;
