@@ -7,68 +7,10 @@ use crate::evidence::reason::{self, Points, Reason};
 use crate::frame::Frame;
 use crate::gap::search::Search;
 use crate::gap::span::Span;
-use crate::magnification::Lens;
+use crate::magnification::Magnification;
 use crate::overlap_graph::Components;
 use crate::support::table::Outline;
-
-/// What is known about whether an attractor is in one piece.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Verdict {
-    /// Proved to be in one piece.
-    Connected,
-    /// Proved to be in pieces.
-    Disconnected,
-    /// In one piece as far as the resolution tells: the pieces come within epsilon of each other.
-    Touching,
-    /// The budget was spent before an answer was found.
-    Undecided,
-}
-
-impl Verdict {
-    /// Its name in the programming interface.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Connected => "connected",
-            Self::Disconnected => "disconnected",
-            Self::Touching => "touching",
-            Self::Undecided => "undecided",
-        }
-    }
-
-    /// Whether the attractor is in one piece as far as is known.
-    #[must_use]
-    pub const fn holds(self) -> bool {
-        matches!(self, Self::Connected | Self::Touching)
-    }
-}
-
-/// How finely and how long to look.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
-    /// Pieces within this distance touch, relative to the diameter of the attractor. Below some 1e-14 it
-    /// is raised to what floating point can tell apart; NaN and negative numbers count as 0.
-    pub epsilon: f64,
-    /// The most pairs of pieces to look at, for the verdict and for the gap each.
-    pub budget: usize,
-}
-
-impl Default for Options {
-    /// What a picture of 600 pixels resolves.
-    fn default() -> Self {
-        Self { epsilon: 1.0 / 600.0, budget: 400_000 }
-    }
-}
-
-/// Bounds of a distance in plane units.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Gap {
-    /// It is at least this.
-    pub lower: f64,
-    /// It is at most this: two points of the attractor are as near, to rounding. Rounding is reckoned with but where the maps
-    /// stretch distances, so that they are computed in other coordinates.
-    pub upper: f64,
-}
+use crate::verdict::{Gap, Options, Verdict};
 
 /// The answer of [`connectedness`].
 #[derive(Clone, Debug, PartialEq)]
@@ -98,6 +40,25 @@ pub struct Connectedness {
     pub reason: Option<Reason>,
 }
 
+impl Connectedness {
+    /// What was found out about magnified maps, in the units of those that were given. A reason that takes numbers for
+    /// others is dropped: it is about the given numbers, not the magnified ones.
+    fn in_units_before(self, magnification: Magnification) -> Self {
+        let mut reason = self.reason.filter(Reason::is_proof);
+        for link in reason.iter_mut().flat_map(|reason| &mut reason.links) {
+            link.at = magnification.point(link.at);
+            link.corners.iter_mut().for_each(|corner| *corner = magnification.point(*corner));
+        }
+        Self {
+            gap: magnification.gap(self.gap),
+            closest: self.closest.map(|(p, q)| (magnification.point(p), magnification.point(q))),
+            diameter: magnification.up(self.diameter),
+            reason,
+            ..self
+        }
+    }
+}
+
 /// Decides whether the attractor of `ifs` is connected, which of its pieces meet, and how wide the widest
 /// gap is.
 ///
@@ -119,11 +80,11 @@ pub struct Connectedness {
 /// ```
 #[must_use]
 pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
-    if let Some(lens) = Lens::of(ifs.maps()) {
-        let maps = lens.magnify(ifs.maps());
+    if let Some(magnification) = Magnification::of(ifs.maps()) {
+        let maps = magnification.magnify(ifs.maps());
         // Size is no matter for it: those as given have one.
         if let Ok(contraction) = Contraction::find(&maps) {
-            return lens.connectedness(decided(&maps, &contraction, options));
+            return decided(&maps, &contraction, options).in_units_before(magnification);
         }
     }
     decided(ifs.maps(), ifs.contraction(), options)

@@ -10,57 +10,9 @@ use crate::gap::difference_set::{self, Differences, Translates};
 use crate::gap::greedy::Dive;
 use crate::gap::word_pairs::Words;
 use crate::gap::word_tree::Pieces;
-use crate::magnification::Lens;
+use crate::magnification::Magnification;
 use crate::support::table::Outline;
-use crate::verdict::Bounded;
-
-/// What is known of one parameter. The numbers are those of the state arrays of a locus.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[repr(u8)]
-pub enum State {
-    /// Proved to be in one piece.
-    Connected = 0,
-    /// In one piece as far as the resolution tells: the pieces come within epsilon of each other.
-    Touching = 1,
-    /// Proved to be in several pieces.
-    Disconnected = 2,
-    /// The budget was spent before an answer was found.
-    Undecided = 3,
-    /// The maps have no attractor.
-    NoAttractor = 4,
-}
-
-impl State {
-    /// Whether the attractor is in one piece as far as is known.
-    #[must_use]
-    pub const fn holds(self) -> bool {
-        matches!(self, Self::Connected | Self::Touching)
-    }
-
-    /// The state of this number, `None` above 4.
-    #[must_use]
-    pub const fn from_code(code: u8) -> Option<Self> {
-        match code {
-            0 => Some(Self::Connected),
-            1 => Some(Self::Touching),
-            2 => Some(Self::Disconnected),
-            3 => Some(Self::Undecided),
-            4 => Some(Self::NoAttractor),
-            _ => None,
-        }
-    }
-}
-
-/// The answer of [`decide`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
-    /// The verdict.
-    pub state: State,
-    /// The widest gap over the diameter of the attractor: 0 where it holds together. Mostly to 5 in 100, but
-    /// off by a factor of two or so in the rare case that its bounds close slowly. Where it is undecided, an
-    /// upper bound, or NaN if it is not even known whether there is an attractor; NaN where there is none.
-    pub gap: f32,
-}
+use crate::verdict::{Bounded, Sample, State};
 
 /// The memory that [`decide`] works in; keep one for many calls.
 #[derive(Clone, Debug, Default)]
@@ -151,8 +103,8 @@ struct Ask {
 
 impl Scratch {
     fn decide(&mut self, maps: &[Affine2], epsilon: f64, budget: usize, ask: Ask) -> Bounded {
-        if let Some(lens) = Lens::of(maps) {
-            return lens.bounded(self.decide(&lens.magnify(maps), epsilon, budget, ask));
+        if let Some(magnification) = Magnification::of(maps) {
+            return magnification.bounded(self.decide(&magnification.magnify(maps), epsilon, budget, ask));
         }
         let Ask { polygon, bounds } = ask;
         let Self { frame, outline, dive, pieces, differences, rift, .. } = self;

@@ -5,8 +5,9 @@ use std::ops::Range;
 use frond_core::Affine2;
 use thiserror::Error;
 
-use crate::decide::{Sample, Scratch, State, decide};
+use crate::decide::{Scratch, decide};
 use crate::family::Family;
+use crate::verdict::{Sample, State};
 
 /// A rectangle of the (u, v) plane.
 #[derive(Clone, Copy, Debug, PartialEq)]

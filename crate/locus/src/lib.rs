@@ -53,10 +53,11 @@ mod verdict;
 
 pub use classic::barnsley::{BarnsleyOptions, BarnsleyTest, Round, barnsley_test};
 pub use classic::index_buffer::{Choice, IndexBuffer, IndexBufferError, IndexBufferOptions};
-pub use connectedness::{Connectedness, Gap, Options, Verdict, connectedness};
-pub use decide::{Sample, Scratch, State, decide, decide_bounds, decide_polygon};
-pub use evidence::certificate::{Certificate, Separation, certificate};
-pub use evidence::reason::{Link, LinkKind, Reason, ReasonKind};
+pub use connectedness::{Connectedness, connectedness};
+pub use decide::{Scratch, decide, decide_bounds, decide_polygon};
+pub use evidence::certificate::{Certificate, certificate};
+pub use evidence::reason::{Link, LinkKind, Reason};
+pub use evidence::separate::Separation;
 pub use family::{Drift, Family, Polygons, Slice};
 pub use frond_core::along;
 pub use grid::{Bounds, GridError, Locus, LocusGrid, Pass, Tile};
@@ -72,4 +73,4 @@ pub use space::{
     Connectedness3, Reason3, Reason3Kind, Scratch3, Shared3, check_path3, connectedness3, decide3,
     find_path3, locus3,
 };
-pub use verdict::{Bounded, Ellipse};
+pub use verdict::{Bounded, Ellipse, Gap, Options, ReasonKind, Sample, State, Verdict};

@@ -1,38 +1,35 @@
-//! A closer look at shapes so small that the squares of lengths in them are no numbers.
+//! Magnification of shapes so small that the squares of lengths in them underflow.
 
 use frond_core::{Affine2, Affine3};
 use glam::{DVec2, DVec3};
 
-use crate::connectedness::{Connectedness, Gap};
-use crate::evidence::reason::Reason;
-use crate::space::{Connectedness3, Reason3};
-use crate::verdict::{Bounded, Ellipse};
+use crate::verdict::{Bounded, Ellipse, Gap};
 
-/// Below this the square of a gap, a small part of it, vanishes.
-const SMALL: f64 = 1e-100;
+/// Below this the square of a gap, which is a small part of it, underflows.
+const LEAST_SIZE: f64 = 1e-100;
 
-/// A magnification by a power of two: what is seen through it is the same, digit for digit.
+/// A magnification by a power of two, which changes no digit.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Lens {
+pub(crate) struct Magnification {
     /// The power is their product: it need not be a number itself.
     factors: [f64; 2],
 }
 
-impl Lens {
-    /// The one through which the longest translation is about 1; `None` where none is needed.
+impl Magnification {
+    /// The one that makes the longest translation about 1; `None` where none is needed.
     #[inline]
     pub fn of(maps: &[Affine2]) -> Option<Self> {
-        Self::to_see(maps.iter().map(|map| map.translation.abs().max_element()).fold(0.0, f64::max))
+        Self::for_size(maps.iter().map(|map| map.translation.abs().max_element()).fold(0.0, f64::max))
     }
 
     /// The same in space.
     pub fn of3(maps: &[Affine3]) -> Option<Self> {
-        Self::to_see(maps.iter().map(|map| map.translation.abs().max_element()).fold(0.0, f64::max))
+        Self::for_size(maps.iter().map(|map| map.translation.abs().max_element()).fold(0.0, f64::max))
     }
 
     #[inline]
-    fn to_see(most: f64) -> Option<Self> {
-        (0.0 < most && most < SMALL).then(|| {
+    fn for_size(most: f64) -> Option<Self> {
+        (0.0 < most && most < LEAST_SIZE).then(|| {
             let power = -most.log2().floor() as i32;
             Self { factors: [power / 2, power - power / 2].map(|power| 2.0_f64.powi(power)) }
         })
@@ -58,7 +55,7 @@ impl Lens {
     }
 
     /// The same, not below; above what is lost in the last digit there is.
-    fn up(self, x: f64) -> f64 {
+    pub fn up(self, x: f64) -> f64 {
         let small = self.small(x);
         if self.large(small) < x { small.next_up() } else { small }
     }
@@ -68,15 +65,15 @@ impl Lens {
         if self.large(small) > x { small.next_down() } else { small }
     }
 
-    fn gap(self, gap: Gap) -> Gap {
+    pub fn gap(self, gap: Gap) -> Gap {
         Gap { lower: self.down(gap.lower), upper: self.up(gap.upper) }
     }
 
-    fn point3(self, p: DVec3) -> DVec3 {
+    pub fn point3(self, p: DVec3) -> DVec3 {
         DVec3::from_array(p.to_array().map(|x| self.small(x)))
     }
 
-    fn point(self, p: DVec2) -> DVec2 {
+    pub fn point(self, p: DVec2) -> DVec2 {
         DVec2::new(self.small(p.x), self.small(p.y))
     }
 
@@ -98,36 +95,5 @@ impl Lens {
         });
         let ellipse = ellipse.filter(|ellipse| ellipse.to_round.is_finite());
         Bounded { lower, diameter, ellipse, ..seen }
-    }
-
-    /// The same for the full answer. A reason that takes numbers for others is about those that were given, not these.
-    pub fn connectedness(self, seen: Connectedness) -> Connectedness {
-        let mut reason = seen.reason.filter(Reason::is_proof);
-        for link in reason.iter_mut().flat_map(|reason| &mut reason.links) {
-            link.at = self.point(link.at);
-            link.corners.iter_mut().for_each(|corner| *corner = self.point(*corner));
-        }
-        Connectedness {
-            gap: self.gap(seen.gap),
-            closest: seen.closest.map(|(p, q)| (self.point(p), self.point(q))),
-            diameter: self.up(seen.diameter),
-            reason,
-            ..seen
-        }
-    }
-
-    /// The same in space.
-    pub fn connectedness3(self, seen: Connectedness3) -> Connectedness3 {
-        let mut reason = seen.reason.filter(Reason3::is_proof);
-        for shared in reason.iter_mut().flat_map(|reason| &mut reason.points) {
-            shared.at = self.point3(shared.at);
-        }
-        Connectedness3 {
-            gap: self.gap(seen.gap),
-            closest: seen.closest.map(|(p, q)| (self.point3(p), self.point3(q))),
-            diameter: self.up(seen.diameter),
-            reason,
-            ..seen
-        }
     }
 }

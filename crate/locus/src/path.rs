@@ -5,6 +5,7 @@ pub(crate) mod distance_transform;
 pub(crate) mod field;
 pub(crate) mod plan;
 pub(crate) mod rate;
+pub(crate) mod repair;
 pub(crate) mod search;
 pub(crate) mod simplify;
 pub(crate) mod volume;

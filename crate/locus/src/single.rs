@@ -9,8 +9,8 @@ use frond_core::{Affine2, Morph};
 use glam::{DMat2, DVec2};
 use thiserror::Error;
 
-use crate::decide::{Sample, State};
 use crate::grid::LocusGrid;
+use crate::verdict::{Sample, State};
 
 /// Why a locus is not one for single precision.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]

@@ -1,8 +1,113 @@
-//! What is known of one parameter, with bounds that are proved.
+//! What is asked about an attractor, and the words of the answers.
 
 use glam::{DMat2, DVec2};
 
-use crate::decide::{Sample, State};
+/// What is known about whether an attractor is in one piece.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Verdict {
+    /// Proved to be in one piece.
+    Connected,
+    /// Proved to be in pieces.
+    Disconnected,
+    /// In one piece as far as the resolution tells: the pieces come within epsilon of each other.
+    Touching,
+    /// The budget was spent before an answer was found.
+    Undecided,
+}
+
+impl Verdict {
+    /// Its name in the programming interface.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Connected => "connected",
+            Self::Disconnected => "disconnected",
+            Self::Touching => "touching",
+            Self::Undecided => "undecided",
+        }
+    }
+
+    /// Whether the attractor is in one piece as far as is known.
+    #[must_use]
+    pub const fn holds(self) -> bool {
+        matches!(self, Self::Connected | Self::Touching)
+    }
+}
+
+/// How finely and how long to look.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Pieces within this distance touch, relative to the diameter of the attractor. Below some 1e-14 it
+    /// is raised to what floating point can tell apart; NaN and negative numbers count as 0.
+    pub epsilon: f64,
+    /// The most pairs of pieces to look at, for the verdict and for the gap each.
+    pub budget: usize,
+}
+
+impl Default for Options {
+    /// What a picture of 600 pixels resolves.
+    fn default() -> Self {
+        Self { epsilon: 1.0 / 600.0, budget: 400_000 }
+    }
+}
+
+/// Bounds of a distance in plane units.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Gap {
+    /// It is at least this.
+    pub lower: f64,
+    /// It is at most this: two points of the attractor are as near, to rounding. Rounding is reckoned with but where the maps
+    /// stretch distances, so that they are computed in other coordinates.
+    pub upper: f64,
+}
+
+/// What is known of one parameter. The numbers are those of the state arrays of a locus.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(u8)]
+pub enum State {
+    /// Proved to be in one piece.
+    Connected = 0,
+    /// In one piece as far as the resolution tells: the pieces come within epsilon of each other.
+    Touching = 1,
+    /// Proved to be in several pieces.
+    Disconnected = 2,
+    /// The budget was spent before an answer was found.
+    Undecided = 3,
+    /// The maps have no attractor.
+    NoAttractor = 4,
+}
+
+impl State {
+    /// Whether the attractor is in one piece as far as is known.
+    #[must_use]
+    pub const fn holds(self) -> bool {
+        matches!(self, Self::Connected | Self::Touching)
+    }
+
+    /// The state of this number, `None` above 4.
+    #[must_use]
+    pub const fn from_code(code: u8) -> Option<Self> {
+        match code {
+            0 => Some(Self::Connected),
+            1 => Some(Self::Touching),
+            2 => Some(Self::Disconnected),
+            3 => Some(Self::Undecided),
+            4 => Some(Self::NoAttractor),
+            _ => None,
+        }
+    }
+}
+
+/// The answer of [`decide`](crate::decide()).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// The verdict.
+    pub state: State,
+    /// The widest gap over the diameter of the attractor: 0 where it holds together. Mostly to 5 in 100, but
+    /// off by a factor of two or so in the rare case that its bounds close slowly. Where it is undecided, an
+    /// upper bound, or NaN if it is not even known whether there is an attractor; NaN where there is none.
+    pub gap: f32,
+}
 
 /// An ellipse that holds the attractor, and whose shape the maps shrink.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,5 +151,40 @@ impl Bounded {
     pub(crate) const fn unknown(state: State) -> Self {
         let sample = Sample { state, gap: f32::NAN };
         Self { sample, lower: 0.0, upper: f64::INFINITY, diameter: f64::NAN, ellipse: None }
+    }
+}
+
+/// The kinds of reasons.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum ReasonKind {
+    /// There is one map.
+    OneMap,
+    /// All maps are the same.
+    EqualMaps,
+    /// All maps leave one point where it is: it is the attractor.
+    CommonPoint,
+    /// Two maps whose determinants leave no room between the pieces; or several such pairs.
+    Area,
+    /// Enough pairs of pieces have a point in common.
+    SharedPoints,
+    /// Enough pairs of pieces must cross.
+    Crossings,
+    /// Enough pairs of pieces have points in common, infinitely many, and lie to each other in finitely many ways.
+    Neighbours,
+}
+
+impl ReasonKind {
+    /// Its name in the programming interface.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::OneMap => "one-map",
+            Self::EqualMaps => "equal-maps",
+            Self::CommonPoint => "common-point",
+            Self::Area => "area",
+            Self::SharedPoints => "shared-points",
+            Self::Crossings => "crossings",
+            Self::Neighbours => "neighbours",
+        }
     }
 }

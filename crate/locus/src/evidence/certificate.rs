@@ -3,13 +3,13 @@
 use frond_core::{Affine2, Ifs};
 use glam::DVec2;
 
-use crate::connectedness::Options;
-use crate::evidence::separate::Descent;
+use crate::evidence::separate::{Descent, Separation};
 use crate::frame::Frame;
 use crate::gap::search::Search;
 use crate::overlap_graph::Components;
 use crate::support::table::Outline;
 use crate::support::trapping_polygon::Enclosure;
+use crate::verdict::Options;
 
 /// A proof that an attractor is in several pieces, which can be checked without searching.
 ///
@@ -38,17 +38,6 @@ pub struct Certificate {
     pub side: Vec<u8>,
     /// Pieces that are apart.
     pub pairs: Vec<Separation>,
-}
-
-/// Two pieces that are apart, and a direction that shows it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Separation {
-    /// The word of a piece on side 0; letters from 0, the largest piece first.
-    pub u: Vec<u8>,
-    /// The word of a piece on side 1.
-    pub v: Vec<u8>,
-    /// Along this direction all of the first comes before all of the second. Not of unit length.
-    pub normal: DVec2,
 }
 
 /// A certificate that the attractor is disconnected, or `None` if that is not proved: it takes the verdict

@@ -14,41 +14,7 @@ use crate::frame::Frame;
 use crate::overlap_graph::OverlapGraph;
 use crate::region::trap::crossings_beside;
 use crate::support::table::Outline;
-
-/// The kinds of reasons.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum ReasonKind {
-    /// There is one map.
-    OneMap,
-    /// All maps are the same.
-    EqualMaps,
-    /// All maps leave one point where it is: it is the attractor.
-    CommonPoint,
-    /// Two maps whose determinants leave no room between the pieces; or several such pairs.
-    Area,
-    /// Enough pairs of pieces have a point in common.
-    SharedPoints,
-    /// Enough pairs of pieces must cross.
-    Crossings,
-    /// Enough pairs of pieces have points in common, infinitely many, and lie to each other in finitely many ways.
-    Neighbours,
-}
-
-impl ReasonKind {
-    /// Its name in the programming interface.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::OneMap => "one-map",
-            Self::EqualMaps => "equal-maps",
-            Self::CommonPoint => "common-point",
-            Self::Area => "area",
-            Self::SharedPoints => "shared-points",
-            Self::Crossings => "crossings",
-            Self::Neighbours => "neighbours",
-        }
-    }
-}
+use crate::verdict::ReasonKind;
 
 /// What holds two pieces together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

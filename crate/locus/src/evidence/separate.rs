@@ -3,9 +3,19 @@
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
-use crate::evidence::certificate::Separation;
 use crate::frame::Frame;
 use crate::support::trapping_polygon::Enclosure;
+
+/// Two pieces that are apart, and a direction that shows it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Separation {
+    /// The word of a piece on side 0; letters from 0, the largest piece first.
+    pub u: Vec<u8>,
+    /// The word of a piece on side 1.
+    pub v: Vec<u8>,
+    /// Along this direction all of the first comes before all of the second. Not of unit length.
+    pub normal: DVec2,
+}
 
 /// A descent on pairs of words whose pieces are bounded by images of a polygon.
 pub(crate) struct Descent<'a> {

@@ -3,8 +3,8 @@
 use frond_core::Affine2;
 use glam::DVec2;
 
-use crate::evidence::reason::ReasonKind;
 use crate::exact::expansion::{sign_of_sum, two_product};
+use crate::verdict::ReasonKind;
 
 /// The proofs that cost next to nothing: there is one map, or all maps are the same, or all of them fix the
 /// origin (so that it is the attractor), or the areas of two maps leave no room between the pieces.

@@ -1,39 +1,28 @@
 //! Along a path: where it is, and where it breaks.
 
-use frond_core::{Affine2, Affine3, Morph, Morph3, along};
+use frond_core::{Affine2, Morph, along};
 use glam::DVec3;
 
-use crate::decide::{Sample, Scratch, decide};
+use crate::decide::{Scratch, decide};
 use crate::grid::LocusGrid;
 use crate::path::field::{WALL, gap_of};
-use crate::space::{Scratch3, decide3};
+use crate::verdict::Sample;
 
 /// A family of systems over (u, v, w), of the plane or of space.
 pub(crate) trait Parameters {
-    /// Decides one parameter.
-    fn sample(&self, at: DVec3, epsilon: f64, probe: &mut Probe) -> Sample;
-}
+    /// What samples are decided in.
+    type Memory: Default;
 
-/// The memory that samples are decided in.
-#[derive(Default)]
-pub(crate) struct Probe {
-    plane: (Scratch, Vec<Affine2>),
-    space: (Scratch3, Vec<Affine3>),
+    /// Decides one parameter.
+    fn sample(&self, at: DVec3, epsilon: f64, memory: &mut Self::Memory) -> Sample;
 }
 
 impl Parameters for Morph {
-    fn sample(&self, at: DVec3, epsilon: f64, probe: &mut Probe) -> Sample {
-        let (scratch, maps) = &mut probe.plane;
+    type Memory = (Scratch, Vec<Affine2>);
+
+    fn sample(&self, at: DVec3, epsilon: f64, (scratch, maps): &mut Self::Memory) -> Sample {
         self.fill3(at.x, at.y, at.z, maps);
         decide(maps, epsilon, LocusGrid::budget(maps.len()), scratch)
-    }
-}
-
-impl Parameters for Morph3 {
-    fn sample(&self, at: DVec3, epsilon: f64, probe: &mut Probe) -> Sample {
-        let (scratch, maps) = &mut probe.space;
-        self.fill3(at.x, at.y, at.z, maps);
-        decide3(maps, epsilon, LocusGrid::budget(maps.len()), scratch)
     }
 }
 
@@ -58,8 +47,8 @@ pub fn check_path(morph: &Morph, points: &[DVec3], epsilon: f64, samples: usize)
 }
 
 /// [`check_path`], which also tells each broken sample.
-pub(crate) fn judge(
-    morph: &impl Parameters,
+pub(crate) fn judge<P: Parameters>(
+    morph: &P,
     points: &[DVec3],
     epsilon: f64,
     samples: usize,
@@ -71,12 +60,12 @@ pub(crate) fn judge(
     }
     let samples = samples.max(2);
     let half = 0.5 / (samples - 1) as f64;
-    let mut probe = Probe::default();
+    let mut memory = P::Memory::default();
     let mut was_broken = false;
     for k in 0..samples {
         let t = k as f64 / (samples - 1) as f64;
         let at = along(points, t);
-        let gap = gap_of(morph.sample(at, epsilon, &mut probe), epsilon);
+        let gap = gap_of(morph.sample(at, epsilon, &mut memory), epsilon);
         let broken = gap > 0.0;
         if broken {
             let gap = if gap >= WALL { f64::INFINITY } else { gap };

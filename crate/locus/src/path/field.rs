@@ -5,8 +5,8 @@ use std::collections::BinaryHeap;
 
 use glam::DVec3;
 
-use crate::decide::{Sample, State};
 use crate::path::distance_transform::distances;
+use crate::verdict::{Sample, State};
 
 /// What counts as the gap of a parameter without an attractor: more than any real one, which is below 1.
 pub(crate) const WALL: f64 = 10.0;

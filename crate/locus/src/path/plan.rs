@@ -148,8 +148,8 @@ pub(crate) fn clearance(field: &Field, points: &[DVec3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::decide::{Sample, State};
     use crate::grid::LocusGrid;
+    use crate::verdict::{Sample, State};
 
     /// A locus drawn by hand: `#` holds, a digit is a gap of so many tenths, `x` has no attractor. Row 0 of
     /// the picture is on top.

@@ -6,7 +6,7 @@ use frond_core::Morph;
 
 use crate::grid::{Bounds, Locus, LocusGrid};
 use crate::path::plan::{PathError, PathPlan, field_of};
-use crate::path::search::improve;
+use crate::path::repair::improve;
 
 /// How closely to look at a matching.
 #[derive(Clone, Copy, Debug, PartialEq)]

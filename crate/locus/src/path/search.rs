@@ -5,10 +5,9 @@ use frond_core::{Mode, Morph};
 use crate::decide::Scratch;
 use crate::family::Slice;
 use crate::grid::{Bounds, GridError, Locus, LocusGrid};
-use crate::path::check::{Parameters, PathCheck, judge};
-use crate::path::field::Field;
-use crate::path::plan::{PathError, PathPlan, ROOMY, clearance, field_of, plan_in};
-use crate::path::volume::Hunt;
+use crate::path::plan::{PathError, PathPlan, field_of};
+use crate::path::repair::{CHECKS, REPAIRS, improve};
+use crate::path::volume::VolumeSearch;
 
 /// Which parameters a path may take.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -58,7 +57,7 @@ pub struct PathSearch {
     options: PathOptions,
     /// The path in the plane, where there is a third parameter to go on with.
     plane: Option<PathPlan>,
-    hunt: Hunt,
+    volume: VolumeSearch,
 }
 
 /// Parameters decided in one part.
@@ -68,7 +67,7 @@ impl PathSearch {
     /// Nothing is looked for yet.
     #[must_use]
     pub fn new(morph: Morph, options: PathOptions) -> Self {
-        Self { morph, options, plane: None, hunt: Hunt::new() }
+        Self { morph, options, plane: None, volume: VolumeSearch::new() }
     }
 
     /// Does the next part. The plan comes with the last; what follows is without meaning.
@@ -89,7 +88,7 @@ impl PathSearch {
             self.plane = Some(plane);
             return Ok(None);
         };
-        let found = self.hunt.step(morph, options, DECISIONS);
+        let found = self.volume.step(morph, options.epsilon, DECISIONS);
         Ok(found.map(|space| if space.gap < plane.gap { space } else { plane.clone() }))
     }
 }
@@ -132,84 +131,6 @@ fn sampled(morph: &Morph, grid: &LocusGrid, epsilon: f64, boxes: bool) -> Result
     let tile = grid.patch(&plane, epsilon, 0..width, 0..height, &mut Scratch::default());
     Locus::from_parts(*grid, tile.state, tile.gap)
 }
-
-/// What came of planning in one field.
-pub(crate) struct Tried {
-    /// The best plan, judged between the samples.
-    pub plan: PathPlan,
-    /// Whether the samples themselves have no better way: then a finer locus seldom has.
-    pub final_word: bool,
-    /// The cells that were found broken.
-    pub marked: Vec<usize>,
-}
-
-/// Plans, judges between the samples, keeps off where it is broken there, and plans again.
-pub(crate) fn improve(
-    morph: &impl Parameters,
-    field: &mut Field,
-    epsilon: f64,
-    checks: usize,
-    repairs: usize,
-) -> Tried {
-    let mut best: Option<PathPlan> = None;
-    let mut least = None;
-    let mut marked = Vec::new();
-    let mut final_word = false;
-    for _ in 0..repairs.max(1) {
-        let planned = plan_in(field);
-        let (at_first, apart) = *least.get_or_insert((planned.gap, planned.apart));
-        let mut broken = Vec::new();
-        let checked = judge(morph, &planned.points, epsilon, checks, |at| broken.push(at));
-        let gap = checked.gap;
-        final_word = checked.holds || gap <= 1.2 * at_first;
-        let too_wide = planned.gap > at_first;
-        if best.as_ref().is_none_or(|best| gap < best.gap) {
-            let PathCheck { holds, worst, .. } = checked;
-            best = Some(PathPlan { gap, holds, worst, apart, ..planned });
-        }
-        if checked.holds {
-            best = best.map(|best| straightened(morph, field, best, epsilon));
-        }
-        if final_word || too_wide {
-            break;
-        }
-        // Broken between samples that hold: keep off, and look for another way.
-        let mut cells: Vec<usize> = broken.iter().filter_map(|&at| field.culprit(at)).collect();
-        cells.sort_unstable();
-        cells.dedup();
-        field.mark(&cells, gap);
-        marked.append(&mut cells);
-    }
-    // The loop ran at least once.
-    let plan = best.unwrap_or_else(|| plan_in(field));
-    Tried { plan, final_word, marked }
-}
-
-/// A plan that holds, without the corners that it can do without: the legs instead of them are decided themselves, which
-/// tells more than the samples around them.
-fn straightened(morph: &impl Parameters, field: &Field, mut plan: PathPlan, epsilon: f64) -> PathPlan {
-    let mut k = 1;
-    while k + 1 < plan.points.len() {
-        let leg = [plan.points[k - 1], plan.points[k + 1]];
-        let samples = (LEG_CHECKS * leg[0].distance(leg[1]) / field.step()).ceil().min(1e4) as usize;
-        let shortcut = clearance(field, &leg) >= ROOMY * plan.clearance
-            && judge(morph, &leg, epsilon, samples, |_| ()).holds;
-        if shortcut {
-            plan.points.remove(k);
-        } else {
-            k += 1;
-        }
-    }
-    plan.clearance = clearance(field, &plan.points);
-    plan
-}
-
-/// Parameters decided on a leg for each sample that it passes.
-const LEG_CHECKS: f64 = 16.0;
-/// Parameters decided along a plan, at least.
-pub(crate) const CHECKS: usize = 2048;
-/// How often a plan is mended before a finer locus is taken.
-pub(crate) const REPAIRS: usize = 8;
 
 #[cfg(test)]
 mod tests {

@@ -10,7 +10,7 @@ use crate::decide::{Scratch, decide};
 use crate::grid::LocusGrid;
 use crate::path::field::{Field, Lattice, UNSEEN, gap_of};
 use crate::path::plan::{ENDS, PathPlan};
-use crate::path::search::{CHECKS, PathOptions, improve};
+use crate::path::repair::{CHECKS, improve};
 
 /// The steps to the unit of the lattices that are looked through, one after the other.
 const STEPS: [usize; 2] = [8, 16];
@@ -24,7 +24,7 @@ const AROUND: f64 = 3.0;
 /// Looks for a path from the first shape to the last through (u, v, w), w in [-1, 1]: that of least widest gap over a
 /// coarse lattice, looked at again in a finer tube around it, and checked between the samples of that. A part at a time.
 #[derive(Clone, Debug)]
-pub(crate) struct Hunt {
+pub(crate) struct VolumeSearch {
     /// The lattices that are still to be looked through.
     steps: std::slice::Iter<'static, usize>,
     space: Option<Space>,
@@ -34,20 +34,15 @@ pub(crate) struct Hunt {
     best: Option<PathPlan>,
 }
 
-impl Hunt {
+impl VolumeSearch {
     pub(crate) fn new() -> Self {
         Self { steps: STEPS.iter(), space: None, ways: 0, apart: false, best: None }
     }
 
     /// Decides so many parameters of a lattice, or looks closely at the way that was found in it. The plan, once it is
     /// known.
-    pub(crate) fn step(
-        &mut self,
-        morph: &Morph,
-        options: &PathOptions,
-        decisions: usize,
-    ) -> Option<PathPlan> {
-        let Some(mut space) = self.space.take().or_else(|| self.next_space(morph, options)) else {
+    pub(crate) fn step(&mut self, morph: &Morph, epsilon: f64, decisions: usize) -> Option<PathPlan> {
+        let Some(mut space) = self.space.take().or_else(|| self.next_space(morph, epsilon)) else {
             return Some(self.best.take().unwrap_or_else(straight));
         };
         let Some((gap, way)) = space.search(decisions) else {
@@ -60,7 +55,7 @@ impl Hunt {
         self.ways += 1;
         let mut field = space.tube(&way);
         let checks = CHECKS.max(64 * space.steps);
-        let mut tried = improve(morph, &mut field, options.epsilon, checks, 4);
+        let mut tried = improve(morph, &mut field, epsilon, checks, 4);
         tried.plan.apart = self.apart && !tried.plan.holds;
         tried.plan.step = 1.0 / space.steps as f64;
         let parameter = |cell| field.lattice.parameter(field.lattice.place(cell));
@@ -78,14 +73,14 @@ impl Hunt {
     }
 
     /// The next lattice, unless there is a path that holds, or the last was.
-    fn next_space(&mut self, morph: &Morph, options: &PathOptions) -> Option<Space> {
+    fn next_space(&mut self, morph: &Morph, epsilon: f64) -> Option<Space> {
         // The decisions for many maps take long.
         let enough = |best: &PathPlan| best.holds || morph.len() > MANY;
         if self.best.as_ref().is_some_and(enough) {
             return None;
         }
         self.ways = 0;
-        self.steps.next().map(|&steps| Space::new(morph.clone(), options.epsilon, steps))
+        self.steps.next().map(|&steps| Space::new(morph.clone(), epsilon, steps))
     }
 }
 

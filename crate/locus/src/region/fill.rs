@@ -15,12 +15,13 @@ use std::ops::Range;
 use frond_core::Affine2;
 use glam::DVec2;
 
-use crate::decide::{Sample, Scratch, State, decide};
+use crate::decide::{Scratch, decide};
 use crate::family::Family;
 use crate::grid::{LocusGrid, Tile};
 use crate::region::derivative_bounds::{Extent, never_contracts};
 use crate::region::descent::Descent;
 use crate::region::trap::Effort;
+use crate::verdict::{Sample, State};
 
 impl LocusGrid {
     /// Decides a rectangle of samples, adaptively: the tile holds one row for each of the rows `y`, from the bottom, with

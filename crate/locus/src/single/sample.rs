@@ -4,7 +4,7 @@ use super::SingleMap;
 use super::descent::{Descent, End, MAX_MAPS, Pair};
 use super::support::{Fan, Map};
 use super::system::{System, fixed_point};
-use crate::decide::{Sample, State};
+use crate::verdict::{Sample, State};
 
 /// Rounds of lowering the support values at most.
 const ROUNDS: usize = 48;

@@ -3,12 +3,12 @@
 use frond_core::{Affine3, Contraction3, Fan3, Ifs3};
 use glam::DVec3;
 
-use crate::connectedness::{Gap, Options, Verdict};
-use crate::magnification::Lens;
+use crate::magnification::Magnification;
 use crate::overlap_graph::OverlapGraph;
 use crate::space::bracket::Closest;
 use crate::space::frame::Frame3;
 use crate::space::reason::{self, Reason3};
+use crate::verdict::{Gap, Options, Verdict};
 
 /// The answer of [`connectedness3`]: what [`Connectedness`](crate::Connectedness) is in the plane.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,6 +37,23 @@ pub struct Connectedness3 {
     pub reason: Option<Reason3>,
 }
 
+impl Connectedness3 {
+    /// As in the plane.
+    fn in_units_before(self, magnification: Magnification) -> Self {
+        let mut reason = self.reason.filter(Reason3::is_proof);
+        for shared in reason.iter_mut().flat_map(|reason| &mut reason.points) {
+            shared.at = magnification.point3(shared.at);
+        }
+        Self {
+            gap: magnification.gap(self.gap),
+            closest: self.closest.map(|(p, q)| (magnification.point3(p), magnification.point3(q))),
+            diameter: magnification.up(self.diameter),
+            reason,
+            ..self
+        }
+    }
+}
+
 /// Cells along an edge of the cube of directions.
 const CELLS: usize = 8;
 /// How near the bounds of a gap come.
@@ -61,11 +78,11 @@ const WITHIN: f64 = 0.01;
 /// ```
 #[must_use]
 pub fn connectedness3(ifs: &Ifs3, options: &Options) -> Connectedness3 {
-    if let Some(lens) = Lens::of3(ifs.maps()) {
-        let maps = lens.magnify3(ifs.maps());
+    if let Some(magnification) = Magnification::of3(ifs.maps()) {
+        let maps = magnification.magnify3(ifs.maps());
         // Size is no matter for it: those as given have one.
         if let Ok(contraction) = Contraction3::find(&maps) {
-            return lens.connectedness3(decided(&maps, &contraction, options));
+            return decided(&maps, &contraction, options).in_units_before(magnification);
         }
     }
     decided(ifs.maps(), ifs.contraction(), options)

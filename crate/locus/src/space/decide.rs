@@ -2,10 +2,10 @@
 
 use frond_core::{Affine3, Fan3, IfsError};
 
-use crate::decide::{Sample, State};
-use crate::magnification::Lens;
+use crate::magnification::Magnification;
 use crate::space::bracket::Closest;
 use crate::space::frame::Frame3;
+use crate::verdict::{Sample, State};
 
 /// The memory that [`decide3`] works in; keep one for many calls.
 #[derive(Clone, Debug, Default)]
@@ -29,8 +29,8 @@ const FULL: f64 = 1.0 + 1e-12;
 /// plenty for a few maps). `Disconnected` is proved, rounding reckoned with; `Connected` only where the volumes of two maps
 /// leave no room between their pieces. The answer depends on the arguments alone.
 pub fn decide3(maps: &[Affine3], epsilon: f64, budget: usize, scratch: &mut Scratch3) -> Sample {
-    if let Some(lens) = Lens::of3(maps) {
-        return decide3(&lens.magnify3(maps), epsilon, budget, scratch);
+    if let Some(magnification) = Magnification::of3(maps) {
+        return decide3(&magnification.magnify3(maps), epsilon, budget, scratch);
     }
     let Scratch3 { frame, fan, closest } = scratch;
     match frame.set(maps) {

@@ -1,13 +1,24 @@
 //! The locus of a morph in space, and the way through it.
 
-use frond_core::Morph3;
+use frond_core::{Affine3, Morph3};
 use glam::DVec3;
 
 use crate::grid::{Bounds, GridError, Locus, LocusGrid};
-use crate::path::check::{PathCheck, judge};
+use crate::path::check::{Parameters, PathCheck, judge};
 use crate::path::plan::{PathError, PathPlan, field_of};
-use crate::path::search::{CHECKS, PathOptions, REPAIRS, improve};
+use crate::path::repair::{CHECKS, REPAIRS, improve};
+use crate::path::search::PathOptions;
 use crate::space::decide::{Scratch3, decide3};
+use crate::verdict::Sample;
+
+impl Parameters for Morph3 {
+    type Memory = (Scratch3, Vec<Affine3>);
+
+    fn sample(&self, at: DVec3, epsilon: f64, (scratch, maps): &mut Self::Memory) -> Sample {
+        self.fill3(at.x, at.y, at.z, maps);
+        decide3(maps, epsilon, LocusGrid::budget(maps.len()), scratch)
+    }
+}
 
 /// Samples the connectedness locus of a morph in space over a rectangle of (u, v), as [`LocusGrid::locus`] does in the plane.
 /// `epsilon` is relative to the diameter of the attractor.
