@@ -13,6 +13,7 @@ import { link } from "./shell/actions";
 import { installHook } from "./shell/hook";
 import { readParameters } from "./shell/parameters";
 import { reportTrouble, showFailure } from "./shell/trouble";
+import { notify, wordsOf } from "./state/notice";
 
 reportTrouble();
 
@@ -33,7 +34,14 @@ async function begin(root: HTMLElement): Promise<void> {
   root.textContent = "";
   render(h(App, { backend: parameters.backend }), root);
   await whenFirstPicture();
-  startEngine({ page, proof: await proof }, { workers: parameters.workers });
+  startEngine(
+    { page, proof: await proof },
+    { workers: parameters.workers },
+    {
+      inline: () => notify({ kind: "info", text: "Running without workers: everything works, but slower." }),
+      failed: (problem) => notify({ kind: "error", text: wordsOf(problem) }),
+    },
+  );
   startSchedules({ card: parameters.card });
   fetchAhead();
 }

@@ -1,16 +1,17 @@
 /** The film of a closed curve's morph: small pictures at even times, made one after another while there is nothing else to do. */
 import { effect, untracked } from "@preact/signals";
 import { STATE } from "#engine/breaks";
-import type { Frame } from "#engine/results";
+import { type Frame, publish } from "#engine/results";
 import { FRAME_HEIGHT, FRAME_WIDTH, FRAMES } from "#engine/schedule/strip";
 import { boxAt } from "#state/camera";
-import { curveMorph, film } from "#state/curve";
+import { curveMorph } from "#state/curve";
 import { pathTrack } from "#state/fit";
 import { toldOf } from "#state/words";
 import { curveThumb } from "./curve-thumb";
 import { stageStyle } from "./look";
 
 const SETTLE_MS = 90;
+const film = publish.curveFilm;
 
 /** Keeps the film up to date. Returns the end of it. */
 export function watchFilm(): () => void {

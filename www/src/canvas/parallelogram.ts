@@ -1,5 +1,5 @@
 import type { MapRow } from "#engine/api";
-import type { Box } from "#state/fit";
+import type { Box } from "#state/camera";
 import { type World, world } from "./geometry";
 
 /** The parts of a parallelogram that can be taken hold of. */

@@ -1,8 +1,10 @@
 /** The locus on the graphics card, where there is one that is faster than the workers. */
 import { createLocusCompute, type LocusCompute, timeLocus } from "../../pkg/renderer.js";
 import type { Locus, LocusOptions, MapRow } from "./api";
-import { toError } from "./protocol";
+import { toError } from "./error";
 import { lacksWebGpu } from "./webgpu";
+
+export type { LocusCompute };
 
 export interface Ends {
   from: MapRow[];

@@ -1,11 +1,9 @@
-import { signal } from "@preact/signals";
-import { notify, wordsOf } from "#state/notice";
+import { type ReadonlySignal, signal } from "@preact/signals";
 import { executor } from "./execute";
 import { Inline } from "./inline";
 import { Pool, type WorkerLike } from "./pool";
 import { loadProof } from "./proof";
 import type { Channel, Job, Modules } from "./protocol";
-import { publish } from "./results";
 import { frond } from "./wasm";
 
 type Host = Pick<Pool, "submit" | "cancel" | "killOne" | "busy">;
@@ -13,6 +11,23 @@ type Host = Pick<Pool, "submit" | "cancel" | "killOne" | "busy">;
 let host: Host | null = null;
 let inline = false;
 const early = new Map<Channel, Job>();
+
+export interface WorkersState {
+  count: number;
+  busy: boolean;
+  available: boolean;
+}
+
+const state = signal<WorkersState>({ count: 0, busy: false, available: true });
+export const workers: ReadonlySignal<WorkersState> = state;
+
+/** Told what befalls the workers. */
+export interface Watch {
+  /** There are none to be had: the work is done on this thread. */
+  inline(): void;
+  /** Nor can it be done there. */
+  failed(problem: unknown): void;
+}
 
 /** Goes up when everything has to be asked again, because the host of the work has changed. */
 export const epoch = signal(0);
@@ -22,7 +37,7 @@ export function submit(job: Job): void {
   if (host) host.submit(job);
   else {
     early.set(job.channel, job);
-    publish.workers.value = { ...publish.workers.peek(), busy: true };
+    state.value = { ...state.peek(), busy: true };
   }
 }
 
@@ -38,10 +53,10 @@ export function workerCount(cores: number): number {
 }
 
 /** Called once, after the first picture. */
-export function startEngine(modules: Modules, options: { workers: number | null }): void {
+export function startEngine(modules: Modules, options: { workers: number | null }, watch: Watch): void {
   if (host || inline) return;
   if (options.workers === 0 || typeof Worker === "undefined") {
-    goInline();
+    goInline(watch);
     return;
   }
   const pool = new Pool({
@@ -52,11 +67,11 @@ export function startEngine(modules: Modules, options: { workers: number | null 
         type: "module",
         name: "frond",
       }) as WorkerLike,
-    onChange: (state) => {
-      publish.workers.value = { ...state, available: true };
+    onChange: (now) => {
+      state.value = { ...now, available: true };
     },
     onUnavailable: () => {
-      goInline();
+      goInline(watch);
       epoch.value++;
     },
   });
@@ -67,20 +82,20 @@ export function startEngine(modules: Modules, options: { workers: number | null 
 }
 
 /** What is asked for until this thread has what it needs is kept, as before the start. */
-function goInline(): void {
-  notify({ kind: "info", text: "Running without workers: everything works, but slower." });
+function goInline(watch: Watch): void {
+  watch.inline();
   inline = true;
   host = null;
-  publish.workers.value = { count: 0, busy: true, available: false };
+  state.value = { count: 0, busy: true, available: false };
   loadProof().then(
     (proof) => {
       host = new Inline(executor({ ...frond, ...proof }), ({ busy }) => {
-        publish.workers.value = { count: 0, busy, available: false };
+        state.value = { count: 0, busy, available: false };
       });
-      publish.workers.value = { count: 0, busy: false, available: false };
+      state.value = { count: 0, busy: false, available: false };
       flush();
     },
-    (problem) => notify({ kind: "error", text: wordsOf(problem) }),
+    (problem) => watch.failed(problem),
   );
 }
 
@@ -97,5 +112,5 @@ export function killWorker(): void {
 
 /** About how long a slice may take: on the main thread it has to fit between two frames. */
 export function sliceMilliseconds(): number {
-  return publish.workers.peek().available ? 12 : 6;
+  return state.peek().available ? 12 : 6;
 }

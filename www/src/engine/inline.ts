@@ -1,4 +1,5 @@
-import { type Channel, type Job, type Result, type Task, toError } from "./protocol";
+import { toError } from "./error";
+import type { Channel, Job, Result, Task } from "./protocol";
 
 type Execute = (task: Task) => Promise<{ result: Result }>;
 

@@ -35,12 +35,6 @@ export interface Frame {
   bitmap: ImageBitmap | null;
 }
 
-export interface WorkersState {
-  count: number;
-  busy: boolean;
-  available: boolean;
-}
-
 /** A path, decided moment by moment: evenly spaced from 0 to 1. */
 export interface Along {
   points: readonly PathPoint[];
@@ -60,9 +54,9 @@ export const publish = {
   verdict: signal<VerdictResult | null>(null),
   plan: signal<PathPlan | null>(null),
   strip: signal<Frame[]>([]),
+  curveFilm: signal<readonly Frame[]>([]),
   along: signal<Along | null>(null),
   thumbnails: signal<Map<string, ImageBitmap>>(new Map()),
-  workers: signal<WorkersState>({ count: 0, busy: false, available: true }),
 };
 
 /** The field over all of (u, v), in the plane of Burch and Hart; a new object at each repaint. */
@@ -74,9 +68,10 @@ export const verdict: ReadonlySignal<VerdictResult | null> = publish.verdict;
 /** The automatic path for the present pair. */
 export const plan: ReadonlySignal<PathPlan | null> = publish.plan;
 export const strip: ReadonlySignal<Frame[]> = publish.strip;
+/** Stills of a closed curve's morph, at even times. */
+export const curveFilm: ReadonlySignal<readonly Frame[]> = publish.curveFilm;
 /** By preset id, and "a" and "b" for the two ends. */
 export const thumbnails: ReadonlySignal<Map<string, ImageBitmap>> = publish.thumbnails;
-export const workers: ReadonlySignal<WorkersState> = publish.workers;
 
 /** The present path, decided moment by moment; null until that answer is in. */
 export const along: ReadonlySignal<Along | null> = computed(() => {

@@ -1,9 +1,8 @@
 /** Closed curves: what the morph and the deformation work on in place of two systems, where the document has them. */
-import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import { computed, effect, type ReadonlySignal } from "@preact/signals";
 import type { ComponentType } from "preact";
 import type { Curve, CurveShape, Scene } from "#engine/api";
 import { curvesReady, loadCurves, rough } from "#engine/curves";
-import type { Frame } from "#engine/results";
 import type { Box } from "./camera";
 import { notify, wordsOf } from "./notice";
 import { edit, scene } from "./scene";
@@ -67,9 +66,6 @@ export function curveBox(curve: Curve): Box {
     morph.free();
   }
 }
-
-/** Stills of the curve's morph, at even times. */
-export const film = signal<readonly Frame[]>([]);
 
 /** What a gallery shows of curves, wherever it is. */
 export interface ShelfProps {

@@ -1,7 +1,6 @@
 /** The path as a line of points in the (u, v) plane: finding, cutting, adding, moving. */
-import type { Bounds } from "#engine/api";
+import type { Bounds, Locus } from "#engine/api";
 import { STATE } from "#engine/breaks";
-import type { LocusResult } from "#engine/results";
 import { timesOf, type Uv, uvAt } from "./path";
 
 export interface Nearest {
@@ -132,7 +131,11 @@ export function piecesIn(points: readonly Uv[], within: Bounds): [Uv, Uv][] {
  * The widest gap met along the path, relative to the size of the shape, read off the nearest samples; null while no
  * sample along it is decided. Where there is no shape at all the gap has no size, and is passed over.
  */
-export function widestAlong(field: LocusResult, points: readonly Uv[], samples = 257): number | null {
+export function widestAlong(
+  field: Locus & { bounds: Bounds },
+  points: readonly Uv[],
+  samples = 257,
+): number | null {
   const { width, height, bounds, state, gap } = field;
   let widest: number | null = null;
   for (let i = 0; i < samples; i++) {

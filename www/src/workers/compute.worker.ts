@@ -1,6 +1,7 @@
+import { toError } from "#engine/error";
 import { executor } from "#engine/execute";
 import type { Proof } from "#engine/proof";
-import { type Request, type Response, toError } from "#engine/protocol";
+import type { Request, Response } from "#engine/protocol";
 import { adopt, frond } from "#engine/wasm";
 import init, * as bindings from "../../pkg/frond-proof.js";
 

@@ -1,11 +1,8 @@
 import wasmUrl from "../../../pkg/frond-fit_bg.wasm?url";
 import { compiled, once } from "../module";
-import type { CurveModule } from "./tasks/curve";
-import type { HoughModule } from "./tasks/hough";
-import type { TraceModule } from "./tasks/trace";
 
 /** What traces and fits outlines and finds the maps of graphs, in a module of its own: the workers of the fit have it. */
-export type FitModule = CurveModule & HoughModule & TraceModule;
+export type FitModule = typeof import("../../../pkg/frond-fit.js");
 
 /** Fetches and compiles; the workers are given the module. */
 export const compileFit = once(() => compiled(wasmUrl));
@@ -14,5 +11,5 @@ export const compileFit = once(() => compiled(wasmUrl));
 export async function startFit(module: WebAssembly.Module): Promise<FitModule> {
   const bindings = await import("../../../pkg/frond-fit.js");
   await bindings.default({ module_or_path: module });
-  return bindings as unknown as FitModule;
+  return bindings;
 }

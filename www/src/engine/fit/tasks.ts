@@ -1,13 +1,7 @@
-import type { Context as Plain } from "../lanes/task";
-import type { FitModule } from "./module";
+import type { Context } from "./context";
 import { curveTasks } from "./tasks/curve";
 import { houghTasks } from "./tasks/hough";
 import { traceTasks } from "./tasks/trace";
-
-/** What a task has at hand. */
-export interface Context<Progress = never> extends Plain<Progress> {
-  readonly fit: FitModule;
-}
 
 /** Each room of work has a file of tasks. */
 export const tasks = {

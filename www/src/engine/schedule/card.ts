@@ -2,12 +2,10 @@
 import { effect } from "@preact/signals";
 import { playing } from "#state/playback";
 import { inGesture } from "#state/scene";
-import type { LocusCompute } from "../../../pkg/renderer.js";
-import { adoptCard, type Ends, isFaster, openCard } from "../card";
-import { submit } from "../engine";
+import { adoptCard, type Ends, isFaster, type LocusCompute, openCard } from "../card";
+import { submit, workers } from "../engine";
 import { nextKey } from "../locus-job";
 import type { Task } from "../protocol";
-import { publish } from "../results";
 
 /** Which card decides loci: one that is faster, one on the processor too and untimed, or none. For trying the page. */
 export type CardChoice = "auto" | "software" | "none";
@@ -17,8 +15,7 @@ const REST_MS = 2000;
 /** A comparison that something else came into says nothing; one that always does is given up. */
 const TRIES = 3;
 
-const atRest = () =>
-  !playing.value && !inGesture.value && !publish.workers.value.busy && publish.workers.value.available;
+const atRest = () => !playing.value && !inGesture.value && !workers.value.busy && workers.value.available;
 
 /** Once; called when the first locus is whole, which does not wait for a card. */
 export async function lookForCard(choice: CardChoice): Promise<void> {

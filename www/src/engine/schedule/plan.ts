@@ -3,7 +3,7 @@ import { announce, notify, wordsOf } from "#state/notice";
 import { thinned } from "#state/path";
 import { edit, replace, scene } from "#state/scene";
 import type { PathPlan, PathPoint } from "../api";
-import { cancel, submit } from "../engine";
+import { cancel, submit, workers } from "../engine";
 import { BOUNDS, EPSILON, type LocusInputs, type LocusWork } from "../locus-job";
 import { single, type Task } from "../protocol";
 import { publish } from "../results";
@@ -45,7 +45,7 @@ export function planFrom(work: LocusWork, stride: number): void {
   const inputs = work.inputs;
   const task: Task<"plan"> = { kind: "plan", locus: work.nested(stride), bounds: BOUNDS };
   // Only once all is known and at rest, and only off the page's own thread: this may take a second.
-  if (stride === 1 && publish.workers.peek().available) {
+  if (stride === 1 && workers.peek().available) {
     const { from, to, options } = inputs;
     task.refine = { from, to, options: { ...options, epsilon: EPSILON } };
   }

@@ -1,7 +1,6 @@
 /** From an outline to closed curves, and what they are compared with. Outlines are x0, y0, x1, y1, .. with y up. */
 import type { Curve } from "../../api";
-import type { FitModule } from "../module";
-import type { Context } from "../tasks";
+import type { Context } from "../context";
 
 /** How near a fit is to its outline; errors in percent of the diagonal of the outline's box. */
 export interface Figures {
@@ -87,29 +86,11 @@ export interface Collage {
   figures: Figures;
 }
 
-interface CurveFitHandle {
-  step(milliseconds: number): { stage: FitStage; share: number; rms: number; done: boolean };
-  best(): { curve: Curve; points: Float64Array<ArrayBuffer> };
-  measured(): Measured;
-  free(): void;
-}
-
-/** What the module has for this. */
-export interface CurveModule {
-  CurveFit: new (points: Float64Array, numbers: number) => CurveFitHandle;
-  grownOutline(kind: Grown, seed: number): Float64Array<ArrayBuffer>;
-  prepareOutline(points: Float64Array, smoothing: number): Prepared;
-  featurePoints(points: Float64Array, count: number): Float64Array<ArrayBuffer>;
-  measureCurve(points: Float64Array, curve: Curve): Measured;
-  rivalFit(points: Float64Array, method: Method, numbers: number): Omit<Rival, "method">;
-  collageFit(points: Float64Array, options: CollageOptions): Collage;
-}
-
 /** How long it goes on between two breaths, and between two words of what has been reached. */
 const SLICE_MS = 40;
 const TELL_MS = 120;
 
-type Plain = Context<never> & { readonly fit: FitModule };
+type Plain = Context<never>;
 
 export const curveTasks = {
   /** An outline grown by program. */
@@ -150,7 +131,7 @@ export const curveTasks = {
         const now = performance.now();
         if (done) return handle.measured();
         if (now - told > TELL_MS) {
-          tell(state);
+          tell({ ...state, stage: state.stage as FitStage });
           told = now;
         }
         await breathe();

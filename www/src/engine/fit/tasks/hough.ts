@@ -1,7 +1,7 @@
 /** The maps that a graph is made of, found by voting. Points are t0, x0, t1, x1, .. */
 import type { Graph } from "../../api";
+import type { Context } from "../context";
 import type { FitModule } from "../module";
-import type { Context } from "../tasks";
 
 export interface HoughOptions {
   /** Whether mirrored maps are tried, too; it takes twice as long. */
@@ -68,59 +68,17 @@ export interface Counting {
   plane?: Uint32Array<ArrayBuffer>;
 }
 
-interface Counter {
-  step(): { share: number; votes: number };
-  free(): void;
-}
+type FirstPass = InstanceType<FitModule["HoughFirst"]>;
+type Counter = Pick<FirstPass, "step">;
 
-interface FirstPass extends Counter {
-  counts(): Uint32Array<ArrayBuffer>;
-  add(counts: Uint32Array): void;
-  plane(): Uint32Array<ArrayBuffer>;
-  promising(parts: number): Uint32Array<ArrayBuffer>[];
-}
-
-interface SecondPass extends Counter {
-  peaks(): Float64Array<ArrayBuffer>;
-}
-
-/** What the module has for this. */
-export interface HoughModule {
-  HoughFirst: new (
-    coarse: Float64Array,
-    fine: Float64Array,
-    options: HoughOptions,
-    part: number,
-    parts: number,
-  ) => FirstPass;
-  HoughSecond: new (
-    coarse: Float64Array,
-    fine: Float64Array,
-    options: HoughOptions,
-    cells: Uint32Array,
-  ) => SecondPass;
-  seriesFeatures(points: Float64Array, count: number, smoothing: number): Float64Array<ArrayBuffer>;
-  houghClusters(
-    coarse: Float64Array,
-    fine: Float64Array,
-    options: HoughOptions,
-    peaks: Float64Array,
-  ): Clusters;
-  houghRefine(coarse: Float64Array, fine: Float64Array, map: Float64Array): HoughCandidate | null;
-  houghAssemble(coarse: Float64Array, fine: Float64Array, candidates: HoughCandidate[]): Assembled;
-  houghPicked(
-    coarse: Float64Array,
-    fine: Float64Array,
-    picks: { map: FiveNumbers; domain: [number, number] }[],
-    tied: boolean,
-  ): Assembled;
-}
-
-type Plain = Context<never> & { readonly fit: FitModule };
+type Plain = Context<never>;
 
 /** How long it counts between two breaths, and between two pictures of what has been counted. */
 const SLICE_MS = 40;
 const TELL_MS = 150;
+
+/** Declared as what may be shared memory; it never is. */
+const owned = (counts: Uint32Array) => counts as Uint32Array<ArrayBuffer>;
 
 /** The name under which the first pass of a lane waits for the counts of the other. */
 const FIRST = "hough first";
@@ -177,13 +135,13 @@ export const houghTasks = {
     const pass = new context.fit.HoughFirst(sets.coarse, sets.fine, options, part, parts);
     let kept = false;
     try {
-      const votes = await count(pass, context, () => pass.plane());
+      const votes = await count(pass, context, () => owned(pass.plane()));
       if (part === 0) {
         context.keep.set(FIRST, pass);
         kept = true;
         return { votes, counts: null };
       }
-      const counts = pass.counts();
+      const counts = owned(pass.counts());
       context.transfer(counts.buffer);
       return { votes, counts };
     } finally {
@@ -200,7 +158,7 @@ export const houghTasks = {
     if (!pass) throw { code: "lost", message: "What was counted is lost. Count again." };
     try {
       for (const counts of others) pass.add(counts);
-      return { cells: pass.promising(parts), plane: pass.plane() };
+      return { cells: pass.promising(parts), plane: owned(pass.plane()) };
     } finally {
       drop(keep);
     }
@@ -214,7 +172,7 @@ export const houghTasks = {
     const pass = new context.fit.HoughSecond(sets.coarse, sets.fine, options, cells);
     try {
       await count(pass, context);
-      const peaks = pass.peaks();
+      const peaks = pass.peaks() as Float64Array<ArrayBuffer>;
       context.transfer(peaks.buffer);
       return peaks;
     } finally {

@@ -1,6 +1,6 @@
 import { afterEach, describe, expect, test, vi } from "vitest";
+import type { Context } from "../context";
 import type { FitModule } from "../module";
-import type { Context } from "../tasks";
 import { traceTasks } from "./trace";
 
 type Plain = Context<never> & { readonly fit: FitModule };

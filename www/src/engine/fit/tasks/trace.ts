@@ -3,8 +3,8 @@ import { type Decoded, decode } from "../../image/decode";
 import { HEAD_BYTES, type Header, readHeader } from "../../image/header";
 import { inWords, MOST_MEGAPIXELS, shortName } from "../../image/limits";
 import { isWhole } from "../../image/whole";
+import type { Context } from "../context";
 import type { FitModule } from "../module";
-import type { Context } from "../tasks";
 import type {
   CloseFileArgs,
   MaskArgs,
@@ -19,22 +19,8 @@ import type {
   TraceWarning,
 } from "./trace-types";
 
-interface PictureTracerHandle {
-  mask(options: Omit<MaskArgs, "id">): Masked;
-  outline(component: number): TracedOutline;
-  free(): void;
-}
-
-/** What the module has for this. */
-export interface TraceModule {
-  PictureTracer: new (width: number, height: number, rgba: Uint8Array) => PictureTracerHandle;
-  readTextFile(
-    bytes: Uint8Array,
-    take: "outlines" | "series" | undefined,
-  ): Omit<OpenedOutlines, "name"> | Omit<OpenedSeries, "name">;
-}
-
-type Plain = Context<never> & { readonly fit: FitModule };
+type PictureTracer = InstanceType<FitModule["PictureTracer"]>;
+type Plain = Context<never>;
 
 /** The most pixels that are worked on, and the most bytes of a text and of a picture. */
 const MOST_PIXELS = 1 << 22;
@@ -47,7 +33,7 @@ const KEEP = "pictures";
 
 interface Held {
   next: number;
-  tracers: Map<number, PictureTracerHandle>;
+  tracers: Map<number, PictureTracer>;
 }
 
 function held(keep: Map<string, unknown>): Held {
@@ -56,7 +42,7 @@ function held(keep: Map<string, unknown>): Held {
   return all;
 }
 
-function tracer(keep: Map<string, unknown>, id: number): PictureTracerHandle {
+function tracer(keep: Map<string, unknown>, id: number): PictureTracer {
   const { tracers } = held(keep);
   const found = tracers.get(id);
   if (!found) throw { code: "gone", message: "The picture is no longer at hand. Open the file again." };
@@ -122,7 +108,7 @@ export const traceTasks = {
       }
       const bytes = head.length === file.size ? head : new Uint8Array(await file.arrayBuffer());
       try {
-        const read = fit.readTextFile(bytes, as);
+        const read: Omit<OpenedOutlines, "name"> | Omit<OpenedSeries, "name"> = fit.readTextFile(bytes, as);
         for (const { points } of read.kind === "series" ? [read] : read.outlines) transfer(points.buffer);
         return { ...read, name };
       } catch (problem) {

@@ -1,9 +1,9 @@
 import { computed } from "@preact/signals";
 import { CurveThumb } from "#canvas/CurveThumb";
 import { originOf, presets } from "#engine/presets";
-import { strip, thumbnails } from "#engine/results";
+import { curveFilm, strip, thumbnails } from "#engine/results";
 import { aroundStanding, boxAround, changeDeformation, deformation } from "#state/bend";
-import { type CurveParts, curved, curveMorph, curves, film } from "#state/curve";
+import { type CurveParts, curved, curveMorph, curves } from "#state/curve";
 import { sameCurves } from "#state/curve-changes";
 import { announce } from "#state/notice";
 import { pictureMaps } from "#state/picture";
@@ -155,7 +155,7 @@ function Shape() {
 }
 
 function frameAt(at: number): ImageBitmap | null {
-  const frames = curved.value ? film.value : strip.value;
+  const frames = curved.value ? curveFilm.value : strip.value;
   const away = frames.map((frame) => Math.abs(frame.t - at));
   return frames[away.indexOf(Math.min(...away))]?.bitmap ?? null;
 }

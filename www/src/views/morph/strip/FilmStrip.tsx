@@ -2,8 +2,8 @@ import { computed, type ReadonlySignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import type { Verdict } from "#engine/api";
 import { isBroken } from "#engine/breaks";
-import { type Frame, strip } from "#engine/results";
-import { curved, film } from "#state/curve";
+import { curveFilm, type Frame, strip } from "#engine/results";
+import { curved } from "#state/curve";
 import { percent } from "#state/morph-words";
 import { scene } from "#state/scene";
 import { stateOf, verdictPhrase } from "#state/words";
@@ -16,7 +16,7 @@ const phone = media("(max-width: 599px)");
 
 /** As many frames as there is room for: seven on a phone. */
 export const frames: ReadonlySignal<readonly Frame[]> = computed(() => {
-  const all = curved.value ? film.value : strip.value;
+  const all = curved.value ? curveFilm.value : strip.value;
   return phone.value ? evenly(all, 7) : all;
 });
 
