@@ -12,69 +12,30 @@
     allow(dead_code, reason = "no module alone needs all conversions")
 )]
 
-#[cfg(any(feature = "compute", feature = "curve", feature = "webgpu", feature = "webgl2"))]
-mod bend;
-#[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
-mod canvas;
-#[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
-mod card;
-#[cfg(feature = "proof")]
-mod certify;
-#[cfg(feature = "proof")]
-mod connect;
+mod boundary;
+#[cfg(feature = "compute")]
+mod compute;
 #[cfg(feature = "curve")]
 mod curve;
-#[cfg(feature = "compute")]
-mod deform;
-#[cfg(feature = "compute")]
-mod document;
-mod error;
-#[cfg(feature = "proof")]
-mod family;
 #[cfg(feature = "fit")]
 pub mod fit;
-#[cfg(feature = "curve")]
-mod graph;
-#[cfg(feature = "proof")]
-mod locus;
-mod look;
-#[cfg(feature = "proof")]
-mod path;
-#[cfg(any(feature = "compute", feature = "curve", feature = "webgpu", feature = "webgl2"))]
-mod photo;
-#[cfg(any(feature = "compute", feature = "proof"))]
-mod polygon;
 #[cfg(feature = "proof")]
 mod proof;
-#[cfg(feature = "compute")]
-mod raster;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
-mod renderer;
-#[cfg(feature = "proof")]
-mod routes;
-#[cfg(feature = "proof")]
-mod settle;
-#[cfg(feature = "compute")]
-mod shape;
-#[cfg(feature = "compute")]
-mod sheet;
+mod renderers;
 #[cfg(feature = "space")]
 pub mod space;
-#[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
-mod space_renderer;
-mod value;
 
-#[cfg(feature = "proof")]
-pub use {certify::*, connect::*, family::*, locus::*, path::*, proof::*, routes::*, settle::*};
-#[cfg(feature = "curve")]
-pub use {curve::*, graph::*};
 #[cfg(feature = "compute")]
-pub use {deform::*, document::*, polygon::*, raster::*, shape::*, sheet::*};
-
-#[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
-pub use card::*;
+pub use boundary::polygon::*;
+#[cfg(feature = "compute")]
+pub use compute::*;
+#[cfg(feature = "curve")]
+pub use curve::*;
+#[cfg(feature = "proof")]
+pub use proof::*;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
-pub use {renderer::*, space_renderer::*};
+pub use renderers::*;
 
 use wasm_bindgen::prelude::*;
 

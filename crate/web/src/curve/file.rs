@@ -8,9 +8,9 @@ use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use super::read::{read_curve, woven};
-use crate::error::bad_input;
-use crate::look::read_palette;
-use crate::value::read;
+use crate::boundary::error::bad_input;
+use crate::boundary::look::read_palette;
+use crate::boundary::value::read;
 
 /// The most corners of a file, and the most points.
 const MOST: usize = 1 << 18;

@@ -7,11 +7,11 @@ use js_sys::{Float64Array, Int32Array, Uint32Array};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
+use super::closed_curve::{COUNTED, MOST_COUNTED, dimension};
 use super::read::{of_morph, read_curve};
-use super::{COUNTED, MOST_COUNTED, dimension};
-use crate::bend::{PlainBend, of_bend};
-use crate::error::bad_input;
-use crate::value::{object, read, write};
+use crate::boundary::bend::{PlainBend, of_bend};
+use crate::boundary::error::bad_input;
+use crate::boundary::value::{object, read, write};
 
 /// The most points that one call gives, and how many it gives where nothing is said.
 const MAX_POINTS: f64 = 1_048_576.0;

@@ -16,8 +16,8 @@ use js_sys::{Date, Float64Array};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
-use crate::error::{bad_input, failure};
-use crate::value::{object, read, write};
+use crate::boundary::error::{bad_input, failure};
+use crate::boundary::value::{object, read, write};
 
 /// Outlines of more points are thinned to so many: finer is not seen, and takes long.
 const MOST_POINTS: usize = 16_384;

@@ -12,8 +12,8 @@ use js_sys::{Array, Float64Array, Uint32Array};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
-use crate::error::{bad_input, failure};
-use crate::value::{object, read, write};
+use crate::boundary::error::{bad_input, failure};
+use crate::boundary::value::{object, read, write};
 
 /// Numbers that a cluster crosses as.
 const CLUSTER: usize = 11;

@@ -7,8 +7,8 @@ use wasm_bindgen::prelude::*;
 
 use super::hough::{features, hough_clusters, peaks, read_options};
 use super::{CurveFit, PictureTracer, collage_fit};
-use crate::error::bad_input;
-use crate::value::{object, read, write};
+use crate::boundary::error::bad_input;
+use crate::boundary::value::{object, read, write};
 
 #[derive(Deserialize)]
 #[serde(default)]

@@ -8,8 +8,8 @@ use js_sys::{Array, Float64Array, Uint8Array};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
-use crate::error::failure;
-use crate::value::{object, read, write};
+use crate::boundary::error::failure;
+use crate::boundary::value::{object, read, write};
 
 #[derive(Serialize)]
 struct Warning {

@@ -4,8 +4,8 @@ use frond_scene::{Film, FilmError, PackedError, Row3, Space, SpaceView};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-use crate::error::failure;
-use crate::value::{read, write};
+use crate::boundary::error::failure;
+use crate::boundary::value::{read, write};
 
 #[derive(Serialize)]
 struct Item {

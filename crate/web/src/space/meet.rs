@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
 use super::{read_maps3, write_maps3};
-use crate::error::failure;
-use crate::value::{object, read, write};
+use crate::boundary::error::failure;
+use crate::boundary::value::{object, read, write};
 
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]

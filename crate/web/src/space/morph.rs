@@ -8,8 +8,8 @@ use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use super::{read_ifs3, read_maps3, write_maps3};
-use crate::error::{bad_input, failure, of_ifs, of_morph};
-use crate::value::{object, read, read_morph_options, write};
+use crate::boundary::error::{bad_input, failure, of_ifs, of_morph};
+use crate::boundary::value::{object, read, read_morph_options, write};
 
 /// What a picture of 600 pixels resolves.
 const EPSILON: f64 = 1.0 / 600.0;

@@ -11,9 +11,9 @@ use js_sys::{Array, Float32Array, Float64Array, Uint8Array, Uint8ClampedArray, U
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use crate::error::{bad_input, failure, of_ifs};
-use crate::look::read_palette;
-use crate::value::{object, read};
+use crate::boundary::error::{bad_input, failure, of_ifs};
+use crate::boundary::look::read_palette;
+use crate::boundary::value::{object, read};
 
 #[derive(Deserialize)]
 struct PlainObject {

@@ -7,8 +7,8 @@ use wasm_bindgen::prelude::*;
 
 use super::shape::Throwing;
 use super::{read_ifs3, read_maps3, read_point3};
-use crate::error::failure;
-use crate::value::{object, rows, write};
+use crate::boundary::error::failure;
+use crate::boundary::value::{object, rows, write};
 
 fn of_project(error: &ProjectError) -> JsValue {
     failure(error.code(), &error.to_string())

@@ -11,8 +11,8 @@ use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
 use super::{of_transform, read_ifs3, read_map3, read_maps3, read_point3, write_maps3};
-use crate::error::{bad_input, failure, of_ifs};
-use crate::value::{object, read, write};
+use crate::boundary::error::{bad_input, failure, of_ifs};
+use crate::boundary::value::{object, read, write};
 
 /// Throws unless the maps have an attractor together.
 #[wasm_bindgen]

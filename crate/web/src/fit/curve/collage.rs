@@ -7,8 +7,8 @@ use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use super::{figures, flat, outline_of};
-use crate::error::failure;
-use crate::value::{object, read, write};
+use crate::boundary::error::failure;
+use crate::boundary::value::{object, read, write};
 
 /// The most points of its polyline.
 const MOST_DRAWN: usize = 1 << 17;

@@ -5,9 +5,9 @@ use glam::DVec3;
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use crate::error::{bad_input, failure};
-use crate::locus::{EPSILON, read_locus};
-use crate::value::{object, read, read_morph, write};
+use crate::boundary::error::{bad_input, failure};
+use crate::boundary::value::{object, read, read_morph, write};
+use crate::proof::locus::{EPSILON, read_locus};
 
 #[derive(Deserialize)]
 struct Planning {

@@ -6,8 +6,10 @@ use js_sys::{Float32Array, Uint8Array};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use crate::error::{bad_input, failure};
-use crate::value::{Row, object, point, read, read_ifs, read_maps, read_morph, rows, write, write_maps};
+use crate::boundary::error::{bad_input, failure};
+use crate::boundary::value::{
+    Row, object, point, read, read_ifs, read_maps, read_morph, rows, write, write_maps,
+};
 
 /// The most points that one call gives.
 const MAX_POINTS: f64 = 16_777_216.0;

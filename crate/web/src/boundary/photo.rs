@@ -4,7 +4,7 @@ use frond_render::Photo;
 use js_sys::{Uint8Array, Uint8ClampedArray};
 use wasm_bindgen::{JsCast, JsValue};
 
-use crate::error::{bad_input, failure};
+use crate::boundary::error::{bad_input, failure};
 
 /// A photograph from its bytes and its size.
 pub(crate) fn read_photo(rgba: &JsValue, width: f64, height: f64) -> Result<Photo, JsValue> {

@@ -5,9 +5,9 @@ use glam::DVec2;
 use serde::Deserialize;
 use wasm_bindgen::JsValue;
 
-use crate::error::{bad_input, failure};
-use crate::look::read_palette;
-use crate::value::read;
+use crate::boundary::error::{bad_input, failure};
+use crate::boundary::look::read_palette;
+use crate::boundary::value::read;
 
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
 #[serde(rename_all = "lowercase")]

@@ -6,10 +6,10 @@ use frond_locus::Polygons;
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use crate::error::bad_input;
-use crate::value::read;
+use crate::boundary::error::bad_input;
+use crate::boundary::value::read;
 #[cfg(feature = "compute")]
-use crate::value::write_maps;
+use crate::boundary::value::write_maps;
 
 #[derive(Deserialize)]
 struct PlainFamily {

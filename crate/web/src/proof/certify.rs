@@ -4,9 +4,9 @@ use frond_locus::{CertifyOptions, PathCertificate};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use crate::error::bad_input;
-use crate::path::read_path;
-use crate::value::{object, read, read_morph};
+use crate::boundary::error::bad_input;
+use crate::boundary::value::{object, read, read_morph};
+use crate::proof::path::read_path;
 
 #[derive(Deserialize)]
 struct Certifying {

@@ -5,10 +5,10 @@ use js_sys::Uint8ClampedArray;
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use crate::bend::bend_on;
-use crate::error::failure;
-use crate::look::{ColouringName, read_palette};
-use crate::value::{read, read_ifs};
+use crate::boundary::bend::bend_on;
+use crate::boundary::error::failure;
+use crate::boundary::look::{ColouringName, read_palette};
+use crate::boundary::value::{read, read_ifs};
 
 #[derive(Deserialize)]
 struct PlainView {

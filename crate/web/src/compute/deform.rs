@@ -5,9 +5,9 @@ use glam::DVec2;
 use js_sys::Float64Array;
 use wasm_bindgen::prelude::*;
 
-use crate::bend::{bend_on, read_bend};
-use crate::error::bad_input;
-use crate::value::{object, read, read_ifs};
+use crate::boundary::bend::{bend_on, read_bend};
+use crate::boundary::error::bad_input;
+use crate::boundary::value::{object, read, read_ifs};
 
 /// The most points along a side of the display grid.
 const MAX_GRID: u32 = 256;

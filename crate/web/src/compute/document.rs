@@ -4,8 +4,8 @@ use frond_scene::Scene;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-use crate::error::{failure, of_ifs};
-use crate::value::{object, read, write};
+use crate::boundary::error::{failure, of_ifs};
+use crate::boundary::value::{object, read, write};
 
 #[derive(Serialize)]
 struct Item {

@@ -13,7 +13,7 @@ pub use trace::*;
 use glam::DVec2;
 use wasm_bindgen::JsValue;
 
-use crate::error::failure;
+use crate::boundary::error::failure;
 
 /// Points from a flat list x0, y0, x1, y1, ..
 pub(crate) fn points(list: &[f64]) -> Result<Vec<DVec2>, JsValue> {

@@ -7,7 +7,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::{JsCast, JsValue};
 
-use crate::error::{bad_input, of_ifs, of_morph};
+use crate::boundary::error::{bad_input, of_ifs, of_morph};
 
 /// A row of six numbers.
 pub(crate) type Row = [f64; 6];

@@ -20,8 +20,8 @@ use glam::DVec3;
 use js_sys::Array;
 use wasm_bindgen::{JsCast, JsValue};
 
-use crate::error::{bad_input, failure, of_ifs};
-use crate::value::{read, write};
+use crate::boundary::error::{bad_input, failure, of_ifs};
+use crate::boundary::value::{read, write};
 
 /// Maps of space, rows of twelve numbers. Longer lists than allowed are refused before their entries are read.
 pub(crate) fn read_maps3(value: &JsValue) -> Result<Vec<Affine3>, JsValue> {

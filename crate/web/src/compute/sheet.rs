@@ -5,10 +5,10 @@ use js_sys::Uint8ClampedArray;
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use crate::bend::{PlainBend, bend_on};
-use crate::error::{bad_input, failure};
-use crate::photo::read_photo;
-use crate::value::read;
+use crate::boundary::bend::{PlainBend, bend_on};
+use crate::boundary::error::{bad_input, failure};
+use crate::boundary::photo::read_photo;
+use crate::boundary::value::read;
 
 /// A photograph on the rectangle [0, width / height] x [0, 1], which a bend can bend: what `Renderer.setPicture` shows,
 /// drawn on the processor.

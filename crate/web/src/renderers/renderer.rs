@@ -8,12 +8,12 @@ use js_sys::{Promise, Reflect, global};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use crate::bend::{PlainBend, of_bend};
-use crate::canvas::{Held, open, pixels_of};
-use crate::error::{bad_input, of_ifs};
-use crate::look::{ColouringName, read_palette};
-use crate::photo::read_photo;
-use crate::value::{object, read};
+use crate::boundary::bend::{PlainBend, of_bend};
+use crate::boundary::error::{bad_input, of_ifs};
+use crate::boundary::look::{ColouringName, read_palette};
+use crate::boundary::photo::read_photo;
+use crate::boundary::value::{object, read};
+use crate::renderers::canvas::{Held, open, pixels_of};
 
 /// Draws one attractor on one canvas, on WebGPU or WebGL2. Lengths are device pixels.
 ///

@@ -10,8 +10,8 @@ use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
 
-use crate::error::failure;
-use crate::value::{object, read, read_morph};
+use crate::boundary::error::failure;
+use crate::boundary::value::{object, read, read_morph};
 
 /// Decides loci on the graphics card, by WebGPU, on a device of its own: on the page's thread or in a worker.
 ///

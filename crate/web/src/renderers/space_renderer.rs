@@ -7,9 +7,9 @@ use js_sys::{Array, Promise, Reflect, Uint8Array};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
-use crate::canvas::{Held, open, pixels_of};
-use crate::error::bad_input;
-use crate::value::object;
+use crate::boundary::error::bad_input;
+use crate::boundary::value::object;
+use crate::renderers::canvas::{Held, open, pixels_of};
 
 /// Draws attractors of space on one canvas, on WebGPU or WebGL2. Lengths are device pixels; clouds and uniforms are bytes
 /// that `SpacePicture` of the module `frond-space` makes, as the shaders read them.

@@ -7,8 +7,8 @@ use js_sys::{Float32Array, Uint8Array};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use crate::locus::{EPSILON, PlainBounds, of_grid};
-use crate::value::{object, read, read_morph};
+use crate::boundary::value::{object, read, read_morph};
+use crate::proof::locus::{EPSILON, PlainBounds, of_grid};
 
 #[derive(Deserialize)]
 struct Sampling {

@@ -6,8 +6,8 @@ use js_sys::{Float32Array, Reflect, Uint8Array};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use crate::error::{bad_input, failure};
-use crate::value::{object, read, read_morph};
+use crate::boundary::error::{bad_input, failure};
+use crate::boundary::value::{object, read, read_morph};
 
 #[derive(Clone, Copy, Deserialize)]
 pub(crate) struct PlainBounds {

@@ -5,7 +5,7 @@ use glam::{DMat2, DVec2};
 use wasm_bindgen::JsValue;
 
 use super::of_function;
-use crate::error::failure;
+use crate::boundary::error::failure;
 
 /// How often the values at the ends of the domains are taken anew. They settle like powers of the factors.
 const ROUNDS: usize = 500;

@@ -10,8 +10,8 @@ use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::{JsFuture, future_to_promise, spawn_local};
 use web_sys::{EventTarget, HtmlCanvasElement, OffscreenCanvas};
 
-use crate::error::{bad_input, failure};
-use crate::value::read;
+use crate::boundary::error::{bad_input, failure};
+use crate::boundary::value::read;
 
 #[derive(Default, Deserialize)]
 #[serde(rename_all = "lowercase")]

@@ -6,10 +6,10 @@ use js_sys::Array;
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use crate::error::{failure, of_morph};
-use crate::locus::write_samples;
-use crate::path::write_plan;
-use crate::value::{object, read, read_ifs, read_morph, rows, write};
+use crate::boundary::error::{failure, of_morph};
+use crate::boundary::value::{object, read, read_ifs, read_morph, rows, write};
+use crate::proof::locus::write_samples;
+use crate::proof::path::write_plan;
 
 /// How many candidates are listed unless told.
 const CANDIDATES: f64 = 12.0;

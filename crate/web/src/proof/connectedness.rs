@@ -7,9 +7,9 @@ use js_sys::Uint8Array;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
-use crate::error::{bad_input, failure, of_ifs};
-use crate::proof::write_reason;
-use crate::value::{object, point, read, read_ifs, read_maps, write};
+use crate::boundary::error::{bad_input, failure, of_ifs};
+use crate::boundary::value::{object, point, read, read_ifs, read_maps, write};
+use crate::proof::evidence::write_reason;
 
 #[derive(Deserialize)]
 struct Resolution {

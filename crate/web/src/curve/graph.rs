@@ -10,8 +10,8 @@ use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
 use self::through::{Problem, through};
-use crate::error::{bad_input, failure};
-use crate::value::{object, read, write};
+use crate::boundary::error::{bad_input, failure};
+use crate::boundary::value::{object, read, write};
 
 /// The most pieces of a graph: more than a link holds by far, and read in an instant.
 const MAX_PIECES: usize = 4096;

@@ -4,7 +4,7 @@ use frond_render::Colouring;
 use serde::Deserialize;
 use wasm_bindgen::JsValue;
 
-use crate::error::bad_input;
+use crate::boundary::error::bad_input;
 
 #[derive(Clone, Copy, Default, Deserialize)]
 #[serde(rename_all = "lowercase")]

@@ -1,0 +1,9 @@
+//! What describes and draws shapes of the plane: all that the first picture needs.
+
+mod deform;
+mod document;
+mod raster;
+mod shape;
+mod sheet;
+
+pub use {deform::*, document::*, raster::*, shape::*, sheet::*};

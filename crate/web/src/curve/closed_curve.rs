@@ -1,0 +1,149 @@
+//! Closed curves made of smaller copies of their own arcs, from JavaScript.
+
+use frond_fit::{ClosedCurve, MAX_TEXT, PackError, box_slope_of, spectral_norm};
+use frond_scene::Curve;
+use glam::DVec2;
+use js_sys::Array;
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+use super::read::{self, read_curve};
+use crate::boundary::error::failure;
+use crate::boundary::value::{Row, object, write};
+
+/// Where boxes are counted, in parts of the box's diagonal: as for outlines.
+const BOXES: [f64; 5] = [64.0, 90.5, 128.0, 181.0, 256.0];
+
+/// The parts of the box's diagonal that a polyline is true to which is counted, measured or looked through for crossings.
+pub(super) const COUNTED: f64 = 1.0 / 2000.0;
+
+/// The most points of such a polyline.
+pub(super) const MOST_COUNTED: usize = 1 << 17;
+
+fn of_pack(error: PackError) -> JsValue {
+    failure(error.code(), &error.to_string())
+}
+
+fn write_curve(curve: &ClosedCurve) -> Result<JsValue, JsValue> {
+    write(&Curve::from(curve))
+}
+
+#[derive(Serialize)]
+struct Item {
+    id: &'static str,
+    name: &'static str,
+    about: &'static str,
+    curve: Curve,
+}
+
+/// The gallery of closed curves.
+#[wasm_bindgen(js_name = curvePresets, unchecked_return_type = "CurvePreset[]")]
+pub fn curve_presets() -> Result<JsValue, JsValue> {
+    let item = |preset: frond_fit::CurvePreset| Item {
+        id: preset.id,
+        name: preset.name,
+        about: preset.about,
+        curve: Curve::from(&preset.curve),
+    };
+    write(&frond_fit::curve_presets().into_iter().map(item).collect::<Vec<_>>())
+}
+
+/// A curve in letters, digits, `-` and `_`, as a link holds it: some three characters a knot, four more a copied edge.
+#[wasm_bindgen(js_name = packCurve)]
+pub fn pack_curve(#[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue) -> Result<String, JsValue> {
+    read_curve(&curve)?.to_text().map_err(of_pack)
+}
+
+/// The curve that [`pack_curve`] wrote; of another word, as a link keeps it.
+#[wasm_bindgen(js_name = unpackCurve, unchecked_return_type = "Curve")]
+pub fn unpack_curve(text: &str) -> Result<JsValue, JsValue> {
+    if text.len() > MAX_TEXT {
+        return Err(of_pack(PackError::TooLong));
+    }
+    write_curve(&ClosedCurve::from_text(text).map_err(of_pack)?)
+}
+
+/// The curve as a link brings it back: knots to a hundred-thousandth of the box's diagonal, roughness to 1/2048.
+/// What this gives does not change any more.
+#[wasm_bindgen(unchecked_return_type = "Curve")]
+pub fn quantised(#[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue) -> Result<JsValue, JsValue> {
+    write_curve(&read_curve(&curve)?.quantised().map_err(of_pack)?)
+}
+
+/// The box dimension that a closed polyline seems to have between 1/64 and 1/256 of its box's diagonal.
+pub(super) fn dimension(points: &[DVec2], diagonal: f64) -> f64 {
+    if diagonal > 0.0 { box_slope_of(points, true, &BOXES.map(|parts| diagonal / parts)) } else { 0.0 }
+}
+
+fn length(points: &[DVec2]) -> f64 {
+    points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| a.distance(*b)).sum()
+}
+
+/// What a curve costs and what it is like.
+///
+/// Numbers are 2 a knot and 2 a copied edge, bytes those of the packed curve. The dimension is that of boxes between 1/64
+/// and 1/256 of the box's diagonal, the length that of a polyline that is true to 1/2000 of it; contractivity is the
+/// largest factor by which a copy stretches lengths, 0 where all edges are straight.
+#[wasm_bindgen(
+    js_name = curveFacts,
+    unchecked_return_type = "{ numbers: number; knots: number; copies: number; bytes: number; dimension: number; length: number; contractivity: number }"
+)]
+pub fn curve_facts(
+    #[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue,
+) -> Result<JsValue, JsValue> {
+    let curve = read_curve(&curve)?;
+    let woven = read::woven(&curve)?;
+    let diagonal = super::morph::diagonal(&woven);
+    let points: Vec<_> =
+        woven.trace(COUNTED * diagonal, None, MOST_COUNTED).into_iter().map(|(_, p)| p).collect();
+    let norms = (0..curve.knots.len()).filter_map(|i| curve.map(i)).map(|(linear, _)| spectral_norm(linear));
+    // Three characters of a link are four bytes of the packed curve in base 64.
+    let bytes = curve.to_text().map_err(of_pack)?.len() * 3 / 4;
+    Ok(object(&[
+        ("numbers", curve.numbers().into()),
+        ("knots", curve.knots.len().into()),
+        ("copies", curve.copies().into()),
+        ("bytes", bytes.into()),
+        ("dimension", dimension(&points, diagonal).into()),
+        ("length", length(&points).into()),
+        ("contractivity", norms.fold(0.0, f64::max).into()),
+    ]))
+}
+
+#[derive(Serialize)]
+struct EdgeMap {
+    map: Option<Row>,
+    arc: [usize; 2],
+    reversed: bool,
+}
+
+/// What makes each edge: the map that takes an arc to it (null: it is straight), and the arc by its first knot and how
+/// many edges it has. The curve is what is left the same when each edge is replaced by the image of its arc.
+#[wasm_bindgen(
+    js_name = curveMaps,
+    unchecked_return_type = "{ map: MapRow | null; arc: [from: number, span: number]; reversed: boolean }[]"
+)]
+pub fn curve_maps(
+    #[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue,
+) -> Result<JsValue, JsValue> {
+    let curve = read_curve(&curve)?;
+    let edges: Vec<_> = curve
+        .edges
+        .iter()
+        .enumerate()
+        .map(|(i, edge)| {
+            let map = curve.map(i).map(|(linear, origin)| {
+                let shift = curve.knots[i] - linear * origin;
+                [linear.x_axis.x, linear.y_axis.x, linear.x_axis.y, linear.y_axis.y, shift.x, shift.y]
+            });
+            let arc = edge.map_or([i, 1], |copy| [copy.from, copy.span]);
+            EdgeMap { map, arc, reversed: edge.is_some_and(|copy| copy.reversed) }
+        })
+        .collect();
+    write(&edges)
+}
+
+/// A list that is too long, before its entries are read.
+pub(super) fn longer_than(value: &JsValue, most: usize) -> Option<usize> {
+    value.dyn_ref::<Array>().map(|list| list.length() as usize).filter(|&length| length > most)
+}
