@@ -1,4 +1,4 @@
-import AxeBuilder from "@axe-core/playwright";
+import { expectClean } from "./axe";
 import { Finger } from "./finger";
 import { expect, test } from "./fixture";
 import { Grid } from "./grid";
@@ -20,8 +20,7 @@ test("a phone shows the leaf with its time, and nothing scrolls sideways", async
   const fit = await page.getByRole("button", { name: "Fit to the stage" }).boundingBox();
   if (!chip || !fit) throw new Error("nothing stands at the foot of the stage");
   expect(chip.x + chip.width).toBeLessThanOrEqual(fit.x);
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  expect(violations.map(({ id }) => id)).toEqual([]);
+  await expectClean(page);
 });
 
 test("what a finger presses is large enough", async ({ studio, page }) => {

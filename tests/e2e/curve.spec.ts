@@ -1,6 +1,6 @@
 import { readFile } from "node:fs/promises";
-import AxeBuilder from "@axe-core/playwright";
 import type { Page } from "@playwright/test";
+import { expectClean } from "./axe";
 import { expect, test } from "./fixture";
 import { Grid } from "./grid";
 import type { Studio } from "./studio";
@@ -19,13 +19,6 @@ async function choose(page: Page, end: "A" | "B", name: RegExp): Promise<void> {
 async function at(page: Page, percent: string): Promise<void> {
   await page.getByRole("spinbutton", { name: "Time in percent" }).fill(percent);
   await page.keyboard.press("Enter");
-}
-
-async function expectClean(page: Page): Promise<void> {
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  expect(
-    violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(" ")).join(", ")}`),
-  ).toEqual([]);
 }
 
 test("a curve for one end makes both ends curves, in one step, and a system brings both back", async ({

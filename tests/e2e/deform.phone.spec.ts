@@ -1,4 +1,4 @@
-import AxeBuilder from "@axe-core/playwright";
+import { expectClean } from "./axe";
 import { Finger } from "./finger";
 import { expect, test } from "./fixture";
 
@@ -93,14 +93,10 @@ for (const colorScheme of ["light", "dark"] as const) {
     await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
     await studio.open(GASKET);
     await studio.drawn();
-    const clean = async () => {
-      const { violations } = await new AxeBuilder({ page }).analyze();
-      expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map((n) => n.target.join(" "))}`)).toEqual([]);
-    };
-    await clean();
+    await expectClean(page);
     await page.getByRole("button", { name: "Wave" }).tap();
     for (const summary of await page.locator(".bend-fold > summary").all()) await summary.tap();
     await studio.drawn();
-    await clean();
+    await expectClean(page);
   });
 }

@@ -1,5 +1,5 @@
-import AxeBuilder from "@axe-core/playwright";
 import type { Page } from "@playwright/test";
+import { expectClean } from "./axe";
 import { expect, test } from "./fixture";
 
 const GASKET = "v=1&a=gasket&b=dragon-3&tool=deform";
@@ -180,15 +180,9 @@ test("a shape of the gallery has the grid around it, and the link brings all of 
 for (const colorScheme of ["light", "dark"] as const) {
   test(`axe finds nothing in the deformation tool, ${colorScheme}`, async ({ studio, page }) => {
     await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
-    const clean = async () => {
-      const { violations } = await new AxeBuilder({ page }).analyze();
-      expect(
-        violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(" ")).join(", ")}`),
-      ).toEqual([]);
-    };
     await studio.open(GASKET);
     await studio.drawn();
-    await clean();
+    await expectClean(page);
     await page.getByRole("button", { name: "Wave" }).click();
     await page.getByRole("radio", { name: "Grid" }).check();
     await page.getByRole("switch", { name: "Differs from corner to corner" }).check();
@@ -197,14 +191,14 @@ for (const colorScheme of ["light", "dark"] as const) {
     await field.fill("0");
     await field.press("Enter");
     await studio.drawn();
-    await clean();
+    await expectClean(page);
     await field.press("Escape");
     await field.blur();
     await page.locator("body").press("?");
     await expect(page.getByText("Hide the grid, show it")).toBeVisible();
-    await clean();
+    await expectClean(page);
     await page.keyboard.press("Escape");
     await page.getByRole("button", { name: /Choose another shape$/ }).click();
-    await clean();
+    await expectClean(page);
   });
 }

@@ -1,5 +1,5 @@
-import AxeBuilder from "@axe-core/playwright";
 import type { Locator, Page } from "@playwright/test";
+import { expectClean } from "./axe";
 import { expect, test } from "./fixture";
 
 const PAGES = ["1", "2", "3", "5", "6", "7", "table-1"];
@@ -19,13 +19,6 @@ async function open(page: Page, figure: string): Promise<void> {
   if (page.url() !== "about:blank") await page.goto("about:blank");
   await page.goto(`./#figures${figure === "" ? "" : `/${figure}`}`);
   await page.getByRole("heading", { level: 1 }).waitFor();
-}
-
-async function expectClean(page: Page): Promise<void> {
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  expect(
-    violations.map(({ id, nodes }) => `${id}: ${nodes.map((n) => n.target.join(" ")).join(", ")}`),
-  ).toEqual([]);
 }
 
 /** How many pixels of a canvas hold something. */

@@ -1,6 +1,6 @@
-import AxeBuilder from "@axe-core/playwright";
 import type { Page } from "@playwright/test";
 import type { Graph } from "../../crate/web/src/api";
+import { expectClean } from "./axe";
 import { expect, test } from "./fixture";
 import type { Studio } from "./studio";
 
@@ -187,10 +187,7 @@ test("a table of numbers is read, a bad one is told about, and nothing is lost",
 test("it is clean to those who hear it, and zooms along t by keys", async ({ page }) => {
   await open(page);
   await search(page, "table1");
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  expect(
-    violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(" ")).join(", ")}`),
-  ).toEqual([]);
+  await expectClean(page);
   const stage = page.getByRole("application", { name: /^The graph\./ });
   await stage.focus();
   for (let i = 0; i < 4; i++) await page.keyboard.press("+");

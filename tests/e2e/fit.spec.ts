@@ -1,15 +1,8 @@
 import { readFile } from "node:fs/promises";
-import AxeBuilder from "@axe-core/playwright";
 import type { Page } from "@playwright/test";
+import { expectClean } from "./axe";
 import { apart, blank, FitTool, file, GREEN, leafPicture, noise, png, twoLeaves } from "./fit-tool";
 import { expect, test } from "./fixture";
-
-async function expectClean(page: Page): Promise<void> {
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  expect(
-    violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(" ")).join(", ")}`),
-  ).toEqual([]);
-}
 
 const card = (page: Page) => page.locator(".source-name");
 

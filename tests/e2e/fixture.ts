@@ -1,5 +1,12 @@
-import { test as base } from "@playwright/test";
-import { Studio } from "./studio";
+import {
+  type Browser,
+  test as base,
+  type ConsoleMessage,
+  type Page,
+  type Request,
+  type Response,
+} from "@playwright/test";
+import { listen, Studio } from "./studio";
 
 /**
  * What the software GPU's driver says about its own speed, and Chromium about canvases that the tests themselves read more
@@ -9,12 +16,58 @@ const driver = /GL Driver Message|GroupMarkerNotSet|willReadFrequently/;
 /** Chromium where it has no WebGPU, each time that it is asked: a page asks once. */
 const noWebGpu = /No available adapters/;
 
+interface Fixtures {
+  /** What a test provokes: `test.use({ expected: /device lost/ })`. */
+  expected: RegExp | null;
+  /** A browser's window of its own, for what would stay with the tab: `test.use({ alone: true })`. */
+  alone: boolean;
+  quiet: undefined;
+  studio: Studio;
+}
+
+/** The tab in which one test follows another. */
+interface Tab {
+  page: Page | null;
+}
+
 /**
  * Every test fails that leaves an error or a warning on the page's console, throws past the page, or asks for
- * something that is not there. A test that provokes one says which: `test.use({ expected: /device lost/ })`.
+ * something that is not there.
+ *
+ * The tests of a worker share one tab: each begins on an empty page, and loads the studio from the tab's cache.
  */
-export const test = base.extend<{ expected: RegExp | null; quiet: undefined; studio: Studio }>({
+export const test = base.extend<Fixtures, { tab: Tab }>({
   expected: [null, { option: true }],
+  alone: [false, { option: true }],
+  tab: [
+    // biome-ignore lint/correctness/noEmptyPattern: Playwright reads from it what a fixture needs.
+    async ({}, use) => {
+      const tab: Tab = { page: null };
+      await use(tab);
+      await tab.page?.context().close();
+    },
+    { scope: "worker" },
+  ],
+  page: async ({ alone, browser, tab, viewport }, use) => {
+    if (alone) {
+      const page = await newTab(browser);
+      await use(page);
+      await page.context().close();
+      return;
+    }
+    tab.page ??= await newTab(browser);
+    const page = tab.page;
+    await use(page);
+    await page.evaluate(() => {
+      localStorage.clear();
+      sessionStorage.clear();
+    });
+    await page.goto("about:blank");
+    await page.unrouteAll();
+    await page.mouse.move(0, 0);
+    await page.emulateMedia({ colorScheme: "light", reducedMotion: "no-preference" });
+    if (viewport) await page.setViewportSize(viewport);
+  },
   studio: async ({ page }, use) => use(new Studio(page)),
   quiet: [
     async ({ page, expected }, use) => {
@@ -24,25 +77,41 @@ export const test = base.extend<{ expected: RegExp | null; quiet: undefined; stu
         if (noWebGpu.test(text) && ++asked === 1) return;
         if (!driver.test(text) && !expected?.test(text)) complaints.push(text);
       };
-      page.on("console", (message) => {
+      const onConsole = (message: ConsoleMessage) => {
         if (message.type() === "error" || message.type() === "warning") complain(message.text());
-      });
-      page.on("request", (request) => {
+      };
+      const onRequest = (request: Request) => {
         if (request.isNavigationRequest() && request.frame() === page.mainFrame()) asked = 0;
-      });
-      page.on("pageerror", (error) => complain(String(error)));
-      page.on("requestfailed", (request) => {
+      };
+      const onError = (error: Error) => complain(String(error));
+      const onFailure = (request: Request) => {
         // A request that the page itself gave up is no fault.
         if (request.failure()?.errorText !== "net::ERR_ABORTED") complain(`${request.url()} failed`);
-      });
-      page.on("response", (response) => {
+      };
+      const onResponse = (response: Response) => {
         if (response.status() >= 400) complain(`${response.url()}: ${response.status()}`);
-      });
+      };
+      page.on("console", onConsole);
+      page.on("request", onRequest);
+      page.on("pageerror", onError);
+      page.on("requestfailed", onFailure);
+      page.on("response", onResponse);
       await use(undefined);
+      page.off("console", onConsole);
+      page.off("request", onRequest);
+      page.off("pageerror", onError);
+      page.off("requestfailed", onFailure);
+      page.off("response", onResponse);
       if (complaints.length > 0) throw new Error(`the page complained:\n${complaints.join("\n")}`);
     },
     { auto: true },
   ],
 });
+
+async function newTab(browser: Browser): Promise<Page> {
+  const page = await browser.newPage();
+  await listen(page);
+  return page;
+}
 
 export { expect } from "@playwright/test";

@@ -1,5 +1,7 @@
 import { expect, test } from "./fixture";
 
+test.use({ alone: true });
+
 test("it asks for nothing but its own files, from a folder of a plain host", async ({ studio, page }) => {
   const asked: string[] = [];
   page.on("request", (request) => asked.push(request.url()));
@@ -20,11 +22,11 @@ test("it asks for nothing but its own files, from a folder of a plain host", asy
   expect(modules).toHaveLength(new Set(modules).size);
 });
 
-test("once loaded it works without the network", async ({ studio, page, context }) => {
+test("once loaded it works without the network", async ({ studio, page }) => {
   await studio.open("a=dragon-3&b=gasket&path=straight");
   const before = await studio.look();
   await studio.idle();
-  await context.setOffline(true);
+  await page.context().setOffline(true);
   await page.getByRole("button", { name: /^Shape A: / }).click();
   await page.getByRole("dialog").getByRole("button", { name: /^Koch/ }).click();
   await studio.time.press("End");

@@ -1,4 +1,4 @@
-import AxeBuilder from "@axe-core/playwright";
+import { expectClean } from "./axe";
 import { expect, test } from "./fixture";
 
 test("a phone shows the picture with its time, and nothing scrolls sideways", async ({ studio, page }) => {
@@ -67,15 +67,11 @@ for (const colorScheme of ["light", "dark"] as const) {
     await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
     await studio.open("a=dragon-3&b=gasket&path=drawn:0.2,0.8&t=0.5");
     await studio.idle();
-    const clean = async () => {
-      const { violations } = await new AxeBuilder({ page }).analyze();
-      expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map((n) => n.target.join(" "))}`)).toEqual([]);
-    };
-    await clean();
+    await expectClean(page);
     await page.getByRole("button", { name: /^Shape A: / }).tap();
-    await clean();
+    await expectClean(page);
     await page.keyboard.press("Escape");
     await page.getByRole("button", { name: "Edit the maps of A" }).tap();
-    await clean();
+    await expectClean(page);
   });
 }

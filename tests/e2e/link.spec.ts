@@ -26,8 +26,8 @@ test("reloading restores the document and the very same picture", async ({ studi
   expect(await studio.said()).toEqual([]);
 });
 
-test("the link that is shared opens the same elsewhere", async ({ studio, page, context, browser }) => {
-  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+test("the link that is shared opens the same elsewhere", async ({ studio, page, browser }) => {
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
   await studio.open("a=levy&b=twindragon&t=0.4&colour=address");
   await studio.time.press("ArrowRight");
   await studio.idle();

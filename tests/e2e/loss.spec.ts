@@ -1,6 +1,6 @@
 import { expect, test } from "./fixture";
 
-test.use({ expected: /context.*lost|device.*lost|CONTEXT_LOST|destroyed/i });
+test.use({ alone: true, expected: /context.*lost|device.*lost|CONTEXT_LOST|destroyed/i });
 
 test("a lost device costs nothing but a notice", async ({ studio, page }, info) => {
   await studio.open("a=dragon-3&b=gasket&path=straight&t=0.7");

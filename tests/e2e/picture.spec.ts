@@ -15,35 +15,39 @@ test("the first picture is there, drawn by the backend of this project", async (
   await expect(page.locator(".picture canvas")).toHaveCount(1);
 });
 
-test("the first picture does not wait for the workers", async ({ studio, page }) => {
-  await page.addInitScript(() => {
-    // On a slow machine the workers would not wait for ever; here they have to.
-    const wait = window.setTimeout;
-    window.setTimeout = ((then: () => void, ms?: number) =>
-      wait(then, ms !== undefined && ms >= 1000 ? 1e9 : ms)) as typeof setTimeout;
-    const lit = (canvas: HTMLCanvasElement) => {
-      const { width, height } = canvas;
-      // Only what was computed without the renderer can be read here: a canvas of its has another context.
-      return (
-        canvas
-          .getContext("2d")
-          ?.getImageData(0, 0, width, height)
-          .data.some((x) => x > 0) === true
-      );
-    };
-    const Real = window.Worker;
-    window.Worker = class extends Real {
-      constructor(...given: ConstructorParameters<typeof Worker>) {
-        const pictures = [...document.querySelectorAll<HTMLCanvasElement>(".picture canvas")];
-        const seen = pictures.some(lit) || document.querySelector(".readout-points") !== null;
-        document.documentElement.dataset["before"] ??= seen ? "a picture" : "nothing";
-        super(...given);
-      }
-    };
+test.describe("the first picture", () => {
+  test.use({ alone: true });
+
+  test("does not wait for the workers", async ({ studio, page }) => {
+    await page.addInitScript(() => {
+      // On a slow machine the workers would not wait for ever; here they have to.
+      const wait = window.setTimeout;
+      window.setTimeout = ((then: () => void, ms?: number) =>
+        wait(then, ms !== undefined && ms >= 1000 ? 1e9 : ms)) as typeof setTimeout;
+      const lit = (canvas: HTMLCanvasElement) => {
+        const { width, height } = canvas;
+        // Only what was computed without the renderer can be read here: a canvas of its has another context.
+        return (
+          canvas
+            .getContext("2d")
+            ?.getImageData(0, 0, width, height)
+            .data.some((x) => x > 0) === true
+        );
+      };
+      const Real = window.Worker;
+      window.Worker = class extends Real {
+        constructor(...given: ConstructorParameters<typeof Worker>) {
+          const pictures = [...document.querySelectorAll<HTMLCanvasElement>(".picture canvas")];
+          const seen = pictures.some(lit) || document.querySelector(".readout-points") !== null;
+          document.documentElement.dataset["before"] ??= seen ? "a picture" : "nothing";
+          super(...given);
+        }
+      };
+    });
+    await studio.open();
+    await studio.idle();
+    await expect(page.locator("html")).toHaveAttribute("data-before", "a picture");
   });
-  await studio.open();
-  await studio.idle();
-  await expect(page.locator("html")).toHaveAttribute("data-before", "a picture");
 });
 
 test("it agrees with the adaptive cut", async ({ studio }) => {

@@ -1,4 +1,4 @@
-import AxeBuilder from "@axe-core/playwright";
+import { expectClean } from "./axe";
 import { Finger } from "./finger";
 import { expect, test } from "./fixture";
 
@@ -16,8 +16,7 @@ test("a phone shows space with its time, and a finger looks around and turns", a
   expect(box.height).toBeGreaterThan(0.25 * height);
   expect(time.y + time.height).toBeLessThanOrEqual(height);
   await expect(studio.time).toBeInViewport({ ratio: 1 });
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  expect(violations.map(({ id }) => id)).toEqual([]);
+  await expectClean(page);
 
   const finger = await Finger.of(page);
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];

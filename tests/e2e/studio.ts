@@ -18,6 +18,21 @@ export interface Look {
 
 type Notices = Window & { said?: string[] };
 
+/** Notes every notice of the page, from its start. */
+export async function listen(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const said: string[] = [];
+    Object.assign(window, { said });
+    const seen = new WeakSet<Element>();
+    new MutationObserver(() => {
+      for (const toast of document.querySelectorAll(".toast")) {
+        if (!seen.has(toast)) said.push(toast.querySelector("p")?.textContent ?? "");
+        seen.add(toast);
+      }
+    }).observe(document, { subtree: true, childList: true });
+  });
+}
+
 /** The page under test. Actions go through the page as a person's would; only questions go through its hook. */
 export class Studio {
   readonly page: Page;
@@ -26,7 +41,6 @@ export class Studio {
   readonly square: Locator;
   readonly alerts: Locator;
   readonly toasts: Locator;
-  #listening = false;
 
   constructor(page: Page) {
     this.page = page;
@@ -39,7 +53,6 @@ export class Studio {
 
   /** Loads the page anew with this fragment, without waiting for what it works out. */
   async open(fragment = "", query = ""): Promise<void> {
-    await this.#listen();
     // Another fragment alone would be another document of the same page.
     if (this.page.url() !== "about:blank") await this.page.goto("about:blank");
     await this.page.goto(`./${query}${fragment === "" ? "" : `#${fragment}`}`);
@@ -49,22 +62,6 @@ export class Studio {
   /** Every notice since the page was opened: most leave by themselves, on a slow machine before they are looked for. */
   said(): Promise<string[]> {
     return this.page.evaluate(() => (window as Notices).said ?? []);
-  }
-
-  async #listen(): Promise<void> {
-    if (this.#listening) return;
-    this.#listening = true;
-    await this.page.addInitScript(() => {
-      const said: string[] = [];
-      Object.assign(window, { said });
-      const seen = new WeakSet<Element>();
-      new MutationObserver(() => {
-        for (const toast of document.querySelectorAll(".toast")) {
-          if (!seen.has(toast)) said.push(toast.querySelector("p")?.textContent ?? "");
-          seen.add(toast);
-        }
-      }).observe(document, { subtree: true, childList: true });
-    });
   }
 
   /** The picture is complete. Where the path is automatic it may still change with the plan: `idle` waits for that. */
