@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { bentAt } from "../../www/src/state/bezier";
-import type { Mesh } from "../../www/src/state/mesh";
+import { bentAt } from "../../www/src/geometry/bezier";
+import type { Mesh } from "../../www/src/geometry/mesh";
 
 interface Meshes {
   /** Rows from below, columns from the left, dx and dy. */

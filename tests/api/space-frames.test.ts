@@ -1,9 +1,9 @@
 import { readFile } from "node:fs/promises";
 import { beforeAll, beforeEach, describe, expect, it, vi } from "vitest";
-import type { Space, SpaceTimeline } from "../../www/src/engine/api";
-import { solid, startSpace } from "../../www/src/engine/space/module";
+import type { Space, SpaceTimeline } from "../../www/src/wasm/api";
+import { solid, startSpace } from "../../www/src/wasm/space";
 
-vi.mock("../../www/src/engine/module", () => ({
+vi.mock("../../www/src/wasm/module", () => ({
   once: (get: () => Promise<unknown>) => get,
   compiled: async () =>
     WebAssembly.compile(await readFile(new URL("../../www/pkg/frond-space_bg.wasm", import.meta.url))),

@@ -4,9 +4,6 @@ import { useEffect } from "preact/hooks";
 import { evidenceOpen } from "./canvas/marks";
 import type { PainterBackend } from "./canvas/painter";
 import { Stage } from "./canvas/stage";
-import type { Tool } from "./engine/api";
-import { curvesFetched, loadCurves } from "./engine/curves";
-import { loadProof } from "./engine/proof";
 import { Header } from "./shell/header";
 import { Readout, VerdictChip } from "./shell/readouts";
 import { tool } from "./state/bend";
@@ -16,6 +13,9 @@ import { announcement, dismiss, notices, notify, wordsOf } from "./state/notice"
 import { lazily } from "./ui/lazy";
 import { Toasts } from "./ui/Toasts";
 import { MorphPanel, MorphStrip } from "./views/morph/index";
+import type { Tool } from "./wasm/api";
+import { curvesFetched, loadCurves } from "./wasm/curve";
+import { loadProof } from "./wasm/proof";
 
 /** The whole page. */
 export function App({ backend }: { backend: "auto" | PainterBackend }) {

@@ -6,14 +6,14 @@ import { h, render } from "preact";
 import { App, fetchAhead } from "./app";
 import { whenFirstPicture } from "./canvas/first";
 import { startEngine } from "./engine/engine";
-import { compileProof } from "./engine/proof";
 import { startSchedules } from "./engine/schedule/index";
-import { load } from "./engine/wasm";
 import { link } from "./shell/actions";
 import { installHook } from "./shell/hook";
 import { readParameters } from "./shell/parameters";
 import { reportTrouble, showFailure } from "./shell/trouble";
 import { notify, wordsOf } from "./state/notice";
+import { load } from "./wasm/core";
+import { compileProof } from "./wasm/proof";
 
 reportTrouble();
 

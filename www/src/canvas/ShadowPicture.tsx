@@ -1,9 +1,9 @@
 import "./shadow.css";
 import { useLayoutEffect, useRef } from "preact/hooks";
-import type { MapRow3, Point3 } from "#engine/api";
-import { solid } from "#engine/space/module";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
+import type { MapRow3, Point3 } from "#wasm/api";
+import { solid } from "#wasm/space";
 
 const POINTS = 30_000;
 const WIDTH = 672;

@@ -1,7 +1,7 @@
-import type { Bend, MapRow } from "#engine/api";
-import type { Renderer, RenderStyle } from "#engine/wasm";
+import type { View } from "#geometry/coordinates";
 import type { Photograph } from "#state/photograph";
-import type { View } from "./geometry";
+import type { Bend, MapRow } from "#wasm/api";
+import type { Renderer, RenderStyle } from "#wasm/core";
 import type { Drawn, Pixels, Surface } from "./surface";
 
 /** The renderer of the Rust side, in the page's units. */

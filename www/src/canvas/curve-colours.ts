@@ -1,5 +1,5 @@
 /** Which colour an edge of a closed curve has. */
-import type { Colouring } from "#engine/api";
+import type { Colouring } from "#wasm/api";
 
 /** The colours of the edges, and for each edge which of them it has. */
 export interface EdgeColours {

@@ -1,12 +1,12 @@
 /** The film of a closed curve's morph: small pictures at even times, made one after another while there is nothing else to do. */
 import { effect, untracked } from "@preact/signals";
-import { STATE } from "#engine/breaks";
 import { type Frame, publish } from "#engine/results";
 import { FRAME_HEIGHT, FRAME_WIDTH, FRAMES } from "#engine/schedule/strip";
-import { boxAt } from "#state/camera";
+import { toldOf } from "#format/verdict";
+import { boxAt } from "#geometry/boxes";
+import { STATE } from "#geometry/states";
 import { curveMorph } from "#state/curve";
 import { pathTrack } from "#state/fit";
-import { toldOf } from "#state/words";
 import { curveThumb } from "./curve-thumb";
 import { stageStyle } from "./look";
 

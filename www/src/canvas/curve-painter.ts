@@ -1,9 +1,9 @@
-import type { Bend } from "#engine/api";
-import type { RenderStyle } from "#engine/wasm";
+import type { View } from "#geometry/coordinates";
 import type { CurveMorph } from "#state/curve";
 import { wordsOf } from "#state/notice";
+import type { Bend } from "#wasm/api";
+import type { RenderStyle } from "#wasm/core";
 import { lookOf, paintCurve } from "./curve-paint";
-import type { View } from "./geometry";
 import type { PainterState } from "./painter";
 import type { Pixels } from "./surface";
 

@@ -1,5 +1,5 @@
 /** Small pictures of closed curves. */
-import type { Box } from "#state/camera";
+import type { Box } from "#geometry/boxes";
 import type { CurveMorph } from "#state/curve";
 import { fitFor } from "#state/fit";
 import { lookOf, paintCurve } from "./curve-paint";

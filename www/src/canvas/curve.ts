@@ -1,5 +1,5 @@
 /** A closed curve on a canvas: from vertices in the plane to what is filled and what is stroked, in device pixels. */
-import type { View } from "./geometry";
+import type { View } from "#geometry/coordinates";
 
 /** What takes a path: a `Path2D`, or the tests' own. */
 export type Sink = Pick<Path2D, "moveTo" | "lineTo" | "closePath">;

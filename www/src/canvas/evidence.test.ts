@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Certificate } from "#engine/api";
+import type { Certificate } from "#wasm/api";
 import { hullsOf } from "./evidence";
 
 const certificate: Certificate = {

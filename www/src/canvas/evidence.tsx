@@ -1,10 +1,10 @@
 import { computed } from "@preact/signals";
-import type { Certificate, Connectedness, Link, MapRow } from "#engine/api";
-import { STATE } from "#engine/breaks";
 import { verdict } from "#engine/results";
 import { proof } from "#engine/schedule/proof";
-import { shareOf, shareWords, stateOf } from "#state/words";
-import { toScreen, world } from "./geometry";
+import { shareOf, shareWords, stateOf } from "#format/verdict";
+import { toScreen, world } from "#geometry/coordinates";
+import { STATE } from "#geometry/states";
+import type { Certificate, Connectedness, Link, MapRow } from "#wasm/api";
 import { stageStyle } from "./look";
 import { evidenceMarked } from "./marks";
 import { effectiveView, stageSize } from "./view";

@@ -1,10 +1,10 @@
-import type { Bend, MapRow } from "#engine/api";
 import { Coalesce } from "#engine/coalesce";
 import { submit } from "#engine/engine";
 import { type Channel, type Job, single } from "#engine/protocol";
-import { frond, type RenderStyle } from "#engine/wasm";
+import type { View } from "#geometry/coordinates";
 import type { Photograph } from "#state/photograph";
-import type { View } from "./geometry";
+import type { Bend, MapRow } from "#wasm/api";
+import { frond, type RenderStyle } from "#wasm/core";
 import { partsOf, SheetPainter } from "./sheet";
 import type { Drawn, Pixels, Surface } from "./surface";
 

@@ -1,4 +1,4 @@
-import { panned, type Screen, screen, zoomed } from "./geometry";
+import { panned, type Screen, screen, zoomed } from "#geometry/coordinates";
 import { effectiveView, fitView, stageSize, view } from "./view";
 import { keepView } from "./view-link";
 

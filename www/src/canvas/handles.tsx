@@ -1,14 +1,14 @@
 import { computed, signal, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import type { MapRow, Shape } from "#engine/api";
+import { lengthWords } from "#format/verdict";
+import { screen, toScreen, toWorld, type World } from "#geometry/coordinates";
+import { type Corners, cornersOf, dragged, GRIPS, type Grip } from "#geometry/parallelogram";
 import { type Box, boxOf } from "#state/fit";
 import { selection } from "#state/morph";
 import { announce } from "#state/notice";
 import { edit, endGesture, inGesture, scene } from "#state/scene";
-import { lengthWords } from "#state/words";
-import { screen, toScreen, toWorld, type World } from "./geometry";
+import type { MapRow, Shape } from "#wasm/api";
 import { stageStyle } from "./look";
-import { type Corners, cornersOf, dragged, GRIPS, type Grip } from "./parallelogram";
 import { effectiveView, stageSize } from "./view";
 
 const UNIT: Box = { x0: 0, y0: 0, x1: 1, y1: 1 };

@@ -1,8 +1,8 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
-import type { RenderStyle } from "#engine/wasm";
 import { dark } from "#state/preferences";
 import { scene } from "#state/scene";
 import { palette } from "#style/palette";
+import type { RenderStyle } from "#wasm/core";
 
 const colouring = computed(() => scene.value.colouring);
 

@@ -1,12 +1,12 @@
-import type { Bend, MapRow } from "#engine/api";
 import type { Channel } from "#engine/protocol";
-import { createRenderer } from "#engine/renderer";
-import type { Backend, Renderer, RenderStyle } from "#engine/wasm";
+import type { View } from "#geometry/coordinates";
 import { notify, wordsOf } from "#state/notice";
 import type { Photograph } from "#state/photograph";
+import type { Bend, MapRow } from "#wasm/api";
+import type { Backend, Renderer, RenderStyle } from "#wasm/core";
+import { createRenderer } from "#wasm/renderer";
 import { Accelerated } from "./accelerated";
 import { Fallback } from "./fallback";
-import type { View } from "./geometry";
 import { Preview } from "./preview";
 import type { Pixels, Surface } from "./surface";
 

@@ -1,8 +1,8 @@
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import type { Bend, MapRow } from "#engine/api";
 import { bendProblem } from "#state/bend";
 import type { Photograph } from "#state/photograph";
+import type { Bend, MapRow } from "#wasm/api";
 import { attachGestures } from "./gestures";
 import { stageStyle } from "./look";
 import { Painter, type PainterBackend, type PainterState } from "./painter";

@@ -1,7 +1,7 @@
-import type { Bend } from "#engine/api";
-import { frond, type SheetHandle } from "#engine/wasm";
+import type { View } from "#geometry/coordinates";
 import type { Photograph } from "#state/photograph";
-import type { View } from "./geometry";
+import type { Bend } from "#wasm/api";
+import { frond, type SheetHandle } from "#wasm/core";
 import type { Drawn } from "./surface";
 
 /** What a bent picture is drawn with: lengths are device pixels. */

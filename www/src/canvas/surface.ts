@@ -1,7 +1,7 @@
-import type { Bend, MapRow } from "#engine/api";
-import type { RenderStyle } from "#engine/wasm";
+import type { View } from "#geometry/coordinates";
 import type { Photograph } from "#state/photograph";
-import type { View } from "./geometry";
+import type { Bend, MapRow } from "#wasm/api";
+import type { RenderStyle } from "#wasm/core";
 
 /** Straight alpha, row 0 on top. */
 export interface Pixels {

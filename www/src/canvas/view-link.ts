@@ -1,7 +1,7 @@
 import { effect, untracked } from "@preact/signals";
+import type { View } from "#geometry/coordinates";
 import { selection } from "#state/morph";
 import { replace, scene } from "#state/scene";
-import type { View } from "./geometry";
 import { baseView, effectiveView, stageSize, view } from "./view";
 
 /** Ties the view to the document, where it is kept relative to the fit: the same link fits a phone and a wall. */

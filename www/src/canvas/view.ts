@@ -1,9 +1,9 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import { type Box, blendTracks, boxAt, sameTrack, type Track } from "#state/camera";
+import { type Box, blendTracks, boxAt, sameTrack, type Track } from "#geometry/boxes";
+import type { Size, View } from "#geometry/coordinates";
 import { fitFor, pairBox, stageTrack } from "#state/fit";
 import { reducedMotion } from "#state/preferences";
 import { inGesture, scene } from "#state/scene";
-import type { Size, View } from "./geometry";
 import { panelInset } from "./marks";
 
 /** What part of the plane the stage shows; null fits the whole attractor. */

@@ -1,10 +1,10 @@
 import { type ReadonlySignal, signal } from "@preact/signals";
+import { frond } from "#wasm/core";
+import { loadProof } from "#wasm/proof";
 import { executor } from "./execute";
 import { Inline } from "./inline";
 import { Pool, type WorkerLike } from "./pool";
-import { loadProof } from "./proof";
 import type { Channel, Job, Modules } from "./protocol";
-import { frond } from "./wasm";
 
 type Host = Pick<Pool, "submit" | "cancel" | "killOne" | "busy">;
 

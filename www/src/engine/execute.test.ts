@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
-import type { Connectedness, MapRow } from "./api";
+import type { Connectedness, MapRow } from "#wasm/api";
+import type { Frond } from "#wasm/core";
+import type { Proof } from "#wasm/proof";
 import { executor } from "./execute";
-import type { Proof } from "./proof";
-import type { Frond } from "./wasm";
 
 const maps: MapRow[] = [
   [0.5, 0, 0, 0.5, 0, 0],

@@ -1,9 +1,9 @@
-import type { Connectedness, Ifs } from "./api";
-import { atResolution, STATE } from "./breaks";
-import { answerOf } from "./family";
-import type { LocusTiles, Proof } from "./proof";
+import { answerOf } from "#geometry/polygon-family";
+import { atResolution, STATE } from "#geometry/states";
+import type { Connectedness, Ifs } from "#wasm/api";
+import type { Frond } from "#wasm/core";
+import type { LocusTiles, Proof } from "#wasm/proof";
 import type { Kind, Result, Task } from "./protocol";
-import type { Frond } from "./wasm";
 
 /** How single points are decided: a degenerate locus, all of whose samples are that point. */
 const POINT = { width: 2, height: 2 } as const;

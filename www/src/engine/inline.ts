@@ -1,4 +1,4 @@
-import { toError } from "./error";
+import { toError } from "#wasm/error";
 import type { Channel, Job, Result, Task } from "./protocol";
 
 type Execute = (task: Task) => Promise<{ result: Result }>;

@@ -1,5 +1,5 @@
 import { describe, expect, it, vi } from "vitest";
-import { STATE } from "./breaks";
+import { STATE } from "#geometry/states";
 import { LocusWork, patchesOf, SIZE, STRIDES } from "./locus-job";
 import type { Task } from "./protocol";
 

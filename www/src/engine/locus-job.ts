@@ -1,5 +1,5 @@
-import type { Bounds, FrondError, Locus, MapRow, MorphOptions } from "./api";
-import { atAll, atResolution, STATE } from "./breaks";
+import { atAll, atResolution, STATE } from "#geometry/states";
+import type { Bounds, FrondError, Locus, MapRow, MorphOptions } from "#wasm/api";
 import type { Job, Result, Task } from "./protocol";
 import { CELLS, homeOf } from "./window";
 

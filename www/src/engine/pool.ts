@@ -1,4 +1,4 @@
-import type { FrondError } from "./api";
+import type { FrondError } from "#wasm/api";
 import type { Channel, Job, Modules, Request, Response, Task } from "./protocol";
 
 /** As much of a `Worker` as the pool needs; the tests put their own in its place. */

@@ -1,5 +1,5 @@
-import type { Preset, Shape } from "./api";
-import { frond } from "./wasm";
+import type { Preset, Shape } from "#wasm/api";
+import { frond } from "#wasm/core";
 
 let loaded: readonly Preset[] | null = null;
 

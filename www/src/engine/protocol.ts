@@ -1,4 +1,4 @@
-import type { Told } from "#state/words";
+import type { Told } from "#format/verdict";
 import type {
   Bounds,
   Candidate,
@@ -21,7 +21,7 @@ import type {
   RasterOptions,
   RatedCandidate,
   Route,
-} from "./api";
+} from "#wasm/api";
 
 /** What can be asked of a worker, by kind. Every task is one slice: some ten milliseconds of work, unless it says so. */
 export interface Tasks {

@@ -1,6 +1,6 @@
 import { describe, expect, it, vi } from "vitest";
-import type { LocusView } from "./api";
-import { STATE } from "./breaks";
+import { STATE } from "#geometry/states";
+import type { LocusView } from "#wasm/api";
 import type { Task } from "./protocol";
 import { type LocusSource, Pyramid, TILE } from "./pyramid";
 import { epsilonOf, homeOf, samplesAt, windowOf } from "./window";

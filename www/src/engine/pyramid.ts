@@ -1,6 +1,7 @@
 /** Samples of a plane of parameters at every fineness that was looked at, in tiles. */
-import type { Bounds, Locus } from "./api";
-import { STATE } from "./breaks";
+
+import { STATE } from "#geometry/states";
+import type { Bounds, Locus } from "#wasm/api";
 import type { LocusInputs } from "./locus-job";
 import { CELLS, epsilonOf, type Family, homeOf, levelOf, parameterAt, samplesAt } from "./window";
 

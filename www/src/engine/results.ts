@@ -1,8 +1,8 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import type { Told } from "#format/verdict";
+import { type Stretch, statesAlong, stretches, type Worst } from "#geometry/states";
 import { pathPoints } from "#state/morph";
-import type { Told } from "#state/words";
-import type { Bounds, Connectedness, Locus, PathPlan, PathPoint } from "./api";
-import { type Stretch, statesAlong, stretches, type Worst } from "./breaks";
+import type { Bounds, Connectedness, Locus, PathPlan, PathPoint } from "#wasm/api";
 import type { Pyramid } from "./pyramid";
 
 export interface LocusResult extends Locus {

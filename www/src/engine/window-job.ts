@@ -1,7 +1,8 @@
 /** The samples of the window that is looked at: a coarse picture first, then tile by tile from the middle outwards. */
-import type { Bounds, FrondError, LocusView } from "./api";
-import { atResolution, STATE } from "./breaks";
-import { fills } from "./family";
+
+import { fills } from "#geometry/polygon-family";
+import { atResolution, STATE } from "#geometry/states";
+import type { Bounds, FrondError, LocusView } from "#wasm/api";
 import { nextKey } from "./locus-job";
 import type { Job, Result, Task } from "./protocol";
 import { type Pyramid, STEP, type TileId, WHOLE_LEVELS } from "./pyramid";

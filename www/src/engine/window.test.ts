@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { LocusView } from "./api";
+import type { LocusView } from "#wasm/api";
 import {
   clampedView,
   DEEPEST,

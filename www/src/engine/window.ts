@@ -1,5 +1,5 @@
 /** Which part of a plane of parameters is looked at, how finely, and at what resolution. */
-import type { Bounds, LocusView } from "./api";
+import type { Bounds, LocusView } from "#wasm/api";
 
 /** Steps between the samples of a whole plane: 253 samples a side, both ends included. */
 export const CELLS = 252;

@@ -2,11 +2,9 @@ import { computed } from "@preact/signals";
 import { stageStyle } from "#canvas/look";
 import { bentPicture, type SheetRequest } from "#canvas/sheet";
 import { effectiveView, stageSize } from "#canvas/view";
-import type { Tool } from "#engine/api";
 import { submit } from "#engine/engine";
 import { single } from "#engine/protocol";
 import { adoptPath } from "#engine/schedule/index";
-import { frond } from "#engine/wasm";
 import { bend, deformation } from "#state/bend";
 import { curved } from "#state/curve";
 import { addressBar, Link } from "#state/link";
@@ -16,6 +14,8 @@ import type { Photograph } from "#state/photograph";
 import { ownPicture, pictureShown } from "#state/picture";
 import { spacePlaying } from "#state/playback";
 import { scene } from "#state/scene";
+import type { Tool } from "#wasm/api";
+import { frond } from "#wasm/core";
 
 /** The one link between this page's document and its address. */
 export const link = new Link(frond, addressBar, () => {

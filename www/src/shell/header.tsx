@@ -1,5 +1,4 @@
 import type { ComponentChildren } from "preact";
-import type { Tool as ToolName } from "#engine/api";
 import { openTool, tool } from "#state/bend";
 import { help } from "#state/help";
 import { route } from "#state/link";
@@ -8,6 +7,7 @@ import { setTheme, type Theme, theme } from "#state/preferences";
 import { canRedo, canUndo, redo, undo } from "#state/scene";
 import { Icon } from "#ui/Icon";
 import { Menu, type MenuItem } from "#ui/Menu";
+import type { Tool as ToolName } from "#wasm/api";
 import { CURVE_FILES, curveOnStage, saveCurve, savePicture, shareLink, studioHref } from "./actions";
 import { Glyph, type GlyphName } from "./glyphs";
 

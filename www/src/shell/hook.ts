@@ -4,16 +4,16 @@ import { bentPicture } from "#canvas/sheet";
 import { linearPainter, linearPicture, mainPainter, picture } from "#canvas/stage";
 import type { Pixels } from "#canvas/surface";
 import { effectiveView, stageSize } from "#canvas/view";
-import type { Scene } from "#engine/api";
-import { curvesFetched } from "#engine/curves";
 import { killWorker, workers } from "#engine/engine";
 import { locus, verdict } from "#engine/results";
-import { frond } from "#engine/wasm";
 import { bend, deformation } from "#state/bend";
 import { linear, selection, shown } from "#state/morph";
 import { pictureShown } from "#state/picture";
 import { spaceShown } from "#state/playback";
 import { scene } from "#state/scene";
+import type { Scene } from "#wasm/api";
+import { frond } from "#wasm/core";
+import { curvesFetched } from "#wasm/curve";
 
 /** The picture on the stage, or the linear one beside it. */
 export type Which = "main" | "linear";

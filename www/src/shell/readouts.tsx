@@ -6,12 +6,12 @@ import { picture } from "#canvas/stage";
 import { view, zoom } from "#canvas/view";
 import { workers } from "#engine/engine";
 import { verdict } from "#engine/results";
+import { countWords, type VerdictWords, verdictLine, verdictWords } from "#format/verdict";
 import { tool } from "#state/bend";
 import { curved, curveTime } from "#state/curve";
 import { here, locusView, selection } from "#state/morph";
 import { announce } from "#state/notice";
 import { playing } from "#state/playback";
-import { countWords, type VerdictWords, verdictLine, verdictWords } from "#state/words";
 import { CHIP_ID, PANEL_ID } from "./evidence/ids";
 import { Glyph } from "./glyphs";
 

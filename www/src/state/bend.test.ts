@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { DeformKey } from "#engine/api";
+import type { DeformKey } from "#wasm/api";
 import { AT_REST, bendAt, movesAt } from "./bend";
 
 const key = (at: number, ...moves: number[]): DeformKey => ({ at, moves });

@@ -1,5 +1,5 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { Bend, Deformation, DeformKey, Scene, Tool } from "#engine/api";
+import type { Bend, Deformation, DeformKey, Scene, Tool } from "#wasm/api";
 import { curved } from "./curve";
 import { aroundStanding } from "./fit";
 import { edit, replace, scene } from "./scene";

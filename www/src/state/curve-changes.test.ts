@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { CurveShape, Scene } from "#engine/api";
+import type { CurveShape, Scene } from "#wasm/api";
 import { curveAtBoth, sameCurves, swapCurves, withCurve, withoutCurves } from "./curve-changes";
 import { scene as present } from "./scene";
 

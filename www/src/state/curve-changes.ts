@@ -1,6 +1,7 @@
 /** What is done to a document that holds closed curves, as functions from scene to scene. */
-import type { CurveShape, Deformation, Scene } from "#engine/api";
-import { inBox } from "./mesh";
+
+import { inBox } from "#geometry/mesh";
+import type { CurveShape, Deformation, Scene } from "#wasm/api";
 
 export type End = "a" | "b";
 

@@ -1,6 +1,6 @@
 /** Edits that go between systems and closed curves, with the mesh going along. Each is one undo step. */
-import type { CurvePreset, CurveShape, Scene } from "#engine/api";
-import { rough } from "#engine/curves";
+import type { CurvePreset, CurveShape, Scene } from "#wasm/api";
+import { rough } from "#wasm/curve";
 import { curveBox, curved } from "./curve";
 import { type End, withCurve, withoutCurves } from "./curve-changes";
 import { boxAround } from "./fit";

@@ -1,9 +1,9 @@
 /** Closed curves: what the morph and the deformation work on in place of two systems, where the document has them. */
 import { computed, effect, type ReadonlySignal } from "@preact/signals";
 import type { ComponentType } from "preact";
-import type { Curve, CurveShape, Scene } from "#engine/api";
-import { curvesReady, loadCurves, rough } from "#engine/curves";
-import type { Box } from "./camera";
+import type { Box } from "#geometry/boxes";
+import type { Curve, CurveShape, Scene } from "#wasm/api";
+import { curvesReady, loadCurves, rough } from "#wasm/curve";
 import { notify, wordsOf } from "./notice";
 import { edit, scene } from "./scene";
 

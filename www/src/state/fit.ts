@@ -1,14 +1,14 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
-import type { Deformation, MapRow } from "#engine/api";
-import { frond } from "#engine/wasm";
-import { type Box, calmTrack, stillTrack, type Track, union } from "./camera";
+import { type Box, calmTrack, stillTrack, type Track, union } from "#geometry/boxes";
+import { uvAt } from "#geometry/path";
+import type { Deformation, MapRow } from "#wasm/api";
+import { frond } from "#wasm/core";
 import { curveBoxAt, curveMorph, curveTime } from "./curve";
 import { locusView, mapsAt, morphOptions, pairing, pathPoints, selection, shown, standing } from "./morph";
-import { uvAt } from "./path";
 import { aspect, mapsOfRectangle } from "./photograph";
 import { scene } from "./scene";
 
-export { type Box, diagonal } from "./camera";
+export { type Box, diagonal } from "#geometry/boxes";
 
 /** How often the path is looked at. */
 const LOOKS = 13;

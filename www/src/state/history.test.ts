@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import type { Scene } from "#engine/api";
+import type { Scene } from "#wasm/api";
 import { AT_REST } from "./bend";
 import { LONGEST } from "./history";
 import { canRedo, canUndo, edit, endGesture, inGesture, redo, replace, scene, start, undo } from "./scene";

@@ -1,4 +1,4 @@
-import type { Scene, SpacePart } from "#engine/api";
+import type { Scene, SpacePart } from "#wasm/api";
 
 /** One undo step: the scene before and after it. */
 interface Step {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Deformation, DeformKey } from "#engine/api";
+import type { Deformation, DeformKey } from "#wasm/api";
 import { keyNear, MOST_KEYS, momentOf, withMoves } from "./keys";
 
 const BASE: Deformation = {

@@ -1,5 +1,5 @@
 /** The key frames of a deformation: which one is meant at a moment, and how it gets its moves. */
-import type { Deformation, DeformKey } from "#engine/api";
+import type { Deformation, DeformKey } from "#wasm/api";
 
 export const MOST_KEYS = 32;
 /** Keys nearer than this are the same moment. */

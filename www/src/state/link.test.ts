@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { Scene } from "#engine/api";
+import type { Scene } from "#wasm/api";
 import { Link, parseRoute, route } from "./link";
 import { notices } from "./notice";
 import { canUndo, edit, endGesture, replace, scene, start, undo } from "./scene";

@@ -1,5 +1,5 @@
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
-import type { FrondError, Scene } from "#engine/api";
+import type { FrondError, Scene } from "#wasm/api";
 import { phasePlaying } from "./bend";
 import { notify, wordsOf } from "./notice";
 import { playing, spacePlaying } from "./playback";

@@ -1,10 +1,10 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { Ifs, LocusView, MapRow, MorphOptions, Pairing } from "#engine/api";
-import { frond } from "#engine/wasm";
-import { pointsOf, type Uv, uvAt } from "./path";
+import { pointsOf, type Uv, uvAt } from "#geometry/path";
+import type { Ifs, LocusView, MapRow, MorphOptions, Pairing } from "#wasm/api";
+import { frond } from "#wasm/core";
 import { scene } from "./scene";
 
-export { timesOf, uvAt } from "./path";
+export { timesOf, uvAt } from "#geometry/path";
 
 /** Editing the maps of one end: the stage shows that shape and its parallelograms. */
 export const selection = signal<{ target: "a" | "b"; map: number | null } | null>(null);

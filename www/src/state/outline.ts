@@ -1,5 +1,5 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
-import type { CurvePreset, CurveShape, Fit, Scene, Tool } from "#engine/api";
+import type { CurvePreset, CurveShape, Fit, Scene, Tool } from "#wasm/api";
 import { openTool } from "./bend";
 import { edit, replace, scene } from "./scene";
 

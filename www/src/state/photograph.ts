@@ -1,5 +1,5 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { MapRow } from "#engine/api";
+import type { MapRow } from "#wasm/api";
 
 /** A picture that can be bent: straight alpha, row 0 on top. It never leaves the page. */
 export interface Photograph {

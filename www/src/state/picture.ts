@@ -1,5 +1,5 @@
 import { computed, effect, type ReadonlySignal } from "@preact/signals";
-import type { MapRow } from "#engine/api";
+import type { MapRow } from "#wasm/api";
 import { deformation, tool } from "./bend";
 import { notify } from "./notice";
 import { aspect, haveSample, mapsOfRectangle, ownPicture, type Photograph, photograph } from "./photograph";

@@ -1,5 +1,5 @@
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { Scene } from "#engine/api";
+import type { Scene } from "#wasm/api";
 import { close, EMPTY, type History, record, stepBack, stepForward } from "./history";
 
 /** Stands until the wasm module has told its own default: a gasket and its mirror image. */

@@ -8,8 +8,8 @@ import type {
   SpaceKey,
   SpaceObject,
   SpaceTimeline,
-} from "#engine/api";
-import { solid } from "#engine/space/module";
+} from "#wasm/api";
+import { solid } from "#wasm/space";
 import { notify, wordsOf } from "./notice";
 import { edit, replace, scene } from "./scene";
 import {

@@ -9,8 +9,8 @@ import type {
   SpacePart,
   SpaceTimeline,
   SpaceView,
-} from "#engine/api";
-import { loadSpace, type SpaceMotionHandle, solid } from "#engine/space/module";
+} from "#wasm/api";
+import { loadSpace, type SpaceMotionHandle, solid } from "#wasm/space";
 import { notify, wordsOf } from "./notice";
 import { spacePlaying } from "./playback";
 import { edit, replace, scene } from "./scene";

@@ -1,5 +1,5 @@
 import "./map-blocks.css";
-import { fixed } from "./number";
+import { fixed } from "#format/numbers";
 
 /** One affine map of space: the three rows of its matrix, then its translation. */
 type Numbers = ArrayLike<number>;

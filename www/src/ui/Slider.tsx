@@ -1,6 +1,6 @@
 import "./slider.css";
 import type { ComponentChildren } from "preact";
-import { addStep, keyStep } from "./number";
+import { addStep, keyStep } from "#format/numbers";
 
 export interface SliderProps {
   label: string;

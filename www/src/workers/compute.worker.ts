@@ -1,8 +1,8 @@
-import { toError } from "#engine/error";
 import { executor } from "#engine/execute";
-import type { Proof } from "#engine/proof";
 import type { Request, Response } from "#engine/protocol";
-import { adopt, frond } from "#engine/wasm";
+import { adopt, frond } from "#wasm/core";
+import { toError } from "#wasm/error";
+import type { Proof } from "#wasm/proof";
 import init, * as bindings from "../../pkg/frond-proof.js";
 
 /** The task under way, and whether its answer is still wanted. */

@@ -1,7 +1,7 @@
 import "./locus.css";
 import { useLayoutEffect, useRef } from "preact/hooks";
-import type { Bounds } from "#engine/api";
 import type { Field as Samples } from "#engine/pyramid";
+import type { Bounds } from "#wasm/api";
 import { type LocusStyle, paint } from "./paint";
 
 const MOST_PIXELS = 1024;

@@ -1,5 +1,5 @@
-import { STATE } from "#engine/breaks";
-import { resolutionWords, shareWords, toldOf, verdictWords } from "#state/words";
+import { resolutionWords, shareWords, toldOf, verdictWords } from "#format/verdict";
+import { STATE } from "#geometry/states";
 import { gradient } from "#style/ramp";
 import { decades, type LocusStyle } from "./paint";
 

@@ -1,6 +1,6 @@
 /** Paints a gap field, as far as it is known, into pixels. */
-import type { Bounds, Locus } from "#engine/api";
-import { STATE } from "#engine/breaks";
+
+import { STATE } from "#geometry/states";
 import {
   BROKEN,
   HIDDEN,
@@ -16,6 +16,7 @@ import {
   TOUCHES_DOT,
   UNDECIDED,
 } from "#style/ramp";
+import type { Bounds, Locus } from "#wasm/api";
 
 export type LocusStyle = "gap" | "yesno";
 

@@ -1,5 +1,5 @@
+import { compileFit } from "#wasm/fit";
 import { client } from "../lanes/client";
-import { compileFit } from "./module";
 import { performer } from "./performer";
 import type { Tasks } from "./tasks";
 

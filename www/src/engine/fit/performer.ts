@@ -1,5 +1,5 @@
+import { startFit } from "#wasm/fit";
 import { performerOf } from "../lanes/performer";
-import { startFit } from "./module";
 import { tasks } from "./tasks";
 
 /** The inside of a worker of the fit. */

@@ -1,4 +1,4 @@
-import { toError } from "../error";
+import { toError } from "#wasm/error";
 import type { Answer, Ask, Context, Table } from "./task";
 
 type Reply = (answer: Answer, transfer: Transferable[]) => void;

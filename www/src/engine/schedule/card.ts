@@ -2,7 +2,7 @@
 import { effect } from "@preact/signals";
 import { playing } from "#state/playback";
 import { inGesture } from "#state/scene";
-import { adoptCard, type Ends, isFaster, type LocusCompute, openCard } from "../card";
+import { adoptCard, type Ends, isFaster, type LocusCompute, openCard } from "#wasm/locus-card";
 import { submit, workers } from "../engine";
 import { nextKey } from "../locus-job";
 import type { Task } from "../protocol";

@@ -1,8 +1,8 @@
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
+import type { Uv } from "#geometry/path";
 import { pathPoints } from "#state/morph";
 import { wordsOf } from "#state/notice";
-import type { Uv } from "#state/path";
-import type { PathCertificate } from "../api";
+import type { PathCertificate } from "#wasm/api";
 import { cancel, epoch, submit } from "../engine";
 import { EPSILON, type LocusInputs } from "../locus-job";
 import type { Job, Task } from "../protocol";

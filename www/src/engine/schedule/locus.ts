@@ -1,6 +1,6 @@
 import { effect, untracked } from "@preact/signals";
 import { notify, wordsOf } from "#state/notice";
-import { hasCard, locusByCard } from "../card";
+import { hasCard, locusByCard } from "#wasm/locus-card";
 import { cancel, epoch, sliceMilliseconds, submit } from "../engine";
 import { BOUNDS, EPSILON, type LocusInputs, LocusWork, SIZE, STRIDES } from "../locus-job";
 import { publish } from "../results";

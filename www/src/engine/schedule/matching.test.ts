@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { RatedCandidate } from "../api";
+import type { RatedCandidate } from "#wasm/api";
 import { byMerit } from "./matching";
 
 const rated = (plan: Partial<RatedCandidate["plan"]>, cost = 1): RatedCandidate => ({

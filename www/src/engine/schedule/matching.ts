@@ -2,7 +2,7 @@ import { computed, effect, type ReadonlySignal, signal, untracked } from "@preac
 import { pairing } from "#state/morph";
 import { wordsOf } from "#state/notice";
 import { scene } from "#state/scene";
-import type { Candidate, MapRow, Mode, RatedCandidate } from "../api";
+import type { Candidate, MapRow, Mode, RatedCandidate } from "#wasm/api";
 import { cancel, epoch, submit } from "../engine";
 import { EPSILON } from "../locus-job";
 import type { Job, Kind, Task } from "../protocol";

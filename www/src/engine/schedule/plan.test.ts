@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { PathPlan } from "../api";
+import type { PathPlan } from "#wasm/api";
 import { isBetter, leavesPlane, samePoints, wayOf } from "./plan";
 
 const plan = (of: Partial<PathPlan>): PathPlan => ({

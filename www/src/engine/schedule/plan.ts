@@ -1,8 +1,8 @@
 import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
+import { thinned } from "#geometry/path";
 import { announce, notify, wordsOf } from "#state/notice";
-import { thinned } from "#state/path";
 import { edit, replace, scene } from "#state/scene";
-import type { PathPlan, PathPoint } from "../api";
+import type { PathPlan, PathPoint } from "#wasm/api";
 import { cancel, submit, workers } from "../engine";
 import { BOUNDS, EPSILON, type LocusInputs, type LocusWork } from "../locus-job";
 import { single, type Task } from "../protocol";

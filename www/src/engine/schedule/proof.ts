@@ -1,8 +1,8 @@
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
+import { RESOLUTION } from "#format/verdict";
 import { shown } from "#state/morph";
 import { wordsOf } from "#state/notice";
-import { RESOLUTION } from "#state/words";
-import type { Certificate, CertificateCheck, MapRow } from "../api";
+import type { Certificate, CertificateCheck, MapRow } from "#wasm/api";
 import { cancel, epoch, submit } from "../engine";
 import { single } from "../protocol";
 import { verdict } from "../results";

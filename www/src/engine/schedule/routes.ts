@@ -1,9 +1,9 @@
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
+import { sameMaps } from "#geometry/same-maps";
 import { wordsOf } from "#state/notice";
 import { scene } from "#state/scene";
-import type { MapRow, Route } from "../api";
+import type { MapRow, Route } from "#wasm/api";
 import { cancel, epoch, submit } from "../engine";
-import { sameMaps } from "../maps";
 import { single } from "../protocol";
 
 /** Ways to bring two shapes to a morph. */

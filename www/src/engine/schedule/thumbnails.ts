@@ -2,12 +2,12 @@ import { effect, untracked } from "@preact/signals";
 import { dark } from "#state/preferences";
 import { scene } from "#state/scene";
 import { palette } from "#style/palette";
-import type { MapRow } from "../api";
+import type { MapRow } from "#wasm/api";
+import { frond } from "#wasm/core";
 import { Coalesce } from "../coalesce";
 import { epoch, submit } from "../engine";
 import type { Job } from "../protocol";
 import { publish } from "../results";
-import { frond } from "../wasm";
 
 /** CSS pixels. */
 export const THUMB_WIDTH = 144;

@@ -1,6 +1,6 @@
 import { computed, effect, untracked } from "@preact/signals";
 import { here, locusView, selection, shown, shownPick } from "#state/morph";
-import type { MapRow, PathPoint } from "../api";
+import type { MapRow, PathPoint } from "#wasm/api";
 import { Coalesce } from "../coalesce";
 import { epoch, submit } from "../engine";
 import { EPSILON } from "../locus-job";

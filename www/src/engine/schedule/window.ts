@@ -2,7 +2,7 @@
 import { computed, effect, type ReadonlySignal, untracked } from "@preact/signals";
 import { locusView } from "#state/morph";
 import { wordsOf } from "#state/notice";
-import type { FrondError, LocusView } from "../api";
+import type { FrondError, LocusView } from "#wasm/api";
 import { cancel, epoch, submit } from "../engine";
 import type { LocusInputs } from "../locus-job";
 import { type LocusSource, Pyramid } from "../pyramid";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { STATE } from "../breaks";
+import { STATE } from "#geometry/states";
 import { EPSILON, LocusFill, SIZE, STRIDES, shareOf } from "./locus-fill";
 
 /** Samples of a row range, all the same. */

@@ -1,5 +1,5 @@
-import type { Locus } from "../api";
-import { atResolution, STATE } from "../breaks";
+import { atResolution, STATE } from "#geometry/states";
+import type { Locus } from "#wasm/api";
 
 /** Samples a side. One less is divisible by 3, so that (0,0) and (1,1) are samples of every stride, too. */
 export const SIZE = 121;

@@ -1,5 +1,5 @@
+import { startSpace } from "#wasm/space";
 import { performerOf } from "../lanes/performer";
-import { startSpace } from "./module";
 import { tasks } from "./tasks";
 
 /** The inside of a worker of space: its tasks have `solid`, as the page does. */

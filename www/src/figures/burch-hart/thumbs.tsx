@@ -1,6 +1,6 @@
 /** Small pictures of the figures, made by the same parts as the figures themselves. */
 import { useEffect, useMemo } from "preact/hooks";
-import { uvAt } from "#state/path";
+import { uvAt } from "#geometry/path";
 import { barnsley } from "../kit/connectedness/barnsley";
 import { Rows } from "../kit/connectedness/barnsley-rows";
 import { Buffer as Pixels } from "../kit/connectedness/index-buffer";

@@ -1,6 +1,6 @@
 /** Small pictures of the figures on rough curves, made by the same parts as the figures themselves. */
 import { useMemo } from "preact/hooks";
-import { rough } from "#engine/curves";
+import { rough } from "#wasm/curve";
 import { FIGURE_1, interpolated } from "./figure-1/page";
 import { TABLE_1_GRAPH } from "./figure-2/page";
 import { EYE } from "./figure-3/page";

@@ -1,6 +1,7 @@
 /** Small pictures of the figures on space, in points. */
-import type { MapRow3, SpaceView } from "#engine/api";
-import { about3, after3, scale3, shift3, turns3 } from "#engine/space/affine";
+
+import { about3, after3, scale3, shift3, turns3 } from "#geometry/affine3";
+import type { MapRow3, SpaceView } from "#wasm/api";
 import { pyramid, triangle } from "./space/shapes";
 import { SpaceDots } from "./space/space-dots";
 

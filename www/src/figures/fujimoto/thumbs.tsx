@@ -1,8 +1,8 @@
 /** Small pictures of the figures on fractal deformation, made by the same parts as the figures themselves. */
 import { useMemo } from "preact/hooks";
-import type { Bend, Colouring, MapRow } from "#engine/api";
 import { bendAt } from "#state/bend";
 import type { Box } from "#state/fit";
+import type { Bend, Colouring, MapRow } from "#wasm/api";
 import { Bent } from "../kit/picture/deformed";
 import { pieceOf, rightGasket } from "./codes/addresses";
 import { CubeSquare } from "./figure-1/cube-square";

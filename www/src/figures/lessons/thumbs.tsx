@@ -1,7 +1,7 @@
 /** Small pictures of the lessons, made by the same parts as the lessons themselves. */
 import { useMemo } from "preact/hooks";
-import type { MapRow } from "#engine/api";
 import { bendAt } from "#state/bend";
+import type { MapRow } from "#wasm/api";
 import { startRun } from "../burch-hart/figure-2/page";
 import { GASKET, liftOf } from "../fujimoto/figure-4/page";
 import { barnsley } from "../kit/connectedness/barnsley";

@@ -1,15 +1,15 @@
 import "./evidence.css";
 import { evidenceKept, evidenceOpen } from "#canvas/marks";
-import type { Connectedness, MapRow, Reason } from "#engine/api";
 import { verdict } from "#engine/results";
+import { verdictWords } from "#format/verdict";
 import { boxOf } from "#state/fit";
 import { shown } from "#state/morph";
 import { dark } from "#state/preferences";
-import { verdictWords } from "#state/words";
 import { palette } from "#style/palette";
 import { IconButton } from "#ui/Button";
 import { Graph } from "#ui/Graph";
 import { Switch } from "#ui/Switch";
+import type { Connectedness, MapRow, Reason } from "#wasm/api";
 import { CHIP_ID, PANEL_ID } from "./ids";
 import { Proof } from "./Proof";
 import { accountOf, addressWords, clusterWords, gapWords, linkWords } from "./words";

@@ -1,7 +1,7 @@
-import type { Certificate } from "#engine/api";
 import { type Proof as Proved, proof, prove } from "#engine/schedule/proof";
 import { notify, wordsOf } from "#state/notice";
 import { Button } from "#ui/Button";
+import type { Certificate } from "#wasm/api";
 import { checkWords } from "./words";
 
 /** The proof that it is in pieces: made, checked, and given away when asked for. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Connectedness } from "#engine/api";
+import type { Connectedness } from "#wasm/api";
 import { accountOf, addressWords, checkWords, clusterWords, gapWords, linkWords } from "./words";
 
 const answer = (of: Partial<Connectedness>): Connectedness => ({

@@ -1,8 +1,8 @@
 /** The evidence for a verdict in plain words. */
 
-import type { CertificateCheck, Connectedness, Link } from "#engine/api";
-import { STATE } from "#engine/breaks";
-import { countWords, lengthWords, resolutionWords, shareOf, shareWords, stateOf } from "#state/words";
+import { countWords, lengthWords, resolutionWords, shareOf, shareWords, stateOf } from "#format/verdict";
+import { STATE } from "#geometry/states";
+import type { CertificateCheck, Connectedness, Link } from "#wasm/api";
 
 /** How far the verdict can be relied on, and why. Only a proof is said to be one. */
 export function accountOf(answer: Connectedness, epsilon: number): string {

@@ -2,13 +2,13 @@ import "./curve.css";
 import { useMemo } from "preact/hooks";
 import { curveThumb } from "#canvas/curve-thumb";
 import { stageStyle } from "#canvas/look";
-import type { Curve, CurveShape } from "#engine/api";
-import { rough } from "#engine/curves";
 import { curveBoxAt, curves, type ShelfProps } from "#state/curve";
 import { bendCurve, chooseCurve, curvePresets, fitted, shapeOf } from "#state/curve-edits";
 import { announce, notify } from "#state/notice";
 import { useOwnId } from "#ui/id";
 import { ShapeGrid, type ShapeItem } from "#ui/ShapeGrid";
+import type { Curve, CurveShape } from "#wasm/api";
+import { rough } from "#wasm/curve";
 
 interface Item extends ShapeItem {
   shape: CurveShape;

@@ -1,7 +1,7 @@
 /** What there is to say of the curve: at this moment once it has come to rest, and along the way. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import type { CurveMorphFacts } from "#engine/curves";
 import { type CurveMorph, curveMorph, curveTime } from "#state/curve";
+import type { CurveMorphFacts } from "#wasm/curve";
 
 const REST_MS = 120;
 /** While it plays, facts take one part in so many of the time at most. */

@@ -1,6 +1,6 @@
 /** Closed curves as the text of files. */
-import type { Bend, CurveShape } from "#engine/api";
-import type { CurveMap } from "#engine/curves";
+import type { Bend, CurveShape } from "#wasm/api";
+import type { CurveMap } from "#wasm/curve";
 
 interface Both {
   a: CurveShape;

@@ -3,11 +3,11 @@ import { lookOf, paintCurve } from "#canvas/curve-paint";
 import { moved, TOLERANCE } from "#canvas/curve-painter";
 import { stageStyle } from "#canvas/look";
 import { effectiveView, stageSize } from "#canvas/view";
-import { rough } from "#engine/curves";
 import { bend } from "#state/bend";
 import { curveMorph, curves, curveTime } from "#state/curve";
 import { sameCurves } from "#state/curve-changes";
 import { notify, wordsOf } from "#state/notice";
+import { rough } from "#wasm/curve";
 import { csvOf, jsonOf, nameOf, svgOf } from "./files";
 
 export type Kind = "svg" | "png" | "csv" | "json";

@@ -1,5 +1,5 @@
 /** What is said of closed curves. */
-import type { Curve } from "#engine/api";
+import type { Curve } from "#wasm/api";
 
 /** How much a curve is made of. */
 export function sizeWords({ knots, edges }: Curve): string {

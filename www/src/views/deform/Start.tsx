@@ -1,11 +1,11 @@
 import { computed } from "@preact/signals";
-import { frond } from "#engine/wasm";
+import { sizeOf } from "#geometry/mesh";
 import { aroundStanding, changeDeformation, deformation, ON_CURVES, phasePlaying } from "#state/bend";
 import { curveMorph } from "#state/curve";
-import { sizeOf } from "#state/mesh";
 import { announce } from "#state/notice";
 import { edit, scene } from "#state/scene";
 import { Button } from "#ui/Button";
+import { frond } from "#wasm/core";
 import { isAtRest } from "./changes";
 import { presentPhase } from "./clock";
 import { exampleOf } from "./examples";

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { Deformation, MapRow, Preset, Scene } from "#engine/api";
 import { AT_REST } from "#state/bend";
+import type { Deformation, MapRow, Preset, Scene } from "#wasm/api";
 import {
   choose,
   inBox,

@@ -1,10 +1,11 @@
 /** What the panel does to the document, as functions from document to document. */
-import type { Deformation, MapRow, Preset, Scene } from "#engine/api";
+
+import { inBox } from "#geometry/mesh";
 import { withoutCurves } from "#state/curve-changes";
 import { MOST_KEYS, momentOf, SAME } from "#state/keys";
-import { inBox } from "#state/mesh";
+import type { Deformation, MapRow, Preset, Scene } from "#wasm/api";
 
-export { inBox } from "#state/mesh";
+export { inBox } from "#geometry/mesh";
 
 /** The largest detail where nothing says how deep memory allows it. */
 export const DEEPEST = 12;

@@ -1,6 +1,7 @@
 /** A bend to begin with, for whoever wants to be shown. */
-import type { BoundingBox, Deformation, Shape } from "#engine/api";
-import { type Point, rest, rounder } from "#state/mesh";
+
+import { type Point, rest, rounder } from "#geometry/mesh";
+import type { BoundingBox, Deformation, Shape } from "#wasm/api";
 import { withMotion } from "./motions";
 
 /** Shapes that grow from the ground. */

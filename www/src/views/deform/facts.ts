@@ -1,12 +1,12 @@
 /** What comes of the present settings, and what is wrong with them. */
 import { computed, type ReadonlySignal } from "@preact/signals";
-import type { Bend, BendFacts, MapRow } from "#engine/api";
-import { frond } from "#engine/wasm";
 import { aroundStanding, bendProblem, boxAround, deformation } from "#state/bend";
 import { curved } from "#state/curve";
 import { standing } from "#state/morph";
 import { wordsOf } from "#state/notice";
 import { pictureMaps } from "#state/picture";
+import type { Bend, BendFacts, MapRow } from "#wasm/api";
+import { frond } from "#wasm/core";
 import { DEEPEST, roughFrom } from "./changes";
 
 /** The maps that are bent. */

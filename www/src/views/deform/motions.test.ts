@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { Deformation } from "#engine/api";
 import { AT_REST, movesAt } from "#state/bend";
+import type { Deformation } from "#wasm/api";
 import { MOTIONS, motionOf, poseOf, rounder, withMotion } from "./motions";
 
 const rest: Deformation = { ...AT_REST, box: [-1, 0, 3, 8] };

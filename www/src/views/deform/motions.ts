@@ -1,9 +1,10 @@
 /** Motions to begin with: key frames of the mesh, made around a pose. */
-import type { Deformation, DeformKey } from "#engine/api";
-import { movesAt } from "#state/bend";
-import { type Mesh, rest, rounder } from "#state/mesh";
 
-export { rounder } from "#state/mesh";
+import { type Mesh, rest, rounder } from "#geometry/mesh";
+import { movesAt } from "#state/bend";
+import type { Deformation, DeformKey } from "#wasm/api";
+
+export { rounder } from "#geometry/mesh";
 
 export type MotionId = "sway" | "breathe" | "wave" | "corner" | "still";
 

@@ -1,12 +1,12 @@
 /** Keys that work anywhere while the deformation tool is open, unless something is being typed or a dialog is open. */
 import { fitStage } from "#canvas/gestures";
-import type { Colouring } from "#engine/api";
+import { addStep } from "#format/numbers";
 import { deformation, phasePlaying } from "#state/bend";
 import { help } from "#state/help";
 import { edit, redo, undo } from "#state/scene";
 import { type Focus, focusOf, type KeyPress } from "#ui/focus";
-import { addStep } from "#ui/number";
 import type { ShortcutRow } from "#ui/ShortcutTable";
+import type { Colouring } from "#wasm/api";
 import { pausePhase, playPhase, scrubPhase } from "./clock";
 import { gallery } from "./dialogs";
 import { gridShown } from "./mesh/shown";

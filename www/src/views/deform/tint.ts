@@ -1,5 +1,5 @@
 /** Colours of the control points. */
-import type { Colouring, Deformation, Scene, Tint } from "#engine/api";
+import type { Colouring, Deformation, Scene, Tint } from "#wasm/api";
 
 /** Lower left, lower right, upper left, upper right. */
 export type Four = readonly [string, string, string, string];

@@ -1,5 +1,5 @@
-import type { BendFacts, Continuity, Spin } from "#engine/api";
-import { formatNumber } from "#ui/number";
+import { formatNumber } from "#format/numbers";
+import type { BendFacts, Continuity, Spin } from "#wasm/api";
 
 /** A roughness, beside that from which on it is rough. */
 export function roughnessWords(delta: number, from: number): string {

@@ -1,7 +1,8 @@
 /** Fits as text. */
-import type { Curve } from "#engine/api";
-import type { CurveMap } from "#engine/curves";
+
 import type { Collage, CollageOptions, Figures } from "#engine/fit/tasks/curve";
+import type { Curve } from "#wasm/api";
+import type { CurveMap } from "#wasm/curve";
 
 const short = (x: number) => Number(x.toPrecision(9));
 

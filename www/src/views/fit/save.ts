@@ -1,10 +1,11 @@
 /** Files of the fit. */
-import { rough } from "#engine/curves";
+
 import { fitFor } from "#state/fit";
 import { notify, wordsOf } from "#state/notice";
 import { fitDocument } from "#state/outline";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
+import { rough } from "#wasm/curve";
 import { collageCsv, collageJson, collageSvg, curveJson } from "./files";
 import { paint } from "./stage/draw";
 import { collage, plainName, shownFigures, shownFit } from "./work/fitting";

@@ -1,8 +1,9 @@
 /** A fit becomes a shape like any other. */
-import type { Curve } from "#engine/api";
-import { rough } from "#engine/curves";
+
 import { notify, wordsOf } from "#state/notice";
 import { useCurve as takeCurve } from "#state/outline";
+import type { Curve } from "#wasm/api";
+import { rough } from "#wasm/curve";
 import { shapeOf, shownFit } from "./work/fitting";
 import { source } from "./work/source";
 

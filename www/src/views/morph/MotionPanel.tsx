@@ -1,7 +1,7 @@
-import type { Colouring, Mode } from "#engine/api";
 import { edit } from "#state/scene";
 import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";
+import type { Colouring, Mode } from "#wasm/api";
 import { colouring, compare, mode } from "./parts";
 
 const MODES: readonly { value: Mode; label: string; description: string }[] = [

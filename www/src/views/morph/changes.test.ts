@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { MapRow, Scene } from "#engine/api";
+import type { MapRow, Scene } from "#wasm/api";
 import {
   asBoth,
   choose,

@@ -1,6 +1,7 @@
 /** What the panel does to the document, as functions from scene to scene. */
-import type { Candidate, MapRow, PathPoint, Preset, Route, Scene, Shape } from "#engine/api";
-import { sameMaps } from "#engine/maps";
+
+import { sameMaps } from "#geometry/same-maps";
+import type { Candidate, MapRow, PathPoint, Preset, Route, Scene, Shape } from "#wasm/api";
 
 export type End = "a" | "b";
 

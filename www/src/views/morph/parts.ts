@@ -1,7 +1,7 @@
 /** Parts of the document, so that what shows a part is not drawn again at every moment of a morph that plays. */
 import { computed, type ReadonlySignal } from "@preact/signals";
-import type { Colouring, Mode, PathKind, Shape } from "#engine/api";
 import { scene } from "#state/scene";
+import type { Colouring, Mode, PathKind, Shape } from "#wasm/api";
 import type { End } from "./changes";
 
 export const shapes: Record<End, ReadonlySignal<Shape>> = {

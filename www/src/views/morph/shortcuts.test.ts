@@ -1,6 +1,6 @@
 import { describe, expect, it, vi } from "vitest";
 
-vi.mock("#engine/wasm", () => ({ frond: {} }));
+vi.mock("#wasm/core", () => ({ frond: {} }));
 const { commandOf, nextFrame, SHORTCUTS } = await import("./shortcuts");
 
 const press = (

@@ -1,14 +1,14 @@
 /** Keys that work anywhere on the page, unless something is being typed or a dialog is open. */
 import { fitStage } from "#canvas/gestures";
-import type { Colouring } from "#engine/api";
+import { addStep } from "#format/numbers";
 import { curved } from "#state/curve";
 import { help } from "#state/help";
 import { selection } from "#state/morph";
 import { pause, play, playing } from "#state/playback";
 import { edit, redo, scene, undo } from "#state/scene";
 import { type Focus, focusOf, type KeyPress } from "#ui/focus";
-import { addStep } from "#ui/number";
 import type { ShortcutRow } from "#ui/ShortcutTable";
+import type { Colouring } from "#wasm/api";
 import { gallery } from "./dialogs";
 import { frames } from "./strip/FilmStrip";
 import { scrubTo } from "./strip/scrub";

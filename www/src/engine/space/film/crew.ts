@@ -1,5 +1,5 @@
+import { compileSpace } from "#wasm/space";
 import { client } from "../../lanes/client";
-import { compileSpace } from "../module";
 import { performer } from "../performer";
 import type { Tasks } from "../tasks";
 

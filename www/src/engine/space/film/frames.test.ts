@@ -1,6 +1,6 @@
 import { afterEach, describe, expect, it } from "vitest";
-import type { MapRow3, Space, SpaceFrame, SpaceView } from "../../api";
-import { type SpaceModule, solid } from "../module";
+import type { MapRow3, Space, SpaceFrame, SpaceView } from "#wasm/api";
+import { type SpaceModule, solid } from "#wasm/space";
 import { Frames, frameRecord } from "./frames";
 
 const half: MapRow3 = [0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5, 0, 0, 0];

@@ -1,5 +1,5 @@
-import type { MapRow3, Point3, Repeat, Space, SpaceFrame, SpaceView } from "../../api";
-import { type SpaceMotionHandle, solid } from "../module";
+import type { MapRow3, Point3, Repeat, Space, SpaceFrame, SpaceView } from "#wasm/api";
+import { type SpaceMotionHandle, solid } from "#wasm/space";
 
 /** The parameters of one frame, as a file has them. */
 export interface FrameRecord {

@@ -1,4 +1,4 @@
-import type { Space, SpaceView } from "../../api";
+import type { Space, SpaceView } from "#wasm/api";
 import type { FileBytes, FilmSettings } from "../tasks/export";
 import type { PictureRequest } from "../tasks/picture";
 import { crew, painters } from "./crew";

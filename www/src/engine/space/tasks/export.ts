@@ -1,4 +1,4 @@
-import type { Space } from "../../api";
+import type { Space } from "#wasm/api";
 import type { Context } from "../../lanes/task";
 import { Frames, type FramesHead, frameRecord, framesText } from "../film/frames";
 import { gifSink } from "../film/gif";

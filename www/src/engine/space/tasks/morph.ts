@@ -1,5 +1,5 @@
-import { uvAt } from "#state/path";
-import type { Told } from "#state/words";
+import type { Told } from "#format/verdict";
+import { uvAt } from "#geometry/path";
 import type {
   Connectedness3,
   Intersection3,
@@ -9,10 +9,10 @@ import type {
   PathCheck,
   PathPlan,
   PathPoint,
-} from "../../api";
+} from "#wasm/api";
+import { solid } from "#wasm/space";
 import type { Context } from "../../lanes/task";
 import { EPSILON, LocusFill, SIZE, STRIDES, shareOf } from "../locus-fill";
-import { solid } from "../module";
 
 /** All that a morph hangs on besides where on it one is. */
 export interface MorphInputs {

@@ -1,11 +1,11 @@
 import { beforeEach, expect, test, vi } from "vitest";
-import type { MapRow3, SpaceLight, SpaceView } from "../../api";
+import type { MapRow3, SpaceLight, SpaceView } from "#wasm/api";
 import type { Context } from "../../lanes/task";
 import { objectAt, pictureTasks } from "./picture";
 
 /** Stands in for what carves: a picture is done after so many slices. */
 const carving = vi.hoisted(() => ({ slices: 1, made: 0, freed: 0, carves: 0, carvesFreed: 0, sizes: "" }));
-vi.mock("../module", () => {
+vi.mock("#wasm/space", () => {
   class SpacePicture {
     constructor() {
       carving.made++;

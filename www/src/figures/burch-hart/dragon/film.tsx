@@ -1,9 +1,9 @@
 import type { ComponentChildren } from "preact";
 import { useMemo } from "preact/hooks";
-import type { Uv } from "#state/path";
-import { uvAt } from "#state/path";
-import { verdictPhrase } from "#state/words";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
+import { verdictPhrase } from "#format/verdict";
+import type { Uv } from "#geometry/path";
+import { uvAt } from "#geometry/path";
 import { VerdictChip } from "../../kit/frame/verdict";
 import { type Breakage, breakage } from "../../kit/maps/breakage";
 import { boxAround, framesAlong, mapsAt } from "../../kit/maps/morphs";

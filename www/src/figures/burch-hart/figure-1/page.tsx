@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
-import { prover } from "#engine/proof";
+import { fixed } from "#format/numbers";
 import { Button } from "#ui/Button";
-import { fixed } from "#ui/number";
 import { Slider } from "#ui/Slider";
+import { prover } from "#wasm/proof";
 import { Plot } from "../../kit/chart/plot";
 import { barnsley, type Round } from "../../kit/connectedness/barnsley";
 import { Rows } from "../../kit/connectedness/barnsley-rows";

@@ -1,11 +1,11 @@
 import { useMemo, useState } from "preact/hooks";
-import type { MapRow } from "#engine/api";
-import { frond } from "#engine/wasm";
-import { verdictPhrase } from "#state/words";
+import { fixed } from "#format/numbers";
+import { verdictPhrase } from "#format/verdict";
 import { Button } from "#ui/Button";
-import { fixed } from "#ui/number";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
+import type { MapRow } from "#wasm/api";
+import { frond } from "#wasm/core";
 import { Collisions, groups, windowOf } from "../../kit/connectedness/collisions";
 import { Buffer } from "../../kit/connectedness/index-buffer";
 import { Graph } from "../../kit/connectedness/overlap-graph";

@@ -1,7 +1,7 @@
 import { useEffect } from "preact/hooks";
-import type { PathPlan } from "#engine/api";
-import { shareWords as gapWords } from "#state/words";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
+import { shareWords as gapWords } from "#format/verdict";
+import type { PathPlan } from "#wasm/api";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { drawn, preset, studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";

@@ -1,11 +1,11 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
-import type { MapRow, PathPlan } from "#engine/api";
-import { isBroken } from "#engine/breaks";
 import type { LocusResult } from "#engine/results";
-import type { Uv } from "#state/path";
-import { verdictPhrase } from "#state/words";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
+import { verdictPhrase } from "#format/verdict";
+import type { Uv } from "#geometry/path";
+import { isBroken } from "#geometry/states";
 import { Slider } from "#ui/Slider";
+import type { MapRow, PathPlan } from "#wasm/api";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import { drawn, preset, studioHref } from "../../kit/frame/studio-link";
 import { VerdictChip } from "../../kit/frame/verdict";

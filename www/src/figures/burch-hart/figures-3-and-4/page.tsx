@@ -1,8 +1,8 @@
 import { useMemo } from "preact/hooks";
-import type { MapRow, Mode } from "#engine/api";
+import { fixed } from "#format/numbers";
+import { verdictPhrase } from "#format/verdict";
 import type { Box } from "#state/fit";
-import { verdictPhrase } from "#state/words";
-import { fixed } from "#ui/number";
+import type { MapRow, Mode } from "#wasm/api";
 import { Plot } from "../../kit/chart/plot";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { preset, studioHref } from "../../kit/frame/studio-link";

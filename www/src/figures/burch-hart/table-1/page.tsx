@@ -1,7 +1,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { cancel, epoch, submit } from "#engine/engine";
+import { fixed, formatNumber } from "#format/numbers";
 import { Button } from "#ui/Button";
-import { fixed, formatNumber } from "#ui/number";
 import { Segmented } from "#ui/Segmented";
 import { Plot } from "../../kit/chart/plot";
 import { median } from "../../kit/connectedness/bisection";

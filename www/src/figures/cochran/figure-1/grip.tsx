@@ -1,5 +1,5 @@
 import { useRef } from "preact/hooks";
-import { addStep, fixed, keyStep } from "#ui/number";
+import { addStep, fixed, keyStep } from "#format/numbers";
 import type { PlaceOf } from "../graphs/profile";
 
 export interface GripProps {

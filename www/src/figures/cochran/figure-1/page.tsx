@@ -1,10 +1,10 @@
 import { useMemo, useState } from "preact/hooks";
-import type { Graph } from "#engine/api";
-import { rough } from "#engine/curves";
+import { fixed, formatNumber } from "#format/numbers";
 import { NumberField } from "#ui/NumberField";
-import { fixed, formatNumber } from "#ui/number";
 import { Slider } from "#ui/Slider";
 import { Switch } from "#ui/Switch";
+import type { Graph } from "#wasm/api";
+import { rough } from "#wasm/curve";
 
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import { fitHref } from "../../kit/frame/studio-link";

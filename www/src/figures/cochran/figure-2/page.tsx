@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
-import { rough } from "#engine/curves";
-import { fixed, formatNumber } from "#ui/number";
+import { fixed, formatNumber } from "#format/numbers";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
+import { rough } from "#wasm/curve";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import { fitHref } from "../../kit/frame/studio-link";
 import { byPiece, fixedPointImages, graphOf, rangeOf } from "../graphs/graphs";

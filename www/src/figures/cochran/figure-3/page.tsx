@@ -1,6 +1,6 @@
 import { useMemo, useState } from "preact/hooks";
+import { fixed } from "#format/numbers";
 import { Button } from "#ui/Button";
-import { fixed } from "#ui/number";
 import { Slider } from "#ui/Slider";
 import { Switch } from "#ui/Switch";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";

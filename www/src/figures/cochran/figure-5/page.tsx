@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
 import type { FoundCluster } from "#engine/fit/tasks/hough";
+import { fixed } from "#format/numbers";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
-import { fixed } from "#ui/number";
 import { Slider } from "#ui/Slider";
 import { Switch } from "#ui/Switch";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";

@@ -1,9 +1,9 @@
 import { useMemo, useState } from "preact/hooks";
-import type { Graph } from "#engine/api";
-import { rough } from "#engine/curves";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
+import type { Graph } from "#wasm/api";
+import { rough } from "#wasm/curve";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import { fitHref } from "../../kit/frame/studio-link";
 import { heightsAlong, TOP } from "../graphs/arrowhead";

@@ -1,7 +1,7 @@
 /** The paper's fits of the leaf: all of each, and where its copies should meet. */
 import { useMemo, useState } from "preact/hooks";
 import type { Collage } from "#engine/fit/tasks/curve";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
 import { Slider } from "#ui/Slider";
 import { Control } from "../../kit/frame/frame";
 import { NUMBERS_A_MAP } from "./leaf-fits";

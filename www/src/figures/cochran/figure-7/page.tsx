@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
 import type { Collage, Figures } from "#engine/fit/tasks/curve";
+import { fixed } from "#format/numbers";
 import { Button } from "#ui/Button";
-import { fixed } from "#ui/number";
 import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";
 import { Frame, type Heading } from "../../kit/frame/frame";

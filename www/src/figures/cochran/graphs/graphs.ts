@@ -1,5 +1,5 @@
 /** Graphs of fractal functions as the figures show them. */
-import type { Graph } from "#engine/api";
+import type { Graph } from "#wasm/api";
 import type { Piece, ShearMap } from "./printed-tables";
 import { applied } from "./printed-tables";
 

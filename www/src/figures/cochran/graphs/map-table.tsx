@@ -1,5 +1,5 @@
 import type { ComponentChildren } from "preact";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
 import type { ShearMap } from "./printed-tables";
 
 export interface MapTableProps {

@@ -1,8 +1,8 @@
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
+import { formatNumber } from "#format/numbers";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
-import { formatNumber } from "#ui/number";
 import { along, type Scale } from "../../kit/chart/scale";
 import { usePixels } from "../../kit/picture/picture";
 import { useValue } from "../../kit/workers";

@@ -1,5 +1,5 @@
 /** The seven maps of Table 3, and how far the function they make is from the one they were found for. */
-import type { Graph } from "#engine/api";
+import type { Graph } from "#wasm/api";
 import { heightsAlong, TOP } from "./arrowhead";
 import { graphOf, rangeOfPiece } from "./graphs";
 import { type Piece, TABLE_3_EXACT } from "./printed-tables";

@@ -1,6 +1,6 @@
 import { useMemo, useState } from "preact/hooks";
 import type { FoundCluster } from "#engine/fit/tasks/hough";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
 import { Switch } from "#ui/Switch";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { fitHref } from "../../kit/frame/studio-link";

@@ -1,5 +1,5 @@
+import { fixed } from "#format/numbers";
 import { Button } from "#ui/Button";
-import { fixed } from "#ui/number";
 import type { Voting } from "./votes";
 
 export function countWords(count: number): string {

@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
-import type { SpaceView } from "#engine/api";
-import { turns3 } from "#engine/space/affine";
+import { turns3 } from "#geometry/affine3";
 import { Segmented } from "#ui/Segmented";
+import type { SpaceView } from "#wasm/api";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { inSpace, spaceHref } from "../space/in-space";
 import { type Form, triangle } from "../space/shapes";

@@ -1,6 +1,6 @@
 import { useMemo, useState } from "preact/hooks";
-import { turns3 } from "#engine/space/affine";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
+import { turns3 } from "#geometry/affine3";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { CUT_OFF, FormChoice, TRIANGLE_VIEW } from "../figure-i/page";
 import { inSpace, spaceHref } from "../space/in-space";

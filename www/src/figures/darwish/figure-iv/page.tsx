@@ -1,9 +1,9 @@
 import { useMemo, useState } from "preact/hooks";
-import type { MapRow3 } from "#engine/api";
-import { after3, scale3, turns3 } from "#engine/space/affine";
-import { solid } from "#engine/space/module";
+import { fixed } from "#format/numbers";
+import { after3, scale3, turns3 } from "#geometry/affine3";
 import { Button } from "#ui/Button";
-import { fixed } from "#ui/number";
+import type { MapRow3 } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { CUT_OFF, TRIANGLE_VIEW } from "../figure-i/page";
 import { inSpace, spaceHref } from "../space/in-space";

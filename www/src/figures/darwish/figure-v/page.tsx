@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
-import { scale3, shift3 } from "#engine/space/affine";
+import { fixed } from "#format/numbers";
+import { scale3, shift3 } from "#geometry/affine3";
 import { Button } from "#ui/Button";
-import { fixed } from "#ui/number";
 import { Slider } from "#ui/Slider";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import { fromOrigin } from "../space/eye";

@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
-import { about3, apply3, turns3 } from "#engine/space/affine";
+import { fixed } from "#format/numbers";
+import { about3, apply3, turns3 } from "#geometry/affine3";
 import { Button } from "#ui/Button";
-import { fixed } from "#ui/number";
 import { Segmented } from "#ui/Segmented";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { ANGLE, BEFORE } from "../figure-v/page";

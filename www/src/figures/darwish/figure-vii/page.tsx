@@ -1,9 +1,9 @@
 import { useMemo, useState } from "preact/hooks";
-import type { SpaceView } from "#engine/api";
-import { scale3 } from "#engine/space/affine";
-import { solid } from "#engine/space/module";
+import { formatNumber } from "#format/numbers";
+import { scale3 } from "#geometry/affine3";
 import { Button } from "#ui/Button";
-import { formatNumber } from "#ui/number";
+import type { SpaceView } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { inSpace, spaceHref } from "../space/in-space";
 import { Scenery } from "../space/scenery";

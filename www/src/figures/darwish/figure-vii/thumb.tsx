@@ -1,6 +1,7 @@
 /** A small tree in points, and the same from another side. */
-import type { SpaceView } from "#engine/api";
-import { after3, scale3, shift3, turns3 } from "#engine/space/affine";
+
+import { after3, scale3, shift3, turns3 } from "#geometry/affine3";
+import type { SpaceView } from "#wasm/api";
 import { SpaceDots } from "../space/space-dots";
 
 /** A trunk, and three boughs that lean out around it. */

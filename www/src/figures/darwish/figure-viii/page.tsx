@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
-import { about3, turns3 } from "#engine/space/affine";
+import { about3, turns3 } from "#geometry/affine3";
 import { Button } from "#ui/Button";
 import "#ui/map-blocks.css";
-import { fixed, formatNumber } from "#ui/number";
+import { fixed, formatNumber } from "#format/numbers";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { looksAway, useScene } from "../figure-vii/page";
 import { inSpace, spaceHref } from "../space/in-space";

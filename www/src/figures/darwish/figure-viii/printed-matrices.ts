@@ -1,5 +1,5 @@
 /** What the scan of Darwish & Abd-El-Wahab shows of the matrices of its Figures vii and viii. */
-import type { Point3 } from "#engine/api";
+import type { Point3 } from "#wasm/api";
 
 export type Matrix3 = readonly Point3[];
 

@@ -1,7 +1,7 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
-import type { SpaceView } from "#engine/api";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
+import type { SpaceView } from "#wasm/api";
 import { usePixels } from "../../kit/picture/picture";
 import { useValue } from "../../kit/workers";
 import { axesOf, orbited } from "../space/eye";

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { MapRow3, Point3 } from "#engine/api";
-import { apply3 } from "#engine/space/affine";
+import { apply3 } from "#geometry/affine3";
+import type { MapRow3, Point3 } from "#wasm/api";
 import {
   columnsOf,
   findingOf,

@@ -1,6 +1,7 @@
 /** Where two shapes of space meet: the product of their systems as a graph, and shapes to try it with. */
-import type { Intersection3, MapRow3, Point3 } from "#engine/api";
-import { formatNumber } from "#ui/number";
+
+import { formatNumber } from "#format/numbers";
+import type { Intersection3, MapRow3, Point3 } from "#wasm/api";
 
 /** All ways from one shift to another. */
 export interface Ways {

@@ -1,6 +1,6 @@
-import type { Point3 } from "#engine/api";
-import { solid } from "#engine/space/module";
 import { NumberField } from "#ui/NumberField";
+import type { Point3 } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { Control } from "../../kit/frame/frame";
 import { sharesLinear } from "./meets";
 

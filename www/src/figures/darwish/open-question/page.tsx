@@ -1,11 +1,11 @@
 import "./meet.css";
 import { useMemo, useState } from "preact/hooks";
-import type { MapRow3, SpaceView } from "#engine/api";
-import { solid } from "#engine/space/module";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
 import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";
+import type { MapRow3, SpaceView } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { Head, type Heading, Parameters } from "../../kit/frame/frame";
 import { useValue } from "../../kit/workers";
 import { inSpace, presetMaps, spaceHref } from "../space/in-space";

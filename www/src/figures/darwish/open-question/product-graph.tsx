@@ -1,4 +1,4 @@
-import type { Intersection3 } from "#engine/api";
+import type { Intersection3 } from "#wasm/api";
 import { columnsOf, graphWords, MOST_DRAWN, pairWords, ringPlace, type Ways, waysOf } from "./meets";
 
 const WIDTH = 360;

@@ -1,4 +1,4 @@
-import type { Intersection3 } from "#engine/api";
+import type { Intersection3 } from "#wasm/api";
 import { MOST_DRAWN, shiftWords, waysOf } from "./meets";
 import { MeetGraph } from "./product-graph";
 

@@ -1,4 +1,4 @@
-import type { Intersection3 } from "#engine/api";
+import type { Intersection3 } from "#wasm/api";
 import { MeetGraph } from "./product-graph";
 
 /** Ways from a shift to another by these pairs of maps. */

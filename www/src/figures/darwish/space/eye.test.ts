@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { MapRow3, SpaceView } from "#engine/api";
+import type { MapRow3, SpaceView } from "#wasm/api";
 import { axesOf, dotsOf, fromOrigin, orbited, seen } from "./eye";
 
 const view: SpaceView = { target: [1, 2, 3], distance: 5, turn: 0, tilt: 0, angle: Math.PI / 2 };

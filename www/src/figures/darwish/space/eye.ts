@@ -1,6 +1,7 @@
 /** Where a picture of space is seen from. */
-import type { MapRow3, Point3, SpaceView } from "#engine/api";
-import { apply3, determinant3 } from "#engine/space/affine";
+
+import { apply3, determinant3 } from "#geometry/affine3";
+import type { MapRow3, Point3, SpaceView } from "#wasm/api";
 
 interface Axes {
   eye: Point3;

@@ -1,10 +1,10 @@
 /** What the figures on space share: the module, links into the tool, and shapes of the gallery. */
 import type { ComponentType } from "preact";
 import { useEffect, useState } from "preact/hooks";
-import type { MapRow3, SpaceObject, SpaceView } from "#engine/api";
-import { loadSpace, solid } from "#engine/space/module";
-import { frond } from "#engine/wasm";
 import { notify, wordsOf } from "#state/notice";
+import type { MapRow3, SpaceObject, SpaceView } from "#wasm/api";
+import { frond } from "#wasm/core";
+import { loadSpace, solid } from "#wasm/space";
 import type { Heading } from "../../kit/frame/frame";
 
 let started = false;

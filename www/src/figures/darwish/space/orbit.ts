@@ -1,5 +1,5 @@
 import { useRef } from "preact/hooks";
-import type { SpaceView } from "#engine/api";
+import type { SpaceView } from "#wasm/api";
 import { orbited } from "./eye";
 
 /** Radians for a key press, and for a pixel. */

@@ -1,9 +1,9 @@
 import { useMemo, useState } from "preact/hooks";
-import type { MapRow3, SpaceObject, SpaceView } from "#engine/api";
-import { solid } from "#engine/space/module";
-import { type Apart, apartBy, apartWords } from "#engine/space/same";
+import { type Apart, apartBy, apartWords } from "#geometry/apart";
 import { Button } from "#ui/Button";
 import { MapBlocks } from "#ui/MapBlocks";
+import type { MapRow3, SpaceObject, SpaceView } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { SpacePicture } from "./space-picture";
 
 /** The middle of the natural scene: it lies along x before the eye. */

@@ -1,7 +1,7 @@
 import { useLayoutEffect, useMemo, useRef } from "preact/hooks";
-import type { MapRow3, SpaceView } from "#engine/api";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
+import type { MapRow3, SpaceView } from "#wasm/api";
 import { usePixels } from "../../kit/picture/picture";
 import { useValue } from "../../kit/workers";
 import { dotsOf, seen } from "./eye";

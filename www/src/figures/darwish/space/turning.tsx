@@ -1,11 +1,11 @@
 import type { ComponentChildren } from "preact";
 import { useMemo } from "preact/hooks";
-import type { MapRow3, Point3, SpaceView } from "#engine/api";
-import { solid } from "#engine/space/module";
-import { apartBy, apartWords } from "#engine/space/same";
+import { fixed } from "#format/numbers";
+import { apartBy, apartWords } from "#geometry/apart";
 import { MapBlocks } from "#ui/MapBlocks";
-import { fixed } from "#ui/number";
 import { Slider } from "#ui/Slider";
+import type { MapRow3, Point3, SpaceView } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { Control } from "../../kit/frame/frame";
 import { SpacePicture } from "./space-picture";
 

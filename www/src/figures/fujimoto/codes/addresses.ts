@@ -1,5 +1,5 @@
 /** Addresses of points on gaskets: which words of maps lead to them, all of them where there are several. */
-import type { MapRow } from "#engine/api";
+import type { MapRow } from "#wasm/api";
 import { apply, type Point } from "../../kit/maps/pieces";
 
 export type Triangle = readonly [Point, Point, Point];

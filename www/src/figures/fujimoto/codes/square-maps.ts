@@ -1,5 +1,5 @@
 /** Squares as attractors of systems of maps, with the codes of the unit cubes. */
-import type { MapRow } from "#engine/api";
+import type { MapRow } from "#wasm/api";
 
 /** The unit square in parts by parts smaller ones, from left to right and then upwards. */
 export function squareMaps(parts: number): MapRow[] {

@@ -1,7 +1,8 @@
 /** The deformations of Figures 4 to 6: which mesh moves how, and what differs from panel to panel. */
-import type { Deformation, DeformKey } from "#engine/api";
+
+import { fixed } from "#format/numbers";
 import { AT_REST } from "#state/bend";
-import { fixed } from "#ui/number";
+import type { Deformation, DeformKey } from "#wasm/api";
 import { movesOf, type NamedMesh } from "./meshes";
 
 /** What a deformation by a mesh is, where nothing else is said. */

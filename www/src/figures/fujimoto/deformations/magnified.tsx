@@ -1,8 +1,8 @@
 import { useMemo } from "preact/hooks";
-import type { Bend, Colouring, MapRow } from "#engine/api";
-import { frond } from "#engine/wasm";
+import { fixed } from "#format/numbers";
 import type { Box } from "#state/fit";
-import { fixed } from "#ui/number";
+import type { Bend, Colouring, MapRow } from "#wasm/api";
+import { frond } from "#wasm/core";
 import type { Point } from "../../kit/maps/pieces";
 import type { Place } from "../../kit/picture/annotated";
 import { Bent } from "../../kit/picture/deformed";

@@ -3,7 +3,7 @@
  * of them, blended by Bezier interpolation of degree 3, and what they do; it prints no numbers. All of these are
  * reconstructed from those words.
  */
-import type { Bend } from "#engine/api";
+import type { Bend } from "#wasm/api";
 
 export interface NamedMesh {
   name: string;

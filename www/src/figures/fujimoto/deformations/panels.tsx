@@ -1,8 +1,8 @@
 import type { ComponentChildren } from "preact";
 import { useMemo } from "preact/hooks";
-import type { Bend, Colouring, Deformation, MapRow } from "#engine/api";
 import { bendAt } from "#state/bend";
 import type { Box } from "#state/fit";
+import type { Bend, Colouring, Deformation, MapRow } from "#wasm/api";
 import { Bent } from "../../kit/picture/deformed";
 import { numbersOf, type Panel } from "./deformations";
 

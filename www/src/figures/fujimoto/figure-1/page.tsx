@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
 import { Slider } from "#ui/Slider";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import { studioHref } from "../../kit/frame/studio-link";

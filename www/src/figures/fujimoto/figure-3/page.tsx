@@ -1,5 +1,5 @@
 import { useMemo, useState } from "preact/hooks";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";

@@ -1,12 +1,12 @@
 import { useMemo, useState } from "preact/hooks";
-import type { Bend, Deformation, MapRow } from "#engine/api";
-import { frond } from "#engine/wasm";
+import { fixed } from "#format/numbers";
+import { lengthWords } from "#format/verdict";
 import { bendAt } from "#state/bend";
 import type { Box } from "#state/fit";
-import { lengthWords } from "#state/words";
-import { fixed } from "#ui/number";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
+import type { Bend, Deformation, MapRow } from "#wasm/api";
+import { frond } from "#wasm/core";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import { studioHref } from "../../kit/frame/studio-link";
 import { Bent } from "../../kit/picture/deformed";

@@ -1,9 +1,9 @@
 import { useCallback, useMemo, useState } from "preact/hooks";
-import type { Deformation, MapRow, Spin } from "#engine/api";
+import { fixed } from "#format/numbers";
 import { bendAt } from "#state/bend";
 import type { Box } from "#state/fit";
-import { fixed } from "#ui/number";
 import { Segmented } from "#ui/Segmented";
+import type { Deformation, MapRow, Spin } from "#wasm/api";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
 import { Slider } from "#ui/Slider";
 import { PlayButton, usePlay } from "../../kit/time/play";
 

@@ -1,8 +1,8 @@
 import { useMemo } from "preact/hooks";
-import type { Deformation, MapRow } from "#engine/api";
+import { fixed } from "#format/numbers";
 import { bendAt } from "#state/bend";
 import type { Box } from "#state/fit";
-import { fixed } from "#ui/number";
+import type { Deformation, MapRow } from "#wasm/api";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { studioHref } from "../../kit/frame/studio-link";
 import { middles, PieceNames } from "../../kit/picture/annotated";

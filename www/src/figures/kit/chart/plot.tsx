@@ -1,7 +1,7 @@
 import { useRef } from "preact/hooks";
+import { formatNumber } from "#format/numbers";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
-import { formatNumber } from "#ui/number";
 import { usePixels } from "../picture/picture";
 import { along, linePath, type Scale } from "./scale";
 

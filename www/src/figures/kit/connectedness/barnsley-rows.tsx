@@ -1,7 +1,7 @@
 import { useRef } from "preact/hooks";
+import { fixed } from "#format/numbers";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
-import { fixed } from "#ui/number";
 import { usePixels } from "../picture/picture";
 import { common, cover, type Round } from "./barnsley";
 

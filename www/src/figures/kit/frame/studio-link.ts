@@ -1,6 +1,6 @@
-import type { Deformation, Fit, MapRow, Mode, Scene, Shape } from "#engine/api";
-import { frond } from "#engine/wasm";
-import type { Uv } from "#state/path";
+import type { Uv } from "#geometry/path";
+import type { Deformation, Fit, MapRow, Mode, Scene, Shape } from "#wasm/api";
+import { frond } from "#wasm/core";
 
 export interface Opening {
   a: Shape;

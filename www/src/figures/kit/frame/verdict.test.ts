@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { reasonWords } from "#state/reason";
+import { reasonWords } from "#format/reason";
 
 it("explains an address once, and leaves other reasons alone", () => {
   expect(reasonWords("The area says so.")).toBe("The area says so.");

@@ -1,6 +1,6 @@
-import type { Connectedness } from "#engine/api";
-import { reasonWords } from "#state/reason";
-import { RESOLUTION, type VerdictWords, verdictWords } from "#state/words";
+import { reasonWords } from "#format/reason";
+import { RESOLUTION, type VerdictWords, verdictWords } from "#format/verdict";
+import type { Connectedness } from "#wasm/api";
 
 /** Whether it is proved to be in pieces, or has no attractor. */
 export function isBrokenVerdict(answer: Connectedness | null): boolean {

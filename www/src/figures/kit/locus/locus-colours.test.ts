@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { STATE } from "#engine/breaks";
+import { STATE } from "#geometry/states";
 import { colourOf, fieldPixels, HOLDS, NARROW, shade, WIDE } from "./locus-colours";
 
 describe("colourOf", () => {

@@ -1,6 +1,7 @@
 /** Paints a locus as the paper prints it: white where the shape holds together. */
-import { STATE } from "#engine/breaks";
+
 import type { LocusResult } from "#engine/results";
+import { STATE } from "#geometry/states";
 import { HOLDS, NONE, type Rgb, ramp, shadeOf } from "#style/ramp";
 
 export { HOLDS };

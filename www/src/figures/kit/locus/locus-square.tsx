@@ -1,9 +1,9 @@
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
-import type { Bounds } from "#engine/api";
 import { BOUNDS } from "#engine/locus-job";
 import type { LocusResult } from "#engine/results";
-import type { Uv } from "#state/path";
+import type { Uv } from "#geometry/path";
+import type { Bounds } from "#wasm/api";
 import { fieldPixels } from "./locus-colours";
 
 export interface SquareProps {

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
-import { STATE } from "#engine/breaks";
 import type { LocusResult } from "#engine/results";
+import { STATE } from "#geometry/states";
 import { blankChart, chartJob } from "./morph-locus";
 
 const ENDS = { from: [], to: [] };

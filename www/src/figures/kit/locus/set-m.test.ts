@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import type { Connectedness } from "#engine/api";
-import { STATE } from "#engine/breaks";
 import type { LocusResult } from "#engine/results";
+import { STATE } from "#geometry/states";
+import type { Connectedness } from "#wasm/api";
 import { determinant } from "../maps/families";
 import { blankQuarter, knownState, mapsOf, quarterJob, REACH, unfolded } from "./set-m";
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { STATE } from "#engine/breaks";
+import { STATE } from "#geometry/states";
 import { breakage, shareWords, stretchWords } from "./breakage";
 
 const [holds, broken, none, open] = [STATE.touching, STATE.disconnected, STATE.none, STATE.undecided];

@@ -1,6 +1,7 @@
 /** How much of a path is broken, in numbers and in words. */
-import { isBroken, STATE, type Stretch, stretches } from "#engine/breaks";
-import { fixed } from "#ui/number";
+
+import { fixed } from "#format/numbers";
+import { isBroken, STATE, type Stretch, stretches } from "#geometry/states";
 
 export interface Breakage {
   stretches: Stretch[];

@@ -1,5 +1,5 @@
 /** The systems that the figures are about, written out: nothing here is more than a formula. */
-import type { MapRow } from "#engine/api";
+import type { MapRow } from "#wasm/api";
 
 /** The height of a triangle whose sides are 1. */
 export const HEIGHT = Math.sqrt(3) / 2;

@@ -1,8 +1,9 @@
 /** Morphs as the figures show them: frames at even times, and one box for all. */
-import type { MapRow, Mode } from "#engine/api";
-import { frond } from "#engine/wasm";
+
+import { type Uv, uvAt } from "#geometry/path";
 import { type Box, boxOf, diagonal } from "#state/fit";
-import { type Uv, uvAt } from "#state/path";
+import type { MapRow, Mode } from "#wasm/api";
+import { frond } from "#wasm/core";
 import type { StripFrame } from "../picture/stills";
 
 export interface Ends {

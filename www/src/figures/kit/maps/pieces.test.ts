@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { MapRow } from "#engine/api";
+import type { MapRow } from "#wasm/api";
 import { dust, gasket } from "./families";
 import { compose, distances, norm, spanningTree } from "./pieces";
 

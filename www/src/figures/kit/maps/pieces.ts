@@ -1,5 +1,5 @@
 /** How far the pieces of a shape are from each other, pair by pair, and the tree that joins them most cheaply. */
-import type { MapRow } from "#engine/api";
+import type { MapRow } from "#wasm/api";
 
 export type Point = [x: number, y: number];
 

@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
-import type { MapRow } from "#engine/api";
 import { type Box, fitFor } from "#state/fit";
+import type { MapRow } from "#wasm/api";
 import { apply, type Point } from "../maps/pieces";
 import { Picture, type PictureProps } from "./picture";
 

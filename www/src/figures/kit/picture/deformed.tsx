@@ -1,8 +1,8 @@
 import type { ComponentChildren } from "preact";
 import { useMemo } from "preact/hooks";
-import type { Bend } from "#engine/api";
-import { bentAt } from "#state/bezier";
+import { bentAt } from "#geometry/bezier";
 import { fitFor } from "#state/fit";
+import type { Bend } from "#wasm/api";
 import type { Point } from "../maps/pieces";
 import type { Place } from "./annotated";
 import { Picture, type PictureProps } from "./picture";

@@ -1,8 +1,8 @@
 import { useRef } from "preact/hooks";
-import type { MapRow, Verdict } from "#engine/api";
+import { fixed } from "#format/numbers";
+import { verdictPhrase } from "#format/verdict";
 import type { Box } from "#state/fit";
-import { verdictPhrase } from "#state/words";
-import { fixed } from "#ui/number";
+import type { MapRow, Verdict } from "#wasm/api";
 import { isBrokenVerdict } from "../frame/verdict";
 import { useVerdict } from "../workers";
 import { Picture } from "./picture";

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
-import type { Stretch } from "#engine/breaks";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
+import type { Stretch } from "#geometry/states";
 import { Slider } from "#ui/Slider";
 import { PlayButton, usePlay } from "./play";
 

@@ -1,6 +1,6 @@
 import { useMemo, useState } from "preact/hooks";
+import { fixed } from "#format/numbers";
 import { bendAt } from "#state/bend";
-import { fixed } from "#ui/number";
 import { Slider } from "#ui/Slider";
 import { GASKET, LIFT_BOX, liftOf } from "../../fujimoto/figure-4/page";
 import { Control, type Heading } from "../../kit/frame/frame";

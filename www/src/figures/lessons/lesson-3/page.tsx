@@ -1,7 +1,7 @@
 import { useMemo } from "preact/hooks";
-import type { MapRow } from "#engine/api";
+import { lengthWords } from "#format/verdict";
 import type { Box } from "#state/fit";
-import { lengthWords } from "#state/words";
+import type { MapRow } from "#wasm/api";
 import { type Edge, groups } from "../../kit/connectedness/collisions";
 import { Graph } from "../../kit/connectedness/overlap-graph";
 import type { Heading } from "../../kit/frame/frame";

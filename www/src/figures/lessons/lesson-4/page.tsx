@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
-import { prover } from "#engine/proof";
-import { reasonWords } from "#state/reason";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
+import { reasonWords } from "#format/reason";
 import { Segmented } from "#ui/Segmented";
+import { prover } from "#wasm/proof";
 import { Plot } from "../../kit/chart/plot";
 import { barnsley, type Round } from "../../kit/connectedness/barnsley";
 import { Rows } from "../../kit/connectedness/barnsley-rows";

@@ -1,5 +1,5 @@
 /** A letter that shows what a map does to it: which way is up, how large it is, and whether it is mirrored. */
-import type { MapRow } from "#engine/api";
+import type { MapRow } from "#wasm/api";
 import { apply, type Point } from "../../kit/maps/pieces";
 
 /** The letter F, about the origin, in a box of side 2. */

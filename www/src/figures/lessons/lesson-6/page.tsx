@@ -1,6 +1,6 @@
 import { useMemo } from "preact/hooks";
-import type { MapRow, Mode } from "#engine/api";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
+import type { MapRow, Mode } from "#wasm/api";
 import { determinants } from "../../burch-hart/figures-3-and-4/page";
 import { Plot } from "../../kit/chart/plot";
 import type { Heading } from "../../kit/frame/frame";

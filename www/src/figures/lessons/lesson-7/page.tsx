@@ -1,10 +1,10 @@
 import { useMemo, useState } from "preact/hooks";
-import { STATE } from "#engine/breaks";
-import { prover } from "#engine/proof";
-import { type Uv, uvAt } from "#state/path";
-import { shareWords, toldOf, verdictWords } from "#state/words";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
+import { shareWords, toldOf, verdictWords } from "#format/verdict";
+import { type Uv, uvAt } from "#geometry/path";
+import { STATE } from "#geometry/states";
 import { Slider } from "#ui/Slider";
+import { prover } from "#wasm/proof";
 import { Control, type Heading } from "../../kit/frame/frame";
 import { drawn, preset, studioHref } from "../../kit/frame/studio-link";
 import { Chip, VerdictChip } from "../../kit/frame/verdict";

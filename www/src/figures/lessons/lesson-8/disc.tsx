@@ -1,6 +1,6 @@
 import type { LocusResult } from "#engine/results";
-import type { Uv } from "#state/path";
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
+import type { Uv } from "#geometry/path";
 import { Slider } from "#ui/Slider";
 import { Control } from "../../kit/frame/frame";
 import { Plane } from "../../kit/locus/locus-square";

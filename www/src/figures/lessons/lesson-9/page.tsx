@@ -1,9 +1,9 @@
 import { useMemo, useState } from "preact/hooks";
-import type { MapRow } from "#engine/api";
+import { fixed } from "#format/numbers";
+import { lengthWords, shareOf, shareWords } from "#format/verdict";
 import type { Box } from "#state/fit";
-import { lengthWords, shareOf, shareWords } from "#state/words";
-import { fixed } from "#ui/number";
 import { Slider } from "#ui/Slider";
+import type { MapRow } from "#wasm/api";
 import { Control, type Heading } from "../../kit/frame/frame";
 import { studioHref } from "../../kit/frame/studio-link";
 import { EXACT, VerdictChip } from "../../kit/frame/verdict";

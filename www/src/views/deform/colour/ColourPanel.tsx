@@ -1,11 +1,11 @@
 import { computed } from "@preact/signals";
-import type { Colouring, Tint } from "#engine/api";
 import { changeDeformation, deformation } from "#state/bend";
 import { edit, endGesture, scene } from "#state/scene";
 import { Button } from "#ui/Button";
 import { useOwnId } from "#ui/id";
 import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";
+import type { Colouring, Tint } from "#wasm/api";
 import { MOST_ROUGHNESS } from "../changes";
 import { deepest, ringed, rough } from "../facts";
 import { chosen } from "../mesh/chosen";

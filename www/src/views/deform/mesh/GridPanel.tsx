@@ -1,6 +1,6 @@
 import { computed } from "@preact/signals";
+import { LEAST_SIDE, MOST_SIDE, remesh } from "#geometry/mesh";
 import { changeDeformation } from "#state/bend";
-import { LEAST_SIDE, MOST_SIDE, remesh } from "#state/mesh";
 import { endGesture } from "#state/scene";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";

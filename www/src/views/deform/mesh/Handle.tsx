@@ -1,4 +1,4 @@
-import type { Screen } from "#canvas/geometry";
+import type { Screen } from "#geometry/coordinates";
 import { endGesture } from "#state/scene";
 import { choose, chosen, lead, lookAt } from "./chosen";
 import { mesh } from "./document";

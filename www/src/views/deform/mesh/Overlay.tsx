@@ -1,8 +1,8 @@
 import "./mesh.css";
 import { computed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { type Screen, screen } from "#canvas/geometry";
 import { stageSize } from "#canvas/view";
+import { type Screen, screen } from "#geometry/coordinates";
 import { phasePlaying } from "#state/bend";
 import { useOwnId } from "#ui/id";
 import { chosen, lead } from "./chosen";

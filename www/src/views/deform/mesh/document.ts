@@ -1,9 +1,9 @@
 /** The mesh of the document at the present moment, and how its moves get into the document. */
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { effectiveView } from "#canvas/view";
+import { type Mesh, sizeOf } from "#geometry/mesh";
 import { changeDeformation, deformation, movesAt } from "#state/bend";
 import { keyNear, MOST_KEYS, withMoves } from "#state/keys";
-import { type Mesh, sizeOf } from "#state/mesh";
 import { notify } from "#state/notice";
 
 export const mesh: ReadonlySignal<Mesh> = computed(() => {

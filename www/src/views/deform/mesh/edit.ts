@@ -1,5 +1,5 @@
 /** What the hand, the keys and the fields do to the mesh. */
-import type { Point } from "#state/mesh";
+import type { Point } from "#geometry/mesh";
 import { announce } from "#state/notice";
 import { chosen, lead } from "./chosen";
 import { mesh, setMoves } from "./document";

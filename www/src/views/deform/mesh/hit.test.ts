@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { screen } from "#canvas/geometry";
+import { screen } from "#geometry/coordinates";
 import { inPlane, inside, nearest } from "./hit";
 import { neighbour } from "./keyboard";
 

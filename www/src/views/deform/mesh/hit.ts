@@ -1,8 +1,9 @@
 /** What a press meets. */
-import { type Screen, screen, toScreen, toWorld, type View, world } from "#canvas/geometry";
+
 import { effectiveView, stageSize } from "#canvas/view";
-import { type GridLine, gridLines } from "#state/bezier";
-import { type Mesh, type Point, placed } from "#state/mesh";
+import { type GridLine, gridLines } from "#geometry/bezier";
+import { type Screen, screen, toScreen, toWorld, type View, world } from "#geometry/coordinates";
+import { type Mesh, type Point, placed } from "#geometry/mesh";
 
 export function onStage([x, y]: Point): Screen {
   return toScreen(world(x, y), effectiveView.value, stageSize.value);

@@ -1,5 +1,5 @@
 /** What keys do on a handle. The mesh is one stop of Tab; within it keys go from handle to handle. */
-import { type Mesh, type Point, sizeOf } from "#state/mesh";
+import { type Mesh, type Point, sizeOf } from "#geometry/mesh";
 import { announce } from "#state/notice";
 import { choose, chosen, clearChosen, lookAt, toggle } from "./chosen";
 import { mesh } from "./document";

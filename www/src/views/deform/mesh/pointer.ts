@@ -3,11 +3,11 @@
  * goes on to the picture, which is moved and enlarged as ever. A second finger always means the picture.
  */
 import { signal } from "@preact/signals";
-import { type Screen, screen } from "#canvas/geometry";
 import { effectiveView } from "#canvas/view";
+import { placeAt } from "#geometry/bezier";
+import { type Screen, screen } from "#geometry/coordinates";
+import type { Point } from "#geometry/mesh";
 import { phasePlaying } from "#state/bend";
-import { placeAt } from "#state/bezier";
-import type { Point } from "#state/mesh";
 import { announce } from "#state/notice";
 import { endGesture, undo } from "#state/scene";
 import { choose, chosen, clearChosen, toggle } from "./chosen";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { weightsAt } from "#state/bezier";
+import { weightsAt } from "#geometry/bezier";
 import { pullMoves } from "./pull";
 import { partner } from "./symmetry";
 

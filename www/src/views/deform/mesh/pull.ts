@@ -1,7 +1,7 @@
 /** Pulling at any place of the mesh: the least moves of the control points that take the place along. */
 
-import { weightsAt } from "#state/bezier";
-import type { Mesh } from "#state/mesh";
+import { weightsAt } from "#geometry/bezier";
+import type { Mesh } from "#geometry/mesh";
 import { answer, partner, type Symmetry } from "./symmetry";
 
 /** Close to the axis of a mirror, where its partner pulls the other way, a place lags rather than the mesh tears out. */

@@ -1,6 +1,6 @@
 /** Editing alike on both sides: which control point answers which, and how. */
 import { signal } from "@preact/signals";
-import type { Mesh } from "#state/mesh";
+import type { Mesh } from "#geometry/mesh";
 
 /** Mirrored left to right, up and down, or turned by half a turn. */
 export type Symmetry = "off" | "sides" | "levels" | "point";

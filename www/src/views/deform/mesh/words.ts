@@ -1,6 +1,7 @@
 /** What is said of control points. */
-import type { Mesh } from "#state/mesh";
-import { formatNumber } from "#ui/number";
+
+import { formatNumber } from "#format/numbers";
+import type { Mesh } from "#geometry/mesh";
 
 /** "Column 2, row 3": counted from the left and from below. */
 export function nameOf({ columns }: Pick<Mesh, "columns">, index: number): string {

@@ -1,9 +1,9 @@
 import { computed } from "@preact/signals";
 import { useRef } from "preact/hooks";
+import { formatNumber } from "#format/numbers";
 import { changeDeformation, deformation } from "#state/bend";
 import { endGesture } from "#state/scene";
 import { NumberField } from "#ui/NumberField";
-import { formatNumber } from "#ui/number";
 import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";
 import { MOST_ROUGHNESS, withCorners, withDetail, withLocality } from "../changes";

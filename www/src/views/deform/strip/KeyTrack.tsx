@@ -1,9 +1,9 @@
 import { computed } from "@preact/signals";
 import { useRef } from "preact/hooks";
+import { keyStep } from "#format/numbers";
 import { changeDeformation, deformation, movesAt } from "#state/bend";
 import { keyNear } from "#state/keys";
 import { endGesture } from "#state/scene";
-import { keyStep } from "#ui/number";
 import { withKey, withKeyAt } from "../changes";
 import { pausePhase, scrubPhase } from "../clock";
 import { MeshIcon } from "./MeshIcon";

@@ -1,7 +1,7 @@
 import { computed } from "@preact/signals";
-import type { Deformation } from "#engine/api";
+import { placed } from "#geometry/mesh";
 import { deformation } from "#state/bend";
-import { placed } from "#state/mesh";
+import type { Deformation } from "#wasm/api";
 
 // The moment is no part of it: nothing of this is drawn again while it plays.
 const keys = computed(() => deformation.value.keys);

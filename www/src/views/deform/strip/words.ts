@@ -1,6 +1,6 @@
-import type { Deformation } from "#engine/api";
+import { formatNumber } from "#format/numbers";
 import { keyNear } from "#state/keys";
-import { formatNumber } from "#ui/number";
+import type { Deformation } from "#wasm/api";
 
 type Line = Pick<Deformation, "keys" | "loop" | "phase">;
 

@@ -1,6 +1,6 @@
 import { useRef } from "preact/hooks";
+import { formatNumber } from "#format/numbers";
 import { Button } from "#ui/Button";
-import { formatNumber } from "#ui/number";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
 import { Switch } from "#ui/Switch";

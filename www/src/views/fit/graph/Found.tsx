@@ -1,6 +1,6 @@
 import { signal } from "@preact/signals";
+import { formatNumber } from "#format/numbers";
 import { Button } from "#ui/Button";
-import { formatNumber } from "#ui/number";
 import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";
 import { CandidateList } from "./Candidates";

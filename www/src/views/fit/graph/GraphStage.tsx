@@ -1,10 +1,10 @@
 import "./graph.css";
 import { computed, useSignalEffect } from "@preact/signals";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import { formatNumber } from "#format/numbers";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
 import { IconButton } from "#ui/Button";
-import { formatNumber } from "#ui/number";
 import { copyShown } from "./copy";
 import { chosenPiece, graph, isFirst, problem } from "./document";
 import { errors } from "./errors";

@@ -1,10 +1,10 @@
 import { computed } from "@preact/signals";
+import { formatNumber } from "#format/numbers";
 import { dark } from "#state/preferences";
 import { endGesture } from "#state/scene";
 import { palette } from "#style/palette";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
-import { formatNumber } from "#ui/number";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
 import { Switch } from "#ui/Switch";

@@ -1,9 +1,9 @@
 /** The graph of the document, what it is made of, and what hands do to it. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { Graph } from "#engine/api";
-import { rough } from "#engine/curves";
 import { announce, notify, wordsOf } from "#state/notice";
 import { changeFit, fitDocument } from "#state/outline";
+import type { Graph } from "#wasm/api";
+import { rough } from "#wasm/curve";
 import { asKind, evaluator, type Kind, type Model, modelOf, request, short } from "./model";
 
 /** Where nothing was made yet: Figure 1 of the paper. */

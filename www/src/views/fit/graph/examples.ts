@@ -1,5 +1,5 @@
 /** Graphs of our own making to try the search on. */
-import type { Graph } from "#engine/api";
+import type { Graph } from "#wasm/api";
 import { evaluator } from "./model";
 
 export interface Example {

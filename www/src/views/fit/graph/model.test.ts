@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Graph } from "#engine/api";
+import type { Graph } from "#wasm/api";
 import {
   asKind,
   errorsOf,

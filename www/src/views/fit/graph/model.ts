@@ -1,5 +1,5 @@
 /** A graph as its knots and what each piece copies: what hands change, and what the maps follow from. */
-import type { Graph, GraphPiece } from "#engine/api";
+import type { Graph, GraphPiece } from "#wasm/api";
 
 export type Kind = Graph["kind"];
 export type Knot = [t: number, x: number];

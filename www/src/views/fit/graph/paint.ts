@@ -1,5 +1,5 @@
 /** The graph and what lies under and over it, on a canvas. */
-import type { Graph } from "#engine/api";
+import type { Graph } from "#wasm/api";
 import { type Frame, leftOf, startIn, ticks, tickText, topOf } from "./frame";
 import { rangeOf } from "./model";
 

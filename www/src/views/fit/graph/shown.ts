@@ -1,7 +1,7 @@
 /** What the stage shows: its frame, and the graph as a polyline as fine as it is seen. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import { rough } from "#engine/curves";
 import { inGesture } from "#state/scene";
+import { rough } from "#wasm/curve";
 import { graph, model } from "./document";
 import { aired, type Frame, heights } from "./frame";
 import { interval } from "./model";

@@ -1,6 +1,6 @@
 /** What the panel says. */
 import type { Clusters, FoundCluster } from "#engine/fit/tasks/hough";
-import { formatNumber } from "#ui/number";
+import { formatNumber } from "#format/numbers";
 import type { Kind } from "./model";
 
 export const KINDS: readonly { value: Kind; label: string; about: string }[] = [

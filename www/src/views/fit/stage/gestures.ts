@@ -1,5 +1,5 @@
 /** Pan, pinch, wheel and brush on the stage of the fit. */
-import { type Screen, screen } from "#canvas/geometry";
+import { type Screen, screen } from "#geometry/coordinates";
 import { frame } from "../work/outline";
 import { opened } from "../work/source";
 import { beginStroke, cursor, dropStroke, endStroke, goOn, painting } from "./brush";

@@ -1,7 +1,5 @@
 /** The fit of the outline: the latest that was asked for, the best so far, its figures, and what it is compared with. */
 import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import type { Curve, CurveShape } from "#engine/api";
-import { rough } from "#engine/curves";
 import { fitTask } from "#engine/fit/client";
 import type {
   Collage,
@@ -15,6 +13,8 @@ import type {
 import { isStopped, Latest, persist } from "#engine/lanes/latest";
 import { announce, notify, wordsOf } from "#state/notice";
 import { fitDocument, replaceFit } from "#state/outline";
+import type { Curve, CurveShape } from "#wasm/api";
+import { rough } from "#wasm/curve";
 import { numbersOf, polylineOf, prepared, ready, SEEDS } from "./outline";
 import { source, takeSource } from "./source";
 

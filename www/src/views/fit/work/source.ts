@@ -1,6 +1,5 @@
 /** What is fitted: a file that was opened, a leaf grown by program, or the curve that a link brought. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { Curve } from "#engine/api";
 import { fitTask } from "#engine/fit/client";
 import type { Grown } from "#engine/fit/tasks/curve";
 import type {
@@ -12,6 +11,7 @@ import type {
 } from "#engine/fit/tasks/trace-types";
 import { isStopped, Latest } from "#engine/lanes/latest";
 import { announce, notify, wordsOf } from "#state/notice";
+import type { Curve } from "#wasm/api";
 
 export type Source =
   | { kind: "grown"; name: string; grown: Grown; seed: number }

@@ -1,7 +1,7 @@
-import { lowered } from "#canvas/locus/words";
 import { homeOf } from "#engine/window";
-import type { Uv } from "#state/path";
-import { piecesIn } from "#state/polyline";
+import { lowered } from "#format/parameters";
+import type { Uv } from "#geometry/path";
+import { piecesIn } from "#geometry/polyline";
 import { criticalScale } from "./critical";
 import { circlesOf, landmarksOf } from "./families";
 import { arcNear } from "./geometry";

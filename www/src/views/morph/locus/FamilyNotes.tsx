@@ -1,6 +1,6 @@
-import { lowered } from "#canvas/locus/words";
 import { MOST_ZOOM } from "#engine/window";
-import { powerWords } from "#state/words";
+import { lowered } from "#format/parameters";
+import { powerWords } from "#format/verdict";
 import { Button } from "#ui/Button";
 import { critical, criticalScale } from "./critical";
 import { landmarksOf, symmetryWords, theoremWords } from "./families";

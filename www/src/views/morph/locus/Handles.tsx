@@ -1,10 +1,10 @@
 import "#canvas/locus/handles.css";
+import { addStep } from "#format/numbers";
+import { percent } from "#format/path-words";
+import type { Uv } from "#geometry/path";
+import { pointOf } from "#geometry/polyline";
 import { uv } from "#state/morph";
-import { percent } from "#state/morph-words";
-import type { Uv } from "#state/path";
-import { pointOf } from "#state/polyline";
 import { endGesture, scene } from "#state/scene";
-import { addStep } from "#ui/number";
 import { scrubTo } from "../strip/scrub";
 import { shownWindow, view } from "./view";
 import {

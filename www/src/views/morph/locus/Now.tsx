@@ -1,11 +1,11 @@
-import { complexWords } from "#canvas/locus/words";
 import { verdict } from "#engine/results";
+import { fixed } from "#format/numbers";
+import { complexWords } from "#format/parameters";
+import { verdictPhrase } from "#format/verdict";
 import { FIRST_S, uv } from "#state/morph";
 import { announce, notify } from "#state/notice";
 import { edit } from "#state/scene";
-import { verdictPhrase } from "#state/words";
 import { Button } from "#ui/Button";
-import { fixed } from "#ui/number";
 import { type End, nameOf } from "../changes";
 import { digitsOf } from "./geometry";
 import { familyMaps } from "./hover";

@@ -1,9 +1,9 @@
 import type { RefObject } from "preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
-import type { Bounds } from "#engine/api";
+import { verdictLine, verdictPhrase } from "#format/verdict";
+import type { Uv } from "#geometry/path";
 import { announce } from "#state/notice";
-import type { Uv } from "#state/path";
-import { verdictLine, verdictPhrase } from "#state/words";
+import type { Bounds } from "#wasm/api";
 import { spot } from "./geometry";
 import { type Pointed, pointed, type Seen, SIDE, seen } from "./hover";
 import { inDigits, shownWindow, view } from "./view";

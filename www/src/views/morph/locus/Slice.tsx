@@ -1,8 +1,8 @@
 import { useState } from "preact/hooks";
+import { fixed } from "#format/numbers";
 import { uv } from "#state/morph";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
-import { fixed } from "#ui/number";
 import { Slider } from "#ui/Slider";
 import { mode } from "../parts";
 import { THICKNESS } from "./Handles";

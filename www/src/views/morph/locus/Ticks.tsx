@@ -1,4 +1,4 @@
-import { fixed } from "#ui/number";
+import { fixed } from "#format/numbers";
 import { ticksOf } from "./geometry";
 import { family, shownWindow } from "./view";
 

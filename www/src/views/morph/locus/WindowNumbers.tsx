@@ -1,7 +1,7 @@
-import { zoomWords } from "#canvas/locus/words";
 import { LEAST_EPSILON, MOST_ZOOM } from "#engine/window";
+import { zoomWords } from "#format/parameters";
+import { resolutionWords } from "#format/verdict";
 import { endGesture } from "#state/scene";
-import { resolutionWords } from "#state/words";
 import { NumberField } from "#ui/NumberField";
 import { digitsOf } from "./geometry";
 import { epsilon, family, inDigits, picked, pickPoint, setView, shownWindow, view } from "./view";

@@ -1,8 +1,8 @@
 import { along } from "#engine/results";
+import { percent } from "#format/path-words";
+import { shareWords } from "#format/verdict";
+import { uvAt } from "#geometry/path";
 import { pathPoints } from "#state/morph";
-import { percent } from "#state/morph-words";
-import { uvAt } from "#state/path";
-import { shareWords } from "#state/words";
 import { shownWindow } from "./view";
 import { place } from "./way";
 

@@ -2,7 +2,7 @@
 import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { epoch, submit } from "#engine/engine";
 import type { Job } from "#engine/protocol";
-import { frond } from "#engine/wasm";
+import { frond } from "#wasm/core";
 import { familyMaps } from "./hover";
 import { family, sides } from "./view";
 

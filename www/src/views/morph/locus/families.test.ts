@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Uv } from "#state/path";
+import type { Uv } from "#geometry/path";
 import { circlesOf, landmarksOf, theoremWords, twins } from "./families";
 
 describe("what is known of a family", () => {

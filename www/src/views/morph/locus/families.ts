@@ -1,8 +1,8 @@
 /** What is known by proof of the polygon families {s z + exp(2 pi i k / n)}, and places worth seeing. */
 
-import { lowered } from "#canvas/locus/words";
-import { isPrime } from "#engine/family";
-import type { Uv } from "#state/path";
+import { lowered } from "#format/parameters";
+import type { Uv } from "#geometry/path";
+import { isPrime } from "#geometry/polygon-family";
 
 /** Circles about 0 that tell something. */
 export function circlesOf(sides: number): { radius: number; name: string; kind: "one" | "area" | "line" }[] {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { LocusView } from "#engine/api";
 import { clampedView, MOST_ZOOM, windowOf } from "#engine/window";
+import type { LocusView } from "#wasm/api";
 import { arcNear, between, digitsOf, roundedTo, spot, ticksOf, wholeOf, zoomed } from "./geometry";
 
 const HOME = wholeOf("morph");

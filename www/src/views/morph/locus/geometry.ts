@@ -1,7 +1,8 @@
 /** Views, windows and places, as functions. */
-import type { Bounds, LocusView } from "#engine/api";
+
 import { clampedView, type Family, homeOf } from "#engine/window";
-import type { Uv } from "#state/path";
+import type { Uv } from "#geometry/path";
+import type { Bounds, LocusView } from "#wasm/api";
 
 /** All of a plane. */
 export function wholeOf(family: Family, sides = 2): LocusView {

@@ -1,9 +1,9 @@
 /** What pointers do on the square: they drag what lies on the path, move and enlarge the view, look, and pick. */
 import type { RefObject } from "preact";
 import { useRef } from "preact/hooks";
+import type { Uv } from "#geometry/path";
+import { hitHandle, nearestOn, pointOf } from "#geometry/polyline";
 import { pathPoints, selection, uv } from "#state/morph";
-import type { Uv } from "#state/path";
-import { hitHandle, nearestOn, pointOf } from "#state/polyline";
 import { endGesture } from "#state/scene";
 import { scrubTo } from "../strip/scrub";
 import { zoomed } from "./geometry";

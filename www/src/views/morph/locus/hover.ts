@@ -1,14 +1,14 @@
 /** What is at the parameter that is pointed at: a small picture and a verdict, asked for at low cost. */
 import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import type { Connectedness, MapRow } from "#engine/api";
 import { Coalesce } from "#engine/coalesce";
 import { cancel, epoch, submit } from "#engine/engine";
 import type { Job } from "#engine/protocol";
-import { frond } from "#engine/wasm";
+import type { Uv } from "#geometry/path";
 import { mapsAt } from "#state/morph";
-import type { Uv } from "#state/path";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
+import type { Connectedness, MapRow } from "#wasm/api";
+import { frond } from "#wasm/core";
 import { epsilon, view } from "./view";
 
 /** CSS pixels. */

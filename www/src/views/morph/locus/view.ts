@@ -1,14 +1,14 @@
 /** How the locus is looked at, and what hands and keys do to that. */
 import { computed, effect, type ReadonlySignal, untracked } from "@preact/signals";
-import type { Bounds, LocusView } from "#engine/api";
 import { clampedView, epsilonOf, type Family, levelOf, viewProblem, windowOf } from "#engine/window";
+import { fixed } from "#format/numbers";
+import type { Uv } from "#geometry/path";
 import { locusView, uv } from "#state/morph";
 import { notify } from "#state/notice";
-import type { Uv } from "#state/path";
 import { playing } from "#state/playback";
 import { reducedMotion } from "#state/preferences";
 import { edit, replace, scene } from "#state/scene";
-import { fixed } from "#ui/number";
+import type { Bounds, LocusView } from "#wasm/api";
 import { between, digitsOf, kept, roundedTo, wholeOf, zoomed } from "./geometry";
 
 /** What is shown: the document's view, or all of its plane where that cannot be shown. */

@@ -1,16 +1,16 @@
 /** What hands and keys do to the path. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { Bounds } from "#engine/api";
-import { sampleNear } from "#engine/breaks";
 import { along, locus, pathBreaks, verdict } from "#engine/results";
+import { fixed } from "#format/numbers";
+import { type Told, toldOf, verdictPhrase } from "#format/verdict";
+import { timesOf, type Uv } from "#geometry/path";
+import { clamp, insert, move, nearestOn, remove } from "#geometry/polyline";
+import { sampleNear } from "#geometry/states";
 import { here, locusView, pathPoints, uv } from "#state/morph";
 import { announce } from "#state/notice";
-import { timesOf, type Uv } from "#state/path";
 import { setT } from "#state/playback";
-import { clamp, insert, move, nearestOn, remove } from "#state/polyline";
 import { edit, endGesture, scene } from "#state/scene";
-import { type Told, toldOf, verdictPhrase } from "#state/words";
-import { fixed } from "#ui/number";
+import type { Bounds } from "#wasm/api";
 import { MOST_POINTS, setPoints } from "../changes";
 
 /** The part of the (u, v) plane that is shown before the engine has said so. */

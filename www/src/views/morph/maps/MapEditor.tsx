@@ -1,17 +1,17 @@
 import "./maps.css";
 import { useState } from "preact/hooks";
-import type { MapRow } from "#engine/api";
 import { originOf } from "#engine/presets";
-import { frond } from "#engine/wasm";
+import { halfAbout, mapWords, reflect } from "#geometry/affine2";
 import { selection } from "#state/morph";
 import { announce, wordsOf } from "#state/notice";
 import { edit, endGesture } from "#state/scene";
 import { Button, IconButton } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
+import type { MapRow } from "#wasm/api";
+import { frond } from "#wasm/core";
 import { type End, MOST_MAPS, nameOf, setMaps } from "../changes";
 import { shapes } from "../parts";
 import { Swatch } from "../shapes/Swatch";
-import { halfAbout, mapWords, reflect } from "./affine";
 import { NumberFields, PartFields } from "./MapFields";
 
 /** Why maps cannot be a shape, in a sentence; nothing where they can. */

@@ -1,8 +1,8 @@
 import { useState } from "preact/hooks";
-import type { MapRow } from "#engine/api";
+import { compose, decompose, type Parts } from "#geometry/affine2";
 import { useOwnId } from "#ui/id";
 import { NumberField } from "#ui/NumberField";
-import { compose, decompose, type Parts } from "./affine";
+import type { MapRow } from "#wasm/api";
 
 export interface MapFieldsProps {
   map: MapRow;

@@ -1,16 +1,16 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { paint } from "#canvas/locus/paint";
-import type { RatedCandidate } from "#engine/api";
 import { BOUNDS } from "#engine/locus-job";
 import { lookForMatchings, matchings, stopMatching } from "#engine/schedule/matching";
 import { wayOf } from "#engine/schedule/plan";
-import { matchWords, meritWords } from "#state/morph-words";
+import { matchWords, meritWords } from "#format/path-words";
 import { announce } from "#state/notice";
 import { dark } from "#state/preferences";
 import { edit } from "#state/scene";
 import { palette } from "#style/palette";
 import { Button } from "#ui/Button";
 import { useOwnId } from "#ui/id";
+import type { RatedCandidate } from "#wasm/api";
 import { isMatched, takeMatching } from "../changes";
 import { matchingOpen } from "../dialogs";
 import { place } from "../locus/way";

@@ -1,6 +1,6 @@
 import "./pairs.css";
+import { listWords } from "#format/path-words";
 import { pairing } from "#state/morph";
-import { listWords } from "#state/morph-words";
 import { edit, endGesture } from "#state/scene";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";

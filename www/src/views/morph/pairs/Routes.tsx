@@ -1,10 +1,10 @@
-import type { Route, RouteKind } from "#engine/api";
-import { sameMaps } from "#engine/maps";
 import { lookForRoutes, routes } from "#engine/schedule/routes";
+import { sameMaps } from "#geometry/same-maps";
 import { announce } from "#state/notice";
 import { edit } from "#state/scene";
 import { Button } from "#ui/Button";
 import { useOwnId } from "#ui/id";
+import type { Route, RouteKind } from "#wasm/api";
 import { isMatched, takeRoute } from "../changes";
 import { routesOpen } from "../dialogs";
 import { correspondence, shapes, turns } from "../parts";

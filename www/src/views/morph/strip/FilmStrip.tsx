@@ -1,14 +1,14 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import type { Verdict } from "#engine/api";
-import { isBroken } from "#engine/breaks";
 import { curveFilm, type Frame, strip } from "#engine/results";
+import { percent } from "#format/path-words";
+import { stateOf, verdictPhrase } from "#format/verdict";
+import { isBroken } from "#geometry/states";
 import { curved } from "#state/curve";
-import { percent } from "#state/morph-words";
 import { scene } from "#state/scene";
-import { stateOf, verdictPhrase } from "#state/words";
 import { media } from "#ui/media";
 import { Thumbnail } from "#ui/Thumbnail";
+import type { Verdict } from "#wasm/api";
 import { evenly } from "./evenly";
 import { scrubTo } from "./scrub";
 

@@ -1,10 +1,10 @@
 import { useEffect, useMemo } from "preact/hooks";
-import type { Repeat } from "#engine/api";
 import { timeline } from "#state/space";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";
+import type { Repeat } from "#wasm/api";
 import { MOST_BYTES } from "../time/saved";
 import { loopOf, secondsWords } from "../time/words";
 import { parametersBytes, secondsFor, usePreview } from "./estimate";

@@ -1,6 +1,5 @@
 /** How much it will be, measured on this device. */
 import { useEffect, useState } from "preact/hooks";
-import type { Repeat, Space } from "#engine/api";
 import { spaceTask } from "#engine/space/client";
 import { painters } from "#engine/space/film/crew";
 import { Frames, frameRecord } from "#engine/space/film/frames";
@@ -8,6 +7,7 @@ import { pictureAt } from "#engine/space/film/make";
 import { channels } from "#engine/space/film/opaque";
 import { wordsOf } from "#state/notice";
 import { space, spacePart, spaceView } from "#state/space";
+import type { Repeat, Space } from "#wasm/api";
 import { colours, ground } from "../stage/sight";
 import { frameCount, isFilm, litPart, type Plan } from "./plan";
 

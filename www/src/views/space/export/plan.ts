@@ -1,7 +1,8 @@
 /** What is to be exported: which moments, how large, and how much that will be. Pure, for the tests. */
-import type { Repeat } from "#engine/api";
+
 import { MOST_GIF_FPS } from "#engine/space/film/gif";
-import { formatNumber } from "#ui/number";
+import { formatNumber } from "#format/numbers";
+import type { Repeat } from "#wasm/api";
 
 export type Kind = "mp4" | "webm" | "gif" | "frames" | "keys";
 export type Quality = "small" | "good" | "best";

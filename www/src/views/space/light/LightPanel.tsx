@@ -1,12 +1,12 @@
 import "./light.css";
 import { computed } from "@preact/signals";
-import type { SpaceLight } from "#engine/api";
-import { solid } from "#engine/space/module";
 import { endGesture } from "#state/scene";
 import { space } from "#state/space";
 import { changeSpace } from "#state/space-edits";
 import { Button } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
+import type { SpaceLight } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { ground } from "../stage/sight";
 import { type Choice, choiceOf, chosenBackground } from "./background";
 import { LightSlider } from "./LightSlider";

@@ -1,10 +1,10 @@
 import { computed } from "@preact/signals";
 import { useState } from "preact/hooks";
-import type { Point3, SpaceView } from "#engine/api";
 import { setView, spaceView } from "#state/space";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import { Switch } from "#ui/Switch";
+import type { Point3, SpaceView } from "#wasm/api";
 import { changeView, holdEye } from "../stage/actions";
 import { eyeOf, LEAST_ANGLE, MOST_ANGLE, withAngle, wrapped } from "../stage/camera";
 import { LightSlider } from "./LightSlider";

@@ -1,6 +1,7 @@
 /** What the settings of light come to, in words. Pure. */
-import type { Point3 } from "#engine/api";
-import { formatNumber } from "#ui/number";
+
+import { formatNumber } from "#format/numbers";
+import type { Point3 } from "#wasm/api";
 
 const DEGREE = Math.PI / 180;
 

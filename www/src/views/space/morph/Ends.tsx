@@ -1,7 +1,5 @@
 import "#ui/ends.css";
 import { useEffect, useMemo, useState } from "preact/hooks";
-import type { Shape3 } from "#engine/api";
-import { solid } from "#engine/space/module";
 import { announce, notify, wordsOf } from "#state/notice";
 import { choose, editSpace, space } from "#state/space";
 import { changeSpace } from "#state/space-edits";
@@ -9,6 +7,8 @@ import { IconButton } from "#ui/Button";
 import { Dialog } from "#ui/Dialog";
 import { mapsNote, ShapeGrid } from "#ui/ShapeGrid";
 import { Thumbnail } from "#ui/Thumbnail";
+import type { Shape3 } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { Gallery } from "../shape/Gallery";
 import { presets } from "../shape/presets";
 import { makePictures, pictures } from "../shape/thumbs";

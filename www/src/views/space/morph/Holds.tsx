@@ -1,5 +1,5 @@
-import { reasonWords } from "#state/reason";
-import { type VerdictWords, verdictWords } from "#state/words";
+import { reasonWords } from "#format/reason";
+import { type VerdictWords, verdictWords } from "#format/verdict";
 import { judged } from "./work";
 
 /** Whether what is seen is in one piece, in words; and why, where there is a reason. */

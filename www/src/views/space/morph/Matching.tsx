@@ -1,8 +1,8 @@
-import type { Mode } from "#engine/api";
-import { matchWords } from "#state/morph-words";
+import { matchWords } from "#format/path-words";
 import { space } from "#state/space";
 import { changeSpace } from "#state/space-edits";
 import { Segmented } from "#ui/Segmented";
+import type { Mode } from "#wasm/api";
 import { Fold } from "../shape/Fold";
 import { exchanged, flatPairs, inOrder, orderNow, withMode, withOrder } from "./changes";
 import { from, morph, nearest } from "./work";

@@ -1,9 +1,9 @@
-import { percent } from "#state/morph-words";
+import { fixed } from "#format/numbers";
+import { percent } from "#format/path-words";
 import { endGesture } from "#state/scene";
 import { timeline } from "#state/space";
 import { IconButton } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
-import { fixed } from "#ui/number";
 import { Slider } from "#ui/Slider";
 import { Holds } from "./Holds";
 import { morphPlaying, pause, play } from "./play";

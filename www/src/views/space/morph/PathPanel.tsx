@@ -1,12 +1,12 @@
 import "#canvas/locus/path.css";
-import type { PathKind } from "#engine/api";
-import { isBroken, STATE, widestOf } from "#engine/breaks";
-import { bestWords, pathWords, roomWords } from "#state/morph-words";
+import { bestWords, pathWords, roomWords } from "#format/path-words";
+import { shareOf, stateOf } from "#format/verdict";
+import { isBroken, STATE, widestOf } from "#geometry/states";
 import { endGesture } from "#state/scene";
-import { shareOf, stateOf } from "#state/words";
 import { Button, IconButton } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import { Segmented } from "#ui/Segmented";
+import type { PathKind } from "#wasm/api";
 import { MOST_POINTS } from "./changes";
 import { focusHandle } from "./handles";
 import { addAfter, addHere, chosen, moveTo, removeAt, setKind, stateAt, way } from "./way";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { MapRow3, Shape3, Space, SpaceLight } from "#engine/api";
+import type { MapRow3, Shape3, Space, SpaceLight } from "#wasm/api";
 import {
   exchanged,
   flatPairs,

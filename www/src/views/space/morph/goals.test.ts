@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { MapRow3, Preset3 } from "#engine/api";
+import type { MapRow3, Preset3 } from "#wasm/api";
 import { goalsOf, ITSELF, missingWords } from "./goals";
 
 const half = (x: number): MapRow3 => [0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5, x, 0, 0];

@@ -1,6 +1,7 @@
 /** What the first object can become. */
-import type { Preset3, Shape3, SpaceObject } from "#engine/api";
-import { sameMaps } from "#engine/maps";
+
+import { sameMaps } from "#geometry/same-maps";
+import type { Preset3, Shape3, SpaceObject } from "#wasm/api";
 
 export interface Goal {
   id: string;

@@ -1,15 +1,15 @@
 /** What hands and keys do to the path, and to the place on it. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { PathKind, PathPoint, Space } from "#engine/api";
-import { sampleNear } from "#engine/breaks";
 import { BOUNDS } from "#engine/locus-job";
+import { fixed } from "#format/numbers";
+import { type Told, toldOf, verdictPhrase } from "#format/verdict";
+import type { Uv } from "#geometry/path";
+import { clamp, insert, move, nearestOn, remove } from "#geometry/polyline";
+import { sampleNear } from "#geometry/states";
 import { announce } from "#state/notice";
-import type { Uv } from "#state/path";
-import { clamp, insert, move, nearestOn, remove } from "#state/polyline";
 import { endGesture } from "#state/scene";
 import { changeSpace, setMorphTime } from "#state/space-edits";
-import { type Told, toldOf, verdictPhrase } from "#state/words";
-import { fixed } from "#ui/number";
+import type { PathKind, PathPoint, Space } from "#wasm/api";
 import { MOST_POINTS, withPath } from "./changes";
 import { check, judged, locus, moment, pathPoints, uv } from "./work";
 

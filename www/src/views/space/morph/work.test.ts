@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { MapRow3, PathPoint, Space } from "#engine/api";
 import { canUndo, scene, start, undo } from "#state/scene";
+import type { MapRow3, PathPoint, Space } from "#wasm/api";
 
 const half = (x: number): MapRow3 => [0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5, x, 0, 0];
 const { asked, solid } = vi.hoisted(() => {
@@ -32,7 +32,7 @@ const { asked, solid } = vi.hoisted(() => {
   };
   return { asked, solid };
 });
-vi.mock("#engine/space/module", () => ({ solid, loadSpace: async () => {} }));
+vi.mock("#wasm/space", () => ({ solid, loadSpace: async () => {} }));
 vi.mock("#engine/space/client", () => ({
   spaceTask: (
     name: string,

@@ -1,9 +1,9 @@
 import { useState } from "preact/hooks";
-import type { EpsilonProjection, MapRow3, Point3 } from "#engine/api";
-import { solid } from "#engine/space/module";
+import { divergingWords } from "#format/placement";
 import { wordsOf } from "#state/notice";
 import { MapBlocks } from "#ui/MapBlocks";
-import { divergingWords } from "#ui/space-words";
+import type { EpsilonProjection, MapRow3, Point3 } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { SliderField } from "./SliderField";
 
 export interface EpsilonProps {

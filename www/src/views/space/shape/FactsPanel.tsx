@@ -1,12 +1,12 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import type { BoxCount3, MapRow3, Place3 } from "#engine/api";
-import { determinant3 } from "#engine/space/affine";
 import { spaceTask } from "#engine/space/client";
-import { solid } from "#engine/space/module";
+import { fixed, formatNumber } from "#format/numbers";
+import { placeWords } from "#format/placement";
+import { determinant3 } from "#geometry/affine3";
 import { wordsOf } from "#state/notice";
 import { Button } from "#ui/Button";
-import { fixed, formatNumber } from "#ui/number";
-import { placeWords } from "#ui/space-words";
+import type { BoxCount3, MapRow3, Place3 } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { facts, moved, rested } from "./now";
 
 /** What is known of the object: its dimension, its maps, and what was done to it. */

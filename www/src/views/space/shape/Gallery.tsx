@@ -1,6 +1,4 @@
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import type { SpaceObject } from "#engine/api";
-import { solid } from "#engine/space/module";
 import { standing } from "#state/morph";
 import { scene } from "#state/scene";
 import { space } from "#state/space";
@@ -8,6 +6,8 @@ import { Button } from "#ui/Button";
 import { Dialog } from "#ui/Dialog";
 import { Segmented } from "#ui/Segmented";
 import { mapsNote, ShapeGrid, type ShapeItem } from "#ui/ShapeGrid";
+import type { SpaceObject } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { object } from "./now";
 import { presets } from "./presets";
 import { type How, take, takenWords } from "./take";

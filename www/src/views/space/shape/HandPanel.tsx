@@ -1,12 +1,12 @@
 import { computed, signal } from "@preact/signals";
-import type { MapRow3, Point3 } from "#engine/api";
-import { solid } from "#engine/space/module";
 import { announce, notify, wordsOf } from "#state/notice";
 import { endGesture } from "#state/scene";
 import { chosen, IDENTITY } from "#state/space";
 import { placeObject } from "#state/space-edits";
 import { Button } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
+import type { MapRow3, Point3 } from "#wasm/api";
+import { solid } from "#wasm/space";
 import {
   AT_REST,
   fromSlider,

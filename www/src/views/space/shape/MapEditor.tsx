@@ -1,13 +1,13 @@
 import { useState } from "preact/hooks";
-import type { MapRow3, Point3 } from "#engine/api";
-import { about3, determinant3, scale3 } from "#engine/space/affine";
-import { solid } from "#engine/space/module";
+import { formatNumber } from "#format/numbers";
+import { about3, determinant3, scale3 } from "#geometry/affine3";
 import { announce, wordsOf } from "#state/notice";
 import { endGesture } from "#state/scene";
 import { chosen, editSpace, space, spaceFrame, timeline } from "#state/space";
 import { changeMaps, hasKeyedMaps, reshapeSpace, tellOfMorph } from "#state/space-edits";
 import { Button, IconButton } from "#ui/Button";
-import { formatNumber } from "#ui/number";
+import type { MapRow3, Point3 } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { MOST_MAPS, withShape } from "./changes";
 import { factsOf, object } from "./now";
 import { presets } from "./presets";

@@ -1,10 +1,10 @@
 import { useState } from "preact/hooks";
-import type { MapRow3 } from "#engine/api";
-import { determinant3 } from "#engine/space/affine";
+import { formatNumber } from "#format/numbers";
+import { determinant3 } from "#geometry/affine3";
 import { announce, wordsOf } from "#state/notice";
 import { placeObject } from "#state/space-edits";
 import { Button } from "#ui/Button";
-import { formatNumber } from "#ui/number";
+import type { MapRow3 } from "#wasm/api";
 import { nearlySame } from "./hand";
 import { moved } from "./now";
 import { TwelveFields } from "./TwelveFields";

@@ -1,5 +1,5 @@
 import { computed, signal } from "@preact/signals";
-import { apartBy, apartWords } from "#engine/space/same";
+import { apartBy, apartWords } from "#geometry/apart";
 import { Button } from "#ui/Button";
 import { MapBlocks } from "#ui/MapBlocks";
 import { Segmented } from "#ui/Segmented";

@@ -1,13 +1,13 @@
 import { computed, signal } from "@preact/signals";
 import { ShadowPicture } from "#canvas/ShadowPicture";
-import type { MapRow, MapRow3, Point3 } from "#engine/api";
-import { solid } from "#engine/space/module";
+import { formatNumber } from "#format/numbers";
+import { axisWords, unit } from "#format/placement";
 import { wordsOf } from "#state/notice";
 import { spaceView } from "#state/space";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
-import { formatNumber } from "#ui/number";
-import { axisWords, unit } from "#ui/space-words";
+import type { MapRow, MapRow3, Point3 } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { Epsilon } from "./Epsilon";
 import { object, rested } from "./now";
 import { different, takeShadow, tidy } from "./use";

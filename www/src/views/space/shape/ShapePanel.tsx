@@ -1,7 +1,7 @@
 import "./shape.css";
 import { useEffect } from "preact/hooks";
+import { formatNumber } from "#format/numbers";
 import { chosen, spaceReady } from "#state/space";
-import { formatNumber } from "#ui/number";
 import { mapsNote } from "#ui/ShapeGrid";
 import { FactsPanel } from "./FactsPanel";
 import { Fold } from "./Fold";

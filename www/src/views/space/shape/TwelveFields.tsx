@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
-import type { MapRow3 } from "#engine/api";
 import { useOwnId } from "#ui/id";
 import { NumberField } from "#ui/NumberField";
+import type { MapRow3 } from "#wasm/api";
 
 export interface TwelveFieldsProps {
   map: MapRow3;

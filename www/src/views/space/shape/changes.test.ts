@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import type { MapRow3, Point3, Space } from "#engine/api";
-import { about3, apply3, scale3 } from "#engine/space/affine";
+import { about3, apply3, scale3 } from "#geometry/affine3";
+import type { MapRow3, Point3, Space } from "#wasm/api";
 import { around, beside, withObject, withoutObject, withShape, withTint } from "./changes";
 
 const half: MapRow3 = scale3([0.5, 0.5, 0.5]);

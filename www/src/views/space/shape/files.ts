@@ -1,8 +1,8 @@
 /** Files of systems of space, as Fractint has them. */
 import { signal } from "@preact/signals";
-import { solid } from "#engine/space/module";
 import { notify, wordsOf } from "#state/notice";
 import { space } from "#state/space";
+import { solid } from "#wasm/space";
 import { isAnimation, takeAnimation } from "../time/open";
 import { object, parameters } from "./now";
 import { take } from "./take";

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { apply3, determinant3 } from "#engine/space/affine";
+import { apply3, determinant3 } from "#geometry/affine3";
 import { IDENTITY } from "#state/space";
 import { AT_REST, fromSlider, type Kind, nearlySame, stepOf, toSlider, transformOf } from "./hand";
 

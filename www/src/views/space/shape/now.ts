@@ -1,8 +1,8 @@
 /** What the panel is about: the chosen object, as made and as it is now. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import type { MapRow3, ShapeFacts3, SpaceObject } from "#engine/api";
-import { solid } from "#engine/space/module";
 import { chosen, IDENTITY, space, spaceFrame } from "#state/space";
+import type { MapRow3, ShapeFacts3, SpaceObject } from "#wasm/api";
+import { solid } from "#wasm/space";
 
 /** The chosen object as the document has it. */
 export const object: ReadonlySignal<SpaceObject | null> = computed(

@@ -1,5 +1,5 @@
-import type { Preset3 } from "#engine/api";
-import { solid } from "#engine/space/module";
+import type { Preset3 } from "#wasm/api";
+import { solid } from "#wasm/space";
 
 let all: Preset3[] | null = null;
 

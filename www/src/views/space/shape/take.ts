@@ -1,10 +1,11 @@
 /** A shape from the gallery, a file or the plane becomes an object of space. */
-import type { SpaceObject } from "#engine/api";
-import { solid } from "#engine/space/module";
+
 import { announce, notify, wordsOf } from "#state/notice";
 import { scene, undo } from "#state/scene";
 import { choose, chosen, setView, space, spaceFrame } from "#state/space";
 import { changeSpace, reshapeSpace, startWith } from "#state/space-edits";
+import type { SpaceObject } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { around, beside, MOST_OBJECTS, withObject, withShape } from "./changes";
 import { factsOf } from "./now";
 

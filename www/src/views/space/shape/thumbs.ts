@@ -1,10 +1,10 @@
 /** Small pictures of shapes, carved by a worker. */
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
-import type { SpaceObject } from "#engine/api";
-import { solid } from "#engine/space/module";
 import { pictureOf } from "#engine/space/picture";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
+import type { SpaceObject } from "#wasm/api";
+import { solid } from "#wasm/space";
 
 export interface Subject {
   id: string;

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import type { MapRow } from "#engine/api";
 import { AT_REST } from "#state/bend";
 import { scene } from "#state/scene";
+import type { MapRow } from "#wasm/api";
 import { different, tidy, withA } from "./use";
 
 const half: MapRow = [0.5, 0, 0, 0.5, 0, 0];

@@ -1,8 +1,8 @@
 import { computed, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { solid } from "#engine/space/module";
 import { lookingAround, motionProblem, space, spaceFrame, spaceView } from "#state/space";
 import { Button } from "#ui/Button";
+import { solid } from "#wasm/space";
 import { backToFlight, showWhole } from "./actions";
 import { type Ball, eyeOf, sightOf } from "./camera";
 import { sight } from "./sight";

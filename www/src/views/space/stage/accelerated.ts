@@ -1,9 +1,9 @@
 import type { Pixels } from "#canvas/surface";
 import { spaceTask } from "#engine/space/client";
-import type { SpaceLook } from "#engine/space/module";
-import type { SpaceRenderer } from "#engine/space/renderer";
 import { objectAt, type Relief } from "#engine/space/tasks/picture";
 import { media } from "#ui/media";
+import type { SpaceLook } from "#wasm/space";
+import type { SpaceRenderer } from "#wasm/space-renderer";
 import { Detail, HANDHELD } from "./detail";
 import { type Completed, lookOf, type Surface, sameView, type Wanted } from "./surface";
 

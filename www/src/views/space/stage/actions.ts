@@ -1,10 +1,11 @@
 /** What hands, keys and buttons of the stage do. */
-import type { MapRow3, SpaceView } from "#engine/api";
-import { about3, scale3, shift3 } from "#engine/space/affine";
-import { solid } from "#engine/space/module";
+
+import { about3, scale3, shift3 } from "#geometry/affine3";
 import { notify, wordsOf } from "#state/notice";
 import { lookingAround, setView, space, spaceFrame, spaceView } from "#state/space";
 import { moveObject } from "#state/space-edits";
+import type { MapRow3, SpaceView } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { axesOf, depthOf, eyeOf, fromOrigin, shiftByHand, showsAll, wholeView } from "./camera";
 import { chosenBall, samples, sight } from "./sight";
 import { stageSize } from "./state";

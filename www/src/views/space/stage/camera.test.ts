@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Point3, SpaceView } from "#engine/api";
+import type { Point3, SpaceView } from "#wasm/api";
 import {
   axesOf,
   depthOf,

@@ -1,5 +1,5 @@
 /** Looking around in space: what becomes of a view when somebody turns, shifts or nears it. Pure. */
-import type { Point3, SpaceView } from "#engine/api";
+import type { Point3, SpaceView } from "#wasm/api";
 
 /** A ball around what is to be seen. */
 export interface Ball {

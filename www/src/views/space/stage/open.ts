@@ -1,6 +1,6 @@
 import type { PainterBackend } from "#canvas/painter";
-import { createSpaceRenderer } from "#engine/space/renderer";
 import { notify, wordsOf } from "#state/notice";
+import { createSpaceRenderer } from "#wasm/space-renderer";
 import { Accelerated } from "./accelerated";
 import { Plain } from "./plain";
 import type { Surface } from "./surface";

@@ -1,13 +1,13 @@
 /** What there is to see in space at the moment, made ready to be drawn. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import type { Point3 } from "#engine/api";
-import { apply3 } from "#engine/space/affine";
-import { type SpacePictureHandle, solid } from "#engine/space/module";
 import type { Shown } from "#engine/space/picture";
+import { apply3 } from "#geometry/affine3";
 import { dark, theme } from "#state/preferences";
 import { chosen, space, spaceFrame } from "#state/space";
 import { keepBackground } from "#state/space-edits";
 import { palette } from "#style/palette";
+import type { Point3 } from "#wasm/api";
+import { type SpacePictureHandle, solid } from "#wasm/space";
 import { groundOf, isDark } from "../light/background";
 import type { Ball } from "./camera";
 

@@ -1,8 +1,8 @@
 /** What the stage of space is up to: for its readouts, for files and for the tests. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { Size } from "#canvas/geometry";
 import type { PainterBackend } from "#canvas/painter";
 import type { Pixels } from "#canvas/surface";
+import type { Size } from "#geometry/coordinates";
 import { spaceFrame, spaceView } from "#state/space";
 import { type Painted, type SpacePainter, NOTHING as UNPAINTED } from "./painter";
 

@@ -1,7 +1,7 @@
 import type { PainterBackend } from "#canvas/painter";
 import type { Pixels } from "#canvas/surface";
-import type { SpaceLight, SpaceView } from "#engine/api";
-import type { SpaceLook } from "#engine/space/module";
+import type { SpaceLight, SpaceView } from "#wasm/api";
+import type { SpaceLook } from "#wasm/space";
 import type { Sight } from "./sight";
 
 /** One picture of space, in device pixels. */

@@ -1,5 +1,5 @@
 /** What the stage of space says. Pure. */
-import { countWords } from "#state/words";
+import { countWords } from "#format/verdict";
 import type { Painted } from "./painter";
 
 /** How much of the picture is there. */

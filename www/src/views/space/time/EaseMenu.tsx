@@ -1,6 +1,6 @@
-import type { SpaceKey } from "#engine/api";
 import { changeTimeline } from "#state/space-edits";
 import { Menu } from "#ui/Menu";
+import type { SpaceKey } from "#wasm/api";
 import { withEase } from "./changes";
 import { attempt } from "./keys";
 import { EASES, easeWords } from "./words";

@@ -1,10 +1,10 @@
 import { computed } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import type { SpaceTimeline } from "#engine/api";
+import { keyStep } from "#format/numbers";
 import { endGesture } from "#state/scene";
 import { moment, timeline } from "#state/space";
 import { changeTimeline } from "#state/space-edits";
-import { keyStep } from "#ui/number";
+import type { SpaceTimeline } from "#wasm/api";
 import { keyAt, withKeyAt } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";
 import { KeyPicture } from "./KeyPicture";

@@ -1,8 +1,8 @@
-import type { Repeat } from "#engine/api";
 import { space, timeline } from "#state/space";
 import { changeTimeline, EMPTY_LINE } from "#state/space-edits";
 import { Menu } from "#ui/Menu";
 import { Segmented } from "#ui/Segmented";
+import type { Repeat } from "#wasm/api";
 import { jumpsBack, withLoop } from "./changes";
 import { pauseSpace } from "./clock";
 import { attempt } from "./keys";

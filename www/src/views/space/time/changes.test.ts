@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { SpaceTimeline } from "#engine/api";
+import type { SpaceTimeline } from "#wasm/api";
 import {
   jumpsBack,
   keyAt,

@@ -1,7 +1,8 @@
 /** Edits of a time line. Each gives back the one it was given where there is nothing to change. */
-import type { Ease, Repeat, SpaceKey, SpaceTimeline } from "#engine/api";
+
+import { formatNumber } from "#format/numbers";
 import { NEAR } from "#state/space-edits";
-import { formatNumber } from "#ui/number";
+import type { Ease, Repeat, SpaceKey, SpaceTimeline } from "#wasm/api";
 
 export const MOST_KEYS = 100;
 export const SHORTEST = 0.1;

@@ -1,9 +1,10 @@
 /** Plays the time line of space. */
-import type { SpaceTimeline } from "#engine/api";
+
 import { whilePlaying } from "#state/frames";
 import { reducedMotion } from "#state/preferences";
 import { moment, setMoment, spacePlaying, timeline } from "#state/space";
 import { EMPTY_LINE } from "#state/space-edits";
+import type { SpaceTimeline } from "#wasm/api";
 import { momentIn } from "./changes";
 
 /** Where the moment is after `dt` seconds, and which way it goes from there. Pure, for the tests. */

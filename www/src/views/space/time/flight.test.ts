@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { MapRow3, Point3, SpaceTimeline, SpaceView } from "#engine/api";
+import type { MapRow3, Point3, SpaceTimeline, SpaceView } from "#wasm/api";
 import { aroundOf, eyeOf, FLIGHT_SECONDS, lookingFrom, throughOf, withFlight } from "./flight";
 
 const view: SpaceView = { target: [0, 0, 0], distance: 5, turn: 0.4, tilt: 0.3, angle: 0.9 };

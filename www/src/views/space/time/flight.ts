@@ -1,6 +1,7 @@
 /** Ready flights of the eye. */
-import type { Point3, SpaceKey, SpaceTimeline, SpaceView } from "#engine/api";
+
 import { NEAR } from "#state/space-edits";
+import type { Point3, SpaceKey, SpaceTimeline, SpaceView } from "#wasm/api";
 import { MOST_KEYS, rounded } from "./changes";
 
 /** A ball around all there is. */

@@ -1,9 +1,9 @@
-import type { Point3 } from "#engine/api";
-import { solid } from "#engine/space/module";
 import { announce } from "#state/notice";
 import { reducedMotion } from "#state/preferences";
 import { spaceFrame, spaceView, timeline } from "#state/space";
 import { changeTimeline } from "#state/space-edits";
+import type { Point3 } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { pauseSpace, presentSpace } from "./clock";
 import { aroundOf, type Ball, throughOf, withFlight } from "./flight";
 import { attempt } from "./keys";

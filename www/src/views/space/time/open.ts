@@ -1,8 +1,8 @@
-import type { Space } from "#engine/api";
 import { Frames } from "#engine/space/film/frames";
-import { solid } from "#engine/space/module";
 import { notify, wordsOf } from "#state/notice";
 import { edit } from "#state/scene";
+import type { Space } from "#wasm/api";
+import { solid } from "#wasm/space";
 import { pauseSpace } from "./clock";
 import { type Kept, MOST_BYTES, readSaved, type SavedFrames } from "./saved";
 import { keysOf, madeOf } from "./saved-frames";

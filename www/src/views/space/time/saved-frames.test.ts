@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { MapRow3, Space, SpaceFrame, SpaceLight, SpaceView } from "#engine/api";
 import { frameRecord, framesText } from "#engine/space/film/frames";
+import type { MapRow3, Space, SpaceFrame, SpaceLight, SpaceView } from "#wasm/api";
 import { readSaved, type SavedFrames } from "./saved";
 import { keysOf, madeOf } from "./saved-frames";
 

@@ -1,4 +1,4 @@
-import type { SpaceView } from "#engine/api";
+import type { SpaceView } from "#wasm/api";
 
 /** A view that can be looked from, or nothing. */
 export function viewIn(value: unknown): SpaceView | null {

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import type { Space, SpaceView } from "#engine/api";
+import type { Space, SpaceView } from "#wasm/api";
 import { readSaved, savedText } from "./saved";
 
 const view: SpaceView = { target: [1, 2, 3], distance: 4, turn: 0.1, tilt: 0.2, angle: 0.9, holds: "eye" };

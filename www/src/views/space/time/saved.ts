@@ -1,5 +1,5 @@
 /** An animation as a file that Frond reads again: shapes and keys, or every frame. */
-import type { Space, SpaceView } from "#engine/api";
+import type { Space, SpaceView } from "#wasm/api";
 import { type FramesRead, readFrames } from "./saved-frames";
 import { viewIn } from "./saved-view";
 

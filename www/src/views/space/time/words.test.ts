@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import type { MapRow3, SpaceTimeline, SpaceView } from "#engine/api";
+import type { MapRow3, SpaceTimeline, SpaceView } from "#wasm/api";
 import { EASES, easeWords, keyWords, LOOPS, loopOf, momentWords } from "./words";
 
 const stay: MapRow3 = [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0];

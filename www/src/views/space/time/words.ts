@@ -1,6 +1,6 @@
-import type { Ease, Repeat, SpaceKey, SpaceTimeline } from "#engine/api";
+import { formatNumber } from "#format/numbers";
 import type { IconName } from "#ui/Icon";
-import { formatNumber } from "#ui/number";
+import type { Ease, Repeat, SpaceKey, SpaceTimeline } from "#wasm/api";
 import { keyAt } from "./changes";
 
 /** How it goes on from a key. */

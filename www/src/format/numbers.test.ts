@@ -1,0 +1,110 @@
+import { describe, expect, it } from "vitest";
+import { addStep, fixed, formatNumber, keyStep, parseNumber, rangeProblem } from "./numbers";
+
+function value(text: string): number {
+  const parsed = parseNumber(text);
+  if (!parsed.ok) throw new Error(`${text}: ${parsed.message}`);
+  return parsed.value;
+}
+
+describe("parseNumber", () => {
+  it("reads decimals as people write them", () => {
+    expect(value("0.5")).toBe(0.5);
+    expect(value(" -.5 ")).toBe(-0.5);
+    expect(value("+2.")).toBe(2);
+    expect(value("−0,25")).toBe(-0.25);
+    expect(value("1e-3")).toBe(0.001);
+    expect(value("50%")).toBe(0.5);
+  });
+  it("reads fractions, roots and products", () => {
+    expect(value("1/3")).toBe(1 / 3);
+    expect(value("-√3/4")).toBeCloseTo(-Math.sqrt(3) / 4, 15);
+    expect(value("sqrt(2)/2")).toBeCloseTo(Math.SQRT1_2, 15);
+    expect(value("2 * pi / 3")).toBeCloseTo((2 * Math.PI) / 3, 15);
+  });
+  it("never gives minus zero", () => {
+    expect(Object.is(value("-0"), 0)).toBe(true);
+  });
+  it.each([
+    "",
+    "  ",
+    "abc",
+    "1..2",
+    "1/",
+    "/2",
+    "--1",
+    "1 2 x",
+    "NaN",
+    "Infinity",
+    "1,2,3",
+    "0x10",
+    "1+1",
+    "%",
+  ])("refuses %j with a hint", (text) => {
+    const parsed = parseNumber(text);
+    expect(parsed.ok).toBe(false);
+    if (!parsed.ok) expect(parsed.message).toMatch(/number/);
+  });
+  it("refuses what is not finite", () => {
+    expect(parseNumber("1/0").ok).toBe(false);
+    expect(parseNumber("0/0").ok).toBe(false);
+    expect(parseNumber("1e999").ok).toBe(false);
+  });
+});
+
+describe("formatNumber", () => {
+  it("drops trailing zeros and keeps whole numbers whole", () => {
+    expect(formatNumber(0.5)).toBe("0.5");
+    expect(formatNumber(100)).toBe("100");
+    expect(formatNumber(0)).toBe("0");
+    expect(formatNumber(-0.25)).toBe("−0.25");
+    expect(formatNumber(1 / 3)).toBe("0.3333");
+  });
+  it("shows the very small and the very large by exponent", () => {
+    expect(formatNumber(1e-7)).toBe("1.00e−7");
+    expect(formatNumber(2.5e9)).toBe("2.50e9");
+  });
+  it("is read back by parseNumber", () => {
+    for (const x of [0.5, -0.25, 1e-7, 2.5e9, 12.3456, -3]) expect(value(formatNumber(x))).toBeCloseTo(x, 4);
+  });
+});
+
+describe("fixed", () => {
+  it("has no minus zero", () => {
+    expect(fixed(-0.001)).toBe("0.00");
+    expect(fixed(-1)).toBe("−1.00");
+  });
+});
+
+describe("addStep", () => {
+  it("adds without the dust of binary fractions", () => {
+    expect(addStep(0.1, 0.2)).toBe(0.3);
+    expect(addStep(0.3, -0.1)).toBe(0.2);
+    expect(addStep(0.001, -0.001)).toBe(0);
+    expect(addStep(10, 0.01)).toBe(10.01);
+  });
+  it("keeps the digits of a value that has many", () => {
+    expect(addStep(0.123456, 0.01)).toBe(0.133456);
+  });
+});
+
+describe("keyStep", () => {
+  const key = (name: string, shiftKey = false, altKey = false) =>
+    keyStep({ key: name, shiftKey, altKey }, 0.01);
+  it("goes finer with shift and coarser with alt", () => {
+    expect(key("ArrowUp")).toBe(0.01);
+    expect(key("ArrowLeft", true)).toBeCloseTo(-0.001, 12);
+    expect(key("ArrowRight", false, true)).toBeCloseTo(0.1, 12);
+    expect(key("PageDown")).toBeCloseTo(-0.1, 12);
+    expect(key("a")).toBeNull();
+  });
+});
+
+describe("rangeProblem", () => {
+  it("holds both ends", () => {
+    expect(rangeProblem(0, 0, 1)).toBeUndefined();
+    expect(rangeProblem(1, 0, 1)).toBeUndefined();
+    expect(rangeProblem(1.01, 0, 1)).toMatch(/most 1/);
+    expect(rangeProblem(-0.01, 0, 1)).toMatch(/least 0/);
+  });
+});

@@ -1,0 +1,115 @@
+import { describe, expect, it } from "vitest";
+import { STATE } from "#geometry/states";
+import {
+  bestWords,
+  certifiedWords,
+  listWords,
+  matchWords,
+  meritWords,
+  pathWords,
+  roomWords,
+} from "./path-words";
+
+describe("pathWords", () => {
+  const { connected, touching, disconnected, hidden, none, undecided } = STATE;
+  /** Of 101 moments: a state up to each place. */
+  const along = (...spans: [to: number, state: number][]) =>
+    Array.from({ length: 101 }, (_, i) => spans.find(([to]) => i <= to)?.[1] ?? touching);
+
+  it("says what is said of a shape: whole at the resolution, or proved", () => {
+    expect(pathWords({ states: along(), widest: 0 })).toBe("Looks whole at 1/600 all the way.");
+    expect(pathWords({ states: along([100, connected]), widest: 0 })).toBe(
+      "In one piece, proved, all the way.",
+    );
+    expect(pathWords({ states: along(), widest: 0, proved: true })).toBe(
+      "In one piece, proved, all the way.",
+    );
+    expect(pathWords({ states: along(), widest: 0, progress: 0.5 })).toContain("so far");
+    expect(pathWords({ states: [], widest: 0, progress: 0 })).toContain("Looking");
+  });
+  it("says where it is in pieces and how wide the gap is", () => {
+    expect(pathWords({ states: along([61, touching], [80, disconnected]), widest: 0.03 })).toBe(
+      "In pieces, proved, between 62% and 81%, widest gap 3%.",
+    );
+  });
+  it("says so too where no pixel shows it", () => {
+    const words = pathWords({ states: along([89, touching], [95, hidden]), widest: 0.0015 });
+    expect(words).toBe("In pieces, proved, between 90% and 96%, gap 0.15%, finer than 1/600.");
+    // Beside gaps that are seen, not.
+    const both = along([20, touching], [30, disconnected], [89, touching], [95, hidden]);
+    expect(pathWords({ states: both, widest: 0.03 })).not.toContain("finer");
+  });
+  it("tells pieces from no attractor and from what is not decided", () => {
+    const states = along([20, touching], [30, none], [40, touching], [50, undecided]);
+    expect(pathWords({ states, widest: 0 })).toBe(
+      "No attractor between 21% and 31%. Not decided between 41% and 51%.",
+    );
+  });
+  it("counts where there are many", () => {
+    const states = Array.from({ length: 101 }, (_, i) => (i % 20 < 10 ? disconnected : touching));
+    expect(pathWords({ states, widest: 0.2 })).toBe(
+      "In pieces, proved, between 0% and 10%, between 20% and 30% and in 4 more places, widest gap 20%.",
+    );
+  });
+});
+
+describe("listWords", () => {
+  it("joins with commas and an and", () => {
+    expect(listWords([])).toBe("");
+    expect(listWords(["A"])).toBe("A");
+    expect(listWords(["A", "B", "C"])).toBe("A, B and C");
+  });
+});
+
+describe("what is proved of a path", () => {
+  const so = { done: 48, parts: 48, gap: 0.0031, boxes: 4212, worst: 0.634, problem: null };
+
+  it("gives the bound, the boxes and the place where it is weakest", () => {
+    expect(certifiedWords(so)).toBe(
+      "No gap wider than 0.31% of the shape’s diameter anywhere on this path: proved with 4,212 boxes. The bound is weakest at 63%.",
+    );
+    expect(certifiedWords({ ...so, gap: 0 })).toBe(
+      "In one piece, proved, everywhere on this path, with 4,212 boxes.",
+    );
+  });
+
+  it("claims nothing before the end, nor without a bound", () => {
+    expect(certifiedWords({ ...so, done: 12 })).toBe("Proving it: 25% of the path.");
+    expect(certifiedWords({ ...so, gap: Number.POSITIVE_INFINITY })).toMatch(/^No bound could be proved/);
+    expect(certifiedWords({ ...so, problem: "The path is too long." })).toBe(
+      "It could not be proved. The path is too long.",
+    );
+  });
+});
+
+describe("room and best", () => {
+  it("tells how near a path comes to breaking", () => {
+    expect(roomWords(0.0834)).toBe("It keeps 0.08 away from what breaks.");
+    expect(roomWords(0.001)).toBe("It runs along the very edge of what holds.");
+    expect(roomWords(Number.POSITIVE_INFINITY)).toBe("");
+    expect(roomWords(undefined)).toBe("");
+  });
+
+  it("says how sure it is that no path holds", () => {
+    expect(bestWords(false, false)).toBe(
+      "No path on this square was found to hold all the way: this one breaks least.",
+    );
+    expect(bestWords(true, true)).toMatch(/^Even with the third parameter no path can hold/);
+  });
+});
+
+describe("ways to match", () => {
+  it("are told in words while they are few", () => {
+    expect(matchWords([0, 1, 2], [0, 0, 0])).toBe("each keeps its number");
+    expect(matchWords([1, 0, 2], [])).toBe("1 becomes 2 and 2 becomes 1");
+    expect(matchWords([1, 2, 3, 4, 0], [0, 1, 0, 0, 0])).toBe(
+      "5 of 5 maps change partner; one turns further",
+    );
+  });
+
+  it("are told by the best path that they allow", () => {
+    expect(meritWords({ holds: true, gap: 0 })).toBe("looks whole all the way");
+    expect(meritWords({ holds: false, gap: 0.012 })).toBe("gap 1.2%");
+    expect(meritWords({ holds: false, gap: Number.POSITIVE_INFINITY })).toBe("no attractor on the way");
+  });
+});

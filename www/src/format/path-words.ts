@@ -1,0 +1,120 @@
+import { STATE, type Stretch, stretches } from "#geometry/states";
+import { formatNumber } from "./numbers";
+import { RESOLUTION, resolutionWords, shareWords, toldOf, verdictWords } from "./verdict";
+
+export const percent = (t: number): string => `${Math.round(100 * t)}%`;
+
+/** "A", "A and B", "A, B and C". */
+export function listWords(items: readonly string[]): string {
+  if (items.length < 2) return items.join("");
+  return `${items.slice(0, -1).join(", ")} and ${items.at(-1) ?? ""}`;
+}
+
+/** Which map becomes which, as far as it is short enough to be heard. */
+export function matchWords(correspondence: readonly number[], turns: readonly number[]): string {
+  const moved = correspondence.flatMap((to, from) => (to === from ? [] : [`${from + 1} becomes ${to + 1}`]));
+  const partners =
+    moved.length === 0
+      ? "each keeps its number"
+      : moved.length <= 4
+        ? listWords(moved)
+        : `${moved.length} of ${correspondence.length} maps change partner`;
+  const turning = turns.filter((turn) => turn !== 0).length;
+  if (turning === 0) return partners;
+  return `${partners}; ${turning === 1 ? "one turns" : `${turning} turn`} further`;
+}
+
+/** What a way to match allows: its best path. */
+export function meritWords(plan: { holds: boolean; gap: number }): string {
+  if (plan.holds) return "looks whole all the way";
+  if (!Number.isFinite(plan.gap)) return "no attractor on the way";
+  return `gap ${shareWords(plan.gap)}`;
+}
+
+/** Stretches in whole per cents; those that touch then are one. */
+function joined(found: readonly Stretch[]): [from: number, to: number][] {
+  const spans: [number, number][] = [];
+  for (const { t0, t1 } of found) {
+    const [from, to] = [Math.round(100 * t0), Math.round(100 * t1)];
+    const last = spans.at(-1);
+    if (last !== undefined && from <= last[1]) last[1] = Math.max(last[1], to);
+    else spans.push([from, to]);
+  }
+  return spans;
+}
+
+/** How near a path that holds comes to breaking, in units of u and v; nothing to say where it does not. */
+export function roomWords(clearance: number | null | undefined): string {
+  if (clearance === null || clearance === undefined || !Number.isFinite(clearance)) return "";
+  if (clearance < 0.015) return "It runs along the very edge of what holds.";
+  return `It keeps ${formatNumber(clearance, 2)} away from what breaks.`;
+}
+
+/** What was proved of a path, so far or in whole. */
+export function certifiedWords(so: {
+  done: number;
+  parts: number;
+  gap: number;
+  boxes: number;
+  worst: number;
+  problem: string | null;
+}): string {
+  if (so.problem !== null) return `It could not be proved. ${so.problem}`;
+  if (so.done < so.parts) return `Proving it: ${percent(so.done / so.parts)} of the path.`;
+  const boxes = `${so.boxes.toLocaleString("en")} ${so.boxes === 1 ? "box" : "boxes"}`;
+  if (!Number.isFinite(so.gap))
+    return `No bound could be proved all the way: at ${percent(so.worst)} it would take more than the ${boxes} that were looked at.`;
+  if (so.gap === 0) return `In one piece, proved, everywhere on this path, with ${boxes}.`;
+  return `No gap wider than ${shareWords(so.gap)} of the shape’s diameter anywhere on this path: proved with ${boxes}. The bound is weakest at ${percent(so.worst)}.`;
+}
+
+/** What is known where the best path breaks. `apart`: on the samples there is no way that does not. */
+export function bestWords(apart: boolean, third: boolean): string {
+  const where = third ? "Even with the third parameter no path" : "No path on this square";
+  return apart
+    ? `${where} can hold all the way, as far as the map is known: this one breaks least.`
+    : `${where} was found to hold all the way: this one breaks least.`;
+}
+
+/** What is known of a path: of its moments, and by a proof of all of it. */
+export interface PathKnown {
+  /** The states of moments that are evenly spaced over [0, 1]. */
+  states: ArrayLike<number>;
+  /** The widest gap met, as a part of the diameter. */
+  widest: number;
+  /** Whether it is proved to be in one piece at every moment. */
+  proved?: boolean;
+  /** How much of the path, or of what it is read off, has been looked at: 0 to 1. */
+  progress?: number;
+}
+
+/** The whole path in a sentence or two, in the words that are said of a shape. */
+export function pathWords({ states, widest, proved = false, progress = 1 }: PathKnown): string {
+  if (progress <= 0 || states.length === 0) return "Looking along the path …";
+  const so = progress < 1 ? " so far" : "";
+  const said = (about: number, gap: string) => {
+    const where = whereWords(stretches(states, (state) => state === about));
+    const told = toldOf(about, widest);
+    return where === "" || told === null ? [] : [`${placed(verdictWords(told).text, where)}${so}${gap}.`];
+  };
+  const wide = said(STATE.disconnected, `, widest gap ${shareWords(widest)}`);
+  // Where wider gaps are told of, those that nobody sees are not worth a sentence.
+  const finer = `, gap ${shareWords(widest)}, finer than ${resolutionWords(RESOLUTION)}`;
+  const narrow = wide.length === 0 ? said(STATE.hidden, finer) : [];
+  const words = [...wide, ...narrow, ...said(STATE.none, ""), ...said(STATE.undecided, "")];
+  if (words.length > 0) return words.join(" ");
+  const whole = proved || Array.from(states).every((state) => state === STATE.connected);
+  const told = toldOf(whole ? STATE.connected : STATE.touching, 0);
+  return `${placed(verdictWords(told).text, "all the way")}${so}.`;
+}
+
+/** "In pieces, proved, at 50%", "Not decided at 50%" */
+const placed = (text: string, where: string) => `${text}${text.includes(",") ? "," : ""} ${where}`;
+
+/** "between 62% and 80%", "at 50%"; two places of many, and how many more there are. */
+function whereWords(found: readonly Stretch[]): string {
+  const spans = joined(found).map(([from, to]) =>
+    from === to ? `at ${from}%` : `between ${from}% and ${to}%`,
+  );
+  return listWords(spans.length > 3 ? [...spans.slice(0, 2), `in ${spans.length - 2} more places`] : spans);
+}

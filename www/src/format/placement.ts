@@ -1,0 +1,53 @@
+import type { Place3, Point3 } from "#wasm/api";
+import { formatNumber } from "./numbers";
+
+/** What was done to an object, as a hand would say it. */
+export function placeWords(place: Place3 | null): string {
+  if (!place) return "more than can be told apart";
+  const { shift, turn, scale, exact } = place;
+  const words: string[] = [];
+  const even = Math.max(...scale) - Math.min(...scale) < 1e-6 * Math.max(...scale.map(Math.abs));
+  if (even && Math.abs(scale[0] - 1) > 1e-6) words.push(`scaled by ${formatNumber(scale[0], 3)}`);
+  else if (!even) words.push(`scaled by ${scale.map((x) => formatNumber(x, 3)).join(", ")}`);
+  const half = Math.hypot(turn[0], turn[1], turn[2]);
+  const angle = (2 * Math.atan2(half, Math.abs(turn[3])) * 180) / Math.PI;
+  if (angle > 0.005) {
+    const sign = turn[3] < 0 ? -1 : 1;
+    const axis = [turn[0], turn[1], turn[2]].map((x) => (sign * x) / half) as Point3;
+    words.push(`turned by ${formatNumber(angle, 2)}° about ${axisWords(axis)}`);
+  }
+  if (Math.hypot(...shift) > 1e-9)
+    words.push(`moved by (${shift.map((x) => formatNumber(x, 3)).join(", ")})`);
+  if (!exact) words.push("and sheared or mirrored besides");
+  return words.length > 0 ? words.join(", ") : "nothing";
+}
+
+const NEAR = 1e-6;
+
+/** A direction by its axis, where it is one; else by its numbers. */
+export function axisWords(direction: Point3): string {
+  const along = ["x", "y", "z"].find((_, k) => Math.abs(Math.abs(direction[k] ?? 0) - 1) < NEAR);
+  if (along) return (direction[["x", "y", "z"].indexOf(along)] ?? 0) < 0 ? `−${along}` : along;
+  return `(${direction.map((x) => formatNumber(x, 3)).join(", ")})`;
+}
+
+/** Of length 1; null where there is no direction. */
+export function unit([x, y, z]: Point3): Point3 | null {
+  const length = Math.hypot(x, y, z);
+  return length > 1e-12 && Number.isFinite(length) ? [x / length, y / length, z / length] : null;
+}
+
+/** Places of numbers that grow as 1 / epsilon, as people read them: "row 2 of w₁". */
+export function divergingWords(diverging: readonly (readonly [map: number, row: number])[]): string {
+  if (diverging.length === 0) return "No number grows: the direction is kept by every map.";
+  const few = diverging.slice(0, 6).map(([map, row]) => `row ${row + 1} of w${lowered(map + 1)}`);
+  const more = diverging.length - few.length;
+  const list = more > 0 ? `${few.join(", ")} and ${more} more` : few.join(", ");
+  return diverging.length === 1
+    ? `1 number grows without end, in the third column: ${list}.`
+    : `${diverging.length} numbers grow without end, in the third column: ${list}.`;
+}
+
+function lowered(n: number): string {
+  return String(n).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉".at(Number(digit)) ?? digit);
+}

@@ -1,0 +1,78 @@
+/** How far the two ways to move a shape are apart: to move its points, and to move its parameters (eq 1). */
+import type { MapRow3 } from "#wasm/api";
+
+export interface Apart {
+  points: number;
+  /** The largest distance between a point moved and the same point drawn by the moved parameters. */
+  most: number;
+  /** The diagonal of the box around the moved points, to compare it with. */
+  size: number;
+}
+
+/** Both forget where they have started. */
+const FORGET = 400;
+
+/**
+ * Plays one chaos game twice, with the same maps in the same order: once with the parameters as made, whose points are then
+ * moved by `by`, and once with the moved parameters.
+ */
+export function apartBy(
+  made: readonly MapRow3[],
+  now: readonly MapRow3[],
+  by: MapRow3,
+  points = 2000,
+): Apart {
+  const count = Math.min(made.length, now.length);
+  // Written over and over: this is asked for at every step of a hand.
+  const plain = new Float64Array(3);
+  const drawn = new Float64Array(3);
+  const moved = new Float64Array(3);
+  const low = new Float64Array(3).fill(Infinity);
+  const high = new Float64Array(3).fill(-Infinity);
+  let seed = 1;
+  let most = 0;
+  for (let i = 0; i < FORGET + points && count > 0; i++) {
+    seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+    const map = Math.floor((seed / 2 ** 32) * count);
+    take(made[map] as MapRow3, plain, plain);
+    take(now[map] as MapRow3, drawn, drawn);
+    if (i < FORGET) continue;
+    take(by, plain, moved);
+    let sum = 0;
+    for (let k = 0; k < 3; k++) {
+      const at = moved[k] ?? 0;
+      sum += (at - (drawn[k] ?? 0)) ** 2;
+      if (at < (low[k] ?? 0)) low[k] = at;
+      if (at > (high[k] ?? 0)) high[k] = at;
+    }
+    const distance = Math.sqrt(sum);
+    // What is no number at all is no small distance either.
+    if (!(distance <= most)) most = distance;
+  }
+  return { points, most, size: Math.hypot(...high.map((x, k) => x - (low[k] ?? 0))) };
+}
+
+function take(map: MapRow3, from: Float64Array, to: Float64Array): void {
+  const x = from[0] ?? 0;
+  const y = from[1] ?? 0;
+  const z = from[2] ?? 0;
+  to[0] = map[0] * x + map[1] * y + map[2] * z + map[9];
+  to[1] = map[3] * x + map[4] * y + map[5] * z + map[10];
+  to[2] = map[6] * x + map[7] * y + map[8] * z + map[11];
+}
+
+/** The distance in words: as a part of the size, as nobody sees anything below a pixel. */
+export function apartWords({ most, size, points }: Apart): string {
+  const count = points.toLocaleString("en");
+  const part = most / size;
+  if (most === 0) return `All ${count} points are the same to the last digit.`;
+  if (!Number.isFinite(part)) return "The points have no size to compare with.";
+  const power = Math.ceil(Math.log10(part));
+  if (part < 1e-9)
+    return `${count} points: apart by less than 10${superscript(power)} of its size, which is rounding.`;
+  return `${count} points: apart by up to 10${superscript(power)} of its size.`;
+}
+
+function superscript(n: number): string {
+  return String(n).replace(/[-0-9]/g, (c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹".at(c === "-" ? 0 : Number(c) + 1) ?? "");
+}

@@ -1,0 +1,46 @@
+/** What is proved of the polygon families, {s z + e^(2 pi i k / n)}, without looking. */
+import type { Connectedness } from "#wasm/api";
+
+export const isPrime = (n: number): boolean => {
+  for (let d = 2; d * d <= n; d++) if (n % d === 0) return false;
+  return n > 1;
+};
+
+/** Rounding of s and of the sum of its squares is less. */
+const SURE = 1 + 1e-14;
+
+/**
+ * Whether the shape of s must be in one piece: n |s|² >= 1, and n is prime.
+ *
+ * Were all pieces apart, a small enough neighbourhood of the shape would hold its n disjoint images and more, so that
+ * n |s|² < 1. So some two meet; the n-ths of a turn take the shape into itself and pieces into pieces, and where n is prime,
+ * these two turned round reach every piece.
+ */
+export function fills(sides: number, [re, im]: readonly [number, number, number?]): boolean {
+  return isPrime(sides) && sides * (re * re + im * im) >= SURE;
+}
+
+/** The answer with what is known of the family: it may say more than a search through pieces. */
+export function answerOf(
+  found: Connectedness,
+  sides: number,
+  s: readonly [number, number, number?],
+): Connectedness {
+  if (found.verdict === "connected" || found.verdict === "no-attractor" || !fills(sides, s)) return found;
+  const { closest: _, ...rest } = found;
+  return {
+    ...rest,
+    verdict: "connected",
+    gap: { lower: 0, upper: 0 },
+    components: found.components.map(() => 0),
+    count: 1,
+    reason: {
+      kind: "area",
+      text:
+        `${sides} times |s|² is 1 or more: if all pieces were apart, there would be no room for them. So two of them meet. ` +
+        `A turn by 1/${sides} takes the shape into itself, and ${sides} is prime: so all hang together.`,
+      links: [],
+      assuming: [],
+    },
+  };
+}
