@@ -13,7 +13,7 @@ const { redo, scene, start, undo } = await import("../../www/src/state/scene");
 const { notices } = await import("../../www/src/state/notice");
 const state = await import("../../www/src/state/space");
 const edits = await import("../../www/src/state/space-edits");
-const { exportTasks } = await import("../../www/src/engine/space/tasks/export");
+const { exportTasks } = await import("../../www/src/workers/space/export");
 const { timesOf } = await import("../../www/src/views/space/export/plan");
 const { takeAnimation } = await import("../../www/src/views/space/time/open");
 

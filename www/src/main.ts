@@ -5,7 +5,6 @@ import "./style/stage.css";
 import { h, render } from "preact";
 import { App, fetchAhead } from "./app";
 import { whenFirstPicture } from "./canvas/first";
-import { startEngine } from "./engine/engine";
 import { startSchedules } from "./engine/schedule/index";
 import { link } from "./shell/actions";
 import { installHook } from "./shell/hook";
@@ -14,6 +13,7 @@ import { reportTrouble, showFailure } from "./shell/trouble";
 import { notify, wordsOf } from "./state/notice";
 import { load } from "./wasm/core";
 import { compileProof } from "./wasm/proof";
+import { startEngine } from "./workers/pool/engine";
 
 reportTrouble();
 

@@ -1,10 +1,10 @@
-import { Coalesce } from "#engine/coalesce";
-import { submit } from "#engine/engine";
-import { type Channel, type Job, single } from "#engine/protocol";
 import type { View } from "#geometry/coordinates";
 import type { Photograph } from "#state/photograph";
 import type { Bend, MapRow } from "#wasm/api";
 import { frond, type RenderStyle } from "#wasm/core";
+import { Coalesce } from "#workers/pool/coalesce";
+import { submit } from "#workers/pool/engine";
+import { type Channel, type Job, single } from "#workers/pool/protocol";
 import { partsOf, SheetPainter } from "./sheet";
 import type { Drawn, Pixels, Surface } from "./surface";
 

@@ -1,10 +1,10 @@
-import type { Channel } from "#engine/protocol";
 import type { View } from "#geometry/coordinates";
 import { notify, wordsOf } from "#state/notice";
 import type { Photograph } from "#state/photograph";
 import type { Bend, MapRow } from "#wasm/api";
 import type { Backend, Renderer, RenderStyle } from "#wasm/core";
 import { createRenderer } from "#wasm/renderer";
+import type { Channel } from "#workers/pool/protocol";
 import { Accelerated } from "./accelerated";
 import { Fallback } from "./fallback";
 import { Preview } from "./preview";

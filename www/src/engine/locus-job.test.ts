@@ -1,7 +1,7 @@
 import { describe, expect, it, vi } from "vitest";
 import { STATE } from "#geometry/states";
+import type { Task } from "#workers/pool/protocol";
 import { LocusWork, patchesOf, SIZE, STRIDES } from "./locus-job";
-import type { Task } from "./protocol";
 
 const inputs = { from: [], to: [], options: {} };
 

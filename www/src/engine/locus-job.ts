@@ -1,6 +1,6 @@
 import { atAll, atResolution, STATE } from "#geometry/states";
 import type { Bounds, FrondError, Locus, MapRow, MorphOptions } from "#wasm/api";
-import type { Job, Result, Task } from "./protocol";
+import type { Job, Result, Task } from "#workers/pool/protocol";
 import { CELLS, homeOf } from "./window";
 
 /** Samples a side. One less is divisible by 3, so (0,0) and (1,1) are samples, and by 4, so 127 and 64 nest in it. */

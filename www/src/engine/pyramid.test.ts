@@ -1,7 +1,7 @@
 import { describe, expect, it, vi } from "vitest";
 import { STATE } from "#geometry/states";
 import type { LocusView } from "#wasm/api";
-import type { Task } from "./protocol";
+import type { Task } from "#workers/pool/protocol";
 import { type LocusSource, Pyramid, TILE } from "./pyramid";
 import { epsilonOf, homeOf, samplesAt, windowOf } from "./window";
 import { WindowWork } from "./window-job";

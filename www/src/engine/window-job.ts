@@ -3,8 +3,8 @@
 import { fills } from "#geometry/polygon-family";
 import { atResolution, STATE } from "#geometry/states";
 import type { Bounds, FrondError, LocusView } from "#wasm/api";
+import type { Job, Result, Task } from "#workers/pool/protocol";
 import { nextKey } from "./locus-job";
-import type { Job, Result, Task } from "./protocol";
 import { type Pyramid, STEP, type TileId, WHOLE_LEVELS } from "./pyramid";
 import { epsilonOf, homeOf, samplesAt, windowOf } from "./window";
 

@@ -2,8 +2,6 @@ import { computed } from "@preact/signals";
 import { stageStyle } from "#canvas/look";
 import { bentPicture, type SheetRequest } from "#canvas/sheet";
 import { effectiveView, stageSize } from "#canvas/view";
-import { submit } from "#engine/engine";
-import { single } from "#engine/protocol";
 import { adoptPath } from "#engine/schedule/index";
 import { bend, deformation } from "#state/bend";
 import { curved } from "#state/curve";
@@ -16,6 +14,8 @@ import { spacePlaying } from "#state/playback";
 import { scene } from "#state/scene";
 import type { Tool } from "#wasm/api";
 import { frond } from "#wasm/core";
+import { submit } from "#workers/pool/engine";
+import { single } from "#workers/pool/protocol";
 
 /** The one link between this page's document and its address. */
 export const link = new Link(frond, addressBar, () => {

@@ -4,7 +4,6 @@ import { bentPicture } from "#canvas/sheet";
 import { linearPainter, linearPicture, mainPainter, picture } from "#canvas/stage";
 import type { Pixels } from "#canvas/surface";
 import { effectiveView, stageSize } from "#canvas/view";
-import { killWorker, workers } from "#engine/engine";
 import { locus, verdict } from "#engine/results";
 import { bend, deformation } from "#state/bend";
 import { linear, selection, shown } from "#state/morph";
@@ -14,6 +13,7 @@ import { scene } from "#state/scene";
 import type { Scene } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { curvesFetched } from "#wasm/curve";
+import { killWorker, workers } from "#workers/pool/engine";
 
 /** The picture on the stage, or the linear one beside it. */
 export type Which = "main" | "linear";

@@ -4,7 +4,6 @@ import { fitStage } from "#canvas/gestures";
 import { evidenceOpen } from "#canvas/marks";
 import { picture } from "#canvas/stage";
 import { view, zoom } from "#canvas/view";
-import { workers } from "#engine/engine";
 import { verdict } from "#engine/results";
 import { countWords, type VerdictWords, verdictLine, verdictWords } from "#format/verdict";
 import { tool } from "#state/bend";
@@ -12,6 +11,7 @@ import { curved, curveTime } from "#state/curve";
 import { here, locusView, selection } from "#state/morph";
 import { announce } from "#state/notice";
 import { playing } from "#state/playback";
+import { workers } from "#workers/pool/engine";
 import { CHIP_ID, PANEL_ID } from "./evidence/ids";
 import { Glyph } from "./glyphs";
 

@@ -3,9 +3,9 @@ import { effect } from "@preact/signals";
 import { playing } from "#state/playback";
 import { inGesture } from "#state/scene";
 import { adoptCard, type Ends, isFaster, type LocusCompute, openCard } from "#wasm/locus-card";
-import { submit, workers } from "../engine";
+import { submit, workers } from "#workers/pool/engine";
+import type { Task } from "#workers/pool/protocol";
 import { nextKey } from "../locus-job";
-import type { Task } from "../protocol";
 
 /** Which card decides loci: one that is faster, one on the processor too and untimed, or none. For trying the page. */
 export type CardChoice = "auto" | "software" | "none";

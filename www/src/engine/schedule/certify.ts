@@ -3,9 +3,9 @@ import type { Uv } from "#geometry/path";
 import { pathPoints } from "#state/morph";
 import { wordsOf } from "#state/notice";
 import type { PathCertificate } from "#wasm/api";
-import { cancel, epoch, submit } from "../engine";
+import { cancel, epoch, submit } from "#workers/pool/engine";
+import type { Job, Task } from "#workers/pool/protocol";
 import { EPSILON, type LocusInputs } from "../locus-job";
-import type { Job, Task } from "../protocol";
 import { along } from "../results";
 import { inputs as morph } from "./inputs";
 

@@ -1,7 +1,7 @@
 import { effect, untracked } from "@preact/signals";
 import { notify, wordsOf } from "#state/notice";
 import { hasCard, locusByCard } from "#wasm/locus-card";
-import { cancel, epoch, sliceMilliseconds, submit } from "../engine";
+import { cancel, epoch, sliceMilliseconds, submit } from "#workers/pool/engine";
 import { BOUNDS, EPSILON, type LocusInputs, LocusWork, SIZE, STRIDES } from "../locus-job";
 import { publish } from "../results";
 import { type CardChoice, lookForCard } from "./card";

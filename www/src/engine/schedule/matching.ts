@@ -3,9 +3,9 @@ import { pairing } from "#state/morph";
 import { wordsOf } from "#state/notice";
 import { scene } from "#state/scene";
 import type { Candidate, MapRow, Mode, RatedCandidate } from "#wasm/api";
-import { cancel, epoch, submit } from "../engine";
+import { cancel, epoch, submit } from "#workers/pool/engine";
+import type { Job, Kind, Task } from "#workers/pool/protocol";
 import { EPSILON } from "../locus-job";
-import type { Job, Kind, Task } from "../protocol";
 
 /** How many ways to match are offered. */
 export const MOST = 12;

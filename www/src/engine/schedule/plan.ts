@@ -3,9 +3,9 @@ import { thinned } from "#geometry/path";
 import { announce, notify, wordsOf } from "#state/notice";
 import { edit, replace, scene } from "#state/scene";
 import type { PathPlan, PathPoint } from "#wasm/api";
-import { cancel, submit, workers } from "../engine";
+import { cancel, submit, workers } from "#workers/pool/engine";
+import { single, type Task } from "#workers/pool/protocol";
 import { BOUNDS, EPSILON, type LocusInputs, type LocusWork } from "../locus-job";
-import { single, type Task } from "../protocol";
 import { publish } from "../results";
 import { inputs as morph } from "./inputs";
 

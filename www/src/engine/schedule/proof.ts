@@ -3,8 +3,8 @@ import { RESOLUTION } from "#format/verdict";
 import { shown } from "#state/morph";
 import { wordsOf } from "#state/notice";
 import type { Certificate, CertificateCheck, MapRow } from "#wasm/api";
-import { cancel, epoch, submit } from "../engine";
-import { single } from "../protocol";
+import { cancel, epoch, submit } from "#workers/pool/engine";
+import { single } from "#workers/pool/protocol";
 import { verdict } from "../results";
 
 /** A proof that the shape on the stage is in pieces. */

@@ -3,8 +3,8 @@ import { sameMaps } from "#geometry/same-maps";
 import { wordsOf } from "#state/notice";
 import { scene } from "#state/scene";
 import type { MapRow, Route } from "#wasm/api";
-import { cancel, epoch, submit } from "../engine";
-import { single } from "../protocol";
+import { cancel, epoch, submit } from "#workers/pool/engine";
+import { single } from "#workers/pool/protocol";
 
 /** Ways to bring two shapes to a morph. */
 export interface Routes {

@@ -9,10 +9,10 @@ import { dark } from "#state/preferences";
 import { scene } from "#state/scene";
 import { palette } from "#style/palette";
 import type { Colouring, MapRow } from "#wasm/api";
-import { Coalesce } from "../coalesce";
-import { epoch, submit } from "../engine";
+import { Coalesce } from "#workers/pool/coalesce";
+import { epoch, submit } from "#workers/pool/engine";
+import type { Job } from "#workers/pool/protocol";
 import { EPSILON, type LocusInputs } from "../locus-job";
-import type { Job } from "../protocol";
 import { publish } from "../results";
 import { inputs as morph } from "./inputs";
 

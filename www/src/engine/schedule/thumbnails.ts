@@ -4,9 +4,9 @@ import { scene } from "#state/scene";
 import { palette } from "#style/palette";
 import type { MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
-import { Coalesce } from "../coalesce";
-import { epoch, submit } from "../engine";
-import type { Job } from "../protocol";
+import { Coalesce } from "#workers/pool/coalesce";
+import { epoch, submit } from "#workers/pool/engine";
+import type { Job } from "#workers/pool/protocol";
 import { publish } from "../results";
 
 /** CSS pixels. */

@@ -1,10 +1,10 @@
 import { computed, effect, untracked } from "@preact/signals";
 import { here, locusView, selection, shown, shownPick } from "#state/morph";
 import type { MapRow, PathPoint } from "#wasm/api";
-import { Coalesce } from "../coalesce";
-import { epoch, submit } from "../engine";
+import { Coalesce } from "#workers/pool/coalesce";
+import { epoch, submit } from "#workers/pool/engine";
+import { single } from "#workers/pool/protocol";
 import { EPSILON } from "../locus-job";
-import { single } from "../protocol";
 import { publish } from "../results";
 import { clampedView, epsilonOf, levelOf, viewProblem } from "../window";
 

@@ -3,7 +3,7 @@ import { computed, effect, type ReadonlySignal, untracked } from "@preact/signal
 import { locusView } from "#state/morph";
 import { wordsOf } from "#state/notice";
 import type { FrondError, LocusView } from "#wasm/api";
-import { cancel, epoch, submit } from "../engine";
+import { cancel, epoch, submit } from "#workers/pool/engine";
 import type { LocusInputs } from "../locus-job";
 import { type LocusSource, Pyramid } from "../pyramid";
 import { publish } from "../results";

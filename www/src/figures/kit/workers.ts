@@ -1,13 +1,13 @@
 /** What the figures ask of the workers. */
 import type { ReadonlySignal } from "@preact/signals";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { Coalesce } from "#engine/coalesce";
-import { cancel, epoch, submit } from "#engine/engine";
 import { EPSILON } from "#engine/locus-job";
-import { type Channel, type Job, type Kind, type Result, single, type Task } from "#engine/protocol";
 import { type Uv, uvAt } from "#geometry/path";
 import { STATE } from "#geometry/states";
 import type { Connectedness, FrondError, MapRow, MorphOptions } from "#wasm/api";
+import { Coalesce } from "#workers/pool/coalesce";
+import { cancel, epoch, submit } from "#workers/pool/engine";
+import { type Channel, type Job, type Kind, type Result, single, type Task } from "#workers/pool/protocol";
 
 /** A signal's value, as something that effects and memos depend on. */
 export function useValue<T>(signal: ReadonlySignal<T>): T {

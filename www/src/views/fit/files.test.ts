@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Collage } from "#engine/fit/tasks/curve";
+import type { Collage } from "#workers/fit/curve";
 import { collageCsv, collageJson, collageSvg, curveJson } from "./files";
 
 const collage: Collage = {

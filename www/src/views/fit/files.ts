@@ -1,8 +1,8 @@
 /** Fits as text. */
 
-import type { Collage, CollageOptions, Figures } from "#engine/fit/tasks/curve";
 import type { Curve } from "#wasm/api";
 import type { CurveMap } from "#wasm/curve";
+import type { Collage, CollageOptions, Figures } from "#workers/fit/curve";
 
 const short = (x: number) => Number(x.toPrecision(9));
 

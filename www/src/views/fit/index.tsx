@@ -1,10 +1,10 @@
 /** The fit: its side panel, its strip, and its stage. Loaded when it is first opened. */
 import { effect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { fitTask } from "#engine/fit/client";
 import { help } from "#state/help";
 import { Button } from "#ui/Button";
 import { narrow } from "#ui/media";
+import { fitTask } from "#workers/fit/client";
 import { GraphPanel, GraphStage, GraphStrip, graphOpen, ModeChoice } from "./mode";
 import { CutPanel } from "./panel/CutPanel";
 import { FiguresPanel } from "./panel/FiguresPanel";

@@ -1,7 +1,8 @@
 /** Numbers that are a graph, not an outline, go to the other half of the tool. */
-import type { OpenedSeries } from "#engine/fit/tasks/trace-types";
+
 import { notify, wordsOf } from "#state/notice";
 import { changeFit } from "#state/outline";
+import type { OpenedSeries } from "#workers/fit/trace-types";
 
 export function takeSeries(series: OpenedSeries): void {
   import("./graph/series").then(

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Figures } from "#engine/fit/tasks/curve";
+import type { Figures } from "#workers/fit/curve";
 import { compareWords, percent, roughWords, signed } from "./words";
 
 const figures = (rms: number): Figures => ({

@@ -1,8 +1,8 @@
 /** What the tool says. */
 import { computed, type ReadonlySignal } from "@preact/signals";
-import type { Figures, Method, Rival } from "#engine/fit/tasks/curve";
 import { fixed } from "#format/numbers";
 import { fitDocument } from "#state/outline";
+import type { Figures, Method, Rival } from "#workers/fit/curve";
 import { cutting } from "./stage/layers";
 import { cancelled, collage, problem, running, shownFigures, shownFit } from "./work/fitting";
 import { masked, masking, traced } from "./work/mask";

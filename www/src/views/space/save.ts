@@ -1,9 +1,9 @@
 /** The picture of space as a file. */
 import { signal } from "@preact/signals";
-import { layOn } from "#engine/space/film/opaque";
-import { pictureOf } from "#engine/space/picture";
 import { announce, notify, wordsOf } from "#state/notice";
 import { space, spaceView } from "#state/space";
+import { layOn } from "#workers/film/opaque";
+import { pictureOf } from "#workers/space/complete-picture";
 import { PAGE } from "./light/background";
 import { colours, ground, sight } from "./stage/sight";
 import { stageSize } from "./stage/state";

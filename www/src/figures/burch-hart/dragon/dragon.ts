@@ -1,10 +1,10 @@
 /** What Figures 5, 6 and 7 have in common: the two shapes, the locus between them, and the path through it. */
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import { cancel, epoch, sliceMilliseconds, submit } from "#engine/engine";
 import { BOUNDS, EPSILON, LocusWork } from "#engine/locus-job";
-import { single } from "#engine/protocol";
 import type { LocusResult } from "#engine/results";
 import type { PathPlan } from "#wasm/api";
+import { cancel, epoch, sliceMilliseconds, submit } from "#workers/pool/engine";
+import { single } from "#workers/pool/protocol";
 import { preset } from "../../kit/frame/studio-link";
 import type { Ends } from "../../kit/maps/morphs";
 

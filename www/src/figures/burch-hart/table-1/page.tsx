@@ -1,8 +1,8 @@
 import { useEffect, useState } from "preact/hooks";
-import { cancel, epoch, submit } from "#engine/engine";
 import { fixed, formatNumber } from "#format/numbers";
 import { Button } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
+import { cancel, epoch, submit } from "#workers/pool/engine";
 import { Plot } from "../../kit/chart/plot";
 import { median } from "../../kit/connectedness/bisection";
 import {

@@ -1,10 +1,10 @@
 import { useMemo, useState } from "preact/hooks";
-import type { FoundCluster } from "#engine/fit/tasks/hough";
 import { fixed } from "#format/numbers";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
 import { Slider } from "#ui/Slider";
 import { Switch } from "#ui/Switch";
+import type { FoundCluster } from "#workers/fit/hough";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import { fitHref } from "../../kit/frame/studio-link";
 import { useValue } from "../../kit/workers";

@@ -1,8 +1,8 @@
 /** What Figure 7 asks of the workers of the fit. */
 import { useEffect, useRef, useState } from "preact/hooks";
-import { fitTask } from "#engine/fit/client";
-import type { Collage, Measured, Reached, Rival } from "#engine/fit/tasks/curve";
 import { wordsOf } from "#state/notice";
+import { fitTask } from "#workers/fit/client";
+import type { Collage, Measured, Reached, Rival } from "#workers/fit/curve";
 
 /** As the paper has it. */
 export const FEATURES = 261;

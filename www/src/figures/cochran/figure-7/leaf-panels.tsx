@@ -1,8 +1,8 @@
 /** The paper's fits of the leaf: all of each, and where its copies should meet. */
 import { useMemo, useState } from "preact/hooks";
-import type { Collage } from "#engine/fit/tasks/curve";
 import { fixed } from "#format/numbers";
 import { Slider } from "#ui/Slider";
+import type { Collage } from "#workers/fit/curve";
 import { Control } from "../../kit/frame/frame";
 import { NUMBERS_A_MAP } from "./leaf-fits";
 import { type boxOfPoints, type OutlineLine, OutlineView } from "./outline-view";

@@ -1,9 +1,9 @@
 import { useMemo, useState } from "preact/hooks";
-import type { Collage, Figures } from "#engine/fit/tasks/curve";
 import { fixed } from "#format/numbers";
 import { Button } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";
+import type { Collage, Figures } from "#workers/fit/curve";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { fitHref } from "../../kit/frame/studio-link";
 import {

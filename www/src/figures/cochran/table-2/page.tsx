@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
-import type { FoundCluster } from "#engine/fit/tasks/hough";
 import { fixed } from "#format/numbers";
 import { Switch } from "#ui/Switch";
+import type { FoundCluster } from "#workers/fit/hough";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { fitHref } from "../../kit/frame/studio-link";
 import { TABLE_1_GRAPH } from "../figure-2/page";

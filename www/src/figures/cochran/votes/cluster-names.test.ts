@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { FoundCluster } from "#engine/fit/tasks/hough";
+import type { FoundCluster } from "#workers/fit/hough";
 import known from "../../../../../tests/known/fit/table2.json";
 import { after, inverse, type ShearMap, TABLE_1, TABLE_2 } from "../graphs/printed-tables";
 import { apartIn, kindWords, letterOf, nearestOf } from "./cluster-names";

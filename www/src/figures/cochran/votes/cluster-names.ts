@@ -1,5 +1,5 @@
 /** What clusters of votes are called on the page, and which printed rows they are. */
-import type { FoundCluster } from "#engine/fit/tasks/hough";
+import type { FoundCluster } from "#workers/fit/hough";
 import { type ShearMap, TABLE_1 } from "../graphs/printed-tables";
 
 /** So far may two maps be from each other and still be one: some bins of a, b, c, d and e. */

@@ -1,8 +1,8 @@
 /** Votes for the maps that a graph is made of, counted in both workers of the fit. */
 import { useEffect, useRef, useState } from "preact/hooks";
-import { fitTask } from "#engine/fit/client";
-import type { Clusters, Counting, FeatureSets } from "#engine/fit/tasks/hough";
 import { wordsOf } from "#state/notice";
+import { fitTask } from "#workers/fit/client";
+import type { Clusters, Counting, FeatureSets } from "#workers/fit/hough";
 
 export interface Election {
   /** Under which its outcome is kept, for whoever comes back. */

@@ -1,8 +1,8 @@
 import { useEffect, useState } from "preact/hooks";
-import { isStopped } from "#engine/lanes/latest";
-import { spaceTask } from "#engine/space/client";
 import { wordsOf } from "#state/notice";
 import type { Intersection3, MapRow3 } from "#wasm/api";
+import { isStopped } from "#workers/lanes/latest";
+import { spaceTask } from "#workers/space/client";
 
 export interface Met {
   of: { first: MapRow3[]; second: MapRow3[] };

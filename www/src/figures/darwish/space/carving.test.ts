@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import type { PictureRequest } from "#engine/space/picture";
+import type { PictureRequest } from "#workers/space/complete-picture";
 import { Carving, COARSE, REST } from "./carving";
 
 beforeEach(() => {

@@ -1,4 +1,4 @@
-import type { PictureRequest } from "#engine/space/picture";
+import type { PictureRequest } from "#workers/space/complete-picture";
 
 /** So long after the last change, in milliseconds, the picture is carved in full. */
 export const REST = 140;

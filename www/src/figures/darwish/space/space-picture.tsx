@@ -1,10 +1,10 @@
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { type PictureRequest, pictureOf, type Shown } from "#engine/space/picture";
 import { wordsOf } from "#state/notice";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
 import type { SpaceLight, SpaceView } from "#wasm/api";
 import { solid } from "#wasm/space";
+import { type PictureRequest, pictureOf, type Shown } from "#workers/space/complete-picture";
 import { usePixels } from "../../kit/picture/picture";
 import { useValue } from "../../kit/workers";
 import { Carving } from "./carving";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Result, Task } from "#engine/protocol";
+import type { Result, Task } from "#workers/pool/protocol";
 import {
   exactJob,
   MARGIN,

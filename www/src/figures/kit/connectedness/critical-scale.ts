@@ -1,5 +1,5 @@
 /** Table 1: at which scale an index buffer first calls the gasket connected. */
-import type { Channel, Job, Task } from "#engine/protocol";
+import type { Channel, Job, Task } from "#workers/pool/protocol";
 import { gasket } from "../maps/families";
 import { Bisection } from "./bisection";
 

@@ -1,11 +1,11 @@
 /** The locus of a pair of shapes as a lesson shows it: one size, all of the square, in rows. */
 import { useEffect, useState } from "preact/hooks";
-import { epoch, submit } from "#engine/engine";
 import { BOUNDS, EPSILON, nextKey } from "#engine/locus-job";
-import type { Channel, Job, Task } from "#engine/protocol";
 import type { LocusResult } from "#engine/results";
 import { STATE } from "#geometry/states";
 import type { MorphOptions } from "#wasm/api";
+import { epoch, submit } from "#workers/pool/engine";
+import type { Channel, Job, Task } from "#workers/pool/protocol";
 import type { Ends } from "../maps/morphs";
 import { useChannel, useValue } from "../workers";
 

@@ -1,9 +1,9 @@
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import type { Task } from "#engine/protocol";
 import { type Box, fitFor } from "#state/fit";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
 import type { Bend, Colouring, MapRow } from "#wasm/api";
+import type { Task } from "#workers/pool/protocol";
 import { useAsk, useValue } from "../workers";
 
 export interface PictureProps {

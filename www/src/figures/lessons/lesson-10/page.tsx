@@ -1,10 +1,10 @@
 import { useMemo, useState } from "preact/hooks";
-import type { Task } from "#engine/protocol";
 import { meritWords } from "#format/path-words";
 import { shareWords } from "#format/verdict";
 import { Segmented } from "#ui/Segmented";
 import type { PathPlan } from "#wasm/api";
 import { frond } from "#wasm/core";
+import type { Task } from "#workers/pool/protocol";
 import type { Heading } from "../../kit/frame/frame";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";

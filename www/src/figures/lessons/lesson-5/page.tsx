@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
-import { epoch, submit } from "#engine/engine";
 import { fixed } from "#format/numbers";
 import { frond } from "#wasm/core";
+import { epoch, submit } from "#workers/pool/engine";
 import { median } from "../../kit/connectedness/bisection";
 import { Collisions, groups, windowOf } from "../../kit/connectedness/collisions";
 import { exactJob, measureJob, PAPER, SIZES, searches } from "../../kit/connectedness/critical-scale";

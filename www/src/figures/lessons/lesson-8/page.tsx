@@ -1,11 +1,11 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
-import { epoch, submit } from "#engine/engine";
 import type { LocusResult } from "#engine/results";
 import { fixed } from "#format/numbers";
 import { verdictPhrase } from "#format/verdict";
 import type { Uv } from "#geometry/path";
 import { Button } from "#ui/Button";
 import type { Connectedness } from "#wasm/api";
+import { epoch, submit } from "#workers/pool/engine";
 import type { Heading } from "../../kit/frame/frame";
 import { studioHref } from "../../kit/frame/studio-link";
 import { EXACT, VerdictChip, Why } from "../../kit/frame/verdict";

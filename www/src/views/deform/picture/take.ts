@@ -1,7 +1,7 @@
-import { HEAD_BYTES } from "#engine/image/header";
 import { boxAround, changeDeformation, deformation } from "#state/bend";
 import { announce, notify } from "#state/notice";
 import { type Photograph, pictureMaps, showPicture } from "#state/picture";
+import { HEAD_BYTES } from "#workers/image/header";
 import { inBox } from "../changes";
 import { damaged, kept, refusal, shortName } from "./words";
 

@@ -1,5 +1,5 @@
-import { type Header, readHeader } from "#engine/image/header";
-import { inWords, MOST_MEGAPIXELS, shortName as shortOf } from "#engine/image/limits";
+import { type Header, readHeader } from "#workers/image/header";
+import { inWords, MOST_MEGAPIXELS, shortName as shortOf } from "#workers/image/limits";
 
 /** The longest side that is kept, in pixels. */
 export const LONGEST = 2048;

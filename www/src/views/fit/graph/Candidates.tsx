@@ -1,7 +1,7 @@
 import { signal } from "@preact/signals";
-import type { FoundCluster } from "#engine/fit/tasks/hough";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
+import type { FoundCluster } from "#workers/fit/hough";
 import { choose, chosen, found, isPicked, mapOf, picks, search, setDomain, togglePick } from "./search";
 import { aboutOf, countWords, errorWords, mapWords, nameOf } from "./words";
 

@@ -1,6 +1,6 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
-import type { FoundCluster } from "#engine/fit/tasks/hough";
 import { dark } from "#state/preferences";
+import type { FoundCluster } from "#workers/fit/hough";
 import { choose, chosen, current, found, isPicked, live, search, togglePick } from "./search";
 import { errorWords, mapWords, nameOf } from "./words";
 

@@ -1,6 +1,6 @@
 /** Reads a series of a file, in the worker that reads files. */
-import { fitTask } from "#engine/fit/client";
-import type { OpenedSeries } from "#engine/fit/tasks/trace-types";
+import { fitTask } from "#workers/fit/client";
+import type { OpenedSeries } from "#workers/fit/trace-types";
 
 /** Throws what says what to try. */
 export async function readSeries(file: File): Promise<OpenedSeries> {

@@ -1,6 +1,7 @@
 /** Finding the maps that a graph is made of: both passes in both workers, what they found, and what is made of it. */
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
-import { fitTask } from "#engine/fit/client";
+import { announce, wordsOf } from "#state/notice";
+import { fitTask } from "#workers/fit/client";
 import type {
   Assembled,
   Clusters,
@@ -8,8 +9,7 @@ import type {
   FeatureSets,
   FoundCluster,
   HoughOptions,
-} from "#engine/fit/tasks/hough";
-import { announce, wordsOf } from "#state/notice";
+} from "#workers/fit/hough";
 import { take } from "./document";
 import { TABLE_3 } from "./examples";
 import { short } from "./model";

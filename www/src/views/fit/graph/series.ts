@@ -1,10 +1,10 @@
 /** What is measured: a series or a profile, and the feature points that are taken of it. */
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
-import { fitTask } from "#engine/fit/client";
-import type { FeatureSets } from "#engine/fit/tasks/hough";
-import type { OpenedSeries } from "#engine/fit/tasks/trace-types";
 import { announce, notify, wordsOf } from "#state/notice";
 import { changeFit } from "#state/outline";
+import { fitTask } from "#workers/fit/client";
+import type { FeatureSets } from "#workers/fit/hough";
+import type { OpenedSeries } from "#workers/fit/trace-types";
 import { EXAMPLES, type Example } from "./examples";
 import { readSeries } from "./read";
 

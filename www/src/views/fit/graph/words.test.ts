@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import type { FoundCluster } from "#engine/fit/tasks/hough";
+import type { FoundCluster } from "#workers/fit/hough";
 import { TABLE_3 } from "./examples";
 import { tableThree } from "./search";
 import { aboutOf, axisWords, errorWords, nameOf } from "./words";

@@ -1,6 +1,7 @@
 /** What the panel says. */
-import type { Clusters, FoundCluster } from "#engine/fit/tasks/hough";
+
 import { formatNumber } from "#format/numbers";
+import type { Clusters, FoundCluster } from "#workers/fit/hough";
 import type { Kind } from "./model";
 
 export const KINDS: readonly { value: Kind; label: string; about: string }[] = [

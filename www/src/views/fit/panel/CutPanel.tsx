@@ -1,7 +1,7 @@
-import type { Component } from "#engine/fit/tasks/trace-types";
 import { Button } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";
+import type { Component } from "#workers/fit/trace-types";
 import { brushSize, type Hand, hand } from "../stage/brush";
 import { step } from "../stage/layers";
 import {

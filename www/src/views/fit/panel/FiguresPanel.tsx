@@ -1,8 +1,8 @@
 import { computed } from "@preact/signals";
-import type { Figures, Rival } from "#engine/fit/tasks/curve";
 import { fixed } from "#format/numbers";
 import { fitDocument } from "#state/outline";
 import { Button } from "#ui/Button";
+import type { Figures, Rival } from "#workers/fit/curve";
 import { cutting } from "../stage/layers";
 import { compareWords, METHODS, percent, roughWords, signed } from "../words";
 import {

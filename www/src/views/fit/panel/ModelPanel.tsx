@@ -1,9 +1,9 @@
-import type { CollageOptions } from "#engine/fit/tasks/curve";
 import { changeFit, fitDocument } from "#state/outline";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";
+import type { CollageOptions } from "#workers/fit/curve";
 import { cutting } from "../stage/layers";
 import { percent } from "../words";
 import { collage, collageOptions } from "../work/fitting";

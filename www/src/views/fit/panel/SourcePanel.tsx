@@ -1,6 +1,6 @@
 import { useEffect, useRef } from "preact/hooks";
-import type { Grown } from "#engine/fit/tasks/curve";
 import { Button } from "#ui/Button";
+import type { Grown } from "#workers/fit/curve";
 import { listenForFiles } from "../arrivals";
 import { takeSeries } from "../series";
 import { prepared, SEEDS } from "../work/outline";

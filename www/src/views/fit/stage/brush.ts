@@ -1,7 +1,7 @@
 /** The brush that mends a mask, by mouse, finger or keys. Its places are pixels of the picture, y down. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { Stroke } from "#engine/fit/tasks/trace-types";
 import { announce } from "#state/notice";
+import type { Stroke } from "#workers/fit/trace-types";
 import { addStroke } from "../work/mask";
 import { opened } from "../work/source";
 import { cutting } from "./layers";

@@ -1,8 +1,8 @@
 /** Paints the stage of the fit, in device pixels. */
 import { type Frame as CanvasFrame, fillPath, outlinePaths, place } from "#canvas/curve";
-import type { Collage } from "#engine/fit/tasks/curve";
-import type { Masked, Stroke } from "#engine/fit/tasks/trace-types";
 import type { View } from "#geometry/coordinates";
+import type { Collage } from "#workers/fit/curve";
+import type { Masked, Stroke } from "#workers/fit/trace-types";
 import type { Frame } from "../work/frame";
 import { veilOf } from "./veil";
 

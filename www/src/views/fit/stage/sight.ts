@@ -1,11 +1,11 @@
 /** What is on the stage of the fit now. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import { fitTask } from "#engine/fit/client";
 import type { View } from "#geometry/coordinates";
 import { fitDocument } from "#state/outline";
 import type { Curve } from "#wasm/api";
 import type { CurveMorphHandle } from "#wasm/curve";
 import { rough } from "#wasm/curve";
+import { fitTask } from "#workers/fit/client";
 import { collage, collageOptions, shownFit } from "../work/fitting";
 import { masked } from "../work/mask";
 import { frame, prepared, raw, ready } from "../work/outline";

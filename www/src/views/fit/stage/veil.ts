@@ -1,5 +1,5 @@
 /** What a mask leaves out, as a picture that is laid over the photograph. */
-import type { Masked } from "#engine/fit/tasks/trace-types";
+import type { Masked } from "#workers/fit/trace-types";
 
 /** How much of the photograph is covered where it is left out. */
 const COVER = 0.72;

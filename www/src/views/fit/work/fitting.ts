@@ -1,20 +1,12 @@
 /** The fit of the outline: the latest that was asked for, the best so far, its figures, and what it is compared with. */
 import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import { fitTask } from "#engine/fit/client";
-import type {
-  Collage,
-  CollageOptions,
-  Figures,
-  FitStage,
-  Method,
-  Prepared,
-  Rival,
-} from "#engine/fit/tasks/curve";
-import { isStopped, Latest, persist } from "#engine/lanes/latest";
 import { announce, notify, wordsOf } from "#state/notice";
 import { fitDocument, replaceFit } from "#state/outline";
 import type { Curve, CurveShape } from "#wasm/api";
 import { rough } from "#wasm/curve";
+import { fitTask } from "#workers/fit/client";
+import type { Collage, CollageOptions, Figures, FitStage, Method, Prepared, Rival } from "#workers/fit/curve";
+import { isStopped, Latest, persist } from "#workers/lanes/latest";
 import { numbersOf, polylineOf, prepared, ready, SEEDS } from "./outline";
 import { source, takeSource } from "./source";
 

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Component } from "#engine/fit/tasks/trace-types";
+import type { Component } from "#workers/fit/trace-types";
 import { sameComponent } from "./mask";
 
 const at = (x0: number, y0: number, x1: number, y1: number): Component => ({

@@ -1,9 +1,9 @@
 /** From a picture to an outline: the mask, what mends it, and which of its parts is the leaf. */
 import { batch, effect, signal } from "@preact/signals";
-import { fitTask } from "#engine/fit/client";
-import type { Component, Masked, Stroke, TraceWarning } from "#engine/fit/tasks/trace-types";
-import { InTurn, isStopped } from "#engine/lanes/latest";
 import { announce, notify, wordsOf } from "#state/notice";
+import { fitTask } from "#workers/fit/client";
+import type { Component, Masked, Stroke, TraceWarning } from "#workers/fit/trace-types";
+import { InTurn, isStopped } from "#workers/lanes/latest";
 import { framed, frameOfSize } from "./frame";
 import { opened, PICTURE_LANE } from "./source";
 

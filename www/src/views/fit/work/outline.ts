@@ -1,12 +1,12 @@
 /** The outline that is fitted: of the source, in units of the plane, smoothed as the document says. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import { fitTask } from "#engine/fit/client";
-import type { Prepared } from "#engine/fit/tasks/curve";
-import { InTurn, isStopped } from "#engine/lanes/latest";
 import { notify, wordsOf } from "#state/notice";
 import { fitDocument } from "#state/outline";
 import type { Curve, CurvePreset } from "#wasm/api";
 import { rough } from "#wasm/curve";
+import { fitTask } from "#workers/fit/client";
+import type { Prepared } from "#workers/fit/curve";
+import { InTurn, isStopped } from "#workers/lanes/latest";
 import { boxOf, framed, frameOfPoints, frameOfSize, PLAIN } from "./frame";
 import { traced } from "./mask";
 import { chooseOutline, former, type Source, source, takeFormer } from "./source";

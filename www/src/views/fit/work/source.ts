@@ -1,17 +1,17 @@
 /** What is fitted: a file that was opened, a leaf grown by program, or the curve that a link brought. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import { fitTask } from "#engine/fit/client";
-import type { Grown } from "#engine/fit/tasks/curve";
+import { announce, notify, wordsOf } from "#state/notice";
+import type { Curve } from "#wasm/api";
+import { fitTask } from "#workers/fit/client";
+import type { Grown } from "#workers/fit/curve";
 import type {
   Opened,
   OpenedOutlines,
   OpenedPicture,
   OpenedSeries,
   ReadOutline,
-} from "#engine/fit/tasks/trace-types";
-import { isStopped, Latest } from "#engine/lanes/latest";
-import { announce, notify, wordsOf } from "#state/notice";
-import type { Curve } from "#wasm/api";
+} from "#workers/fit/trace-types";
+import { isStopped, Latest } from "#workers/lanes/latest";
 
 export type Source =
   | { kind: "grown"; name: string; grown: Grown; seed: number }

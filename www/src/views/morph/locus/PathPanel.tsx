@@ -1,6 +1,5 @@
 import "#canvas/locus/path.css";
 import { computed, useComputed } from "@preact/signals";
-import { workers } from "#engine/engine";
 import { along, locus, pathStates, plan } from "#engine/results";
 import { certified, certify, stopCertifying } from "#engine/schedule/certify";
 import { leavesPlane, plan3, setThird, third, wayOf } from "#engine/schedule/plan";
@@ -14,6 +13,7 @@ import { NumberField } from "#ui/NumberField";
 import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";
 import type { PathKind } from "#wasm/api";
+import { workers } from "#workers/pool/engine";
 import { MOST_POINTS } from "../changes";
 import { openMatching, openRoutes } from "../dialogs";
 import { mode, pathKind } from "../parts";

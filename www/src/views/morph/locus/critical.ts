@@ -1,8 +1,8 @@
 /** The real s at which a family closes, bisected by Frond: shown beside what others proved. */
 import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import { epoch, submit } from "#engine/engine";
-import type { Job } from "#engine/protocol";
 import { frond } from "#wasm/core";
+import { epoch, submit } from "#workers/pool/engine";
+import type { Job } from "#workers/pool/protocol";
 import { familyMaps } from "./hover";
 import { family, sides } from "./view";
 

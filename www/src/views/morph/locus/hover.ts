@@ -1,14 +1,14 @@
 /** What is at the parameter that is pointed at: a small picture and a verdict, asked for at low cost. */
 import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import { Coalesce } from "#engine/coalesce";
-import { cancel, epoch, submit } from "#engine/engine";
-import type { Job } from "#engine/protocol";
 import type { Uv } from "#geometry/path";
 import { mapsAt } from "#state/morph";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
 import type { Connectedness, MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
+import { Coalesce } from "#workers/pool/coalesce";
+import { cancel, epoch, submit } from "#workers/pool/engine";
+import type { Job } from "#workers/pool/protocol";
 import { epsilon, view } from "./view";
 
 /** CSS pixels. */

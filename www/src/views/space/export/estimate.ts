@@ -1,13 +1,13 @@
 /** How much it will be, measured on this device. */
 import { useEffect, useState } from "preact/hooks";
-import { spaceTask } from "#engine/space/client";
-import { painters } from "#engine/space/film/crew";
-import { Frames, frameRecord } from "#engine/space/film/frames";
-import { pictureAt } from "#engine/space/film/make";
-import { channels } from "#engine/space/film/opaque";
 import { wordsOf } from "#state/notice";
 import { space, spacePart, spaceView } from "#state/space";
 import type { Repeat, Space } from "#wasm/api";
+import { painters } from "#workers/film/crew";
+import { Frames, frameRecord } from "#workers/film/frames";
+import { pictureAt } from "#workers/film/make";
+import { channels } from "#workers/film/opaque";
+import { spaceTask } from "#workers/space/client";
 import { colours, ground } from "../stage/sight";
 import { frameCount, isFilm, litPart, type Plan } from "./plan";
 

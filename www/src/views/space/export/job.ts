@@ -1,9 +1,9 @@
 /** The film in the making: it goes on while the dialog is closed. */
 import { type ReadonlySignal, signal } from "@preact/signals";
-import { spaceTask } from "#engine/space/client";
-import { type Film, makeFilm } from "#engine/space/film/make";
 import { notify, wordsOf } from "#state/notice";
 import { space, spacePart, spaceView } from "#state/space";
+import { type Film, makeFilm } from "#workers/film/make";
+import { spaceTask } from "#workers/space/client";
 import { colours, ground } from "../stage/sight";
 import { exportOpen, exportProgress, openExport } from "../time/exporting";
 import { savedText } from "../time/saved";

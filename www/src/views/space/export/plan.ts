@@ -1,8 +1,8 @@
 /** What is to be exported: which moments, how large, and how much that will be. Pure, for the tests. */
 
-import { MOST_GIF_FPS } from "#engine/space/film/gif";
 import { formatNumber } from "#format/numbers";
 import type { Repeat } from "#wasm/api";
+import { MOST_GIF_FPS } from "#workers/film/gif";
 
 export type Kind = "mp4" | "webm" | "gif" | "frames" | "keys";
 export type Quality = "small" | "good" | "best";

@@ -1,9 +1,9 @@
 /** What was chosen last stays for the visit. */
 import { computed, signal } from "@preact/signals";
-import { spaceTask } from "#engine/space/client";
-import type { Encodable } from "#engine/space/tasks/export";
 import { timeline } from "#state/space";
 import type { Repeat } from "#wasm/api";
+import { spaceTask } from "#workers/space/client";
+import type { Encodable } from "#workers/space/export";
 import { bitrateOf, even, type Kind, type Plan } from "./plan";
 
 export const SIZES: readonly { id: string; name: string; width: number; height: number }[] = [

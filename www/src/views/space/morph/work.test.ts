@@ -33,7 +33,7 @@ const { asked, solid } = vi.hoisted(() => {
   return { asked, solid };
 });
 vi.mock("#wasm/space", () => ({ solid, loadSpace: async () => {} }));
-vi.mock("#engine/space/client", () => ({
+vi.mock("#workers/space/client", () => ({
   spaceTask: (
     name: string,
     args: Record<string, unknown>,

@@ -1,14 +1,14 @@
 /** What is worked out of the morph: where it holds, a path, where that breaks, and whether what is seen is in one piece. */
 import { batch, computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import { InTurn, isStopped, Latest, persist } from "#engine/lanes/latest";
-import { spaceTask } from "#engine/space/client";
-import type { LocusSoFar, MorphInputs, PathFound, PathTold } from "#engine/space/tasks/morph";
 import { pointsOf, thinned, type Uv, uvAt } from "#geometry/path";
 import { wordsOf } from "#state/notice";
 import { replace, scene } from "#state/scene";
 import { space, spaceFrame, spacePart } from "#state/space";
 import type { Connectedness3, MapRow3, PathPoint, SpaceMorph } from "#wasm/api";
 import { solid } from "#wasm/space";
+import { InTurn, isStopped, Latest, persist } from "#workers/lanes/latest";
+import { spaceTask } from "#workers/space/client";
+import type { LocusSoFar, MorphInputs, PathFound, PathTold } from "#workers/space/morph";
 import { MOST_POINTS, optionsOf, withPath } from "./changes";
 
 export const morph: ReadonlySignal<SpaceMorph | null> = computed(() => space.value?.morph ?? null);

@@ -1,5 +1,4 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { spaceTask } from "#engine/space/client";
 import { fixed, formatNumber } from "#format/numbers";
 import { placeWords } from "#format/placement";
 import { determinant3 } from "#geometry/affine3";
@@ -7,6 +6,7 @@ import { wordsOf } from "#state/notice";
 import { Button } from "#ui/Button";
 import type { BoxCount3, MapRow3, Place3 } from "#wasm/api";
 import { solid } from "#wasm/space";
+import { spaceTask } from "#workers/space/client";
 import { facts, moved, rested } from "./now";
 
 /** What is known of the object: its dimension, its maps, and what was done to it. */

@@ -1,10 +1,10 @@
 /** Small pictures of shapes, carved by a worker. */
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
-import { pictureOf } from "#engine/space/picture";
 import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
 import type { SpaceObject } from "#wasm/api";
 import { solid } from "#wasm/space";
+import { pictureOf } from "#workers/space/complete-picture";
 
 export interface Subject {
   id: string;

@@ -1,9 +1,9 @@
 import type { Pixels } from "#canvas/surface";
-import { spaceTask } from "#engine/space/client";
-import { objectAt, type Relief } from "#engine/space/tasks/picture";
 import { media } from "#ui/media";
 import type { SpaceLook } from "#wasm/space";
 import type { SpaceRenderer } from "#wasm/space-renderer";
+import { spaceTask } from "#workers/space/client";
+import { objectAt, type Relief } from "#workers/space/picture";
 import { Detail, HANDHELD } from "./detail";
 import { type Completed, lookOf, type Surface, sameView, type Wanted } from "./surface";
 

@@ -1,5 +1,5 @@
 import type { Pixels } from "#canvas/surface";
-import { type PictureRequest, pictureOf } from "#engine/space/picture";
+import { type PictureRequest, pictureOf } from "#workers/space/complete-picture";
 import { type Completed, lookOf, type Surface, sameView, type Wanted } from "./surface";
 
 /** While things move, a picture with so many times fewer pixels a side. */

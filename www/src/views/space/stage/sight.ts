@@ -1,6 +1,5 @@
 /** What there is to see in space at the moment, made ready to be drawn. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import type { Shown } from "#engine/space/picture";
 import { apply3 } from "#geometry/affine3";
 import { dark, theme } from "#state/preferences";
 import { chosen, space, spaceFrame } from "#state/space";
@@ -8,6 +7,7 @@ import { keepBackground } from "#state/space-edits";
 import { palette } from "#style/palette";
 import type { Point3 } from "#wasm/api";
 import { type SpacePictureHandle, solid } from "#wasm/space";
+import type { Shown } from "#workers/space/complete-picture";
 import { groundOf, isDark } from "../light/background";
 import type { Ball } from "./camera";
 

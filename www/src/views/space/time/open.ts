@@ -1,8 +1,8 @@
-import { Frames } from "#engine/space/film/frames";
 import { notify, wordsOf } from "#state/notice";
 import { edit } from "#state/scene";
 import type { Space } from "#wasm/api";
 import { solid } from "#wasm/space";
+import { Frames } from "#workers/film/frames";
 import { pauseSpace } from "./clock";
 import { type Kept, MOST_BYTES, readSaved, type SavedFrames } from "./saved";
 import { keysOf, madeOf } from "./saved-frames";

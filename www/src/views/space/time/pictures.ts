@@ -1,9 +1,9 @@
 /** What is seen at each key, small: carved by a worker when nothing has changed for a while. */
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
-import { Frames } from "#engine/space/film/frames";
-import { type PictureRequest, pictureOf } from "#engine/space/picture";
 import { space, spacePlaying, spaceView } from "#state/space";
 import type { Space } from "#wasm/api";
+import { Frames } from "#workers/film/frames";
+import { type PictureRequest, pictureOf } from "#workers/space/complete-picture";
 import { colours, ground } from "../stage/sight";
 
 const shown = signal<readonly (ImageData | null)[]>([]);

@@ -63,7 +63,7 @@ export function startEngine(modules: Modules, options: { workers: number | null 
     modules,
     count: options.workers ?? workerCount(navigator.hardwareConcurrency),
     spawn: () =>
-      new Worker(new URL("../workers/compute.worker.ts", import.meta.url), {
+      new Worker(new URL("./compute.worker.ts", import.meta.url), {
         type: "module",
         name: "frond",
       }) as WorkerLike,

@@ -1,6 +1,6 @@
 import type { Space, SpaceView } from "#wasm/api";
-import type { FileBytes, FilmSettings } from "../tasks/export";
-import type { PictureRequest } from "../tasks/picture";
+import type { FileBytes, FilmSettings } from "../space/export";
+import type { PictureRequest } from "../space/picture";
 import { crew, painters } from "./crew";
 import { Frames } from "./frames";
 import { inOrder } from "./order";

@@ -1,8 +1,8 @@
 import type { Context } from "../lanes/task";
-import { exportTasks } from "./tasks/export";
-import { morphTasks } from "./tasks/morph";
-import { pictureTasks } from "./tasks/picture";
-import { shapeTasks } from "./tasks/shape";
+import { exportTasks } from "./export";
+import { morphTasks } from "./morph";
+import { pictureTasks } from "./picture";
+import { shapeTasks } from "./shape";
 
 /** Each room of work has a file of tasks. They compute with `solid`, which is started before the first. */
 export const tasks = {

@@ -11,8 +11,8 @@ import type {
   PathPoint,
 } from "#wasm/api";
 import { solid } from "#wasm/space";
-import type { Context } from "../../lanes/task";
-import { EPSILON, LocusFill, SIZE, STRIDES, shareOf } from "../locus-fill";
+import type { Context } from "../lanes/task";
+import { EPSILON, LocusFill, SIZE, STRIDES, shareOf } from "./locus-fill";
 
 /** All that a morph hangs on besides where on it one is. */
 export interface MorphInputs {

@@ -1,7 +1,7 @@
 import { compileSpace } from "#wasm/space";
-import { client } from "../../lanes/client";
-import { performer } from "../performer";
-import type { Tasks } from "../tasks";
+import { client } from "../lanes/client";
+import { performer } from "../space/performer";
+import type { Tasks } from "../space/tasks";
 
 /** Workers of their own for one film, so that it keeps nothing else waiting. They go when it is made. */
 export function crew() {
@@ -9,7 +9,7 @@ export function crew() {
   const task = client<Tasks, number>({
     module: compileSpace,
     worker: () => {
-      const worker = new Worker(new URL("../../../workers/space.worker.ts", import.meta.url), {
+      const worker = new Worker(new URL("../space/space.worker.ts", import.meta.url), {
         type: "module",
         name: "frond-film",
       });

@@ -7,7 +7,7 @@ import type { Tasks } from "./tasks";
 export const fitTask = client<Tasks, 0 | 1>({
   module: compileFit,
   worker: () =>
-    new Worker(new URL("../../workers/fit.worker.ts", import.meta.url), {
+    new Worker(new URL("./fit.worker.ts", import.meta.url), {
       type: "module",
       name: "frond-fit",
     }),

@@ -1,6 +1,6 @@
 /** From an outline to closed curves, and what they are compared with. Outlines are x0, y0, x1, y1, .. with y up. */
 import type { Curve } from "#wasm/api";
-import type { Context } from "../context";
+import type { Context } from "./context";
 
 /** How near a fit is to its outline; errors in percent of the diagonal of the outline's box. */
 export interface Figures {

@@ -1,6 +1,6 @@
 import type { BoxCount3, MapRow3 } from "#wasm/api";
 import { solid } from "#wasm/space";
-import type { Context } from "../../lanes/task";
+import type { Context } from "../lanes/task";
 
 export const shapeTasks = {
   /** The dimension, counted in boxes from a million points. */

@@ -1,5 +1,5 @@
-import { performer } from "#engine/fit/performer";
-import type { Ask } from "#engine/lanes/task";
+import type { Ask } from "../lanes/task";
+import { performer } from "./performer";
 
 const perform = performer((answer, transfer) => self.postMessage(answer, { transfer }));
 

@@ -1,6 +1,6 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import type { MapRow3, SpaceLight, SpaceView } from "#wasm/api";
-import type { Context } from "../../lanes/task";
+import type { Context } from "../lanes/task";
 import { objectAt, pictureTasks } from "./picture";
 
 /** Stands in for what carves: a picture is done after so many slices. */

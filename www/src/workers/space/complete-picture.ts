@@ -1,7 +1,7 @@
 import { spaceTask } from "./client";
-import type { PictureRequest } from "./tasks/picture";
+import type { PictureRequest } from "./picture";
 
-export type { PictureRequest, Shown } from "./tasks/picture";
+export type { PictureRequest, Shown } from "./picture";
 
 /** The complete picture, from a worker: for thumbnails, files and frames. Rejected with `{ code: "stopped" }` when called off. */
 export async function pictureOf(

@@ -1,9 +1,9 @@
-import { executor } from "#engine/execute";
-import type { Request, Response } from "#engine/protocol";
 import { adopt, frond } from "#wasm/core";
 import { toError } from "#wasm/error";
 import type { Proof } from "#wasm/proof";
-import init, * as bindings from "../../pkg/frond-proof.js";
+import init, * as bindings from "../../../pkg/frond-proof.js";
+import { executor } from "./execute";
+import type { Request, Response } from "./protocol";
 
 /** The task under way, and whether its answer is still wanted. */
 let current = 0;

@@ -1,7 +1,7 @@
 import type { Context } from "./context";
-import { curveTasks } from "./tasks/curve";
-import { houghTasks } from "./tasks/hough";
-import { traceTasks } from "./tasks/trace";
+import { curveTasks } from "./curve";
+import { houghTasks } from "./hough";
+import { traceTasks } from "./trace";
 
 /** Each room of work has a file of tasks. */
 export const tasks = {

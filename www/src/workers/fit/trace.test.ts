@@ -1,6 +1,6 @@
 import { afterEach, describe, expect, test, vi } from "vitest";
 import type { FitModule } from "#wasm/fit";
-import type { Context } from "../context";
+import type { Context } from "./context";
 import { traceTasks } from "./trace";
 
 type Plain = Context<never> & { readonly fit: FitModule };

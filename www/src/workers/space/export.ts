@@ -1,10 +1,10 @@
 import type { Space } from "#wasm/api";
-import type { Context } from "../../lanes/task";
 import { Frames, type FramesHead, frameRecord, framesText } from "../film/frames";
 import { gifSink } from "../film/gif";
 import { layOn } from "../film/opaque";
 import type { FrameSize, Sink } from "../film/sink";
 import { codecFor, type FilmCodec, videoSink } from "../film/video";
+import type { Context } from "../lanes/task";
 import { type PictureRequest, pictureTasks } from "./picture";
 
 export interface FilmSettings extends FrameSize {

@@ -1,6 +1,6 @@
 import type { MapRow3, SpaceLight, SpaceView } from "#wasm/api";
 import { type SpaceCarveHandle, type SpaceLook, type SpacePictureHandle, solid } from "#wasm/space";
-import type { Context } from "../../lanes/task";
+import type { Context } from "../lanes/task";
 
 /** As much of an object as a picture shows: its parameters now. */
 export interface Shown {

@@ -1,11 +1,11 @@
 /** From files to outlines, inside a worker. What goes in and comes out is told in `trace-types`. */
 
 import type { FitModule } from "#wasm/fit";
-import { type Decoded, decode } from "../../image/decode";
-import { HEAD_BYTES, type Header, readHeader } from "../../image/header";
-import { inWords, MOST_MEGAPIXELS, shortName } from "../../image/limits";
-import { isWhole } from "../../image/whole";
-import type { Context } from "../context";
+import { type Decoded, decode } from "../image/decode";
+import { HEAD_BYTES, type Header, readHeader } from "../image/header";
+import { inWords, MOST_MEGAPIXELS, shortName } from "../image/limits";
+import { isWhole } from "../image/whole";
+import type { Context } from "./context";
 import type {
   CloseFileArgs,
   MaskArgs,

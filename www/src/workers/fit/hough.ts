@@ -1,7 +1,7 @@
 /** The maps that a graph is made of, found by voting. Points are t0, x0, t1, x1, .. */
 import type { Graph } from "#wasm/api";
 import type { FitModule } from "#wasm/fit";
-import type { Context } from "../context";
+import type { Context } from "./context";
 
 export interface HoughOptions {
   /** Whether mirrored maps are tried, too; it takes twice as long. */

@@ -10,7 +10,7 @@ import type { Tasks } from "./tasks";
 export const spaceTask = client<Tasks, 0 | 1 | 2 | 3>({
   module: compileSpace,
   worker: () =>
-    new Worker(new URL("../../workers/space.worker.ts", import.meta.url), {
+    new Worker(new URL("./space.worker.ts", import.meta.url), {
       type: "module",
       name: "frond-space",
     }),
