@@ -9,10 +9,10 @@ vi.mock("../../www/src/wasm/module", () => ({
     WebAssembly.compile(await readFile(new URL("../../www/pkg/frond-space_bg.wasm", import.meta.url))),
 }));
 
-const { redo, scene, start, undo } = await import("../../www/src/state/scene");
-const { notices } = await import("../../www/src/state/notice");
-const state = await import("../../www/src/state/space");
-const edits = await import("../../www/src/state/space-edits");
+const { redo, scene, start, undo } = await import("../../www/src/document/scene");
+const { notices } = await import("../../www/src/document/notice");
+const state = await import("../../www/src/document/space/space");
+const edits = await import("../../www/src/document/space/edits");
 const { exportTasks } = await import("../../www/src/workers/space/export");
 const { timesOf } = await import("../../www/src/views/space/export/plan");
 const { takeAnimation } = await import("../../www/src/views/space/time/open");

@@ -9,9 +9,9 @@ vi.mock("../../www/src/wasm/module", () => ({
     WebAssembly.compile(await readFile(new URL("../../www/pkg/frond-space_bg.wasm", import.meta.url))),
 }));
 
-const { redo, scene, start, undo } = await import("../../www/src/state/scene");
-const state = await import("../../www/src/state/space");
-const edits = await import("../../www/src/state/space-edits");
+const { redo, scene, start, undo } = await import("../../www/src/document/scene");
+const state = await import("../../www/src/document/space/space");
+const edits = await import("../../www/src/document/space/edits");
 
 const first = { ...scene.peek() };
 const moved = (x: number): MapRow3 => [1, 0, 0, 0, 1, 0, 0, 0, 1, x, 0, 0];

@@ -1,5 +1,5 @@
 import { useMemo } from "preact/hooks";
-import { type CurveMorph, curveBoxAt } from "#state/curve";
+import { type CurveMorph, curveBoxAt } from "#document/curve/curve";
 import { Thumbnail } from "#ui/Thumbnail";
 import { curveThumb } from "./curve-thumb";
 import { stageStyle } from "./look";

@@ -1,6 +1,6 @@
 import "./shadow.css";
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { dark } from "#state/preferences";
+import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import type { MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";

@@ -1,5 +1,5 @@
+import type { Photograph } from "#document/deform/photograph";
 import type { View } from "#geometry/coordinates";
-import type { Photograph } from "#state/photograph";
 import type { Bend, MapRow } from "#wasm/api";
 import type { Renderer, RenderStyle } from "#wasm/core";
 import type { Drawn, Pixels, Surface } from "./surface";

@@ -1,12 +1,12 @@
 /** The film of a closed curve's morph: small pictures at even times, made one after another while there is nothing else to do. */
 import { effect, untracked } from "@preact/signals";
-import { type Frame, publish } from "#engine/results";
-import { FRAME_HEIGHT, FRAME_WIDTH, FRAMES } from "#engine/schedule/strip";
+import { type Frame, publish } from "#compute/results";
+import { FRAME_HEIGHT, FRAME_WIDTH, FRAMES } from "#compute/strip";
+import { curveMorph } from "#document/curve/curve";
+import { pathTrack } from "#document/framing";
 import { toldOf } from "#format/verdict";
 import { boxAt } from "#geometry/boxes";
 import { STATE } from "#geometry/states";
-import { curveMorph } from "#state/curve";
-import { pathTrack } from "#state/fit";
 import { curveThumb } from "./curve-thumb";
 import { stageStyle } from "./look";
 

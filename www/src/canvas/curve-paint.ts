@@ -1,7 +1,7 @@
 /** Paints a closed curve: softly filled, with an outline in one colour or in those of what its edges copy. */
 
-import type { CurveMorph } from "#state/curve";
-import { dark } from "#state/preferences";
+import type { CurveMorph } from "#document/curve/curve";
+import { dark } from "#document/preferences";
 import type { Colouring } from "#wasm/api";
 import { type Frame, fillPath, outlinePaths, type Placed, place } from "./curve";
 import { edgeColours } from "./curve-colours";

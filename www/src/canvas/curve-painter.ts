@@ -1,6 +1,6 @@
+import type { CurveMorph } from "#document/curve/curve";
+import { wordsOf } from "#document/notice";
 import type { View } from "#geometry/coordinates";
-import type { CurveMorph } from "#state/curve";
-import { wordsOf } from "#state/notice";
 import type { Bend } from "#wasm/api";
 import type { RenderStyle } from "#wasm/core";
 import { lookOf, paintCurve } from "./curve-paint";

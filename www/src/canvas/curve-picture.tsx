@@ -1,7 +1,7 @@
 import { effect, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { bend, bendProblem } from "#state/bend";
-import { curveTime, stageMorph } from "#state/curve";
+import { curveTime, stageMorph } from "#document/curve/curve";
+import { bend, bendProblem } from "#document/deform/bend";
 import { watchFilm } from "./curve-film";
 import { CurvePainter } from "./curve-painter";
 import { attachGestures } from "./gestures";

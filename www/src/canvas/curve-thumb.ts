@@ -1,7 +1,8 @@
 /** Small pictures of closed curves. */
+
+import type { CurveMorph } from "#document/curve/curve";
+import { fitFor } from "#document/framing";
 import type { Box } from "#geometry/boxes";
-import type { CurveMorph } from "#state/curve";
-import { fitFor } from "#state/fit";
 import { lookOf, paintCurve } from "./curve-paint";
 
 /** CSS pixels. */

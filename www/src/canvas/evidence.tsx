@@ -1,6 +1,6 @@
 import { computed } from "@preact/signals";
-import { verdict } from "#engine/results";
-import { proof } from "#engine/schedule/proof";
+import { proof } from "#compute/proof";
+import { verdict } from "#compute/results";
 import { shareOf, shareWords, stateOf } from "#format/verdict";
 import { toScreen, world } from "#geometry/coordinates";
 import { STATE } from "#geometry/states";

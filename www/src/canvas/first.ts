@@ -1,5 +1,5 @@
 import { effect } from "@preact/signals";
-import { route } from "#state/link";
+import { route } from "#document/link";
 import { picture } from "./stage";
 
 const PATIENCE_MS = 4000;

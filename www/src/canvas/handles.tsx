@@ -1,12 +1,12 @@
 import { computed, signal, useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { type Box, boxOf } from "#document/framing";
+import { selection } from "#document/morph";
+import { announce } from "#document/notice";
+import { edit, endGesture, inGesture, scene } from "#document/scene";
 import { lengthWords } from "#format/verdict";
 import { screen, toScreen, toWorld, type World } from "#geometry/coordinates";
 import { type Corners, cornersOf, dragged, GRIPS, type Grip } from "#geometry/parallelogram";
-import { type Box, boxOf } from "#state/fit";
-import { selection } from "#state/morph";
-import { announce } from "#state/notice";
-import { edit, endGesture, inGesture, scene } from "#state/scene";
 import type { MapRow, Shape } from "#wasm/api";
 import { stageStyle } from "./look";
 import { effectiveView, stageSize } from "./view";

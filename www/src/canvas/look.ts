@@ -1,6 +1,6 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
-import { dark } from "#state/preferences";
-import { scene } from "#state/scene";
+import { dark } from "#document/preferences";
+import { scene } from "#document/scene";
 import { palette } from "#style/palette";
 import type { RenderStyle } from "#wasm/core";
 

@@ -1,6 +1,6 @@
+import type { Photograph } from "#document/deform/photograph";
+import { notify, wordsOf } from "#document/notice";
 import type { View } from "#geometry/coordinates";
-import { notify, wordsOf } from "#state/notice";
-import type { Photograph } from "#state/photograph";
 import type { Bend, MapRow } from "#wasm/api";
 import type { Backend, Renderer, RenderStyle } from "#wasm/core";
 import { createRenderer } from "#wasm/renderer";

@@ -1,7 +1,7 @@
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { bendProblem } from "#state/bend";
-import type { Photograph } from "#state/photograph";
+import { bendProblem } from "#document/deform/bend";
+import type { Photograph } from "#document/deform/photograph";
 import type { Bend, MapRow } from "#wasm/api";
 import { attachGestures } from "./gestures";
 import { stageStyle } from "./look";

@@ -1,11 +1,11 @@
 import { computed, signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
-import { bend, tool } from "#state/bend";
-import { curved } from "#state/curve";
-import { linear, mapsAt, morphOptions, selection, shown, uv } from "#state/morph";
-import { pictureMaps, pictureShown, watchPicture } from "#state/picture";
-import { scene } from "#state/scene";
+import { curved } from "#document/curve/curve";
+import { bend, tool } from "#document/deform/bend";
+import { pictureMaps, pictureShown, watchPicture } from "#document/deform/picture";
+import { linear, mapsAt, morphOptions, selection, shown, uv } from "#document/morph";
+import { scene } from "#document/scene";
 import { lazily } from "#ui/lazy";
 import { Evidence } from "./evidence";
 import { stageKey } from "./gestures";

@@ -1,7 +1,7 @@
 import { effect, untracked } from "@preact/signals";
+import { selection } from "#document/morph";
+import { replace, scene } from "#document/scene";
 import type { View } from "#geometry/coordinates";
-import { selection } from "#state/morph";
-import { replace, scene } from "#state/scene";
 import { baseView, effectiveView, stageSize, view } from "./view";
 
 /** Ties the view to the document, where it is kept relative to the fit: the same link fits a phone and a wall. */

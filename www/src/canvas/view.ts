@@ -1,9 +1,9 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { fitFor, pairBox, stageTrack } from "#document/framing";
+import { reducedMotion } from "#document/preferences";
+import { inGesture, scene } from "#document/scene";
 import { type Box, blendTracks, boxAt, sameTrack, type Track } from "#geometry/boxes";
 import type { Size, View } from "#geometry/coordinates";
-import { fitFor, pairBox, stageTrack } from "#state/fit";
-import { reducedMotion } from "#state/preferences";
-import { inGesture, scene } from "#state/scene";
 import { panelInset } from "./marks";
 
 /** What part of the plane the stage shows; null fits the whole attractor. */

@@ -2,16 +2,16 @@ import { computed } from "@preact/signals";
 import { stageStyle } from "#canvas/look";
 import { bentPicture, type SheetRequest } from "#canvas/sheet";
 import { effectiveView, stageSize } from "#canvas/view";
-import { adoptPath } from "#engine/schedule/index";
-import { bend, deformation } from "#state/bend";
-import { curved } from "#state/curve";
-import { addressBar, Link } from "#state/link";
-import { selection, shown } from "#state/morph";
-import { notify, wordsOf } from "#state/notice";
-import type { Photograph } from "#state/photograph";
-import { ownPicture, pictureShown } from "#state/picture";
-import { spacePlaying } from "#state/playback";
-import { scene } from "#state/scene";
+import { adoptPath } from "#compute/start";
+import { curved } from "#document/curve/curve";
+import { bend, deformation } from "#document/deform/bend";
+import type { Photograph } from "#document/deform/photograph";
+import { ownPicture, pictureShown } from "#document/deform/picture";
+import { addressBar, Link } from "#document/link";
+import { selection, shown } from "#document/morph";
+import { notify, wordsOf } from "#document/notice";
+import { spacePlaying } from "#document/playback";
+import { scene } from "#document/scene";
 import type { Tool } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { submit } from "#workers/pool/engine";
@@ -50,7 +50,7 @@ export async function shareLink(): Promise<void> {
 /** What is the same for all who open the link: the background belongs to a picture of space, and else to the page. */
 async function seen(): Promise<string> {
   if (scene.peek().tool !== "space") return "the same, light or dark as their page is";
-  const { space } = await import("#state/space");
+  const { space } = await import("#document/space/space");
   const background = space.peek()?.background;
   const page = background === undefined || background === "page";
   return page ? "the same shapes, before the colour of their own page" : "the same picture";

@@ -1,10 +1,10 @@
 import type { ComponentChildren } from "preact";
-import { openTool, tool } from "#state/bend";
+import { openTool, tool } from "#document/deform/bend";
+import { route } from "#document/link";
+import { selection } from "#document/morph";
+import { setTheme, type Theme, theme } from "#document/preferences";
+import { canRedo, canUndo, redo, undo } from "#document/scene";
 import { help } from "#state/help";
-import { route } from "#state/link";
-import { selection } from "#state/morph";
-import { setTheme, type Theme, theme } from "#state/preferences";
-import { canRedo, canUndo, redo, undo } from "#state/scene";
 import { Icon } from "#ui/Icon";
 import { Menu, type MenuItem } from "#ui/Menu";
 import type { Tool as ToolName } from "#wasm/api";

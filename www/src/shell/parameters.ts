@@ -1,5 +1,5 @@
 import type { PainterBackend } from "#canvas/painter";
-import type { CardChoice } from "#engine/schedule/card";
+import type { CardChoice } from "#compute/locus/card-trial";
 
 export interface Parameters {
   backend: "auto" | PainterBackend;

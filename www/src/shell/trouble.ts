@@ -1,4 +1,4 @@
-import { notify, wordsOf } from "#state/notice";
+import { notify, wordsOf } from "#document/notice";
 
 /** Whatever nobody caught is said, never swallowed. */
 export function reportTrouble(): void {

@@ -1,7 +1,7 @@
 import { signal } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
-import { notify, wordsOf } from "#state/notice";
+import { notify, wordsOf } from "#document/notice";
 
 /** A component that is loaded when it is first shown: nothing until then. */
 export function lazily<P extends object>(load: () => Promise<ComponentType<P>>): ComponentType<P> {

@@ -1,6 +1,6 @@
 import "./locus.css";
 import { useLayoutEffect, useRef } from "preact/hooks";
-import type { Field as Samples } from "#engine/pyramid";
+import type { Field as Samples } from "#compute/locus/pyramid";
 import type { Bounds } from "#wasm/api";
 import { type LocusStyle, paint } from "./paint";
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { LocusResult } from "#engine/results";
+import type { LocusResult } from "#compute/results";
 import { BROKEN, HOLDS, NARROWEST, NONE, type Rgb, ramp, shadeOf, TOUCHES, TOUCHES_DOT } from "#style/ramp";
 import { crossing, decades, paint } from "./paint";
 

@@ -1,7 +1,7 @@
 /** Small pictures of the figures on fractal deformation, made by the same parts as the figures themselves. */
 import { useMemo } from "preact/hooks";
-import { bendAt } from "#state/bend";
-import type { Box } from "#state/fit";
+import { bendAt } from "#document/deform/bend";
+import type { Box } from "#document/framing";
 import type { Bend, Colouring, MapRow } from "#wasm/api";
 import { Bent } from "../kit/picture/deformed";
 import { pieceOf, rightGasket } from "./codes/addresses";

@@ -1,7 +1,7 @@
 /** What the figures ask of the workers. */
 import type { ReadonlySignal } from "@preact/signals";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { EPSILON } from "#engine/locus-job";
+import { EPSILON } from "#compute/locus/job";
 import { type Uv, uvAt } from "#geometry/path";
 import { STATE } from "#geometry/states";
 import type { Connectedness, FrondError, MapRow, MorphOptions } from "#wasm/api";

@@ -1,6 +1,6 @@
 /** Small pictures of the lessons, made by the same parts as the lessons themselves. */
 import { useMemo } from "preact/hooks";
-import { bendAt } from "#state/bend";
+import { bendAt } from "#document/deform/bend";
 import type { MapRow } from "#wasm/api";
 import { startRun } from "../burch-hart/figure-2/page";
 import { GASKET, liftOf } from "../fujimoto/figure-4/page";

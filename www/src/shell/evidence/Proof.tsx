@@ -1,5 +1,5 @@
-import { type Proof as Proved, proof, prove } from "#engine/schedule/proof";
-import { notify, wordsOf } from "#state/notice";
+import { type Proof as Proved, proof, prove } from "#compute/proof";
+import { notify, wordsOf } from "#document/notice";
 import { Button } from "#ui/Button";
 import type { Certificate } from "#wasm/api";
 import { checkWords } from "./words";

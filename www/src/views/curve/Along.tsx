@@ -1,5 +1,5 @@
 import { computed } from "@preact/signals";
-import { curveTime } from "#state/curve";
+import { curveTime } from "#document/curve/curve";
 import { factsAlong, LOOKS } from "./facts";
 
 const WIDTH = 300;

@@ -1,6 +1,6 @@
 /** What there is to say of the curve: at this moment once it has come to rest, and along the way. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import { type CurveMorph, curveMorph, curveTime } from "#state/curve";
+import { type CurveMorph, curveMorph, curveTime } from "#document/curve/curve";
 import type { CurveMorphFacts } from "#wasm/curve";
 
 const REST_MS = 120;

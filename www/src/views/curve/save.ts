@@ -3,10 +3,10 @@ import { lookOf, paintCurve } from "#canvas/curve-paint";
 import { moved, TOLERANCE } from "#canvas/curve-painter";
 import { stageStyle } from "#canvas/look";
 import { effectiveView, stageSize } from "#canvas/view";
-import { bend } from "#state/bend";
-import { curveMorph, curves, curveTime } from "#state/curve";
-import { sameCurves } from "#state/curve-changes";
-import { notify, wordsOf } from "#state/notice";
+import { sameCurves } from "#document/curve/changes";
+import { curveMorph, curves, curveTime } from "#document/curve/curve";
+import { bend } from "#document/deform/bend";
+import { notify, wordsOf } from "#document/notice";
 import { rough } from "#wasm/curve";
 import { csvOf, jsonOf, nameOf, svgOf } from "./files";
 

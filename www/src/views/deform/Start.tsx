@@ -1,9 +1,15 @@
 import { computed } from "@preact/signals";
+import { curveMorph } from "#document/curve/curve";
+import {
+  aroundStanding,
+  changeDeformation,
+  deformation,
+  ON_CURVES,
+  phasePlaying,
+} from "#document/deform/bend";
+import { announce } from "#document/notice";
+import { edit, scene } from "#document/scene";
 import { sizeOf } from "#geometry/mesh";
-import { aroundStanding, changeDeformation, deformation, ON_CURVES, phasePlaying } from "#state/bend";
-import { curveMorph } from "#state/curve";
-import { announce } from "#state/notice";
-import { edit, scene } from "#state/scene";
 import { Button } from "#ui/Button";
 import { frond } from "#wasm/core";
 import { isAtRest } from "./changes";

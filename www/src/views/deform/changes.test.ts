@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { AT_REST } from "#state/bend";
+import { AT_REST } from "#document/deform/bend";
 import type { Deformation, MapRow, Preset, Scene } from "#wasm/api";
 import {
   choose,

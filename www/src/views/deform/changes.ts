@@ -1,8 +1,8 @@
 /** What the panel does to the document, as functions from document to document. */
 
+import { withoutCurves } from "#document/curve/changes";
+import { MOST_KEYS, momentOf, SAME } from "#document/deform/keys";
 import { inBox } from "#geometry/mesh";
-import { withoutCurves } from "#state/curve-changes";
-import { MOST_KEYS, momentOf, SAME } from "#state/keys";
 import type { Deformation, MapRow, Preset, Scene } from "#wasm/api";
 
 export { inBox } from "#geometry/mesh";

@@ -1,7 +1,7 @@
 /** Plays the time line of the mesh. */
-import { deformation, phasePlaying, replaceDeformation } from "#state/bend";
-import { whilePlaying } from "#state/frames";
-import { reducedMotion } from "#state/preferences";
+import { deformation, phasePlaying, replaceDeformation } from "#document/deform/bend";
+import { whilePlaying } from "#document/frames";
+import { reducedMotion } from "#document/preferences";
 
 const FINEST = 1e4;
 

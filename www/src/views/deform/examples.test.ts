@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { AT_REST } from "#state/bend";
+import { AT_REST } from "#document/deform/bend";
 import { exampleOf } from "./examples";
 import { motionOf } from "./motions";
 

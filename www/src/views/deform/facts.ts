@@ -1,10 +1,10 @@
 /** What comes of the present settings, and what is wrong with them. */
 import { computed, type ReadonlySignal } from "@preact/signals";
-import { aroundStanding, bendProblem, boxAround, deformation } from "#state/bend";
-import { curved } from "#state/curve";
-import { standing } from "#state/morph";
-import { wordsOf } from "#state/notice";
-import { pictureMaps } from "#state/picture";
+import { curved } from "#document/curve/curve";
+import { aroundStanding, bendProblem, boxAround, deformation } from "#document/deform/bend";
+import { pictureMaps } from "#document/deform/picture";
+import { standing } from "#document/morph";
+import { wordsOf } from "#document/notice";
 import type { Bend, BendFacts, MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { DEEPEST, roughFrom } from "./changes";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { AT_REST, movesAt } from "#state/bend";
+import { AT_REST, movesAt } from "#document/deform/bend";
 import type { Deformation } from "#wasm/api";
 import { MOTIONS, motionOf, poseOf, rounder, withMotion } from "./motions";
 

@@ -1,7 +1,7 @@
 /** Motions to begin with: key frames of the mesh, made around a pose. */
 
+import { movesAt } from "#document/deform/bend";
 import { type Mesh, rest, rounder } from "#geometry/mesh";
-import { movesAt } from "#state/bend";
 import type { Deformation, DeformKey } from "#wasm/api";
 
 export { rounder } from "#geometry/mesh";

@@ -1,9 +1,9 @@
 /** Keys that work anywhere while the deformation tool is open, unless something is being typed or a dialog is open. */
 import { fitStage } from "#canvas/gestures";
+import { deformation, phasePlaying } from "#document/deform/bend";
+import { edit, redo, undo } from "#document/scene";
 import { addStep } from "#format/numbers";
-import { deformation, phasePlaying } from "#state/bend";
 import { help } from "#state/help";
-import { edit, redo, undo } from "#state/scene";
 import { type Focus, focusOf, type KeyPress } from "#ui/focus";
 import type { ShortcutRow } from "#ui/ShortcutTable";
 import type { Colouring } from "#wasm/api";

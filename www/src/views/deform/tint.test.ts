@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { AT_REST } from "#state/bend";
-import { scene } from "#state/scene";
+import { AT_REST } from "#document/deform/bend";
+import { scene } from "#document/scene";
 import {
   blended,
   cornersOf,

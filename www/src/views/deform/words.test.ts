@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { AT_REST } from "#state/bend";
+import { AT_REST } from "#document/deform/bend";
 import { momentWords } from "./strip/words";
 import { holdWords, localityWords, roughnessWords } from "./words";
 

@@ -1,8 +1,8 @@
 /** An outline or a graph: two halves of one tool, of which the second is loaded when it is first opened. */
 import { computed, effect, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { notify, wordsOf } from "#state/notice";
-import { changeFit, fitDocument } from "#state/outline";
+import { changeFit, fitDocument } from "#document/fit";
+import { notify, wordsOf } from "#document/notice";
 import { Segmented } from "#ui/Segmented";
 
 export const graphOpen = computed(() => fitDocument.value.mode === "graph");

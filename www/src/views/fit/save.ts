@@ -1,9 +1,9 @@
 /** Files of the fit. */
 
-import { fitFor } from "#state/fit";
-import { notify, wordsOf } from "#state/notice";
-import { fitDocument } from "#state/outline";
-import { dark } from "#state/preferences";
+import { fitDocument } from "#document/fit";
+import { fitFor } from "#document/framing";
+import { notify, wordsOf } from "#document/notice";
+import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import { rough } from "#wasm/curve";
 import { collageCsv, collageJson, collageSvg, curveJson } from "./files";

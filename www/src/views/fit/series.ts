@@ -1,7 +1,7 @@
 /** Numbers that are a graph, not an outline, go to the other half of the tool. */
 
-import { notify, wordsOf } from "#state/notice";
-import { changeFit } from "#state/outline";
+import { changeFit } from "#document/fit";
+import { notify, wordsOf } from "#document/notice";
 import type { OpenedSeries } from "#workers/fit/trace-types";
 
 export function takeSeries(series: OpenedSeries): void {

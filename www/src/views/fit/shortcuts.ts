@@ -1,7 +1,8 @@
 /** Keys that work anywhere while the fit is open, unless something is being typed or a dialog is open. */
+
+import { fitDocument } from "#document/fit";
+import { redo, undo } from "#document/scene";
 import { help } from "#state/help";
-import { fitDocument } from "#state/outline";
-import { redo, undo } from "#state/scene";
 import { type Focus, focusOf, type KeyPress } from "#ui/focus";
 import type { ShortcutRow } from "#ui/ShortcutTable";
 import { brushSize, type Hand, hand, painting } from "./stage/brush";

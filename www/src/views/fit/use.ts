@@ -1,7 +1,7 @@
 /** A fit becomes a shape like any other. */
 
-import { notify, wordsOf } from "#state/notice";
-import { useCurve as takeCurve } from "#state/outline";
+import { useCurve as takeCurve } from "#document/fit";
+import { notify, wordsOf } from "#document/notice";
 import type { Curve } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { shapeOf, shownFit } from "./work/fitting";

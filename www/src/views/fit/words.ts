@@ -1,7 +1,7 @@
 /** What the tool says. */
 import { computed, type ReadonlySignal } from "@preact/signals";
+import { fitDocument } from "#document/fit";
 import { fixed } from "#format/numbers";
-import { fitDocument } from "#state/outline";
 import type { Figures, Method, Rival } from "#workers/fit/curve";
 import { cutting } from "./stage/layers";
 import { cancelled, collage, problem, running, shownFigures, shownFit } from "./work/fitting";

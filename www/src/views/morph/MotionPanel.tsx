@@ -1,4 +1,4 @@
-import { edit } from "#state/scene";
+import { edit } from "#document/scene";
 import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";
 import type { Colouring, Mode } from "#wasm/api";

@@ -1,8 +1,8 @@
 /** The morph tool: its side panel and its time strip. */
 import { useEffect } from "preact/hooks";
-import { type CurveParts, curved } from "#state/curve";
+import { type CurveParts, curved } from "#document/curve/curve";
+import { selection } from "#document/morph";
 import { help } from "#state/help";
-import { selection } from "#state/morph";
 import { Button } from "#ui/Button";
 import { narrow } from "#ui/media";
 import type { End } from "./changes";

@@ -1,6 +1,6 @@
 /** Parts of the document, so that what shows a part is not drawn again at every moment of a morph that plays. */
 import { computed, type ReadonlySignal } from "@preact/signals";
-import { scene } from "#state/scene";
+import { scene } from "#document/scene";
 import type { Colouring, Mode, PathKind, Shape } from "#wasm/api";
 import type { End } from "./changes";
 

@@ -1,11 +1,11 @@
 /** Keys that work anywhere on the page, unless something is being typed or a dialog is open. */
 import { fitStage } from "#canvas/gestures";
+import { curved } from "#document/curve/curve";
+import { selection } from "#document/morph";
+import { pause, play, playing } from "#document/playback";
+import { edit, redo, scene, undo } from "#document/scene";
 import { addStep } from "#format/numbers";
-import { curved } from "#state/curve";
 import { help } from "#state/help";
-import { selection } from "#state/morph";
-import { pause, play, playing } from "#state/playback";
-import { edit, redo, scene, undo } from "#state/scene";
 import { type Focus, focusOf, type KeyPress } from "#ui/focus";
 import type { ShortcutRow } from "#ui/ShortcutTable";
 import type { Colouring } from "#wasm/api";

@@ -3,8 +3,8 @@ import "#ui/panel.css";
 import "./space.css";
 import { effect, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { spaceShown } from "#document/playback";
 import { help } from "#state/help";
-import { spaceShown } from "#state/playback";
 import { Button } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
 import { LightPanel } from "./light/LightPanel";
@@ -17,7 +17,7 @@ import { listen } from "./shortcuts";
 import { spaceDrawn } from "./stage/state";
 import { TimePanel, TimeStrip } from "./time/index";
 
-export { openSpace } from "#state/space";
+export { openSpace } from "#document/space/space";
 export { SpaceStage } from "./stage/SpaceStage";
 export { TimeStrip as SpaceStrip };
 

@@ -1,7 +1,7 @@
 /** The picture of space as a file. */
 import { signal } from "@preact/signals";
-import { announce, notify, wordsOf } from "#state/notice";
-import { space, spaceView } from "#state/space";
+import { announce, notify, wordsOf } from "#document/notice";
+import { space, spaceView } from "#document/space/space";
 import { layOn } from "#workers/film/opaque";
 import { pictureOf } from "#workers/space/complete-picture";
 import { PAGE } from "./light/background";

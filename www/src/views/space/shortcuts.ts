@@ -1,7 +1,8 @@
 /** Keys that work anywhere while space is open, unless something is being typed or a dialog is open. */
+
+import { redo, undo } from "#document/scene";
+import { hand } from "#document/space/space";
 import { help } from "#state/help";
-import { redo, undo } from "#state/scene";
-import { hand } from "#state/space";
 import { type Focus, focusOf, type KeyPress } from "#ui/focus";
 import type { ShortcutRow } from "#ui/ShortcutTable";
 import { goToOrigin, showWhole } from "./stage/actions";

@@ -1,7 +1,7 @@
 /** What Figures 5, 6 and 7 have in common: the two shapes, the locus between them, and the path through it. */
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import { BOUNDS, EPSILON, LocusWork } from "#engine/locus-job";
-import type { LocusResult } from "#engine/results";
+import { BOUNDS, EPSILON, LocusWork } from "#compute/locus/job";
+import type { LocusResult } from "#compute/results";
 import type { PathPlan } from "#wasm/api";
 import { cancel, epoch, sliceMilliseconds, submit } from "#workers/pool/engine";
 import { single } from "#workers/pool/protocol";

@@ -1,7 +1,7 @@
 import { useMemo } from "preact/hooks";
+import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import { verdictPhrase } from "#format/verdict";
-import type { Box } from "#state/fit";
 import type { MapRow, Mode } from "#wasm/api";
 import { Plot } from "../../kit/chart/plot";
 import { Frame, type Heading } from "../../kit/frame/frame";

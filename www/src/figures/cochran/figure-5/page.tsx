@@ -1,6 +1,6 @@
 import { useMemo, useState } from "preact/hooks";
+import { dark } from "#document/preferences";
 import { fixed } from "#format/numbers";
-import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
 import { Slider } from "#ui/Slider";
 import { Switch } from "#ui/Switch";

@@ -1,6 +1,6 @@
 /** What Figure 7 asks of the workers of the fit. */
 import { useEffect, useRef, useState } from "preact/hooks";
-import { wordsOf } from "#state/notice";
+import { wordsOf } from "#document/notice";
 import { fitTask } from "#workers/fit/client";
 import type { Collage, Measured, Reached, Rival } from "#workers/fit/curve";
 

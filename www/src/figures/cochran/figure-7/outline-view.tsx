@@ -1,6 +1,6 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { type Box, fitFor } from "#state/fit";
-import { dark } from "#state/preferences";
+import { type Box, fitFor } from "#document/framing";
+import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import { usePixels } from "../../kit/picture/picture";
 import { useValue } from "../../kit/workers";

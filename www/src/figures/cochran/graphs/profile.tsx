@@ -1,7 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
+import { dark } from "#document/preferences";
 import { formatNumber } from "#format/numbers";
-import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
 import { along, type Scale } from "../../kit/chart/scale";
 import { usePixels } from "../../kit/picture/picture";

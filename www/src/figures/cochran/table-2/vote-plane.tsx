@@ -1,5 +1,5 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { dark } from "#state/preferences";
+import { dark } from "#document/preferences";
 import { useValue } from "../../kit/workers";
 
 /** Bins of a and of c. */

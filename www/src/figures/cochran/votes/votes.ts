@@ -1,6 +1,6 @@
 /** Votes for the maps that a graph is made of, counted in both workers of the fit. */
 import { useEffect, useRef, useState } from "preact/hooks";
-import { wordsOf } from "#state/notice";
+import { wordsOf } from "#document/notice";
 import { fitTask } from "#workers/fit/client";
 import type { Clusters, Counting, FeatureSets } from "#workers/fit/hough";
 

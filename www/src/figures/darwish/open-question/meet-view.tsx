@@ -1,5 +1,5 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { dark } from "#state/preferences";
+import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import type { SpaceView } from "#wasm/api";
 import { usePixels } from "../../kit/picture/picture";

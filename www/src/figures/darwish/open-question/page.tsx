@@ -1,6 +1,6 @@
 import "./meet.css";
 import { useMemo, useState } from "preact/hooks";
-import { dark } from "#state/preferences";
+import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";

@@ -1,5 +1,5 @@
 import { useEffect, useState } from "preact/hooks";
-import { wordsOf } from "#state/notice";
+import { wordsOf } from "#document/notice";
 import type { Intersection3, MapRow3 } from "#wasm/api";
 import { isStopped } from "#workers/lanes/latest";
 import { spaceTask } from "#workers/space/client";

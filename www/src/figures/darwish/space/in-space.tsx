@@ -1,7 +1,7 @@
 /** What the figures on space share: the module, links into the tool, and shapes of the gallery. */
 import type { ComponentType } from "preact";
 import { useEffect, useState } from "preact/hooks";
-import { notify, wordsOf } from "#state/notice";
+import { notify, wordsOf } from "#document/notice";
 import type { MapRow3, SpaceObject, SpaceView } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { loadSpace, solid } from "#wasm/space";

@@ -1,5 +1,5 @@
 import { useLayoutEffect, useMemo, useRef } from "preact/hooks";
-import { dark } from "#state/preferences";
+import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import type { MapRow3, SpaceView } from "#wasm/api";
 import { usePixels } from "../../kit/picture/picture";

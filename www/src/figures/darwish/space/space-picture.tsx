@@ -1,6 +1,6 @@
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { wordsOf } from "#state/notice";
-import { dark } from "#state/preferences";
+import { wordsOf } from "#document/notice";
+import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import type { SpaceLight, SpaceView } from "#wasm/api";
 import { solid } from "#wasm/space";

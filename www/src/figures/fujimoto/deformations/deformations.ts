@@ -1,7 +1,7 @@
 /** The deformations of Figures 4 to 6: which mesh moves how, and what differs from panel to panel. */
 
+import { AT_REST } from "#document/deform/bend";
 import { fixed } from "#format/numbers";
-import { AT_REST } from "#state/bend";
 import type { Deformation, DeformKey } from "#wasm/api";
 import { movesOf, type NamedMesh } from "./meshes";
 

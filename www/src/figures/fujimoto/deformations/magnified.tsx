@@ -1,6 +1,6 @@
 import { useMemo } from "preact/hooks";
+import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
-import type { Box } from "#state/fit";
 import type { Bend, Colouring, MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
 import type { Point } from "../../kit/maps/pieces";

@@ -1,7 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useMemo } from "preact/hooks";
-import { bendAt } from "#state/bend";
-import type { Box } from "#state/fit";
+import { bendAt } from "#document/deform/bend";
+import type { Box } from "#document/framing";
 import type { Bend, Colouring, Deformation, MapRow } from "#wasm/api";
 import { Bent } from "../../kit/picture/deformed";
 import { numbersOf, type Panel } from "./deformations";

@@ -1,5 +1,5 @@
 import { useMemo } from "preact/hooks";
-import { dark } from "#state/preferences";
+import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import type { Point } from "../../kit/maps/pieces";
 import { Picture } from "../../kit/picture/picture";

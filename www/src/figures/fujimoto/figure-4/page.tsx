@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
+import { bendAt } from "#document/deform/bend";
+import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import { lengthWords } from "#format/verdict";
-import { bendAt } from "#state/bend";
-import type { Box } from "#state/fit";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
 import type { Bend, Deformation, MapRow } from "#wasm/api";

@@ -1,7 +1,7 @@
 import { useCallback, useMemo, useState } from "preact/hooks";
+import { bendAt } from "#document/deform/bend";
+import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
-import { bendAt } from "#state/bend";
-import type { Box } from "#state/fit";
 import { Segmented } from "#ui/Segmented";
 import type { Deformation, MapRow, Spin } from "#wasm/api";
 import { Frame, type Heading } from "../../kit/frame/frame";

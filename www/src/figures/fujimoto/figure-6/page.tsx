@@ -1,7 +1,7 @@
 import { useMemo } from "preact/hooks";
+import { bendAt } from "#document/deform/bend";
+import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
-import { bendAt } from "#state/bend";
-import type { Box } from "#state/fit";
 import type { Deformation, MapRow } from "#wasm/api";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { studioHref } from "../../kit/frame/studio-link";

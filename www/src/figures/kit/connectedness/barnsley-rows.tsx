@@ -1,6 +1,6 @@
 import { useRef } from "preact/hooks";
+import { dark } from "#document/preferences";
 import { fixed } from "#format/numbers";
-import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
 import { usePixels } from "../picture/picture";
 import { common, cover, type Round } from "./barnsley";

@@ -1,6 +1,6 @@
 /** Paints a locus as the paper prints it: white where the shape holds together. */
 
-import type { LocusResult } from "#engine/results";
+import type { LocusResult } from "#compute/results";
 import { STATE } from "#geometry/states";
 import { HOLDS, NONE, type Rgb, ramp, shadeOf } from "#style/ramp";
 

@@ -1,7 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { BOUNDS } from "#engine/locus-job";
-import type { LocusResult } from "#engine/results";
+import { BOUNDS } from "#compute/locus/job";
+import type { LocusResult } from "#compute/results";
 import type { Uv } from "#geometry/path";
 import type { Bounds } from "#wasm/api";
 import { fieldPixels } from "./locus-colours";

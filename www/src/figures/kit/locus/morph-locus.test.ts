@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import type { LocusResult } from "#engine/results";
+import type { LocusResult } from "#compute/results";
 import { STATE } from "#geometry/states";
 import { blankChart, chartJob } from "./morph-locus";
 

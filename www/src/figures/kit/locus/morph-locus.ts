@@ -1,7 +1,7 @@
 /** The locus of a pair of shapes as a lesson shows it: one size, all of the square, in rows. */
 import { useEffect, useState } from "preact/hooks";
-import { BOUNDS, EPSILON, nextKey } from "#engine/locus-job";
-import type { LocusResult } from "#engine/results";
+import { BOUNDS, EPSILON, nextKey } from "#compute/locus/job";
+import type { LocusResult } from "#compute/results";
 import { STATE } from "#geometry/states";
 import type { MorphOptions } from "#wasm/api";
 import { epoch, submit } from "#workers/pool/engine";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { LocusResult } from "#engine/results";
+import type { LocusResult } from "#compute/results";
 import { STATE } from "#geometry/states";
 import type { Connectedness } from "#wasm/api";
 import { determinant } from "../maps/families";

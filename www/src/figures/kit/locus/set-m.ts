@@ -1,7 +1,7 @@
 /** The set M: all complex s for which the shape of s z - 1 and s z + 1 is in one piece. */
 
-import { nextKey } from "#engine/locus-job";
-import type { LocusResult } from "#engine/results";
+import { nextKey } from "#compute/locus/job";
+import type { LocusResult } from "#compute/results";
 import { STATE } from "#geometry/states";
 import type { Connectedness, MapRow } from "#wasm/api";
 import type { Channel, Job, Result, Task } from "#workers/pool/protocol";

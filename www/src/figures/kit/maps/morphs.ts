@@ -1,7 +1,7 @@
 /** Morphs as the figures show them: frames at even times, and one box for all. */
 
+import { type Box, boxOf, diagonal } from "#document/framing";
 import { type Uv, uvAt } from "#geometry/path";
-import { type Box, boxOf, diagonal } from "#state/fit";
 import type { MapRow, Mode } from "#wasm/api";
 import { frond } from "#wasm/core";
 import type { StripFrame } from "../picture/stills";

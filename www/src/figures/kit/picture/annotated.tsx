@@ -1,5 +1,5 @@
 import type { ComponentChildren } from "preact";
-import { type Box, fitFor } from "#state/fit";
+import { type Box, fitFor } from "#document/framing";
 import type { MapRow } from "#wasm/api";
 import { apply, type Point } from "../maps/pieces";
 import { Picture, type PictureProps } from "./picture";

@@ -1,7 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useMemo } from "preact/hooks";
+import { fitFor } from "#document/framing";
 import { bentAt } from "#geometry/bezier";
-import { fitFor } from "#state/fit";
 import type { Bend } from "#wasm/api";
 import type { Point } from "../maps/pieces";
 import type { Place } from "./annotated";

@@ -1,6 +1,6 @@
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { type Box, fitFor } from "#state/fit";
-import { dark } from "#state/preferences";
+import { type Box, fitFor } from "#document/framing";
+import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import type { Bend, Colouring, MapRow } from "#wasm/api";
 import type { Task } from "#workers/pool/protocol";

@@ -1,7 +1,7 @@
 import { useRef } from "preact/hooks";
+import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import { verdictPhrase } from "#format/verdict";
-import type { Box } from "#state/fit";
 import type { MapRow, Verdict } from "#wasm/api";
 import { isBrokenVerdict } from "../frame/verdict";
 import { useVerdict } from "../workers";

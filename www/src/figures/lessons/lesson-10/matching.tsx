@@ -1,4 +1,4 @@
-import { dark } from "#state/preferences";
+import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 
 /** In words: "1 to 2, 2 to 1, 3 to 3". */

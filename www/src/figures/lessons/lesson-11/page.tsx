@@ -1,6 +1,6 @@
 import { useMemo, useState } from "preact/hooks";
+import { bendAt } from "#document/deform/bend";
 import { fixed } from "#format/numbers";
-import { bendAt } from "#state/bend";
 import { Slider } from "#ui/Slider";
 import { GASKET, LIFT_BOX, liftOf } from "../../fujimoto/figure-4/page";
 import { Control, type Heading } from "../../kit/frame/frame";

@@ -1,6 +1,6 @@
 import { useMemo } from "preact/hooks";
+import type { Box } from "#document/framing";
 import { lengthWords } from "#format/verdict";
-import type { Box } from "#state/fit";
 import type { MapRow } from "#wasm/api";
 import { type Edge, groups } from "../../kit/connectedness/collisions";
 import { Graph } from "../../kit/connectedness/overlap-graph";

@@ -1,4 +1,4 @@
-import type { LocusResult } from "#engine/results";
+import type { LocusResult } from "#compute/results";
 import { fixed } from "#format/numbers";
 import type { Uv } from "#geometry/path";
 import { Slider } from "#ui/Slider";

@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
-import type { LocusResult } from "#engine/results";
+import type { LocusResult } from "#compute/results";
 import { fixed } from "#format/numbers";
 import { verdictPhrase } from "#format/verdict";
 import type { Uv } from "#geometry/path";

@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
+import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import { lengthWords, shareOf, shareWords } from "#format/verdict";
-import type { Box } from "#state/fit";
 import { Slider } from "#ui/Slider";
 import type { MapRow } from "#wasm/api";
 import { Control, type Heading } from "../../kit/frame/frame";

@@ -1,6 +1,6 @@
 import { computed } from "@preact/signals";
-import { changeDeformation, deformation } from "#state/bend";
-import { edit, endGesture, scene } from "#state/scene";
+import { changeDeformation, deformation } from "#document/deform/bend";
+import { edit, endGesture, scene } from "#document/scene";
 import { Button } from "#ui/Button";
 import { useOwnId } from "#ui/id";
 import { Segmented } from "#ui/Segmented";

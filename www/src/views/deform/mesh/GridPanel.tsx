@@ -1,7 +1,7 @@
 import { computed } from "@preact/signals";
+import { changeDeformation } from "#document/deform/bend";
+import { endGesture } from "#document/scene";
 import { LEAST_SIDE, MOST_SIDE, remesh } from "#geometry/mesh";
-import { changeDeformation } from "#state/bend";
-import { endGesture } from "#state/scene";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import { type Option, Segmented } from "#ui/Segmented";

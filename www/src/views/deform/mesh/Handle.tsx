@@ -1,5 +1,5 @@
+import { endGesture } from "#document/scene";
 import type { Screen } from "#geometry/coordinates";
-import { endGesture } from "#state/scene";
 import { choose, chosen, lead, lookAt } from "./chosen";
 import { mesh } from "./document";
 import { handleId, handleKey } from "./keyboard";

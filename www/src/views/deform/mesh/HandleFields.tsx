@@ -1,4 +1,4 @@
-import { endGesture } from "#state/scene";
+import { endGesture } from "#document/scene";
 import { NumberField } from "#ui/NumberField";
 import { chosen, lead } from "./chosen";
 import { farthest, mesh } from "./document";

@@ -1,6 +1,7 @@
 /** What the hand, the keys and the fields do to the mesh. */
+
+import { announce } from "#document/notice";
 import type { Point } from "#geometry/mesh";
-import { announce } from "#state/notice";
 import { chosen, lead } from "./chosen";
 import { mesh, setMoves } from "./document";
 import { pullMoves } from "./pull";

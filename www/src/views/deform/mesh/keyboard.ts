@@ -1,6 +1,7 @@
 /** What keys do on a handle. The mesh is one stop of Tab; within it keys go from handle to handle. */
+
+import { announce } from "#document/notice";
 import { type Mesh, type Point, sizeOf } from "#geometry/mesh";
-import { announce } from "#state/notice";
 import { choose, chosen, clearChosen, lookAt, toggle } from "./chosen";
 import { mesh } from "./document";
 import { nudge, resetChosen } from "./edit";

@@ -4,12 +4,12 @@
  */
 import { signal } from "@preact/signals";
 import { effectiveView } from "#canvas/view";
+import { phasePlaying } from "#document/deform/bend";
+import { announce } from "#document/notice";
+import { endGesture, undo } from "#document/scene";
 import { placeAt } from "#geometry/bezier";
 import { type Screen, screen } from "#geometry/coordinates";
 import type { Point } from "#geometry/mesh";
-import { phasePlaying } from "#state/bend";
-import { announce } from "#state/notice";
-import { endGesture, undo } from "#state/scene";
 import { choose, chosen, clearChosen, toggle } from "./chosen";
 import { mesh, setMoves } from "./document";
 import { pulled, shifted } from "./edit";

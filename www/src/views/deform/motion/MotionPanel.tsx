@@ -1,7 +1,7 @@
 import { computed } from "@preact/signals";
-import { changeDeformation, deformation, phasePlaying } from "#state/bend";
-import { announce } from "#state/notice";
-import { reducedMotion } from "#state/preferences";
+import { changeDeformation, deformation, phasePlaying } from "#document/deform/bend";
+import { announce } from "#document/notice";
+import { reducedMotion } from "#document/preferences";
 import { Button } from "#ui/Button";
 import { narrow } from "#ui/media";
 import { pausePhase, playPhase, presentPhase } from "../clock";

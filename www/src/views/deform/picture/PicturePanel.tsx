@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { ownPicture, type Photograph, photograph } from "#state/picture";
+import { ownPicture, type Photograph, photograph } from "#document/deform/picture";
 import { Button } from "#ui/Button";
 import { Thumbnail } from "#ui/Thumbnail";
 import { listenForPictures } from "./arrivals";

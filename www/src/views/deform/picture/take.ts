@@ -1,6 +1,6 @@
-import { boxAround, changeDeformation, deformation } from "#state/bend";
-import { announce, notify } from "#state/notice";
-import { type Photograph, pictureMaps, showPicture } from "#state/picture";
+import { boxAround, changeDeformation, deformation } from "#document/deform/bend";
+import { type Photograph, pictureMaps, showPicture } from "#document/deform/picture";
+import { announce, notify } from "#document/notice";
 import { HEAD_BYTES } from "#workers/image/header";
 import { inBox } from "../changes";
 import { damaged, kept, refusal, shortName } from "./words";

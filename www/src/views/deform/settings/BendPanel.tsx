@@ -1,8 +1,8 @@
 import { computed } from "@preact/signals";
 import { useRef } from "preact/hooks";
+import { changeDeformation, deformation } from "#document/deform/bend";
+import { endGesture } from "#document/scene";
 import { formatNumber } from "#format/numbers";
-import { changeDeformation, deformation } from "#state/bend";
-import { endGesture } from "#state/scene";
 import { NumberField } from "#ui/NumberField";
 import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";

@@ -1,5 +1,5 @@
 import { computed } from "@preact/signals";
-import { changeDeformation, deformation } from "#state/bend";
+import { changeDeformation, deformation } from "#document/deform/bend";
 import { facts } from "../facts";
 import { HOLDS, holdWords, SPINS } from "../words";
 import { Choices } from "./Choices";

@@ -1,5 +1,5 @@
 import { useEffect } from "preact/hooks";
-import { heldPlain } from "#state/bend";
+import { heldPlain } from "#document/deform/bend";
 
 const hold = (on: boolean) => {
   heldPlain.value = on;

@@ -1,5 +1,5 @@
 import type { ComponentChildren } from "preact";
-import { endGesture } from "#state/scene";
+import { endGesture } from "#document/scene";
 import { NumberField } from "#ui/NumberField";
 import { Slider } from "#ui/Slider";
 

@@ -1,6 +1,6 @@
 import "#ui/strip.css";
 import "./strip.css";
-import { deformation, phasePlaying } from "#state/bend";
+import { deformation, phasePlaying } from "#document/deform/bend";
 import { IconButton } from "#ui/Button";
 import { narrow } from "#ui/media";
 import { Slider } from "#ui/Slider";

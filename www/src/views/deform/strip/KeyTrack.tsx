@@ -1,9 +1,9 @@
 import { computed } from "@preact/signals";
 import { useRef } from "preact/hooks";
+import { changeDeformation, deformation, movesAt } from "#document/deform/bend";
+import { keyNear } from "#document/deform/keys";
+import { endGesture } from "#document/scene";
 import { keyStep } from "#format/numbers";
-import { changeDeformation, deformation, movesAt } from "#state/bend";
-import { keyNear } from "#state/keys";
-import { endGesture } from "#state/scene";
 import { withKey, withKeyAt } from "../changes";
 import { pausePhase, scrubPhase } from "../clock";
 import { MeshIcon } from "./MeshIcon";

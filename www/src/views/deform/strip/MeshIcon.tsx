@@ -1,6 +1,6 @@
 import { computed } from "@preact/signals";
+import { deformation } from "#document/deform/bend";
 import { placed } from "#geometry/mesh";
-import { deformation } from "#state/bend";
 import type { Deformation } from "#wasm/api";
 
 // The moment is no part of it: nothing of this is drawn again while it plays.

@@ -1,7 +1,7 @@
-import { changeDeformation, deformation, movesAt } from "#state/bend";
-import { keyNear, MOST_KEYS, momentOf, SAME } from "#state/keys";
-import { announce } from "#state/notice";
-import { endGesture } from "#state/scene";
+import { changeDeformation, deformation, movesAt } from "#document/deform/bend";
+import { keyNear, MOST_KEYS, momentOf, SAME } from "#document/deform/keys";
+import { announce } from "#document/notice";
+import { endGesture } from "#document/scene";
 import { Button, IconButton } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import { withKey, withKeyAt, withLoop, withoutKey } from "../changes";

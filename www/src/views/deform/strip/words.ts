@@ -1,5 +1,5 @@
+import { keyNear } from "#document/deform/keys";
 import { formatNumber } from "#format/numbers";
-import { keyNear } from "#state/keys";
 import type { Deformation } from "#wasm/api";
 
 type Line = Pick<Deformation, "keys" | "loop" | "phase">;

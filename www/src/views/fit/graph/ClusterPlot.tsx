@@ -1,5 +1,5 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { dark } from "#state/preferences";
+import { dark } from "#document/preferences";
 import type { FoundCluster } from "#workers/fit/hough";
 import { choose, chosen, current, found, isPicked, live, search, togglePick } from "./search";
 import { errorWords, mapWords, nameOf } from "./words";

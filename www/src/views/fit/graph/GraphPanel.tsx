@@ -1,6 +1,6 @@
 import "./graph.css";
 import { useEffect } from "preact/hooks";
-import { changeFit } from "#state/outline";
+import { changeFit } from "#document/fit";
 import { listenForFiles } from "../arrivals";
 import { takeSeries } from "../series";
 import { takeFile as takeOutlineFile } from "../work/source";

@@ -1,8 +1,8 @@
 import "./graph.css";
 import { computed, useSignalEffect } from "@preact/signals";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import { dark } from "#document/preferences";
 import { formatNumber } from "#format/numbers";
-import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
 import { IconButton } from "#ui/Button";
 import { copyShown } from "./copy";

@@ -1,7 +1,7 @@
 import { useEffect, useRef } from "preact/hooks";
+import { announce } from "#document/notice";
+import { endGesture } from "#document/scene";
 import { formatNumber } from "#format/numbers";
-import { announce } from "#state/notice";
-import { endGesture } from "#state/scene";
 import { changeModel, chosenKnot, model } from "./document";
 import { type Frame, leftOf, rounded, tAt, topOf, xAt } from "./frame";
 import { isShown } from "./gestures";

@@ -1,7 +1,7 @@
 import { computed } from "@preact/signals";
+import { dark } from "#document/preferences";
+import { endGesture } from "#document/scene";
 import { formatNumber } from "#format/numbers";
-import { dark } from "#state/preferences";
-import { endGesture } from "#state/scene";
 import { palette } from "#style/palette";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";

@@ -1,7 +1,7 @@
 /** The graph of the document, what it is made of, and what hands do to it. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import { announce, notify, wordsOf } from "#state/notice";
-import { changeFit, fitDocument } from "#state/outline";
+import { changeFit, fitDocument } from "#document/fit";
+import { announce, notify, wordsOf } from "#document/notice";
 import type { Graph } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { asKind, evaluator, type Kind, type Model, modelOf, request, short } from "./model";

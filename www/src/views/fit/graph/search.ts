@@ -1,6 +1,6 @@
 /** Finding the maps that a graph is made of: both passes in both workers, what they found, and what is made of it. */
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
-import { announce, wordsOf } from "#state/notice";
+import { announce, wordsOf } from "#document/notice";
 import { fitTask } from "#workers/fit/client";
 import type {
   Assembled,

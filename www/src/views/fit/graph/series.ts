@@ -1,7 +1,7 @@
 /** What is measured: a series or a profile, and the feature points that are taken of it. */
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
-import { announce, notify, wordsOf } from "#state/notice";
-import { changeFit } from "#state/outline";
+import { changeFit } from "#document/fit";
+import { announce, notify, wordsOf } from "#document/notice";
 import { fitTask } from "#workers/fit/client";
 import type { FeatureSets } from "#workers/fit/hough";
 import type { OpenedSeries } from "#workers/fit/trace-types";

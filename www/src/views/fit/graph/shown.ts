@@ -1,6 +1,6 @@
 /** What the stage shows: its frame, and the graph as a polyline as fine as it is seen. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import { inGesture } from "#state/scene";
+import { inGesture } from "#document/scene";
 import { rough } from "#wasm/curve";
 import { graph, model } from "./document";
 import { aired, type Frame, heights } from "./frame";

@@ -1,6 +1,6 @@
 import { computed } from "@preact/signals";
+import { fitDocument } from "#document/fit";
 import { fixed } from "#format/numbers";
-import { fitDocument } from "#state/outline";
 import { Button } from "#ui/Button";
 import type { Figures, Rival } from "#workers/fit/curve";
 import { cutting } from "../stage/layers";

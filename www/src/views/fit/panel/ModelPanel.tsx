@@ -1,4 +1,4 @@
-import { changeFit, fitDocument } from "#state/outline";
+import { changeFit, fitDocument } from "#document/fit";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import { Segmented } from "#ui/Segmented";

@@ -1,5 +1,5 @@
-import { changeFit, fitDocument } from "#state/outline";
-import { endGesture } from "#state/scene";
+import { changeFit, fitDocument } from "#document/fit";
+import { endGesture } from "#document/scene";
 import { cutting } from "../stage/layers";
 import { prepared } from "../work/outline";
 import { chooseOutline, source } from "../work/source";

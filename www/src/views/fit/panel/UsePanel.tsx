@@ -1,4 +1,4 @@
-import { fitDocument } from "#state/outline";
+import { fitDocument } from "#document/fit";
 import { Button } from "#ui/Button";
 import { saveCsv, saveJson, savePng, saveSvg } from "../save";
 import { cutting } from "../stage/layers";

@@ -1,6 +1,6 @@
 /** The brush that mends a mask, by mouse, finger or keys. Its places are pixels of the picture, y down. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import { announce } from "#state/notice";
+import { announce } from "#document/notice";
 import type { Stroke } from "#workers/fit/trace-types";
 import { addStroke } from "../work/mask";
 import { opened } from "../work/source";

@@ -1,8 +1,8 @@
 /** What part of the plane the stage of the fit shows. It glides to what is to be seen, and never jumps. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import { fitFor } from "#document/framing";
+import { reducedMotion } from "#document/preferences";
 import { panned, type Screen, type Size, screen, toWorld, type View, zoomed } from "#geometry/coordinates";
-import { fitFor } from "#state/fit";
-import { reducedMotion } from "#state/preferences";
 import type { Box } from "../work/frame";
 import { outlineBox } from "../work/outline";
 import { opened } from "../work/source";

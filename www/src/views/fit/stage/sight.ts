@@ -1,7 +1,7 @@
 /** What is on the stage of the fit now. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import { fitDocument } from "#document/fit";
 import type { View } from "#geometry/coordinates";
-import { fitDocument } from "#state/outline";
 import type { Curve } from "#wasm/api";
 import type { CurveMorphHandle } from "#wasm/curve";
 import { rough } from "#wasm/curve";

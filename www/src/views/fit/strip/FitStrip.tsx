@@ -1,6 +1,6 @@
 import "#ui/strip.css";
-import { changeFit, fitDocument } from "#state/outline";
-import { endGesture } from "#state/scene";
+import { changeFit, fitDocument } from "#document/fit";
+import { endGesture } from "#document/scene";
 import { narrow } from "#ui/media";
 import { NumberField } from "#ui/NumberField";
 import { Slider } from "#ui/Slider";

@@ -1,4 +1,4 @@
-import { fitDocument } from "#state/outline";
+import { fitDocument } from "#document/fit";
 import { Switch } from "#ui/Switch";
 import { knotsShown, outlineShown, photoShown } from "../stage/layers";
 import { opened } from "../work/source";

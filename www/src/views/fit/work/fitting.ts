@@ -1,7 +1,7 @@
 /** The fit of the outline: the latest that was asked for, the best so far, its figures, and what it is compared with. */
 import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import { announce, notify, wordsOf } from "#state/notice";
-import { fitDocument, replaceFit } from "#state/outline";
+import { fitDocument, replaceFit } from "#document/fit";
+import { announce, notify, wordsOf } from "#document/notice";
 import type { Curve, CurveShape } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";

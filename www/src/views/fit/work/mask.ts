@@ -1,6 +1,6 @@
 /** From a picture to an outline: the mask, what mends it, and which of its parts is the leaf. */
 import { batch, effect, signal } from "@preact/signals";
-import { announce, notify, wordsOf } from "#state/notice";
+import { announce, notify, wordsOf } from "#document/notice";
 import { fitTask } from "#workers/fit/client";
 import type { Component, Masked, Stroke, TraceWarning } from "#workers/fit/trace-types";
 import { InTurn, isStopped } from "#workers/lanes/latest";

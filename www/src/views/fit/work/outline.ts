@@ -1,7 +1,7 @@
 /** The outline that is fitted: of the source, in units of the plane, smoothed as the document says. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import { notify, wordsOf } from "#state/notice";
-import { fitDocument } from "#state/outline";
+import { fitDocument } from "#document/fit";
+import { notify, wordsOf } from "#document/notice";
 import type { Curve, CurvePreset } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";

@@ -1,6 +1,6 @@
 /** What is fitted: a file that was opened, a leaf grown by program, or the curve that a link brought. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import { announce, notify, wordsOf } from "#state/notice";
+import { announce, notify, wordsOf } from "#document/notice";
 import type { Curve } from "#wasm/api";
 import { fitTask } from "#workers/fit/client";
 import type { Grown } from "#workers/fit/curve";

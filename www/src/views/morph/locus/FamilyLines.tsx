@@ -1,4 +1,4 @@
-import { homeOf } from "#engine/window";
+import { homeOf } from "#compute/locus/window";
 import { lowered } from "#format/parameters";
 import type { Uv } from "#geometry/path";
 import { piecesIn } from "#geometry/polyline";

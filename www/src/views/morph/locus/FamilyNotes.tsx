@@ -1,4 +1,4 @@
-import { MOST_ZOOM } from "#engine/window";
+import { MOST_ZOOM } from "#compute/locus/window";
 import { lowered } from "#format/parameters";
 import { powerWords } from "#format/verdict";
 import { Button } from "#ui/Button";

@@ -1,10 +1,10 @@
 import "#canvas/locus/handles.css";
+import { uv } from "#document/morph";
+import { endGesture, scene } from "#document/scene";
 import { addStep } from "#format/numbers";
 import { percent } from "#format/path-words";
 import type { Uv } from "#geometry/path";
 import { pointOf } from "#geometry/polyline";
-import { uv } from "#state/morph";
-import { endGesture, scene } from "#state/scene";
 import { scrubTo } from "../strip/scrub";
 import { shownWindow, view } from "./view";
 import {

@@ -1,10 +1,10 @@
-import { verdict } from "#engine/results";
+import { verdict } from "#compute/results";
+import { FIRST_S, uv } from "#document/morph";
+import { announce, notify } from "#document/notice";
+import { edit } from "#document/scene";
 import { fixed } from "#format/numbers";
 import { complexWords } from "#format/parameters";
 import { verdictPhrase } from "#format/verdict";
-import { FIRST_S, uv } from "#state/morph";
-import { announce, notify } from "#state/notice";
-import { edit } from "#state/scene";
 import { Button } from "#ui/Button";
 import { type End, nameOf } from "../changes";
 import { digitsOf } from "./geometry";

@@ -1,13 +1,13 @@
 import "#canvas/locus/path.css";
 import { computed, useComputed } from "@preact/signals";
-import { along, locus, pathStates, plan } from "#engine/results";
-import { certified, certify, stopCertifying } from "#engine/schedule/certify";
-import { leavesPlane, plan3, setThird, third, wayOf } from "#engine/schedule/plan";
+import { certified, certify, stopCertifying } from "#compute/certify";
+import { leavesPlane, plan3, setThird, third, wayOf } from "#compute/plan";
+import { along, locus, pathStates, plan } from "#compute/results";
+import { locusView, pathPoints } from "#document/morph";
+import { edit, endGesture } from "#document/scene";
 import { bestWords, certifiedWords, pathWords, roomWords } from "#format/path-words";
 import { widestAlong } from "#geometry/polyline";
 import { clearanceOf, isBroken, STATE } from "#geometry/states";
-import { locusView, pathPoints } from "#state/morph";
-import { edit, endGesture } from "#state/scene";
 import { Button, IconButton } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import { Segmented } from "#ui/Segmented";

@@ -1,8 +1,8 @@
 import type { RefObject } from "preact";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import { announce } from "#document/notice";
 import { verdictLine, verdictPhrase } from "#format/verdict";
 import type { Uv } from "#geometry/path";
-import { announce } from "#state/notice";
 import type { Bounds } from "#wasm/api";
 import { spot } from "./geometry";
 import { type Pointed, pointed, type Seen, SIDE, seen } from "./hover";

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
+import { uv } from "#document/morph";
 import { fixed } from "#format/numbers";
-import { uv } from "#state/morph";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import { Slider } from "#ui/Slider";

@@ -1,8 +1,8 @@
-import { along } from "#engine/results";
+import { along } from "#compute/results";
+import { pathPoints } from "#document/morph";
 import { percent } from "#format/path-words";
 import { shareWords } from "#format/verdict";
 import { uvAt } from "#geometry/path";
-import { pathPoints } from "#state/morph";
 import { shownWindow } from "./view";
 import { place } from "./way";
 

@@ -1,4 +1,4 @@
-import { MOST_ZOOM } from "#engine/window";
+import { MOST_ZOOM } from "#compute/locus/window";
 import { IconButton } from "#ui/Button";
 import { goHome, view, zoomBy } from "./view";
 

@@ -1,9 +1,9 @@
 /** The keyboard's pointer on the field: a cross that arrow keys move, and that looks and picks as a hand does. */
 import { signal } from "@preact/signals";
+import { uv } from "#document/morph";
+import { announce } from "#document/notice";
 import type { Uv } from "#geometry/path";
 import { pointOf } from "#geometry/polyline";
-import { uv } from "#state/morph";
-import { announce } from "#state/notice";
 import { zoomAbout } from "./gestures";
 import { isOutside } from "./Handles";
 import { pointed } from "./hover";

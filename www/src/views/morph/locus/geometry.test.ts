@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { clampedView, MOST_ZOOM, windowOf } from "#engine/window";
+import { clampedView, MOST_ZOOM, windowOf } from "#compute/locus/window";
 import type { LocusView } from "#wasm/api";
 import { arcNear, between, digitsOf, roundedTo, spot, ticksOf, wholeOf, zoomed } from "./geometry";
 

@@ -1,6 +1,6 @@
 /** Views, windows and places, as functions. */
 
-import { clampedView, type Family, homeOf } from "#engine/window";
+import { clampedView, type Family, homeOf } from "#compute/locus/window";
 import type { Uv } from "#geometry/path";
 import type { Bounds, LocusView } from "#wasm/api";
 

@@ -1,10 +1,10 @@
 /** What pointers do on the square: they drag what lies on the path, move and enlarge the view, look, and pick. */
 import type { RefObject } from "preact";
 import { useRef } from "preact/hooks";
+import { pathPoints, selection, uv } from "#document/morph";
+import { endGesture } from "#document/scene";
 import type { Uv } from "#geometry/path";
 import { hitHandle, nearestOn, pointOf } from "#geometry/polyline";
-import { pathPoints, selection, uv } from "#state/morph";
-import { endGesture } from "#state/scene";
 import { scrubTo } from "../strip/scrub";
 import { zoomed } from "./geometry";
 import { CURRENT_ID, handleId } from "./Handles";

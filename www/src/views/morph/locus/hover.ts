@@ -1,8 +1,8 @@
 /** What is at the parameter that is pointed at: a small picture and a verdict, asked for at low cost. */
 import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
+import { mapsAt } from "#document/morph";
+import { dark } from "#document/preferences";
 import type { Uv } from "#geometry/path";
-import { mapsAt } from "#state/morph";
-import { dark } from "#state/preferences";
 import { palette } from "#style/palette";
 import type { Connectedness, MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";

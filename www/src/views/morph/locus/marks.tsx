@@ -1,8 +1,8 @@
 /** What lies on the field and cannot be taken hold of. */
-import { pathBreaks } from "#engine/results";
+import { pathBreaks } from "#compute/results";
+import { pathPoints } from "#document/morph";
 import type { Uv } from "#geometry/path";
 import { piecesIn, slice, sliced } from "#geometry/polyline";
-import { pathPoints } from "#state/morph";
 import { twins } from "./families";
 import { isOff, isOutside } from "./Handles";
 import { family, picked, shownWindow, sides, view } from "./view";

@@ -1,6 +1,6 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
-import type { Field } from "#engine/pyramid";
-import { locusWindow } from "#engine/results";
+import type { Field } from "#compute/locus/pyramid";
+import { locusWindow } from "#compute/results";
 import { shownWindow, view } from "./view";
 
 /**

@@ -1,13 +1,13 @@
 /** How the locus is looked at, and what hands and keys do to that. */
 import { computed, effect, type ReadonlySignal, untracked } from "@preact/signals";
-import { clampedView, epsilonOf, type Family, levelOf, viewProblem, windowOf } from "#engine/window";
+import { clampedView, epsilonOf, type Family, levelOf, viewProblem, windowOf } from "#compute/locus/window";
+import { locusView, uv } from "#document/morph";
+import { notify } from "#document/notice";
+import { playing } from "#document/playback";
+import { reducedMotion } from "#document/preferences";
+import { edit, replace, scene } from "#document/scene";
 import { fixed } from "#format/numbers";
 import type { Uv } from "#geometry/path";
-import { locusView, uv } from "#state/morph";
-import { notify } from "#state/notice";
-import { playing } from "#state/playback";
-import { reducedMotion } from "#state/preferences";
-import { edit, replace, scene } from "#state/scene";
 import type { Bounds, LocusView } from "#wasm/api";
 import { between, digitsOf, kept, roundedTo, wholeOf, zoomed } from "./geometry";
 

@@ -1,15 +1,15 @@
 /** What hands and keys do to the path. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import { along, locus, pathBreaks, verdict } from "#engine/results";
+import { along, locus, pathBreaks, verdict } from "#compute/results";
+import { here, locusView, pathPoints, uv } from "#document/morph";
+import { announce } from "#document/notice";
+import { setT } from "#document/playback";
+import { edit, endGesture, scene } from "#document/scene";
 import { fixed } from "#format/numbers";
 import { type Told, toldOf, verdictPhrase } from "#format/verdict";
 import { timesOf, type Uv } from "#geometry/path";
 import { clamp, insert, move, nearestOn, remove } from "#geometry/polyline";
 import { sampleNear } from "#geometry/states";
-import { here, locusView, pathPoints, uv } from "#state/morph";
-import { announce } from "#state/notice";
-import { setT } from "#state/playback";
-import { edit, endGesture, scene } from "#state/scene";
 import type { Bounds } from "#wasm/api";
 import { MOST_POINTS, setPoints } from "../changes";
 

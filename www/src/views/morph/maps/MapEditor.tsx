@@ -1,10 +1,10 @@
 import "./maps.css";
 import { useState } from "preact/hooks";
-import { originOf } from "#engine/presets";
+import { selection } from "#document/morph";
+import { announce, wordsOf } from "#document/notice";
+import { originOf } from "#document/presets";
+import { edit, endGesture } from "#document/scene";
 import { halfAbout, mapWords, reflect } from "#geometry/affine2";
-import { selection } from "#state/morph";
-import { announce, wordsOf } from "#state/notice";
-import { edit, endGesture } from "#state/scene";
 import { Button, IconButton } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
 import type { MapRow } from "#wasm/api";

@@ -1,12 +1,12 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { paint } from "#canvas/locus/paint";
-import { BOUNDS } from "#engine/locus-job";
-import { lookForMatchings, matchings, stopMatching } from "#engine/schedule/matching";
-import { wayOf } from "#engine/schedule/plan";
+import { BOUNDS } from "#compute/locus/job";
+import { lookForMatchings, matchings, stopMatching } from "#compute/matching";
+import { wayOf } from "#compute/plan";
+import { announce } from "#document/notice";
+import { dark } from "#document/preferences";
+import { edit } from "#document/scene";
 import { matchWords, meritWords } from "#format/path-words";
-import { announce } from "#state/notice";
-import { dark } from "#state/preferences";
-import { edit } from "#state/scene";
 import { palette } from "#style/palette";
 import { Button } from "#ui/Button";
 import { useOwnId } from "#ui/id";

@@ -1,7 +1,7 @@
 import "./pairs.css";
+import { pairing } from "#document/morph";
+import { edit, endGesture } from "#document/scene";
 import { listWords } from "#format/path-words";
-import { pairing } from "#state/morph";
-import { edit, endGesture } from "#state/scene";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import { flatPairs } from "../changes";

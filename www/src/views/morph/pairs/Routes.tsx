@@ -1,7 +1,7 @@
-import { lookForRoutes, routes } from "#engine/schedule/routes";
+import { lookForRoutes, routes } from "#compute/routes";
+import { announce } from "#document/notice";
+import { edit } from "#document/scene";
 import { sameMaps } from "#geometry/same-maps";
-import { announce } from "#state/notice";
-import { edit } from "#state/scene";
 import { Button } from "#ui/Button";
 import { useOwnId } from "#ui/id";
 import type { Route, RouteKind } from "#wasm/api";

@@ -1,8 +1,8 @@
 import "#ui/ends.css";
-import { thumbnails } from "#engine/results";
-import { selection } from "#state/morph";
-import { announce } from "#state/notice";
-import { edit, scene } from "#state/scene";
+import { thumbnails } from "#compute/results";
+import { selection } from "#document/morph";
+import { announce } from "#document/notice";
+import { edit, scene } from "#document/scene";
 import { IconButton } from "#ui/Button";
 import { Menu } from "#ui/Menu";
 import { Thumbnail } from "#ui/Thumbnail";

@@ -1,8 +1,8 @@
-import { originOf, presets } from "#engine/presets";
-import { thumbnails } from "#engine/results";
-import { type CurveParts, curved, editSystems } from "#state/curve";
-import { selection } from "#state/morph";
-import { announce } from "#state/notice";
+import { thumbnails } from "#compute/results";
+import { type CurveParts, curved, editSystems } from "#document/curve/curve";
+import { selection } from "#document/morph";
+import { announce } from "#document/notice";
+import { originOf, presets } from "#document/presets";
 import { Dialog } from "#ui/Dialog";
 import { mapsNote, ShapeGrid } from "#ui/ShapeGrid";
 import { choose, nameOf } from "../changes";

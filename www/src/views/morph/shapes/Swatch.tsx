@@ -1,4 +1,4 @@
-import { dark } from "#state/preferences";
+import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 
 /** The colour of a map with its number (from 0 here, from 1 on screen) in it: the number is the sign that needs no colour. */

@@ -1,11 +1,11 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { curveFilm, type Frame, strip } from "#engine/results";
+import { curveFilm, type Frame, strip } from "#compute/results";
+import { curved } from "#document/curve/curve";
+import { scene } from "#document/scene";
 import { percent } from "#format/path-words";
 import { stateOf, verdictPhrase } from "#format/verdict";
 import { isBroken } from "#geometry/states";
-import { curved } from "#state/curve";
-import { scene } from "#state/scene";
 import { media } from "#ui/media";
 import { Thumbnail } from "#ui/Thumbnail";
 import type { Verdict } from "#wasm/api";

@@ -1,13 +1,13 @@
 import "#ui/strip.css";
 import "./strip.css";
 import { computed } from "@preact/signals";
-import { along, pathBreaks } from "#engine/results";
+import { along, pathBreaks } from "#compute/results";
+import { curved } from "#document/curve/curve";
+import { locusView } from "#document/morph";
+import { loop, pause, play, playing, speed } from "#document/playback";
+import { endGesture, scene } from "#document/scene";
 import { percent } from "#format/path-words";
 import { shareWords } from "#format/verdict";
-import { curved } from "#state/curve";
-import { locusView } from "#state/morph";
-import { loop, pause, play, playing, speed } from "#state/playback";
-import { endGesture, scene } from "#state/scene";
 import { IconButton } from "#ui/Button";
 import { narrow } from "#ui/media";
 import { NumberField } from "#ui/NumberField";

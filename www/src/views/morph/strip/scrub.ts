@@ -1,6 +1,6 @@
-import { locusView } from "#state/morph";
-import { pause, setT } from "#state/playback";
-import { replace, scene } from "#state/scene";
+import { locusView } from "#document/morph";
+import { pause, setT } from "#document/playback";
+import { replace, scene } from "#document/scene";
 
 /** Moves in time by hand: what plays stops, and the picture is on the path again. */
 export function scrubTo(t: number): void {

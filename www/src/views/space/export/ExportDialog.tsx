@@ -1,5 +1,5 @@
 import "./export.css";
-import { space, timeline } from "#state/space";
+import { space, timeline } from "#document/space/space";
 import { Button } from "#ui/Button";
 import { Dialog } from "#ui/Dialog";
 import { exportOpen } from "../time/exporting";

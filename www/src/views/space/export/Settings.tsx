@@ -1,5 +1,5 @@
 import { useEffect, useMemo } from "preact/hooks";
-import { timeline } from "#state/space";
+import { timeline } from "#document/space/space";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import { Segmented } from "#ui/Segmented";

@@ -1,7 +1,7 @@
 /** How much it will be, measured on this device. */
 import { useEffect, useState } from "preact/hooks";
-import { wordsOf } from "#state/notice";
-import { space, spacePart, spaceView } from "#state/space";
+import { wordsOf } from "#document/notice";
+import { space, spacePart, spaceView } from "#document/space/space";
 import type { Repeat, Space } from "#wasm/api";
 import { painters } from "#workers/film/crew";
 import { Frames, frameRecord } from "#workers/film/frames";

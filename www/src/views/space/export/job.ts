@@ -1,7 +1,7 @@
 /** The film in the making: it goes on while the dialog is closed. */
 import { type ReadonlySignal, signal } from "@preact/signals";
-import { notify, wordsOf } from "#state/notice";
-import { space, spacePart, spaceView } from "#state/space";
+import { notify, wordsOf } from "#document/notice";
+import { space, spacePart, spaceView } from "#document/space/space";
 import { type Film, makeFilm } from "#workers/film/make";
 import { spaceTask } from "#workers/space/client";
 import { colours, ground } from "../stage/sight";

@@ -1,6 +1,6 @@
 /** What was chosen last stays for the visit. */
 import { computed, signal } from "@preact/signals";
-import { timeline } from "#state/space";
+import { timeline } from "#document/space/space";
 import type { Repeat } from "#wasm/api";
 import { spaceTask } from "#workers/space/client";
 import type { Encodable } from "#workers/space/export";

@@ -1,8 +1,8 @@
 import "./light.css";
 import { computed } from "@preact/signals";
-import { endGesture } from "#state/scene";
-import { space } from "#state/space";
-import { changeSpace } from "#state/space-edits";
+import { endGesture } from "#document/scene";
+import { changeSpace } from "#document/space/edits";
+import { space } from "#document/space/space";
 import { Button } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
 import type { SpaceLight } from "#wasm/api";

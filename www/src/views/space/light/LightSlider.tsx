@@ -1,4 +1,4 @@
-import { endGesture } from "#state/scene";
+import { endGesture } from "#document/scene";
 import { NumberField } from "#ui/NumberField";
 import { Slider } from "#ui/Slider";
 

@@ -1,6 +1,6 @@
 import { computed } from "@preact/signals";
 import { useState } from "preact/hooks";
-import { setView, spaceView } from "#state/space";
+import { setView, spaceView } from "#document/space/space";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import { Switch } from "#ui/Switch";

@@ -1,8 +1,8 @@
 import "#ui/ends.css";
 import { useEffect, useMemo, useState } from "preact/hooks";
-import { announce, notify, wordsOf } from "#state/notice";
-import { choose, editSpace, space } from "#state/space";
-import { changeSpace } from "#state/space-edits";
+import { announce, notify, wordsOf } from "#document/notice";
+import { changeSpace } from "#document/space/edits";
+import { choose, editSpace, space } from "#document/space/space";
 import { IconButton } from "#ui/Button";
 import { Dialog } from "#ui/Dialog";
 import { mapsNote, ShapeGrid } from "#ui/ShapeGrid";

@@ -1,6 +1,6 @@
+import { changeSpace } from "#document/space/edits";
+import { space } from "#document/space/space";
 import { matchWords } from "#format/path-words";
-import { space } from "#state/space";
-import { changeSpace } from "#state/space-edits";
 import { Segmented } from "#ui/Segmented";
 import type { Mode } from "#wasm/api";
 import { Fold } from "../shape/Fold";

@@ -1,7 +1,7 @@
+import { endGesture } from "#document/scene";
+import { timeline } from "#document/space/space";
 import { fixed } from "#format/numbers";
 import { percent } from "#format/path-words";
-import { endGesture } from "#state/scene";
-import { timeline } from "#state/space";
 import { IconButton } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import { Slider } from "#ui/Slider";

@@ -1,8 +1,8 @@
 import "#canvas/locus/path.css";
+import { endGesture } from "#document/scene";
 import { bestWords, pathWords, roomWords } from "#format/path-words";
 import { shareOf, stateOf } from "#format/verdict";
 import { isBroken, STATE, widestOf } from "#geometry/states";
-import { endGesture } from "#state/scene";
 import { Button, IconButton } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import { Segmented } from "#ui/Segmented";

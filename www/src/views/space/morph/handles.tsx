@@ -1,10 +1,10 @@
 import "#canvas/locus/handles.css";
 import { useRef } from "preact/hooks";
+import { endGesture } from "#document/scene";
 import { addStep } from "#format/numbers";
 import { percent } from "#format/path-words";
 import type { Uv } from "#geometry/path";
 import { nearestOn } from "#geometry/polyline";
-import { endGesture } from "#state/scene";
 import { addAfter, addHere, goTo, moveTo, pick, place, pointWords, removeAt, stateAt, stateNow } from "./way";
 import { moment, pathPoints, uv } from "./work";
 

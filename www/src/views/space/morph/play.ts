@@ -1,8 +1,8 @@
 import { signal } from "@preact/signals";
-import { whilePlaying } from "#state/frames";
-import { advance } from "#state/playback";
-import { endGesture } from "#state/scene";
-import { spacePart, spacePlaying } from "#state/space";
+import { whilePlaying } from "#document/frames";
+import { advance } from "#document/playback";
+import { endGesture } from "#document/scene";
+import { spacePart, spacePlaying } from "#document/space/space";
 import { goTo } from "./way";
 import { moment } from "./work";
 

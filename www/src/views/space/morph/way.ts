@@ -1,14 +1,14 @@
 /** What hands and keys do to the path, and to the place on it. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import { BOUNDS } from "#engine/locus-job";
+import { BOUNDS } from "#compute/locus/job";
+import { announce } from "#document/notice";
+import { endGesture } from "#document/scene";
+import { changeSpace, setMorphTime } from "#document/space/edits";
 import { fixed } from "#format/numbers";
 import { type Told, toldOf, verdictPhrase } from "#format/verdict";
 import type { Uv } from "#geometry/path";
 import { clamp, insert, move, nearestOn, remove } from "#geometry/polyline";
 import { sampleNear } from "#geometry/states";
-import { announce } from "#state/notice";
-import { endGesture } from "#state/scene";
-import { changeSpace, setMorphTime } from "#state/space-edits";
 import type { PathKind, PathPoint, Space } from "#wasm/api";
 import { MOST_POINTS, withPath } from "./changes";
 import { check, judged, locus, moment, pathPoints, uv } from "./work";

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { canUndo, scene, start, undo } from "#state/scene";
+import { canUndo, scene, start, undo } from "#document/scene";
 import type { MapRow3, PathPoint, Space } from "#wasm/api";
 
 const half = (x: number): MapRow3 => [0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5, x, 0, 0];
@@ -45,7 +45,7 @@ vi.mock("#workers/space/client", () => ({
     }),
 }));
 
-const { openSpace, editSpace, space } = await import("#state/space");
+const { openSpace, editSpace, space } = await import("#document/space/space");
 const { withMode, withPath } = await import("./changes");
 const { callOff, check, found, judged, locus, lookAgain, search, watchMorph } = await import("./work");
 

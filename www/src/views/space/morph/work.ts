@@ -1,9 +1,9 @@
 /** What is worked out of the morph: where it holds, a path, where that breaks, and whether what is seen is in one piece. */
 import { batch, computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
+import { wordsOf } from "#document/notice";
+import { replace, scene } from "#document/scene";
+import { space, spaceFrame, spacePart } from "#document/space/space";
 import { pointsOf, thinned, type Uv, uvAt } from "#geometry/path";
-import { wordsOf } from "#state/notice";
-import { replace, scene } from "#state/scene";
-import { space, spaceFrame, spacePart } from "#state/space";
 import type { Connectedness3, MapRow3, PathPoint, SpaceMorph } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { InTurn, isStopped, Latest, persist } from "#workers/lanes/latest";

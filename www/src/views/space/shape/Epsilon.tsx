@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
+import { wordsOf } from "#document/notice";
 import { divergingWords } from "#format/placement";
-import { wordsOf } from "#state/notice";
 import { MapBlocks } from "#ui/MapBlocks";
 import type { EpsilonProjection, MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";

@@ -1,8 +1,8 @@
 import { useEffect, useRef, useState } from "preact/hooks";
+import { wordsOf } from "#document/notice";
 import { fixed, formatNumber } from "#format/numbers";
 import { placeWords } from "#format/placement";
 import { determinant3 } from "#geometry/affine3";
-import { wordsOf } from "#state/notice";
 import { Button } from "#ui/Button";
 import type { BoxCount3, MapRow3, Place3 } from "#wasm/api";
 import { solid } from "#wasm/space";

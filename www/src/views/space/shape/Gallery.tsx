@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { standing } from "#state/morph";
-import { scene } from "#state/scene";
-import { space } from "#state/space";
+import { standing } from "#document/morph";
+import { scene } from "#document/scene";
+import { space } from "#document/space/space";
 import { Button } from "#ui/Button";
 import { Dialog } from "#ui/Dialog";
 import { Segmented } from "#ui/Segmented";

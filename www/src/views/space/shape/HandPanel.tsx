@@ -1,8 +1,8 @@
 import { computed, signal } from "@preact/signals";
-import { announce, notify, wordsOf } from "#state/notice";
-import { endGesture } from "#state/scene";
-import { chosen, IDENTITY } from "#state/space";
-import { placeObject } from "#state/space-edits";
+import { announce, notify, wordsOf } from "#document/notice";
+import { endGesture } from "#document/scene";
+import { placeObject } from "#document/space/edits";
+import { chosen, IDENTITY } from "#document/space/space";
 import { Button } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
 import type { MapRow3, Point3 } from "#wasm/api";

@@ -1,10 +1,10 @@
 import { useState } from "preact/hooks";
+import { announce, wordsOf } from "#document/notice";
+import { endGesture } from "#document/scene";
+import { changeMaps, hasKeyedMaps, reshapeSpace, tellOfMorph } from "#document/space/edits";
+import { chosen, editSpace, space, spaceFrame, timeline } from "#document/space/space";
 import { formatNumber } from "#format/numbers";
 import { about3, determinant3, scale3 } from "#geometry/affine3";
-import { announce, wordsOf } from "#state/notice";
-import { endGesture } from "#state/scene";
-import { chosen, editSpace, space, spaceFrame, timeline } from "#state/space";
-import { changeMaps, hasKeyedMaps, reshapeSpace, tellOfMorph } from "#state/space-edits";
 import { Button, IconButton } from "#ui/Button";
 import type { MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";

@@ -1,8 +1,8 @@
 import { useState } from "preact/hooks";
+import { announce, wordsOf } from "#document/notice";
+import { placeObject } from "#document/space/edits";
 import { formatNumber } from "#format/numbers";
 import { determinant3 } from "#geometry/affine3";
-import { announce, wordsOf } from "#state/notice";
-import { placeObject } from "#state/space-edits";
 import { Button } from "#ui/Button";
 import type { MapRow3 } from "#wasm/api";
 import { nearlySame } from "./hand";

@@ -1,8 +1,8 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { announce } from "#state/notice";
-import { endGesture } from "#state/scene";
-import { choose, chosen, space } from "#state/space";
-import { changeSpace, reshapeSpace } from "#state/space-edits";
+import { announce } from "#document/notice";
+import { endGesture } from "#document/scene";
+import { changeSpace, reshapeSpace } from "#document/space/edits";
+import { choose, chosen, space } from "#document/space/space";
 import { Button, IconButton } from "#ui/Button";
 import { Dialog } from "#ui/Dialog";
 import { useOwnId } from "#ui/id";

@@ -1,7 +1,7 @@
 import "./shape.css";
 import { useEffect } from "preact/hooks";
+import { chosen, spaceReady } from "#document/space/space";
 import { formatNumber } from "#format/numbers";
-import { chosen, spaceReady } from "#state/space";
 import { mapsNote } from "#ui/ShapeGrid";
 import { FactsPanel } from "./FactsPanel";
 import { Fold } from "./Fold";

@@ -1,4 +1,4 @@
-import { dark } from "#state/preferences";
+import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 
 /** The number of a map or an object in its colour. */

@@ -1,7 +1,7 @@
 /** Files of systems of space, as Fractint has them. */
 import { signal } from "@preact/signals";
-import { notify, wordsOf } from "#state/notice";
-import { space } from "#state/space";
+import { notify, wordsOf } from "#document/notice";
+import { space } from "#document/space/space";
 import { solid } from "#wasm/space";
 import { isAnimation, takeAnimation } from "../time/open";
 import { object, parameters } from "./now";

@@ -1,6 +1,6 @@
 /** What the panel is about: the chosen object, as made and as it is now. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import { chosen, IDENTITY, space, spaceFrame } from "#state/space";
+import { chosen, IDENTITY, space, spaceFrame } from "#document/space/space";
 import type { MapRow3, ShapeFacts3, SpaceObject } from "#wasm/api";
 import { solid } from "#wasm/space";
 

@@ -1,9 +1,9 @@
 /** A shape from the gallery, a file or the plane becomes an object of space. */
 
-import { announce, notify, wordsOf } from "#state/notice";
-import { scene, undo } from "#state/scene";
-import { choose, chosen, setView, space, spaceFrame } from "#state/space";
-import { changeSpace, reshapeSpace, startWith } from "#state/space-edits";
+import { announce, notify, wordsOf } from "#document/notice";
+import { scene, undo } from "#document/scene";
+import { changeSpace, reshapeSpace, startWith } from "#document/space/edits";
+import { choose, chosen, setView, space, spaceFrame } from "#document/space/space";
 import type { SpaceObject } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { around, beside, MOST_OBJECTS, withObject, withShape } from "./changes";

@@ -1,6 +1,6 @@
 /** Small pictures of shapes, carved by a worker. */
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
-import { dark } from "#state/preferences";
+import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import type { SpaceObject } from "#wasm/api";
 import { solid } from "#wasm/space";

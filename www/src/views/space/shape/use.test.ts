@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { AT_REST } from "#state/bend";
-import { scene } from "#state/scene";
+import { AT_REST } from "#document/deform/bend";
+import { scene } from "#document/scene";
 import type { MapRow } from "#wasm/api";
 import { different, tidy, withA } from "./use";
 

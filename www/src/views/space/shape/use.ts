@@ -1,10 +1,10 @@
 /** A shadow that is a system of the plane goes on into the tools of the plane. */
 
+import { editSystems } from "#document/curve/curve";
+import { boxAround, openTool } from "#document/deform/bend";
+import { selection } from "#document/morph";
+import { notify, wordsOf } from "#document/notice";
 import { inBox } from "#geometry/mesh";
-import { boxAround, openTool } from "#state/bend";
-import { editSystems } from "#state/curve";
-import { selection } from "#state/morph";
-import { notify, wordsOf } from "#state/notice";
 import type { MapRow, Scene, Shape, Tool } from "#wasm/api";
 
 /** Without the dust of a turn: what is nothing is 0, and a half is a half. */

@@ -1,6 +1,6 @@
 import { computed, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { lookingAround, motionProblem, space, spaceFrame, spaceView } from "#state/space";
+import { lookingAround, motionProblem, space, spaceFrame, spaceView } from "#document/space/space";
 import { Button } from "#ui/Button";
 import { solid } from "#wasm/space";
 import { backToFlight, showWhole } from "./actions";

@@ -1,5 +1,5 @@
 import { computed } from "@preact/signals";
-import { hand, space, spaceView } from "#state/space";
+import { hand, space, spaceView } from "#document/space/space";
 import { Button, IconButton } from "#ui/Button";
 import { media } from "#ui/media";
 import { Segmented } from "#ui/Segmented";

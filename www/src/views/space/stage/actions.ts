@@ -1,9 +1,9 @@
 /** What hands, keys and buttons of the stage do. */
 
+import { notify, wordsOf } from "#document/notice";
+import { moveObject } from "#document/space/edits";
+import { lookingAround, setView, space, spaceFrame, spaceView } from "#document/space/space";
 import { about3, scale3, shift3 } from "#geometry/affine3";
-import { notify, wordsOf } from "#state/notice";
-import { lookingAround, setView, space, spaceFrame, spaceView } from "#state/space";
-import { moveObject } from "#state/space-edits";
 import type { MapRow3, SpaceView } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { axesOf, depthOf, eyeOf, fromOrigin, shiftByHand, showsAll, wholeView } from "./camera";

@@ -1,5 +1,5 @@
-import { endGesture } from "#state/scene";
-import { choose, hand } from "#state/space";
+import { endGesture } from "#document/scene";
+import { choose, hand } from "#document/space/space";
 import { changeView, handObject, showWhole } from "./actions";
 import { neared, panned, turnedByHand } from "./camera";
 import { sight } from "./sight";

@@ -1,6 +1,6 @@
 /** Keys on the focused stage of space. */
-import { endGesture } from "#state/scene";
-import { hand } from "#state/space";
+import { endGesture } from "#document/scene";
+import { hand } from "#document/space/space";
 import type { KeyPress } from "#ui/focus";
 import { changeView, flightStep, handObject, showWhole } from "./actions";
 import { flown, neared, panned, turned, withAngle } from "./camera";

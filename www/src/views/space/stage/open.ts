@@ -1,5 +1,5 @@
 import type { PainterBackend } from "#canvas/painter";
-import { notify, wordsOf } from "#state/notice";
+import { notify, wordsOf } from "#document/notice";
 import { createSpaceRenderer } from "#wasm/space-renderer";
 import { Accelerated } from "./accelerated";
 import { Plain } from "./plain";

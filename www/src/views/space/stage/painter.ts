@@ -1,6 +1,6 @@
 import type { PainterBackend } from "#canvas/painter";
 import type { Pixels } from "#canvas/surface";
-import { notify, wordsOf } from "#state/notice";
+import { notify, wordsOf } from "#document/notice";
 import { openSurface } from "./open";
 import type { Surface, Wanted } from "./surface";
 

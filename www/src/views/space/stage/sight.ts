@@ -1,9 +1,9 @@
 /** What there is to see in space at the moment, made ready to be drawn. */
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import { dark, theme } from "#document/preferences";
+import { keepBackground } from "#document/space/edits";
+import { chosen, space, spaceFrame } from "#document/space/space";
 import { apply3 } from "#geometry/affine3";
-import { dark, theme } from "#state/preferences";
-import { chosen, space, spaceFrame } from "#state/space";
-import { keepBackground } from "#state/space-edits";
 import { palette } from "#style/palette";
 import type { Point3 } from "#wasm/api";
 import { type SpacePictureHandle, solid } from "#wasm/space";

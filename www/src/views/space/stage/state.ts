@@ -2,8 +2,8 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { PainterBackend } from "#canvas/painter";
 import type { Pixels } from "#canvas/surface";
+import { spaceFrame, spaceView } from "#document/space/space";
 import type { Size } from "#geometry/coordinates";
-import { spaceFrame, spaceView } from "#state/space";
 import { type Painted, type SpacePainter, NOTHING as UNPAINTED } from "./painter";
 
 /** In CSS pixels. */

@@ -1,4 +1,4 @@
-import { changeTimeline } from "#state/space-edits";
+import { changeTimeline } from "#document/space/edits";
 import { Menu } from "#ui/Menu";
 import type { SpaceKey } from "#wasm/api";
 import { withEase } from "./changes";

@@ -1,6 +1,6 @@
-import { endGesture } from "#state/scene";
-import { lookingAround, space, timeline } from "#state/space";
-import { changeTimeline } from "#state/space-edits";
+import { endGesture } from "#document/scene";
+import { changeTimeline } from "#document/space/edits";
+import { lookingAround, space, timeline } from "#document/space/space";
 import { Button, IconButton } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import { MOST_KEYS, withKeyAt } from "./changes";

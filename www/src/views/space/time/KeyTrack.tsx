@@ -1,9 +1,9 @@
 import { computed } from "@preact/signals";
 import { useRef } from "preact/hooks";
+import { endGesture } from "#document/scene";
+import { changeTimeline } from "#document/space/edits";
+import { moment, timeline } from "#document/space/space";
 import { keyStep } from "#format/numbers";
-import { endGesture } from "#state/scene";
-import { moment, timeline } from "#state/space";
-import { changeTimeline } from "#state/space-edits";
 import type { SpaceTimeline } from "#wasm/api";
 import { keyAt, withKeyAt } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";

@@ -1,5 +1,5 @@
-import { space, timeline } from "#state/space";
-import { changeTimeline, EMPTY_LINE } from "#state/space-edits";
+import { changeTimeline, EMPTY_LINE } from "#document/space/edits";
+import { space, timeline } from "#document/space/space";
 import { Menu } from "#ui/Menu";
 import { Segmented } from "#ui/Segmented";
 import type { Repeat } from "#wasm/api";

@@ -1,5 +1,5 @@
-import { timeline } from "#state/space";
-import { changeTimeline } from "#state/space-edits";
+import { changeTimeline } from "#document/space/edits";
+import { timeline } from "#document/space/space";
 import { Menu } from "#ui/Menu";
 import { openExport } from "./exporting";
 import { fly } from "./fly";

@@ -1,6 +1,6 @@
-import { endGesture } from "#state/scene";
-import { moment, space, timeline } from "#state/space";
-import { changeTimeline, EMPTY_LINE } from "#state/space-edits";
+import { endGesture } from "#document/scene";
+import { changeTimeline, EMPTY_LINE } from "#document/space/edits";
+import { moment, space, timeline } from "#document/space/space";
 import { NumberField, type NumberFieldProps } from "#ui/NumberField";
 import { LONGEST, SHORTEST, secondsProblem, withSeconds } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";

@@ -1,6 +1,6 @@
 import "./time.css";
-import { space, timeline } from "#state/space";
-import { changeTimeline, EMPTY_LINE } from "#state/space-edits";
+import { changeTimeline, EMPTY_LINE } from "#document/space/edits";
+import { space, timeline } from "#document/space/space";
 import { Button, IconButton } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
 import { scrubSpace } from "./clock";

@@ -1,8 +1,8 @@
 import "#ui/strip.css";
 import "./time.css";
 import { useEffect, useState } from "preact/hooks";
-import { moment, space, spacePlaying, timeline } from "#state/space";
-import { EMPTY_LINE } from "#state/space-edits";
+import { EMPTY_LINE } from "#document/space/edits";
+import { moment, space, spacePlaying, timeline } from "#document/space/space";
 import { Button, IconButton } from "#ui/Button";
 import { useOwnId } from "#ui/id";
 import { lazily } from "#ui/lazy";

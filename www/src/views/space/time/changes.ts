@@ -1,7 +1,7 @@
 /** Edits of a time line. Each gives back the one it was given where there is nothing to change. */
 
+import { NEAR } from "#document/space/edits";
 import { formatNumber } from "#format/numbers";
-import { NEAR } from "#state/space-edits";
 import type { Ease, Repeat, SpaceKey, SpaceTimeline } from "#wasm/api";
 
 export const MOST_KEYS = 100;

@@ -1,9 +1,9 @@
 /** Plays the time line of space. */
 
-import { whilePlaying } from "#state/frames";
-import { reducedMotion } from "#state/preferences";
-import { moment, setMoment, spacePlaying, timeline } from "#state/space";
-import { EMPTY_LINE } from "#state/space-edits";
+import { whilePlaying } from "#document/frames";
+import { reducedMotion } from "#document/preferences";
+import { EMPTY_LINE } from "#document/space/edits";
+import { moment, setMoment, spacePlaying, timeline } from "#document/space/space";
 import type { SpaceTimeline } from "#wasm/api";
 import { momentIn } from "./changes";
 

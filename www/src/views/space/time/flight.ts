@@ -1,6 +1,6 @@
 /** Ready flights of the eye. */
 
-import { NEAR } from "#state/space-edits";
+import { NEAR } from "#document/space/edits";
 import type { Point3, SpaceKey, SpaceTimeline, SpaceView } from "#wasm/api";
 import { MOST_KEYS, rounded } from "./changes";
 

@@ -1,7 +1,7 @@
-import { announce } from "#state/notice";
-import { reducedMotion } from "#state/preferences";
-import { spaceFrame, spaceView, timeline } from "#state/space";
-import { changeTimeline } from "#state/space-edits";
+import { announce } from "#document/notice";
+import { reducedMotion } from "#document/preferences";
+import { changeTimeline } from "#document/space/edits";
+import { spaceFrame, spaceView, timeline } from "#document/space/space";
 import type { Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { pauseSpace, presentSpace } from "./clock";

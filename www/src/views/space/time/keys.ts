@@ -1,7 +1,7 @@
 /** What is done with keys, by whichever button or key of the keyboard. */
-import { announce, notify, wordsOf } from "#state/notice";
-import { moment, space, timeline } from "#state/space";
-import { addKey, changeTimeline, EMPTY_LINE, endTimeline } from "#state/space-edits";
+import { announce, notify, wordsOf } from "#document/notice";
+import { addKey, changeTimeline, EMPTY_LINE, endTimeline } from "#document/space/edits";
+import { moment, space, timeline } from "#document/space/space";
 import { keyAt, MOST_KEYS, momentIn, nextKey, stretched, withoutKey } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";
 import { keyWords, secondsWords } from "./words";

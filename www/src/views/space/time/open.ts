@@ -1,5 +1,5 @@
-import { notify, wordsOf } from "#state/notice";
-import { edit } from "#state/scene";
+import { notify, wordsOf } from "#document/notice";
+import { edit } from "#document/scene";
 import type { Space } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { Frames } from "#workers/film/frames";

@@ -1,6 +1,6 @@
 /** What is seen at each key, small: carved by a worker when nothing has changed for a while. */
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
-import { space, spacePlaying, spaceView } from "#state/space";
+import { space, spacePlaying, spaceView } from "#document/space/space";
 import type { Space } from "#wasm/api";
 import { Frames } from "#workers/film/frames";
 import { type PictureRequest, pictureOf } from "#workers/space/complete-picture";

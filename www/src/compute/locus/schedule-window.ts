@@ -1,0 +1,150 @@
+/** Keeps the samples of the window coming that the locus view looks at. */
+import { computed, effect, type ReadonlySignal, untracked } from "@preact/signals";
+import { locusView } from "#document/morph";
+import { wordsOf } from "#document/notice";
+import type { FrondError, LocusView } from "#wasm/api";
+import { cancel, epoch, submit } from "#workers/pool/engine";
+import { inputs as morph } from "../inputs";
+import { publish } from "../results";
+import type { LocusInputs } from "./job";
+import { type LocusSource, Pyramid } from "./pyramid";
+import { clampedView, levelOf, viewProblem } from "./window";
+import { WindowWork } from "./window-job";
+
+/** While something is dragged, a coarse picture that is nearly done is let finish, so that there is one to see. */
+const GRACE_MS = 150;
+
+const family = computed(() => locusView.value.family);
+const sides = computed(() => locusView.value.sides);
+const slice = computed(() => locusView.value.w);
+/** The morph besides its path; of no account for the families. */
+const inputs = computed<LocusInputs | null>(() => (family.value === "morph" ? morph.value : null));
+
+const source: ReadonlySignal<LocusSource> = computed(() =>
+  inputs.value
+    ? { family: "morph", inputs: inputs.value, w: Number.isFinite(slice.value) ? slice.value : 0 }
+    : { family: "polygon", sides: sides.value },
+);
+
+/** Whether the whole plane of the morph, which the paths need, is also what is seen. */
+export const homeIsSeen: ReadonlySignal<boolean> = computed(
+  () => family.value === "morph" && slice.value === 0 && levelOf(locusView.value.zoom) === 0,
+);
+
+let pyramid: Pyramid | null = null;
+let work: WindowWork | null = null;
+let live = false;
+let failed = false;
+let waiting: ReturnType<typeof setTimeout> | null = null;
+let frame = 0;
+let late: ReturnType<typeof setTimeout> | null = null;
+
+export function scheduleWindow(): void {
+  effect(() => {
+    const next = source.value;
+    epoch.value;
+    untracked(() => change(next));
+  });
+  effect(() => {
+    const view = locusView.value;
+    untracked(() => look(view));
+  });
+  // The whole plane is under the window: what comes in there is seen here.
+  effect(() => {
+    publish.locus.value;
+    untracked(() => {
+      if (pyramid?.based) paint();
+    });
+  });
+}
+
+function change(next: LocusSource): void {
+  if (waiting) clearTimeout(waiting);
+  waiting = null;
+  const age = work ? performance.now() - work.started : GRACE_MS;
+  const same = pyramid?.family === next.family;
+  if (same && work && live && !work.seen && age < GRACE_MS) {
+    waiting = setTimeout(() => start(source.peek()), GRACE_MS - age);
+  } else start(next);
+}
+
+function start(next: LocusSource): void {
+  if (waiting) clearTimeout(waiting);
+  waiting = null;
+  const based = next.family === "morph" && next.w === 0;
+  const before = pyramid?.family === next.family ? pyramid : null;
+  pyramid = new Pyramid(next, based ? () => publish.locus.peek() : null, before);
+  cancel("window");
+  live = false;
+  failed = false;
+  const mine = pyramid;
+  work = new WindowWork(
+    mine,
+    {
+      painted: () => {
+        if (mine === pyramid) paintSoon();
+      },
+      coarse: () => {
+        if (mine !== pyramid) return;
+        mine.forget();
+        paint();
+        // The grace was for this much; now for what has been asked since.
+        if (waiting) start(source.peek());
+      },
+      failed: (error) => {
+        if (mine === pyramid) fail(error);
+      },
+    },
+    true,
+  );
+  look(locusView.peek());
+}
+
+function look(view: LocusView): void {
+  if (!work || failed || viewProblem(view)) return;
+  if (work.want(clampedView(view)) && !live) {
+    live = true;
+    const job = work.job();
+    const mine = work;
+    submit({
+      ...job,
+      done: () => {
+        if (mine !== work) return;
+        live = false;
+        paint();
+        look(locusView.peek());
+      },
+    });
+  }
+  if (work.seen) pyramid?.forget();
+  paint();
+}
+
+function fail(error: FrondError): void {
+  cancel("window");
+  live = false;
+  failed = true;
+  if (!pyramid) return;
+  publish.window.value = { pyramid, progress: 1, problem: `It could not be drawn: ${wordsOf(error)}` };
+}
+
+/** A busy graphics card makes frames wait; the field does not wait longer than this with it. */
+const LATEST_MS = 80;
+
+function paintSoon(): void {
+  if (work?.progress === 1 || document.hidden) paint();
+  else if (!frame) {
+    frame = requestAnimationFrame(paint);
+    late = setTimeout(paint, LATEST_MS);
+  }
+}
+
+function paint(): void {
+  if (frame) cancelAnimationFrame(frame);
+  if (late) clearTimeout(late);
+  frame = 0;
+  late = null;
+  if (!pyramid || failed) return;
+  const whole = homeIsSeen.peek() ? (publish.locus.peek()?.progress ?? 0) : (work?.progress ?? 0);
+  publish.window.value = { pyramid, progress: waiting ? 0 : whole, problem: null };
+}

@@ -1,0 +1,122 @@
+import { effect, untracked } from "@preact/signals";
+import { notify, wordsOf } from "#document/notice";
+import { hasCard, locusByCard } from "#wasm/locus-card";
+import { cancel, epoch, sliceMilliseconds, submit } from "#workers/pool/engine";
+import { inputs as morph } from "../inputs";
+import { planFrom } from "../plan";
+import { publish } from "../results";
+import { type CardChoice, lookForCard } from "./card-trial";
+import { BOUNDS, EPSILON, type LocusInputs, LocusWork, SIZE, STRIDES } from "./job";
+import { homeIsSeen, scheduleWindow } from "./schedule-window";
+
+/** While something is dragged, a coarse locus that is nearly done is let finish, so that there is one to see. */
+const GRACE_MS = 150;
+const COARSEST = STRIDES[0];
+/** Later than this an unfinished coarse locus is shown all the same. */
+const PATIENCE_MS = 250;
+
+let work: LocusWork | null = null;
+let choice: CardChoice = "none";
+let waiting: ReturnType<typeof setTimeout> | null = null;
+let frame = 0;
+let late: ReturnType<typeof setTimeout> | null = null;
+
+/** The paths are planned from the whole plane, but while another part or plane is looked at, that comes first. */
+const priorities = (): [number, number] => (homeIsSeen.peek() ? [50, 15] : [38, 8]);
+
+export function scheduleLocus(card: CardChoice): void {
+  choice = card;
+  effect(() => {
+    const inputs = morph.value;
+    epoch.value;
+    untracked(() => request(inputs));
+  });
+  scheduleWindow();
+}
+
+function request(inputs: LocusInputs): void {
+  if (waiting) clearTimeout(waiting);
+  waiting = null;
+  publish.plan.value = null;
+  const shown = publish.locus.peek();
+  if (shown) publish.locus.value = { ...shown, progress: 0 };
+  const age = work ? performance.now() - work.started : GRACE_MS;
+  if (work && !work.coarse && work.progress > 0 && age < GRACE_MS) {
+    waiting = setTimeout(() => start(inputs), GRACE_MS - age);
+  } else start(inputs);
+}
+
+function start(inputs: LocusInputs): void {
+  waiting = null;
+  work = new LocusWork(
+    inputs,
+    {
+      painted: (w) => {
+        if (w === work && (w.coarse || performance.now() - w.started > PATIENCE_MS)) paintSoon();
+      },
+      stage: (w, stride) => {
+        if (w !== work) return;
+        if (stride === COARSEST) paint();
+        if (stride === 1) considerCard();
+        if (inputs === morph.peek()) planFrom(w, stride);
+        else if (waiting) {
+          // The grace was for this much; now for what has been asked since.
+          clearTimeout(waiting);
+          paint();
+          start(morph.peek());
+        }
+      },
+      failed: (error) => {
+        cancel("locus");
+        publish.locus.value = null;
+        notify({ kind: "error", text: `The map of parameters could not be drawn: ${wordsOf(error)}` });
+      },
+    },
+    sliceMilliseconds,
+    { patches: true, priorities },
+  );
+  submit(work.job());
+  if (hasCard()) askCard(work);
+}
+
+/** The card decides all samples at once; what it leaves open, and what comes before it is done, the workers do. */
+async function askCard(asked: LocusWork): Promise<void> {
+  const { from, to, options } = asked.inputs;
+  const sampling = { bounds: BOUNDS, width: SIZE, height: SIZE, epsilon: EPSILON };
+  const whole = await locusByCard({ from, to, options: { ...options, ...sampling } });
+  if (asked === work) {
+    if (whole) asked.acceptWhole(whole);
+  } else if (whole && work && hasCard() && !work.coarse) askCard(work);
+}
+
+let considered = false;
+
+function considerCard(): void {
+  if (considered) return;
+  considered = true;
+  void lookForCard(choice);
+}
+
+/** A busy graphics card makes frames wait; the field does not wait longer than this with it. */
+const LATEST_MS = 80;
+
+/** At most once a frame; at once when it is complete, or where there are no frames, in a hidden tab. */
+function paintSoon(): void {
+  if (work?.progress === 1 || document.hidden) {
+    paint();
+    return;
+  }
+  if (frame) return;
+  frame = requestAnimationFrame(paint);
+  late = setTimeout(paint, LATEST_MS);
+}
+
+function paint(): void {
+  if (frame) cancelAnimationFrame(frame);
+  if (late) clearTimeout(late);
+  frame = 0;
+  late = null;
+  if (!work) return;
+  const current = work.inputs === morph.peek();
+  publish.locus.value = { ...work.filled, bounds: BOUNDS, progress: current ? work.progress : 0 };
+}

@@ -1,0 +1,202 @@
+/** The samples of the window that is looked at: a coarse picture first, then tile by tile from the middle outwards. */
+
+import { fills } from "#geometry/polygon-family";
+import { atResolution, STATE } from "#geometry/states";
+import type { Bounds, FrondError, LocusView } from "#wasm/api";
+import type { Job, Result, Task } from "#workers/pool/protocol";
+import { nextKey } from "./job";
+import { type Pyramid, STEP, type TileId, WHOLE_LEVELS } from "./pyramid";
+import { epsilonOf, homeOf, samplesAt, windowOf } from "./window";
+
+export interface WindowWatch {
+  /** Some samples are in. */
+  painted: () => void;
+  /** Something is known everywhere in the window. */
+  coarse: () => void;
+  failed: (error: FrondError) => void;
+}
+
+type Kinds = "patch" | "locus";
+
+interface Slice {
+  id: TileId;
+  what: "coarse" | "fine";
+  /** Rows of the tile, where it is done in parts. */
+  rows: [from: number, to: number];
+}
+
+/** Rows of a tile in a slice, where whole boxes cannot be decided at once. */
+const ROWS = 16;
+
+export class WindowWork {
+  readonly pyramid: Pyramid;
+  readonly started = performance.now();
+  readonly #watch: WindowWatch;
+  /** Whether the program decides rectangles at once. */
+  readonly #patches: boolean;
+  readonly #slices = new WeakMap<object, Slice>();
+  readonly #levelKeys = new Map<number, number>();
+  #coarse: TileId[] = [];
+  #fine: TileId[] = [];
+  /** Tiles that are handed out and not back, or handed out in part. */
+  readonly #under = new Map<string, { rows: number; done: number; state: Uint8Array; gap: Float32Array }>();
+  #coarseLeft = 0;
+  #count = 0;
+  #view: LocusView | null = null;
+
+  constructor(pyramid: Pyramid, watch: WindowWatch, patches: boolean) {
+    this.pyramid = pyramid;
+    this.#watch = watch;
+    this.#patches = patches;
+  }
+
+  /** 0 to 1, over the window. */
+  get progress(): number {
+    if (!this.#view || this.#count === 0) return 1;
+    const { fine } = this.pyramid.missing(windowOf(this.#view), this.#view.zoom);
+    return 1 - fine.length / this.#count;
+  }
+
+  /** Whether something is known everywhere in the window. */
+  get seen(): boolean {
+    return this.#coarseLeft === 0;
+  }
+
+  /** Looks elsewhere: what was wanted and is not begun is forgotten. Says whether there is anything to do. */
+  want(view: LocusView): boolean {
+    this.#view = view;
+    const { coarse, fine, count } = this.pyramid.missing(windowOf(view), view.zoom);
+    this.#coarse = coarse.filter((id) => !this.#under.has(name(id, "coarse")));
+    this.#coarseLeft = coarse.length;
+    this.#fine = fine.filter((id) => this.#begun(id) < this.pyramid.place(id).height);
+    this.#count = count;
+    return this.#coarse.length + this.#fine.length > 0;
+  }
+
+  /** Rows of a tile that are handed out: those of one that was left half done are not asked for twice. */
+  #begun(id: TileId): number {
+    return this.#under.get(name(id, "fine"))?.rows ?? 0;
+  }
+
+  job(): Job<Kinds> {
+    return {
+      channel: "window",
+      priority: () => (this.#coarse.length > 0 ? 52 : 20),
+      next: () => this.#next(),
+      accept: (task, result) => this.#accept(task, result),
+      fail: (_, error) => this.#watch.failed(error),
+    };
+  }
+
+  #next(): Task<Kinds> | null {
+    const coarse = this.#coarse.shift();
+    if (coarse) {
+      const { height } = this.pyramid.place(coarse);
+      return this.#task({ id: coarse, what: "coarse", rows: [0, Math.ceil(height / STEP)] });
+    }
+    const fine = this.#fine[0];
+    if (!fine) return null;
+    const { height } = this.pyramid.place(fine);
+    const from = this.#begun(fine);
+    const to = this.#patches ? height : Math.min(height, from + ROWS);
+    if (to >= height) this.#fine.shift();
+    return this.#task({ id: fine, what: "fine", rows: [from, to] });
+  }
+
+  #task(slice: Slice): Task<Kinds> {
+    const { id, what, rows } = slice;
+    const place = this.pyramid.place(id);
+    const thin = what === "fine" ? 1 : STEP;
+    const [width, height] = [Math.ceil(place.width / thin), Math.ceil(place.height / thin)];
+    const under = this.#under.get(name(id, what)) ?? {
+      rows: 0,
+      done: 0,
+      state: new Uint8Array(width * height),
+      gap: new Float32Array(width * height),
+    };
+    under.rows = rows[1];
+    this.#under.set(name(id, what), under);
+    const task =
+      what === "fine" && this.#patches && id.level <= WHOLE_LEVELS
+        ? this.#patchOfWhole(id)
+        : this.#ofOwnGrid(id, thin, width, height, rows);
+    this.#slices.set(task, slice);
+    return task;
+  }
+
+  /** One grid over all: its samples fall on 0 and 1 exactly, and the worker prepares it once. */
+  #patchOfWhole(id: TileId): Task<Kinds> {
+    const size = samplesAt(id.level);
+    const key = this.#levelKeys.get(id.level) ?? nextKey();
+    this.#levelKeys.set(id.level, key);
+    const { x0, y0, width, height } = this.pyramid.place(id);
+    const of = this.#of(homeOf(this.pyramid.family), size, size, id.level);
+    return { kind: "patch", key, of, x0, y0, x1: x0 + width, y1: y0 + height };
+  }
+
+  #ofOwnGrid(id: TileId, thin: number, width: number, height: number, rows: [number, number]): Task<Kinds> {
+    const { x0, y0 } = this.pyramid.place(id);
+    const span = { x0, y0, x1: x0 + (width - 1) * thin, y1: y0 + (height - 1) * thin };
+    const of = this.#of(this.pyramid.boundsOf(id.level, span), width, height, id.level);
+    const key = nextKey();
+    if (this.#patches || "sides" in of)
+      return { kind: "patch", key, of, x0: 0, y0: 0, x1: width, y1: height };
+    const [r0, r1] = rows;
+    return { kind: "locus", key, ...of, r0, r1, stride: 1, first: true };
+  }
+
+  #of(bounds: Bounds, width: number, height: number, level: number): Task<"patch">["of"] {
+    const { source } = this.pyramid;
+    const epsilon = epsilonOf(level);
+    if (source.family === "polygon")
+      return { sides: source.sides, options: { bounds, width, height, epsilon } };
+    const { from, to, options } = source.inputs;
+    return { from, to, options: { ...options, bounds, width, height, epsilon, w: source.w } };
+  }
+
+  #accept(task: Task<Kinds>, { state, gap }: Result<Kinds>): void {
+    const slice = this.#slices.get(task);
+    const under = slice && this.#under.get(name(slice.id, slice.what));
+    if (!slice || !under) return;
+    const { id, what, rows } = slice;
+    const place = this.pyramid.place(id);
+    const width = what === "fine" ? place.width : Math.ceil(place.width / STEP);
+    const height = what === "fine" ? place.height : Math.ceil(place.height / STEP);
+    const epsilon = epsilonOf(id.level);
+    const first = rows[0] * width;
+    const part = (rows[1] - rows[0]) * width;
+    const proved = provedIn(task);
+    for (let k = 0; k < part; k++) {
+      const g = gap[k] ?? Number.NaN;
+      const found = atResolution(state[k] ?? STATE.undecided, g, epsilon);
+      const open = found === STATE.touching || found === STATE.undecided;
+      under.state[first + k] = open && proved(k) ? STATE.connected : found;
+      under.gap[first + k] = g;
+    }
+    under.done += rows[1] - rows[0];
+    if (under.done < height) return;
+    this.#under.delete(name(id, what));
+    this.pyramid.put(id, what, { width, state: under.state, gap: under.gap });
+    if (this.#coarseLeft > 0 && this.#view) {
+      const { coarse } = this.pyramid.missing(windowOf(this.#view), this.#view.zoom);
+      this.#coarseLeft = coarse.length;
+      if (coarse.length === 0) this.#watch.coarse();
+    }
+    this.#watch.painted();
+  }
+}
+
+/** Which samples of a tile of a family are in one piece whatever a search says. */
+function provedIn(task: Task<Kinds>): (k: number) => boolean {
+  if (task.kind !== "patch" || !("sides" in task.of)) return () => false;
+  const { x0, y0, x1, of } = task;
+  const { bounds, width, height } = of.options;
+  const at = (low: number, high: number, k: number, count: number) => low + ((high - low) * k) / (count - 1);
+  return (k) => {
+    const column = x0 + (k % (x1 - x0));
+    const row = y0 + Math.floor(k / (x1 - x0));
+    return fills(of.sides, [at(bounds.u0, bounds.u1, column, width), at(bounds.v0, bounds.v1, row, height)]);
+  };
+}
+
+const name = ({ level, i, j }: TileId, what: "coarse" | "fine"): string => `${what}/${level}/${i}/${j}`;

@@ -1,0 +1,61 @@
+import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
+import { shown } from "#document/morph";
+import { wordsOf } from "#document/notice";
+import { RESOLUTION } from "#format/verdict";
+import type { Certificate, CertificateCheck, MapRow } from "#wasm/api";
+import { cancel, epoch, submit } from "#workers/pool/engine";
+import { single } from "#workers/pool/protocol";
+import { verdict } from "./results";
+
+/** A proof that the shape on the stage is in pieces. */
+export type Proof =
+  | { state: "asked"; maps: MapRow[] }
+  | { state: "there"; maps: MapRow[]; certificate: Certificate; check: CertificateCheck }
+  /** There is none to be had, or it could not be made: why, in words. */
+  | { state: "none"; maps: MapRow[]; why: string };
+
+const latest = signal<Proof | null>(null);
+
+/** About the maps on the stage; null where it was not asked for. */
+export const proof: ReadonlySignal<Proof | null> = computed(() =>
+  latest.value?.maps === shown.value ? latest.value : null,
+);
+
+/** Makes the proof and has it checked. */
+export function prove(): void {
+  const maps = shown.peek();
+  const epsilon = verdict.peek()?.epsilon ?? RESOLUTION;
+  latest.value = { state: "asked", maps };
+  const set = (found: Proof) => {
+    if (latest.peek()?.maps === maps) latest.value = found;
+  };
+  submit(
+    single<"certificate">(
+      "certificate",
+      57,
+      { kind: "certificate", maps, epsilon },
+      {
+        accept: (found) =>
+          set(
+            found
+              ? { state: "there", maps, ...found }
+              : { state: "none", maps, why: "It would need more pairs of pieces than Frond looks at." },
+          ),
+        fail: (error) => set({ state: "none", maps, why: wordsOf(error) }),
+      },
+    ),
+  );
+}
+
+export function scheduleProof(): void {
+  effect(() => {
+    shown.value;
+    epoch.value;
+    untracked(() => {
+      const now = latest.peek();
+      if (!now || (proof.peek() && now.state !== "asked")) return;
+      cancel("certificate");
+      latest.value = null;
+    });
+  });
+}

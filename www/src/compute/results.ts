@@ -1,0 +1,98 @@
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { pathPoints } from "#document/morph";
+import type { Told } from "#format/verdict";
+import { type Stretch, statesAlong, stretches, type Worst } from "#geometry/states";
+import type { Bounds, Connectedness, Locus, PathPlan, PathPoint } from "#wasm/api";
+import type { Pyramid } from "./locus/pyramid";
+
+export interface LocusResult extends Locus {
+  /** 0..1. Samples not yet decided have state 255 and gap NaN. */
+  progress: number;
+  bounds: Bounds;
+}
+
+/** What is known of the plane that is looked at; a new object at each repaint. */
+export interface WindowResult {
+  pyramid: Pyramid;
+  /** 0..1, of the window. */
+  progress: number;
+  /** Why there is nothing to see, in a sentence. */
+  problem: string | null;
+}
+
+export interface VerdictResult {
+  connectedness: Connectedness;
+  /** What it was looked at with. */
+  epsilon: number;
+  uv: PathPoint;
+  /** The picture has moved on and the next answer is under way. */
+  stale: boolean;
+}
+
+export interface Frame {
+  t: number;
+  verdict: Told | null;
+  bitmap: ImageBitmap | null;
+}
+
+/** A path, decided moment by moment: evenly spaced from 0 to 1. */
+export interface Along {
+  points: readonly PathPoint[];
+  states: Uint8Array;
+  /** What is said of each moment. */
+  told: readonly (Told | null)[];
+  /** What is said of each point between the ends. */
+  ways: readonly (Told | null)[];
+  breaks: Stretch[];
+  worst: Worst | null;
+}
+
+/** Where the engine puts its answers. Views read the signals below. */
+export const publish = {
+  locus: signal<LocusResult | null>(null),
+  window: signal<WindowResult | null>(null),
+  verdict: signal<VerdictResult | null>(null),
+  plan: signal<PathPlan | null>(null),
+  strip: signal<Frame[]>([]),
+  curveFilm: signal<readonly Frame[]>([]),
+  along: signal<Along | null>(null),
+  thumbnails: signal<Map<string, ImageBitmap>>(new Map()),
+};
+
+/** The field over all of (u, v), in the plane of Burch and Hart; a new object at each repaint. */
+export const locus: ReadonlySignal<LocusResult | null> = publish.locus;
+/** The field that the locus view shows. */
+export const locusWindow: ReadonlySignal<WindowResult | null> = publish.window;
+/** About what the stage shows. */
+export const verdict: ReadonlySignal<VerdictResult | null> = publish.verdict;
+/** The automatic path for the present pair. */
+export const plan: ReadonlySignal<PathPlan | null> = publish.plan;
+export const strip: ReadonlySignal<Frame[]> = publish.strip;
+/** Stills of a closed curve's morph, at even times. */
+export const curveFilm: ReadonlySignal<readonly Frame[]> = publish.curveFilm;
+/** By preset id, and "a" and "b" for the two ends. */
+export const thumbnails: ReadonlySignal<Map<string, ImageBitmap>> = publish.thumbnails;
+
+/** The present path, decided moment by moment; null until that answer is in. */
+export const along: ReadonlySignal<Along | null> = computed(() => {
+  const points = pathPoints.value;
+  const found = publish.along.value;
+  return found && found.points === points ? found : null;
+});
+
+/**
+ * The states of even moments of the present path. Decided one by one where that answer is in; until then read off the locus
+ * field.
+ */
+export const pathStates: ReadonlySignal<Uint8Array> = computed(() => {
+  const points = pathPoints.value;
+  const exact = along.value;
+  if (exact) return exact.states;
+  const field = publish.locus.value;
+  return field ? statesAlong(field, points) : new Uint8Array();
+});
+
+/** Stretches of the present path, in t, where it is broken for all to see. */
+export const pathBreaks: ReadonlySignal<Stretch[]> = computed(
+  () => along.value?.breaks ?? stretches(pathStates.value),
+);

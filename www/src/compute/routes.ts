@@ -1,0 +1,68 @@
+import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
+import { wordsOf } from "#document/notice";
+import { scene } from "#document/scene";
+import { sameMaps } from "#geometry/same-maps";
+import type { MapRow, Route } from "#wasm/api";
+import { cancel, epoch, submit } from "#workers/pool/engine";
+import { single } from "#workers/pool/protocol";
+
+/** Ways to bring two shapes to a morph. */
+export interface Routes {
+  /** The pair that they were looked for. */
+  a: MapRow[];
+  b: MapRow[];
+  /** Null while they are looked for. */
+  list: Route[] | null;
+  problem: string | null;
+}
+
+const latest = signal<Routes | null>(null);
+const a = computed(() => scene.value.a.maps);
+const b = computed(() => scene.value.b.maps);
+
+/** About the present pair, or the one from which a route has led to it; null where it was not asked for. */
+export const routes: ReadonlySignal<Routes | null> = computed(() => {
+  const now = latest.value;
+  if (!now) return null;
+  const mine = (from: readonly MapRow[], to: readonly MapRow[]) =>
+    sameMaps(from, a.value) && sameMaps(to, b.value);
+  return mine(now.a, now.b) || now.list?.some(({ from, to }) => mine(from, to)) ? now : null;
+});
+
+export function lookForRoutes(): void {
+  const mine: Routes = { a: a.peek(), b: b.peek(), list: null, problem: null };
+  latest.value = mine;
+  const set = (change: Partial<Routes>) => {
+    const now = latest.peek();
+    if (now?.a === mine.a && now.b === mine.b) latest.value = { ...mine, ...change };
+  };
+  submit(
+    single<"routes">(
+      "routes",
+      24,
+      { kind: "routes", from: mine.a, to: mine.b },
+      {
+        accept: (list) => set({ list }),
+        fail: (error) =>
+          set({ list: [], problem: `The ways across could not be worked out: ${wordsOf(error)}` }),
+      },
+    ),
+  );
+}
+
+export function scheduleRoutes(): void {
+  const forget = (when: (now: Routes) => boolean) => {
+    const now = latest.peek();
+    if (!now || !when(now)) return;
+    cancel("routes");
+    latest.value = null;
+  };
+  effect(() => {
+    const stands = routes.value !== null;
+    untracked(() => forget(() => !stands));
+  });
+  effect(() => {
+    epoch.value;
+    untracked(() => forget(({ list }) => list === null));
+  });
+}

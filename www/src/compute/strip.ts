@@ -1,0 +1,163 @@
+import { effect, untracked } from "@preact/signals";
+import { fitFor, pathTrack } from "#document/framing";
+import { mapsAt, pathPoints } from "#document/morph";
+import { dark } from "#document/preferences";
+import { scene } from "#document/scene";
+import { shareOf, stateOf, type Told } from "#format/verdict";
+import { boxAt } from "#geometry/boxes";
+import { type Uv, uvAt } from "#geometry/path";
+import { stretches, widestOf } from "#geometry/states";
+import { palette } from "#style/palette";
+import type { Colouring, MapRow } from "#wasm/api";
+import { Coalesce } from "#workers/pool/coalesce";
+import { epoch, submit } from "#workers/pool/engine";
+import type { Job } from "#workers/pool/protocol";
+import { inputs as morph } from "./inputs";
+import { EPSILON, type LocusInputs } from "./locus/job";
+import { publish } from "./results";
+
+export const FRAMES = 13;
+/** CSS pixels. */
+export const FRAME_WIDTH = 96;
+export const FRAME_HEIGHT = 72;
+const MARGIN = 4;
+
+/** Samples of the path between two frames, and in one slice. */
+const BETWEEN = 20;
+const SLICE = 16;
+const SETTLE_MS = 90;
+
+/** What is said of a moment that could not be judged. */
+const UNKNOWN: Told = { verdict: "undecided", gap: { lower: 0, upper: Number.NaN }, diameter: 1 };
+
+/** Judges the whole path sample by sample: its broken stretches, and the frames of the strip. */
+export function scheduleBreaks(): void {
+  const queue = new Coalesce(submit);
+  effect(() => {
+    epoch.value;
+    untracked(() => queue.reset());
+  });
+  effect(() => {
+    const inputs = morph.value;
+    const points = pathPoints.value;
+    epoch.value;
+    untracked(() => queue.request(() => breaksJob(inputs, points)));
+  });
+}
+
+function breaksJob(inputs: LocusInputs, points: Uv[]): Job<"along"> {
+  const count = (FRAMES - 1) * BETWEEN + 1;
+  const even = Array.from({ length: count }, (_, i) => uvAt(points, i / (count - 1)));
+  const all = [...even, ...points.slice(1, -1)];
+  const told: Told[] = all.map(() => UNKNOWN);
+  const firsts = new Map<object, number>();
+  let from = 0;
+  return {
+    channel: "breaks",
+    priority: () => 30,
+    next() {
+      if (from >= all.length) return null;
+      const options = { ...inputs.options, epsilon: EPSILON };
+      const at = all.slice(from, from + SLICE);
+      const task = { kind: "along" as const, from: inputs.from, to: inputs.to, options, points: at };
+      firsts.set(task, from);
+      from += at.length;
+      return task;
+    },
+    accept(task, result) {
+      told.splice(firsts.get(task) ?? 0, result.length, ...result);
+    },
+    // Samples that could not be judged count as undecided, not as broken.
+    fail() {},
+    done() {
+      if (points !== pathPoints.peek() || inputs !== morph.peek()) return;
+      const moments = told.slice(0, count);
+      const states = Uint8Array.from(moments, (moment) => stateOf(moment));
+      publish.along.value = {
+        points,
+        states,
+        told: moments,
+        ways: told.slice(count),
+        breaks: stretches(states),
+        worst: widestOf(states, moments.map(shareOf)),
+      };
+      setFrames((frame, i) => ({ ...frame, verdict: moments[i * BETWEEN] ?? null }));
+    },
+  };
+}
+
+/** The film strip: small pictures of the morph at even times. */
+export function scheduleStrip(): void {
+  let timer: ReturnType<typeof setTimeout> | null = null;
+  setFrames((frame) => frame);
+  effect(() => {
+    const what = {
+      inputs: morph.value,
+      points: pathPoints.value,
+      colouring: scene.value.colouring,
+      dark: dark.value,
+    };
+    epoch.value;
+    untracked(() => {
+      if (timer) clearTimeout(timer);
+      timer = setTimeout(() => submit(stripJob(what)), SETTLE_MS);
+    });
+  });
+}
+
+interface What {
+  inputs: LocusInputs;
+  points: Uv[];
+  colouring: Colouring;
+  dark: boolean;
+}
+
+function stripJob({ inputs, points, colouring, dark: onDark }: What): Job<"picture"> {
+  const dpr = Math.min(2, globalThis.devicePixelRatio || 1);
+  const size = { width: Math.round(FRAME_WIDTH * dpr), height: Math.round(FRAME_HEIGHT * dpr) };
+  const edge = MARGIN * dpr;
+  const insets = { top: edge, right: edge, bottom: edge, left: edge };
+  const track = pathTrack.peek();
+  const colours = palette(onDark ? "dark" : "light");
+  const order = frameTimes().map((_, i) => i);
+  const places = new Map<object, number>();
+  return {
+    channel: "strip",
+    priority: () => 20,
+    next() {
+      const i = order.shift();
+      if (i === undefined) return null;
+      const t = i / (FRAMES - 1);
+      const maps: MapRow[] = mapsAt(uvAt(points, t), inputs.options);
+      const task = {
+        kind: "picture" as const,
+        maps,
+        options: { ...size, view: fitFor(boxAt(track, t), size, insets), colouring, palette: colours },
+      };
+      places.set(task, i);
+      return task;
+    },
+    accept(task, bitmap) {
+      const place = places.get(task);
+      setFrames((frame, i) => (i === place ? { ...frame, bitmap } : frame));
+    },
+    fail(task) {
+      // Without an attractor there is nothing to draw, and the frame says so by staying empty.
+      const place = places.get(task);
+      setFrames((frame, i) => (i === place ? { ...frame, bitmap: null } : frame));
+    },
+  };
+}
+
+type StripFrame = (typeof publish.strip.value)[number];
+
+function frameTimes(): number[] {
+  return Array.from({ length: FRAMES }, (_, i) => i / (FRAMES - 1));
+}
+
+function setFrames(change: (frame: StripFrame, index: number) => StripFrame): void {
+  const before = publish.strip.peek();
+  publish.strip.value = frameTimes().map((t, i) =>
+    change(before[i] ?? { t, verdict: null, bitmap: null }, i),
+  );
+}

@@ -1,0 +1,85 @@
+import { effect, untracked } from "@preact/signals";
+import { dark } from "#document/preferences";
+import { scene } from "#document/scene";
+import { palette } from "#style/palette";
+import type { MapRow } from "#wasm/api";
+import { frond } from "#wasm/core";
+import { Coalesce } from "#workers/pool/coalesce";
+import { epoch, submit } from "#workers/pool/engine";
+import type { Job } from "#workers/pool/protocol";
+import { publish } from "./results";
+
+/** CSS pixels. */
+export const THUMB_WIDTH = 144;
+export const THUMB_HEIGHT = 104;
+
+/** What each thumbnail should show, and what is still to do, the ends first. */
+const wanted = new Map<string, { maps: MapRow[]; colours: string[] }>();
+const todo = new Set<string>();
+const queue = new Coalesce(submit);
+
+export function scheduleThumbnails(): void {
+  effect(() => {
+    epoch.value;
+    untracked(() => {
+      queue.reset();
+      wanted.clear();
+    });
+  });
+  effect(() => {
+    const { maps } = scene.value.a;
+    dark.value;
+    epoch.value;
+    untracked(() => want("a", maps));
+  });
+  effect(() => {
+    const { maps } = scene.value.b;
+    dark.value;
+    epoch.value;
+    untracked(() => want("b", maps));
+  });
+  effect(() => {
+    dark.value;
+    epoch.value;
+    untracked(() => {
+      for (const preset of frond.presets()) want(preset.id, preset.maps);
+    });
+  });
+}
+
+function want(id: string, maps: MapRow[]): void {
+  const colours = palette(dark.peek() ? "dark" : "light");
+  const before = wanted.get(id);
+  if (before?.maps === maps && before.colours === colours) return;
+  wanted.set(id, { maps, colours });
+  todo.add(id);
+  queue.request(job);
+}
+
+function job(): Job<"picture"> {
+  const dpr = Math.min(2, globalThis.devicePixelRatio || 1);
+  const size = { width: Math.round(THUMB_WIDTH * dpr), height: Math.round(THUMB_HEIGHT * dpr) };
+  const asked = new Map<object, { id: string; maps: MapRow[] }>();
+  return {
+    channel: "thumbnails",
+    priority: () => (todo.has("a") || todo.has("b") ? 40 : 10),
+    next() {
+      const id = ["a", "b"].find((end) => todo.has(end)) ?? todo.values().next().value;
+      const what = id === undefined ? undefined : wanted.get(id);
+      if (id === undefined || !what) return null;
+      todo.delete(id);
+      const options = { ...size, colouring: "map" as const, palette: what.colours };
+      const task = { kind: "picture" as const, maps: what.maps, options };
+      asked.set(task, { id, maps: what.maps });
+      return task;
+    },
+    accept(task, bitmap) {
+      const { id, maps } = asked.get(task) ?? {};
+      // A later wish for the same id may have been drawn by another worker already.
+      if (id === undefined || (wanted.get(id)?.maps !== maps && !todo.has(id))) return;
+      publish.thumbnails.value = new Map(publish.thumbnails.peek()).set(id, bitmap);
+    },
+    // A shape without an attractor keeps the picture it last had.
+    fail() {},
+  };
+}

@@ -1,0 +1,93 @@
+/** Closed curves: what the morph and the deformation work on in place of two systems, where the document has them. */
+import { computed, effect, type ReadonlySignal } from "@preact/signals";
+import type { ComponentType } from "preact";
+import type { Box } from "#geometry/boxes";
+import type { Curve, CurveShape, Scene } from "#wasm/api";
+import { curvesReady, loadCurves, rough } from "#wasm/curve";
+import { notify, wordsOf } from "../notice";
+import { edit, scene } from "../scene";
+
+export type CurveMorph = InstanceType<typeof rough.CurveMorph>;
+
+/** The curves of the document. */
+export const curves: ReadonlySignal<{ a: CurveShape; b: CurveShape } | null> = computed(
+  () => scene.value.curves ?? null,
+);
+
+/** Whether there are curves in place of systems. */
+export const curved: ReadonlySignal<boolean> = computed(() => curves.value !== null);
+
+// What draws them is loaded with the first ones.
+effect(() => {
+  if (!curved.value) return;
+  loadCurves().catch((problem) =>
+    notify({ kind: "error", text: `Closed curves could not be loaded: ${wordsOf(problem)}` }),
+  );
+});
+
+/** The moment, where there are curves. */
+export const curveTime: ReadonlySignal<number> = computed(() => (curved.value ? scene.value.t : 0));
+
+/** The morph between them; null where there is none, or none can be had. The last one is gone when there is another. */
+function morphing(): ReadonlySignal<CurveMorph | null> {
+  let held: CurveMorph | null = null;
+  return computed(() => {
+    const now = curves.value;
+    held?.free();
+    held = null;
+    if (!curvesReady.value) return null;
+    try {
+      if (now) held = new rough.CurveMorph(now.a.curve, now.a.curve === now.b.curve ? null : now.b.curve);
+    } catch {
+      // Links are checked when they are read, and fits when they are made.
+    }
+    return held;
+  });
+}
+
+/** What is asked for the curve at any moment. */
+export const curveMorph: ReadonlySignal<CurveMorph | null> = morphing();
+
+/** What the stage asks, always for the present one: a morph keeps what it made for the moment that it was asked last. */
+export const stageMorph: ReadonlySignal<CurveMorph | null> = morphing();
+
+/** The box of the curve at a moment. */
+export function curveBoxAt(morph: CurveMorph, s: number): Box {
+  const [x0, y0, x1, y1] = morph.bounds(s);
+  return { x0, y0, x1, y1 };
+}
+
+/** The box of one curve. */
+export function curveBox(curve: Curve): Box {
+  const morph = new rough.CurveMorph(curve, null);
+  try {
+    return curveBoxAt(morph, 0);
+  } finally {
+    morph.free();
+  }
+}
+
+/** What a gallery shows of curves, wherever it is. */
+export interface ShelfProps {
+  /** The end that is chosen for, or the shape that is bent. */
+  end: "a" | "b" | "bent";
+  onChosen: () => void;
+}
+
+/** What is shown of curves in place of a morph's panel. */
+export interface CurvePanelProps {
+  /** Opens the gallery for an end. */
+  choose: (end: "a" | "b") => void;
+}
+
+/** What views of systems show of curves: brought together where all views are, and loaded when it is wanted. */
+export interface CurveParts {
+  Shelf: ComponentType<ShelfProps>;
+  Panel: ComponentType<CurvePanelProps>;
+}
+
+/** An edit of the systems: where curves stood in their place they are back. One undo step. */
+export async function editSystems(change: (scene: Scene) => Scene): Promise<void> {
+  if (curved.peek()) (await import("./edits")).backToSystems(change);
+  else edit(change);
+}

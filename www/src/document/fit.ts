@@ -1,0 +1,40 @@
+import { computed, type ReadonlySignal } from "@preact/signals";
+import type { CurvePreset, CurveShape, Fit, Scene, Tool } from "#wasm/api";
+import { openTool } from "./deform/bend";
+import { edit, replace, scene } from "./scene";
+
+/** What stands for a document that says nothing of fitting. */
+export const PLAIN_FIT: Fit = { mode: "outline", model: "closed", numbers: 260, smoothing: 0 };
+
+/** What the document says of fitting. */
+export const fitDocument: ReadonlySignal<Fit> = computed(() => scene.value.fit ?? PLAIN_FIT);
+
+/** One undo step, or a part of one (see `edit`). A change that returns the fit it was given does nothing. */
+export function changeFit(change: (fit: Fit) => Fit, options: { gesture?: string } = {}): void {
+  edit((now) => withFit(now, change), options);
+}
+
+/** Without an undo step: what a fit has come to by itself. */
+export function replaceFit(change: (fit: Fit) => Fit): void {
+  replace(withFit(scene.peek(), change));
+}
+
+function withFit(now: Scene, change: (fit: Fit) => Fit): Scene {
+  const before = now.fit ?? PLAIN_FIT;
+  const after = change(before);
+  return after === before ? now : { ...now, fit: after };
+}
+
+/**
+ * Takes a curve into the morph or under the grid: one undo step, then the tool. It becomes A, and B stays the curve it is;
+ * where there are no curves yet, B is one of the gallery's.
+ */
+export function useCurve(shape: CurveShape, partner: CurvePreset, tool: Tool): void {
+  const { id: preset, name, curve } = partner;
+  edit((now) => {
+    const { locus: _locus, view: _view, ...rest } = now;
+    const b = now.curves?.b ?? { preset, name, curve };
+    return { ...rest, curves: { a: shape, b }, t: 0 };
+  });
+  openTool(tool);
+}

@@ -1,0 +1,129 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import type { Scene } from "#wasm/api";
+import { AT_REST } from "./deform/bend";
+import { LONGEST } from "./history";
+import { canRedo, canUndo, edit, endGesture, inGesture, redo, replace, scene, start, undo } from "./scene";
+
+const first: Scene = { ...scene.peek() };
+const turn = (turns: number[]) => (before: Scene) => ({ ...before, turns });
+
+beforeEach(() => start(first));
+
+describe("edit", () => {
+  it("is one step each without a gesture", () => {
+    edit(turn([1]));
+    edit(turn([2]));
+    undo();
+    expect(scene.value.turns).toEqual([1]);
+    undo();
+    expect(scene.value).toEqual(first);
+    expect(canUndo.value).toBe(false);
+  });
+
+  it("is one step for a whole drag", () => {
+    for (let i = 1; i <= 40; i++) edit(turn([i]), { gesture: "drag" });
+    expect(inGesture.value).toBe(true);
+    endGesture();
+    expect(inGesture.value).toBe(false);
+    undo();
+    expect(scene.value.turns).toEqual([]);
+    redo();
+    expect(scene.value.turns).toEqual([40]);
+  });
+
+  it("begins a new step when the gesture has ended, even under the same name", () => {
+    edit(turn([1]), { gesture: "drag" });
+    endGesture();
+    edit(turn([2]), { gesture: "drag" });
+    undo();
+    expect(scene.value.turns).toEqual([1]);
+  });
+
+  it("begins a new step when another gesture comes in between", () => {
+    edit(turn([1]), { gesture: "p" });
+    edit(turn([2]), { gesture: "q" });
+    edit(turn([3]), { gesture: "p" });
+    undo();
+    expect(scene.value.turns).toEqual([2]);
+  });
+
+  it("leaves the tool and the moment of the grid to whoever looks", () => {
+    replace({ ...scene.peek(), tool: "deform", deform: AT_REST });
+    edit((before) => ({ ...before, deform: { ...(before.deform ?? AT_REST), kb: 3 } }));
+    replace({ ...scene.peek(), tool: "morph", deform: { ...AT_REST, kb: 3, phase: 0.5 } });
+    undo();
+    expect(scene.value.tool).toBe("morph");
+    expect(scene.value.deform).toEqual({ ...AT_REST, kb: 0, phase: 0.5 });
+    redo();
+    expect(scene.value.deform).toEqual({ ...AT_REST, kb: 3, phase: 0.5 });
+  });
+
+  it("does nothing when nothing changes", () => {
+    edit((before) => before);
+    expect(canUndo.value).toBe(false);
+  });
+
+  it("forgets what was undone", () => {
+    edit(turn([1]));
+    undo();
+    edit(turn([2]));
+    expect(canRedo.value).toBe(false);
+  });
+
+  it("keeps a bounded past", () => {
+    for (let i = 1; i <= LONGEST + 50; i++) edit(turn([i]));
+    let steps = 0;
+    while (canUndo.value) {
+      undo();
+      steps++;
+    }
+    expect(steps).toBe(LONGEST);
+    expect(scene.value.turns).toEqual([50]);
+  });
+});
+
+describe("undo and the moment", () => {
+  it("leaves the time and the view to whoever looks", () => {
+    edit(turn([1]));
+    replace({ ...scene.value, t: 0.75, view: { x: 1, y: 2, zoom: 3 } });
+    undo();
+    expect(scene.value.turns).toEqual([]);
+    expect(scene.value.t).toBe(0.75);
+    expect(scene.value.view).toEqual({ x: 1, y: 2, zoom: 3 });
+  });
+
+  it("takes the time back where the step itself set it", () => {
+    edit((before) => ({ ...before, t: 0.5, turns: [1] }));
+    replace({ ...scene.value, t: 0.9 });
+    undo();
+    expect(scene.value.t).toBe(first.t);
+    redo();
+    expect(scene.value.t).toBe(0.5);
+  });
+
+  it("does nothing at either end", () => {
+    undo();
+    redo();
+    expect(scene.value).toEqual(first);
+  });
+});
+
+describe("undo in space", () => {
+  const view = { target: [0, 0, 0] as [number, number, number], distance: 5, turn: 1, tilt: 0, angle: 1 };
+
+  it("leaves the view and the moment where they are", () => {
+    edit((now) => ({ ...now, space: { packed: "o:tree", at: 0 } }));
+    replace({ ...scene.peek(), space: { packed: "o:tree", at: 2, view } });
+    undo();
+    expect(scene.value.space).toEqual({ packed: "", at: 2, view });
+    redo();
+    expect(scene.value.space).toEqual({ packed: "o:tree", at: 2, view });
+  });
+
+  it("brings them back where the step changed them", () => {
+    replace({ ...scene.peek(), space: { packed: "o:tree", at: 2, view } });
+    edit((now) => ({ ...now, space: { packed: "o:fern", at: 0 } }));
+    undo();
+    expect(scene.value.space).toEqual({ packed: "o:tree", at: 2, view });
+  });
+});

@@ -1,0 +1,148 @@
+import { effect, type ReadonlySignal, signal } from "@preact/signals";
+import type { FrondError, Scene } from "#wasm/api";
+import { phasePlaying } from "./deform/bend";
+import { notify, wordsOf } from "./notice";
+import { playing, spacePlaying } from "./playback";
+import { edit, inGesture, scene, start } from "./scene";
+
+export type Route = { page: "studio" } | { page: "figures"; figure: string | null };
+
+/** The part of the wasm package that turns documents into links and back. */
+export interface Codec {
+  encodeScene(scene: Scene): string;
+  decodeScene(text: string): { scene: Scene; problem?: FrondError };
+  defaultScene(): Scene;
+}
+
+/** The browser's address bar, or the tests' own. */
+export interface Address {
+  read(): string;
+  write(fragment: string): void;
+}
+
+const REST_MS = 350;
+const routed = signal<Route>({ page: "studio" });
+
+/** What the address asks for. */
+export const route: ReadonlySignal<Route> = routed;
+
+/** `#figures` and `#figures/3` are pages; every other fragment is a document. */
+export function parseRoute(fragment: string): Route {
+  const match = /^figures(?:\/([\w-]{1,32}))?$/.exec(fragment);
+  return match ? { page: "figures", figure: match[1] ?? null } : { page: "studio" };
+}
+
+/** Keeps the address and the document in step, each following the other. */
+export class Link {
+  readonly #codec: Codec;
+  readonly #address: Address;
+  #timer: ReturnType<typeof setTimeout> | null = null;
+  /** The document that the address stands for. */
+  #kept: Scene | null = null;
+  /** The fragment that was last read or written. */
+  #seen = "";
+
+  readonly #onOpen: () => void;
+
+  constructor(codec: Codec, address: Address, onOpen: () => void = () => {}) {
+    this.#codec = codec;
+    this.#address = address;
+    this.#onOpen = onOpen;
+  }
+
+  /** Reads the address for the first time. */
+  open(): void {
+    const fragment = this.#address.read();
+    this.#seen = fragment;
+    routed.value = parseRoute(fragment);
+    const text = routed.peek().page === "studio" ? fragment : "";
+    start(this.#decode(text));
+    this.#kept = scene.peek();
+  }
+
+  /** The address has changed from outside: a link was followed, or the back button pressed. */
+  follow(): void {
+    this.#stop();
+    const fragment = this.#address.read();
+    this.#seen = fragment;
+    const next = parseRoute(fragment);
+    routed.value = next;
+    if (next.page !== "studio") return;
+    // A document that no link can hold has the empty one, and stays.
+    if (fragment === (this.fragment() ?? "")) return;
+    const opened = this.#decode(fragment);
+    edit(() => opened);
+    this.#onOpen();
+    this.#kept = scene.peek();
+  }
+
+  /** The present document, with a change, as a fragment; null when no link can hold it. */
+  fragment(change: Partial<Scene> = {}): string | null {
+    try {
+      return this.#codec.encodeScene({ ...scene.peek(), ...change });
+    } catch {
+      return null;
+    }
+  }
+
+  /** Writes every change into the address once things have come to rest. Returns the end of it. */
+  watch(): () => void {
+    const stop = effect(() => {
+      const now = scene.value;
+      // While it moves there is nothing worth keeping, and browsers count how often the address is written.
+      if (playing.value || phasePlaying.value || spacePlaying.value || inGesture.value || now === this.#kept)
+        return;
+      this.#stop();
+      this.#timer = setTimeout(() => this.flush(), REST_MS);
+    });
+    return () => {
+      stop();
+      this.#stop();
+    };
+  }
+
+  /** Writes now: somebody is about to leave, or wants the address. False where no link can hold the document: that is said. */
+  flush(): boolean {
+    this.#stop();
+    const now = scene.peek();
+    if (routed.peek().page !== "studio" || now === this.#kept) return true;
+    // A link was followed this moment, and the word of it is still on its way: writing would lose it.
+    if (this.#address.read() !== this.#seen) return true;
+    try {
+      this.#address.write(this.#codec.encodeScene(now));
+      this.#seen = this.#address.read();
+      this.#kept = now;
+      return true;
+    } catch (problem) {
+      notify({ kind: "error", text: `The address no longer holds what you see. ${wordsOf(problem)}` });
+      return false;
+    }
+  }
+
+  #decode(text: string): Scene {
+    if (text === "") return this.#codec.defaultScene();
+    const { scene: opened, problem } = this.#codec.decodeScene(text);
+    if (problem) {
+      notify({
+        kind: "error",
+        text: `${problem.message} Frond shows what it begins with instead.`,
+      });
+    }
+    return opened;
+  }
+
+  #stop(): void {
+    if (this.#timer) clearTimeout(this.#timer);
+    this.#timer = null;
+  }
+}
+
+/** The address bar of this page. Only the fragment is ever touched. */
+export const addressBar: Address = {
+  read() {
+    return location.hash.replace(/^#/, "");
+  },
+  write(fragment) {
+    history.replaceState(history.state, "", `#${fragment}`);
+  },
+};
