@@ -1,15 +1,15 @@
 import { type Signal, signal, useSignalEffect } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
-import { evidenceOpen } from "./canvas/marks";
-import type { PainterBackend } from "./canvas/painter";
-import { Stage } from "./canvas/stage";
 import { type CurveParts, curved } from "./document/curve/curve";
 import { tool } from "./document/deform/bend";
 import { route } from "./document/link";
 import { announcement, dismiss, notices, notify, wordsOf } from "./document/notice";
 import { Header } from "./shell/header";
 import { Readout, VerdictChip } from "./shell/readouts";
+import { evidenceOpen } from "./stage/marks";
+import { Stage } from "./stage/stage";
+import type { PainterBackend } from "./stage/surface/painter";
 import { lazily } from "./ui/lazy";
 import { Toasts } from "./ui/Toasts";
 import { MorphPanel, MorphStrip } from "./views/morph/index";
@@ -119,13 +119,13 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
 }
 
 /** What is shown of closed curves is loaded when there are some, or when one may be chosen. */
-const CurveChip = lazily(() => withCurves(import("./views/curve/index")).then((module) => module.CurveChip));
+const CurveChip = lazily(() => withCurves(import("./curve/index")).then((module) => module.CurveChip));
 const CurveEvidence = lazily(() =>
-  withCurves(import("./views/curve/index")).then((module) => module.CurveEvidence),
+  withCurves(import("./curve/index")).then((module) => module.CurveEvidence),
 );
 const CURVE: CurveParts = {
-  Panel: lazily(() => withCurves(import("./views/curve/index")).then((module) => module.CurvePanel)),
-  Shelf: lazily(() => withCurves(import("./views/curve/index")).then((module) => module.Shelf)),
+  Panel: lazily(() => withCurves(import("./curve/index")).then((module) => module.CurvePanel)),
+  Shelf: lazily(() => withCurves(import("./curve/index")).then((module) => module.Shelf)),
 };
 
 /** What is known of the picture is loaded when somebody asks. */
@@ -137,7 +137,7 @@ export function fetchAhead(): void {
   const tried = () => {
     curvesFetched.value = true;
   };
-  Promise.all([withCurves(import("./views/curve/index")), evidence()]).then(tried, tried);
+  Promise.all([withCurves(import("./curve/index")), evidence()]).then(tried, tried);
 }
 
 /** A part of the page, with what makes closed curves and graphs. */

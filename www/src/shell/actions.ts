@@ -1,7 +1,4 @@
 import { computed } from "@preact/signals";
-import { stageStyle } from "#canvas/look";
-import { bentPicture, type SheetRequest } from "#canvas/sheet";
-import { effectiveView, stageSize } from "#canvas/view";
 import { adoptPath } from "#compute/start";
 import { curved } from "#document/curve/curve";
 import { bend, deformation } from "#document/deform/bend";
@@ -12,6 +9,9 @@ import { selection, shown } from "#document/morph";
 import { notify, wordsOf } from "#document/notice";
 import { spacePlaying } from "#document/playback";
 import { scene } from "#document/scene";
+import { stageStyle } from "#stage/look";
+import { bentPicture, type SheetRequest } from "#stage/surface/sheet";
+import { effectiveView, stageSize } from "#stage/view";
 import type { Tool } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { submit } from "#workers/pool/engine";
@@ -63,7 +63,7 @@ export const CURVE_FILES = ["png", "svg", "csv", "json"] as const;
 
 export async function saveCurve(kind: (typeof CURVE_FILES)[number]): Promise<void> {
   try {
-    await (await import("#views/curve/save")).save(kind);
+    await (await import("#curve/save")).save(kind);
   } catch (problem) {
     notSaved(problem);
   }

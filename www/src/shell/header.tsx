@@ -4,7 +4,7 @@ import { route } from "#document/link";
 import { selection } from "#document/morph";
 import { setTheme, type Theme, theme } from "#document/preferences";
 import { canRedo, canUndo, redo, undo } from "#document/scene";
-import { help } from "#state/help";
+import { help } from "#ui/help";
 import { Icon } from "#ui/Icon";
 import { Menu, type MenuItem } from "#ui/Menu";
 import type { Tool as ToolName } from "#wasm/api";

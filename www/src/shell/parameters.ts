@@ -1,5 +1,5 @@
-import type { PainterBackend } from "#canvas/painter";
 import type { CardChoice } from "#compute/locus/card-trial";
+import type { PainterBackend } from "#stage/surface/painter";
 
 export interface Parameters {
   backend: "auto" | PainterBackend;

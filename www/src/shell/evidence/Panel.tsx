@@ -1,10 +1,10 @@
 import "./evidence.css";
-import { evidenceKept, evidenceOpen } from "#canvas/marks";
 import { verdict } from "#compute/results";
 import { boxOf } from "#document/framing";
 import { shown } from "#document/morph";
 import { dark } from "#document/preferences";
 import { verdictWords } from "#format/verdict";
+import { evidenceKept, evidenceOpen } from "#stage/marks";
 import { palette } from "#style/palette";
 import { IconButton } from "#ui/Button";
 import { Graph } from "#ui/Graph";

@@ -1,8 +1,8 @@
 /** The deformation tool: its side panel, its time strip, and what it lays over the picture. Loaded when it is first opened. */
 import { useEffect } from "preact/hooks";
 import type { CurveParts } from "#document/curve/curve";
-import { help } from "#state/help";
 import { Button } from "#ui/Button";
+import { help } from "#ui/help";
 import { ColourPanel } from "./colour/ColourPanel";
 import { ringed } from "./facts";
 import { GridPanel } from "./mesh/GridPanel";

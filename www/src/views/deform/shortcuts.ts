@@ -1,10 +1,11 @@
 /** Keys that work anywhere while the deformation tool is open, unless something is being typed or a dialog is open. */
-import { fitStage } from "#canvas/gestures";
+
 import { deformation, phasePlaying } from "#document/deform/bend";
 import { edit, redo, undo } from "#document/scene";
 import { addStep } from "#format/numbers";
-import { help } from "#state/help";
+import { fitStage } from "#stage/gestures";
 import { type Focus, focusOf, type KeyPress } from "#ui/focus";
+import { help } from "#ui/help";
 import type { ShortcutRow } from "#ui/ShortcutTable";
 import type { Colouring } from "#wasm/api";
 import { pausePhase, playPhase, scrubPhase } from "./clock";

@@ -1,4 +1,4 @@
-import { help } from "#state/help";
+import { help } from "#ui/help";
 import { ShortcutsDialog as List } from "#ui/ShortcutsDialog";
 import { SHORTCUTS } from "./shortcuts";
 

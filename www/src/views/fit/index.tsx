@@ -1,8 +1,8 @@
 /** The fit: its side panel, its strip, and its stage. Loaded when it is first opened. */
 import { effect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { help } from "#state/help";
 import { Button } from "#ui/Button";
+import { help } from "#ui/help";
 import { narrow } from "#ui/media";
 import { fitTask } from "#workers/fit/client";
 import { GraphPanel, GraphStage, GraphStrip, graphOpen, ModeChoice } from "./mode";

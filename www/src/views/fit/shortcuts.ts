@@ -2,8 +2,8 @@
 
 import { fitDocument } from "#document/fit";
 import { redo, undo } from "#document/scene";
-import { help } from "#state/help";
 import { type Focus, focusOf, type KeyPress } from "#ui/focus";
+import { help } from "#ui/help";
 import type { ShortcutRow } from "#ui/ShortcutTable";
 import { brushSize, type Hand, hand, painting } from "./stage/brush";
 import { fitStage } from "./stage/camera";

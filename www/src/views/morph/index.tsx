@@ -2,8 +2,8 @@
 import { useEffect } from "preact/hooks";
 import { type CurveParts, curved } from "#document/curve/curve";
 import { selection } from "#document/morph";
-import { help } from "#state/help";
 import { Button } from "#ui/Button";
+import { help } from "#ui/help";
 import { narrow } from "#ui/media";
 import type { End } from "./changes";
 import { gallery } from "./dialogs";

@@ -1,12 +1,13 @@
 /** Keys that work anywhere on the page, unless something is being typed or a dialog is open. */
-import { fitStage } from "#canvas/gestures";
+
 import { curved } from "#document/curve/curve";
 import { selection } from "#document/morph";
 import { pause, play, playing } from "#document/playback";
 import { edit, redo, scene, undo } from "#document/scene";
 import { addStep } from "#format/numbers";
-import { help } from "#state/help";
+import { fitStage } from "#stage/gestures";
 import { type Focus, focusOf, type KeyPress } from "#ui/focus";
+import { help } from "#ui/help";
 import type { ShortcutRow } from "#ui/ShortcutTable";
 import type { Colouring } from "#wasm/api";
 import { gallery } from "./dialogs";

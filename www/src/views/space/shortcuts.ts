@@ -2,8 +2,8 @@
 
 import { redo, undo } from "#document/scene";
 import { hand } from "#document/space/space";
-import { help } from "#state/help";
 import { type Focus, focusOf, type KeyPress } from "#ui/focus";
+import { help } from "#ui/help";
 import type { ShortcutRow } from "#ui/ShortcutTable";
 import { goToOrigin, showWhole } from "./stage/actions";
 import { TIME_SHORTCUTS } from "./time/shortcuts";

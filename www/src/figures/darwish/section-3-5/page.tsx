@@ -1,9 +1,9 @@
 import { useMemo, useState } from "preact/hooks";
-import { ShadowPicture } from "#canvas/ShadowPicture";
 import { wordsOf } from "#document/notice";
 import { formatNumber } from "#format/numbers";
 import { axisWords, divergingWords, unit } from "#format/placement";
 import { turns3 } from "#geometry/affine3";
+import { ShadowPicture } from "#stage/ShadowPicture";
 import { MapBlocks } from "#ui/MapBlocks";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";

@@ -1,7 +1,7 @@
 import { computed } from "@preact/signals";
-import { stageSize } from "#canvas/view";
 import { bentAt, type GridLine, gridLines } from "#geometry/bezier";
 import type { Screen } from "#geometry/coordinates";
+import { stageSize } from "#stage/view";
 import { mesh } from "./document";
 import { handlesOf, LINES, onStage } from "./hit";
 import { frame, grip, under } from "./pointer";

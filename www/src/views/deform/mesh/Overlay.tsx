@@ -1,9 +1,9 @@
 import "./mesh.css";
 import { computed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { stageSize } from "#canvas/view";
 import { phasePlaying } from "#document/deform/bend";
 import { type Screen, screen } from "#geometry/coordinates";
+import { stageSize } from "#stage/view";
 import { useOwnId } from "#ui/id";
 import { chosen, lead } from "./chosen";
 import { mesh } from "./document";

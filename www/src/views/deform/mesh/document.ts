@@ -1,10 +1,10 @@
 /** The mesh of the document at the present moment, and how its moves get into the document. */
 import { computed, type ReadonlySignal } from "@preact/signals";
-import { effectiveView } from "#canvas/view";
 import { changeDeformation, deformation, movesAt } from "#document/deform/bend";
 import { keyNear, MOST_KEYS, withMoves } from "#document/deform/keys";
 import { notify } from "#document/notice";
 import { type Mesh, sizeOf } from "#geometry/mesh";
+import { effectiveView } from "#stage/view";
 
 export const mesh: ReadonlySignal<Mesh> = computed(() => {
   const { columns, rows, box, keys, phase, loop } = deformation.value;

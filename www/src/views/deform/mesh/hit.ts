@@ -1,9 +1,9 @@
 /** What a press meets. */
 
-import { effectiveView, stageSize } from "#canvas/view";
 import { type GridLine, gridLines } from "#geometry/bezier";
 import { type Screen, screen, toScreen, toWorld, type View, world } from "#geometry/coordinates";
 import { type Mesh, type Point, placed } from "#geometry/mesh";
+import { effectiveView, stageSize } from "#stage/view";
 
 export function onStage([x, y]: Point): Screen {
   return toScreen(world(x, y), effectiveView.value, stageSize.value);

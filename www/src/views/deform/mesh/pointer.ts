@@ -3,13 +3,13 @@
  * goes on to the picture, which is moved and enlarged as ever. A second finger always means the picture.
  */
 import { signal } from "@preact/signals";
-import { effectiveView } from "#canvas/view";
 import { phasePlaying } from "#document/deform/bend";
 import { announce } from "#document/notice";
 import { endGesture, undo } from "#document/scene";
 import { placeAt } from "#geometry/bezier";
 import { type Screen, screen } from "#geometry/coordinates";
 import type { Point } from "#geometry/mesh";
+import { effectiveView } from "#stage/view";
 import { choose, chosen, clearChosen, toggle } from "./chosen";
 import { mesh, setMoves } from "./document";
 import { pulled, shifted } from "./edit";

@@ -1,5 +1,4 @@
 import { computed } from "@preact/signals";
-import { CurveThumb } from "#canvas/CurveThumb";
 import { curveFilm, strip, thumbnails } from "#compute/results";
 import { sameCurves } from "#document/curve/changes";
 import { type CurveParts, curved, curveMorph, curves } from "#document/curve/curve";
@@ -10,6 +9,7 @@ import { pause, setT } from "#document/playback";
 import { originOf, presets } from "#document/presets";
 import { edit, replace, scene } from "#document/scene";
 import { formatNumber } from "#format/numbers";
+import { CurveThumb } from "#stage/curve/CurveThumb";
 import { Button } from "#ui/Button";
 import { Dialog } from "#ui/Dialog";
 import { Segmented } from "#ui/Segmented";

@@ -1,7 +1,7 @@
 import { effect, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { watchSize } from "#canvas/picture";
 import { dark, theme } from "#document/preferences";
+import { watchSize } from "#stage/picture";
 import { palette } from "#style/palette";
 import { IconButton } from "#ui/Button";
 import { statusWords } from "../words";

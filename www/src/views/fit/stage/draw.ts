@@ -1,6 +1,7 @@
 /** Paints the stage of the fit, in device pixels. */
-import { type Frame as CanvasFrame, fillPath, outlinePaths, place } from "#canvas/curve";
+
 import type { View } from "#geometry/coordinates";
+import { type Frame as CanvasFrame, fillPath, outlinePaths, place } from "#stage/curve/outline";
 import type { Collage } from "#workers/fit/curve";
 import type { Masked, Stroke } from "#workers/fit/trace-types";
 import type { Frame } from "../work/frame";

@@ -1,4 +1,4 @@
-import "#canvas/locus/handles.css";
+import "#stage/locus/handles.css";
 import { uv } from "#document/morph";
 import { endGesture, scene } from "#document/scene";
 import { addStep } from "#format/numbers";

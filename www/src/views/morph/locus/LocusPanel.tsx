@@ -1,9 +1,9 @@
-import "#canvas/locus/locus.css";
+import "#stage/locus/locus.css";
 import "./field.css";
 import { computed, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { Legend } from "#canvas/locus/Legend";
-import type { LocusStyle } from "#canvas/locus/paint";
+import { Legend } from "#stage/locus/Legend";
+import type { LocusStyle } from "#stage/locus/paint";
 import { Segmented } from "#ui/Segmented";
 import { followCritical } from "./critical";
 import { FamilyNotes } from "./FamilyNotes";

@@ -1,7 +1,7 @@
 import { useEffect, useRef } from "preact/hooks";
-import { Field } from "#canvas/locus/Field";
-import type { LocusStyle } from "#canvas/locus/paint";
 import { locusWindow } from "#compute/results";
+import { Field } from "#stage/locus/Field";
+import type { LocusStyle } from "#stage/locus/paint";
 import { pathKind } from "../parts";
 import { CROSS_HINT, Cross, crossKey, useCross } from "./cross";
 import { FamilyLines } from "./FamilyLines";

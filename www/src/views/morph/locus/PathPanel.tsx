@@ -1,4 +1,4 @@
-import "#canvas/locus/path.css";
+import "#stage/locus/path.css";
 import { computed, useComputed } from "@preact/signals";
 import { certified, certify, stopCertifying } from "#compute/certify";
 import { leavesPlane, plan3, setThird, third, wayOf } from "#compute/plan";

@@ -1,5 +1,4 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { paint } from "#canvas/locus/paint";
 import { BOUNDS } from "#compute/locus/job";
 import { lookForMatchings, matchings, stopMatching } from "#compute/matching";
 import { wayOf } from "#compute/plan";
@@ -7,6 +6,7 @@ import { announce } from "#document/notice";
 import { dark } from "#document/preferences";
 import { edit } from "#document/scene";
 import { matchWords, meritWords } from "#format/path-words";
+import { paint } from "#stage/locus/paint";
 import { palette } from "#style/palette";
 import { Button } from "#ui/Button";
 import { useOwnId } from "#ui/id";

@@ -1,11 +1,11 @@
 import "./morph3.css";
 import { computed, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { Legend } from "#canvas/locus/Legend";
-import type { LocusStyle } from "#canvas/locus/paint";
 import { announce } from "#document/notice";
 import { changeSpace } from "#document/space/edits";
 import { choose, setMoment, setView, space, spaceReady } from "#document/space/space";
+import { Legend } from "#stage/locus/Legend";
+import type { LocusStyle } from "#stage/locus/paint";
 import { Button } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
 import { solid } from "#wasm/space";

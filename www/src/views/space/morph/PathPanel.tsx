@@ -1,4 +1,4 @@
-import "#canvas/locus/path.css";
+import "#stage/locus/path.css";
 import { endGesture } from "#document/scene";
 import { bestWords, pathWords, roomWords } from "#format/path-words";
 import { shareOf, stateOf } from "#format/verdict";

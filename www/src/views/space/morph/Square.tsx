@@ -1,10 +1,10 @@
 import { useRef } from "preact/hooks";
-import { Field } from "#canvas/locus/Field";
-import type { LocusStyle } from "#canvas/locus/paint";
 import { BOUNDS } from "#compute/locus/job";
 import { endGesture } from "#document/scene";
 import type { Uv } from "#geometry/path";
 import { nearestOn, slice } from "#geometry/polyline";
+import { Field } from "#stage/locus/Field";
+import type { LocusStyle } from "#stage/locus/paint";
 import { EPSILON } from "#workers/space/locus-fill";
 import { CurrentHandle, focusHandle, WayHandle } from "./handles";
 import { addAt, chosen, goTo, pick, place, way } from "./way";

@@ -1,4 +1,4 @@
-import "#canvas/locus/handles.css";
+import "#stage/locus/handles.css";
 import { useRef } from "preact/hooks";
 import { endGesture } from "#document/scene";
 import { addStep } from "#format/numbers";

@@ -1,9 +1,9 @@
 import { computed, signal } from "@preact/signals";
-import { ShadowPicture } from "#canvas/ShadowPicture";
 import { wordsOf } from "#document/notice";
 import { spaceView } from "#document/space/space";
 import { formatNumber } from "#format/numbers";
 import { axisWords, unit } from "#format/placement";
+import { ShadowPicture } from "#stage/ShadowPicture";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
 import type { MapRow, MapRow3, Point3 } from "#wasm/api";

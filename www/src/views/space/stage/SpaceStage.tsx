@@ -1,10 +1,10 @@
 import "./stage.css";
 import { computed, effect, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import type { PainterBackend } from "#canvas/painter";
-import { watchSize } from "#canvas/picture";
 import { endGesture } from "#document/scene";
 import { chosen, hand, space, spaceView } from "#document/space/space";
+import { watchSize } from "#stage/picture";
+import type { PainterBackend } from "#stage/surface/painter";
 import { attachGestures } from "./gestures";
 import { stageKey, stageKeyUp } from "./keys";
 import { Messages } from "./Messages";

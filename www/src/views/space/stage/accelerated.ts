@@ -1,4 +1,4 @@
-import type { Pixels } from "#canvas/surface";
+import type { Pixels } from "#stage/surface/surface";
 import { media } from "#ui/media";
 import type { SpaceLook } from "#wasm/space";
 import type { SpaceRenderer } from "#wasm/space-renderer";

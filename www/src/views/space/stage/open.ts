@@ -1,5 +1,5 @@
-import type { PainterBackend } from "#canvas/painter";
 import { notify, wordsOf } from "#document/notice";
+import type { PainterBackend } from "#stage/surface/painter";
 import { createSpaceRenderer } from "#wasm/space-renderer";
 import { Accelerated } from "./accelerated";
 import { Plain } from "./plain";

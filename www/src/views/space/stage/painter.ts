@@ -1,6 +1,6 @@
-import type { PainterBackend } from "#canvas/painter";
-import type { Pixels } from "#canvas/surface";
 import { notify, wordsOf } from "#document/notice";
+import type { PainterBackend } from "#stage/surface/painter";
+import type { Pixels } from "#stage/surface/surface";
 import { openSurface } from "./open";
 import type { Surface, Wanted } from "./surface";
 

@@ -1,4 +1,4 @@
-import type { Pixels } from "#canvas/surface";
+import type { Pixels } from "#stage/surface/surface";
 import { type PictureRequest, pictureOf } from "#workers/space/complete-picture";
 import { type Completed, lookOf, type Surface, sameView, type Wanted } from "./surface";
 

@@ -1,9 +1,9 @@
 /** What the stage of space is up to: for its readouts, for files and for the tests. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { PainterBackend } from "#canvas/painter";
-import type { Pixels } from "#canvas/surface";
 import { spaceFrame, spaceView } from "#document/space/space";
 import type { Size } from "#geometry/coordinates";
+import type { PainterBackend } from "#stage/surface/painter";
+import type { Pixels } from "#stage/surface/surface";
 import { type Painted, type SpacePainter, NOTHING as UNPAINTED } from "./painter";
 
 /** In CSS pixels. */

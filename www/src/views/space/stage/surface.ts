@@ -1,5 +1,5 @@
-import type { PainterBackend } from "#canvas/painter";
-import type { Pixels } from "#canvas/surface";
+import type { PainterBackend } from "#stage/surface/painter";
+import type { Pixels } from "#stage/surface/surface";
 import type { SpaceLight, SpaceView } from "#wasm/api";
 import type { SpaceLook } from "#wasm/space";
 import type { Sight } from "./sight";

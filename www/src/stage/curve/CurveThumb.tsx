@@ -1,8 +1,8 @@
 import { useMemo } from "preact/hooks";
 import { type CurveMorph, curveBoxAt } from "#document/curve/curve";
 import { Thumbnail } from "#ui/Thumbnail";
-import { curveThumb } from "./curve-thumb";
-import { stageStyle } from "./look";
+import { stageStyle } from "../look";
+import { curveThumb } from "./thumb";
 
 const SIZE = { width: 160, height: 104 };
 

@@ -1,9 +1,9 @@
 import "./curve.css";
 import { computed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { evidenceOpen } from "#canvas/marks";
 import { sameCurves } from "#document/curve/changes";
 import { curves } from "#document/curve/curve";
+import { evidenceOpen } from "#stage/marks";
 import { IconButton } from "#ui/Button";
 import { factsNow, watchFacts } from "./facts";
 import { crossingWords, whyWords } from "./words";

@@ -3,7 +3,7 @@
 import type { CurveMorph } from "#document/curve/curve";
 import { fitFor } from "#document/framing";
 import type { Box } from "#geometry/boxes";
-import { lookOf, paintCurve } from "./curve-paint";
+import { lookOf, paintCurve } from "./paint";
 
 /** CSS pixels. */
 export interface ThumbSize {

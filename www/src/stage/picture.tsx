@@ -5,7 +5,7 @@ import type { Photograph } from "#document/deform/photograph";
 import type { Bend, MapRow } from "#wasm/api";
 import { attachGestures } from "./gestures";
 import { stageStyle } from "./look";
-import { Painter, type PainterBackend, type PainterState } from "./painter";
+import { Painter, type PainterBackend, type PainterState } from "./surface/painter";
 import { effectiveView, stageSize } from "./view";
 
 interface PictureProps {

@@ -7,8 +7,8 @@ import { pathTrack } from "#document/framing";
 import { toldOf } from "#format/verdict";
 import { boxAt } from "#geometry/boxes";
 import { STATE } from "#geometry/states";
-import { curveThumb } from "./curve-thumb";
-import { stageStyle } from "./look";
+import { stageStyle } from "../look";
+import { curveThumb } from "./thumb";
 
 const SETTLE_MS = 90;
 const film = publish.curveFilm;

@@ -1,12 +1,13 @@
 /** The curve of the present moment as a file. */
-import { lookOf, paintCurve } from "#canvas/curve-paint";
-import { moved, TOLERANCE } from "#canvas/curve-painter";
-import { stageStyle } from "#canvas/look";
-import { effectiveView, stageSize } from "#canvas/view";
+
 import { sameCurves } from "#document/curve/changes";
 import { curveMorph, curves, curveTime } from "#document/curve/curve";
 import { bend } from "#document/deform/bend";
 import { notify, wordsOf } from "#document/notice";
+import { lookOf, paintCurve } from "#stage/curve/paint";
+import { moved, TOLERANCE } from "#stage/curve/painter";
+import { stageStyle } from "#stage/look";
+import { effectiveView, stageSize } from "#stage/view";
 import { rough } from "#wasm/curve";
 import { csvOf, jsonOf, nameOf, svgOf } from "./files";
 

@@ -2,13 +2,13 @@ import { effect, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { curveTime, stageMorph } from "#document/curve/curve";
 import { bend, bendProblem } from "#document/deform/bend";
-import { watchFilm } from "./curve-film";
-import { CurvePainter } from "./curve-painter";
-import { attachGestures } from "./gestures";
-import { stageStyle } from "./look";
-import type { MainPainter, PainterState } from "./painter";
-import { watchSize } from "./picture";
-import { effectiveView, stageSize } from "./view";
+import { attachGestures } from "../gestures";
+import { stageStyle } from "../look";
+import { watchSize } from "../picture";
+import type { MainPainter, PainterState } from "../surface/painter";
+import { effectiveView, stageSize } from "../view";
+import { watchFilm } from "./film";
+import { CurvePainter } from "./painter";
 
 interface CurvePictureProps {
   onState: (state: PainterState) => void;

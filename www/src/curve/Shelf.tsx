@@ -1,10 +1,10 @@
 import "./curve.css";
 import { useMemo } from "preact/hooks";
-import { curveThumb } from "#canvas/curve-thumb";
-import { stageStyle } from "#canvas/look";
 import { curveBoxAt, curves, type ShelfProps } from "#document/curve/curve";
 import { bendCurve, chooseCurve, curvePresets, fitted, shapeOf } from "#document/curve/edits";
 import { announce, notify } from "#document/notice";
+import { curveThumb } from "#stage/curve/thumb";
+import { stageStyle } from "#stage/look";
 import { useOwnId } from "#ui/id";
 import { ShapeGrid, type ShapeItem } from "#ui/ShapeGrid";
 import type { Curve, CurveShape } from "#wasm/api";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { edgeColours, mixed } from "./curve-colours";
+import { edgeColours, mixed } from "./colours";
 
 const PALETTE = ["#000000", "#111111", "#222222", "#333333"];
 /** Edges: straight; copies of an arc, of a longer one from the same knot, and of the first again at A; of one arc at B. */

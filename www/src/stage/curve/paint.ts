@@ -3,8 +3,8 @@
 import type { CurveMorph } from "#document/curve/curve";
 import { dark } from "#document/preferences";
 import type { Colouring } from "#wasm/api";
-import { type Frame, fillPath, outlinePaths, type Placed, place } from "./curve";
-import { edgeColours } from "./curve-colours";
+import { edgeColours } from "./colours";
+import { type Frame, fillPath, outlinePaths, type Placed, place } from "./outline";
 
 /** How a curve is painted. */
 export interface CurveLook {

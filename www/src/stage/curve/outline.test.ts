@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { fillPath, outlinePaths, place, type Sink } from "./curve";
+import { fillPath, outlinePaths, place, type Sink } from "./outline";
 
 type Stroke = [number, number][];
 

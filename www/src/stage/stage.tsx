@@ -10,8 +10,8 @@ import { lazily } from "#ui/lazy";
 import { Evidence } from "./evidence";
 import { stageKey } from "./gestures";
 import { Handles } from "./handles";
-import type { MainPainter, Painter, PainterBackend, PainterState } from "./painter";
 import { Picture } from "./picture";
+import type { MainPainter, Painter, PainterBackend, PainterState } from "./surface/painter";
 import { followFit } from "./view";
 import { linkView } from "./view-link";
 
@@ -136,7 +136,7 @@ export function Stage({
 }
 
 /** Loaded when there is a curve to draw. */
-const CurvePicture = lazily(() => import("./curve-picture").then((module) => module.CurvePicture));
+const CurvePicture = lazily(() => import("./curve/picture").then((module) => module.CurvePicture));
 
 const empty = computed(() => picture.value.empty);
 

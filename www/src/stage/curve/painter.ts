@@ -3,9 +3,9 @@ import { wordsOf } from "#document/notice";
 import type { View } from "#geometry/coordinates";
 import type { Bend } from "#wasm/api";
 import type { RenderStyle } from "#wasm/core";
-import { lookOf, paintCurve } from "./curve-paint";
-import type { PainterState } from "./painter";
-import type { Pixels } from "./surface";
+import type { PainterState } from "../surface/painter";
+import type { Pixels } from "../surface/surface";
+import { lookOf, paintCurve } from "./paint";
 
 /** What is to be seen. Sizes are device pixels, `view.scale` is in CSS pixels a unit. */
 export interface CurveRequest {
