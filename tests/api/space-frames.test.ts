@@ -14,8 +14,8 @@ const { notices } = await import("../../www/src/document/notice");
 const state = await import("../../www/src/document/space/space");
 const edits = await import("../../www/src/document/space/edits");
 const { exportTasks } = await import("../../www/src/workers/space/export");
-const { timesOf } = await import("../../www/src/views/space/export/plan");
-const { takeAnimation } = await import("../../www/src/views/space/time/open");
+const { timesOf } = await import("../../www/src/tools/space/export/plan");
+const { takeAnimation } = await import("../../www/src/tools/space/time/open");
 
 const first = { ...scene.peek() };
 const context = { progress: () => {}, breathe: async () => {}, transfer: () => {}, keep: new Map() };

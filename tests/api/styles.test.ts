@@ -5,7 +5,7 @@ import { fileURLToPath } from "node:url";
 import { describe, expect, it } from "vitest";
 
 const root = fileURLToPath(new URL("../../www/src", import.meta.url));
-const LAZY = ["views/deform", "views/fit", "views/space", "views/curve"];
+const LAZY = ["tools/deform", "tools/fit", "tools/space", "curve"];
 /** Said alike by two tools, of the stage that they share while a file is over it. */
 const SHARED = new Set([".stage.dropping::after"]);
 

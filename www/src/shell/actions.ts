@@ -75,11 +75,11 @@ export const curveOnStage = computed(() => curved.value && !pictureShown.value);
 /** The picture as it stands on the stage, larger, complete, on a transparent ground. */
 export function savePicture(): void {
   if (scene.peek().tool === "fit") {
-    import("#views/fit/save").then((save) => save.savePng(), notSaved);
+    import("#tools/fit/save").then((save) => save.savePng(), notSaved);
     return;
   }
   if (scene.peek().tool === "space") {
-    import("#views/space/save").then((save) => save.savePng(), notSaved);
+    import("#tools/space/save").then((save) => save.savePng(), notSaved);
     return;
   }
   const size = stageSize.peek();

@@ -50,7 +50,7 @@ export function installHook(): void {
     locusProgress: () => locus.peek()?.progress ?? 0,
     forceLoss: () => {
       if (scene.peek().tool === "space")
-        import("#views/space/stage/state").then((stage) => stage.loseSpace());
+        import("#tools/space/stage/state").then((stage) => stage.loseSpace());
       else mainPainter.peek()?.forceLoss();
     },
     killWorker,
@@ -60,7 +60,7 @@ export function installHook(): void {
 }
 
 async function readPixels(which: Which = "main"): Promise<Pixels> {
-  if (scene.peek().tool === "space") return (await import("#views/space/stage/state")).spacePixels();
+  if (scene.peek().tool === "space") return (await import("#tools/space/stage/state")).spacePixels();
   const painter = (which === "main" ? mainPainter : linearPainter).peek();
   if (!painter) throw new Error("There is no picture on this page.");
   return painter.pixels();

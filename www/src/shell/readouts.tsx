@@ -11,8 +11,8 @@ import { fitStage } from "#stage/gestures";
 import { evidenceOpen } from "#stage/marks";
 import { picture } from "#stage/stage";
 import { view, zoom } from "#stage/view";
+import { CHIP_ID, PANEL_ID } from "#tools/morph/evidence/ids";
 import { workers } from "#workers/pool/engine";
-import { CHIP_ID, PANEL_ID } from "./evidence/ids";
 import { Glyph } from "./glyphs";
 
 const words = computed<VerdictWords>(() =>

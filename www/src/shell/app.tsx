@@ -1,21 +1,21 @@
 import { type Signal, signal, useSignalEffect } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
-import { type CurveParts, curved } from "./document/curve/curve";
-import { tool } from "./document/deform/bend";
-import { route } from "./document/link";
-import { announcement, dismiss, notices, notify, wordsOf } from "./document/notice";
-import { Header } from "./shell/header";
-import { Readout, VerdictChip } from "./shell/readouts";
-import { evidenceOpen } from "./stage/marks";
-import { Stage } from "./stage/stage";
-import type { PainterBackend } from "./stage/surface/painter";
-import { lazily } from "./ui/lazy";
-import { Toasts } from "./ui/Toasts";
-import { MorphPanel, MorphStrip } from "./views/morph/index";
-import type { Tool } from "./wasm/api";
-import { curvesFetched, loadCurves } from "./wasm/curve";
-import { loadProof } from "./wasm/proof";
+import { type CurveParts, curved } from "#document/curve/curve";
+import { tool } from "#document/deform/bend";
+import { route } from "#document/link";
+import { announcement, dismiss, notices, notify, wordsOf } from "#document/notice";
+import { evidenceOpen } from "#stage/marks";
+import { Stage } from "#stage/stage";
+import type { PainterBackend } from "#stage/surface/painter";
+import { MorphPanel, MorphStrip } from "#tools/morph/index";
+import { lazily } from "#ui/lazy";
+import { Toasts } from "#ui/Toasts";
+import type { Tool } from "#wasm/api";
+import { curvesFetched, loadCurves } from "#wasm/curve";
+import { loadProof } from "#wasm/proof";
+import { Header } from "./header";
+import { Readout, VerdictChip } from "./readouts";
 
 /** The whole page. */
 export function App({ backend }: { backend: "auto" | PainterBackend }) {
@@ -70,8 +70,8 @@ const TOOLS: Record<Tool, { title: string; side: string; missing: string }> = {
 function Studio({ backend }: { backend: "auto" | PainterBackend }) {
   const now = tool.value;
   useSignalEffect(() => {
-    if (tool.value === "deform") load(deform, () => import("./views/deform/index"), tool.value);
-    if (tool.value === "fit") load(fit, () => withCurves(import("./views/fit/index")), tool.value);
+    if (tool.value === "deform") load(deform, () => import("#tools/deform/index"), tool.value);
+    if (tool.value === "fit") load(fit, () => withCurves(import("#tools/fit/index")), tool.value);
     if (tool.value === "space") load(space, openSpace, tool.value);
   });
   const [Deform, Fit, Space] = [deform.value, fit.value, space.value];
@@ -119,17 +119,15 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
 }
 
 /** What is shown of closed curves is loaded when there are some, or when one may be chosen. */
-const CurveChip = lazily(() => withCurves(import("./curve/index")).then((module) => module.CurveChip));
-const CurveEvidence = lazily(() =>
-  withCurves(import("./curve/index")).then((module) => module.CurveEvidence),
-);
+const CurveChip = lazily(() => withCurves(import("#curve/index")).then((module) => module.CurveChip));
+const CurveEvidence = lazily(() => withCurves(import("#curve/index")).then((module) => module.CurveEvidence));
 const CURVE: CurveParts = {
-  Panel: lazily(() => withCurves(import("./curve/index")).then((module) => module.CurvePanel)),
-  Shelf: lazily(() => withCurves(import("./curve/index")).then((module) => module.Shelf)),
+  Panel: lazily(() => withCurves(import("#curve/index")).then((module) => module.CurvePanel)),
+  Shelf: lazily(() => withCurves(import("#curve/index")).then((module) => module.Shelf)),
 };
 
 /** What is known of the picture is loaded when somebody asks. */
-const evidence = () => import("./shell/evidence/Panel").then((module) => module.EvidencePanel);
+const evidence = () => import("#tools/morph/evidence/Panel").then((module) => module.EvidencePanel);
 const EvidencePanel = lazily(evidence);
 
 /** Fetches evidence, and what the gallery shows of curves, so that they are there without a network, too. */
@@ -137,7 +135,7 @@ export function fetchAhead(): void {
   const tried = () => {
     curvesFetched.value = true;
   };
-  Promise.all([withCurves(import("./curve/index")), evidence()]).then(tried, tried);
+  Promise.all([withCurves(import("#curve/index")), evidence()]).then(tried, tried);
 }
 
 /** A part of the page, with what makes closed curves and graphs. */
@@ -146,13 +144,13 @@ async function withCurves<T>(part: Promise<T>): Promise<T> {
   return module;
 }
 
-const deform = signal<typeof import("./views/deform/index") | null>(null);
-const fit = signal<typeof import("./views/fit/index") | null>(null);
-const space = signal<typeof import("./views/space/index") | null>(null);
+const deform = signal<typeof import("#tools/deform/index") | null>(null);
+const fit = signal<typeof import("#tools/fit/index") | null>(null);
+const space = signal<typeof import("#tools/space/index") | null>(null);
 
 /** Space, with what computes it. */
 async function openSpace() {
-  const module = await import("./views/space/index");
+  const module = await import("#tools/space/index");
   await module.openSpace();
   return module;
 }
@@ -176,7 +174,7 @@ function FiguresPage({ figure }: { figure: string | null }) {
   useEffect(() => {
     if (figures.peek()) return;
     // Figures ask for small proofs on the spot.
-    Promise.all([import("./figures/index"), loadProof(), loadCurves()]).then(
+    Promise.all([import("#figures/index"), loadProof(), loadCurves()]).then(
       ([module]) => {
         figures.value = module.Figures;
       },
