@@ -18,8 +18,10 @@ mod bounds;
 mod error;
 pub mod hash;
 mod ifs;
+mod intersection;
 mod linear;
 mod morph;
+mod projection;
 mod sample;
 #[cfg(test)]
 mod testing;
@@ -41,6 +43,7 @@ pub use ifs::fractal_dimension3::{BoxCount, affinity_dimension3, box_dimension, 
 pub use ifs::ifs2::Ifs;
 pub use ifs::ifs3::Ifs3;
 pub use ifs::symmetry::symmetries;
+pub use intersection::{Arrow, Intersection, MeetError, intersection};
 pub use linear::affine2::Affine2;
 pub use linear::affine3::Affine3;
 pub use linear::polar2::Polar2;
@@ -52,6 +55,8 @@ pub use morph::morph2::{Kind, Mode, Morph, MorphError, MorphOptions};
 pub use morph::morph3::{Morph3, Turn3};
 pub use morph::pairing::{Pairing, pair};
 pub use morph::route::{Route, RouteKind, routes};
+pub use projection::epsilon::{EpsilonProjection, epsilon_projection};
+pub use projection::parallel::{Plane, ProjectError, exact_projection, invariant_directions};
 pub use sample::chaos_game2::ChaosGame;
 pub use sample::chaos_game3::ChaosGame3;
 pub use sample::cut2::{CutOutcome, adaptive_cut};

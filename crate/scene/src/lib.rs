@@ -23,10 +23,8 @@ pub use scene::{
     Window,
 };
 pub use space::{
-    Arrow, CourseName, EaseName, EpsilonProjection, FileError, Film, FilmError, Held, Intersection,
-    MAX_KEYS3, MAX_OBJECTS3, MAX_PACKED, MeetError, MeetExample, Moment, Moved, PackedError, PaintName,
-    Plane, Preset3, ProjectError, Repeat, Row3, Shape3, Space, SpaceFile, SpaceKey, SpaceLight, SpaceMorph,
-    SpaceObject, SpacePart, SpaceSystems, SpaceView, Thing, Timeline, epsilon_projection, exact_projection,
-    intersection, invariant_directions, meet_examples, natural_objects, natural_scene, pack, parse_ifs3,
-    preset3, presets3, unpack, write_ifs3,
+    CourseName, EaseName, FileError, Film, FilmError, Held, MAX_KEYS3, MAX_OBJECTS3, MAX_PACKED, MeetExample,
+    Moment, Moved, PackedError, PaintName, Preset3, Repeat, Row3, Shape3, Space, SpaceFile, SpaceKey,
+    SpaceLight, SpaceMorph, SpaceObject, SpacePart, SpaceSystems, SpaceView, Thing, Timeline, meet_examples,
+    natural_objects, natural_scene, pack, parse_ifs3, preset3, presets3, unpack, write_ifs3,
 };

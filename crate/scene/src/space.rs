@@ -1,27 +1,23 @@
-//! Space: its gallery, its files, and its shadows in the plane.
+//! Space: its document, its gallery, its files and its links.
 
 mod document;
-mod epsilon;
 mod file;
 mod film;
-mod meet;
+mod meet_examples;
 mod natural;
 mod packed;
 mod part;
 mod preset;
-mod project;
 
 pub use document::{
     CourseName, EaseName, MAX_KEYS3, MAX_OBJECTS3, PaintName, Repeat, Shape3, Space, SpaceKey, SpaceLight,
     SpaceMorph, SpaceObject, Timeline, natural_objects,
 };
-pub use epsilon::{EpsilonProjection, epsilon_projection};
 pub use file::{FileError, SpaceFile, SpaceSystems, parse_ifs3, write_ifs3};
 pub use film::{Film, FilmError, Moment, Moved};
-pub use meet::{Arrow, Intersection, MeetError, MeetExample, intersection, meet_examples};
+pub use meet_examples::{MeetExample, meet_examples};
 pub use natural::{Thing, natural_scene};
 pub use packed::{MAX_PACKED, PackedError, pack, unpack};
 pub(crate) use packed::{view_numbers, view_of};
 pub use part::{Held, SpacePart, SpaceView};
 pub use preset::{Preset3, Row3, preset3, presets3};
-pub use project::{Plane, ProjectError, exact_projection, invariant_directions};

@@ -58,7 +58,7 @@ pub fn intersection3(
     #[wasm_bindgen(unchecked_param_type = "{ points?: number } | undefined")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let Options { points } = read("The options", options)?;
-    let found = frond_scene::intersection(&read_maps3(&first)?, &read_maps3(&second)?)
+    let found = frond_core::intersection(&read_maps3(&first)?, &read_maps3(&second)?)
         .map_err(|error| failure(error.code(), &error.to_string()))?;
     let arrows: Vec<PlainArrow> = found
         .arrows

@@ -1,12 +1,11 @@
 //! Shadows of space in the plane.
 
-use frond_core::ChaosGame3;
-use frond_scene::{Plane, ProjectError};
+use frond_core::{ChaosGame3, Plane, ProjectError};
 use js_sys::Float32Array;
 use wasm_bindgen::prelude::*;
 
 use super::shape::Throwing;
-use super::{read_ifs3, read_maps3, read_point3};
+use super::{read_ifs3, read_maps3, read_point3, write_maps3};
 use crate::boundary::error::failure;
 use crate::boundary::value::{object, rows, write};
 
@@ -23,7 +22,7 @@ fn plane(direction: JsValue) -> Result<Plane, JsValue> {
 pub fn directions(
     #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] maps: JsValue,
 ) -> Result<JsValue, JsValue> {
-    let found = frond_scene::invariant_directions(&read_maps3(&maps)?);
+    let found = frond_core::invariant_directions(&read_maps3(&maps)?);
     write(&found.iter().map(|direction| direction.to_array()).collect::<Vec<_>>())
 }
 
@@ -33,7 +32,7 @@ pub fn project(
     #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] maps: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Point3")] direction: JsValue,
 ) -> Result<JsValue, JsValue> {
-    let found = frond_scene::exact_projection(&read_maps3(&maps)?, &plane(direction)?);
+    let found = frond_core::exact_projection(&read_maps3(&maps)?, &plane(direction)?);
     write(&rows(&found.map_err(|error| of_project(&error))?))
 }
 
@@ -62,10 +61,10 @@ pub fn epsilon(
     #[wasm_bindgen(unchecked_param_type = "Point3")] direction: JsValue,
     epsilon: f64,
 ) -> Result<JsValue, JsValue> {
-    let found = frond_scene::epsilon_projection(&read_maps3(&maps)?, &plane(direction)?, epsilon)
+    let found = frond_core::epsilon_projection(&read_maps3(&maps)?, &plane(direction)?, epsilon)
         .map_err(|error| of_project(&error))?;
     Ok(object(&[
-        ("maps", write(&found.maps)?),
+        ("maps", write_maps3(&found.maps)?),
         ("largest", found.largest.into()),
         ("diverging", write(&found.diverging)?),
     ]))

@@ -1,16 +1,15 @@
 //! The paper's projection: a scale that goes to 0.
 
-use frond_core::Affine3;
 use glam::{DMat3, DVec3};
 
-use crate::space::preset::Row3;
-use crate::space::project::{Plane, ProjectError};
+use crate::linear::affine3::Affine3;
+use crate::projection::parallel::{Plane, ProjectError};
 
 /// A shape flattened by epsilon along the direction of view (Darwish & Abd-El-Wahab, section 3.5).
 #[derive(Clone, Debug, PartialEq)]
 pub struct EpsilonProjection {
     /// The maps in the coordinates of the picture: x to the right, y up, z along the view.
-    pub maps: Vec<Row3>,
+    pub maps: Vec<Affine3>,
     /// The largest entry of all matrices.
     pub largest: f64,
     /// The entries that grow as 1 / epsilon: the map, and the row of the matrix, 0 or 1, of the third column.
@@ -36,7 +35,7 @@ pub fn epsilon_projection(
     let from = DMat3::from_cols(plane.right, plane.up, plane.direction());
     let mut largest = 0.0_f64;
     let mut diverging = Vec::new();
-    let mut rows = Vec::with_capacity(maps.len());
+    let mut flattened = Vec::with_capacity(maps.len());
     for (k, map) in maps.iter().enumerate() {
         let mut linear = from.transpose() * map.linear * from;
         let mut translation = from.transpose() * map.translation;
@@ -55,51 +54,7 @@ pub fn epsilon_projection(
         }
         translation.z *= epsilon;
         largest = linear.to_cols_array().iter().fold(largest, |most, x| most.max(x.abs()));
-        rows.push(Affine3::new(linear, translation).to_row());
+        flattened.push(Affine3::new(linear, translation));
     }
-    Ok(EpsilonProjection { maps: rows, largest, diverging })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::space::preset::preset3;
-
-    fn maps(id: &str) -> Vec<Affine3> {
-        preset3(id).unwrap().maps.into_iter().map(Affine3::from_row).collect()
-    }
-
-    #[test]
-    fn entries_diverge_as_one_over_epsilon_unless_the_direction_is_kept() {
-        let plane = Plane::across(DVec3::new(0.0, 0.0, -1.0)).unwrap();
-        let at = |id: &str, epsilon: f64| epsilon_projection(&maps(id), &plane, epsilon).unwrap();
-        let (coarse, fine) = (at("fern", 1e-3), at("fern", 1e-6));
-        assert!(!fine.diverging.is_empty() && fine.diverging.iter().all(|&(map, row)| map < 4 && row < 2));
-        assert!((fine.largest / coarse.largest - 1e3).abs() < 1.0, "{} {}", fine.largest, coarse.largest);
-        let sponge = at("sponge", 1e-6);
-        assert!(sponge.diverging.is_empty() && sponge.largest < 0.34);
-    }
-
-    #[test]
-    fn it_is_conjugation_by_the_flattening() {
-        let plane = Plane::across(DVec3::new(0.3, -1.0, 0.2)).unwrap();
-        let epsilon = 0.125;
-        let found = epsilon_projection(&maps("fern"), &plane, epsilon).unwrap();
-        let to = DMat3::from_cols(plane.right, plane.up, plane.direction()).transpose();
-        let by = Affine3::new(DMat3::from_diagonal(DVec3::new(1.0, 1.0, epsilon)) * to, DVec3::ZERO);
-        for (map, row) in maps("fern").iter().zip(found.maps) {
-            for (x, y) in map.moved(by).unwrap().to_row().iter().zip(row) {
-                assert!((x - y).abs() < 1e-12, "{x} {y}");
-            }
-        }
-    }
-
-    #[test]
-    fn epsilons_that_are_none_are_refused() {
-        let plane = Plane::across(DVec3::X).unwrap();
-        for bad in [0.0, -1.0, 2.0, f64::NAN, 1e-300] {
-            assert_eq!(epsilon_projection(&maps("fern"), &plane, bad), Err(ProjectError::Epsilon));
-        }
-        assert!(epsilon_projection(&maps("fern"), &plane, 1e-100).unwrap().largest.is_finite());
-    }
+    Ok(EpsilonProjection { maps: flattened, largest, diverging })
 }
