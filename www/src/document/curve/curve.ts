@@ -2,10 +2,10 @@
 import { computed, effect, type ReadonlySignal } from "@preact/signals";
 import type { ComponentType } from "preact";
 import type { Box } from "#geometry/boxes";
-import type { Curve, CurveShape, Scene } from "#wasm/api";
+import type { Curve, CurveShape } from "#wasm/api";
 import { curvesReady, loadCurves, rough } from "#wasm/curve";
 import { notify, wordsOf } from "../notice";
-import { edit, scene } from "../scene";
+import { scene } from "../scene";
 
 export type CurveMorph = InstanceType<typeof rough.CurveMorph>;
 
@@ -84,10 +84,4 @@ export interface CurvePanelProps {
 export interface CurveParts {
   Shelf: ComponentType<ShelfProps>;
   Panel: ComponentType<CurvePanelProps>;
-}
-
-/** An edit of the systems: where curves stood in their place they are back. One undo step. */
-export async function editSystems(change: (scene: Scene) => Scene): Promise<void> {
-  if (curved.peek()) (await import("./edits")).backToSystems(change);
-  else edit(change);
 }

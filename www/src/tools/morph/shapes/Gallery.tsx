@@ -1,5 +1,6 @@
 import { thumbnails } from "#compute/results";
-import { type CurveParts, curved, editSystems } from "#document/curve/curve";
+import { type CurveParts, curved } from "#document/curve/curve";
+import { editSystems } from "#document/curve/systems";
 import { selection } from "#document/morph";
 import { announce } from "#document/notice";
 import { originOf, presets } from "#document/presets";

@@ -1,6 +1,6 @@
 /** A shadow that is a system of the plane goes on into the tools of the plane. */
 
-import { editSystems } from "#document/curve/curve";
+import { editSystems } from "#document/curve/systems";
 import { boxAround, openTool } from "#document/deform/bend";
 import { selection } from "#document/morph";
 import { notify, wordsOf } from "#document/notice";
