@@ -13,7 +13,6 @@ import { lazily } from "#ui/lazy";
 import { Toasts } from "#ui/Toasts";
 import type { Tool } from "#wasm/api";
 import { curvesFetched, loadCurves } from "#wasm/curve";
-import { loadProof } from "#wasm/proof";
 import { Header } from "./header";
 import { Readout, VerdictChip } from "./readouts";
 
@@ -173,9 +172,8 @@ const figures = signal<FiguresComponent | null>(null);
 function FiguresPage({ figure }: { figure: string | null }) {
   useEffect(() => {
     if (figures.peek()) return;
-    // Figures ask for small proofs on the spot.
-    Promise.all([import("#figures/index"), loadProof(), loadCurves()]).then(
-      ([module]) => {
+    import("#figures/index").then(
+      (module) => {
         figures.value = module.Figures;
       },
       (problem) => notify({ kind: "error", text: `The figures could not be loaded: ${wordsOf(problem)}` }),

@@ -2,7 +2,7 @@ import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Button } from "#ui/Button";
 import { Slider } from "#ui/Slider";
-import { prover } from "#wasm/proof";
+import { loadProof, prover } from "#wasm/proof";
 import { Plot } from "../../kit/chart/plot";
 import { barnsley, type Round } from "../../kit/connectedness/barnsley";
 import { Rows } from "../../kit/connectedness/barnsley-rows";
@@ -14,8 +14,11 @@ import { dust } from "../../kit/maps/families";
 const MOST = 10;
 const [LOWEST, HIGHEST] = [0.25, 0.55];
 
+/** What must be there before it is shown. */
+export const needs = [loadProof];
+
 /** Barnsley's object test on a dust of two maps. */
-export function Figure1(heading: Heading) {
+export function Page(heading: Heading) {
   const [r, setR] = useState(0.47);
   const [wanted, setWanted] = useState(2);
   // The test ends with its first proof, so there may be fewer rounds than were asked for.

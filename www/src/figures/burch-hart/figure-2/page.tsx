@@ -6,7 +6,8 @@ import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
 import type { MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
-import { Collisions, groups, windowOf } from "../../kit/connectedness/collisions";
+import { MARGIN, MOST_POINTS, SEED, startRun } from "../../kit/connectedness/buffer-run";
+import { type Collisions, groups } from "../../kit/connectedness/collisions";
 import { Buffer } from "../../kit/connectedness/index-buffer";
 import { Graph } from "../../kit/connectedness/overlap-graph";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
@@ -16,9 +17,6 @@ import { shrink } from "../../kit/maps/families";
 import { PlayButton, usePlay } from "../../kit/time/play";
 import { useVerdict } from "../../kit/workers";
 
-export const MOST_POINTS = 3000;
-const SEED = 1;
-const MARGIN = 0.05;
 /** Steps a second while it plays. */
 const PACE = 12;
 
@@ -34,18 +32,8 @@ const STEPS = [
   { value: "100", label: "100" },
 ] as const;
 
-/** Points of the chaos game, each map as likely as any other, as the paper has it. */
-export function gamePoints(maps: MapRow[], points: number) {
-  return frond.attractor({ maps, probabilities: maps.map(() => 1) }, { points, seed: SEED });
-}
-
-export function startRun(maps: MapRow[], size: number, points = MOST_POINTS): Collisions {
-  const { min, max } = frond.bounds({ maps });
-  return new Collisions(size, windowOf(min, max, MARGIN), gamePoints(maps, points));
-}
-
 /** The index buffer, point by point. */
-export function Figure2(heading: Heading) {
+export function Page(heading: Heading) {
   const [shape, setShape] = useState<(typeof SHAPES)[number]["value"]>("gasket");
   const [size, setSize] = useState(31);
   const [scale, setScale] = useState(1);

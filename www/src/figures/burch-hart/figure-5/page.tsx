@@ -9,7 +9,7 @@ import { DragonChoice, dragonParameters, WHY_DRAGON } from "../dragon/dragon-cho
 import { dragonWords, Film, useBroken } from "../dragon/film";
 
 /** Dragon to gasket along the straight line. */
-export function Figure5(heading: Heading) {
+export function Page(heading: Heading) {
   const time = useTime(0.5);
   const broken = useBroken(STRAIGHT);
   return (

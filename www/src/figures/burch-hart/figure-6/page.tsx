@@ -15,7 +15,7 @@ import { DragonChoice, dragonParameters, WHY_DRAGON } from "../dragon/dragon-cho
 import { dragonWords, Film, useBroken } from "../dragon/film";
 
 /** Dragon to gasket along a path through the locus. */
-export function Figure6(heading: Heading) {
+export function Page(heading: Heading) {
   useEffect(followChart, []);
   const time = useTime(0.5);
   const { plan, field, problem } = chart.value;

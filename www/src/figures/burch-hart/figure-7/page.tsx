@@ -19,7 +19,7 @@ import { DragonChoice, dragonParameters, WHY_DRAGON } from "../dragon/dragon-cho
 import { dragonWords } from "../dragon/film";
 
 /** The connectedness locus of dragon and gasket. */
-export function Figure7(heading: Heading) {
+export function Page(heading: Heading) {
   useEffect(followChart, []);
   const [point, setPoint] = useState<Uv>([0.5, 0.5]);
   const { field, plan, problem } = chart.value;

@@ -9,7 +9,7 @@ import { preset, studioHref } from "../../kit/frame/studio-link";
 import { VerdictChip } from "../../kit/frame/verdict";
 import { type Breakage, breakage, shareWords, stretchWords } from "../../kit/maps/breakage";
 import { determinant, gasket, HEIGHT, turnedGasket } from "../../kit/maps/families";
-import { boxAround, type Ends, framesAlong, mapsAt, STRAIGHT } from "../../kit/maps/morphs";
+import { boxAround, determinants, type Ends, framesAlong, mapsAt, STRAIGHT } from "../../kit/maps/morphs";
 import { Picture } from "../../kit/picture/picture";
 import { Strip, type StripFrame } from "../../kit/picture/stills";
 import { Time, useTime } from "../../kit/time/time";
@@ -46,17 +46,8 @@ function turnedAt([, ...others]: MapRow[], [e, f]: [number, number]): MapRow[] {
   return [[-0.5, 0, 0, -0.5, e, f], ...others];
 }
 
-/** The determinant of the first map over the whole morph, as pairs of t and its value. */
-export function determinants(ends: Ends, mode: Mode, steps = 40): [number, number][] {
-  return Array.from({ length: steps + 1 }, (_, i) => {
-    const t = i / steps;
-    const [first] = mapsAt(ends, [t, t], mode);
-    return [t, first ? determinant(first) : 0];
-  });
-}
-
 /** Linear beside polar interpolation. */
-export function Figures34(heading: Heading) {
+export function Page(heading: Heading) {
   const time = useTime(0.35);
   const films = useMemo(() => MODES.map(({ mode }) => framesAlong(ENDS, STRAIGHT, FRAMES, mode)), []);
   const box = useMemo(() => boxAround(films.flat().map((frame) => frame.maps)), [films]);

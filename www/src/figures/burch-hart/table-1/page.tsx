@@ -31,7 +31,7 @@ const POINTS = [
 type Points = (typeof POINTS)[number]["value"];
 
 /** The accuracy of the index buffer, measured. */
-export function Table1(heading: Heading) {
+export function Page(heading: Heading) {
   const [points, setPoints] = useState<Points>("1000000");
   const measured = useMeasurement(Number(points));
   const rows = rowsOf(measured.all);

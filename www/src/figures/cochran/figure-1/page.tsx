@@ -3,25 +3,15 @@ import { fixed, formatNumber } from "#format/numbers";
 import { NumberField } from "#ui/NumberField";
 import { Slider } from "#ui/Slider";
 import { Switch } from "#ui/Switch";
-import type { Graph } from "#wasm/api";
-import { rough } from "#wasm/curve";
+import { loadCurves, rough } from "#wasm/curve";
 
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import { fitHref } from "../../kit/frame/studio-link";
 import { byPiece, rangeOf } from "../graphs/graphs";
 import { Profile } from "../graphs/profile";
 import { Grip } from "./grip";
+import { FIGURE_1, interpolated, type Points } from "./interpolation";
 
-type Points = readonly [t: number, x: number][];
-
-export const FIGURE_1: { points: Points; c: readonly number[] } = {
-  points: [
-    [0, 0],
-    [0.5, 1],
-    [1, 0],
-  ],
-  c: [0.6, 0.4],
-};
 /** The rougher the higher; at 1 there is no end to it. */
 const MOST_C = 0.95;
 const LOW = -1;
@@ -30,19 +20,11 @@ const NEAR = 0.02;
 const T = { min: 0, max: 1, ticks: [0, 0.25, 0.5, 0.75, 1], name: "t" };
 const POINT_NAMES = ["First point", "Middle point", "Last point"];
 
-export function interpolated(
-  points: Points,
-  c: readonly number[],
-  reflected: readonly boolean[] = [],
-): Graph {
-  return rough.interpolation(
-    points.map(([t, x]): [number, number] => [t, x]),
-    { c: [...c], reflected: c.map((_, i) => reflected[i] ?? false) },
-  );
-}
+/** What must be there before it is shown. */
+export const needs = [loadCurves];
 
 /** A fractal interpolation function, to be taken hold of. */
-export function Fit1(heading: Heading) {
+export function Page(heading: Heading) {
   const [points, setPoints] = useState<Points>(FIGURE_1.points);
   const [c, setC] = useState<readonly number[]>(FIGURE_1.c);
   const [reflected, setReflected] = useState<readonly boolean[]>([false, false]);

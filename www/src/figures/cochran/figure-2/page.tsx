@@ -2,15 +2,14 @@ import { useMemo, useState } from "preact/hooks";
 import { fixed, formatNumber } from "#format/numbers";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
-import { rough } from "#wasm/curve";
+import { loadCurves, rough } from "#wasm/curve";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import { fitHref } from "../../kit/frame/studio-link";
-import { byPiece, fixedPointImages, graphOf, rangeOf } from "../graphs/graphs";
+import { byPiece, fixedPointImages, rangeOf, TABLE_1_GRAPH } from "../graphs/graphs";
 import { MapTable } from "../graphs/map-table";
 import { applied, TABLE_1 } from "../graphs/printed-tables";
 import { type Line, Profile } from "../graphs/profile";
 
-export const TABLE_1_GRAPH = graphOf("fif", TABLE_1);
 const T = { min: -1, max: 1, ticks: [-1, -0.5, 0, 0.5, 1], name: "t" };
 const MOST_LEVEL = 7;
 /** Powers of ten by which the place where the pieces meet is magnified. */
@@ -29,8 +28,11 @@ export function misfit(): { left: number; right: number } {
   };
 }
 
+/** What must be there before it is shown. */
+export const needs = [loadCurves];
+
 /** The function of Table 1, and where its maps meet. */
-export function Fit2(heading: Heading) {
+export function Page(heading: Heading) {
   const [level, setLevel] = useState(6);
   const [shown, setShown] = useState<"whole" | "copies">("whole");
   const [closer, setCloser] = useState(0);

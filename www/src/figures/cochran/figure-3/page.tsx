@@ -5,21 +5,20 @@ import { Slider } from "#ui/Slider";
 import { Switch } from "#ui/Switch";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import { arrowhead } from "../graphs/arrowhead";
-import { type Eye, SpaceView, STEEPEST } from "./space-curve";
+import { type Eye, FROM_CORNER, SpaceView, STEEPEST } from "./space-curve";
 
-export const EYE: Eye = { turn: -35, tilt: 24 };
 const VIEWS: readonly { name: string; about: string; eye: Eye }[] = [
   { name: "From above", about: "t and x: the function of Figure 4", eye: { turn: 0, tilt: 90 } },
   { name: "From the front", about: "t and y: its companion", eye: { turn: 0, tilt: 0 } },
   { name: "From the side", about: "x and y: the gasket", eye: { turn: -90, tilt: 0 } },
-  { name: "From the corner", about: "all three at once", eye: EYE },
+  { name: "From the corner", about: "all three at once", eye: FROM_CORNER },
 ];
 const MOST_DEPTH = 7;
 const raised = (digit: number) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit] ?? "";
 
 /** The Sierpinski space curve and its three projections. */
-export function Fit3(heading: Heading) {
-  const [eye, setEye] = useState<Eye>(EYE);
+export function Page(heading: Heading) {
+  const [eye, setEye] = useState<Eye>(FROM_CORNER);
   const [depth, setDepth] = useState(6);
   const [shadows, setShadows] = useState(true);
   const points = useMemo(() => arrowhead(depth), [depth]);

@@ -21,6 +21,8 @@ export interface SpaceViewProps {
 }
 
 export const STEEPEST = 90;
+/** All three shadows at once. */
+export const FROM_CORNER: Eye = { turn: -35, tilt: 24 };
 
 /** Half an edge of the box: t runs along it, x across, and the height is y. */
 const HALF: readonly [number, number, number] = [0.5, 0.5, CORNERS.B[1] / 2];

@@ -28,7 +28,7 @@ type Third = (typeof THIRDS)[number]["value"];
 const SAME = 1e-9;
 
 /** The top projection of the space curve, a function that is no copy of itself. */
-export function Fit4(heading: Heading) {
+export function Page(heading: Heading) {
   const [heights, setHeights] = useState<Heights>(TOP);
   const [third, setThird] = useState<Third>("0");
   const whole = useMemo(() => heightsAlong(DEPTH, heights), [heights]);

@@ -35,7 +35,7 @@ export function hiddenVariable(): Election {
 }
 
 /** The clusters of votes for the function of Figure 4, from four sides. */
-export function Fit5(heading: Heading) {
+export function Page(heading: Heading) {
   const election = useMemo(hiddenVariable, []);
   const voting = useVotes(election);
   const [chosen, setChosen] = useState(0);

@@ -3,7 +3,7 @@ import { fixed } from "#format/numbers";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
 import type { Graph } from "#wasm/api";
-import { rough } from "#wasm/curve";
+import { loadCurves, rough } from "#wasm/curve";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import { fitHref } from "../../kit/frame/studio-link";
 import { heightsAlong, TOP } from "../graphs/arrowhead";
@@ -20,8 +20,11 @@ const MISSED = { min: 0, max: 0.1, ticks: [0, 0.05, 0.1], name: "distance" };
 
 type Model = "pfif" | "rfif";
 
+/** What must be there before it is shown. */
+export const needs = [loadCurves];
+
 /** The seven maps of Table 3, how far they are off, and the same function as an RFIF. */
-export function Fit6(heading: Heading) {
+export function Page(heading: Heading) {
   const [model, setModel] = useState<Model>("pfif");
   const [chosen, setChosen] = useState(0);
   const original = useMemo(() => heightsAlong(6, TOP), []);

@@ -23,7 +23,7 @@ const SEED = 1;
 const MOST_SEED = 9999;
 
 /** A leaf, the paper's two fits of it, and a closed curve of as many numbers. */
-export function Fit7(heading: Heading) {
+export function Page(heading: Heading) {
   const [seed, setSeed] = useState(SEED);
   const [tied, setTied] = useState(false);
   const [separable, setSeparable] = useState(false);

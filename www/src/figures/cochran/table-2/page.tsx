@@ -4,8 +4,7 @@ import { Switch } from "#ui/Switch";
 import type { FoundCluster } from "#workers/fit/hough";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { fitHref } from "../../kit/frame/studio-link";
-import { TABLE_1_GRAPH } from "../figure-2/page";
-import { fixedPointImages } from "../graphs/graphs";
+import { fixedPointImages, TABLE_1_GRAPH } from "../graphs/graphs";
 import { MapTable } from "../graphs/map-table";
 import { COUNTED, TABLE_1, TABLE_2 } from "../graphs/printed-tables";
 import { kindWords, letterOf, nearestOf } from "../votes/cluster-names";
@@ -24,7 +23,7 @@ const MOST_HITS = (65 * 64 * 63) / 6;
 const WORDS = ["T₁ itself", "T₂ itself", "echo: T₂ T₁ T₂⁻¹", "echo: T₁ T₁ T₂⁻¹", "echo: T₁ T₂ T₁⁻¹"];
 
 /** The maps of Table 1, found again by voting. */
-export function FitTable2(heading: Heading) {
+export function Page(heading: Heading) {
   const [reflected, setReflected] = useState(false);
   const election = useMemo((): Election => {
     const [coarse, fine] = [COARSE, FINE].map((depth) =>

@@ -1,42 +1,17 @@
 import { useMemo, useState } from "preact/hooks";
 import { turns3 } from "#geometry/affine3";
-import { Segmented } from "#ui/Segmented";
-import type { SpaceView } from "#wasm/api";
+import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
-import { inSpace, spaceHref } from "../space/in-space";
 import { type Form, triangle } from "../space/shapes";
+import { spaceHref } from "../space/tool-link";
+import { CUT_OFF, FormChoice, TRIANGLE_VIEW } from "../space/triangle";
 import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
-export const TRIANGLE_VIEW: SpaceView = {
-  target: [0, 0, 0],
-  distance: 2.6,
-  turn: 0.35,
-  tilt: 0.2,
-  angle: 0.5,
-};
-
-export const CUT_OFF =
-  "The scan of the paper cuts the parameters off: of each map only some numbers can be read. The corners of this triangle are Frond’s own.";
-
-export function FormChoice({ form, onChange }: { form: Form; onChange: (form: Form) => void }) {
-  return (
-    <div class="buttons">
-      <span class="choice-label">Maps that</span>
-      <Segmented
-        label="Which maps make the triangle"
-        value={form}
-        options={[
-          { value: "halves", label: "halve everything" },
-          { value: "sheet", label: "also flatten" },
-        ]}
-        onChange={onChange}
-      />
-    </div>
-  );
-}
+/** What must be there before it is shown. */
+export const needs = [loadSpace];
 
 /** Sierpinski's triangle in space, as it was made. */
-function Page(heading: Heading) {
+export function Page(heading: Heading) {
   const [form, setForm] = useState<Form>("halves");
   const [angles, setAngles] = useState<Angles>([0, 0, 0]);
   const [view, setView] = useState(TRIANGLE_VIEW);
@@ -90,5 +65,3 @@ function Page(heading: Heading) {
     </Frame>
   );
 }
-
-export const Space1 = inSpace(Page);

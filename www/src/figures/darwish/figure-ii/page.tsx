@@ -1,16 +1,20 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { turns3 } from "#geometry/affine3";
+import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
-import { CUT_OFF, FormChoice, TRIANGLE_VIEW } from "../figure-i/page";
-import { inSpace, spaceHref } from "../space/in-space";
 import { type Form, triangle } from "../space/shapes";
+import { spaceHref } from "../space/tool-link";
+import { CUT_OFF, FormChoice, TRIANGLE_VIEW } from "../space/triangle";
 import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
 export const TURNED: Angles = [25, -35, 40];
 
+/** What must be there before it is shown. */
+export const needs = [loadSpace];
+
 /** The triangle turned about x, y and z. */
-function Page(heading: Heading) {
+export function Page(heading: Heading) {
   const [form, setForm] = useState<Form>("sheet");
   const [angles, setAngles] = useState(TURNED);
   const [view, setView] = useState(TRIANGLE_VIEW);
@@ -67,5 +71,3 @@ function Page(heading: Heading) {
     </Frame>
   );
 }
-
-export const Space2 = inSpace(Page);

@@ -3,19 +3,23 @@ import { fixed } from "#format/numbers";
 import { after3, shift3, turns3 } from "#geometry/affine3";
 import { Button } from "#ui/Button";
 import { Slider } from "#ui/Slider";
+import { loadSpace } from "#wasm/space";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
-import { CUT_OFF } from "../figure-i/page";
 import { fromOrigin } from "../space/eye";
-import { inSpace, spaceHref } from "../space/in-space";
 import { triangle } from "../space/shapes";
+import { spaceHref } from "../space/tool-link";
+import { CUT_OFF } from "../space/triangle";
 import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
 const ANGLE = 0.06;
 /** Halves about corners at 30 have translations of 15, as printed. */
 const PRINTED = 30;
 
+/** What must be there before it is shown. */
+export const needs = [loadSpace];
+
 /** The triangle far before the eye, which is at the origin. */
-function Page(heading: Heading) {
+export function Page(heading: Heading) {
   const [angles, setAngles] = useState<Angles>([20, 30, -65]);
   const [away, setAway] = useState(PRINTED);
   const [view, setView] = useState(() => fromOrigin([PRINTED, 0, 0], ANGLE));
@@ -84,5 +88,3 @@ function Page(heading: Heading) {
     </Frame>
   );
 }
-
-export const Space3 = inSpace(Page);

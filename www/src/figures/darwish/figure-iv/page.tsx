@@ -3,11 +3,11 @@ import { fixed } from "#format/numbers";
 import { after3, scale3, turns3 } from "#geometry/affine3";
 import { Button } from "#ui/Button";
 import type { MapRow3 } from "#wasm/api";
-import { solid } from "#wasm/space";
+import { loadSpace, solid } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
-import { CUT_OFF, TRIANGLE_VIEW } from "../figure-i/page";
-import { inSpace, spaceHref } from "../space/in-space";
 import { triangle } from "../space/shapes";
+import { spaceHref } from "../space/tool-link";
+import { CUT_OFF, TRIANGLE_VIEW } from "../space/triangle";
 import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
 const STILL = scale3([1, 1, 1]);
@@ -31,8 +31,11 @@ function onward(course: Course, times: number): Course {
   return { ...course, times: course.times + times, now, by };
 }
 
+/** What must be there before it is shown. */
+export const needs = [loadSpace];
+
 /** Turned again and again: what rounding does to parameters that come of parameters. */
-function Page(heading: Heading) {
+export function Page(heading: Heading) {
   const made = useMemo(() => triangle("sheet"), []);
   const [angles, setAngles] = useState<Angles>([7, 11, 13]);
   const start = (next: Angles, times: number) =>
@@ -113,5 +116,3 @@ function Page(heading: Heading) {
     </Frame>
   );
 }
-
-export const Space4 = inSpace(Page);

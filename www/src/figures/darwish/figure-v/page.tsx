@@ -3,23 +3,25 @@ import { fixed } from "#format/numbers";
 import { scale3, shift3 } from "#geometry/affine3";
 import { Button } from "#ui/Button";
 import { Slider } from "#ui/Slider";
+import { loadSpace } from "#wasm/space";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import { fromOrigin } from "../space/eye";
-import { inSpace, spaceHref } from "../space/in-space";
-import { pyramid } from "../space/shapes";
+import { PYRAMID_ANGLE, PYRAMID_AWAY, pyramid } from "../space/shapes";
+import { spaceHref } from "../space/tool-link";
 import { Conjugated } from "../space/turning";
 
-export const BEFORE = 15;
-export const ANGLE = 0.075;
 const STILL = scale3([1, 1, 1]);
 
+/** What must be there before it is shown. */
+export const needs = [loadSpace];
+
 /** Five halves, as far before the eye as one likes. */
-function Page(heading: Heading) {
-  const [away, setAway] = useState(BEFORE);
-  const [view, setView] = useState(() => fromOrigin([BEFORE, 0, 0], ANGLE));
-  const made = useMemo(() => pyramid([BEFORE, 0, 0]), []);
-  const by = useMemo(() => (away === BEFORE ? STILL : shift3([away - BEFORE, 0, 0])), [away]);
-  const home = fromOrigin([away, 0, 0], ANGLE);
+export function Page(heading: Heading) {
+  const [away, setAway] = useState(PYRAMID_AWAY);
+  const [view, setView] = useState(() => fromOrigin([PYRAMID_AWAY, 0, 0], PYRAMID_ANGLE));
+  const made = useMemo(() => pyramid([PYRAMID_AWAY, 0, 0]), []);
+  const by = useMemo(() => (away === PYRAMID_AWAY ? STILL : shift3([away - PYRAMID_AWAY, 0, 0])), [away]);
+  const home = fromOrigin([away, 0, 0], PYRAMID_ANGLE);
   const turned = Math.abs(view.turn - home.turn) + Math.abs(view.tilt - home.tilt) > 1e-9;
   return (
     <Frame
@@ -45,7 +47,7 @@ function Page(heading: Heading) {
         { name: "Base", value: "0.8 by 0.8 units, 0.6 below the tip" },
         { name: "Distance of its middle", value: fixed(away, 1) },
         { name: "Eye", value: "(0, 0, 0), looking along x" },
-        { name: "Height of the picture", value: `${fixed((ANGLE * 180) / Math.PI, 1)}°` },
+        { name: "Height of the picture", value: `${fixed((PYRAMID_ANGLE * 180) / Math.PI, 1)}°` },
       ]}
       captions={["Fig v a Fractal pyramid"]}
       reconstructed="The scan of the paper cuts the parameters off, and prints the rest to one decimal. That they are five halves at some distance before the eye can be read; the corners are Frond’s own."
@@ -75,7 +77,7 @@ function Page(heading: Heading) {
             />
           </Control>
           <div class="buttons">
-            <Button onClick={() => setAway(BEFORE)} pressed={away === BEFORE}>
+            <Button onClick={() => setAway(PYRAMID_AWAY)} pressed={away === PYRAMID_AWAY}>
               15 units
             </Button>
             <Button onClick={() => setAway(30)} pressed={away === 30}>
@@ -90,5 +92,3 @@ function Page(heading: Heading) {
     </Frame>
   );
 }
-
-export const Space5 = inSpace(Page);

@@ -3,19 +3,22 @@ import { fixed } from "#format/numbers";
 import { about3, apply3, turns3 } from "#geometry/affine3";
 import { Button } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
+import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
-import { ANGLE, BEFORE } from "../figure-v/page";
 import { fromOrigin, seen } from "../space/eye";
-import { inSpace, spaceHref } from "../space/in-space";
-import { pyramid } from "../space/shapes";
+import { PYRAMID_ANGLE, PYRAMID_AWAY, pyramid } from "../space/shapes";
+import { spaceHref } from "../space/tool-link";
 import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
-const MIDDLE = [BEFORE, 0, 0] as const;
-const HOME = fromOrigin([...MIDDLE], ANGLE);
+const MIDDLE = [PYRAMID_AWAY, 0, 0] as const;
+const HOME = fromOrigin([...MIDDLE], PYRAMID_ANGLE);
 const START: Angles = [0, 20, 40];
 
+/** What must be there before it is shown. */
+export const needs = [loadSpace];
+
 /** The pyramid turned, about itself or about the eye. */
-function Page(heading: Heading) {
+export function Page(heading: Heading) {
   const [angles, setAngles] = useState(START);
   const [about, setAbout] = useState<"itself" | "eye">("itself");
   const [view, setView] = useState(HOME);
@@ -97,5 +100,3 @@ function Page(heading: Heading) {
     </Frame>
   );
 }
-
-export const Space6 = inSpace(Page);

@@ -1,28 +1,19 @@
-import { useMemo, useState } from "preact/hooks";
+import { useState } from "preact/hooks";
 import { formatNumber } from "#format/numbers";
 import { scale3 } from "#geometry/affine3";
 import { Button } from "#ui/Button";
-import type { SpaceView } from "#wasm/api";
-import { solid } from "#wasm/space";
+import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
-import { inSpace, spaceHref } from "../space/in-space";
-import { Scenery } from "../space/scenery";
+import { looksAway, Scenery, useScene } from "../space/scenery";
+import { spaceHref } from "../space/tool-link";
 
 const STILL = scale3([1, 1, 1]);
 
-/** The natural scene, and where the eye of the paper is. */
-export function useScene() {
-  return useMemo(() => {
-    const made = solid.naturalScene();
-    return { made, home: solid.defaultView({ objects: made, light: solid.defaultSpace().light }) };
-  }, []);
-}
-
-export const looksAway = (view: SpaceView, home: SpaceView): boolean =>
-  Math.abs(view.turn - home.turn) + Math.abs(view.tilt - home.tilt) > 1e-9;
+/** What must be there before it is shown. */
+export const needs = [loadSpace];
 
 /** Ground, trees, ferns and clouds from the origin. */
-function Page(heading: Heading) {
+export function Page(heading: Heading) {
   const { made, home } = useScene();
   const [view, setView] = useState(home);
   const maps = made.reduce((sum, object) => sum + object.maps.length, 0);
@@ -72,5 +63,3 @@ function Page(heading: Heading) {
     </Frame>
   );
 }
-
-export const Space7 = inSpace(Page);

@@ -1,20 +1,23 @@
 import { useMemo, useState } from "preact/hooks";
 import { about3, turns3 } from "#geometry/affine3";
 import { Button } from "#ui/Button";
+import { loadSpace } from "#wasm/space";
 import "#ui/map-blocks.css";
 import { fixed, formatNumber } from "#format/numbers";
 import { Frame, type Heading } from "../../kit/frame/frame";
-import { looksAway, useScene } from "../figure-vii/page";
-import { inSpace, spaceHref } from "../space/in-space";
-import { MIDDLE, Scenery } from "../space/scenery";
+import { looksAway, MIDDLE, Scenery, useScene } from "../space/scenery";
+import { spaceHref } from "../space/tool-link";
 import { AngleSliders, type Angles, inRadians } from "../space/turning";
 import { FIGURE_VII, FIGURE_VIII, farthest, type Matrix3, TURN, turned } from "./printed-matrices";
 
 const START: Angles = [0, 0, 50];
 const NONE: Angles = [0, 0, 0];
 
+/** What must be there before it is shown. */
+export const needs = [loadSpace];
+
 /** The scene of Figure vii turned, by the parameters of every object in it. */
-function Page(heading: Heading) {
+export function Page(heading: Heading) {
   const { made, home } = useScene();
   const [angles, setAngles] = useState(START);
   const [view, setView] = useState(home);
@@ -114,5 +117,3 @@ function Printed({ label, rows }: { label: string; rows: Matrix3 }) {
     </table>
   );
 }
-
-export const Space8 = inSpace(Page);

@@ -1,14 +1,13 @@
-import "./meet.css";
 import { useMemo, useState } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";
 import type { MapRow3, SpaceView } from "#wasm/api";
-import { solid } from "#wasm/space";
+import { loadSpace, solid } from "#wasm/space";
 import { Head, type Heading, Parameters } from "../../kit/frame/frame";
 import { useValue } from "../../kit/workers";
-import { inSpace, presetMaps, spaceHref } from "../space/in-space";
+import { presetMaps, spaceHref } from "../space/tool-link";
 import { type Layer, MeetView } from "./meet-view";
 import { findingOf, inner, isFlat, placed } from "./meets";
 import { OWN, type Own, OwnShapes } from "./own-shape";
@@ -28,10 +27,11 @@ interface Pair {
   known: { name: string; isAttractor: boolean; why: string } | null;
 }
 
-/** The question that the paper ends with. */
-export const Space9 = inSpace(OpenQuestion);
+/** What must be there before it is shown. */
+export const needs = [loadSpace];
 
-function OpenQuestion(heading: Heading) {
+/** The question that the paper ends with. */
+export function Page(heading: Heading) {
   const examples = useMemo(() => solid.meetExamples(), []);
   const [which, setWhich] = useState("0");
   const [own, setOwn] = useState<Own>(OWN);

@@ -42,6 +42,6 @@ const PRODUCT: Pick<Intersection3, "shifts" | "arrows"> = {
   ],
 };
 
-export function OpenQuestion() {
+export function Thumb() {
   return <MeetGraph found={PRODUCT} />;
 }

@@ -8,10 +8,10 @@ import { MapBlocks } from "#ui/MapBlocks";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
 import type { EpsilonProjection, MapRow3, Point3, SpaceView } from "#wasm/api";
-import { solid } from "#wasm/space";
+import { loadSpace, solid } from "#wasm/space";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
-import { inSpace, presetMaps, spaceHref } from "../space/in-space";
 import { SpaceDots } from "../space/space-dots";
+import { presetMaps, spaceHref } from "../space/tool-link";
 
 const SHAPES = [
   { value: "fern", label: "Fern" },
@@ -64,8 +64,11 @@ function sideView(maps: MapRow3[]): SpaceView | null {
   }
 }
 
+/** What must be there before it is shown. */
+export const needs = [loadSpace];
+
 /** Section 3.5: a projection as the limit of flattening. */
-function Page(heading: Heading) {
+export function Page(heading: Heading) {
   const [shape, setShape] = useState<Name>("fern");
   const [way, setWay] = useState("y");
   const [power, setPower] = useState(-0.5);
@@ -214,5 +217,3 @@ function Page(heading: Heading) {
     </Frame>
   );
 }
-
-export const Space35 = inSpace(Page);

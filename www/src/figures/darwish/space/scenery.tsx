@@ -9,6 +9,17 @@ import { SpacePicture } from "./space-picture";
 /** The middle of the natural scene: it lies along x before the eye. */
 export const MIDDLE = [14, 0, -1] as const;
 
+/** The natural scene, and where the eye of the paper is. */
+export function useScene() {
+  return useMemo(() => {
+    const made = solid.naturalScene();
+    return { made, home: solid.defaultView({ objects: made, light: solid.defaultSpace().light }) };
+  }, []);
+}
+
+export const looksAway = (view: SpaceView, home: SpaceView): boolean =>
+  Math.abs(view.turn - home.turn) + Math.abs(view.tilt - home.tilt) > 1e-9;
+
 export interface SceneryProps {
   made: readonly SpaceObject[];
   /** What is done to each of them. */

@@ -33,3 +33,7 @@ export function pyramid([x, y, z]: Point3): MapRow3[] {
   const half = scale3([0.5, 0.5, 0.5]);
   return PYRAMID.map(([a, b, c]) => about3(half, [a + x, b + y, c + z]));
 }
+
+/** How far before the eye its print has it, and what angle the picture is high. */
+export const PYRAMID_AWAY = 15;
+export const PYRAMID_ANGLE = 0.075;

@@ -21,7 +21,7 @@ const PANELS: readonly { letter: string; cube: Cube }[] = [
 const MOST_LETTERS = 6;
 
 /** Address mappings on unit cubes. */
-export function Deformation1(heading: Heading) {
+export function Page(heading: Heading) {
   const [point, setPoint] = useState<Point>([0.62, 0.3]);
   const [letters, setLetters] = useState(2);
   const [x, y] = point;

@@ -20,7 +20,7 @@ const LETTERS = 6;
 const TOLD = 4;
 
 /** Address mappings on attractors. */
-export function Deformation2(heading: Heading) {
+export function Page(heading: Heading) {
   const [point, setPoint] = useState<Point>([0.5, 0]);
   const [steps, setSteps] = useState(2);
   const found = useMemo(

@@ -21,7 +21,7 @@ const SUBJECTS = [
 ] as const;
 
 /** The colour matrix of shuffles. */
-export function Deformation3(heading: Heading) {
+export function Page(heading: Heading) {
   const [subject, setSubject] = useState<Subject>("square");
   const [chosen, setChosen] = useState<Chosen>({ kb: 0, ke: 3, superposed: false });
   const [point, setPoint] = useState<Point>([0.7, 0.2]);

@@ -1,24 +1,19 @@
 import { useMemo, useState } from "preact/hooks";
 import { bendAt } from "#document/deform/bend";
-import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import { lengthWords } from "#format/verdict";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
-import type { Bend, Deformation, MapRow } from "#wasm/api";
+import type { Bend, Deformation } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import { studioHref } from "../../kit/frame/studio-link";
 import { Bent } from "../../kit/picture/deformed";
 import { Time, useTime } from "../../kit/time/time";
-import { rightGasket } from "../codes/addresses";
-import { deformationBy, numbersOf, type Panel } from "../deformations/deformations";
-import { LIFT } from "../deformations/meshes";
+import { numbersOf, type Panel } from "../deformations/deformations";
+import { GASKET, KE, LIFT_BOX, liftOf } from "../deformations/lifted-gasket";
 import { Panels } from "../deformations/panels";
 
-export const GASKET: MapRow[] = rightGasket(0.5);
-export const LIFT_BOX: Box = { x0: 0, y0: 0, x1: 1, y1: 1 };
-const KE = 9;
 const VARIED: [number, number, number, number] = [0.5, 0.67, 0.75, 0.92];
 
 const PANELS: readonly Panel[] = [
@@ -38,12 +33,8 @@ const MOMENTS = [
   { value: "1", label: "t₂" },
 ] as const;
 
-export function liftOf(settings: Partial<Deformation>): Deformation {
-  return deformationBy(LIFT, { ke: KE, ...settings });
-}
-
 /** The gasket, bent in eight ways at once, and the slide from plain to fractal. */
-export function Deformation4(heading: Heading) {
+export function Page(heading: Heading) {
   const time = useTime(0.75);
   const [kb, setKb] = useState(0);
   const { t } = time;

@@ -3,25 +3,18 @@ import { bendAt } from "#document/deform/bend";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import { Segmented } from "#ui/Segmented";
-import type { Deformation, MapRow, Spin } from "#wasm/api";
+import type { Deformation, Spin } from "#wasm/api";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";
 import { PieceNames } from "../../kit/picture/annotated";
 import { Bent } from "../../kit/picture/deformed";
-import { deformationBy, numbersOf, type Panel, toAndFro } from "../deformations/deformations";
+import { numbersOf, type Panel } from "../deformations/deformations";
 import { type Lens, Magnified, WithFrames } from "../deformations/magnified";
-import { SWAY } from "../deformations/meshes";
 import { Panels } from "../deformations/panels";
+import { FERN, KE, SPIN, swayOf } from "./fern";
 import { Sway, useSway } from "./sway";
 
-/** The paper's maps in the paper's order. */
-export const FERN: MapRow[] = [
-  [0.85, 0.04, -0.04, 0.85, 0, 1.6],
-  [0.2, -0.26, 0.23, 0.22, 0, 1.6],
-  [-0.15, 0.28, 0.26, 0.24, 0, 0.44],
-  [0, 0, 0, 0.16, 0, 0],
-];
 const BOX: Box = { x0: -5.3, y0: -0.5, x1: 5.3, y1: 10.4 };
 const ASPECT = (BOX.x1 - BOX.x0) / (BOX.y1 - BOX.y0);
 /** The fern itself, and where the names of its pieces stand: in the middle, on the two lowest leaves, and on the stem. */
@@ -32,7 +25,6 @@ const NAMES: readonly Point[] = [
   [1.2, 1.9],
   [0, 0.6],
 ];
-const KE = 6;
 
 const PANELS: readonly Panel[] = [
   { letter: "A", words: "plain", settings: { kb: KE, delta: 0.75 } },
@@ -59,10 +51,9 @@ const SPINS = [
 ] as const;
 
 /** As the paper words it: by "the rotation factors" of the maps. */
-const SPIN: Spin = "rotation";
 
 /** The fern in the wind. */
-export function Deformation5(heading: Heading) {
+export function Page(heading: Heading) {
   const sway = useSway(0.2);
   const [spin, setSpin] = useState<Spin>(SPIN);
   const deformationOf = useCallback(
@@ -164,17 +155,6 @@ function Addresses() {
       </figcaption>
     </figure>
   );
-}
-
-export function swayOf(settings: Partial<Deformation>): Deformation {
-  return deformationBy(SWAY, {
-    ke: KE,
-    spin: SPIN,
-    keys: toAndFro(SWAY),
-    loop: true,
-    seconds: 6,
-    ...settings,
-  });
 }
 
 function hrefOf(deform: Deformation): string {

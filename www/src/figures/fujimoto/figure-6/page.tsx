@@ -2,27 +2,21 @@ import { useMemo } from "preact/hooks";
 import { bendAt } from "#document/deform/bend";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
-import type { Deformation, MapRow } from "#wasm/api";
+import type { Deformation } from "#wasm/api";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { studioHref } from "../../kit/frame/studio-link";
 import { middles, PieceNames } from "../../kit/picture/annotated";
 import { Bent } from "../../kit/picture/deformed";
 import { Time, useTime } from "../../kit/time/time";
-import { deformationBy, numbersOf, type Panel } from "../deformations/deformations";
+import { numbersOf, type Panel } from "../deformations/deformations";
 import { type Lens, Magnified, WithFrames } from "../deformations/magnified";
-import { DRAGON_COLOURS, DRAW } from "../deformations/meshes";
 import { Panels } from "../deformations/panels";
+import { drawnOf, KE, PLAIN_TINT, TWIN } from "./drawn-dragon";
 
-/** The paper's maps in the paper's order. */
-export const TWIN: MapRow[] = [
-  [0.5, 0.5, -0.5, 0.5, -0.5, 0.375],
-  [0.5, 0.5, -0.5, 0.5, 0.5, 0.625],
-];
 const BOX: Box = { x0: -1.05, y0: -1.42, x1: 2.9, y1: 1.75 };
 /** The dragon itself. */
 const REST: Box = { x0: -0.77, y0: -0.42, x1: 1.77, y1: 1.42 };
 const ASPECT = (BOX.x1 - BOX.x0) / (BOX.y1 - BOX.y0);
-const KE = 8;
 
 const PANELS: readonly Panel[] = [
   { letter: "A", words: "plain", settings: { kb: KE } },
@@ -41,7 +35,7 @@ const LENSES: readonly Lens[] = [
 ];
 
 /** The twin-dragon with colours of its own. */
-export function Deformation6(heading: Heading) {
+export function Page(heading: Heading) {
   const time = useTime(0.8);
   const { t } = time;
   const bend = useMemo(() => bendAt(drawnOf(B), t), [t]);
@@ -137,13 +131,6 @@ export function Deformation6(heading: Heading) {
       </div>
     </Frame>
   );
-}
-
-const TINT = { colours: [...DRAGON_COLOURS], kb: 0, ke: KE, delta: 1, superposed: true };
-const PLAIN_TINT = { kb: KE, tint: { ...TINT, ke: 0 } };
-
-export function drawnOf(settings: Partial<Deformation>): Deformation {
-  return deformationBy(DRAW, { ke: KE, delta: 1, spin: "scaled", tint: TINT, ...settings });
 }
 
 function hrefOf(deform: Deformation): string {

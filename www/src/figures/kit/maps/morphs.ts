@@ -5,6 +5,7 @@ import { type Uv, uvAt } from "#geometry/path";
 import type { MapRow, Mode } from "#wasm/api";
 import { frond } from "#wasm/core";
 import type { StripFrame } from "../picture/stills";
+import { determinant } from "./families";
 
 export interface Ends {
   from: MapRow[];
@@ -46,4 +47,13 @@ export function boxAround(all: readonly MapRow[][]): Box {
     x1: Math.max(...counted.map((box) => box.x1)),
     y1: Math.max(...counted.map((box) => box.y1)),
   };
+}
+
+/** The determinant of the first map over the whole morph, as pairs of t and its value. */
+export function determinants(ends: Ends, mode: Mode, steps = 40): [number, number][] {
+  return Array.from({ length: steps + 1 }, (_, i) => {
+    const t = i / steps;
+    const [first] = mapsAt(ends, [t, t], mode);
+    return [t, first ? determinant(first) : 0];
+  });
 }

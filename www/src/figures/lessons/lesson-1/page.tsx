@@ -20,7 +20,7 @@ const MEET = 0.5;
 const [LOWEST, HIGHEST] = [0.4, 0.56];
 
 /** What touching means. */
-export function Lesson1(heading: Heading) {
+export function Page(heading: Heading) {
   const prediction = usePrediction<number>(HIGHEST);
   const r = prediction.guess ?? HIGHEST;
   return (

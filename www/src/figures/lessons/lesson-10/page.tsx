@@ -39,7 +39,7 @@ type First = (typeof FIRST)[number]["value"];
 const LAST = "gasket";
 
 /** The wrong pairing. */
-export function Lesson10(heading: Heading) {
+export function Page(heading: Heading) {
   const prediction = usePrediction<Name>(null);
   const guess = prediction.guess ?? "same";
   return (

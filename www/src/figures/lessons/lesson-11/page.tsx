@@ -2,7 +2,7 @@ import { useMemo, useState } from "preact/hooks";
 import { bendAt } from "#document/deform/bend";
 import { fixed } from "#format/numbers";
 import { Slider } from "#ui/Slider";
-import { GASKET, LIFT_BOX, liftOf } from "../../fujimoto/figure-4/page";
+import { FAR_CORNER, GASKET, KE, LIFT_BOX, liftOf } from "../../fujimoto/deformations/lifted-gasket";
 import { Control, type Heading } from "../../kit/frame/frame";
 import { studioHref } from "../../kit/frame/studio-link";
 import { Bent } from "../../kit/picture/deformed";
@@ -10,15 +10,11 @@ import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
 
-const KE = 9;
-/** The piece 1111, which is far from the pull. */
-export const FAR = { x0: 0, y0: 0, x1: 0.068, y1: 0.068 };
-
 type Guess = "still" | "along" | "alike" | "apart";
 const TRUTH: Guess = "alike";
 
 /** Plain or fractal. */
-export function Lesson11(heading: Heading) {
+export function Page(heading: Heading) {
   const prediction = usePrediction<Guess>(null);
   return (
     <Lesson
@@ -89,7 +85,7 @@ function What({ prediction }: { prediction: Prediction<Guess> }) {
       beside={
         <Bent
           maps={GASKET}
-          box={FAR}
+          box={FAR_CORNER}
           bend={bend}
           grid={0}
           label="The lower left corner, nearly fifteen times larger, plainly bent: it is as it was"
@@ -137,7 +133,7 @@ function After() {
         <figure class="panel">
           <Bent
             maps={GASKET}
-            box={FAR}
+            box={FAR_CORNER}
             bend={bend}
             grid={0}
             label={`The lower left corner at locality ${fixed(kb)} of 9`}

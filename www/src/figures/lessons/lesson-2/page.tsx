@@ -16,7 +16,7 @@ const NAMES = ["lower left", "lower right", "top"] as const;
 type Where = "none" | "middle" | "edges";
 
 /** The chaos game, thrown by hand. */
-export function Lesson2(heading: Heading) {
+export function Page(heading: Heading) {
   const prediction = usePrediction<Where>(null);
   return (
     <Lesson

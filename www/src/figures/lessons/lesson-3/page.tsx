@@ -36,7 +36,7 @@ const key = ([i, j]: Pair) => `${i}-${j}`;
 const edge = ([i, j]: Pair): Edge => ({ between: [i, j], at: 0, pixel: 0 });
 
 /** The overlap graph. */
-export function Lesson3(heading: Heading) {
+export function Page(heading: Heading) {
   const prediction = usePrediction<readonly string[]>(null);
   return (
     <Lesson

@@ -2,7 +2,7 @@ import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { reasonWords } from "#format/reason";
 import { Segmented } from "#ui/Segmented";
-import { prover } from "#wasm/proof";
+import { loadProof, prover } from "#wasm/proof";
 import { Plot } from "../../kit/chart/plot";
 import { barnsley, type Round } from "../../kit/connectedness/barnsley";
 import { Rows } from "../../kit/connectedness/barnsley-rows";
@@ -24,8 +24,11 @@ const SCALES = [
 ] as const;
 type Scale = (typeof SCALES)[number]["value"];
 
+/** What must be there before it is shown. */
+export const needs = [loadProof];
+
 /** Barnsley's bound closing in. */
-export function Lesson4(heading: Heading) {
+export function Page(heading: Heading) {
   const prediction = usePrediction<number>(2);
   const rounds = useMemo(() => barnsley(SHOWN, MOST), []);
   return (

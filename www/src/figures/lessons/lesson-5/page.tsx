@@ -25,7 +25,7 @@ const SEED = 1;
 const [LOWEST, HIGHEST] = [0.46, 0.505];
 
 /** The resolution's lie. */
-export function Lesson5(heading: Heading) {
+export function Page(heading: Heading) {
   const prediction = usePrediction<number>(LOWEST);
   const r = prediction.guess ?? LOWEST;
   return (

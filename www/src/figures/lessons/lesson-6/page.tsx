@@ -1,12 +1,11 @@
 import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import type { MapRow, Mode } from "#wasm/api";
-import { determinants } from "../../burch-hart/figures-3-and-4/page";
 import { Plot } from "../../kit/chart/plot";
 import type { Heading } from "../../kit/frame/frame";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { determinant, gasket, turnedGasket } from "../../kit/maps/families";
-import { boxAround, type Ends, mapsAt } from "../../kit/maps/morphs";
+import { boxAround, determinants, type Ends, mapsAt } from "../../kit/maps/morphs";
 import { Picture } from "../../kit/picture/picture";
 import { Time, useTime } from "../../kit/time/time";
 import { Choices } from "../frame/choices";
@@ -25,7 +24,7 @@ const MODES: readonly { mode: Mode; name: string }[] = [
 type Halfway = "same" | "half" | "point" | "mirror";
 
 /** Why polar. */
-export function Lesson6(heading: Heading) {
+export function Page(heading: Heading) {
   const prediction = usePrediction<Halfway>(null);
   const time = useTime(0.5);
   return (

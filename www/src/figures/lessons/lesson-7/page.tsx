@@ -4,7 +4,7 @@ import { shareWords, toldOf, verdictWords } from "#format/verdict";
 import { type Uv, uvAt } from "#geometry/path";
 import { STATE } from "#geometry/states";
 import { Slider } from "#ui/Slider";
-import { prover } from "#wasm/proof";
+import { loadProof, prover } from "#wasm/proof";
 import { Control, type Heading } from "../../kit/frame/frame";
 import { drawn, preset, studioHref } from "../../kit/frame/studio-link";
 import { Chip, VerdictChip } from "../../kit/frame/verdict";
@@ -34,8 +34,11 @@ function ends(): Ends {
   return kept;
 }
 
+/** What must be there before it is shown. */
+export const needs = [loadProof];
+
 /** Straight against drawn path. */
-export function Lesson7(heading: Heading) {
+export function Page(heading: Heading) {
   const prediction = usePrediction<number>(0);
   const [way, setWay] = useState<Uv>([0.5, 0.5]);
   const t = prediction.guess ?? 0;

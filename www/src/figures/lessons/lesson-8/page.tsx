@@ -48,7 +48,7 @@ const LANDMARKS: readonly { s: Complex; name: string; about: string }[] = [
 type Which = "whole" | "dust";
 
 /** The set M. */
-export function Lesson8(heading: Heading) {
+export function Page(heading: Heading) {
   const prediction = usePrediction<Which>(null);
   const [s, setS] = useState<Complex>(FIRST);
   return (

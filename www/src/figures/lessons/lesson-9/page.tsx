@@ -24,7 +24,7 @@ const WHOLE: Box = { x0: 0, y0: 0, x1: 1, y1: HEIGHT };
 type Gap = "least" | "tree" | "widest" | "sum";
 
 /** Why three pieces differ from two. */
-export function Lesson9(heading: Heading) {
+export function Page(heading: Heading) {
   const prediction = usePrediction<Gap>(null);
   return (
     <Lesson

@@ -1,0 +1,8 @@
+import { turns3 } from "#geometry/affine3";
+import { triangle } from "../space/shapes";
+import { FRONT, turnedHalves } from "../space/small";
+import { SpaceDots } from "../space/space-dots";
+
+const MAPS = turnedHalves(triangle("halves"), turns3([1, 0.9, 0.5]));
+
+export const Thumb = () => <SpaceDots maps={MAPS} view={FRONT} />;

@@ -1,0 +1,7 @@
+import { PYRAMID_AWAY, pyramid } from "../space/shapes";
+import { FAR } from "../space/small";
+import { SpaceDots } from "../space/space-dots";
+
+const MAPS = pyramid([PYRAMID_AWAY, 0, 0]);
+
+export const Thumb = () => <SpaceDots maps={MAPS} view={FAR} />;

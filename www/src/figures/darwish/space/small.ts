@@ -1,0 +1,16 @@
+/** Small pictures of the shapes of Figures i to vi, in points, and where they are seen from. */
+
+import { about3, after3, scale3, shift3 } from "#geometry/affine3";
+import type { MapRow3, SpaceView } from "#wasm/api";
+
+export const FRONT: SpaceView = { target: [0, 0, 0], distance: 3, turn: 0.35, tilt: 0.2, angle: 0.46 };
+export const FAR: SpaceView = { target: [15, 0, 0], distance: 15, turn: -Math.PI / 2, tilt: 0, angle: 0.075 };
+
+/** Halves keep their matrices when they are turned: what is moved is where their corners are. */
+export function turnedHalves(maps: readonly MapRow3[], by: MapRow3): MapRow3[] {
+  return maps.map((map) => {
+    const corner = [2 * map[9], 2 * map[10], 2 * map[11]] as const;
+    const [x, y, z] = after3(by, shift3([...corner])).slice(9);
+    return about3(scale3([0.5, 0.5, 0.5]), [x ?? 0, y ?? 0, z ?? 0]);
+  });
+}

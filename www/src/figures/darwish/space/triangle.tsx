@@ -1,0 +1,33 @@
+/** What the figures of the triangle share: where it is seen from, which maps make it, and what was not printed. */
+
+import { Segmented } from "#ui/Segmented";
+import type { SpaceView } from "#wasm/api";
+import type { Form } from "./shapes";
+
+export const TRIANGLE_VIEW: SpaceView = {
+  target: [0, 0, 0],
+  distance: 2.6,
+  turn: 0.35,
+  tilt: 0.2,
+  angle: 0.5,
+};
+
+export const CUT_OFF =
+  "The scan of the paper cuts the parameters off: of each map only some numbers can be read. The corners of this triangle are Frond’s own.";
+
+export function FormChoice({ form, onChange }: { form: Form; onChange: (form: Form) => void }) {
+  return (
+    <div class="buttons">
+      <span class="choice-label">Maps that</span>
+      <Segmented
+        label="Which maps make the triangle"
+        value={form}
+        options={[
+          { value: "halves", label: "halve everything" },
+          { value: "sheet", label: "also flatten" },
+        ]}
+        onChange={onChange}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,9 @@
+import { useMemo } from "preact/hooks";
+import { bendAt } from "#document/deform/bend";
+import { Bent } from "../../kit/picture/deformed";
+import { GASKET, LIFT_BOX, liftOf } from "../deformations/lifted-gasket";
+
+export function Thumb() {
+  const bend = useMemo(() => bendAt(liftOf({ kb: 0 }), 1), []);
+  return <Bent maps={GASKET} box={LIFT_BOX} bend={bend} grid={0} label={null} />;
+}

@@ -1,0 +1,5 @@
+import { Matching } from "./matching";
+
+export function Thumb() {
+  return <Matching matching={[1, 0, 2]} />;
+}

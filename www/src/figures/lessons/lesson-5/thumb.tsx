@@ -1,0 +1,13 @@
+import { useMemo } from "preact/hooks";
+import { startRun } from "../../kit/connectedness/buffer-run";
+import { Buffer } from "../../kit/connectedness/index-buffer";
+import { gasket } from "../../kit/maps/families";
+
+export function Thumb() {
+  const run = useMemo(() => {
+    const started = startRun(gasket(0.49), 17, 3000);
+    started.plotTo(3000);
+    return started;
+  }, []);
+  return <Buffer run={run} count={run.count} label={null} />;
+}
