@@ -1,14 +1,9 @@
-import type { Locator, Page } from "@playwright/test";
+import type { Locator } from "@playwright/test";
 import { expectClean } from "./axe";
+import { idsOf, open } from "./figure-pages";
 import { expect, test } from "./fixture";
 
-const PAGES = ["d1", "d2", "d3", "d4", "d5", "d6"];
-
-async function open(page: Page, figure: string): Promise<void> {
-  if (page.url() !== "about:blank") await page.goto("about:blank");
-  await page.goto(`./#figures${figure === "" ? "" : `/${figure}`}`);
-  await page.getByRole("heading", { level: 1 }).waitFor();
-}
+const PAGES = idsOf("deformation");
 
 interface Look {
   /** Parts of the picture that hold something. */

@@ -1,11 +1,10 @@
+import { idsOf, open } from "./figure-pages";
 import { expect, test } from "./fixture";
 
 test("no figure on rough curves is wider than a phone", async ({ page }) => {
   test.setTimeout(120_000);
-  for (const figure of ["c1", "c2", "ct2", "c3", "c4", "c5", "c6", "c7"]) {
-    await page.goto("about:blank");
-    await page.goto(`./#figures/${figure}`);
-    await page.getByRole("heading", { level: 1 }).waitFor();
+  for (const figure of idsOf("rough-curves")) {
+    await open(page, figure);
     const wide = await page.evaluate(() => {
       const live = document.querySelector(".figure-live");
       if (!live) return ["no figure"];

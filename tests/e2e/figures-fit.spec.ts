@@ -1,14 +1,9 @@
 import type { Locator, Page } from "@playwright/test";
 import { expectClean } from "./axe";
+import { idsOf, open } from "./figure-pages";
 import { expect, test } from "./fixture";
 
-const PAGES = ["c1", "c2", "ct2", "c3", "c4", "c5", "c6", "c7"];
-
-async function open(page: Page, figure: string): Promise<void> {
-  if (page.url() !== "about:blank") await page.goto("about:blank");
-  await page.goto(`./#figures${figure === "" ? "" : `/${figure}`}`);
-  await page.getByRole("heading", { level: 1 }).waitFor();
-}
+const PAGES = idsOf("rough-curves");
 
 interface Look {
   /** Parts of the picture that hold something. */

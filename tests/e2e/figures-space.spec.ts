@@ -1,13 +1,11 @@
 import { expectClean } from "./axe";
+import { idsOf, open } from "./figure-pages";
 import { expect, test } from "./fixture";
 
-const SPACES = ["s1", "s2", "s3", "s4", "s5", "s6", "s35", "s7", "s8", "s9"];
-
-for (const figure of SPACES) {
+for (const figure of idsOf("in-space")) {
   test(`figure ${figure} shows its shapes, and is clean`, async ({ page }) => {
     await page.emulateMedia({ reducedMotion: "reduce" });
-    await page.goto(`./#figures/${figure}`);
-    await page.getByRole("heading", { level: 1 }).waitFor();
+    await open(page, figure);
     const main = page.getByRole("main");
     // What was not printed is called reconstructed; the open question is a page of Frond's own.
     if (figure !== "s9") {

@@ -1,25 +1,10 @@
 import type { Locator, Page } from "@playwright/test";
 import { expectClean } from "./axe";
+import { ALL, idsOf, open } from "./figure-pages";
 import { expect, test } from "./fixture";
 
-const PAGES = ["1", "2", "3", "5", "6", "7", "table-1"];
-
-/** Those on fractal deformation have tests of their own. */
-const DEFORMS = ["d1", "d2", "d3", "d4", "d5", "d6"];
-
-/** And those on rough curves. */
-const FITS = ["c1", "c2", "ct2", "c3", "c4", "c5", "c6", "c7"];
-
-/** And those on shapes of space. */
-const SPACES = ["s1", "s2", "s3", "s4", "s5", "s6", "s35", "s7", "s8", "s9"];
-
-const LESSONS = ["e1", "e2", "e3", "e4", "e5", "e6", "e7", "e8", "e9", "e10", "e11"];
-
-async function open(page: Page, figure: string): Promise<void> {
-  if (page.url() !== "about:blank") await page.goto("about:blank");
-  await page.goto(`./#figures${figure === "" ? "" : `/${figure}`}`);
-  await page.getByRole("heading", { level: 1 }).waitFor();
-}
+const PAGES = idsOf("from-the-paper");
+const LESSONS = idsOf("lessons");
 
 /** How many pixels of a canvas hold something. */
 function lit(page: Page, selector: string): Promise<number> {
@@ -36,8 +21,7 @@ function lit(page: Page, selector: string): Promise<number> {
 test("the index shows every figure, drawn", async ({ page }) => {
   await open(page, "");
   const cards = page.getByRole("main").getByRole("listitem");
-  const count = PAGES.length + DEFORMS.length + FITS.length + SPACES.length + LESSONS.length;
-  await expect(cards).toHaveCount(count);
+  await expect(cards).toHaveCount(ALL.length);
   for (const i of [2, 3, 4, 6]) {
     const canvas = `.cards >> nth=0 >> li:nth-child(${i + 1}) canvas`;
     await expect.poll(() => lit(page, canvas)).toBeGreaterThan(200);
@@ -259,4 +243,21 @@ test("Table 1 measures, stops and goes on", async ({ page }) => {
   const [, middle] = /0\.47850\s*(0\.\d+)/.exec((await row.textContent()) ?? "") ?? [];
   expect(Number(middle)).toBeGreaterThan(0.4785);
   expect(Number(middle)).toBeLessThan(0.5);
+});
+
+test.describe("without a connection", () => {
+  test.use({ expected: /page-.*\.js|Failed to (load|fetch)/ });
+
+  test("a page that cannot be fetched says what to do, and comes at the next try", async ({ page }) => {
+    await open(page, "");
+    await page.route(/\/page-[^/]*\.js$/, (route) => route.abort());
+    await page.getByRole("link", { name: /^Table 1/ }).click();
+    await expect(page.getByRole("alert")).toContainText(/Table 1 could not be loaded/);
+    // What was there stays.
+    await expect(page.getByRole("heading", { level: 1 })).toHaveText("Figures");
+    await page.unrouteAll();
+    await page.getByRole("button", { name: "Try again" }).click();
+    await expect(page).toHaveTitle(/^Table 1/);
+    await expect(page.getByRole("alert")).toHaveCount(0);
+  });
 });
