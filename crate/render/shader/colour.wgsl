@@ -1,4 +1,4 @@
-// What colour a piece has. CPU twin: src/colour.rs.
+// What colour a piece has. CPU twin: src/picture/colour.rs.
 
 struct Look {
     palette: array<vec4<f32>, 64>,

@@ -1,4 +1,4 @@
-// From what was drawn to the picture that is shown. CPU twin: src/resolve.rs.
+// From what was drawn to the picture that is shown. CPU twin: src/picture/resolve.rs.
 
 struct Taps {
     base: vec2<i32>,

@@ -1,4 +1,4 @@
-// From coverage and density to alpha. CPU twin: src/tone.rs.
+// From coverage and density to alpha. CPU twin: src/picture/tone.rs.
 
 fn cover(coverage: f32) -> f32 {
     return coverage * (2.0 - coverage);

@@ -1,11 +1,11 @@
 //! How dense the measure lies in each pixel.
 
-use crate::colour::Look;
-use crate::frame::Frame;
-use crate::measure::{MassPiece, Sample, Sampler, pieces_by_mass};
-use crate::sweep::Sweep;
-use crate::view::View;
-use crate::window::Window;
+use crate::coverage::sweep::Sweep;
+use crate::picture::colour::Look;
+use crate::picture::view::View;
+use crate::picture::window::Window;
+use crate::pieces::frame::Frame;
+use crate::pieces::measure::{MassPiece, Sample, Sampler, pieces_by_mass};
 
 /// What a density picture is drawn from: pieces of nearly equal mass, each filled with the same samples,
 /// in as many passes as one likes.
@@ -77,7 +77,7 @@ mod tests {
     use frond_core::Hull;
 
     use super::*;
-    use crate::colour::Colouring;
+    use crate::picture::colour::Colouring;
     use crate::testing::ifs;
 
     const WINDOW: Window = Window { width: 96, height: 64 };

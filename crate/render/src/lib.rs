@@ -19,43 +19,34 @@
 //! that of the locus, which is in crate/locus: what runs on the card for it is `gpu::LocusGpu`.
 
 pub mod bent;
-mod bitmap;
-mod colour;
-mod cut;
+mod coverage;
 mod density;
-mod flood;
-mod frame;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 pub mod gpu;
-mod letters;
-mod measure;
+mod picture;
+mod pieces;
 mod plan;
 mod points;
-mod probe;
 mod raster;
-mod resolve;
 mod sheet;
-pub mod space;
-mod sweep;
+pub mod solid;
 #[cfg(test)]
 mod testing;
-pub mod tone;
-mod view;
-mod window;
 
-pub use bitmap::Bitmap;
-pub use colour::{Colouring, Look, OKABE_ITO, code_of_colour, pack_colour};
-pub use cut::{Piece, cut, cut_at_random};
+pub use coverage::flood::{CloudPoint, Flood};
+pub use coverage::sweep::{Hit, Progress, Sweep};
 pub use density::Density;
-pub use flood::{CloudPoint, Flood};
-pub use frame::Frame;
-pub use letters::{CODES, KEPT, Letters};
-pub use measure::{MassPiece, Sample, Sampler, pieces_by_mass};
+pub use picture::bitmap::Bitmap;
+pub use picture::colour::{Colouring, Look, OKABE_ITO, code_of_colour, pack_colour};
+pub use picture::resolve::{picture_of_codes, picture_of_density, resolve_codes, resolve_density, to_bytes};
+pub use picture::tone;
+pub use picture::view::View;
+pub use picture::window::{Extent, PixelBox, Window};
+pub use pieces::cut::{Piece, cut, cut_at_random};
+pub use pieces::frame::Frame;
+pub use pieces::letters::{CODES, KEPT, Letters};
+pub use pieces::measure::{MassPiece, Sample, Sampler, pieces_by_mass};
 pub use plan::{Batch, Detail, Plan};
 pub use points::{Instance, Vertex};
 pub use raster::{MAX_SIDE, RasterOptions, RenderError, codes, rasterize};
-pub use resolve::{picture_of_codes, picture_of_density, resolve_codes, resolve_density, to_bytes};
 pub use sheet::{BentSheet, Level, Photo, PhotoError, Sheet, SheetOptions, draw_sheet};
-pub use sweep::{Hit, Progress, Sweep};
-pub use view::View;
-pub use window::{Extent, PixelBox, Window};

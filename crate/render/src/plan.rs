@@ -5,13 +5,13 @@ use std::ops::Range;
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
-use crate::cut::{Piece, cut, cut_at_random};
-use crate::flood::Flood;
-use crate::frame::Frame;
-use crate::letters::Letters;
+use crate::coverage::flood::Flood;
+use crate::coverage::sweep::{Sweep, Walk};
+use crate::picture::window::Window;
+use crate::pieces::cut::{Piece, cut, cut_at_random};
+use crate::pieces::frame::Frame;
+use crate::pieces::letters::Letters;
 use crate::points::{Instance, Sides, Vertex};
-use crate::sweep::{Sweep, Walk};
-use crate::window::Window;
 
 /// Instances of one cloud.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -219,9 +219,9 @@ mod tests {
     use frond_core::Hull;
 
     use super::*;
+    use crate::picture::view::View;
     use crate::raster::codes;
     use crate::testing::{NASTY, PLAIN, ifs};
-    use crate::view::View;
 
     const WINDOW: Window = Window { width: 240, height: 180 };
 

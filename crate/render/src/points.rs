@@ -3,8 +3,8 @@
 use bytemuck::{Pod, Zeroable};
 use frond_core::Affine2;
 
-use crate::letters::{CODES, KEPT, Letters};
-use crate::window::Window;
+use crate::picture::window::Window;
+use crate::pieces::letters::{CODES, KEPT, Letters};
 
 /// A point of a cloud: one for each vertex.
 #[repr(C)]

@@ -5,13 +5,13 @@ use frond_deform::Bend;
 use thiserror::Error;
 
 use crate::bent::{Bent, BentSweep, Slack};
-use crate::colour::{Colouring, Look};
+use crate::coverage::sweep::{Progress, Sweep};
 use crate::density::Density;
-use crate::frame::Frame;
-use crate::resolve::{picture_of_codes, picture_of_density};
-use crate::sweep::{Progress, Sweep};
-use crate::view::View;
-use crate::window::Window;
+use crate::picture::colour::{Colouring, Look};
+use crate::picture::resolve::{picture_of_codes, picture_of_density};
+use crate::picture::view::View;
+use crate::picture::window::Window;
+use crate::pieces::frame::Frame;
 
 /// What [`rasterize`] draws.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@
 use frond_deform::Cursor;
 
 use super::{Bent, Fineness, Placed, Verdict};
-use crate::letters::Letters;
+use crate::pieces::letters::Letters;
 
 /// A piece and where the bend takes it.
 #[derive(Clone, Debug)]

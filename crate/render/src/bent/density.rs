@@ -1,10 +1,10 @@
 //! How dense the measure lies in each pixel of a bent attractor.
 
 use super::{Bent, Cut, Cutter, Fineness};
-use crate::bitmap::Bitmap;
 use crate::density::Density;
-use crate::measure::{MassPiece, Sampler};
-use crate::window::Window;
+use crate::picture::bitmap::Bitmap;
+use crate::picture::window::Window;
+use crate::pieces::measure::{MassPiece, Sampler};
 
 /// Blocks of so many pixels each way are counted as lit or not.
 const BLOCK: u32 = 8;

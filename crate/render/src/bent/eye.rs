@@ -3,8 +3,8 @@
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
-use crate::view::View;
-use crate::window::Window;
+use crate::picture::view::View;
+use crate::picture::window::Window;
 
 /// A [`View`] onto a target: large numbers cancel before they are scaled, so that it is crisp however far one zooms in.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -26,10 +26,10 @@ pub use plan::BentPlan;
 pub use slack::Slack;
 pub use sweep::BentSweep;
 
-use crate::colour::pack_colour;
-use crate::frame::Frame;
-use crate::view::View;
-use crate::window::{Extent, Window};
+use crate::picture::colour::pack_colour;
+use crate::picture::view::View;
+use crate::picture::window::{Extent, Window};
+use crate::pieces::frame::Frame;
 
 /// A bent attractor and how it is looked at.
 #[derive(Debug)]

@@ -4,7 +4,7 @@ use frond_deform::{Cursor, Skin};
 use glam::DVec2;
 
 use super::{Bent, BentPlan, bend_to};
-use crate::letters::Letters;
+use crate::pieces::letters::Letters;
 
 /// The pieces of a [`BentPlan`] as they move with the mesh: the anchors of each are skinned, sixteen weights for a mesh
 /// of 4 x 4, however deep the bend is.

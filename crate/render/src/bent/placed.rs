@@ -3,7 +3,7 @@
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
-use crate::letters::Letters;
+use crate::pieces::letters::Letters;
 use crate::points::Instance;
 
 /// A map from the unit disc to pixels that bends a little: affine, plus a `twist` times how far a point is `along`

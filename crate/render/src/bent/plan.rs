@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use super::{Bent, Cut, Cutter, Fineness, Moving, Placed};
-use crate::frame::Frame;
-use crate::letters::Letters;
+use crate::pieces::frame::Frame;
+use crate::pieces::letters::Letters;
 use crate::plan::{Batch, Detail, Plan};
 use crate::points::Instance;
 

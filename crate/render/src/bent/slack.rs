@@ -5,7 +5,7 @@ use frond_deform::{Bend, Cursor};
 use glam::DVec2;
 
 use super::placed::Sides;
-use crate::frame::Frame;
+use crate::pieces::frame::Frame;
 
 /// How far from each other, in units of the plane, a point of a piece may be where the bend takes it and where it
 /// would be if the bend took the piece along with its anchors: by the number of letters of the piece's word.

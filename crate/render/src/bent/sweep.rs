@@ -3,11 +3,11 @@
 use glam::DVec2;
 
 use super::{Bent, Fineness, Placed, Verdict};
-use crate::bitmap::Bitmap;
-use crate::colour::code_of_colour;
-use crate::letters::Letters;
-use crate::sweep::Progress;
-use crate::window::Window;
+use crate::coverage::sweep::Progress;
+use crate::picture::bitmap::Bitmap;
+use crate::picture::colour::code_of_colour;
+use crate::picture::window::Window;
+use crate::pieces::letters::Letters;
 use frond_deform::Cursor;
 
 /// A walk like [`crate::Sweep`] down the tree of pieces of a bent attractor: pieces whose pixels are all lit are

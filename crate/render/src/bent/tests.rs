@@ -2,12 +2,12 @@ use frond_core::{Hull, Ifs};
 use frond_deform::{Continuity, Mesh, Roughness, Settings, Spin, Tint};
 
 use super::*;
-use crate::bitmap::Bitmap;
-use crate::colour::{Colouring, Look};
+use crate::coverage::sweep::Progress;
 use crate::density::Density;
+use crate::picture::bitmap::Bitmap;
+use crate::picture::colour::{Colouring, Look};
 use crate::plan::Detail;
 use crate::raster::{RasterOptions, rasterize};
-use crate::sweep::Progress;
 use crate::testing::{ifs, of_rows};
 
 const WINDOW: Window = Window { width: 120, height: 96 };

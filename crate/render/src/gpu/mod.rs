@@ -4,8 +4,6 @@
 //! at once and complete after some frames. [`LocusGpu`] decides the samples of a connectedness locus.
 
 #[cfg(target_arch = "wasm32")]
-mod bending;
-#[cfg(target_arch = "wasm32")]
 mod buffer;
 #[cfg(target_arch = "wasm32")]
 mod device;
@@ -14,30 +12,22 @@ mod events;
 #[cfg(feature = "webgpu")]
 mod locus;
 #[cfg(target_arch = "wasm32")]
-mod pipelines;
+mod passes;
 #[cfg(target_arch = "wasm32")]
-mod planned;
+mod pipelines;
 #[cfg(target_arch = "wasm32")]
 mod readback;
 #[cfg(target_arch = "wasm32")]
 mod sheet;
 #[cfg(target_arch = "wasm32")]
-mod sheeted;
-#[cfg(target_arch = "wasm32")]
-mod space;
+mod solid;
 #[cfg(target_arch = "wasm32")]
 mod stage;
 #[cfg(target_arch = "wasm32")]
-mod swept;
-#[cfg(target_arch = "wasm32")]
 mod target;
-#[cfg(target_arch = "wasm32")]
-mod weighed;
 #[cfg(target_arch = "wasm32")]
 mod work;
 
-#[cfg(target_arch = "wasm32")]
-pub use bending::Make;
 #[cfg(target_arch = "wasm32")]
 pub use device::{Canvas, Gpu, GpuError, Wanted};
 #[cfg(target_arch = "wasm32")]
@@ -45,9 +35,11 @@ pub use events::{Event, Loss};
 #[cfg(feature = "webgpu")]
 pub use locus::{LocusError, LocusGpu, LocusJob};
 #[cfg(target_arch = "wasm32")]
+pub use passes::deformed::Make;
+#[cfg(target_arch = "wasm32")]
 pub use readback::ReadBack;
 #[cfg(target_arch = "wasm32")]
-pub use space::{Drawn3, Stage3, Uniforms3};
+pub use solid::{Drawn3, Stage3, Uniforms3};
 #[cfg(target_arch = "wasm32")]
 pub use stage::{Drawn, Stage, Style};
 

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use super::device::Gpu;
 use super::events::Loss;
 use super::pipelines::READ;
-use crate::window::Window;
+use crate::picture::window::Window;
 
 /// A picture on its way back.
 #[derive(Debug)]

@@ -6,9 +6,9 @@ use glam::DVec2;
 use super::buffer::uniform;
 use super::device::Gpu;
 use super::pipelines::READ;
+use crate::picture::view::View;
+use crate::picture::window::Window;
 use crate::sheet::{Photo, Sheet, SheetOptions, draw_sheet, on_target};
-use crate::view::View;
-use crate::window::Window;
 
 /// Corners further away than so many pixels have too few digits on the card: such a close view is drawn on the processor,
 /// where it has few triangles.

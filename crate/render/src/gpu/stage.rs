@@ -2,24 +2,24 @@
 
 use frond_core::{Hull, Ifs};
 
-use super::bending::Bending;
 use super::buffer::uniform;
 use super::device::Gpu;
+use super::passes::cpu::Swept;
+use super::passes::deformed::Bending;
+use super::passes::density::Weighed;
+use super::passes::image::Sheeted;
+use super::passes::points::Planned;
 use super::pipelines::Pipelines;
-use super::planned::Planned;
 use super::readback::ReadBack;
-use super::sheeted::Sheeted;
-use super::swept::Swept;
 use super::target::Target;
-use super::weighed::Weighed;
 use super::work::{Shown, Work};
-use crate::colour::{Colouring, Look};
-use crate::frame::Frame;
+use crate::picture::colour::{Colouring, Look};
+use crate::picture::resolve::{picture_of_codes, picture_of_density};
+use crate::picture::view::View;
+use crate::picture::window::Window;
+use crate::pieces::frame::Frame;
 use crate::plan::Plan;
 use crate::raster::MAX_SIDE;
-use crate::resolve::{picture_of_codes, picture_of_density};
-use crate::view::View;
-use crate::window::Window;
 
 /// How a picture looks.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,9 +5,9 @@ use bytemuck::{Pod, Zeroable};
 use super::buffer::{Buffer, uniform};
 use super::device::Gpu;
 use super::pipelines::{CODES, DEPTH, Kind, Pipelines, READ};
+use crate::picture::window::Window;
 use crate::plan::Batch;
 use crate::points::{Instance, Sides, Vertex};
-use crate::window::Window;
 
 /// A texture of codes, sums or colours, and what is needed to draw points into it and to show it.
 #[derive(Debug)]

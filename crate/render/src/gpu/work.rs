@@ -2,16 +2,16 @@
 
 use frond_core::Affine2;
 
+use super::passes::density::Weighed;
 use super::pipelines::Kind;
 use super::stage::Stage;
 use super::target::Target;
-use super::weighed::Weighed;
-use crate::colour::Colouring;
-use crate::frame::Frame;
+use crate::coverage::sweep::Progress;
+use crate::picture::colour::Colouring;
+use crate::picture::view::View;
+use crate::picture::window::Window;
+use crate::pieces::frame::Frame;
 use crate::plan::Detail;
-use crate::sweep::Progress;
-use crate::view::View;
-use crate::window::Window;
 
 /// The most points of a complete picture.
 pub(super) const MOST_POINTS: u64 = 32_000_000;

@@ -3,7 +3,7 @@
 use glam::{DMat2, DVec2};
 
 use super::photo::Photo;
-use crate::window::Window;
+use crate::picture::window::Window;
 
 /// Corners are rounded to so many parts of a pixel, as graphics cards do: from there on everything is whole numbers,
 /// so that two triangles never both miss a pixel of the edge between them, nor both take it.

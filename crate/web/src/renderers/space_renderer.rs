@@ -2,7 +2,7 @@
 
 use bytemuck::{AnyBitPattern, pod_collect_to_vec, try_pod_read_unaligned};
 use frond_render::gpu::{Drawn3, Stage3, Uniforms3};
-use frond_render::space::Cloud;
+use frond_render::solid::Cloud;
 use js_sys::{Array, Promise, Reflect, Uint8Array};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;

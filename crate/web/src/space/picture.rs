@@ -1,7 +1,7 @@
 //! Pictures of space: what a renderer is given, and complete ones without a graphics card.
 
 use frond_core::{Affine3, Bounds3, Ifs3, IfsError, MAX_MAPS};
-use frond_render::space::{
+use frond_render::solid::{
     Camera, CameraError, Carve, Cloud, Eye, Lamp, Lighting, MAX_OBJECTS, Paint, depths, light,
 };
 use frond_render::{Colouring, Look};

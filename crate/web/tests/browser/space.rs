@@ -2,7 +2,7 @@
 
 use frond_core::{Affine3, Ifs3};
 use frond_render::gpu::{Event, Stage3, Uniforms3, Wanted};
-use frond_render::space::{Camera, Carve, Cloud, Eye, Lamp, Lighting, Paint, Relief, Spread, light, mend};
+use frond_render::solid::{Camera, Carve, Cloud, Eye, Lamp, Lighting, Paint, Relief, Spread, light, mend};
 use frond_render::{Colouring, Look};
 use glam::{DQuat, DVec3};
 use wasm_bindgen_test::wasm_bindgen_test;

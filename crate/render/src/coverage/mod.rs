@@ -1,0 +1,5 @@
+//! Which pixels a piece of the attractor reaches into: all of them, on the processor.
+
+pub mod flood;
+pub mod probe;
+pub mod sweep;

@@ -1,0 +1,222 @@
+//! The complete picture, on the CPU: every pixel that a piece of the attractor touches.
+
+use frond_core::Affine2;
+use glam::DVec2;
+
+use crate::coverage::probe::Probe;
+use crate::picture::bitmap::Bitmap;
+use crate::picture::window::Window;
+use crate::pieces::frame::Frame;
+use crate::pieces::letters::Letters;
+
+/// A pixel that has just been lit.
+#[derive(Clone, Copy, Debug)]
+pub struct Hit {
+    /// Column and row.
+    pub pixel: (u32, u32),
+    /// A point of the attractor in that pixel, in pixels.
+    pub point: DVec2,
+    /// The first letters of its piece.
+    pub letters: Letters,
+}
+
+/// How far a [`Sweep`] got.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Progress {
+    /// There is more to visit.
+    Working,
+    /// Every piece was visited: the picture is complete.
+    Complete,
+    /// The pieces overlap so much that they could not all be visited. The picture was filled by probing
+    /// at random until nothing new came to light: it is as good as complete, but that is not certain.
+    Probed,
+}
+
+/// A walk down the tree of pieces that lights pixels, in portions.
+///
+/// Pieces are visited later maps first, so that the first piece to reach a pixel is the one on top. A
+/// piece is dropped when it is outside of the window or every pixel of its bounding box is lit; it lights
+/// a pixel when its box lies within it, or when it is smaller than `detail` and its anchor (a point of the
+/// attractor) lies there. So no pixel without a point of the attractor is ever lit, and a pixel is missed
+/// only if the attractor reaches less than `detail` into it.
+///
+/// Where pieces cover each other many times over (two maps of ratio 0.9: more words than could ever be
+/// visited), the walk would be stuck at the rim of the shape, in pixels that boxes touch and pieces do
+/// not. It then draws large pieces as clouds of points, found by a [`Flood`](crate::Flood).
+#[derive(Debug)]
+pub struct Sweep {
+    frame: Frame,
+    root: Node,
+    detail: f64,
+    canvas: Canvas,
+    stack: Vec<Node>,
+    visited: u64,
+    probe: Option<Probe>,
+}
+
+/// A piece of the attractor: its map to the screen, and its first letters.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Node {
+    pub map: Affine2,
+    pub letters: Letters,
+}
+
+/// What pieces are drawn on.
+#[derive(Debug)]
+pub(crate) struct Canvas {
+    /// Pixels that are lit.
+    pub lit: Bitmap,
+    /// How many are.
+    pub count: u64,
+}
+
+impl Canvas {
+    /// Lights the pixel of a point, if it is in the window and dark.
+    #[inline]
+    pub fn light(&mut self, point: DVec2, letters: Letters, light: &mut impl FnMut(Hit)) {
+        let Some(pixel) = self.lit.window().pixel(point) else { return };
+        if self.lit.set(pixel) {
+            self.count += 1;
+            light(Hit { pixel, point, letters });
+        }
+    }
+}
+
+/// Visits before overlap is suspected, for each pixel of the window and at most, and those allowed for each
+/// lit pixel: plain shapes take 5 to 100.
+const PATIENCE: (u64, u64) = (8, 100_000);
+/// Where the window shows a small part only, it takes a while to find anything in it.
+const CLOSE_PATIENCE: u64 = 2_000_000;
+const VISITS_A_PIXEL: u64 = 300;
+/// Points a probe draws before the budget is looked at again.
+const PORTION: u64 = 4096;
+
+impl Sweep {
+    /// A sweep over a picture of the attractor under `to_screen`, the map from the unit
+    /// coordinates of `frame` to pixels. `detail` is in pixels.
+    #[must_use]
+    pub fn new(frame: &Frame, to_screen: Affine2, window: Window, detail: f64) -> Self {
+        let root = Node { map: to_screen, letters: Letters::NONE };
+        let mut sweep = Self {
+            frame: frame.clone(),
+            root,
+            detail,
+            canvas: Canvas { lit: Bitmap::new(window), count: 0 },
+            stack: Vec::new(),
+            visited: 0,
+            probe: None,
+        };
+        sweep.restart(frame, to_screen, window, detail);
+        sweep
+    }
+
+    /// Begins another picture in the same memory.
+    pub fn restart(&mut self, frame: &Frame, to_screen: Affine2, window: Window, detail: f64) {
+        self.frame.clone_from(frame);
+        self.root = Node { map: to_screen, letters: Letters::NONE };
+        self.detail = detail;
+        self.canvas.lit.reset(window);
+        self.canvas.count = 0;
+        self.stack.clear();
+        self.visited = 0;
+        self.probe = None;
+        if to_screen.is_finite() {
+            self.stack.push(self.root);
+        }
+    }
+
+    /// Pieces visited so far.
+    #[must_use]
+    pub fn visited(&self) -> u64 {
+        self.visited
+    }
+
+    /// The lit pixels.
+    #[must_use]
+    pub fn lit(&self) -> &Bitmap {
+        &self.canvas.lit
+    }
+
+    /// Visits at most about `budget` pieces, reports each pixel that becomes lit, and says how far it got.
+    pub fn run(&mut self, budget: u64, mut light: impl FnMut(Hit)) -> Progress {
+        let end = self.visited.saturating_add(budget);
+        if self.probe.is_none() {
+            match self.walk(budget, &mut light) {
+                Walk::Complete => return Progress::Complete,
+                Walk::Working => return Progress::Working,
+                Walk::Stuck => self.probe = Some(Probe::new(&self.frame, self.root, &self.canvas.lit)),
+            }
+        }
+        let Some(probe) = &mut self.probe else { return Progress::Working };
+        while self.visited < end {
+            let portion = (end - self.visited).min(PORTION);
+            let visits = probe.run(&self.frame, self.root, &mut self.canvas, portion, &mut light);
+            self.visited += visits;
+            if visits == 0 {
+                return Progress::Probed;
+            }
+        }
+        Progress::Working
+    }
+
+    /// The same without going over to a probe.
+    pub(crate) fn walk(&mut self, budget: u64, mut light: impl FnMut(Hit)) -> Walk {
+        let end = self.visited.saturating_add(budget);
+        let window = self.canvas.lit.window();
+        let whole = 2.0 * f64::from(window.width.max(window.height));
+        let patience = match window.extent(&self.root.map) {
+            Some(extent) if extent.size > whole => CLOSE_PATIENCE,
+            _ => (PATIENCE.0 * window.area() as u64).clamp(2000, PATIENCE.1),
+        };
+        while self.visited < end {
+            let Some(node) = self.stack.pop() else { return Walk::Complete };
+            self.visited += 1;
+            visit(&self.frame, self.detail, node, &mut self.canvas, &mut self.stack, &mut light);
+            if self.visited > patience + VISITS_A_PIXEL * self.canvas.count {
+                return Walk::Stuck;
+            }
+        }
+        Walk::Working
+    }
+}
+
+/// How far a [`Sweep::walk`] got.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Walk {
+    /// There is more to visit.
+    Working,
+    /// Every piece was visited.
+    Complete,
+    /// Pieces overlap too much to visit them all.
+    Stuck,
+}
+
+/// Drops a piece, lights its pixel, or puts its parts on the stack, the last on top.
+#[inline]
+fn visit(
+    frame: &Frame,
+    detail: f64,
+    node: Node,
+    canvas: &mut Canvas,
+    stack: &mut Vec<Node>,
+    light: &mut impl FnMut(Hit),
+) {
+    let Some(extent) = canvas.lit.window().extent(&node.map) else { return };
+    if canvas.lit.all(extent.pixels) {
+        return;
+    }
+    // Each pixel needs a colour, so that the whole shape has to be taken apart at least once.
+    let lettered = node.letters.count() > 0;
+    if lettered && (extent.size <= detail || extent.one_pixel()) {
+        canvas.light(node.map.apply(frame.anchor), node.letters, light);
+        if !extent.one_pixel() {
+            for tip in &frame.tips {
+                canvas.light(node.map.apply(*tip), node.letters, light);
+            }
+        }
+        return;
+    }
+    for (letter, map) in frame.maps.iter().enumerate() {
+        stack.push(Node { map: node.map * *map, letters: node.letters.then(letter) });
+    }
+}

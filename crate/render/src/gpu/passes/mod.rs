@@ -1,0 +1,7 @@
+//! What a stage draws with, one file for each way.
+
+pub mod cpu;
+pub mod deformed;
+pub mod density;
+pub mod image;
+pub mod points;

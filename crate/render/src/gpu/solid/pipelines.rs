@@ -1,0 +1,139 @@
+//! The shaders of space and how they are fed.
+
+use crate::gpu::pipelines::{DEPTH, READ, layout, pipeline_layout, texture, uniform};
+use crate::solid::{Instance3, Vertex3};
+
+/// What codes and the bits of depths are written to.
+pub(super) const WORDS: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
+
+const POINTS: &str = include_str!("../../../shader/solid/points.wgsl");
+const SPREAD: &str =
+    concat!(include_str!("../../../shader/screen.wgsl"), include_str!("../../../shader/solid/splat.wgsl"));
+const LIGHT: &str = concat!(
+    include_str!("../../../shader/colour.wgsl"),
+    include_str!("../../../shader/screen.wgsl"),
+    include_str!("../../../shader/solid/shade.wgsl")
+);
+
+/// Everything that is the same for all pictures of space.
+#[derive(Debug)]
+pub(super) struct Pipelines3 {
+    pub points: wgpu::RenderPipeline,
+    pub spread: wgpu::RenderPipeline,
+    pub mend: wgpu::RenderPipeline,
+    /// On the canvas.
+    pub show: wgpu::RenderPipeline,
+    /// The same into a texture that can be read.
+    pub read: wgpu::RenderPipeline,
+    pub eye_layout: wgpu::BindGroupLayout,
+    /// Lamp, look, codes and depths; what spreads points has its steps in the lamp's place.
+    pub light_layout: wgpu::BindGroupLayout,
+}
+
+impl Pipelines3 {
+    pub fn new(device: &wgpu::Device, canvas: wgpu::TextureFormat) -> Self {
+        let module = |label, source: &'static str| {
+            let source = wgpu::ShaderSource::Wgsl(source.into());
+            device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(label), source })
+        };
+        let (points, light) = (module("space points", POINTS), module("space light", LIGHT));
+        let spread = module("space spread", SPREAD);
+        let eye_layout = layout(device, "eye", &[uniform(0)]);
+        let words = wgpu::TextureSampleType::Uint;
+        let entries = [uniform(0), uniform(1), texture(2, words), texture(3, words)];
+        let light_layout = layout(device, "light", &entries);
+        let kept = [Some(WORDS.into()), Some(WORDS.into())];
+        let on_screen = |fragment, targets: &[Option<wgpu::ColorTargetState>]| {
+            full_screen(device, &light, &light_layout, fragment, targets)
+        };
+        Self {
+            points: draw(device, &points, &eye_layout, &kept),
+            spread: full_screen(device, &spread, &light_layout, "spread_fragment", &kept),
+            mend: on_screen("mend_fragment", &kept),
+            show: on_screen("light_fragment", &[Some(canvas.into())]),
+            read: on_screen("light_fragment", &[Some(READ.into())]),
+            eye_layout,
+            light_layout,
+        }
+    }
+}
+
+fn draw(
+    device: &wgpu::Device,
+    module: &wgpu::ShaderModule,
+    bindings: &wgpu::BindGroupLayout,
+    targets: &[Option<wgpu::ColorTargetState>],
+) -> wgpu::RenderPipeline {
+    let vertices = wgpu::VertexBufferLayout {
+        array_stride: size_of::<Vertex3>() as u64,
+        step_mode: wgpu::VertexStepMode::Vertex,
+        attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Uint32],
+    };
+    let instances = wgpu::VertexBufferLayout {
+        array_stride: size_of::<Instance3>() as u64,
+        step_mode: wgpu::VertexStepMode::Instance,
+        attributes: &wgpu::vertex_attr_array![
+            2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Uint32, 6 => Uint32
+        ],
+    };
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("space points"),
+        layout: Some(&pipeline_layout(device, bindings)),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some("points_vertex"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[Some(vertices), Some(instances)],
+        },
+        primitive: wgpu::PrimitiveState {
+            topology: wgpu::PrimitiveTopology::PointList,
+            ..wgpu::PrimitiveState::default()
+        },
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: DEPTH,
+            depth_write_enabled: Some(true),
+            depth_compare: Some(wgpu::CompareFunction::Less),
+            stencil: wgpu::StencilState::default(),
+            bias: wgpu::DepthBiasState::default(),
+        }),
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some("points_fragment"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets,
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
+fn full_screen(
+    device: &wgpu::Device,
+    module: &wgpu::ShaderModule,
+    bindings: &wgpu::BindGroupLayout,
+    fragment: &str,
+    targets: &[Option<wgpu::ColorTargetState>],
+) -> wgpu::RenderPipeline {
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(fragment),
+        layout: Some(&pipeline_layout(device, bindings)),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some("screen_vertex"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: None,
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some(fragment),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets,
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}

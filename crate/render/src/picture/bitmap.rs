@@ -1,0 +1,124 @@
+//! Which pixels are lit, one bit each.
+
+use crate::picture::window::{PixelBox, Window};
+
+/// A picture of one bit a pixel, that answers quickly whether a whole box is lit.
+#[derive(Clone, Debug)]
+pub struct Bitmap {
+    window: Window,
+    stride: usize,
+    words: Vec<u64>,
+}
+
+impl Bitmap {
+    /// Nothing lit.
+    #[must_use]
+    pub fn new(window: Window) -> Self {
+        let mut bitmap = Self { window, stride: 0, words: Vec::new() };
+        bitmap.reset(window);
+        bitmap
+    }
+
+    /// Nothing lit, in the same memory.
+    pub fn reset(&mut self, window: Window) {
+        self.window = window;
+        self.stride = (window.width as usize).div_ceil(64);
+        self.words.clear();
+        self.words.resize(self.stride * window.height as usize, 0);
+    }
+
+    /// Its size.
+    #[inline]
+    #[must_use]
+    pub fn window(&self) -> Window {
+        self.window
+    }
+
+    /// Number of lit pixels.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.words.iter().map(|word| word.count_ones() as usize).sum()
+    }
+
+    /// Whether a pixel of the picture is lit; others are not.
+    #[inline]
+    #[must_use]
+    pub fn get(&self, (x, y): (u32, u32)) -> bool {
+        x < self.window.width && y < self.window.height && self.words[self.word(x, y)] >> (x % 64) & 1 == 1
+    }
+
+    /// Lights a pixel of the picture; whether it was dark.
+    #[inline]
+    pub fn set(&mut self, (x, y): (u32, u32)) -> bool {
+        if x >= self.window.width || y >= self.window.height {
+            return false;
+        }
+        let word = self.word(x, y);
+        let bit = 1 << (x % 64);
+        let dark = self.words[word] & bit == 0;
+        self.words[word] |= bit;
+        dark
+    }
+
+    /// The place of a pixel in an array of one element a pixel, row after row.
+    #[inline]
+    #[must_use]
+    pub fn index(&self, (x, y): (u32, u32)) -> usize {
+        y as usize * self.window.width as usize + x as usize
+    }
+
+    #[inline]
+    fn word(&self, x: u32, y: u32) -> usize {
+        y as usize * self.stride + x as usize / 64
+    }
+
+    /// Whether all pixels of a box within the picture are lit.
+    #[inline]
+    #[must_use]
+    pub fn all(&self, pixels: PixelBox) -> bool {
+        let (first, last) = (pixels.x.0 as usize / 64, pixels.x.1 as usize / 64);
+        let from = u64::MAX << (pixels.x.0 % 64);
+        let to = u64::MAX >> (63 - pixels.x.1 % 64);
+        (pixels.y.0..=pixels.y.1).all(|y| {
+            let row = &self.words[y as usize * self.stride..][..self.stride];
+            if first == last {
+                let mask = from & to;
+                row[first] & mask == mask
+            } else {
+                row[first] & from == from
+                    && row[last] & to == to
+                    && row[first + 1..last].iter().all(|word| *word == u64::MAX)
+            }
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_box_is_lit_when_each_of_its_pixels_is() {
+        for (x0, x1) in [(0, 0), (3, 63), (63, 64), (0, 199), (130, 199), (64, 127)] {
+            let pixels = PixelBox { x: (x0, x1), y: (1, 3) };
+            let mut bitmap = Bitmap::new(Window { width: 200, height: 5 });
+            for y in 1..=3 {
+                for x in x0..=x1 {
+                    assert!(!bitmap.all(pixels));
+                    assert!(bitmap.set((x, y)) && !bitmap.set((x, y)));
+                }
+            }
+            assert!(bitmap.all(pixels));
+            assert_eq!(bitmap.count() as u32, 3 * (x1 - x0 + 1));
+            assert!(!bitmap.get((x0, 4)) && bitmap.get((x1, 3)));
+        }
+    }
+
+    #[test]
+    fn pixels_outside_are_never_lit() {
+        let mut bitmap = Bitmap::new(Window { width: 10, height: 10 });
+        assert!(!bitmap.set((10, 0)) && !bitmap.set((0, 10)));
+        assert!(!bitmap.get((10, 0)) && !bitmap.get((0, 10)));
+        assert_eq!(bitmap.count(), 0);
+    }
+}

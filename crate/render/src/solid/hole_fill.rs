@@ -1,0 +1,58 @@
+//! Closing the holes of a surface of points: a CPU twin of `shader/solid/shade.wgsl`.
+
+use super::Relief;
+use super::shade::FAR;
+use super::splat::SEEN;
+
+/// How many of the nine pixels around a hole, itself included, lie before it.
+const MOST: usize = 5;
+/// How much nearer they are, in pixels at their depth.
+const SLACK: f32 = 6.0;
+
+/// A relief in which what most neighbours lie before is taken for a hole, and filled with the nearest of them.
+#[must_use]
+pub fn mend(relief: &Relief, focal: f32) -> Relief {
+    let (width, height) = (relief.width() as i32, relief.height() as i32);
+    let at = |x: i32, y: i32| {
+        let inside = x >= 0 && y >= 0 && x < width && y < height;
+        inside.then(|| (y * width + x) as usize).filter(|&at| relief.codes()[at] != 0)
+    };
+    let depth = |x: i32, y: i32| at(x, y).map_or(FAR, |at| relief.depth()[at]);
+    let mut mended = Relief::new(relief.width(), relief.height());
+    for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
+        let own = depth(x, y);
+        let (mut before, mut nearest, mut from) = (0, FAR, (x, y));
+        for k in 0..9 {
+            let next = (x + k % 3 - 1, y + k / 3 - 1);
+            let there = depth(next.0, next.1);
+            before += usize::from(there < own - SLACK / focal * there);
+            if there < nearest {
+                (nearest, from) = (there, next);
+            }
+        }
+        let from = if before < MOST { (x, y) } else { from };
+        if let Some(from) = at(from.0, from.1) {
+            mended.put(x as u32, y as u32, relief.depth()[from], relief.codes()[from] & SEEN);
+        }
+    }
+    mended
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn single_holes_close_and_borders_stay() {
+        let mut relief = Relief::new(9, 9);
+        for (y, x) in (1..8).flat_map(|y| (1..8).map(move |x| (y, x))) {
+            if (x, y) != (4, 4) {
+                relief.put(x, y, if (x, y) == (2, 5) { 30.0 } else { 10.0 }, 7);
+            }
+        }
+        let mended = mend(&relief, 100.0);
+        assert_eq!(mended.lit(), 49);
+        assert!(mended.depth().iter().all(|&depth| depth == 10.0 || depth == f32::INFINITY));
+        assert_eq!(mend(&Relief::new(3, 3), 100.0).lit(), 0);
+    }
+}
