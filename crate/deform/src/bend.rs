@@ -5,17 +5,17 @@ use std::sync::OnceLock;
 use frond_core::{Affine2, Ifs};
 use glam::DVec2;
 
-use crate::cursor::Cursor;
+use crate::continuity::footing::Footing;
+use crate::continuity::support::{Shape, Support};
 use crate::error::BendError;
-use crate::fill::One;
-use crate::footing::Footing;
 use crate::mesh::Mesh;
-use crate::raw::Raw;
 use crate::region::region;
 use crate::settings::{Continuity, Roughness, Settings, Tint};
-use crate::spin::Spin;
-use crate::support::{Shape, Support};
-use crate::terms::Terms;
+use crate::shuffle::cursor::Cursor;
+use crate::shuffle::level_terms::One;
+use crate::shuffle::place_terms::Raw;
+use crate::shuffle::spin::Spin;
+use crate::shuffle::terms::Terms;
 
 /// A fractal deformation at one moment (Fujimoto et al., eqs 12, 18 and 19): where each piece of a shape goes.
 ///

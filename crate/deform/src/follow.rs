@@ -3,8 +3,8 @@
 use glam::{DMat2, DVec2};
 
 use crate::bend::Bend;
-use crate::cursor::Cursor;
-use crate::footing::Footing;
+use crate::continuity::footing::Footing;
+use crate::shuffle::cursor::Cursor;
 use crate::skin::{Pull, Skin, Turns};
 
 /// The most numbers that are kept of how the nodes of a bend's support follow the mesh: 64 MB.

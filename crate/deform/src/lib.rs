@@ -19,46 +19,28 @@
 //! [`Spin`] turns the displacement with the piece. [`Cube`] gives codes to the points of a unit square, so that
 //! pictures can be bent like attractors.
 
-mod average;
 mod bend;
-mod code;
-mod corners;
-mod cube;
-mod cursor;
+mod continuity;
 mod error;
-mod field;
-mod fill;
 mod follow;
-mod footing;
-mod grid;
-mod lattice;
-mod means;
 mod mesh;
-mod moments;
-mod polygon;
-mod raw;
 mod region;
 mod ring;
 mod settings;
+mod shuffle;
 mod skin;
-mod smooth;
-mod spin;
-mod splat;
-mod support;
-mod terms;
-mod weight;
 
 pub use bend::Bend;
-pub use code::{MAX_SYMBOLS, permutation, shuffle, step};
-pub use corners::Corners;
-pub use cube::Cube;
-pub use cursor::Cursor;
+pub use continuity::corners::Corners;
+pub use continuity::lattice::{Lattice, Level};
 pub use error::BendError;
-pub use field::{Field, Place};
-pub use lattice::{Lattice, Level};
 pub use mesh::{Mesh, MeshError};
 pub use ring::RingBend;
 pub use settings::{Continuity, Roughness, Settings, Tint};
+pub use shuffle::code::{MAX_SYMBOLS, permutation, shuffle, step};
+pub use shuffle::cube::Cube;
+pub use shuffle::cursor::Cursor;
+pub use shuffle::field::{Field, Place};
+pub use shuffle::spin::Spin;
+pub use shuffle::weight::weights;
 pub use skin::{Pull, Skin, Turns};
-pub use spin::Spin;
-pub use weight::weights;

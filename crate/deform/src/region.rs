@@ -3,7 +3,7 @@
 use frond_core::{Affine2, Ifs};
 use glam::DVec2;
 
-use crate::support::Shape;
+use crate::continuity::support::Shape;
 
 /// The most words that are looked at.
 const WORDS: usize = 1024;

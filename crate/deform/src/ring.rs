@@ -9,8 +9,8 @@ use glam::DVec2;
 use crate::error::BendError;
 use crate::mesh::Mesh;
 use crate::settings::Settings;
-use crate::spin::Spin;
-use crate::terms::{Family, Terms};
+use crate::shuffle::spin::Spin;
+use crate::shuffle::terms::{Family, Terms};
 
 /// Symbols of the code: digits of the parameter.
 const SYMBOLS: usize = 4;

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::error::BendError;
 use crate::mesh::Mesh;
-use crate::spin::Spin;
+use crate::shuffle::spin::Spin;
 
 /// How much the small parts answer: delta of Fujimoto et al., eq 13. 0 or more, in no unit.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,16 +1,16 @@
 //! Self-affine closed curves: knots, and edges that are straight or copies of arcs.
 
-mod expand;
-mod finish;
+mod candidates;
+mod expansion;
+mod final_refine;
 mod fitter;
+mod moves;
 mod pack;
 mod partition;
 mod refine;
-mod screen;
 mod text;
-mod trade;
 
-pub use expand::Expansion;
+pub use expansion::Expansion;
 pub use fitter::{ClosedFit, FitError, Fitter, Progress, Stage};
 pub use pack::{MAX_KNOTS, PackError};
 pub use partition::partition;

@@ -6,10 +6,10 @@ use glam::{DMat2, DVec2};
 use thiserror::Error;
 
 use self::factor::{bounded, clipped};
-use crate::curve::FractalCurve;
 use crate::error::FunctionError;
+use crate::fractal::curve::FractalCurve;
+use crate::fractal::piece::{Piece, spectral_norm};
 use crate::outline::bounds;
-use crate::piece::{Piece, spectral_norm};
 
 /// The most votes of range against domain.
 const MAX_PAIRS: usize = 1 << 24;

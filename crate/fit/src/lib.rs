@@ -23,20 +23,16 @@
 mod baseline;
 mod closed;
 mod collage;
-mod curve;
+mod curve_morph;
 mod error;
-mod function;
+mod fractal;
 mod grown;
 mod hough;
 mod outline;
-mod piece;
 mod preset;
 mod read;
-mod recurrent;
-mod sample;
+mod segment;
 mod series;
-mod trace;
-mod weave;
 
 pub use baseline::{bezier, fourier, least_squares_polyline, split_polyline};
 pub use closed::{
@@ -44,9 +40,12 @@ pub use closed::{
     PackError, Progress, Refiner, Stage, Ties, partition, polyline_error,
 };
 pub use collage::{Bounding, CollageError, CollageFit, CollageOptions, Domains, RingMap, fit_collage};
-pub use curve::{FractalCurve, Side};
+pub use curve_morph::{CurveMorph, MorphError, MorphedCurve};
 pub use error::{FunctionError, MAX_POINTS};
-pub use function::{Dimension, FractalFunction};
+pub use fractal::curve::{FractalCurve, Side};
+pub use fractal::function::{Dimension, FractalFunction};
+pub use fractal::piece::{Piece, spectral_norm};
+pub use fractal::recurrent::Recurrent;
 pub use grown::{island, maple_leaf, oak_leaf};
 pub use hough::{
     Assembly, BINS, Candidate, Cluster, Components, Features, FirstPass, Found, Hough, HoughError,
@@ -57,13 +56,10 @@ pub use outline::{
     Fidelity, Near, Nearest, Outline, OutlineError, box_count, box_slope, box_slope_of, crossings, features,
     fidelity,
 };
-pub use piece::{Piece, spectral_norm};
 pub use preset::{CurvePreset, curve_presets};
 pub use read::{FileContent, FileKind, NamedOutline, ReadAs, ReadError, Remark, read_file, sniff};
-pub use recurrent::Recurrent;
-pub use series::Series;
-pub use trace::{
+pub use segment::{
     Channel, Component, MAX_OUTLINE, MAX_PIXELS, Mask, MaskOptions, Notice, Stroke, TraceError, Traced,
     Tracer,
 };
-pub use weave::{CurveMorph, MorphError, Woven};
+pub use series::Series;

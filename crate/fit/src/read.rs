@@ -15,7 +15,7 @@ use glam::DVec2;
 
 use self::gather::{About, Gathered, LEAST, fewer};
 use crate::outline::Outline;
-use crate::trace::{MAX_OUTLINE, thinned};
+use crate::segment::{MAX_OUTLINE, thinned};
 
 /// The most bytes of a text.
 const MAX_BYTES: usize = 64 << 20;

@@ -1,4 +1,4 @@
-// A photograph on a sheet of triangles. CPU twin: src/sheet/mod.rs.
+// A photograph on a sheet of triangles. CPU twin: src/sheet.rs.
 
 struct Shown {
     // Width and height of what is drawn to, in pixels.

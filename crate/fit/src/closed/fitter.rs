@@ -4,10 +4,10 @@ use frond_core::hash;
 use glam::DVec2;
 use thiserror::Error;
 
-use super::finish::Finisher;
+use super::candidates::Library;
+use super::final_refine::Finisher;
+use super::moves::{Marked, Move, Offer};
 use super::refine::{Refiner, Ties};
-use super::screen::Library;
-use super::trade::{Marked, Move, Offer};
 use super::{ClosedCurve, partition};
 use crate::outline::{Outline, features};
 

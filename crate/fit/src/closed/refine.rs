@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::expand::Vertex;
+use super::expansion::Vertex;
 use super::{CONTRACTION, ClosedCurve, SPARE};
 use crate::outline::Nearest;
 

@@ -8,7 +8,7 @@
 
 use glam::{DMat2, DVec2};
 
-use crate::piece::spectral_norm;
+use crate::fractal::piece::spectral_norm;
 
 /// How thin points may lie along a line, squared, before they are taken to be on it.
 const THIN: f64 = 1e-24;

@@ -6,8 +6,8 @@ use super::pairing::Pairing;
 use super::polish::polish;
 use super::{Candidate, Features, HoughOptions};
 use crate::error::FunctionError;
-use crate::function::FractalFunction;
-use crate::piece::Piece;
+use crate::fractal::function::FractalFunction;
+use crate::fractal::piece::Piece;
 
 /// What one piece costs, in sums of squares of half heights: all are tried. What is cheap by its collage may not be by
 /// its attractor.

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::HoughError;
-use crate::function::FractalFunction;
+use crate::fractal::function::FractalFunction;
 
 /// The most feature points that are taken.
 pub const MAX_FEATURES: usize = 1025;

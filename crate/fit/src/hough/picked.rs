@@ -6,8 +6,8 @@ use super::assemble::{Assembly, Stretch, measured, model_of, piece, whole};
 use super::pairing::Pairing;
 use super::{Candidate, Features, HoughOptions};
 use crate::error::FunctionError;
-use crate::function::FractalFunction;
-use crate::piece::Piece;
+use crate::fractal::function::FractalFunction;
+use crate::fractal::piece::Piece;
 
 /// A map with the part that it copies.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! The last refinement: heights of knots and factors, by what the attractor then is.
 
 use super::Features;
-use crate::recurrent::Recurrent;
+use crate::fractal::recurrent::Recurrent;
 
 /// First and last step of a factor; of heights in half heights.
 const STEPS: [f64; 5] = [0.06, 0.03, 0.015, 0.006, 0.0025];
@@ -25,7 +25,7 @@ pub(super) fn polish(mut recurrent: Recurrent, fine: &Features, unit: f64) -> Re
     let error = |recurrent: &Recurrent| {
         let Ok(function) = recurrent.function() else { return f64::INFINITY };
         let curve = function.curve();
-        let at = |t: f64| curve.limit(t.clamp(start, end), crate::curve::Side::Right, tolerance).x;
+        let at = |t: f64| curve.limit(t.clamp(start, end), crate::fractal::curve::Side::Right, tolerance).x;
         fine.points().iter().map(|p| (at(p.x) - p.y).powi(2)).sum::<f64>()
     };
     let mut best = error(&recurrent);

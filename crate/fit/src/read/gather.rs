@@ -6,7 +6,7 @@ use glam::DVec2;
 use super::problem::{ReadError, Remark};
 use super::{FileContent, NamedOutline};
 use crate::outline::{Outline, crossings};
-use crate::trace::{MAX_OUTLINE, thinned};
+use crate::segment::{MAX_OUTLINE, thinned};
 
 /// Points of one line are kept up to so many; of more, every second one, and so on.
 pub const KEPT: usize = 1 << 20;

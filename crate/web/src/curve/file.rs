@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use frond_fit::Woven;
+use frond_fit::MorphedCurve;
 use glam::DVec2;
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
@@ -55,7 +55,7 @@ pub fn curve_svg(
     Ok(svg(&woven(&curve)?, size, tolerance, &fill))
 }
 
-fn svg(woven: &Woven, size: f64, tolerance: f64, fill: &str) -> String {
+fn svg(woven: &MorphedCurve, size: f64, tolerance: f64, fill: &str) -> String {
     let [left, bottom, right, top] = woven.bounds();
     let sides = DVec2::new(right - left, top - bottom);
     let longest = sides.max_element();

@@ -1,7 +1,7 @@
 //! The morph of closed curves, and its bend.
 
 use frond_deform::{RingBend, Settings};
-use frond_fit::{Woven, crossings};
+use frond_fit::{MorphedCurve, crossings};
 use glam::DVec2;
 use js_sys::{Float64Array, Int32Array, Uint32Array};
 use serde::Deserialize;
@@ -23,7 +23,7 @@ const CROSSED: f64 = 1.0 / 500.0;
 /// The most crossings that are counted.
 const MOST_CROSSINGS: usize = 10_000;
 
-pub(super) fn diagonal(woven: &Woven) -> f64 {
+pub(super) fn diagonal(woven: &MorphedCurve) -> f64 {
     let [left, bottom, right, top] = woven.bounds();
     f64::hypot(right - left, top - bottom)
 }
@@ -69,7 +69,7 @@ struct Line {
 /// The curve at one moment, and what was made of it.
 struct Moment {
     s: f64,
-    woven: Woven,
+    woven: MorphedCurve,
     line: Option<Line>,
     ring: Option<(PlainBend, RingBend)>,
     /// The parameters of the points that were given last.

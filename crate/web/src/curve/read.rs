@@ -1,7 +1,8 @@
 //! Curves that come from JavaScript.
 
 use frond_fit::{
-    CONTRACTION, ClosedCurve, CurveMorph, MAX_KNOTS, MAX_SPAN, MorphError, PackError, Woven, spectral_norm,
+    CONTRACTION, ClosedCurve, CurveMorph, MAX_KNOTS, MAX_SPAN, MorphError, MorphedCurve, PackError,
+    spectral_norm,
 };
 use frond_scene::Curve;
 use js_sys::Reflect;
@@ -105,7 +106,7 @@ pub(super) fn of_morph(error: MorphError) -> JsValue {
 }
 
 /// The curve alone.
-pub(super) fn woven(curve: &ClosedCurve) -> Result<Woven, JsValue> {
+pub(super) fn woven(curve: &ClosedCurve) -> Result<MorphedCurve, JsValue> {
     Ok(CurveMorph::new(curve, None).map_err(of_morph)?.at(0.0))
 }
 

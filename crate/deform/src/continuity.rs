@@ -1,0 +1,11 @@
+//! What keeps the pieces of a shuffled shape together: the shape without a tear, whatever it is made of.
+
+pub mod average;
+pub mod corners;
+pub mod footing;
+pub mod grid;
+pub mod lattice;
+pub mod polygon;
+pub mod smooth;
+pub mod splat;
+pub mod support;

@@ -1,0 +1,58 @@
+//! What a morph of two leaves of 260 numbers costs: `cargo bench -p frond-fit --bench curve_morph`.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use frond_fit::{ClosedCurve, CurveMorph, Fitter, Outline, crossings, maple_leaf, oak_leaf};
+use glam::DVec2;
+
+fn fitted(points: &[DVec2]) -> ClosedCurve {
+    let mut fitter = Fitter::new(&Outline::new(points).expect("an outline"), 260).expect("a fit");
+    for _ in 0..60 {
+        fitter.step();
+    }
+    fitter.best().curve.clone()
+}
+
+/// The least time of some runs, in milliseconds.
+fn least<T>(mut run: impl FnMut() -> T) -> f64 {
+    let once = |_| {
+        let start = Instant::now();
+        black_box(run());
+        start.elapsed().as_secs_f64() * 1e3
+    };
+    (0..20).map(once).fold(f64::INFINITY, f64::min)
+}
+
+fn main() {
+    let (a, b) = (fitted(&maple_leaf(1)), fitted(&oak_leaf(1)));
+    let morph = CurveMorph::new(&a, Some(&b)).expect("a morph");
+    println!("{} and {} knots become {}", a.knots.len(), b.knots.len(), morph.knots());
+    println!("matching {:.2} ms", least(|| CurveMorph::new(&a, Some(&b))));
+    for s in [0.0, 0.25, 0.5, 0.75, 1.0] {
+        let woven = morph.at(s);
+        let [left, bottom, right, top] = woven.bounds();
+        let tolerance = (right - left).max(top - bottom) / 600.0;
+        let line: Vec<_> = woven.trace(tolerance, None, 1 << 16).iter().map(|corner| corner.1).collect();
+        println!(
+            "s {s:.2}: at {:.2} ms, bounds {:.2} ms, at 1/600 {:.2} ms for {} corners, {} copies, grid of 4^7 {:.2} ms, {} crossings",
+            least(|| morph.at(s)),
+            least(|| woven.bounds()),
+            least(|| woven.trace(tolerance, None, 1 << 16)),
+            line.len(),
+            woven.copies(),
+            least(|| woven.grid(16_384)),
+            crossings(&line, 1000).map_or(usize::MAX, |found| found.len()),
+        );
+        for zoom in [1e-3, 1e-6] {
+            let middle = woven.point(0.37);
+            let half = 0.5 * zoom * (right - left);
+            let window = [middle.x - half, middle.y - half, middle.x + half, middle.y + half];
+            let corners = woven.trace(zoom * tolerance, Some(window), 1 << 16).len();
+            println!(
+                "        window of {zoom:.0e}: {:.2} ms for {corners} corners",
+                least(|| woven.trace(zoom * tolerance, Some(window), 1 << 16))
+            );
+        }
+    }
+}

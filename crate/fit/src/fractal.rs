@@ -1,0 +1,7 @@
+//! Fractal functions and curves: what is made of smaller copies of parts of itself.
+
+pub mod curve;
+pub mod function;
+pub mod piece;
+pub mod recurrent;
+pub mod sample;

@@ -1,0 +1,84 @@
+//! A fractal curve as a polyline.
+
+use glam::{DMat2, DVec2};
+
+use crate::error::FunctionError;
+use crate::fractal::curve::{FractalCurve, Side};
+
+/// A piece of a piece: where it comes from and what is done to it.
+#[derive(Clone, Copy)]
+struct Part {
+    /// The interval of the curve that is copied.
+    source: [f64; 2],
+    /// t = scale * source + shift.
+    scale: f64,
+    shift: f64,
+    shear: DVec2,
+    factor: DMat2,
+    offset: DVec2,
+}
+
+impl FractalCurve {
+    /// Points (t, curve at t) in the order of t, so that the curve between two that follow each other stays within
+    /// `tolerance` of both of them.
+    ///
+    /// # Errors
+    /// [`FunctionError::TooManyPoints`] where that takes more than `most` points.
+    pub fn polyline(&self, tolerance: f64, most: usize) -> Result<Vec<(f64, DVec2)>, FunctionError> {
+        let whole = Part {
+            source: self.interval(),
+            scale: 1.0,
+            shift: 0.0,
+            shear: DVec2::ZERO,
+            factor: DMat2::IDENTITY,
+            offset: DVec2::ZERO,
+        };
+        // NaN asks for the finest, and finds that there are too many.
+        let tolerance = if tolerance > 0.0 { tolerance } else { 0.0 };
+        let mut points = Vec::new();
+        let mut stack = vec![whole];
+        while let Some(part) = stack.pop() {
+            let [low, high] = part.source;
+            let reach = part.shear.length() * (high - low);
+            let spread = reach + 2.0 * crate::fractal::piece::spectral_norm(part.factor) * self.bound();
+            if spread <= tolerance || high <= low {
+                let (t, side) = if part.scale > 0.0 { (low, Side::Right) } else { (high, Side::Left) };
+                let value = part.offset + part.shear * t + part.factor * self.limit(t, side, 0.0);
+                points.push((part.scale * t + part.shift, value));
+                continue;
+            }
+            if points.len() + stack.len() > most {
+                return Err(FunctionError::TooManyPoints { count: points.len() + stack.len() });
+            }
+            self.split(&part, &mut stack);
+        }
+        let end = self.interval()[1];
+        points.push((end, self.limit(end, Side::Left, 0.0)));
+        if points.len() > most {
+            return Err(FunctionError::TooManyPoints { count: points.len() });
+        }
+        Ok(points)
+    }
+
+    /// Puts the copies that `part` is made of on the stack, the leftmost on top.
+    fn split(&self, part: &Part, stack: &mut Vec<Part>) {
+        let [low, high] = part.source;
+        let indices = self.piece_at(low, Side::Right)..=self.piece_at(high, Side::Left);
+        let from = stack.len();
+        for piece in &self.pieces()[indices] {
+            let ends = [piece.source(low.max(piece.range[0])), piece.source(high.min(piece.range[1]))];
+            let (a, d) = (piece.a(), piece.d());
+            stack.push(Part {
+                source: if piece.reflected { [ends[1], ends[0]] } else { ends },
+                scale: part.scale * a,
+                shift: part.scale * d + part.shift,
+                shear: part.shear * a + part.factor * piece.shear,
+                factor: part.factor * piece.factor,
+                offset: part.offset + part.shear * d + part.factor * piece.offset,
+            });
+        }
+        if part.scale > 0.0 {
+            stack[from..].reverse();
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! Which channel tells the leaf from its ground, and where the line between them is.
+
+use super::binary_image::Bits;
+use super::channel::{Channel, blur, border, border_colour};
+use super::otsu::{Level, histogram, split};
+
+/// A channel with the line drawn in it.
+#[derive(Clone, Debug)]
+pub struct Choice {
+    pub channel: Channel,
+    /// How much each pixel is like the leaf: turned round where the leaf is the darker class.
+    pub likeness: Vec<u8>,
+    pub level: Level,
+    /// Rules on the ground are taken off by a square of so many pixels round each; 0 where there are none.
+    pub rules: usize,
+    /// 1 for a shape in one piece, towards 0 for speckles.
+    pub whole: f64,
+    /// Whether it had to be smoothed to be whole.
+    pub smoothed: bool,
+    /// Between the mean values of leaf and ground.
+    pub contrast: f64,
+}
+
+/// What is enough to be taken for a shape.
+pub const WHOLE: f64 = 0.5;
+
+/// Rules as wide as twice this and one are found, in pixels.
+const RULES: [usize; 4] = [1, 2, 3, 5];
+
+/// The best channel of a picture; None where no channel has two values.
+pub fn choose(rgba: &[u8], width: usize, height: usize) -> Option<Choice> {
+    let around = border_colour(rgba, width, height);
+    let alpha = Channel::Alpha.values(rgba, around);
+    let solid = alpha.iter().filter(|&&a| a >= 128).count();
+    // What is cut out of its ground needs no more judgement.
+    if 1000 * solid > alpha.len() && 1000 * (alpha.len() - solid) > alpha.len() {
+        let level = split(&histogram(&alpha))?;
+        let contrast = level.bright - level.dark;
+        return Some(Choice {
+            channel: Channel::Alpha,
+            likeness: alpha,
+            level,
+            rules: 0,
+            whole: 1.0,
+            smoothed: false,
+            contrast,
+        });
+    }
+    let seen = over_white(rgba, &alpha);
+    let rgba = seen.as_deref().unwrap_or(rgba);
+    let mut best: Option<(f64, Choice)> = None;
+    // Sharp, if it will do; smoother where it is speckled.
+    for blurs in [0, 2, 8] {
+        for channel in Channel::OF_COLOUR {
+            let mut values = channel.values(rgba, around);
+            for _ in 0..blurs {
+                values = blur(&values, width);
+            }
+            if let Some((score, mut choice)) = judge(channel, values, width, height)
+                && best.as_ref().is_none_or(|(most, _)| score > *most)
+            {
+                choice.smoothed = blurs > 0;
+                best = Some((score, choice));
+            }
+        }
+        if best.as_ref().is_none_or(|(_, choice)| choice.whole >= WHOLE) {
+            break;
+        }
+    }
+    best.map(|(_, choice)| choice)
+}
+
+/// What is half transparent is seen on white; None where nothing is.
+fn over_white(rgba: &[u8], alpha: &[u8]) -> Option<Vec<u8>> {
+    if alpha.iter().all(|&a| a == 255) {
+        return None;
+    }
+    let mut seen = rgba.to_vec();
+    for pixel in seen.chunks_exact_mut(4) {
+        let solid = u32::from(pixel[3]);
+        for value in &mut pixel[..3] {
+            *value = ((u32::from(*value) * solid + 255 * (255 - solid) + 127) / 255) as u8;
+        }
+    }
+    Some(seen)
+}
+
+/// Draws the line in one channel and says how well it parts a shape from its ground.
+fn judge(channel: Channel, mut values: Vec<u8>, width: usize, height: usize) -> Option<(f64, Choice)> {
+    let mut level = split(&histogram(&values))?;
+    let contrast = level.bright - level.dark;
+    let share = |bits: &Bits| {
+        let all = border(width, height).count().max(1);
+        border(width, height).filter(|&i| bits.on[i]).count() as f64 / all as f64
+    };
+    let mut bits = Bits::above(&values, width, height, level.level);
+    // The ground is what most of the border is of.
+    let mut at_border = share(&bits);
+    if at_border > 0.5 {
+        values.iter_mut().for_each(|value| *value = 255 - *value);
+        level = Level {
+            level: 255.0 - level.level,
+            dark: 255.0 - level.bright,
+            bright: 255.0 - level.dark,
+            ..level
+        };
+        bits.on.iter_mut().for_each(|on| *on = !*on);
+        at_border = 1.0 - at_border;
+    }
+    let mut whole = wholeness(&bits);
+    let mut rules = 0;
+    if whole < WHOLE {
+        let all = bits.count();
+        for radius in RULES {
+            let opened = bits.opened_by_square(radius);
+            let now = wholeness(&opened);
+            // Of speckles some are left, too, but few.
+            if now >= WHOLE && 15 * opened.count() > all {
+                (whole, rules, at_border) = (now, radius, share(&opened));
+                break;
+            }
+        }
+    }
+    let plain = 0.93_f64.powi(rules as i32);
+    let score =
+        level.separation * (0.1 + 0.9 * whole) * plain * (1.0 - at_border) * contrast / (contrast + 20.0);
+    Some((score, Choice { channel, likeness: values, level, rules, whole, smoothed: false, contrast }))
+}
+
+/// How long the edges may be for the area: a leaf with many teeth is whole, rules and speckles are not.
+fn wholeness(bits: &Bits) -> f64 {
+    let on = bits.count();
+    let area = on.min(bits.on.len() - on) as f64;
+    // In pictures of a few pixels only every edge is long.
+    (20.0 * area.sqrt() / bits.edges().max(1) as f64).min(1.0)
+}
+
+impl Choice {
+    /// Whether it is nothing but speckles: in pieces, or in one spread only once it is smoothed (0.64 of the spread of a
+    /// bell lies between its halves).
+    pub fn is_noise(&self) -> bool {
+        self.whole < 0.5 * WHOLE || (self.smoothed && self.level.separation < 0.7)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn painted(width: usize, height: usize, colour: impl Fn(usize, usize) -> [u8; 4]) -> Vec<u8> {
+        (0..width * height).flat_map(|i| colour(i % width, i / width)).collect()
+    }
+
+    fn disc(x: usize, y: usize) -> bool {
+        (x as f64 - 50.0).hypot(y as f64 - 40.0) < 25.0
+    }
+
+    #[test]
+    fn red_rules_do_not_hide_a_green_leaf() {
+        let rgba = painted(100, 80, |x, y| match (disc(x, y), x % 4 == 0 || y % 4 == 0) {
+            (true, _) => [70, 110, 50, 255],
+            (false, true) => [235, 130, 120, 255],
+            (false, false) => [250, 240, 235, 255],
+        });
+        let choice = choose(&rgba, 100, 80).expect("two colours");
+        assert_eq!((choice.channel, choice.rules), (Channel::Red, 0));
+        assert_eq!(Bits::above(&choice.likeness, 100, 80, choice.level.level).count(), 1941);
+    }
+
+    #[test]
+    fn rules_as_dark_as_the_leaf_are_taken_off() {
+        let rgba = painted(100, 80, |x, y| {
+            let dark = disc(x, y) || x % 6 == 2 || y % 6 == 2;
+            if dark { [30, 30, 30, 255] } else { [250, 250, 250, 255] }
+        });
+        let choice = choose(&rgba, 100, 80).expect("two colours");
+        assert_eq!((choice.channel, choice.rules), (Channel::Light, 1));
+    }
+
+    #[test]
+    fn light_on_dark_and_dark_on_light_and_cut_out_are_the_same() {
+        for (inside, outside) in [
+            ([0, 0, 0, 255], [255, 255, 255, 255]),
+            ([255, 255, 255, 255], [0, 0, 0, 255]),
+            ([9, 9, 9, 255], [9, 9, 9, 0]),
+        ] {
+            let rgba = painted(100, 80, |x, y| if disc(x, y) { inside } else { outside });
+            let choice = choose(&rgba, 100, 80).expect("two colours");
+            let bits = Bits::above(&choice.likeness, 100, 80, choice.level.level);
+            assert!((0..8000).all(|i| bits.on[i] == disc(i % 100, i / 100)), "{inside:?}");
+        }
+    }
+
+    #[test]
+    fn one_colour_is_no_choice() {
+        assert!(choose(&painted(9, 9, |_, _| [1, 2, 3, 255]), 9, 9).is_none());
+        assert!(choose(&painted(9, 9, |_, _| [1, 2, 3, 0]), 9, 9).is_none());
+    }
+}
