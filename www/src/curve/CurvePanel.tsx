@@ -3,7 +3,7 @@ import "./curve.css";
 import { computed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { curveAtBoth, type End, sameCurves, swapCurves } from "#document/curve/changes";
-import { type CurvePanelProps, curveMorph, curves } from "#document/curve/curve";
+import { curveMorph, curves } from "#document/curve/curve";
 import { backToSystems } from "#document/curve/edits";
 import { announce } from "#document/notice";
 import { edit, scene } from "#document/scene";
@@ -17,6 +17,12 @@ import { Along } from "./Along";
 import { factsNow, watchFacts } from "./facts";
 import { SaveButtons } from "./SaveButtons";
 import { crossingWords, matchWords, sizeWords } from "./words";
+
+/** What is shown of curves in place of a morph's panel. */
+interface CurvePanelProps {
+  /** Opens the gallery for an end. */
+  choose: (end: "a" | "b") => void;
+}
 
 /** The morph of two closed curves: its ends, what happens on the way, and what can be taken along. */
 export function CurvePanel({ choose }: CurvePanelProps) {

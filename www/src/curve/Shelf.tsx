@@ -1,6 +1,6 @@
 import "./curve.css";
 import { useMemo } from "preact/hooks";
-import { curveBoxAt, curves, type ShelfProps } from "#document/curve/curve";
+import { curveBoxAt, curves } from "#document/curve/curve";
 import { bendCurve, chooseCurve, curvePresets, fitted, shapeOf } from "#document/curve/edits";
 import { announce, notify } from "#document/notice";
 import { curveThumb } from "#stage/curve/thumb";
@@ -52,6 +52,13 @@ function picturesOf(all: readonly Item[], palette: readonly string[]): Map<strin
     pictures.set(id, made.bitmap);
   }
   return pictures;
+}
+
+/** What a gallery shows of curves, wherever it is. */
+interface ShelfProps {
+  /** The end that is chosen for, or the shape that is bent. */
+  end: "a" | "b" | "bent";
+  onChosen: () => void;
 }
 
 /** The closed curves of a gallery. */

@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import type { CurvePreset, CurveShape, Fit, Scene, Tool } from "#wasm/api";
-import { openTool } from "./deform/bend";
 import { edit, replace, scene } from "./scene";
+import { openTool } from "./tool";
 
 /** What stands for a document that says nothing of fitting. */
 export const PLAIN_FIT: Fit = { mode: "outline", model: "closed", numbers: 260, smoothing: 0 };

@@ -16,6 +16,7 @@ import type { Tool } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { submit } from "#workers/pool/engine";
 import { single } from "#workers/pool/protocol";
+import { openedTool } from "./tools";
 
 /** The one link between this page's document and its address. */
 export const link = new Link(frond, addressBar, () => {
@@ -74,12 +75,9 @@ export const curveOnStage = computed(() => curved.value && !pictureShown.value);
 
 /** The picture as it stands on the stage, larger, complete, on a transparent ground. */
 export function savePicture(): void {
-  if (scene.peek().tool === "fit") {
-    import("#tools/fit/save").then((save) => save.savePng(), notSaved);
-    return;
-  }
-  if (scene.peek().tool === "space") {
-    import("#tools/space/save").then((save) => save.savePng(), notSaved);
+  const { entry, tool } = openedTool();
+  if (entry.stage !== undefined) {
+    void tool?.savePng?.();
     return;
   }
   const size = stageSize.peek();

@@ -1,15 +1,16 @@
 import type { ComponentChildren } from "preact";
-import { openTool, tool } from "#document/deform/bend";
 import { route } from "#document/link";
 import { selection } from "#document/morph";
 import { setTheme, type Theme, theme } from "#document/preferences";
 import { canRedo, canUndo, redo, undo } from "#document/scene";
-import { help } from "#ui/help";
+import { openTool, tool } from "#document/tool";
+import { help } from "#ui/commands";
 import { Icon } from "#ui/Icon";
 import { Menu, type MenuItem } from "#ui/Menu";
 import type { Tool as ToolName } from "#wasm/api";
 import { CURVE_FILES, curveOnStage, saveCurve, savePicture, shareLink, studioHref } from "./actions";
 import { Glyph, type GlyphName } from "./glyphs";
+import { openedTool, TOOLS } from "./tools";
 
 const NEXT_THEME: Record<Theme, Theme> = { auto: "light", light: "dark", dark: "auto" };
 const THEME_WORDS: Record<Theme, string> = {
@@ -28,10 +29,11 @@ export function Header() {
         Frond
       </a>
       <nav class="places" aria-label="Places">
-        <ToolPlace name="morph">Morph</ToolPlace>
-        <ToolPlace name="deform">Deform</ToolPlace>
-        <ToolPlace name="fit">Fit</ToolPlace>
-        <ToolPlace name="space">Space</ToolPlace>
+        {TOOLS.map(({ id, label }) => (
+          <ToolPlace key={id} name={id}>
+            {label}
+          </ToolPlace>
+        ))}
         <Place href="#figures" here={!studio}>
           Figures
         </Place>
@@ -81,8 +83,8 @@ function curveItems(): MenuItem[] {
 function StudioTools() {
   return (
     <>
-      <Tool glyph="undo" label="Undo" disabled={!canUndo.value} onClick={undo} />
-      <Tool glyph="redo" label="Redo" disabled={!canRedo.value} onClick={redo} />
+      <Tool glyph="undo" label="Undo" command="undo" disabled={!canUndo.value} onClick={undo} />
+      <Tool glyph="redo" label="Redo" command="redo" disabled={!canRedo.value} onClick={redo} />
       {curveOnStage.value ? (
         <div class="wide">
           <Menu label="Save the curve" icon="save" items={curveItems()} />
@@ -92,6 +94,7 @@ function StudioTools() {
       )}
       <Tool
         glyph="help"
+        command="help"
         label="Keyboard shortcuts"
         class="wide"
         onClick={() => {
@@ -134,10 +137,11 @@ function PlaceChoice() {
           }
         }}
       >
-        <option value="morph">Morph</option>
-        <option value="deform">Deform</option>
-        <option value="fit">Fit</option>
-        <option value="space">Space</option>
+        {TOOLS.map(({ id, label }) => (
+          <option key={id} value={id}>
+            {label}
+          </option>
+        ))}
         <option value="figures">Figures</option>
       </select>
       <Icon name="down" size={16} />
@@ -172,18 +176,23 @@ function ToolPlace({ name, children }: { name: ToolName; children: ComponentChil
 interface ToolProps {
   glyph: GlyphName;
   label: string;
+  /** Whose key its tip names. */
+  command?: string;
   class?: string;
   disabled?: boolean;
   onClick: () => void;
 }
 
-function Tool({ glyph, label, class: extra, disabled = false, onClick }: ToolProps) {
+function Tool({ glyph, label, command, class: extra, disabled = false, onClick }: ToolProps) {
+  const key = openedTool()
+    .tool?.commands()
+    .find(({ id }) => id === command)?.keys[0];
   return (
     <button
       type="button"
       class={`button quiet icon-button ${extra ?? ""}`}
       aria-label={label}
-      title={label}
+      title={key ? `${label} (${key})` : label}
       disabled={disabled}
       onClick={onClick}
     >

@@ -2,10 +2,11 @@ import { computed, signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
 import { curved } from "#document/curve/curve";
-import { bend, tool } from "#document/deform/bend";
+import { bend } from "#document/deform/bend";
 import { pictureMaps, pictureShown, watchPicture } from "#document/deform/picture";
 import { linear, mapsAt, morphOptions, selection, shown, uv } from "#document/morph";
 import { scene } from "#document/scene";
+import { tool } from "#document/tool";
 import { lazily } from "#ui/lazy";
 import { Evidence } from "./evidence";
 import { stageKey } from "./gestures";
@@ -58,6 +59,17 @@ const setLinearPainter = (painter: Painter | null) => {
   if (!painter) linearPicture.value = null;
 };
 
+/** What is laid over the picture of systems: the evidence that is asked for, and the handles of the maps. */
+export function MapOverlay() {
+  if (curve.value) return null;
+  return (
+    <>
+      {!comparing.value && <Evidence />}
+      <Handles />
+    </>
+  );
+}
+
 /** The picture, as large as it can be: every tool draws on this one. */
 export function Stage({
   backend,
@@ -65,7 +77,7 @@ export function Stage({
   children,
 }: {
   backend: "auto" | PainterBackend;
-  /** What a tool lays over the picture; the morph's evidence and handles where there is none. */
+  /** What a tool lays over the picture. */
   overlay?: ComponentChildren;
   children?: ComponentChildren;
 }) {
@@ -108,13 +120,7 @@ export function Stage({
             />
           )}
           {both && <p class="pane-label">Turning and stretching (polar)</p>}
-          {overlay ??
-            (!bare && (
-              <>
-                {!both && <Evidence />}
-                <Handles />
-              </>
-            ))}
+          {overlay}
         </div>
         {both && (
           <div class="pane">

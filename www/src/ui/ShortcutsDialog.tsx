@@ -1,21 +1,44 @@
+import { type Command, groupsOf, help } from "./commands";
 import { Dialog } from "./Dialog";
-import { type ShortcutRow, ShortcutTable } from "./ShortcutTable";
+import "./overlay.css";
 
-export interface ShortcutsDialogProps {
-  groups: readonly { title: string; rows: readonly ShortcutRow[] }[];
-  onClose: () => void;
-}
-
-/** The list of a tool's keys, opened by "?" or by its button. */
-export function ShortcutsDialog({ groups, onClose }: ShortcutsDialogProps) {
+/** The keys of a tool, opened by "?" or by a button. */
+export function ShortcutsDialog({ commands }: { commands: () => readonly Command[] }) {
+  if (!help.value) return null;
   return (
     <Dialog
       reading
       title="Keyboard"
       about="In number fields: ↑ and ↓ step, Shift finer, Alt coarser."
-      onClose={onClose}
+      onClose={() => {
+        help.value = false;
+      }}
     >
-      <ShortcutTable groups={groups} />
+      <div class="shortcuts">
+        {groupsOf(commands()).map((group) => (
+          <section key={group.title}>
+            <h3>{group.title}</h3>
+            <dl>
+              {group.commands.map(({ id, label, keys }) => (
+                <div key={id} class="shortcut">
+                  <dt>
+                    {keys.map((way, index) => (
+                      <span key={way}>
+                        {index > 0 && <span class="or"> or </span>}
+                        {/* "+" alone is a key. */}
+                        {way.split(/(?<=.)\+/).map((key) => (
+                          <kbd key={key}>{key}</kbd>
+                        ))}
+                      </span>
+                    ))}
+                  </dt>
+                  <dd>{label}</dd>
+                </div>
+              ))}
+            </dl>
+          </section>
+        ))}
+      </div>
     </Dialog>
   );
 }

@@ -1,6 +1,5 @@
 /** Closed curves: what the morph and the deformation work on in place of two systems, where the document has them. */
 import { computed, effect, type ReadonlySignal } from "@preact/signals";
-import type { ComponentType } from "preact";
 import type { Box } from "#geometry/boxes";
 import type { Curve, CurveShape } from "#wasm/api";
 import { curvesReady, loadCurves, rough } from "#wasm/curve";
@@ -65,23 +64,4 @@ export function curveBox(curve: Curve): Box {
   } finally {
     morph.free();
   }
-}
-
-/** What a gallery shows of curves, wherever it is. */
-export interface ShelfProps {
-  /** The end that is chosen for, or the shape that is bent. */
-  end: "a" | "b" | "bent";
-  onChosen: () => void;
-}
-
-/** What is shown of curves in place of a morph's panel. */
-export interface CurvePanelProps {
-  /** Opens the gallery for an end. */
-  choose: (end: "a" | "b") => void;
-}
-
-/** What views of systems show of curves: brought together where all views are, and loaded when it is wanted. */
-export interface CurveParts {
-  Shelf: ComponentType<ShelfProps>;
-  Panel: ComponentType<CurvePanelProps>;
 }

@@ -1,8 +1,9 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
-import type { Bend, Deformation, DeformKey, Scene, Tool } from "#wasm/api";
+import type { Bend, Deformation, DeformKey, Scene } from "#wasm/api";
 import { curved } from "../curve/curve";
 import { aroundStanding } from "../framing";
 import { edit, replace, scene } from "../scene";
+import { tool } from "../tool";
 
 export { aroundStanding, boxAround } from "../framing";
 
@@ -60,16 +61,6 @@ function withDeformation(now: Scene, change: (deformation: Deformation) => Defor
 
 /** Whether the time line of the mesh plays. */
 export const phasePlaying = signal(false);
-
-/** The tool that is open. */
-export const tool: ReadonlySignal<Tool> = computed(() => scene.value.tool ?? "morph");
-
-/** Opens a tool: where one is is part of the document, but going there is nothing to undo. */
-export function openTool(next: Tool): void {
-  if (next === tool.peek()) return;
-  phasePlaying.value = false;
-  replace({ ...scene.peek(), tool: next });
-}
 
 /** Why the bend that is asked for cannot be had, in words; the last one is shown meanwhile. */
 export const bendProblem = signal<string | null>(null);

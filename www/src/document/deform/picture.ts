@@ -1,7 +1,8 @@
 import { computed, effect, type ReadonlySignal } from "@preact/signals";
 import type { MapRow } from "#wasm/api";
 import { notify } from "../notice";
-import { deformation, tool } from "./bend";
+import { tool } from "../tool";
+import { deformation } from "./bend";
 import { aspect, haveSample, mapsOfRectangle, ownPicture, type Photograph, photograph } from "./photograph";
 
 export { aspect, ownPicture, type Photograph, photograph, showPicture } from "./photograph";

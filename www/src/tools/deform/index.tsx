@@ -1,27 +1,18 @@
 /** The deformation tool: its side panel, its time strip, and what it lays over the picture. Loaded when it is first opened. */
-import { useEffect } from "preact/hooks";
-import type { CurveParts } from "#document/curve/curve";
-import { Button } from "#ui/Button";
-import { help } from "#ui/help";
+import { PanelFoot } from "#ui/PanelFoot";
 import { ColourPanel } from "./colour/ColourPanel";
 import { ringed } from "./facts";
 import { GridPanel } from "./mesh/GridPanel";
 import { MotionPanel } from "./motion/MotionPanel";
-import { ShortcutsDialog } from "./ShortcutsDialog";
 import { Start, StartOver } from "./Start";
 import { BendPanel } from "./settings/BendPanel";
 import { ContinuityFold, SpinFold } from "./settings/Folds";
 import { Gallery, ShapePanel } from "./shape/ShapePanel";
-import { listen } from "./shortcuts";
 import "#ui/panel.css";
 import "./deform.css";
 
-export { DeformOverlay } from "./mesh/Overlay";
-export { DeformStrip } from "./strip/DeformStrip";
-
 /** Everything beside the picture: what is bent, how its parts answer, how it moves, and its colours. */
-export function DeformPanel({ curve }: { curve: CurveParts }) {
-  useEffect(listen, []);
+export function DeformPanel() {
   return (
     <div class="panel deform-panel">
       <ShapePanel />
@@ -41,21 +32,10 @@ export function DeformPanel({ curve }: { curve: CurveParts }) {
           <ContinuityFold />
         </div>
       )}
-      <footer class="panel-foot">
+      <PanelFoot>
         <StartOver />
-        <Button
-          kind="quiet"
-          icon="keyboard"
-          popup="dialog"
-          onClick={() => {
-            help.value = true;
-          }}
-        >
-          Keyboard shortcuts
-        </Button>
-      </footer>
-      <Gallery Shelf={curve.Shelf} />
-      <ShortcutsDialog />
+      </PanelFoot>
+      <Gallery />
     </div>
   );
 }

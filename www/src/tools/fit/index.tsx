@@ -1,9 +1,8 @@
 /** The fit: its side panel, its strip, and its stage. Loaded when it is first opened. */
 import { effect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { Button } from "#ui/Button";
-import { help } from "#ui/help";
 import { narrow } from "#ui/media";
+import { PanelFoot } from "#ui/PanelFoot";
 import { fitTask } from "#workers/fit/client";
 import { GraphPanel, GraphStage, GraphStrip, graphOpen, ModeChoice } from "./mode";
 import { CutPanel } from "./panel/CutPanel";
@@ -12,8 +11,6 @@ import { ModelPanel } from "./panel/ModelPanel";
 import { OutlinePanel } from "./panel/OutlinePanel";
 import { SourcePanel } from "./panel/SourcePanel";
 import { UsePanel } from "./panel/UsePanel";
-import { ShortcutsDialog } from "./ShortcutsDialog";
-import { listen } from "./shortcuts";
 import { hand } from "./stage/brush";
 import { FitStage as OutlineStage } from "./stage/FitStage";
 import { step } from "./stage/layers";
@@ -41,7 +38,7 @@ function Outline() {
   useEffect(() => {
     // The workers come up while the page is laid out.
     for (const lane of [0, 1] as const) fitTask("wake", {}, { lane }).catch(() => {});
-    const stops = [watchMask(), watchOutline(), watchFit(), watchStep(), watchFeatures(), listen()];
+    const stops = [watchMask(), watchOutline(), watchFit(), watchStep(), watchFeatures()];
     return () => {
       for (const stop of stops) stop();
     };
@@ -55,19 +52,7 @@ function Outline() {
       <FiguresPanel />
       <UsePanel />
       {narrow.value && <Layers />}
-      <footer class="panel-foot">
-        <Button
-          kind="quiet"
-          icon="keyboard"
-          popup="dialog"
-          onClick={() => {
-            help.value = true;
-          }}
-        >
-          Keyboard shortcuts
-        </Button>
-      </footer>
-      <ShortcutsDialog />
+      <PanelFoot />
     </>
   );
 }

@@ -1,52 +1,33 @@
 /** The morph tool: its side panel and its time strip. */
-import { useEffect } from "preact/hooks";
-import { type CurveParts, curved } from "#document/curve/curve";
+import { CurvePanel } from "#curve/parts";
+import { curved } from "#document/curve/curve";
 import { selection } from "#document/morph";
-import { Button } from "#ui/Button";
-import { help } from "#ui/help";
 import { narrow } from "#ui/media";
+import { PanelFoot } from "#ui/PanelFoot";
 import type { End } from "./changes";
 import { gallery } from "./dialogs";
+import { Gallery, MapEditor } from "./later";
 import { LocusBeside, LocusPanel } from "./locus/LocusPanel";
 import { PathPanel } from "./locus/PathPanel";
 import { MotionPanel } from "./MotionPanel";
-import { MapEditor } from "./maps/MapEditor";
 import { PairNotes, PairsPanel } from "./pairs/PairsPanel";
-import { ShortcutsDialog } from "./ShortcutsDialog";
 import { Ends } from "./shapes/Ends";
-import { Gallery } from "./shapes/Gallery";
-import { listen } from "./shortcuts";
 import { PlaybackOptions } from "./strip/MorphStrip";
 import "#ui/panel.css";
 import "./morph.css";
-
-export { MorphStrip } from "./strip/MorphStrip";
 
 const choose = (end: End) => {
   gallery.value = end;
 };
 
 /** Everything beside the picture: the shapes and the way between both. */
-export function MorphPanel({ curve }: { curve: CurveParts }) {
-  useEffect(listen, []);
+export function MorphPanel() {
   return (
     <div class="panel morph-panel">
-      {curved.value ? <curve.Panel choose={choose} /> : <Systems />}
+      {curved.value ? <CurvePanel choose={choose} /> : <Systems />}
       {curved.value && narrow.value && <PlaybackOptions />}
-      <footer class="panel-foot">
-        <Button
-          kind="quiet"
-          icon="keyboard"
-          popup="dialog"
-          onClick={() => {
-            help.value = true;
-          }}
-        >
-          Keyboard shortcuts
-        </Button>
-      </footer>
-      <Gallery Shelf={curve.Shelf} />
-      <ShortcutsDialog />
+      <PanelFoot />
+      {gallery.value !== null && <Gallery />}
     </div>
   );
 }

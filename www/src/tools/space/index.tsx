@@ -4,22 +4,15 @@ import "./space.css";
 import { effect, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { spaceShown } from "#document/playback";
-import { Button } from "#ui/Button";
-import { help } from "#ui/help";
+import { PanelFoot } from "#ui/PanelFoot";
 import { Segmented } from "#ui/Segmented";
 import { LightPanel } from "./light/LightPanel";
 import { MorphPanel3 } from "./morph/MorphPanel3";
 import { watchMorph } from "./morph/work";
-import { ShortcutsDialog } from "./ShortcutsDialog";
 import { listenForDrops } from "./shape/files";
 import { ShapePanel } from "./shape/ShapePanel";
-import { listen } from "./shortcuts";
 import { spaceDrawn } from "./stage/state";
-import { TimePanel, TimeStrip } from "./time/index";
-
-export { openSpace } from "#document/space/space";
-export { SpaceStage } from "./stage/SpaceStage";
-export { TimeStrip as SpaceStrip };
+import { TimePanel } from "./time/TimePanel";
 
 effect(() => {
   spaceShown.value = spaceDrawn.value;
@@ -41,7 +34,7 @@ const PARTS: { value: Part; label: string; description: string }[] = [
 export function SpacePanel() {
   useEffect(() => {
     // A path is looked for, and a file taken, whichever part is open.
-    const stops = [listen(), watchMorph(), listenForDrops()];
+    const stops = [watchMorph(), listenForDrops()];
     const toShape = (event: DragEvent) => {
       if (event.dataTransfer?.types.includes("Files")) part.value = "shape";
     };
@@ -66,19 +59,7 @@ export function SpacePanel() {
       {now === "morph" && <MorphPanel3 />}
       {now === "light" && <LightPanel />}
       {now === "time" && <TimePanel />}
-      <footer class="panel-foot">
-        <Button
-          kind="quiet"
-          icon="keyboard"
-          popup="dialog"
-          onClick={() => {
-            help.value = true;
-          }}
-        >
-          Keyboard shortcuts
-        </Button>
-      </footer>
-      <ShortcutsDialog />
+      <PanelFoot />
     </div>
   );
 }

@@ -1,7 +1,8 @@
 import { computed } from "@preact/signals";
 import { curveFilm, strip, thumbnails } from "#compute/results";
+import { Shelf } from "#curve/parts";
 import { sameCurves } from "#document/curve/changes";
-import { type CurveParts, curved, curveMorph, curves } from "#document/curve/curve";
+import { curved, curveMorph, curves } from "#document/curve/curve";
 import { aroundStanding, boxAround, changeDeformation, deformation } from "#document/deform/bend";
 import { pictureMaps } from "#document/deform/picture";
 import { announce } from "#document/notice";
@@ -161,7 +162,7 @@ function frameAt(at: number): ImageBitmap | null {
 }
 
 /** Every preset, and the closed curves, to be bent. */
-export function Gallery({ Shelf }: Pick<CurveParts, "Shelf">) {
+export function Gallery() {
   if (!gallery.value) return null;
   const close = () => {
     gallery.value = false;

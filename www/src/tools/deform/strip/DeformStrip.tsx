@@ -1,5 +1,6 @@
 import "#ui/strip.css";
 import "./strip.css";
+import { useEffect } from "preact/hooks";
 import { deformation, phasePlaying } from "#document/deform/bend";
 import { IconButton } from "#ui/Button";
 import { narrow } from "#ui/media";
@@ -11,6 +12,7 @@ import { momentWords } from "./words";
 
 /** Time: play, scrub, and the key frames of the mesh. */
 export function DeformStrip() {
+  useEffect(() => pausePhase, []);
   const { phase } = deformation.value;
   return (
     <section class="strip deform-strip" aria-label="Time">

@@ -1,5 +1,6 @@
 import { thumbnails } from "#compute/results";
-import { type CurveParts, curved } from "#document/curve/curve";
+import { Shelf } from "#curve/parts";
+import { curved } from "#document/curve/curve";
 import { editSystems } from "#document/curve/systems";
 import { selection } from "#document/morph";
 import { announce } from "#document/notice";
@@ -12,7 +13,7 @@ import { pick } from "../locus/way";
 import { shapes } from "../parts";
 
 /** Every preset, to be the shape of one end, and the closed curves. */
-export function Gallery({ Shelf }: Pick<CurveParts, "Shelf">) {
+export function Gallery() {
   const end = gallery.value;
   if (end === null) return null;
   const close = () => {

@@ -1,9 +1,10 @@
 /** A shadow that is a system of the plane goes on into the tools of the plane. */
 
 import { editSystems } from "#document/curve/systems";
-import { boxAround, openTool } from "#document/deform/bend";
+import { boxAround } from "#document/deform/bend";
 import { selection } from "#document/morph";
 import { notify, wordsOf } from "#document/notice";
+import { openTool } from "#document/tool";
 import { inBox } from "#geometry/mesh";
 import type { MapRow, Scene, Shape, Tool } from "#wasm/api";
 

@@ -15,7 +15,7 @@ import { Toolbar } from "./Toolbar";
 import { countsWords, handWords, statusWords } from "./words";
 
 const LABEL =
-  "The shapes in space. Arrow keys turn the view, or the object where the hand is for that; with Shift they shift what is seen. Plus and minus change the distance, brackets the angle of view, W, A, S, D, Q and E fly, 0 shows all.";
+  "The shapes in space. Arrow keys turn the view, or the object where the hand is for that; with Shift they shift what is seen. Plus and minus change the distance, comma and full stop the angle of view, W, A, S, D, Q and E fly, 0 shows all.";
 
 /** As much is carved at most: a large screen with two pixels each way would take too long. */
 const MOST_CARVED = 9e6;

@@ -17,10 +17,10 @@ test("letters fly, slowly with Shift, and leave the browser its chords", () => {
   expect(press("x")).toBeNull();
 });
 
-test("plus nears, a bracket narrows the angle, and each has its other way", () => {
+test("plus nears, a comma narrows the angle, and each has its other way", () => {
   for (const [one, other] of [
     ["+", "-"],
-    ["[", "]"],
+    [",", "."],
   ] as const) {
     const [there, back] = [press(one), press(other)];
     if (!there || !back || !("factor" in there) || !("factor" in back)) throw new Error(one);
@@ -28,5 +28,5 @@ test("plus nears, a bracket narrows the angle, and each has its other way", () =
     expect(there.factor * back.factor).toBeCloseTo(1, 12);
   }
   expect(press("+")).toMatchObject({ do: "near", factor: 1.15 });
-  expect(press("[")?.do).toBe("angle");
+  expect(press(",")?.do).toBe("angle");
 });

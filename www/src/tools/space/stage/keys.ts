@@ -33,8 +33,8 @@ const FACTORS: Record<string, StageCommand> = {
   "=": { do: "near", factor: 1.15 },
   "-": { do: "near", factor: 1 / 1.15 },
   _: { do: "near", factor: 1 / 1.15 },
-  "[": { do: "angle", factor: 1 / 1.08 },
-  "]": { do: "angle", factor: 1.08 },
+  ",": { do: "angle", factor: 1 / 1.08 },
+  ".": { do: "angle", factor: 1.08 },
   "0": { do: "whole" },
 };
 const KEY_TURN = (5 * Math.PI) / 180;

@@ -15,7 +15,6 @@ import { KeyOptions, SetKey } from "./KeyOptions";
 import { KeyTrack } from "./KeyTrack";
 import { LoopMenu } from "./LoopChoice";
 import { watchKeys } from "./pictures";
-import { listenForTime } from "./shortcuts";
 import { TimeMenu } from "./TimeMenu";
 import { TimeNumbers } from "./TimeNumbers";
 import { momentWords } from "./words";
@@ -25,9 +24,9 @@ const ExportDialog = lazily(() => import("../export/index").then((module) => mod
 /** Time: play, scrub, and the keys. */
 export function TimeStrip() {
   useEffect(() => {
-    const ends = [listenForTime(), watchKeys()];
+    const end = watchKeys();
     return () => {
-      for (const end of ends) end();
+      end();
       pauseSpace();
     };
   }, []);

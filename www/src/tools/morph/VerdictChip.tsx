@@ -1,19 +1,11 @@
 import { computed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { verdict } from "#compute/results";
-import { curved, curveTime } from "#document/curve/curve";
-import { tool } from "#document/deform/bend";
-import { here, locusView, selection } from "#document/morph";
 import { announce } from "#document/notice";
 import { playing } from "#document/playback";
-import { countWords, type VerdictWords, verdictLine, verdictWords } from "#format/verdict";
-import { fitStage } from "#stage/gestures";
+import { type VerdictWords, verdictLine, verdictWords } from "#format/verdict";
 import { evidenceOpen } from "#stage/marks";
-import { picture } from "#stage/stage";
-import { view, zoom } from "#stage/view";
-import { CHIP_ID, PANEL_ID } from "#tools/morph/evidence/ids";
-import { workers } from "#workers/pool/engine";
-import { Glyph } from "./glyphs";
+import { CHIP_ID, PANEL_ID } from "./evidence/ids";
 
 const words = computed<VerdictWords>(() =>
   verdictWords(verdict.value?.connectedness ?? null, verdict.value?.epsilon),
@@ -89,49 +81,4 @@ function useAnnouncement() {
       stop();
     };
   }, []);
-}
-
-const zoomWords = computed(() => {
-  // A quarter more is a quarter more, whatever rounding made of it.
-  const z = Number(zoom.value.toPrecision(9));
-  if (z < 10) return `×${z.toFixed(1)}`;
-  return z < 1e4 ? `×${Math.round(z)}` : `×${z.toExponential(1)}`;
-});
-
-/** Two digits, with a minus as wide as a plus. */
-function signed(x: number): string {
-  return x.toFixed(2).replace("-", "−");
-}
-
-/** How much is drawn, and how near one is. */
-export function Readout() {
-  const [x, y] = here.value;
-  return (
-    <div class="readout number">
-      {!selection.value && tool.value === "morph" && (
-        <span class="readout-uv">
-          {curved.value
-            ? `s ${curveTime.value.toFixed(2)}`
-            : locusView.value.family === "morph"
-              ? `u ${signed(x)} v ${signed(y)}`
-              : `s ${signed(x)} ${y < 0 ? "−" : "+"} ${signed(Math.abs(y))} i`}
-        </span>
-      )}
-      {picture.value.points > 0 && (
-        <span class="readout-points">{countWords(picture.value.points)} points</span>
-      )}
-      {!workers.value.available && <span>no workers</span>}
-      <span data-testid="zoom">{zoomWords.value}</span>
-      <button
-        type="button"
-        class="button quiet icon-button"
-        aria-label="Fit to the stage"
-        title="Fit to the stage (0)"
-        disabled={view.value === null}
-        onClick={fitStage}
-      >
-        <Glyph name="fit" />
-      </button>
-    </div>
-  );
 }

@@ -1,0 +1,55 @@
+import { computed } from "@preact/signals";
+import { curved, curveTime } from "#document/curve/curve";
+import { here, locusView, selection } from "#document/morph";
+import { tool } from "#document/tool";
+import { countWords } from "#format/verdict";
+import { fitStage } from "#stage/gestures";
+import { picture } from "#stage/stage";
+import { view, zoom } from "#stage/view";
+import { workers } from "#workers/pool/engine";
+import { Glyph } from "./glyphs";
+
+const zoomWords = computed(() => {
+  // A quarter more is a quarter more, whatever rounding made of it.
+  const z = Number(zoom.value.toPrecision(9));
+  if (z < 10) return `×${z.toFixed(1)}`;
+  return z < 1e4 ? `×${Math.round(z)}` : `×${z.toExponential(1)}`;
+});
+
+/** Two digits, with a minus as wide as a plus. */
+function signed(x: number): string {
+  return x.toFixed(2).replace("-", "−");
+}
+
+/** How much is drawn, and how near one is. */
+export function Readout() {
+  const [x, y] = here.value;
+  return (
+    <div class="readout number">
+      {!selection.value && tool.value === "morph" && (
+        <span class="readout-uv">
+          {curved.value
+            ? `s ${curveTime.value.toFixed(2)}`
+            : locusView.value.family === "morph"
+              ? `u ${signed(x)} v ${signed(y)}`
+              : `s ${signed(x)} ${y < 0 ? "−" : "+"} ${signed(Math.abs(y))} i`}
+        </span>
+      )}
+      {picture.value.points > 0 && (
+        <span class="readout-points">{countWords(picture.value.points)} points</span>
+      )}
+      {!workers.value.available && <span>no workers</span>}
+      <span data-testid="zoom">{zoomWords.value}</span>
+      <button
+        type="button"
+        class="button quiet icon-button"
+        aria-label="Fit to the stage"
+        title="Fit to the stage (0)"
+        disabled={view.value === null}
+        onClick={fitStage}
+      >
+        <Glyph name="fit" />
+      </button>
+    </div>
+  );
+}

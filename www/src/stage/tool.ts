@@ -1,0 +1,41 @@
+import type { ComponentType } from "preact";
+import type { Command } from "#ui/commands";
+import type { Tool as ToolName } from "#wasm/api";
+import type { PainterBackend } from "./surface/painter";
+
+/** A tool of the studio: what it shows and what can be done in it, as one value. */
+export interface Tool {
+  /** In place of the picture that tools share. */
+  Stage?: ComponentType<{ backend: "auto" | PainterBackend }>;
+  /** Laid over the shared picture. */
+  Overlay?: ComponentType;
+  /** What is said of the shared picture, below it. */
+  Verdict?: ComponentType;
+  /** Why, beside it. */
+  Evidence?: ComponentType;
+  Panel: ComponentType;
+  /** Below the picture: time, or what takes its place. */
+  Strip: ComponentType;
+  commands: () => readonly Command[];
+  /** Saves what a stage of its own shows. */
+  savePng?: () => void | Promise<void>;
+}
+
+/** A tool as the page knows it before it is opened. */
+export interface ToolEntry {
+  id: ToolName;
+  /** In the bar on top. */
+  label: string;
+  /** Of the page. */
+  title: string;
+  /** What its panel is about. */
+  side: string;
+  /** What its stage is about, where it has one of its own. */
+  stage?: string;
+  /** Part of the first script, or else fetched when it is first opened. */
+  tool: Tool | (() => Promise<Tool>);
+  /** Said where it could not be fetched. */
+  missing?: string;
+  /** Fetches what may be asked for later, so that it is there without a network, too. */
+  fetchAhead?: () => Promise<unknown>;
+}

@@ -1,0 +1,10 @@
+import type { ToolEntry } from "#stage/tool";
+
+export const deform: ToolEntry = {
+  id: "deform",
+  label: "Deform",
+  title: "Frond: bend a fractal by a grid",
+  side: "Shape and grid",
+  tool: () => import("./tool").then((module) => module.tool),
+  missing: "The deformation grid could not be loaded",
+};

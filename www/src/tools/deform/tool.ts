@@ -1,0 +1,12 @@
+import type { Tool } from "#stage/tool";
+import { commands } from "./commands";
+import { DeformPanel } from "./index";
+import { DeformOverlay } from "./mesh/Overlay";
+import { DeformStrip } from "./strip/DeformStrip";
+
+export const tool: Tool = {
+  Overlay: DeformOverlay,
+  Panel: DeformPanel,
+  Strip: DeformStrip,
+  commands: () => commands,
+};

@@ -1,0 +1,97 @@
+/** What keys do while the fit is open. */
+import { fitDocument } from "#document/fit";
+import { redo, undo } from "#document/scene";
+import { fitCommand } from "#stage/commands";
+import { type Command, everywhere } from "#ui/commands";
+import { brushSize, type Hand, hand, painting } from "./stage/brush";
+import { fitStage } from "./stage/camera";
+import { comparing, cutting, knotsShown, outlineShown, photoShown } from "./stage/layers";
+import { canRedoStroke, canUndoStroke, redoStroke, undoStroke } from "./work/mask";
+
+const HANDS: readonly Hand[] = ["move", "keep", "remove"];
+const PICTURE = "Shape and picture";
+const CUTTING = "Cutting out";
+
+const OUTLINE: readonly Command[] = [
+  {
+    id: "compare",
+    label: "Hold: the outline without the fit",
+    group: PICTURE,
+    keys: ["C"],
+    run: () => {
+      comparing.value = true;
+    },
+    release: () => {
+      comparing.value = false;
+    },
+  },
+  {
+    id: "hide",
+    label: "Hide the outline, show it",
+    group: PICTURE,
+    keys: ["H"],
+    run: () => {
+      outlineShown.value = !outlineShown.peek();
+    },
+  },
+  {
+    id: "knots",
+    label: "Show the knots, hide them",
+    group: PICTURE,
+    keys: ["N"],
+    run: () => {
+      knotsShown.value = !knotsShown.peek();
+    },
+  },
+  {
+    id: "picture",
+    label: "Hide the picture, show it",
+    group: PICTURE,
+    keys: ["P"],
+    run: () => {
+      photoShown.value = !photoShown.peek();
+    },
+  },
+  fitCommand(fitStage),
+  {
+    id: "hand",
+    label: "Move, keep, remove",
+    group: CUTTING,
+    keys: ["1", "2", "3"],
+    enabled: () => cutting.peek(),
+    run: (way) => {
+      hand.value = HANDS[way] ?? "move";
+    },
+  },
+  {
+    id: "size",
+    label: "A smaller brush, a larger one",
+    group: CUTTING,
+    keys: [",", "."],
+    enabled: () => painting.peek(),
+    run(way) {
+      const size = brushSize.peek() * (way === 0 ? 1 / 1.25 : 1.25);
+      brushSize.value = Number(Math.min(20, Math.max(0.2, size)).toFixed(1));
+    },
+  },
+  {
+    id: "brush-move",
+    label: "Move the brush, where the picture has the focus; Shift finer",
+    group: CUTTING,
+    keys: ["←", "→", "↑", "↓"],
+  },
+  { id: "brush-paint", label: "Paint there; held, while it moves", group: CUTTING, keys: ["Space"] },
+  { id: "brush-drop", label: "Drop the stroke, put the brush away", group: CUTTING, keys: ["Escape"] },
+  // Strokes are no part of the document: while one paints, they are what is taken back.
+  ...everywhere(
+    {
+      label: "Undo: the last stroke first",
+      run: () => (cutting.peek() && canUndoStroke() ? undoStroke() : undo()),
+    },
+    { run: () => (cutting.peek() && canRedoStroke() ? redoStroke() : redo()) },
+  ),
+];
+
+const GRAPH = everywhere();
+
+export const commands = (): readonly Command[] => (fitDocument.value.mode === "outline" ? OUTLINE : GRAPH);

@@ -1,0 +1,26 @@
+import { CurveChip, CurveEvidence } from "#curve/parts";
+import { curved } from "#document/curve/curve";
+import { evidenceOpen } from "#stage/marks";
+import { MapOverlay } from "#stage/stage";
+import type { ToolEntry } from "#stage/tool";
+import { commands } from "./commands";
+import { MorphPanel } from "./index";
+import { EvidencePanel, fetchAhead } from "./later";
+import { MorphStrip } from "./strip/MorphStrip";
+import { VerdictChip } from "./VerdictChip";
+
+export const morph: ToolEntry = {
+  id: "morph",
+  label: "Morph",
+  title: "Frond: morph one fractal into another",
+  side: "Shapes and path",
+  tool: {
+    Overlay: MapOverlay,
+    Verdict: () => (curved.value ? <CurveChip /> : <VerdictChip />),
+    Evidence: () => (curved.value ? <CurveEvidence /> : evidenceOpen.value && <EvidencePanel />),
+    Panel: MorphPanel,
+    Strip: MorphStrip,
+    commands: () => commands,
+  },
+  fetchAhead,
+};

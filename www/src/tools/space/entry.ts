@@ -1,0 +1,11 @@
+import type { ToolEntry } from "#stage/tool";
+
+export const space: ToolEntry = {
+  id: "space",
+  label: "Space",
+  title: "Frond: turn and move fractals in space",
+  side: "Shapes, morph and light",
+  stage: "Space",
+  tool: () => import("./tool").then((module) => module.openTool()),
+  missing: "Space could not be loaded",
+};

@@ -1,0 +1,22 @@
+import type { ComponentChildren } from "preact";
+import { Button } from "./Button";
+import { help } from "./commands";
+
+/** The end of a tool's panel. */
+export function PanelFoot({ children }: { children?: ComponentChildren }) {
+  return (
+    <footer class="panel-foot">
+      {children}
+      <Button
+        kind="quiet"
+        icon="keyboard"
+        popup="dialog"
+        onClick={() => {
+          help.value = true;
+        }}
+      >
+        Keyboard shortcuts
+      </Button>
+    </footer>
+  );
+}

@@ -1,0 +1,118 @@
+/** What can be done by a key: keyboard, help and tool tips come from the one list that a tool has. */
+import { signal } from "@preact/signals";
+import { redo, undo } from "#document/scene";
+import { type Focus, focusOf, type KeyPress } from "./focus";
+
+export interface Command {
+  id: string;
+  /** What it does, as help says it. */
+  label: string;
+  /** The heading in help. */
+  group: string;
+  /** Each is one way to press it, as help shows it: "G", "Shift+←", "Ctrl+Z". */
+  keys: readonly string[];
+  /** The key is taken all the same. */
+  enabled?: () => boolean;
+  /** `way` is the place of the key in `keys`. Without it a widget has these keys while it has the focus. */
+  run?: (way: number) => void;
+  /** The key is let go. */
+  release?: () => void;
+}
+
+/** Whether the list of keys is open. */
+export const help = signal(false);
+
+/** In every tool. Some take back what is no part of the document first. */
+export const everywhere = (back: Partial<Command> = {}, forth: Partial<Command> = {}): Command[] => [
+  { id: "undo", label: "Undo", group: "Everywhere", keys: ["Z", "Ctrl+Z"], run: undo, ...back },
+  {
+    id: "redo",
+    label: "Redo",
+    group: "Everywhere",
+    keys: ["Shift+Z", "Ctrl+Y", "Ctrl+Shift+Z"],
+    run: redo,
+    ...forth,
+  },
+  {
+    id: "help",
+    label: "This list",
+    group: "Everywhere",
+    keys: ["?"],
+    run: () => {
+      help.value = true;
+    },
+  },
+];
+
+const NAMES: Record<string, string> = {
+  ArrowLeft: "←",
+  ArrowRight: "→",
+  ArrowUp: "↑",
+  ArrowDown: "↓",
+  " ": "Space",
+  "-": "−",
+};
+
+/** A press as it is named in a list of keys, and without Shift, which says nothing where it is not in the list. */
+function namesOf({ key, ctrlKey, metaKey, shiftKey }: KeyPress): string[] {
+  const name = NAMES[key] ?? (key.length === 1 ? key.toUpperCase() : key);
+  const held = ctrlKey || metaKey ? "Ctrl+" : "";
+  return shiftKey ? [`${held}Shift+${name}`, `${held}${name}`] : [held + name];
+}
+
+/** Who types has all keys, and a control those that it lives by. Alt is the browser's. */
+function reaches({ key, ctrlKey, metaKey, altKey }: KeyPress, focus: Focus): boolean {
+  if (focus === "typing" || altKey) return false;
+  if (ctrlKey || metaKey) return true;
+  if (key.startsWith("Arrow")) return focus === "none";
+  if (key === " ") return focus === "none" || focus === "slider";
+  return focus !== "field";
+}
+
+/** What a press asks for, and by which of its keys; null where it asks for nothing. */
+export function commandOf(
+  commands: readonly Command[],
+  press: KeyPress,
+  focus: Focus,
+): { command: Command; way: number } | null {
+  if (!reaches(press, focus)) return null;
+  for (const name of namesOf(press)) {
+    for (const command of commands) {
+      const way = command.run ? command.keys.indexOf(name) : -1;
+      if (way >= 0) return { command, way };
+    }
+  }
+  return null;
+}
+
+/** Does what keys ask for, until the returned function is called. While a dialog is open they rest. */
+export function listenForCommands(commands: () => readonly Command[]): () => void {
+  const onKey = (event: KeyboardEvent) => {
+    if (event.defaultPrevented || document.querySelector("dialog[open]") !== null) return;
+    const found = commandOf(commands(), event, focusOf(event.target));
+    if (!found) return;
+    event.preventDefault();
+    const { command, way } = found;
+    if (command.enabled?.() !== false) command.run?.(way);
+  };
+  const onKeyUp = ({ key }: KeyboardEvent) => {
+    for (const command of commands()) if (command.keys.includes(key.toUpperCase())) command.release?.();
+  };
+  document.addEventListener("keydown", onKey);
+  document.addEventListener("keyup", onKeyUp);
+  return () => {
+    document.removeEventListener("keydown", onKey);
+    document.removeEventListener("keyup", onKeyUp);
+  };
+}
+
+/** The list by its headings, each once. */
+export function groupsOf(commands: readonly Command[]): { title: string; commands: Command[] }[] {
+  const groups = new Map<string, Command[]>();
+  for (const command of commands) {
+    const group = groups.get(command.group) ?? [];
+    groups.set(command.group, group);
+    group.push(command);
+  }
+  return [...groups].map(([title, commands]) => ({ title, commands }));
+}
