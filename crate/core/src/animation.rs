@@ -2,5 +2,4 @@
 
 pub(crate) mod keyframes;
 pub(crate) mod placement;
-pub(crate) mod pose;
 pub(crate) mod spline;

@@ -21,8 +21,8 @@ use thiserror::Error;
 use crate::bounds::bounds3::Bounds3;
 use crate::error::IfsError;
 use crate::hash;
-use crate::ifs::ifs3::Ifs3;
-use crate::linear::affine3::Affine3;
+use crate::ifs::system::Ifs3;
+use crate::linear::affine::Affine3;
 
 /// Why the product of two systems cannot be worked out.
 #[derive(Clone, Debug, Error, PartialEq)]

@@ -1,8 +1,11 @@
-//! Affine maps and the factors of their matrices.
+//! Affine maps, and the factors of their matrices.
 
-pub(crate) mod affine2;
-pub(crate) mod affine3;
+pub(crate) mod affine;
+mod affine2;
+mod affine3;
 pub(crate) mod polar2;
 pub(crate) mod polar3;
+mod sin_cos;
+pub(crate) mod svd2;
 pub(crate) mod svd3;
 pub(crate) mod transform;

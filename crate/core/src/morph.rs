@@ -1,8 +1,11 @@
 //! From one system to another: the family between them, and which map becomes which.
 
 pub(crate) mod along;
-pub(crate) mod correspondence;
-pub(crate) mod morph2;
-pub(crate) mod morph3;
+pub(crate) mod correspondence2;
+mod correspondence3;
+pub(crate) mod interpolation;
+pub(crate) mod options;
 pub(crate) mod pairing;
 pub(crate) mod route;
+pub(crate) mod turn2;
+pub(crate) mod turn3;

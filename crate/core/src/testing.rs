@@ -4,8 +4,8 @@ use glam::DVec2;
 use proptest::prelude::*;
 
 use crate::hash;
-use crate::ifs::ifs2::Ifs;
-use crate::linear::affine2::Affine2;
+use crate::ifs::system::Ifs;
+use crate::linear::affine::Affine2;
 
 /// A map that mostly shrinks; some are singular, reflecting, sheared, or put every point in one place.
 pub(crate) fn any_map() -> impl Strategy<Value = Affine2> {

@@ -4,8 +4,8 @@ use glam::{DMat3, DVec3};
 use proptest::prelude::*;
 
 use crate::hash;
-use crate::ifs::ifs3::Ifs3;
-use crate::linear::affine3::Affine3;
+use crate::ifs::system::Ifs3;
+use crate::linear::affine::Affine3;
 
 /// A map that mostly shrinks; some are flat, reflecting, sheared, or put every point in one place.
 pub(crate) fn any_map3() -> impl Strategy<Value = Affine3> {

@@ -6,11 +6,11 @@ use thiserror::Error;
 use crate::animation::placement::Place3;
 use crate::animation::spline::{cubic, cubic_turn, straight};
 use crate::error::IfsError;
-use crate::ifs::ifs3::Ifs3;
-use crate::linear::affine3::Affine3;
+use crate::ifs::system::Ifs3;
+use crate::linear::affine::Affine3;
 use crate::linear::transform::TransformError;
-use crate::morph::morph2::{MorphError, MorphOptions};
-use crate::morph::morph3::Morph3;
+use crate::morph::interpolation::Morph3;
+use crate::morph::options::{MorphError, MorphOptions};
 
 /// How a value goes from one key to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-use crate::linear::affine3::Affine3;
+use crate::linear::affine::Affine3;
 use crate::linear::polar3::{Polar3, jacobi};
 use crate::linear::transform::TransformError;
 

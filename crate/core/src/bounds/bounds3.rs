@@ -6,8 +6,8 @@ use std::collections::BinaryHeap;
 use glam::{DMat3, DVec3};
 
 use crate::bounds::support_table3::Fan3;
-use crate::ifs::ifs3::Ifs3;
-use crate::linear::affine3::Affine3;
+use crate::ifs::system::Ifs3;
+use crate::linear::affine::Affine3;
 
 /// A box and a ball that hold an attractor of space, each tight to about a hundredth of its size where the maps are not
 /// too many and not too slow.

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::linear::affine3::Affine3;
+use crate::linear::affine::Affine3;
 
 /// Bounds of an attractor in all directions, and points of it that lie far in them.
 ///

@@ -2,8 +2,8 @@
 
 use glam::{DMat2, DVec2};
 
-use crate::ifs::ifs2::Ifs;
-use crate::linear::affine2::Affine2;
+use crate::ifs::system::Ifs;
+use crate::linear::affine::Affine2;
 use crate::linear::polar2::orthogonal;
 
 /// How far numbers of conjugate maps may differ, in proportion to the shape.

@@ -1,35 +1,12 @@
-//! Affine maps of the plane.
-
-use std::ops::Mul;
+//! Affine maps of the plane: their rows, and those that are made of a turn, scales or a shear.
 
 use glam::{DMat2, DVec2};
 
-/// An affine map of the plane, `x -> linear * x + translation`.
-///
-/// Written as a row it is `[a, b, c, d, e, f]`, the order of Fractint files:
-///
-/// ```text
-/// x' = a x + b y + e        linear = | a b |    translation = | e |
-/// y' = c x + d y + f                 | c d |                  | f |
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Affine2 {
-    /// The linear part.
-    pub linear: DMat2,
-    /// The translation.
-    pub translation: DVec2,
-}
+use crate::linear::affine::Affine2;
+use crate::linear::sin_cos::sin_cos;
+use crate::linear::svd2::singular_values;
 
 impl Affine2 {
-    /// The map that leaves every point where it is.
-    pub const IDENTITY: Self = Self { linear: DMat2::IDENTITY, translation: DVec2::ZERO };
-
-    /// A map from its linear part and its translation.
-    #[must_use]
-    pub const fn new(linear: DMat2, translation: DVec2) -> Self {
-        Self { linear, translation }
-    }
-
     /// A map from its row `[a, b, c, d, e, f]`.
     #[must_use]
     pub const fn from_row([a, b, c, d, e, f]: [f64; 6]) -> Self {
@@ -42,24 +19,23 @@ impl Affine2 {
         Self { linear: DMat2::from_angle(angle) * scale, translation }
     }
 
-    /// The row `[a, b, c, d, e, f]`.
+    /// Scales by `factors` along x and y, about the origin.
     #[must_use]
-    pub const fn to_row(self) -> [f64; 6] {
-        let Self { linear: m, translation: t } = self;
-        [m.x_axis.x, m.y_axis.x, m.x_axis.y, m.y_axis.y, t.x, t.y]
+    pub fn scaling(factors: DVec2) -> Self {
+        Self::new(DMat2::from_diagonal(factors), DVec2::ZERO)
     }
 
-    /// The image of a point.
-    #[inline]
+    /// Turns by `angle` (radians, counter-clockwise) about the origin. Quarter turns are exact.
     #[must_use]
-    pub fn apply(self, point: DVec2) -> DVec2 {
-        self.linear * point + self.translation
+    pub fn rotation(angle: f64) -> Self {
+        let (sin, cos) = sin_cos(angle);
+        Self::new(DMat2::from_cols(DVec2::new(cos, sin), DVec2::new(-sin, cos)), DVec2::ZERO)
     }
 
-    /// The factor by which the map changes areas, negative if it reflects.
+    /// Shears: `x' = x + along_x y`, `y' = y + along_y x`. Singular where their product is 1.
     #[must_use]
-    pub fn determinant(self) -> f64 {
-        self.linear.determinant()
+    pub const fn shear(along_x: f64, along_y: f64) -> Self {
+        Self::from_row([1.0, along_x, along_y, 1.0, 0.0, 0.0])
     }
 
     /// Both singular values of the linear part, the larger first: how much the map stretches at most
@@ -68,93 +44,6 @@ impl Affine2 {
     #[must_use]
     pub fn singular_values(self) -> (f64, f64) {
         singular_values(self.linear)
-    }
-
-    /// The operator norm of the linear part: the largest factor by which a distance grows.
-    #[inline]
-    #[must_use]
-    pub fn norm(self) -> f64 {
-        self.singular_values().0
-    }
-
-    /// The inverse map, or `None` when the linear part is singular or so nearly that nothing is left
-    /// of it in floating point.
-    #[must_use]
-    pub fn inverse(self) -> Option<Self> {
-        let inverse = self.linear.inverse();
-        let map = Self { linear: inverse, translation: -(inverse * self.translation) };
-        (self.determinant() != 0.0 && map.is_finite()).then_some(map)
-    }
-
-    /// The point that the map leaves where it is, or `None` when there is no such point or more than
-    /// one (an eigenvalue of 1).
-    #[must_use]
-    pub fn fixed_point(self) -> Option<DVec2> {
-        let m = DMat2::IDENTITY - self.linear;
-        let point = m.inverse() * self.translation;
-        (m.determinant() != 0.0 && point.is_finite()).then_some(point)
-    }
-
-    /// The largest absolute value of an eigenvalue of the linear part.
-    #[must_use]
-    pub fn spectral_radius(self) -> f64 {
-        spectral_radius(self.linear)
-    }
-
-    /// Whether all six numbers are finite.
-    #[must_use]
-    pub fn is_finite(self) -> bool {
-        self.linear.is_finite() && self.translation.is_finite()
-    }
-
-    /// Whether the map scales all distances by one factor, to a relative `tolerance`.
-    #[must_use]
-    pub fn is_similitude(self, tolerance: f64) -> bool {
-        let (large, small) = self.singular_values();
-        large - small <= tolerance * large
-    }
-
-    /// The same map seen in other coordinates: `by * self * by^-1`, whose attractor is the image under
-    /// `by` of the former one (Darwish & Abd-El-Wahab, eq 1). `None` when `by` is singular.
-    #[must_use]
-    pub fn conjugate(self, by: Self) -> Option<Self> {
-        by.inverse().map(|inverse| by * self * inverse)
-    }
-}
-
-/// Composition: `(a * b).apply(x)` is `a.apply(b.apply(x))`.
-impl Mul for Affine2 {
-    type Output = Self;
-
-    #[inline]
-    fn mul(self, inner: Self) -> Self {
-        Self { linear: self.linear * inner.linear, translation: self.apply(inner.translation) }
-    }
-}
-
-/// Both singular values of a matrix, the larger first.
-///
-/// The matrix is split into its part that commutes with rotations and its part that reverses them; the
-/// singular values are the sum and the difference of their lengths, which loses no digits.
-#[inline]
-pub(crate) fn singular_values(m: DMat2) -> (f64, f64) {
-    let (a, c, b, d) = (m.x_axis.x, m.x_axis.y, m.y_axis.x, m.y_axis.y);
-    let turning = DVec2::new(a + d, c - b).length() / 2.0;
-    let reflecting = DVec2::new(a - d, c + b).length() / 2.0;
-    (turning + reflecting, (turning - reflecting).abs())
-}
-
-/// The largest absolute value of an eigenvalue.
-pub(crate) fn spectral_radius(m: DMat2) -> f64 {
-    let half_trace = (m.x_axis.x + m.y_axis.y) / 2.0;
-    let half_difference = (m.x_axis.x - m.y_axis.y) / 2.0;
-    // This form of the discriminant does not cancel where trace^2 - 4 det would.
-    let discriminant = half_difference.mul_add(half_difference, m.y_axis.x * m.x_axis.y);
-    if discriminant >= 0.0 {
-        half_trace.abs() + discriminant.sqrt()
-    } else {
-        // A pair of conjugate eigenvalues: its absolute value is the root of the determinant.
-        half_trace.hypot((-discriminant).sqrt())
     }
 }
 

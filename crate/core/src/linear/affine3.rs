@@ -1,30 +1,13 @@
-//! Affine maps of space.
+//! Affine maps of space: their rows, and those that are made of turns, scales or a shear.
 
-use std::ops::Mul;
+use glam::{DMat3, DQuat, DVec3, EulerRot};
 
-use glam::{DMat3, DVec3};
-
-/// An affine map of space, `x -> linear * x + translation`.
-///
-/// Written as a row it has 12 numbers: the three rows of the matrix, then the translation.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Affine3 {
-    /// The linear part.
-    pub linear: DMat3,
-    /// The translation.
-    pub translation: DVec3,
-}
+use crate::linear::affine::Affine3;
+use crate::linear::sin_cos::sin_cos;
+use crate::linear::svd3::singular_values3;
+use crate::linear::transform::TransformError;
 
 impl Affine3 {
-    /// The map that leaves every point where it is.
-    pub const IDENTITY: Self = Self { linear: DMat3::IDENTITY, translation: DVec3::ZERO };
-
-    /// A map from its linear part and its translation.
-    #[must_use]
-    pub const fn new(linear: DMat3, translation: DVec3) -> Self {
-        Self { linear, translation }
-    }
-
     /// A map from the rows of its matrix, then its translation.
     #[must_use]
     pub fn from_row(row: [f64; 12]) -> Self {
@@ -35,65 +18,75 @@ impl Affine3 {
         }
     }
 
-    /// The rows of the matrix, then the translation.
+    /// Scales by `factors` along x, y and z, about the origin.
     #[must_use]
-    pub fn to_row(self) -> [f64; 12] {
-        let m = self.linear.transpose();
-        let t = self.translation;
-        [
-            m.x_axis.x, m.x_axis.y, m.x_axis.z, m.y_axis.x, m.y_axis.y, m.y_axis.z, m.z_axis.x, m.z_axis.y,
-            m.z_axis.z, t.x, t.y, t.z,
-        ]
+    pub fn scaling(factors: DVec3) -> Self {
+        Self::new(DMat3::from_diagonal(factors), DVec3::ZERO)
     }
 
-    /// The image of a point.
+    /// A similitude: scale, turn, then move.
     #[must_use]
-    pub fn apply(self, point: DVec3) -> DVec3 {
-        self.linear * point + self.translation
+    pub fn similitude(scale: f64, turn: DQuat, translation: DVec3) -> Self {
+        Self::new(DMat3::from_quat(turn) * scale, translation)
     }
 
-    /// The factor by which the map changes volumes, negative if it reflects.
-    #[must_use]
-    pub fn determinant(self) -> f64 {
-        self.linear.determinant()
+    /// Turns by `angle` (radians) about an axis through the origin, counter-clockwise seen from its tip. Quarter turns
+    /// about x, y and z are exact.
+    ///
+    /// # Errors
+    /// [`TransformError::NotFinite`] where the axis is zero or a number is not finite.
+    pub fn rotation(axis: DVec3, angle: f64) -> Result<Self, TransformError> {
+        let size = axis.abs().max_element();
+        let axis = (axis / size).normalize();
+        if !axis.is_finite() || !angle.is_finite() {
+            return Err(TransformError::NotFinite);
+        }
+        let (sin, cos) = sin_cos(angle);
+        // Rodrigues' formula, column by column.
+        let column = |e: DVec3| e * cos + axis.cross(e) * sin + axis * (axis.dot(e) * (1.0 - cos));
+        let linear = DMat3::from_cols(column(DVec3::X), column(DVec3::Y), column(DVec3::Z));
+        Ok(Self::new(linear, DVec3::ZERO))
     }
 
-    /// The inverse map, or `None` when the linear part is singular.
-    #[must_use]
-    pub fn inverse(self) -> Option<Self> {
-        let inverse = self.linear.inverse();
-        let map = Self { linear: inverse, translation: -(inverse * self.translation) };
-        (self.determinant() != 0.0 && map.is_finite()).then_some(map)
+    /// Turns about x, then about y, then about z, by angles in radians: the order in which the paper's figures are turned.
+    ///
+    /// # Errors
+    /// [`TransformError::NotFinite`] where an angle is not finite.
+    pub fn euler(angles: DVec3) -> Result<Self, TransformError> {
+        let about = |axis, angle| Self::rotation(axis, angle);
+        Ok(about(DVec3::Z, angles.z)? * about(DVec3::Y, angles.y)? * about(DVec3::X, angles.x)?)
     }
 
-    /// The point that the map leaves where it is, or `None` when there is not exactly one.
+    /// The angles that [`Affine3::euler`] takes for the turn of a unit quaternion.
     #[must_use]
-    pub fn fixed_point(self) -> Option<DVec3> {
-        let m = DMat3::IDENTITY - self.linear;
-        let point = m.inverse() * self.translation;
-        (m.determinant() != 0.0 && point.is_finite()).then_some(point)
+    pub fn euler_of(turn: DQuat) -> DVec3 {
+        let (z, y, x) = turn.to_euler(EulerRot::ZYX);
+        DVec3::new(x, y, z)
     }
 
-    /// Whether all twelve numbers are finite.
-    #[must_use]
-    pub fn is_finite(self) -> bool {
-        self.linear.is_finite() && self.translation.is_finite()
+    /// Turns by a quaternion of any length but 0.
+    ///
+    /// # Errors
+    /// [`TransformError::NotFinite`] where the quaternion is zero or not finite.
+    pub fn turning(turn: DQuat) -> Result<Self, TransformError> {
+        let unit = turn / turn.length();
+        if !unit.is_finite() {
+            return Err(TransformError::NotFinite);
+        }
+        Ok(Self::new(DMat3::from_quat(unit), DVec3::ZERO))
     }
 
-    /// The same map seen in other coordinates: `by * self * by^-1` (Darwish & Abd-El-Wahab, eq 1).
-    /// `None` when `by` is singular.
+    /// Shears: `x' = x + xy y + xz z`, `y' = yx x + y + yz z`, `z' = zx x + zy y + z`, given as
+    /// `[xy, xz, yx, yz, zx, zy]`.
     #[must_use]
-    pub fn conjugate(self, by: Self) -> Option<Self> {
-        by.inverse().map(|inverse| by * self * inverse)
+    pub fn shear([xy, xz, yx, yz, zx, zy]: [f64; 6]) -> Self {
+        Self::from_row([1.0, xy, xz, yx, 1.0, yz, zx, zy, 1.0, 0.0, 0.0, 0.0])
     }
-}
 
-/// Composition: `(a * b).apply(x)` is `a.apply(b.apply(x))`.
-impl Mul for Affine3 {
-    type Output = Self;
-
-    fn mul(self, inner: Self) -> Self {
-        Self { linear: self.linear * inner.linear, translation: self.apply(inner.translation) }
+    /// The three singular values of the linear part, the largest first.
+    #[must_use]
+    pub fn singular_values(self) -> [f64; 3] {
+        singular_values3(self.linear)
     }
 }
 

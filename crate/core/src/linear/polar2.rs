@@ -2,7 +2,7 @@
 
 use glam::{DMat2, DVec2};
 
-use crate::linear::affine2::singular_values;
+use crate::linear::svd2::singular_values;
 
 /// The polar decomposition `M = Q S` of a matrix: `Q = R(angle)`, times `diag(1, -1)` if it reflects,
 /// and `S` symmetric with no negative eigenvalue (Burch & Hart 1997, eqs 2 and 3).

@@ -1,15 +1,11 @@
-//! The affine maps by which a shape is moved, and moving a shape by them (Darwish & Abd-El-Wahab, eq 1).
+//! Why a shape cannot be moved by an affine map (Darwish & Abd-El-Wahab, eq 1).
 //!
 //! Moving a shape is moving its parameters: with `T x = A x + b` every map `w` becomes `T w T^-1`, and the attractor
 //! of the new maps is the image of the old one under `T`.
 
-use glam::{DMat2, DMat3, DQuat, DVec2, DVec3, EulerRot};
 use thiserror::Error;
 
 use crate::error::IfsError;
-use crate::linear::affine2::{Affine2, singular_values};
-use crate::linear::affine3::Affine3;
-use crate::linear::svd3::singular_values3;
 
 /// Why a shape cannot be moved as asked.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -65,7 +61,7 @@ const SCALES: std::ops::Range<f64> = 1e-100..1e100;
 /// So are transforms whose scales are farther apart than this.
 const CONDITION: f64 = 1e12;
 
-fn check(finite: bool, largest: f64, least: f64) -> Result<(), TransformError> {
+pub(crate) fn check(finite: bool, largest: f64, least: f64) -> Result<(), TransformError> {
     if !finite {
         return Err(TransformError::NotFinite);
     }
@@ -86,199 +82,8 @@ fn check(finite: bool, largest: f64, least: f64) -> Result<(), TransformError> {
     Ok(())
 }
 
-impl Affine2 {
-    /// Scales by `factors` along x and y, about the origin.
-    #[must_use]
-    pub fn scaling(factors: DVec2) -> Self {
-        Self::new(DMat2::from_diagonal(factors), DVec2::ZERO)
-    }
-
-    /// Turns by `angle` (radians, counter-clockwise) about the origin. Quarter turns are exact.
-    #[must_use]
-    pub fn rotation(angle: f64) -> Self {
-        let (sin, cos) = sin_cos(angle);
-        Self::new(DMat2::from_cols(DVec2::new(cos, sin), DVec2::new(-sin, cos)), DVec2::ZERO)
-    }
-
-    /// Moves by `shift`.
-    #[must_use]
-    pub const fn moving(shift: DVec2) -> Self {
-        Self::new(DMat2::IDENTITY, shift)
-    }
-
-    /// Shears: `x' = x + along_x y`, `y' = y + along_y x`. Singular where their product is 1.
-    #[must_use]
-    pub const fn shear(along_x: f64, along_y: f64) -> Self {
-        Self::from_row([1.0, along_x, along_y, 1.0, 0.0, 0.0])
-    }
-
-    /// The same transform about another point than the origin, which stays where it is if the transform left the origin.
-    #[must_use]
-    pub fn about(self, point: DVec2) -> Self {
-        Self::moving(point) * self * Self::moving(-point)
-    }
-
-    /// The inverse of a transform that shapes may be moved by.
-    ///
-    /// # Errors
-    /// [`TransformError`] where the transform is singular, nearly so, not finite or out of range.
-    pub fn undo(self) -> Result<Self, TransformError> {
-        // In units of the largest number, so that the squares of small ones do not vanish.
-        let unit =
-            self.to_row()[..4].iter().fold(0.0_f64, |most, x| most.max(x.abs())).max(f64::MIN_POSITIVE);
-        let (largest, least) = singular_values(self.linear * (1.0 / unit));
-        let (largest, least) = (largest * unit, least * unit);
-        check(self.is_finite(), largest, least)?;
-        // In units of the largest scale, so that the determinant neither vanishes nor overflows.
-        let unit = power_of_two(largest);
-        let inverse = (self.linear * (1.0 / unit)).inverse() * (1.0 / unit);
-        Ok(Self::new(inverse, -(inverse * self.translation)))
-    }
-
-    /// The map seen after the plane has been moved by `by`: `by * self * by^-1` (Darwish & Abd-El-Wahab, eq 1).
-    ///
-    /// # Errors
-    /// As [`Affine2::undo`] of `by`.
-    pub fn moved(self, by: Self) -> Result<Self, TransformError> {
-        Ok(by * self * by.undo()?)
-    }
-}
-
-impl Affine3 {
-    /// Scales by `factors` along x, y and z, about the origin.
-    #[must_use]
-    pub fn scaling(factors: DVec3) -> Self {
-        Self::new(DMat3::from_diagonal(factors), DVec3::ZERO)
-    }
-
-    /// A similitude: scale, turn, then move.
-    #[must_use]
-    pub fn similitude(scale: f64, turn: DQuat, translation: DVec3) -> Self {
-        Self::new(DMat3::from_quat(turn) * scale, translation)
-    }
-
-    /// Turns by `angle` (radians) about an axis through the origin, counter-clockwise seen from its tip. Quarter turns
-    /// about x, y and z are exact.
-    ///
-    /// # Errors
-    /// [`TransformError::NotFinite`] where the axis is zero or a number is not finite.
-    pub fn rotation(axis: DVec3, angle: f64) -> Result<Self, TransformError> {
-        let size = axis.abs().max_element();
-        let axis = (axis / size).normalize();
-        if !axis.is_finite() || !angle.is_finite() {
-            return Err(TransformError::NotFinite);
-        }
-        let (sin, cos) = sin_cos(angle);
-        // Rodrigues' formula, column by column.
-        let column = |e: DVec3| e * cos + axis.cross(e) * sin + axis * (axis.dot(e) * (1.0 - cos));
-        let linear = DMat3::from_cols(column(DVec3::X), column(DVec3::Y), column(DVec3::Z));
-        Ok(Self::new(linear, DVec3::ZERO))
-    }
-
-    /// Turns about x, then about y, then about z, by angles in radians: the order in which the paper's figures are turned.
-    ///
-    /// # Errors
-    /// [`TransformError::NotFinite`] where an angle is not finite.
-    pub fn euler(angles: DVec3) -> Result<Self, TransformError> {
-        let about = |axis, angle| Self::rotation(axis, angle);
-        Ok(about(DVec3::Z, angles.z)? * about(DVec3::Y, angles.y)? * about(DVec3::X, angles.x)?)
-    }
-
-    /// The angles that [`Affine3::euler`] takes for the turn of a unit quaternion.
-    #[must_use]
-    pub fn euler_of(turn: DQuat) -> DVec3 {
-        let (z, y, x) = turn.to_euler(EulerRot::ZYX);
-        DVec3::new(x, y, z)
-    }
-
-    /// Turns by a quaternion of any length but 0.
-    ///
-    /// # Errors
-    /// [`TransformError::NotFinite`] where the quaternion is zero or not finite.
-    pub fn turning(turn: DQuat) -> Result<Self, TransformError> {
-        let unit = turn / turn.length();
-        if !unit.is_finite() {
-            return Err(TransformError::NotFinite);
-        }
-        Ok(Self::new(DMat3::from_quat(unit), DVec3::ZERO))
-    }
-
-    /// Moves by `shift`.
-    #[must_use]
-    pub const fn moving(shift: DVec3) -> Self {
-        Self::new(DMat3::IDENTITY, shift)
-    }
-
-    /// Shears: `x' = x + xy y + xz z`, `y' = yx x + y + yz z`, `z' = zx x + zy y + z`, given as
-    /// `[xy, xz, yx, yz, zx, zy]`.
-    #[must_use]
-    pub fn shear([xy, xz, yx, yz, zx, zy]: [f64; 6]) -> Self {
-        Self::from_row([1.0, xy, xz, yx, 1.0, yz, zx, zy, 1.0, 0.0, 0.0, 0.0])
-    }
-
-    /// The same transform about another point than the origin, which stays where it is if the transform left the origin.
-    #[must_use]
-    pub fn about(self, point: DVec3) -> Self {
-        Self::moving(point) * self * Self::moving(-point)
-    }
-
-    /// The inverse of a transform that shapes may be moved by.
-    ///
-    /// # Errors
-    /// [`TransformError`] where the transform is singular, nearly so, not finite or out of range.
-    pub fn undo(self) -> Result<Self, TransformError> {
-        let [largest, _, least] = singular_values3(self.linear);
-        check(self.is_finite(), largest, least)?;
-        let unit = power_of_two(largest);
-        let inverse = (self.linear * (1.0 / unit)).inverse() * (1.0 / unit);
-        Ok(Self::new(inverse, -(inverse * self.translation)))
-    }
-
-    /// The map seen after space has been moved by `by`: `by * self * by^-1` (Darwish & Abd-El-Wahab, eq 1).
-    ///
-    /// # Errors
-    /// As [`Affine3::undo`] of `by`.
-    pub fn moved(self, by: Self) -> Result<Self, TransformError> {
-        Ok(by * self * by.undo()?)
-    }
-
-    /// The three singular values of the linear part, the largest first.
-    #[must_use]
-    pub fn singular_values(self) -> [f64; 3] {
-        singular_values3(self.linear)
-    }
-
-    /// The operator norm of the linear part: the largest factor by which a distance grows.
-    #[must_use]
-    pub fn norm(self) -> f64 {
-        crate::linear::svd3::norm3(self.linear)
-    }
-
-    /// The largest absolute value of an eigenvalue of the linear part.
-    #[must_use]
-    pub fn spectral_radius(self) -> f64 {
-        crate::linear::svd3::spectral_radius3(self.linear)
-    }
-
-    /// Whether the map scales all distances by one factor, to a relative `tolerance`.
-    #[must_use]
-    pub fn is_similitude(self, tolerance: f64) -> bool {
-        let [large, _, small] = self.singular_values();
-        large - small <= tolerance * large
-    }
-}
-
-/// Sine and cosine, exact at whole quarter turns as they are written in floating point.
-fn sin_cos(angle: f64) -> (f64, f64) {
-    let quarters = angle / std::f64::consts::FRAC_PI_2;
-    if quarters.fract() == 0.0 && quarters.abs() < 1e15 {
-        return [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][quarters.rem_euclid(4.0) as usize];
-    }
-    angle.sin_cos()
-}
-
 /// The power of two at or below a positive number: dividing by it costs no digit.
-fn power_of_two(x: f64) -> f64 {
+pub(crate) fn power_of_two(x: f64) -> f64 {
     x.log2().floor().exp2()
 }
 
@@ -286,9 +91,11 @@ fn power_of_two(x: f64) -> f64 {
 mod tests {
     use std::f64::consts::{FRAC_PI_2, PI};
 
+    use glam::{DQuat, DVec2, DVec3};
     use proptest::prelude::*;
 
     use super::*;
+    use crate::{Affine2, Affine3};
 
     fn apart(a: Affine3, b: Affine3) -> f64 {
         a.to_row().iter().zip(b.to_row()).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)

@@ -1,8 +1,8 @@
 //! Bringing two systems to the same number of maps.
 
 use crate::bounds::hull2::Hull;
-use crate::ifs::ifs2::Ifs;
-use crate::linear::affine2::Affine2;
+use crate::ifs::system::Ifs;
+use crate::linear::affine::Affine2;
 
 /// Both systems with the same number of maps, in an order in which the i-th of one becomes the i-th of
 /// the other. The attractors are those of the systems that were given.

@@ -3,10 +3,10 @@
 use glam::{DMat2, DVec2};
 
 use crate::bounds::hull2::Hull;
-use crate::ifs::ifs2::Ifs;
 use crate::ifs::symmetry::symmetries;
-use crate::linear::affine2::Affine2;
-use crate::morph::correspondence::{Costs, Frame};
+use crate::ifs::system::Ifs;
+use crate::linear::affine::Affine2;
+use crate::morph::correspondence2::{Costs, Frame};
 use crate::morph::pairing::{pair, refined};
 
 /// What a [`Route`] does.

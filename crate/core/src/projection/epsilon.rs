@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::linear::affine3::Affine3;
+use crate::linear::affine::Affine3;
 use crate::projection::parallel::{Plane, ProjectError};
 
 /// A shape flattened by epsilon along the direction of view (Darwish & Abd-El-Wahab, section 3.5).

@@ -3,8 +3,8 @@
 use glam::{DMat2, DMat3, DVec2, DVec3};
 use thiserror::Error;
 
-use crate::linear::affine2::Affine2;
-use crate::linear::affine3::Affine3;
+use crate::linear::affine::Affine2;
+use crate::linear::affine::Affine3;
 
 /// A plane to project on, along its normal.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! The adaptive cut: the attractor as its pieces of one size.
 
 use crate::bounds::hull2::Hull;
-use crate::ifs::ifs2::Ifs;
-use crate::linear::affine2::Affine2;
+use crate::ifs::system::Ifs;
+use crate::linear::affine::Affine2;
 
 /// How a cut ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,18 +2,9 @@
 
 use std::collections::VecDeque;
 
-use crate::ifs::address::Word;
-use crate::ifs::ifs3::Ifs3;
-use crate::linear::affine3::Affine3;
+use crate::ifs::system::Ifs3;
+use crate::linear::affine::Affine3;
 use crate::sample::cut2::CutOutcome;
-
-/// The composed map of a word. `None` if a letter names no map.
-#[must_use]
-pub fn word_map3(ifs: &Ifs3, word: &Word) -> Option<Affine3> {
-    word.0.iter().try_fold(Affine3::IDENTITY, |map, &letter| {
-        ifs.maps().get(usize::from(letter)).map(|&next| map * next)
-    })
-}
 
 /// Visits pieces `w_word(A)` of the attractor that together are all of it: a word is prolonged while its map stretches by
 /// `size` or more, the shorter ones first, as long as no more than `most` pieces come of it (Hepting, Prusinkiewicz & Saupe
@@ -83,13 +74,5 @@ mod tests {
             assert!((weight - 1.0).abs() < 1e-9);
         }
         assert_eq!(adaptive_cut3(&tetrahedron(), 0.0, 0, |_, _| {}).pieces, 1);
-    }
-
-    #[test]
-    fn words_read_from_the_largest_piece_down() {
-        let word: Word = "2.3".parse().unwrap();
-        let map = word_map3(&tetrahedron(), &word).unwrap();
-        assert_eq!(map.apply(DVec3::ZERO), DVec3::new(0.5, 0.25, 0.0));
-        assert_eq!(word_map3(&tetrahedron(), &Word(vec![4])), None);
     }
 }

@@ -71,7 +71,7 @@ mod tests {
     #[test]
     fn three_maps_need_more_than_area() {
         let map = Affine2::from_row([0.7, 0.0, 0.0, 0.7, 0.0, 0.0]);
-        let moved = |e| Affine2 { translation: DVec2::new(e, 0.0), ..map };
+        let moved = |e| Affine2::new(map.linear, DVec2::new(e, 0.0));
         assert!(!at_once(&[map, moved(1.0), moved(100.0)]));
         assert!(at_once(&[moved(1.0); 3]) && at_once(&[map]) && at_once(&[map; 2]) && !at_once(&[]));
     }

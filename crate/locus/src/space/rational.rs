@@ -226,7 +226,7 @@ mod tests {
         let exact = Exact::as_given(&less).unwrap();
         assert!(exact.point(&[0], &[1]) != exact.point(&[1], &[0]));
         let third = Affine3::scaling(DVec3::splat(1.0 / 3.0));
-        let two = [third, Affine3 { translation: DVec3::X * (1.0 / 3.0), ..third }];
+        let two = [third, Affine3::new(third.linear, DVec3::X * (1.0 / 3.0))];
         assert_eq!(Exact::as_meant(&two).unwrap().assuming, ["0.3333333333333333 is 1/3"]);
     }
 

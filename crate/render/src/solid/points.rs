@@ -1,7 +1,7 @@
 //! Points of space on the screen: the CPU twin of `shader/solid/points.wgsl`.
 
 use bytemuck::{Pod, Zeroable};
-use frond_core::{Affine3, ChaosGame3, Ifs3, adaptive_cut3, affinity_dimension3};
+use frond_core::{Affine3, ChaosGame3, Ifs3, adaptive_cut3, affinity_dimension};
 
 use super::{Camera, Relief};
 use crate::pieces::letters::Letters;
@@ -133,7 +133,7 @@ fn gap(ifs: &Ifs3, vertices: &[Vertex3], count: usize) -> f32 {
         high - low
     };
     let radius = 0.5 * (0..3).map(reach).map(|side| side * side).sum::<f32>().sqrt();
-    let dimension = affinity_dimension3(ifs).clamp(1.0, 3.0);
+    let dimension = affinity_dimension(ifs).clamp(1.0, 3.0);
     let gap = f64::from(radius) * (count.max(1) as f64).powf(-1.0 / dimension);
     if gap.is_finite() { gap as f32 } else { 0.0 }
 }

@@ -292,7 +292,7 @@ fn koch() -> Vec<Affine3> {
 
 #[cfg(test)]
 mod tests {
-    use frond_core::{Bounds3, Ifs3, similarity_dimension3};
+    use frond_core::{Bounds3, Ifs3, similarity_dimension};
 
     use super::*;
 
@@ -325,7 +325,7 @@ mod tests {
             ("sponge", 20.0_f64.ln() / 3.0_f64.ln()),
             ("koch", 13.0_f64.ln() / 3.0_f64.ln()),
         ] {
-            let found = similarity_dimension3(&ifs(id)).unwrap();
+            let found = similarity_dimension(&ifs(id)).unwrap();
             assert!((found - dimension).abs() < 1e-9, "{id}: {found}");
         }
     }

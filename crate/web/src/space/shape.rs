@@ -1,8 +1,8 @@
 //! Systems of space: their parameters, what is known of them, their files.
 
 use frond_core::{
-    Affine2, Affine3, Bounds3, ChaosGame3, Contraction3, Place3, affinity_dimension3, box_dimension,
-    similarity_dimension3,
+    Affine2, Affine3, Bounds3, ChaosGame3, Contraction3, Place3, affinity_dimension, box_dimension,
+    similarity_dimension,
 };
 use frond_scene::{FileError, Row3, SpaceFile};
 use glam::{DMat3, DVec3};
@@ -103,8 +103,8 @@ pub fn facts3(#[wasm_bindgen(unchecked_param_type = "MapRow3[]")] maps: JsValue)
     let bounds = Bounds3::of(&ifs);
     let Contraction3 { factor, length, .. } = *ifs.contraction();
     write(&Facts {
-        similarity: similarity_dimension3(&ifs),
-        affinity: affinity_dimension3(&ifs),
+        similarity: similarity_dimension(&ifs),
+        affinity: affinity_dimension(&ifs),
         contractivity: factor.powf(1.0 / length.max(1) as f64),
         centre: bounds.centre.to_array(),
         radius: bounds.radius,

@@ -2,77 +2,90 @@
 
 use std::collections::VecDeque;
 
-use glam::{DMat2, DVec2};
-
+use crate::dimension::{Dim2, Dim3, Dimension};
 use crate::error::{IfsError, MAX_MAPS};
-use crate::linear::affine2::{Affine2, singular_values, spectral_radius};
+use crate::linear::affine::Affine;
 
 /// A proof, up to rounding, that maps have an attractor: coordinates `y = to_round * x` and a finite set
 /// of blocks (words) in which all of them shrink distances by `factor` or less, and of which every
 /// endless word is composed.
 ///
 /// Mostly the blocks are the maps themselves (`length` is 1). A sheared map may stretch by any factor
-/// in the Euclidean norm and still contract in the long run: then an ellipse is found that all maps
+/// in the Euclidean norm and still contract in the long run: then an ellipse (in space an ellipsoid) is found that all maps
 /// shrink, and where none is, longer blocks.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Contraction {
+pub struct Contraction<D: Dimension = Dim2> {
     /// Takes the ellipse that the maps shrink to the unit disc.
-    pub to_round: DMat2,
+    pub to_round: D::Matrix,
     /// Its inverse.
-    pub from_round: DMat2,
+    pub from_round: D::Matrix,
     /// The largest norm of a block in round coordinates, below 1.
     pub factor: f64,
     /// The number of letters of the longest block.
     pub length: usize,
-    /// The centre, in the plane, of a disc in round coordinates that holds the attractor.
-    pub centre: DVec2,
+    /// The centre, in coordinates of the shape, of a disc in round coordinates that holds the attractor.
+    pub centre: D::Vector,
     /// The radius of that disc, in round coordinates.
     pub radius: f64,
 }
 
-/// What a thin ellipse costs in the search for the best.
-const ROUNDNESS: f64 = 1e-9;
+/// The same of maps of space, with a ball in the place of the disc.
+pub type Contraction3 = Contraction<Dim3>;
+
 /// Numbers beyond this make products of maps overflow.
 const LARGEST: f64 = 1e100;
 /// A word of this spectral radius or more is said not to contract.
 const NEUTRAL: f64 = 1.0 - 1e-10;
+/// Maps that shrink at least so much in some coordinates are their own blocks.
+const SHRINKING: f64 = 1.0 - 1e-9;
 /// How many words may be looked at before giving up, and how long they may be.
 const WORDS: usize = 20_000;
 const LETTERS: usize = 48;
+/// Fixed points that are tried as the centre of the disc.
+const MOST_CENTRES: usize = 64;
 
-impl Contraction {
+impl<D: Dimension> Contraction<D> {
     /// Finds coordinates and blocks in which the maps contract.
     ///
     /// # Errors
     /// [`IfsError::NoMaps`], [`IfsError::TooManyMaps`] and [`IfsError::NotFinite`] for lists that are
     /// none; [`IfsError::NoAttractor`] when some word does not contract; [`IfsError::Unproved`] when
     /// neither could be shown.
-    pub fn find(maps: &[Affine2]) -> Result<Self, IfsError> {
+    pub fn find(maps: &[Affine<D>]) -> Result<Self, IfsError> {
         check(maps)?;
-        let plain = worst_norm(maps, DMat2::IDENTITY, DMat2::IDENTITY);
-        if plain < 0.95 {
-            return Ok(Self::with_maps(maps, DMat2::IDENTITY, DMat2::IDENTITY, plain));
+        let plain = [D::IDENTITY; 2];
+        let factor = worst_norm(maps, plain);
+        if factor < 0.95 {
+            return Ok(Self::with_blocks(maps, plain, factor, 1));
         }
         // Single maps first: they settle most bad cases at once.
-        if let Some(map) = (0..maps.len()).find(|&i| maps[i].spectral_radius() >= NEUTRAL) {
-            return Err(no_attractor(&[map], maps[map].spectral_radius()));
+        let radii: Vec<f64> = maps.iter().map(|map| map.spectral_radius()).collect();
+        if let Some(map) = radii.iter().position(|&radius| radius >= NEUTRAL) {
+            return Err(no_attractor(&[map], radii[map]));
         }
-        let (to_round, from_round, factor) = best_ellipse(maps, plain);
-        if factor < 1.0 - 1e-9 {
-            return Ok(Self::with_maps(maps, to_round, from_round, factor));
+        let linear: Vec<D::Matrix> = maps.iter().map(|map| map.linear).collect();
+        let round = D::rounding(&linear, factor, radii.into_iter().fold(0.0, f64::max));
+        let factor = worst_norm(maps, round);
+        if factor < SHRINKING {
+            return Ok(Self::with_blocks(maps, round, factor, 1));
         }
-        Self::with_blocks(maps, to_round, from_round)
+        Self::search(maps, round)
     }
 
-    fn with_maps(maps: &[Affine2], to_round: DMat2, from_round: DMat2, factor: f64) -> Self {
-        let mut this = Self { to_round, from_round, factor, length: 1, centre: DVec2::ZERO, radius: 0.0 };
-        this.enclose(maps);
+    fn with_blocks(
+        blocks: &[Affine<D>],
+        [to_round, from_round]: [D::Matrix; 2],
+        factor: f64,
+        length: usize,
+    ) -> Self {
+        let mut this = Self { to_round, from_round, factor, length, centre: D::ZERO, radius: 0.0 };
+        this.enclose(blocks);
         this
     }
 
     /// Gripenberg's search: a word is prolonged until its norm is below 1.
-    fn with_blocks(maps: &[Affine2], to_round: DMat2, from_round: DMat2) -> Result<Self, IfsError> {
-        let mut open = VecDeque::from([(Affine2::IDENTITY, Vec::new())]);
+    fn search(maps: &[Affine<D>], [to, from]: [D::Matrix; 2]) -> Result<Self, IfsError> {
+        let mut open = VecDeque::from([(Affine::IDENTITY, Vec::new())]);
         let mut blocks = Vec::new();
         let (mut factor, mut length, mut seen) = (0.0_f64, 1, 0);
         // Breadth first, so that short words that do not contract are met before long ones.
@@ -85,7 +98,7 @@ impl Contraction {
                 let block = prefix * map;
                 let mut letters: Vec<usize> = word.clone();
                 letters.push(i);
-                let norm = singular_values(to_round * block.linear * from_round).0;
+                let norm = D::norm(to * block.linear * from);
                 if norm < 0.99 {
                     factor = factor.max(norm);
                     length = length.max(letters.len());
@@ -99,30 +112,26 @@ impl Contraction {
                 open.push_back((block, letters));
             }
         }
-        let mut this = Self { to_round, from_round, factor, length, centre: DVec2::ZERO, radius: 0.0 };
-        this.enclose(&blocks);
-        Ok(this)
+        Ok(Self::with_blocks(&blocks, [to, from], factor, length))
     }
 
     /// A disc that every block maps into itself. It holds the attractor of the blocks, which is that of the maps.
     ///
     /// Its centre is the mean of the fixed points, or one of them where that makes it much smaller: a map that turns
     /// and hardly shrinks swings everything but its own fixed point far about.
-    fn enclose(&mut self, blocks: &[Affine2]) {
-        let fixed: Vec<DVec2> = blocks.iter().filter_map(|block| block.fixed_point()).collect();
-        let norms: Vec<f64> = blocks
-            .iter()
-            .map(|block| singular_values(self.to_round * block.linear * self.from_round).0)
-            .collect();
-        let radius = |centre: DVec2| {
-            let reach = |(block, norm): (&Affine2, &f64)| {
-                let shift = (self.to_round * (block.apply(centre) - centre)).length();
+    fn enclose(&mut self, blocks: &[Affine<D>]) {
+        let fixed: Vec<D::Vector> = blocks.iter().filter_map(|block| block.fixed_point()).collect();
+        let norms: Vec<f64> =
+            blocks.iter().map(|block| D::norm(self.to_round * block.linear * self.from_round)).collect();
+        let radius = |centre: D::Vector| {
+            let reach = |(block, norm): (&Affine<D>, &f64)| {
+                let shift = D::length(self.to_round * (block.apply(centre) - centre));
                 // Rounded up, but not above what is known of all blocks.
-                shift / (1.0 - (norm * (1.0 + 1e-14)).min(self.factor))
+                shift / (1.0 - (norm * (1.0 + D::NORM_ERROR)).min(self.factor))
             };
             blocks.iter().zip(&norms).map(reach).fold(0.0, f64::max)
         };
-        let mean = fixed.iter().sum::<DVec2>() / blocks.len() as f64;
+        let mean = fixed.iter().sum::<D::Vector>() / blocks.len() as f64;
         let mut best = (mean, radius(mean));
         for &centre in fixed.iter().take(MOST_CENTRES) {
             let tried = radius(centre);
@@ -134,17 +143,14 @@ impl Contraction {
     }
 }
 
-/// Fixed points that are tried as the centre of the disc.
-const MOST_CENTRES: usize = 64;
-
-fn check(maps: &[Affine2]) -> Result<(), IfsError> {
+fn check<D: Dimension>(maps: &[Affine<D>]) -> Result<(), IfsError> {
     if maps.is_empty() {
         return Err(IfsError::NoMaps);
     }
     if maps.len() > MAX_MAPS {
         return Err(IfsError::TooManyMaps { count: maps.len() });
     }
-    let fits = |map: &Affine2| map.to_row().iter().all(|x| x.abs() < LARGEST);
+    let fits = |map: &Affine<D>| map.to_row().as_ref().iter().all(|x| x.abs() < LARGEST);
     match maps.iter().position(|map| !fits(map)) {
         Some(map) => Err(IfsError::NotFinite { map }),
         None => Ok(()),
@@ -156,105 +162,17 @@ fn no_attractor(word: &[usize], factor: f64) -> IfsError {
     IfsError::NoAttractor { word, factor }
 }
 
-fn worst_norm(maps: &[Affine2], to: DMat2, from: DMat2) -> f64 {
-    maps.iter().map(|map| singular_values(to * map.linear * from).0).fold(0.0, f64::max)
-}
-
-/// The ellipse `x^2 + 2 p x y + (p^2 + q^2) y^2 = 1` as coordinates that make it round, and back.
-fn coordinates(p: f64, q: f64) -> (DMat2, DMat2) {
-    let to = DMat2::from_cols(DVec2::new(1.0, 0.0), DVec2::new(p, q));
-    let from = DMat2::from_cols(DVec2::new(1.0, 0.0), DVec2::new(-p / q, 1.0 / q));
-    (to, from)
-}
-
-/// An ellipse whose largest shrunk image is about as small as can be, with that factor: a rounder one than the best, where
-/// little is lost by it.
-///
-/// The factor is quasi-convex in the ellipse's matrix `P` (the condition `M^T P M <= f^2 P` is linear
-/// in `P`), so that a search of one number inside a search of the other finds the least.
-fn best_ellipse(maps: &[Affine2], plain: f64) -> (DMat2, DMat2, f64) {
-    // Where the factor is that of a map which every ellipse shrinks alike, it is level: then the roundest will
-    // do, and the search must not run off to the thinnest.
-    let factor = |s: f64, log_q: f64| {
-        let (to, from) = coordinates(s.sinh(), log_q.exp());
-        worst_norm(maps, to, from) + ROUNDNESS * (s.abs() + log_q.abs())
-    };
-    let best_q = |s: f64| golden(-14.0, 14.0, |log_q| factor(s, log_q));
-    let (s, _) = golden(-12.0, 12.0, |s| best_q(s).1);
-    let (p, q) = (s.sinh(), best_q(s).0.exp());
-    let (to, from) = coordinates(p, q);
-    let least = worst_norm(maps, to, from);
-    // Only for a gain that shows: the circle has no rounding errors of its own.
-    if 1.0 - least <= 1.5 * (1.0 - plain) {
-        return (DMat2::IDENTITY, DMat2::IDENTITY, plain);
-    }
-    // A defective map comes nearer to its spectral radius the thinner the ellipse, without end; and whatever is
-    // bounded in a thin ellipse is bounded badly in the plane.
-    let price = THINNESS * (1.0 - least).abs() * log_aspect(p, q);
-    let rounder = |share: f64| if share < 1.0 { rounder(p, q, share) } else { (to, from) };
-    let cost = |share: f64| {
-        let (to, from) = rounder(share);
-        worst_norm(maps, to, from) + price * share
-    };
-    let (share, least) = golden(0.0, 1.0, cost);
-    let (to, from) = rounder(if least < cost(1.0) { share } else { 1.0 });
-    (to, from, worst_norm(maps, to, from))
-}
-
-/// What an ellipse costs that is e times as thin, in parts of what the best one shrinks.
-const THINNESS: f64 = 0.1;
-
-/// The logarithm of how many times longer than wide the ellipse is.
-fn log_aspect(p: f64, q: f64) -> f64 {
-    ((1.0 + p * p + q * q) / (2.0 * q)).max(1.0).acosh()
-}
-
-/// The ellipse of the same axes as that of `p` and `q`, whose aspect is raised to the power `share`: its matrix is the
-/// power of that of the other, at determinant 1. The factor falls from the circle to the best ellipse, since
-/// these matrices are, but for their scale, on the straight line between the two.
-fn rounder(p: f64, q: f64, share: f64) -> (DMat2, DMat2) {
-    let log = log_aspect(p, q);
-    if log < 1e-6 {
-        return coordinates(p * share, 1.0 + (q - 1.0) * share);
-    }
-    let of_circle = (log * (1.0 - share)).sinh() / log.sinh();
-    let of_ellipse = (log * share).sinh() / log.sinh();
-    let first = of_circle + of_ellipse / q;
-    coordinates(of_ellipse * p / q / first, 1.0 / first)
-}
-
-/// The least value of a quasi-convex function on an interval, by the golden section.
-fn golden(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> (f64, f64) {
-    const RATIO: f64 = 0.618_033_988_749_894_9;
-    let mut left = high - RATIO * (high - low);
-    let mut right = low + RATIO * (high - low);
-    let (mut at_left, mut at_right) = (f(left), f(right));
-    for _ in 0..44 {
-        if at_left <= at_right {
-            high = right;
-            (right, at_right) = (left, at_left);
-            left = high - RATIO * (high - low);
-            at_left = f(left);
-        } else {
-            low = left;
-            (left, at_left) = (right, at_right);
-            right = low + RATIO * (high - low);
-            at_right = f(right);
-        }
-    }
-    if at_left <= at_right { (left, at_left) } else { (right, at_right) }
-}
-
-/// The spectral radius of the product of maps along a word: below 1 for every word if there is an
-/// attractor.
-#[must_use]
-pub fn word_radius(maps: &[Affine2], word: &[usize]) -> f64 {
-    spectral_radius(word.iter().fold(DMat2::IDENTITY, |m, &i| m * maps[i].linear))
+fn worst_norm<D: Dimension>(maps: &[Affine<D>], [to, from]: [D::Matrix; 2]) -> f64 {
+    maps.iter().map(|map| D::norm(to * map.linear * from)).fold(0.0, f64::max)
 }
 
 #[cfg(test)]
 mod tests {
+    use glam::{DMat2, DVec2};
+
     use super::*;
+    use crate::Affine2;
+    use crate::linear::svd2::singular_values;
 
     fn map(row: [f64; 6]) -> Affine2 {
         Affine2::from_row(row)
@@ -359,7 +277,7 @@ mod tests {
 
     #[test]
     fn bad_lists_are_refused() {
-        assert_eq!(Contraction::find(&[]), Err(IfsError::NoMaps));
+        assert_eq!(Contraction::<Dim2>::find(&[]), Err(IfsError::NoMaps));
         let many = vec![map([0.1, 0.0, 0.0, 0.1, 0.0, 0.0]); 1_000_000];
         assert_eq!(Contraction::find(&many), Err(IfsError::TooManyMaps { count: 1_000_000 }));
         for bad in [f64::NAN, f64::INFINITY, 1e200] {

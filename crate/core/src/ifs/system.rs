@@ -1,27 +1,49 @@
-//! Iterated function systems of space.
+//! Iterated function systems.
 
+use crate::dimension::{Dim2, Dim3, Dimension};
 use crate::error::IfsError;
-use crate::ifs::contraction3::Contraction3;
-use crate::linear::affine3::Affine3;
+use crate::ifs::contraction::Contraction;
+use crate::linear::affine::Affine;
 use crate::linear::transform::TransformError;
 
-/// An iterated function system (IFS) of space: 1 to 64 affine maps that have an attractor together, and the probability
-/// of each in the chaos game. See [`Ifs`](crate::Ifs), of which it is the twin.
+/// An iterated function system (IFS): 1 to 64 affine maps that have an attractor together, and the probability of each in
+/// the chaos game. `Ifs` alone is one of the plane, [`Ifs3`] one of space.
+///
+/// The attractor is the one compact set `A` with `A = w_1(A) u .. u w_N(A)` (Hutchinson 1981; Burch &
+/// Hart 1997, eq 1). It exists exactly if the maps contract in some word length, which
+/// [`Ifs::new`] checks; each map alone may stretch.
+///
+/// ```
+/// use frond_core::{Affine2, Ifs, similarity_dimension};
+/// use glam::DVec2;
+///
+/// let corners = [DVec2::ZERO, DVec2::X, DVec2::new(0.5, 0.75_f64.sqrt())];
+/// let gasket = Ifs::new(corners.map(|c| Affine2::similitude(0.5, 0.0, c * 0.5)).to_vec())?;
+/// assert!((similarity_dimension(&gasket).unwrap_or(0.0) - 3.0_f64.log2()).abs() < 1e-12);
+/// // A map that stretches on and on has no attractor, and the error says what to do.
+/// let error = Ifs::new(vec![Affine2::similitude(1.5, 0.0, DVec2::ZERO)]).unwrap_err();
+/// assert_eq!(error.code(), "no-attractor");
+/// # Ok::<(), frond_core::IfsError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Ifs3 {
-    maps: Vec<Affine3>,
+pub struct Ifs<D: Dimension = Dim2> {
+    maps: Vec<Affine<D>>,
     probabilities: Vec<f64>,
-    contraction: Contraction3,
+    contraction: Contraction<D>,
 }
 
-impl Ifs3 {
+/// An iterated function system of space.
+pub type Ifs3 = Ifs<Dim3>;
+
+impl<D: Dimension> Ifs<D> {
     /// An IFS of these maps, each as probable as its determinant is large.
     ///
     /// # Errors
-    /// Those of [`Contraction3::find`].
-    pub fn new(maps: Vec<Affine3>) -> Result<Self, IfsError> {
-        let contraction = Contraction3::find(&maps)?;
-        let probabilities = by_volume(&maps);
+    /// Those of [`Contraction::find`].
+    pub fn new(maps: Vec<Affine<D>>) -> Result<Self, IfsError> {
+        let contraction = Contraction::find(&maps)?;
+        let linear: Vec<D::Matrix> = maps.iter().map(|map| map.linear).collect();
+        let probabilities = D::probabilities(&linear);
         Ok(Self { maps, probabilities, contraction })
     }
 
@@ -45,7 +67,7 @@ impl Ifs3 {
 
     /// The maps.
     #[must_use]
-    pub fn maps(&self) -> &[Affine3] {
+    pub fn maps(&self) -> &[Affine<D>] {
         &self.maps
     }
 
@@ -64,7 +86,7 @@ impl Ifs3 {
 
     /// Coordinates in which the maps contract.
     #[must_use]
-    pub fn contraction(&self) -> &Contraction3 {
+    pub fn contraction(&self) -> &Contraction<D> {
         &self.contraction
     }
 
@@ -73,7 +95,7 @@ impl Ifs3 {
     ///
     /// # Errors
     /// [`TransformError`] where `by` is singular, nearly so, not finite or out of range, or the new numbers are too large.
-    pub fn conjugate(&self, by: Affine3) -> Result<Self, TransformError> {
+    pub fn conjugate(&self, by: Affine<D>) -> Result<Self, TransformError> {
         let back = by.undo()?;
         let maps = self.maps.iter().map(|&map| by * map * back).collect();
         let mut ifs = Self::new(maps)?;
@@ -82,34 +104,36 @@ impl Ifs3 {
     }
 }
 
-/// Probabilities in proportion to how large the pieces are, so that points fall evenly; a small piece still gets a
-/// little, or it would never show.
-///
-/// Pieces are measured by the volume of their maps, or, where all are flat, by the area or the length.
-fn by_volume(maps: &[Affine3]) -> Vec<f64> {
-    let values: Vec<[f64; 3]> = maps.iter().map(|map| map.singular_values()).collect();
-    let largest = values.iter().map(|v| v[0]).fold(0.0, f64::max);
-    let measure = |dimensions: usize| -> Vec<f64> {
-        values.iter().map(|v| v[..dimensions].iter().map(|s| s / largest).product()).collect()
-    };
-    // Rounding makes a flat map seem a little thick.
-    let weights = if largest > 0.0 {
-        [3, 2, 1].map(measure).into_iter().find(|w| w.iter().sum::<f64>() > 1e-12)
-    } else {
-        None
-    };
-    let weights = weights.unwrap_or_else(|| vec![1.0; maps.len()]);
-    let floor = 0.01 * weights.iter().sum::<f64>();
-    let weights: Vec<f64> = weights.into_iter().map(|w| w.max(floor)).collect();
-    let total: f64 = weights.iter().sum();
-    weights.into_iter().map(|w| w / total).collect()
-}
-
 #[cfg(test)]
 mod tests {
-    use glam::{DQuat, DVec3};
+    use glam::{DQuat, DVec2, DVec3};
 
     use super::*;
+    use crate::{Affine2, Affine3};
+
+    #[test]
+    fn probabilities_follow_the_determinants_but_none_is_zero() {
+        let fern = [
+            [0.0, 0.0, 0.0, 0.16, 0.0, 0.0],
+            [0.85, 0.04, -0.04, 0.85, 0.0, 1.6],
+            [0.2, -0.26, 0.23, 0.22, 0.0, 1.6],
+            [-0.15, 0.28, 0.26, 0.24, 0.0, 0.44],
+        ]
+        .map(Affine2::from_row);
+        let ifs = Ifs::new(fern.to_vec()).unwrap();
+        let p = ifs.probabilities();
+        assert!((p.iter().sum::<f64>() - 1.0).abs() < 1e-15);
+        assert!(p[0] > 0.009 && p[1] > 0.7);
+    }
+
+    #[test]
+    fn given_probabilities_are_scaled_or_refused() {
+        let ifs = Ifs::new(vec![Affine2::similitude(0.5, 0.0, DVec2::X); 2]).unwrap();
+        assert_eq!(ifs.clone().with_probabilities(&[1.0, 3.0]).unwrap().probabilities(), [0.25, 0.75]);
+        for bad in [&[1.0][..], &[0.0, 0.0], &[-1.0, 2.0], &[f64::NAN, 1.0], &[f64::INFINITY, 1.0]] {
+            assert_eq!(ifs.clone().with_probabilities(bad), Err(IfsError::Probabilities { maps: 2 }));
+        }
+    }
 
     fn half(at: DVec3) -> Affine3 {
         Affine3::similitude(0.5, DQuat::IDENTITY, at)
@@ -126,15 +150,6 @@ mod tests {
         assert!((flat.probabilities()[0] - 0.8).abs() < 1e-12, "{:?}", flat.probabilities());
         let points = Ifs3::new(vec![Affine3::scaling(DVec3::ZERO); 4]).unwrap();
         assert_eq!(points.probabilities(), [0.25; 4]);
-    }
-
-    #[test]
-    fn given_probabilities_are_scaled_or_refused() {
-        let ifs = Ifs3::new(vec![half(DVec3::X), half(DVec3::Y)]).unwrap();
-        assert_eq!(ifs.clone().with_probabilities(&[1.0, 3.0]).unwrap().probabilities(), [0.25, 0.75]);
-        for bad in [&[1.0][..], &[0.0, 0.0], &[-1.0, 2.0], &[f64::NAN, 1.0], &[f64::INFINITY, 1.0]] {
-            assert_eq!(ifs.clone().with_probabilities(bad), Err(IfsError::Probabilities { maps: 2 }));
-        }
     }
 
     #[test]

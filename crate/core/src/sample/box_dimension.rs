@@ -1,50 +1,6 @@
-//! Dimensions of shapes of space.
+//! The box dimension of a shape of space, from points of it.
 
 use std::collections::HashSet;
-
-use crate::ifs::ifs3::Ifs3;
-
-/// The similarity dimension: the `s` with `r_1^s + .. + r_N^s = 1`, where `r_i` are the ratios of maps that are all
-/// similitudes (Hutchinson 1981). `None` where some map is not. See [`similarity_dimension`](crate::similarity_dimension).
-#[must_use]
-pub fn similarity_dimension3(ifs: &Ifs3) -> Option<f64> {
-    let all = ifs.maps().iter().all(|map| map.is_similitude(1e-9));
-    all.then(|| affinity_dimension3(ifs))
-}
-
-/// An upper bound of the dimension of any attractor of affine maps of space: the `s` where the singular value functions
-/// of the maps sum to 1 (Falconer 1988, first level).
-#[must_use]
-pub fn affinity_dimension3(ifs: &Ifs3) -> f64 {
-    let values: Vec<[f64; 3]> = ifs.maps().iter().map(|map| map.singular_values()).collect();
-    let sum = |s: f64| -> f64 { values.iter().map(|v| falconer(*v, s)).sum() };
-    let (mut low, mut high) = (0.0, 64.0);
-    if sum(high) > 1.0 {
-        return f64::INFINITY;
-    }
-    for _ in 0..100 {
-        let middle = f64::midpoint(low, high);
-        if sum(middle) > 1.0 { low = middle } else { high = middle }
-    }
-    f64::midpoint(low, high)
-}
-
-/// The singular value function of one map of space.
-fn falconer([a, b, c]: [f64; 3], s: f64) -> f64 {
-    if a == 0.0 {
-        // A map to one point: it counts as a piece only where points are counted.
-        return if s == 0.0 { 1.0 } else { 0.0 };
-    }
-    if s <= 1.0 {
-        a.powf(s)
-    } else if s <= 2.0 {
-        a * b.powf(s - 1.0)
-    } else if s <= 3.0 {
-        a * b * c.powf(s - 2.0)
-    } else {
-        (a * b * c).powf(s / 3.0)
-    }
-}
 
 /// How many boxes a shape meets, by their side.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,9 +12,9 @@ pub struct BoxCount {
 }
 
 /// Most points that are counted.
-const MOST: usize = 4_000_000;
+const MOST_COUNTED: usize = 4_000_000;
 /// As long as there are so many points to a box on the average, few boxes are missed.
-const ENOUGH: usize = 12;
+const POINTS_A_BOX: usize = 12;
 
 /// Estimates the box dimension from points `x0, y0, z0, x1, ..` of a shape: how fast the boxes that it meets become
 /// more as they become smaller. Points that are not finite are left out, and so are those beyond the first four million.
@@ -70,7 +26,7 @@ pub fn box_dimension(positions: &[f32]) -> BoxCount {
         .as_chunks::<3>()
         .0
         .iter()
-        .take(MOST)
+        .take(MOST_COUNTED)
         .filter(|p| p.iter().all(|x| x.is_finite()))
         .copied()
         .collect();
@@ -93,7 +49,7 @@ pub fn box_dimension(positions: &[f32]) -> BoxCount {
         let cell = |x: f32, low: f32| ((f64::from(x) - f64::from(low)) / side) as u16;
         let boxes: HashSet<[u16; 3]> =
             points.iter().map(|p| std::array::from_fn(|k| cell(p[k], low[k]))).collect();
-        if level > 2 && boxes.len() * ENOUGH > points.len() {
+        if level > 2 && boxes.len() * POINTS_A_BOX > points.len() {
             break;
         }
         counts.push((side, boxes.len()));
@@ -118,8 +74,7 @@ mod tests {
     use glam::{DQuat, DVec3};
 
     use super::*;
-    use crate::linear::affine3::Affine3;
-    use crate::sample::chaos_game3::ChaosGame3;
+    use crate::{Affine3, ChaosGame3, Ifs3};
 
     fn shrunk(ratio: f64, corners: &[DVec3]) -> Ifs3 {
         let map = |&c: &DVec3| Affine3::similitude(ratio, DQuat::IDENTITY, c * (1.0 - ratio));
@@ -131,18 +86,6 @@ mod tests {
         let kept = cells.filter(|cell| cell.iter().filter(|&&c| c == 1).count() < 2);
         let corners: Vec<DVec3> = kept.map(|c| DVec3::from_array(c.map(|x| f64::from(x) / 2.0))).collect();
         shrunk(1.0 / 3.0, &corners)
-    }
-
-    #[test]
-    fn known_dimensions() {
-        let tetrahedron = shrunk(0.5, &[DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z]);
-        assert!((similarity_dimension3(&tetrahedron).unwrap() - 2.0).abs() < 1e-12);
-        let wanted = 20.0_f64.ln() / 3.0_f64.ln();
-        assert!((similarity_dimension3(&sponge()).unwrap() - wanted).abs() < 1e-9);
-        let slab = Ifs3::new(vec![Affine3::scaling(DVec3::new(0.5, 0.5, 0.25)); 8]).unwrap();
-        assert_eq!(similarity_dimension3(&slab), None);
-        // 8 * 1/2 * 1/2 * (1/4)^(s - 2) = 1 at s = 2.5.
-        assert!((affinity_dimension3(&slab) - 2.5).abs() < 1e-9);
     }
 
     #[test]

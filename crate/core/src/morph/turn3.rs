@@ -1,14 +1,10 @@
-//! From one system of space to another.
+//! How a map of space turns into another.
 
 use glam::{DMat3, DQuat, DVec3};
 
-use crate::bounds::bounds3::Bounds3;
-use crate::ifs::ifs3::Ifs3;
-use crate::linear::affine3::Affine3;
 use crate::linear::polar3::{Polar3, jacobi};
 use crate::linear::svd3::singular_values3;
-use crate::morph::morph2::{Kind, Mode, MorphError, MorphOptions};
-use crate::morph::pairing::assignment;
+use crate::morph::options::Kind;
 
 /// How a map turns on its way: from `start`, by `angle` radians about `axis`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,163 +18,33 @@ pub struct Turn3 {
 }
 
 impl Turn3 {
-    fn at(&self, u: f64) -> DMat3 {
+    pub(crate) fn at(&self, u: f64) -> DMat3 {
         DMat3::from_quat(self.start * DQuat::from_axis_angle(self.axis, u * self.angle))
     }
 }
 
-/// A family of systems of space over (u, v): u turns and stretches, v moves; (0, 0) is the first system and (1, 1) the
-/// last (Burch & Hart 1997, eq 6, with quaternions for Q).
-///
-/// The linear parts are decomposed as `M = Q S`; `Q` turns about one axis by the least angle, and whole turns more where
-/// they are asked for, and `S` is interpolated element by element. What reflects is treated as in the plane
-/// ([`Morph`](crate::Morph)): where both ends reflect, `Q` is minus a rotation all the way. Where one does and the other does not, both
-/// are written as the rotation nearest to them times a symmetric matrix; the one that reflects has a negative stretch
-/// along the axis that it stretches least, and goes through a collapse of that axis. A map without a turn of its own (it puts all
-/// on a line or in a point) takes as much of the other end's turn as fits it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Morph3 {
-    mode: Mode,
-    pairs: Vec<Pair>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Pair {
-    kind: Kind,
-    from: Affine3,
-    to: Affine3,
-    turn: Turn3,
-    stretch: [DMat3; 2],
-}
-
-impl Morph3 {
-    /// The family from `from` to `to`. The options are those of the plane; extra turns are about the axis of the turn.
-    ///
-    /// # Errors
-    /// [`MorphError`] if the counts differ or the options do not fit them.
-    pub fn new(from: &[Affine3], to: &[Affine3], options: &MorphOptions) -> Result<Self, MorphError> {
-        let order = options.order(from.len(), to.len())?;
-        let turn = |i: usize| options.turns.get(i).copied().unwrap_or(0);
-        let pairs = order.iter().enumerate().map(|(i, &j)| Pair::new(from[i], to[j], turn(i))).collect();
-        Ok(Self { mode: options.mode, pairs })
-    }
-
-    /// Which map of `to` each map of `from` becomes so that pieces travel, turn and stretch least in all; in their own order
-    /// where the numbers of maps differ.
-    #[must_use]
-    pub fn correspondence(from: &Ifs3, to: &Ifs3) -> Vec<usize> {
-        if from.len() != to.len() {
-            return (0..from.len()).collect();
-        }
-        let [a, b] = [from, to].map(Bounds3::of);
-        let place = |bounds: &Bounds3, map: Affine3| {
-            (map.apply(bounds.centre) - bounds.centre) / bounds.radius.max(f64::MIN_POSITIVE)
-        };
-        let cost = |x: Affine3, y: Affine3| {
-            let pair = Pair::new(x, y, 0);
-            let travel = place(&a, x).distance_squared(place(&b, y));
-            let turn = (pair.turn.angle / std::f64::consts::PI).powi(2);
-            let (s, t) = (x.singular_values(), y.singular_values());
-            let stretch: f64 = (0..3).map(|k| (s[k] - t[k]).powi(2)).sum();
-            let over = if pair.kind == Kind::Opposite { 1.0 } else { 0.0 };
-            let cost = travel + 0.25 * turn + 0.25 * stretch + over;
-            if cost.is_finite() { cost.min(1e12) } else { 1e12 }
-        };
-        let table: Vec<Vec<f64>> =
-            from.maps().iter().map(|&x| to.maps().iter().map(|&y| cost(x, y)).collect()).collect();
-        assignment(&table)
-    }
-
-    /// The number of maps.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.pairs.len()
-    }
-
-    /// Whether there are no maps at all.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.pairs.is_empty()
-    }
-
-    /// How the linear parts are interpolated.
-    #[must_use]
-    pub const fn mode(&self) -> Mode {
-        self.mode
-    }
-
-    /// The kind of each map.
-    #[must_use]
-    pub fn kinds(&self) -> Vec<Kind> {
-        self.pairs.iter().map(|pair| pair.kind).collect()
-    }
-
-    /// How each map turns.
-    #[must_use]
-    pub fn turns(&self) -> Vec<Turn3> {
-        self.pairs.iter().map(|pair| pair.turn).collect()
-    }
-
-    /// The maps at (u, v). Any parameters are allowed; there need not be an attractor.
-    #[must_use]
-    pub fn at(&self, u: f64, v: f64) -> Vec<Affine3> {
-        self.at3(u, v, 0.0)
-    }
-
-    /// The maps at (u, v, w): turned by u, stretched by u + w and moved by v. A linear morph leaves w out.
-    #[must_use]
-    pub fn at3(&self, u: f64, v: f64, w: f64) -> Vec<Affine3> {
-        let mut maps = Vec::with_capacity(self.len());
-        self.fill3(u, v, w, &mut maps);
-        maps
-    }
-
-    /// [`Morph3::at3`], written over what `maps` held: no memory is asked for in a loop.
-    pub fn fill3(&self, u: f64, v: f64, w: f64, maps: &mut Vec<Affine3>) {
-        maps.clear();
-        maps.extend(self.pairs.iter().map(|pair| pair.at(u, v, w, self.mode)));
-    }
-}
-
-impl Pair {
-    fn new(from: Affine3, to: Affine3, extra: i32) -> Self {
-        let ends = [from.linear, to.linear];
-        let kind = match ends.map(reflects) {
-            [None | Some(false), None | Some(false)] => Kind::Turning,
-            [None | Some(true), None | Some(true)] => Kind::Reflecting,
-            _ => Kind::Opposite,
-        };
-        // Minus a reflecting matrix of space does not reflect.
-        let side = if kind == Kind::Reflecting { -1.0 } else { 1.0 };
-        let [a, b] = ends.map(|m| m * side);
-        // The end that knows its turn better is asked first.
-        let (p, q) = if freedom(a) <= freedom(b) {
-            let p = nearest(a, DMat3::IDENTITY);
-            (p, nearest(b, p))
-        } else {
-            let q = nearest(b, DMat3::IDENTITY);
-            (nearest(a, q), q)
-        };
-        let stretch = [symmetric(p.transpose() * a) * side, symmetric(q.transpose() * b) * side];
-        let turn = turn_between(p, q, extra);
-        Self { kind, from, to, turn, stretch }
-    }
-
-    fn at(&self, u: f64, v: f64, w: f64, mode: Mode) -> Affine3 {
-        let translation = self.from.translation * (1.0 - v) + self.to.translation * v;
-        let linear = match mode {
-            Mode::Linear => mix(self.from.linear, self.to.linear, u),
-            // The ends are given back to the last bit.
-            Mode::Polar if u == 0.0 && w == 0.0 => self.from.linear,
-            Mode::Polar if u == 1.0 && w == 0.0 => self.to.linear,
-            Mode::Polar => self.turn.at(u) * mix(self.stretch[0], self.stretch[1], u + w),
-        };
-        Affine3::new(linear, translation)
-    }
-}
-
-fn mix(a: DMat3, b: DMat3, u: f64) -> DMat3 {
-    a * (1.0 - u) + b * u
+/// The kind of two matrices, the turn from one to the other with so many extra whole ones, and how each stretches.
+pub(crate) fn between(from: DMat3, to: DMat3, extra: i32) -> (Kind, Turn3, [DMat3; 2]) {
+    let ends = [from, to];
+    let kind = match ends.map(reflects) {
+        [None | Some(false), None | Some(false)] => Kind::Turning,
+        [None | Some(true), None | Some(true)] => Kind::Reflecting,
+        _ => Kind::Opposite,
+    };
+    // Minus a reflecting matrix of space does not reflect.
+    let side = if kind == Kind::Reflecting { -1.0 } else { 1.0 };
+    let [a, b] = ends.map(|m| m * side);
+    // The end that knows its turn better is asked first.
+    let (p, q) = if freedom(a) <= freedom(b) {
+        let p = nearest(a, DMat3::IDENTITY);
+        (p, nearest(b, p))
+    } else {
+        let q = nearest(b, DMat3::IDENTITY);
+        (nearest(a, q), q)
+    };
+    let stretch = [symmetric(p.transpose() * a) * side, symmetric(q.transpose() * b) * side];
+    let turn = turn_between(p, q, extra);
+    (kind, turn, stretch)
 }
 
 fn symmetric(m: DMat3) -> DMat3 {
@@ -269,7 +135,9 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::morph::options::{Mode, MorphOptions};
     use crate::testing3::any_map3;
+    use crate::{Affine3, Ifs3, Morph3, MorphError};
 
     fn options(mode: Mode) -> MorphOptions {
         MorphOptions { mode, ..MorphOptions::default() }

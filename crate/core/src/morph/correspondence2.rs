@@ -5,9 +5,10 @@ use std::collections::{BTreeSet, BinaryHeap};
 use glam::DVec2;
 
 use crate::bounds::hull2::Hull;
-use crate::ifs::ifs2::Ifs;
-use crate::linear::affine2::Affine2;
-use crate::morph::morph2::{Kind, Morph, MorphError, MorphOptions};
+use crate::ifs::system::Ifs;
+use crate::linear::affine::Affine2;
+use crate::morph::interpolation::Morph;
+use crate::morph::options::{Kind, MorphError, MorphOptions};
 use crate::morph::pairing::assignment;
 
 /// A way to match the maps of two systems, for [`MorphOptions`].
