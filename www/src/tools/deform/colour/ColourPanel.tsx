@@ -4,12 +4,12 @@ import { edit, endGesture, scene } from "#document/scene";
 import { Button } from "#ui/Button";
 import { useOwnId } from "#ui/id";
 import { Segmented } from "#ui/Segmented";
+import { SliderField } from "#ui/SliderField";
 import { Switch } from "#ui/Switch";
 import type { Colouring, Tint } from "#wasm/api";
 import { MOST_ROUGHNESS } from "../changes";
 import { deepest, ringed, rough } from "../facts";
 import { chosen } from "../mesh/chosen";
-import { SliderField } from "../settings/SliderField";
 import { blended, cornersOf, firstTint, isBlended, withColouring, withCorner } from "../tint";
 import { detailWords, localityWords, roughnessWords } from "../words";
 

@@ -5,12 +5,12 @@ import { endGesture } from "#document/scene";
 import { formatNumber } from "#format/numbers";
 import { NumberField } from "#ui/NumberField";
 import { Segmented } from "#ui/Segmented";
+import { SliderField } from "#ui/SliderField";
 import { Switch } from "#ui/Switch";
 import { MOST_ROUGHNESS, withCorners, withDetail, withLocality } from "../changes";
 import { deepest, problem, rough } from "../facts";
 import { detailWords, localityWords, roughnessWords } from "../words";
 import { PlainButton } from "./PlainButton";
-import { SliderField } from "./SliderField";
 
 const kb = computed(() => deformation.value.kb);
 const ke = computed(() => deformation.value.ke);

@@ -1,5 +1,6 @@
 import { Button } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
+import { SliderField } from "#ui/SliderField";
 import { Switch } from "#ui/Switch";
 import type { Component } from "#workers/fit/trace-types";
 import { brushSize, type Hand, hand } from "../stage/brush";
@@ -17,7 +18,6 @@ import {
   warnings,
 } from "../work/mask";
 import { former, opened, takeFormer } from "../work/source";
-import { SliderField } from "./SliderField";
 
 /** Between a picture and its outline: the mask and what mends it. */
 export function CutPanel() {
@@ -47,6 +47,7 @@ function Mask() {
     <>
       <Messages />
       <SliderField
+        digits={2}
         label="Threshold"
         value={threshold}
         min={-1}

@@ -1,9 +1,9 @@
 import { changeFit, fitDocument } from "#document/fit";
 import { endGesture } from "#document/scene";
+import { SliderField } from "#ui/SliderField";
 import { cutting } from "../stage/layers";
 import { prepared } from "../work/outline";
 import { chooseOutline, source } from "../work/source";
-import { SliderField } from "./SliderField";
 
 const MOST_LISTED = 40;
 
@@ -19,6 +19,7 @@ export function OutlinePanel() {
       </div>
       <Choice />
       <SliderField
+        digits={2}
         label="Smoothing"
         value={smoothing}
         min={0}

@@ -5,11 +5,11 @@ import { changeSpace } from "#document/space/edits";
 import { space } from "#document/space/space";
 import { Button } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
+import { SliderField } from "#ui/SliderField";
 import type { SpaceLight } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { ground } from "../stage/sight";
 import { type Choice, choiceOf, chosenBackground } from "./background";
-import { LightSlider } from "./LightSlider";
 import { ViewPanel } from "./ViewPanel";
 import { degrees, frontWords, radians, shareWords, sideWords } from "./words";
 
@@ -62,7 +62,8 @@ function Light() {
           onChange={(paint) => changeSpace((all) => ({ ...all, light: { ...all.light, paint } }))}
         />
       </div>
-      <LightSlider
+      <SliderField
+        digits={0}
         label="Light comes from"
         value={degrees(now.side)}
         min={-180}
@@ -73,26 +74,30 @@ function Light() {
         ends={["below", "left", "above", "right", "below"]}
         onChange={(side) => change({ side: radians(side) })}
       />
-      <LightSlider
+      <SliderField
+        digits={2}
         label="Light from the front"
         value={now.front}
         words={frontWords(now.front)}
         ends={["grazing", "from the eye"]}
         onChange={(front) => change({ front })}
       />
-      <LightSlider
+      <SliderField
+        digits={2}
         label="Light from everywhere"
         value={now.ambient}
         words={shareWords(now.ambient, "shadows are black")}
         onChange={(ambient) => change({ ambient })}
       />
-      <LightSlider
+      <SliderField
+        digits={2}
         label="Dark hollows"
         value={now.hollows}
         words={shareWords(now.hollows, "hollows are not darkened")}
         onChange={(hollows) => change({ hollows })}
       />
-      <LightSlider
+      <SliderField
+        digits={2}
         label="Fog"
         value={now.fog}
         words={shareWords(now.fog, "no fog")}

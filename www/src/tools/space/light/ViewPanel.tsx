@@ -3,11 +3,11 @@ import { useState } from "preact/hooks";
 import { setView, spaceView } from "#document/space/space";
 import { Button } from "#ui/Button";
 import { NumberField } from "#ui/NumberField";
+import { SliderField } from "#ui/SliderField";
 import { Switch } from "#ui/Switch";
 import type { Point3, SpaceView } from "#wasm/api";
 import { changeView, holdEye } from "../stage/actions";
 import { eyeOf, LEAST_ANGLE, MOST_ANGLE, withAngle, wrapped } from "../stage/camera";
-import { LightSlider } from "./LightSlider";
 import { degrees, pointWords, radians } from "./words";
 
 const AXES = ["x", "y", "z"] as const;
@@ -28,7 +28,8 @@ export function ViewPanel() {
           Reset<span class="unseen"> the view</span>
         </Button>
       </div>
-      <LightSlider
+      <SliderField
+        digits={0}
         label="Angle of view"
         value={degrees(view.angle)}
         min={degrees(LEAST_ANGLE)}

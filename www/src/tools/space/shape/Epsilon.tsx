@@ -2,9 +2,9 @@ import { useState } from "preact/hooks";
 import { wordsOf } from "#document/notice";
 import { divergingWords } from "#format/placement";
 import { MapBlocks } from "#ui/MapBlocks";
+import { SliderField } from "#ui/SliderField";
 import type { EpsilonProjection, MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
-import { SliderField } from "./SliderField";
 
 export interface EpsilonProps {
   maps: MapRow3[];
@@ -25,13 +25,13 @@ export function Epsilon({ maps, direction, format }: EpsilonProps) {
   return (
     <>
       <SliderField
+        field={{ step: 0.01 }}
         label="Thickness left"
         symbol="ε"
         value={epsilon}
         min={-6}
         max={0}
         step={0.1}
-        fieldStep={0.01}
         digits={6}
         scale={POWERS}
         onChange={(next) => {

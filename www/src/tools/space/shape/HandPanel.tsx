@@ -5,6 +5,7 @@ import { placeObject } from "#document/space/edits";
 import { chosen, IDENTITY } from "#document/space/space";
 import { Button } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
+import { SliderField } from "#ui/SliderField";
 import type { MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 import {
@@ -19,7 +20,11 @@ import {
 } from "./hand";
 import { MatrixFields } from "./MatrixFields";
 import { facts, factsOf, moved, parameters } from "./now";
-import { SliderField } from "./SliderField";
+
+/** A field takes more than its slider reaches. */
+const ANY = {};
+/** Shapes may be as small as they like. */
+const FINE = { to: (x: number) => x, from: (x: number) => Number(x.toPrecision(5)) };
 
 /** What the sliders say, and from where: they are at rest as soon as something else has moved the object. */
 interface Hold {
@@ -136,6 +141,7 @@ function Sliders({ kind: what }: { kind: Kind }) {
       {what === "turn" &&
         AXES.map((axis) => (
           <SliderField
+            field={ANY}
             key={axis}
             label={`About ${axis}`}
             value={n(axis)}
@@ -150,6 +156,8 @@ function Sliders({ kind: what }: { kind: Kind }) {
       {what === "move" &&
         AXES.map((axis) => (
           <SliderField
+            field={ANY}
+            scale={FINE}
             key={axis}
             label={`Along ${axis}`}
             value={n(axis)}
@@ -163,13 +171,13 @@ function Sliders({ kind: what }: { kind: Kind }) {
       {what === "scale" &&
         (["all", ...AXES] as const).map((axis) => (
           <SliderField
+            field={{ step: 0.1 }}
             key={axis}
             label={axis === "all" ? "All of it" : `Along ${axis}`}
             value={n(axis)}
             min={-4}
             max={4}
             step={0.05}
-            fieldStep={0.1}
             unit="×"
             scale={{ to: toSlider, from: fromSlider }}
             onChange={(next) => change(what, axis, next)}
@@ -178,6 +186,7 @@ function Sliders({ kind: what }: { kind: Kind }) {
       {what === "shear" &&
         (["xy", "xz", "yx", "yz", "zx", "zy"] as const).map((pair) => (
           <SliderField
+            field={ANY}
             key={pair}
             label={`${pair[0]} slides with ${pair[1]}`}
             value={n(pair)}
