@@ -6,8 +6,6 @@ import { describe, expect, it } from "vitest";
 
 const root = fileURLToPath(new URL("../../www/src", import.meta.url));
 const LAZY = ["tools/deform", "tools/fit", "tools/space", "curve"];
-/** Said alike by two tools, of the stage that they share while a file is over it. */
-const SHARED = new Set([".stage.dropping::after"]);
 
 const files = readdirSync(root, { recursive: true, encoding: "utf8" })
   .filter((path) => /\.(css|tsx)$/.test(path))
@@ -46,7 +44,7 @@ describe("styles that are loaded with a tool", () => {
     const bare = files
       .filter(({ room, css }) => css && room === folder)
       .flatMap(({ text }) => selectorsOf(text))
-      .filter((selector) => !SHARED.has(selector) && !namesIn(selector).some(own));
+      .filter((selector) => !namesIn(selector).some(own));
     expect(bare).toEqual([]);
   });
 });

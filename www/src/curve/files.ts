@@ -1,4 +1,5 @@
 /** Closed curves as the text of files. */
+import { plainName } from "#ui/download";
 import type { Bend, CurveShape } from "#wasm/api";
 import type { CurveMap } from "#wasm/curve";
 
@@ -96,12 +97,7 @@ export function jsonOf(what: {
 
 /** A file's name, of what it shows. */
 export function nameOf(curves: Both | null, s: number, kind: string): string {
-  const plain = (name = "") =>
-    name
-      .toLowerCase()
-      .replace(/[^a-z0-9]+/g, "-")
-      .replace(/^-|-$/g, "")
-      .slice(0, 24) || "curve";
+  const plain = (name = "") => plainName(name, "curve", 24);
   const [a, b] = [plain(curves?.a.name), plain(curves?.b.name)];
   const what = s === 0 || a === b ? a : s === 1 ? b : `${a}-${b}-${s.toFixed(2)}`;
   return `frond-${what}.${kind}`;

@@ -8,6 +8,7 @@ import { lookOf, paintCurve } from "#stage/curve/paint";
 import { moved, TOLERANCE } from "#stage/curve/painter";
 import { stageStyle } from "#stage/look";
 import { effectiveView, stageSize } from "#stage/view";
+import { download } from "#ui/download";
 import { rough } from "#wasm/curve";
 import { csvOf, jsonOf, nameOf, svgOf } from "./files";
 
@@ -87,12 +88,4 @@ async function picture(): Promise<Blob> {
   const look = lookOf(morph, curveTime.peek(), colouring, palette, LINE * larger);
   paintCurve(context, points, { view, width, height }, look);
   return canvas.convertToBlob({ type: "image/png" });
-}
-
-function download(blob: Blob, name: string): void {
-  const anchor = document.createElement("a");
-  anchor.href = URL.createObjectURL(blob);
-  anchor.download = name;
-  anchor.click();
-  setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
 }

@@ -12,6 +12,7 @@ import { scene } from "#document/scene";
 import { stageStyle } from "#stage/look";
 import { bentPicture, type SheetRequest } from "#stage/surface/sheet";
 import { effectiveView, stageSize } from "#stage/view";
+import { download, plainName, pngOf } from "#ui/download";
 import type { Tool } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { submit } from "#workers/pool/engine";
@@ -101,7 +102,7 @@ export function savePicture(): void {
       45,
       { kind: "picture", maps: shown.peek(), options },
       {
-        accept: (bitmap) => void download(bitmap),
+        accept: (bitmap) => void saveBitmap(bitmap),
         fail: notSaved,
       },
     ),
@@ -112,7 +113,7 @@ export function savePicture(): void {
 function saveBent(photograph: Photograph, request: SheetRequest): void {
   setTimeout(() => {
     try {
-      createImageBitmap(bentPicture(photograph, request)).then(download, notSaved);
+      createImageBitmap(bentPicture(photograph, request)).then(saveBitmap, notSaved);
     } catch (problem) {
       notSaved(problem);
     }
@@ -123,20 +124,14 @@ function notSaved(problem: unknown): void {
   notify({ kind: "error", text: `The picture could not be saved: ${wordsOf(problem)}` });
 }
 
-async function download(bitmap: ImageBitmap): Promise<void> {
+async function saveBitmap(bitmap: ImageBitmap): Promise<void> {
   try {
     const canvas = document.createElement("canvas");
     canvas.width = bitmap.width;
     canvas.height = bitmap.height;
     canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
     bitmap.close();
-    const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, "image/png"));
-    if (!blob) throw new Error("the browser could not encode it");
-    const anchor = document.createElement("a");
-    anchor.href = URL.createObjectURL(blob);
-    anchor.download = fileName();
-    anchor.click();
-    setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
+    download(await pngOf(canvas), fileName());
   } catch (problem) {
     notSaved(problem);
   }
@@ -144,10 +139,6 @@ async function download(bitmap: ImageBitmap): Promise<void> {
 
 function fileName(): string {
   const { a, b, t } = scene.peek();
-  const plain = (name: string) =>
-    name
-      .toLowerCase()
-      .replace(/[^a-z0-9]+/g, "-")
-      .slice(0, 24) || "shape";
+  const plain = (name: string) => plainName(name, "shape", 24);
   return `frond-${plain(a.name)}-${plain(b.name)}-${t.toFixed(2)}.png`;
 }

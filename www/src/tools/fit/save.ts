@@ -5,10 +5,11 @@ import { fitFor } from "#document/framing";
 import { notify, wordsOf } from "#document/notice";
 import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
+import { download, plainName, pngOf } from "#ui/download";
 import { rough } from "#wasm/curve";
 import { collageCsv, collageJson, collageSvg, curveJson } from "./files";
 import { paint } from "./stage/draw";
-import { collage, plainName, shownFigures, shownFit } from "./work/fitting";
+import { collage, plainName as nameOf, shownFigures, shownFit } from "./work/fitting";
 import { boxOf } from "./work/frame";
 import { polylineOf, prepared } from "./work/outline";
 import { source } from "./work/source";
@@ -41,7 +42,7 @@ export function saveCsv(): void {
 export function saveJson(): void {
   save("json", "application/json", () => {
     const other = paper();
-    const name = plainName(source.peek().name);
+    const name = nameOf(source.peek().name);
     if (other) return collageJson(name, other.options, other.fit);
     const best = shownFit.peek();
     return (
@@ -53,7 +54,7 @@ export function saveJson(): void {
 function save(ending: string, type: string, make: () => string | null): void {
   try {
     const text = make();
-    if (text !== null) download(new Blob([text], { type }), ending);
+    if (text !== null) download(new Blob([text], { type }), fileName(ending));
   } catch (problem) {
     notSaved(problem);
   }
@@ -95,10 +96,7 @@ export function savePng(): void {
       { ...nothing, ...shown, frame: { x: 0, y: 0, scale: 1 } },
       colours,
     );
-    canvas.toBlob((blob) => {
-      if (blob) download(blob, "png");
-      else notSaved("the browser could not encode it");
-    }, "image/png");
+    pngOf(canvas).then((blob) => download(blob, fileName("png")), notSaved);
   } catch (problem) {
     notSaved(problem);
   }
@@ -108,14 +106,4 @@ function notSaved(problem: unknown): void {
   notify({ kind: "error", text: `The fit could not be saved: ${wordsOf(problem)}` });
 }
 
-function download(blob: Blob, ending: string): void {
-  const plain = plainName(source.peek().name)
-    .toLowerCase()
-    .replace(/[^a-z0-9]+/g, "-")
-    .slice(0, 40);
-  const anchor = document.createElement("a");
-  anchor.href = URL.createObjectURL(blob);
-  anchor.download = `frond-${plain || "leaf"}.${ending}`;
-  anchor.click();
-  setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
-}
+const fileName = (ending: string) => `frond-${plainName(nameOf(source.peek().name), "leaf")}.${ending}`;

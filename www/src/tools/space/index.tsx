@@ -4,12 +4,13 @@ import "./space.css";
 import { effect, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { spaceShown } from "#document/playback";
+import { listenForFiles } from "#ui/dropFiles";
 import { PanelFoot } from "#ui/PanelFoot";
 import { Segmented } from "#ui/Segmented";
 import { LightPanel } from "./light/LightPanel";
 import { MorphPanel3 } from "./morph/MorphPanel3";
 import { watchMorph } from "./morph/work";
-import { listenForDrops } from "./shape/files";
+import { openFile } from "./shape/files";
 import { ShapePanel } from "./shape/ShapePanel";
 import { spaceDrawn } from "./stage/state";
 import { TimePanel } from "./time/TimePanel";
@@ -34,7 +35,7 @@ const PARTS: { value: Part; label: string; description: string }[] = [
 export function SpacePanel() {
   useEffect(() => {
     // A path is looked for, and a file taken, whichever part is open.
-    const stops = [watchMorph(), listenForDrops()];
+    const stops = [watchMorph(), listenForFiles(([file]) => void openFile(file))];
     const toShape = (event: DragEvent) => {
       if (event.dataTransfer?.types.includes("Files")) part.value = "shape";
     };

@@ -2,6 +2,7 @@
 import { signal } from "@preact/signals";
 import { announce, notify, wordsOf } from "#document/notice";
 import { space, spaceView } from "#document/space/space";
+import { download, plainName, pngOf } from "#ui/download";
 import { layOn } from "#workers/film/opaque";
 import { pictureOf } from "#workers/space/complete-picture";
 import { PAGE } from "./light/background";
@@ -36,7 +37,7 @@ export async function savePng(): Promise<void> {
     });
     const background = space.peek()?.background;
     if (background !== undefined && background !== PAGE) layOn(image.data, background);
-    download(await pngOf(image));
+    download(await pngOf(canvasOf(image)), fileName());
   } catch (problem) {
     notify({ kind: "error", text: `The picture could not be saved: ${wordsOf(problem)}` });
   } finally {
@@ -44,29 +45,15 @@ export async function savePng(): Promise<void> {
   }
 }
 
-function pngOf(image: ImageData): Promise<Blob> {
+function canvasOf(image: ImageData): HTMLCanvasElement {
   const canvas = document.createElement("canvas");
   canvas.width = image.width;
   canvas.height = image.height;
   canvas.getContext("2d")?.putImageData(image, 0, 0);
-  return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => {
-      if (blob) resolve(blob);
-      else reject(new Error("the browser could not encode it."));
-    }, "image/png");
-  });
+  return canvas;
 }
 
-function download(blob: Blob): void {
+function fileName(): string {
   const objects = space.peek()?.objects ?? [];
-  const name = objects.length === 1 ? (objects[0]?.name ?? "") : "space";
-  const plain = name
-    .toLowerCase()
-    .replace(/[^a-z0-9]+/g, "-")
-    .slice(0, 40);
-  const anchor = document.createElement("a");
-  anchor.href = URL.createObjectURL(blob);
-  anchor.download = `frond-${plain || "space"}.png`;
-  anchor.click();
-  setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
+  return `frond-${plainName(objects.length === 1 ? (objects[0]?.name ?? "") : "", "space")}.png`;
 }

@@ -1,8 +1,8 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { ownPicture, type Photograph, photograph } from "#document/deform/picture";
 import { Button } from "#ui/Button";
+import { listenForFiles } from "#ui/dropFiles";
 import { Thumbnail } from "#ui/Thumbnail";
-import { listenForPictures } from "./arrivals";
 import { takeFile, takeSample } from "./take";
 import "./picture.css";
 
@@ -11,7 +11,7 @@ const ACCEPT = "image/png,image/jpeg,image/webp,image/avif,image/gif,image/bmp";
 /** The picture that is bent, and how to take another. */
 export function PicturePanel() {
   const input = useRef<HTMLInputElement>(null);
-  useEffect(listenForPictures, []);
+  useEffect(() => listenForFiles(take), []);
   const shown = photograph.value;
   return (
     <section class="picture-panel" aria-label="Your picture">
@@ -76,4 +76,10 @@ function useThumbnail(shown: Photograph | null): ImageBitmap | null {
     };
   }, [shown]);
   return bitmap;
+}
+
+/** The first of several that is called a picture, or else the first. */
+function take(files: readonly [File, ...File[]]): void {
+  const file = files.find((one) => one.type.startsWith("image/")) ?? files[0];
+  void takeFile(file, file.name);
 }

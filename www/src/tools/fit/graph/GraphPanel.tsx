@@ -1,7 +1,7 @@
 import "./graph.css";
 import { useEffect } from "preact/hooks";
 import { changeFit } from "#document/fit";
-import { listenForFiles } from "../arrivals";
+import { listenForFiles } from "#ui/dropFiles";
 import { takeSeries } from "../series";
 import { takeFile as takeOutlineFile } from "../work/source";
 import { FindSection } from "./Find";
@@ -11,7 +11,7 @@ import { isTable, takeFile } from "./series";
 
 /** The function by hand, and how one is found in what is measured. */
 export function GraphPanel() {
-  useEffect(() => listenForFiles(take), []);
+  useEffect(() => listenForFiles(([file]) => take(file)), []);
   return (
     <div class="fit-graph-panel">
       <FindSection />

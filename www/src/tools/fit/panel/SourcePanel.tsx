@@ -1,7 +1,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import { Button } from "#ui/Button";
+import { listenForFiles } from "#ui/dropFiles";
 import type { Grown } from "#workers/fit/curve";
-import { listenForFiles } from "../arrivals";
 import { takeSeries } from "../series";
 import { prepared, SEEDS } from "../work/outline";
 import { former, type Source, source, takeFile, takeFormer, takeSource } from "../work/source";
@@ -14,7 +14,7 @@ const take = (file: File) => void takeFile(file, file.name, takeSeries);
 /** What is fitted, and how to take something else. */
 export function SourcePanel() {
   const input = useRef<HTMLInputElement>(null);
-  useEffect(() => listenForFiles(take), []);
+  useEffect(() => listenForFiles(([file]) => take(file)), []);
   const now = source.value;
   const back = former.value;
   return (

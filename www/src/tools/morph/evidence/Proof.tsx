@@ -1,6 +1,7 @@
 import { type Proof as Proved, proof, prove } from "#compute/proof";
 import { notify, wordsOf } from "#document/notice";
 import { Button } from "#ui/Button";
+import { download } from "#ui/download";
 import type { Certificate } from "#wasm/api";
 import { checkWords } from "./words";
 
@@ -37,11 +38,7 @@ function proofWords(now: Proved | null): string {
 function saveProof(certificate: Certificate): void {
   try {
     const blob = new Blob([`${JSON.stringify(certificate)}\n`], { type: "application/json" });
-    const anchor = document.createElement("a");
-    anchor.href = URL.createObjectURL(blob);
-    anchor.download = "frond-proof.json";
-    anchor.click();
-    setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
+    download(blob, "frond-proof.json");
   } catch (problem) {
     notify({ kind: "error", text: `The proof could not be saved: ${wordsOf(problem)}` });
   }

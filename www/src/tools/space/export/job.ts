@@ -1,7 +1,9 @@
 /** The film in the making: it goes on while the dialog is closed. */
+
 import { type ReadonlySignal, signal } from "@preact/signals";
 import { notify, wordsOf } from "#document/notice";
 import { space, spacePart, spaceView } from "#document/space/space";
+import { downloadFrom } from "#ui/download";
 import { type Film, makeFilm } from "#workers/film/make";
 import { spaceTask } from "#workers/space/client";
 import { colours, ground } from "../stage/sight";
@@ -131,10 +133,7 @@ export function forget(): void {
 }
 
 export function save({ url, name }: Pick<Made, "url" | "name">): void {
-  const anchor = document.createElement("a");
-  anchor.href = url;
-  anchor.download = name;
-  anchor.click();
+  downloadFrom(url, name);
 }
 
 /** Whoever leaves the page loses the film. */

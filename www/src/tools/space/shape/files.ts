@@ -2,6 +2,7 @@
 import { signal } from "@preact/signals";
 import { notify, wordsOf } from "#document/notice";
 import { space } from "#document/space/space";
+import { download, plainName } from "#ui/download";
 import { solid } from "#wasm/space";
 import { isAnimation, takeAnimation } from "../time/open";
 import { object, parameters } from "./now";
@@ -53,43 +54,8 @@ export function saveFile(): void {
   const name = object.peek()?.name ?? "Shape";
   try {
     const text = solid.writeIfs3(name, parameters.peek());
-    const anchor = document.createElement("a");
-    anchor.href = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
-    anchor.download = fileName(name);
-    anchor.click();
-    setTimeout(() => URL.revokeObjectURL(anchor.href), 10_000);
+    download(new Blob([text], { type: "text/plain" }), `frond-${plainName(name, "shape", 32)}.ifs`);
   } catch (problem) {
     notify({ kind: "error", text: `${name} could not be saved: ${wordsOf(problem)}` });
   }
-}
-
-export function fileName(name: string): string {
-  const plain = name
-    .toLowerCase()
-    .replace(/[^a-z0-9]+/g, "-")
-    .replace(/^-|-$/g, "")
-    .slice(0, 32);
-  return `frond-${plain || "shape"}.ifs`;
-}
-
-/** Takes a file that is dropped on the page. Returns the end of it. */
-export function listenForDrops(): () => void {
-  const end = new AbortController();
-  const options = { signal: end.signal };
-  const carries = (event: DragEvent) => event.dataTransfer?.types.includes("Files") === true;
-  const over = (event: DragEvent) => {
-    // Without this the browser would leave the page for the file.
-    if (carries(event)) event.preventDefault();
-  };
-  document.addEventListener("dragover", over, options);
-  document.addEventListener(
-    "drop",
-    (event) => {
-      over(event);
-      const file = event.dataTransfer?.files[0];
-      if (file) void openFile(file);
-    },
-    options,
-  );
-  return () => end.abort();
 }

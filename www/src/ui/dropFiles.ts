@@ -1,5 +1,7 @@
+import "./drop-files.css";
+
 /** Takes files that are dropped on the page or pasted into it. Returns the end of it. */
-export function listenForFiles(take: (file: File) => void): () => void {
+export function listenForFiles(take: (files: readonly [File, ...File[]]) => void): () => void {
   const end = new AbortController();
   const { signal } = end;
   const stage = () => [...document.querySelectorAll(".stage")].at(-1);
@@ -10,9 +12,9 @@ export function listenForFiles(take: (file: File) => void): () => void {
     stage()?.classList.toggle("dropping", inside > 0);
   };
   const carries = (event: DragEvent) => event.dataTransfer?.types.includes("Files") === true;
-  const first = (files: FileList | undefined) => {
-    const file = files?.[0];
-    if (file) take(file);
+  const hand = (files: FileList | undefined) => {
+    const [first, ...others] = files ?? [];
+    if (first) take([first, ...others]);
   };
 
   document.addEventListener("dragenter", (event) => carries(event) && mark(1), { signal });
@@ -31,7 +33,7 @@ export function listenForFiles(take: (file: File) => void): () => void {
       if (!carries(event)) return;
       event.preventDefault();
       mark(-inside);
-      first(event.dataTransfer?.files);
+      hand(event.dataTransfer?.files);
     },
     { signal },
   );
@@ -41,7 +43,7 @@ export function listenForFiles(take: (file: File) => void): () => void {
       const files = event.clipboardData?.files;
       if (!files?.length) return;
       event.preventDefault();
-      first(files);
+      hand(files);
     },
     { signal },
   );

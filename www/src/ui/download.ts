@@ -1,0 +1,34 @@
+/** Gives somebody a file. */
+export function download(blob: Blob, name: string): void {
+  const url = URL.createObjectURL(blob);
+  downloadFrom(url, name);
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
+/** The same of what is kept under an address. */
+export function downloadFrom(url: string, name: string): void {
+  const anchor = document.createElement("a");
+  anchor.href = url;
+  anchor.download = name;
+  anchor.click();
+}
+
+/** A name as a part of a file's name: letters and digits, at most so many. */
+export function plainName(name: string, otherwise: string, most = 40): string {
+  const plain = name
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, "-")
+    .replace(/^-|-$/g, "")
+    .slice(0, most);
+  return plain || otherwise;
+}
+
+/** A canvas as the bytes of a PNG. */
+export function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
+  return new Promise((resolve, reject) => {
+    canvas.toBlob((blob) => {
+      if (blob) resolve(blob);
+      else reject(new Error("the browser could not encode it."));
+    }, "image/png");
+  });
+}
