@@ -24,9 +24,9 @@ mod solid;
 #[cfg(target_arch = "wasm32")]
 mod stage;
 #[cfg(target_arch = "wasm32")]
-mod target;
+mod state;
 #[cfg(target_arch = "wasm32")]
-mod work;
+mod target;
 
 #[cfg(target_arch = "wasm32")]
 pub use device::{Canvas, Gpu, GpuError, Wanted};
@@ -41,7 +41,9 @@ pub use readback::ReadBack;
 #[cfg(target_arch = "wasm32")]
 pub use solid::{Drawn3, Stage3, Uniforms3};
 #[cfg(target_arch = "wasm32")]
-pub use stage::{Drawn, Stage, Style};
+pub use stage::{Drawn, Stage};
+#[cfg(target_arch = "wasm32")]
+pub use state::Style;
 
 /// Whether the processor stands in for a graphics card. WebGPU says so; WebGL gives a name.
 fn is_software(said: bool, names: &str) -> bool {

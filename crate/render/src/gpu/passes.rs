@@ -4,4 +4,5 @@ pub mod cpu;
 pub mod deformed;
 pub mod density;
 pub mod image;
+pub mod plain;
 pub mod points;

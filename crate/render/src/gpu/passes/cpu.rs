@@ -8,7 +8,7 @@ use crate::pieces::frame::Frame;
 
 /// A [`Sweep`] into codes, bit by bit.
 #[derive(Debug)]
-pub(in crate::gpu) struct Swept {
+pub(in crate::gpu) struct CpuPass {
     sweep: Option<Sweep>,
     codes: Vec<u32>,
     window: Window,
@@ -16,7 +16,7 @@ pub(in crate::gpu) struct Swept {
     pub lit: u64,
 }
 
-impl Swept {
+impl CpuPass {
     pub fn new() -> Self {
         Self { sweep: None, codes: Vec::new(), window: Window { width: 0, height: 0 }, lit: 0 }
     }

@@ -6,8 +6,8 @@ use glam::DVec2;
 use crate::bent::{Bent, BentPlan, BentSweep, Cut, Fineness, Moving, Slack};
 use crate::coverage::sweep::Progress;
 use crate::density::Density;
-use crate::gpu::stage::Stage;
-use crate::gpu::work::{MOST_POINTS, SWEEPS, Shown, VISITS, Work};
+use crate::gpu::passes::points::PointsPass;
+use crate::gpu::state::{MOST_POINTS, SWEEPS, Shown, StageState, VISITS, Work};
 use crate::picture::colour::Colouring;
 use crate::picture::view::View;
 use crate::picture::window::Window;
@@ -16,7 +16,7 @@ use crate::plan::Detail;
 
 /// A bend and what is drawn of it.
 #[derive(Debug)]
-pub(in crate::gpu) struct Bending {
+pub(in crate::gpu) struct DeformedPass {
     /// What is drawn at once, and at rest too where there is no other.
     quick: Settled,
     /// What is drawn at rest.
@@ -28,6 +28,8 @@ pub(in crate::gpu) struct Bending {
     /// At once, and while the mesh moves.
     front: BentPlan,
     moving: Moving,
+    /// Draws what follows the mesh.
+    followed: Option<PointsPass>,
     /// What the former was made for.
     made: Option<Made>,
     /// Complete.
@@ -99,14 +101,26 @@ const DENSE_SIZE: f64 = 16.0;
 const DENSE: (usize, usize) = (8_000, 60_000);
 const DENSE_POINTS: u64 = 400_000;
 
-impl Bending {
+impl DeformedPass {
     /// A bend, in the memory of another one.
     pub fn new(bend: Bend, memory: Option<Self>) -> Self {
-        let memory = memory.map(|m| (m.front, m.moving, m.back, m.sweeps, m.doublings));
-        let (front, moving, back, sweeps, doublings) = memory.unwrap_or_default();
+        let memory = memory.map(|m| (m.front, m.moving, m.followed, m.back, m.sweeps, m.doublings));
+        let (front, moving, followed, back, sweeps, doublings) = memory.unwrap_or_default();
         let mesh = bend.mesh().displacements().to_vec();
         let quick = Settled { bend, slack: None };
-        Self { quick, fine: None, later: None, mesh, front, moving, made: None, back, sweeps, doublings }
+        Self {
+            quick,
+            fine: None,
+            later: None,
+            mesh,
+            front,
+            moving,
+            followed,
+            made: None,
+            back,
+            sweeps,
+            doublings,
+        }
     }
 
     /// Forgets what it knows of a shape.
@@ -158,149 +172,111 @@ impl Sight {
     }
 }
 
-impl Stage {
-    /// Bends the attractor, or no longer. The bend must have been made for the same maps; what they become is set
-    /// before.
-    pub fn set_bend(&mut self, bend: Option<Bend>) {
-        if let Some(sheeted) = &mut self.sheeted {
-            sheeted.forget();
-        }
-        let memory = self.bending.take();
-        if bend.is_none() && memory.is_none() {
-            return;
-        }
-        if bend.is_some() != memory.is_some() {
-            // What was swept is not at hand any more.
-            self.shown =
-                self.shown.filter(|(shown, _)| !matches!(shown, Shown::SweptFront | Shown::SweptBack));
-        }
-        self.bending = bend.map(|bend| Bending::new(bend, memory));
-        self.work = Work::Anew;
+impl DeformedPass {
+    /// What makes the bend that is drawn at rest.
+    pub fn set_later(&mut self, make: Make) {
+        self.later = Some(Later(make));
     }
 
-    /// What makes the bend that is drawn at rest, where that takes longer than a frame: the one that was set is drawn
-    /// while things change. Both must have been made of the same mesh and the same maps.
-    pub fn set_bend_at_rest(&mut self, make: Make) {
-        if let Some(bending) = &mut self.bending {
-            bending.later = Some(Later(make));
-        }
-    }
-
-    /// Moves the control points of the mesh of the bend: as many as it has, finite. This is cheap. Returns whether there
-    /// is such a mesh; if not, nothing changes.
-    pub fn move_mesh(&mut self, displacements: &[DVec2]) -> bool {
-        let Some(bending) = &mut self.bending else { return false };
+    /// Moves the control points: as many as there are, finite. Returns whether they have moved, `None` where they are none
+    /// of this mesh.
+    pub fn move_mesh(&mut self, displacements: &[DVec2]) -> Option<bool> {
         let fits = |d: &DVec2| d.abs().max_element() < 1e100;
-        if displacements.len() != bending.mesh().len() || !displacements.iter().all(fits) {
-            return false;
+        if displacements.len() != self.mesh.len() || !displacements.iter().all(fits) {
+            return None;
         }
-        if bending.mesh != displacements {
-            displacements.clone_into(&mut bending.mesh);
-            if self.work != Work::Anew {
-                self.work = Work::Moved;
-            }
+        let moved = self.mesh != displacements;
+        if moved {
+            displacements.clone_into(&mut self.mesh);
         }
-        true
+        Some(moved)
     }
 
     /// Whether codes are colours that the bend carries.
-    pub(in crate::gpu) fn coloured(&self, frame: &Frame) -> bool {
-        let carries = |bending: &Bending| {
-            bending.bend().colour(&bending.bend().whole(), frame.to_world.translation).is_some()
-        };
-        self.style.colouring == Colouring::Grid && self.bending.as_ref().is_some_and(carries)
+    pub fn coloured(&self, state: &StageState, frame: &Frame) -> bool {
+        let carries = || self.bend().colour(&self.bend().whole(), frame.to_world.translation).is_some();
+        state.style.colouring == Colouring::Grid && carries()
     }
 
-    /// What [`Stage::advance`] does where nothing is bent.
-    pub(in crate::gpu) fn advance_bent(&mut self, frame: &Frame, view: View, budget: u64) {
-        let coloured = self.coloured(frame);
-        if let Some(mut bending) = self.bending.take() {
-            self.work_on(&mut bending, frame, view, budget, coloured);
-            self.bending = Some(bending);
-        }
-    }
-
-    fn work_on(&mut self, bending: &mut Bending, frame: &Frame, view: View, budget: u64, coloured: bool) {
-        let dense = self.style.colouring == Colouring::Density && self.gpu.densities;
-        let follows = self.work == Work::Moved && !dense && !self.gpu.software;
-        if follows && self.follow(bending, frame, view, budget, coloured) {
-            self.complete = false;
-            self.work = Work::Choose;
+    /// Draws more of the bent picture: about `budget` points.
+    pub fn advance(&mut self, state: &mut StageState, frame: &Frame, view: View, budget: u64) {
+        let coloured = self.coloured(state, frame);
+        let dense = state.style.colouring == Colouring::Density && state.gpu.densities;
+        let follows = state.work == Work::Moved && !dense && !state.gpu.software;
+        if follows && self.follow(state, frame, view, budget, coloured) {
+            state.complete = false;
+            state.work = Work::Choose;
             return;
         }
-        match self.work {
+        match state.work {
             Work::Anew | Work::Moved => {
-                self.complete = false;
-                self.work = Work::Choose;
-                bending.settle(frame);
+                state.complete = false;
+                state.work = Work::Choose;
+                self.settle(frame);
                 if dense {
-                    self.begin_bent_density(bending, frame, view, false, budget);
-                    self.add_density(frame, budget);
-                    self.work = Work::Choose;
-                } else if self.gpu.software {
-                    self.sweep_bent_at_once(bending, frame, view, budget, coloured);
+                    self.begin_density(state, frame, view, false, budget);
+                    state.add_density(frame, budget);
+                    state.work = Work::Choose;
+                } else if state.gpu.software {
+                    self.sweep_at_once(state, frame, view, budget, coloured);
                 } else {
-                    self.draw_bent_at_once(bending, frame, view, budget, coloured);
+                    self.draw_at_once(state, frame, view, budget, coloured);
                 }
             }
             Work::Choose => {
-                bending.rest(frame);
+                self.rest(frame);
                 if dense {
-                    self.begin_bent_density(bending, frame, view, true, budget);
-                    self.add_density(frame, budget);
-                } else if self.gpu.software {
-                    self.begin_bent_sweep(bending, frame, view, coloured);
+                    self.begin_density(state, frame, view, true, budget);
+                    state.add_density(frame, budget);
+                } else if state.gpu.software {
+                    self.begin_sweep(state, frame, view, coloured);
                 } else {
-                    bending.doublings[1] = 0;
-                    self.plan_bent(bending, frame, view, coloured, true);
-                    self.work = Work::Plan;
+                    self.doublings[1] = 0;
+                    self.plan(state, frame, view, coloured, true);
+                    state.work = Work::Plan;
                 }
             }
-            Work::Plan => match self.plan_bent(bending, frame, view, coloured, false) {
+            Work::Plan => match self.plan(state, frame, view, coloured, false) {
                 Cut::Working => {}
-                Cut::TooMany => self.begin_bent_sweep(bending, frame, view, coloured),
-                Cut::Complete | Cut::Rough => self.choose_bent(bending, frame, view, budget, coloured),
+                Cut::TooMany => self.begin_sweep(state, frame, view, coloured),
+                Cut::Complete | Cut::Rough => self.choose(state, frame, view, budget, coloured),
             },
             Work::Points => {
-                let Some(back) = &self.back else { return };
-                let plan = &bending.back.plan;
-                if self.planned.go_on(&self.gpu, &self.pipelines, plan, back, budget) {
-                    self.finish(Shown::Back, plan.exact, plan.points());
+                let Some(back) = &state.back else { return };
+                let plan = &self.back.plan;
+                if state.points_pass.go_on(&state.gpu, &state.pipelines, plan, back, budget) {
+                    state.finish(Shown::Back, plan.exact, plan.points());
                 }
             }
             Work::Sweep => {
-                let sight = self.sight(view, self.sampling);
-                let Bending { quick, fine, sweeps: [_, sweep], .. } = bending;
+                let sight = sight(state, view, state.sampling);
+                let DeformedPass { quick, fine, sweeps: [_, sweep], .. } = self;
                 let Some(bent) = sight.bent(frame, fine.as_ref().unwrap_or(quick)) else { return };
-                let visits = if self.gpu.software { 2 * VISITS } else { VISITS };
+                let visits = if state.gpu.software { 2 * VISITS } else { VISITS };
                 let progress = sweep.run(&bent, visits);
                 if progress != Progress::Working {
                     let lit = sweep.lit();
-                    self.finish(Shown::SweptBack, progress == Progress::Complete, lit);
+                    state.finish(Shown::SweptBack, progress == Progress::Complete, lit);
                 }
             }
-            Work::Density => self.add_density(frame, budget),
+            Work::Density => state.add_density(frame, budget),
             Work::Done => {}
         }
-    }
-
-    fn sight(&self, view: View, factor: f64) -> Sight {
-        Sight { view, window: self.window, target: self.target_window(factor), factor }
     }
 
     /// Draws the pieces at hand where the mesh takes them. Returns whether that could be done.
     fn follow(
         &mut self,
-        bending: &mut Bending,
+        state: &mut StageState,
         frame: &Frame,
         view: View,
         budget: u64,
         coloured: bool,
     ) -> bool {
-        let factor = self.factor();
-        let sight = self.sight(view, factor);
-        let mesh = bending.mesh().to_vec();
-        let fits = bending.made.as_ref().is_some_and(|made| {
+        let factor = state.factor();
+        let sight = sight(state, view, factor);
+        let mesh = self.mesh().to_vec();
+        let fits = self.made.as_ref().is_some_and(|made| {
             let far = made.mesh.iter().zip(&mesh).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
             let same = (made.view, made.target, made.factor, made.coloured)
                 == (view, sight.target, factor, coloured);
@@ -310,110 +286,104 @@ impl Stage {
             return false;
         }
         // Single precision may do; if not, the bend itself must follow.
-        if !sight.bent(frame, &bending.quick).is_some_and(|bent| Moving::can_skin(&bent)) {
-            bending.settle(frame);
+        if !sight.bent(frame, &self.quick).is_some_and(|bent| Moving::can_skin(&bent)) {
+            self.settle(frame);
         }
-        let Some(bent) = sight.bent(frame, &bending.quick) else { return false };
-        bending.moving.follow(&bent, &mesh, &mut bending.front);
-        bending.front.compose(frame, Detail::LADDER[0]);
-        let points = bending.front.plan.points();
+        let Some(bent) = sight.bent(frame, &self.quick) else { return false };
+        self.moving.follow(&bent, &mesh, &mut self.front);
+        self.front.compose(frame, Detail::LADDER[0]);
+        let points = self.front.plan.points();
         if points > 2 * budget {
             return false;
         }
-        self.show_bent_front(bending, factor);
+        self.show_front(state, factor);
         true
     }
 
-    fn show_bent_front(&mut self, bending: &Bending, factor: f64) {
-        let target = self.fit(Shown::Front, factor);
-        let plan = &bending.front.plan;
-        self.followed.begin(&self.gpu, plan, &target);
-        self.followed.go_on(&self.gpu, &self.pipelines, plan, &target, u64::MAX);
-        self.front = Some(target);
-        self.show(Shown::Front, factor, plan.points());
+    fn show_front(&mut self, state: &mut StageState, factor: f64) {
+        let target = state.fit(Shown::Front, factor);
+        let plan = &self.front.plan;
+        let followed = self.followed.get_or_insert_with(|| PointsPass::new(&state.gpu));
+        followed.begin(&state.gpu, plan, &target);
+        followed.go_on(&state.gpu, &state.pipelines, plan, &target, u64::MAX);
+        state.front = Some(target);
+        state.show(Shown::Front, factor, plan.points());
     }
 
     /// Makes a whole picture within the budget, of fewer pixels and rougher if need be.
-    fn draw_bent_at_once(
+    fn draw_at_once(
         &mut self,
-        bending: &mut Bending,
+        state: &mut StageState,
         frame: &Frame,
         view: View,
         budget: u64,
         coloured: bool,
     ) {
         let mut coarser = false;
-        bending.doublings[0] = bending.doublings[0].saturating_sub(u32::from(bending.made.is_none()));
+        self.doublings[0] = self.doublings[0].saturating_sub(u32::from(self.made.is_none()));
         loop {
-            let factor = self.factor();
-            let sight = self.sight(view, factor);
-            cut_at_once(bending, frame, &sight, coloured);
-            bending.front.compose(frame, Detail::LADDER[0]);
-            let points = bending.front.plan.points();
-            if points > budget && self.halve() {
+            let factor = state.factor();
+            let sight = sight(state, view, factor);
+            cut_at_once(self, frame, &sight, coloured);
+            self.front.compose(frame, Detail::LADDER[0]);
+            let points = self.front.plan.points();
+            if points > budget && state.halve() {
                 coarser = true;
-            } else if !coarser && self.halvings > 0 && points * 5 < budget {
+            } else if !coarser && state.halvings > 0 && points * 5 < budget {
                 // Twice the pixels each way take at most some four times the points.
-                self.halvings -= 1;
+                state.halvings -= 1;
             } else {
                 break;
             }
         }
-        self.show_bent_front(bending, self.factor());
+        self.show_front(state, state.factor());
     }
 
     /// The same by a sweep.
-    fn sweep_bent_at_once(
+    fn sweep_at_once(
         &mut self,
-        bending: &mut Bending,
+        state: &mut StageState,
         frame: &Frame,
         view: View,
         budget: u64,
         coloured: bool,
     ) {
         let visits = budget.clamp(60_000, 400_000);
-        let Bending { quick, sweeps: [sweep, _], .. } = bending;
+        let DeformedPass { quick, sweeps: [sweep, _], .. } = self;
         loop {
-            let bent = self.sight(view, self.factor());
+            let bent = sight(state, view, state.factor());
             let Some(bent) = bent.bent(frame, quick) else { return };
             sweep.begin(&bent, SWEEPS.0, coloured);
-            if sweep.run(&bent, visits) != Progress::Working || !self.halve() {
+            if sweep.run(&bent, visits) != Progress::Working || !state.halve() {
                 break;
             }
         }
-        self.show(Shown::SweptFront, self.factor(), sweep.lit());
-        if self.halvings > 0 && sweep.visited() * 5 < visits {
-            self.halvings -= 1;
+        state.show(Shown::SweptFront, state.factor(), sweep.lit());
+        if state.halvings > 0 && sweep.visited() * 5 < visits {
+            state.halvings -= 1;
         }
     }
 
-    fn begin_bent_sweep(&mut self, bending: &mut Bending, frame: &Frame, view: View, coloured: bool) {
-        let Bending { quick, fine, sweeps: [_, sweep], .. } = bending;
-        let sight = self.sight(view, self.sampling);
+    fn begin_sweep(&mut self, state: &mut StageState, frame: &Frame, view: View, coloured: bool) {
+        let DeformedPass { quick, fine, sweeps: [_, sweep], .. } = self;
+        let sight = sight(state, view, state.sampling);
         let Some(bent) = sight.bent(frame, fine.as_ref().unwrap_or(quick)) else { return };
         sweep.begin(&bent, SWEEPS.1, coloured);
-        self.work = Work::Sweep;
+        state.work = Work::Sweep;
     }
 
-    fn begin_bent_density(&mut self, bending: &Bending, frame: &Frame, view: View, rest: bool, budget: u64) {
-        let settled = bending.fine.as_ref().filter(|_| rest).unwrap_or(&bending.quick);
-        let Some(bent) = self.sight(view, 1.0).bent(frame, settled) else { return };
+    fn begin_density(&mut self, state: &mut StageState, frame: &Frame, view: View, rest: bool, budget: u64) {
+        let settled = self.fine.as_ref().filter(|_| rest).unwrap_or(&self.quick);
+        let Some(bent) = sight(state, view, 1.0).bent(frame, settled) else { return };
         let points = (budget / 2).min(DENSE_POINTS) as usize;
         let pieces = if rest { DENSE.1 } else { DENSE.0 };
-        self.weighed.begin(&self.gpu, Density::bent(&bent, DENSE_SIZE, pieces, points));
+        state.density.begin(&state.gpu, Density::bent(&bent, DENSE_SIZE, pieces, points));
     }
 
     /// Plans more of the complete picture, or begins to.
-    fn plan_bent(
-        &self,
-        bending: &mut Bending,
-        frame: &Frame,
-        view: View,
-        coloured: bool,
-        begin: bool,
-    ) -> Cut {
-        let Bending { quick, fine, back, doublings: [_, doublings], .. } = bending;
-        let sight = self.sight(view, self.sampling);
+    fn plan(&mut self, state: &StageState, frame: &Frame, view: View, coloured: bool, begin: bool) -> Cut {
+        let DeformedPass { quick, fine, back, doublings: [_, doublings], .. } = self;
+        let sight = sight(state, view, state.sampling);
         let Some(bent) = sight.bent(frame, fine.as_ref().unwrap_or(quick)) else { return Cut::TooMany };
         let size = if coloured { COLOURED.1 } else { LARGEST.1 };
         let floor = if *doublings == 0 { 0.0 } else { 0.5 * f64::from(1_u32 << *doublings) };
@@ -429,9 +399,9 @@ impl Stage {
         cut
     }
 
-    /// Chooses how to draw the complete picture that was planned: as fine as may be, or by a sweep after all.
-    fn choose_bent(&mut self, bending: &mut Bending, frame: &Frame, view: View, budget: u64, coloured: bool) {
-        let back = &mut bending.back;
+    /// Chooses how to draw the complete picture that was points_pass: as fine as may be, or by a sweep after all.
+    fn choose(&mut self, state: &mut StageState, frame: &Frame, view: View, budget: u64, coloured: bool) {
+        let back = &mut self.back;
         let mut finest = None;
         let mut most = MOST_POINTS;
         for detail in Detail::LADDER {
@@ -449,15 +419,19 @@ impl Stage {
             }
         }
         let Some(detail) = finest else {
-            self.begin_bent_sweep(bending, frame, view, coloured);
+            self.begin_sweep(state, frame, view, coloured);
             return;
         };
         back.compose(frame, detail);
-        let target = self.fit(Shown::Back, self.sampling);
-        self.planned.begin(&self.gpu, &back.plan, &target);
-        self.back = Some(target);
-        self.work = Work::Points;
+        let target = state.fit(Shown::Back, state.sampling);
+        state.points_pass.begin(&state.gpu, &back.plan, &target);
+        state.back = Some(target);
+        state.work = Work::Points;
     }
+}
+
+fn sight(state: &StageState, view: View, factor: f64) -> Sight {
+    Sight { view, window: state.window, target: state.target_window(factor), factor }
 }
 
 fn margin(target: Window) -> f64 {
@@ -465,8 +439,8 @@ fn margin(target: Window) -> f64 {
 }
 
 /// Cuts pieces that can follow the mesh, fewer and larger ones where there are too many.
-fn cut_at_once(bending: &mut Bending, frame: &Frame, sight: &Sight, coloured: bool) {
-    let Bending { quick, mesh, front, moving, made, doublings: [doublings, _], .. } = bending;
+fn cut_at_once(deformed: &mut DeformedPass, frame: &Frame, sight: &Sight, coloured: bool) {
+    let DeformedPass { quick, mesh, front, moving, made, doublings: [doublings, _], .. } = deformed;
     let Some(bent) = sight.bent(frame, quick) else { return };
     loop {
         let floor = FLOOR * f64::from(1_u32 << *doublings);

@@ -15,7 +15,7 @@ use crate::points::{Instance, Vertex};
 
 /// A [`Density`] that is drawn in passes.
 #[derive(Debug)]
-pub(in crate::gpu) struct Weighed {
+pub(in crate::gpu) struct DensityPass {
     density: Option<Density>,
     vertices: Buffer,
     instances: Buffer,
@@ -40,7 +40,7 @@ const SOFTWARE_POINTS: u64 = 1_000_000;
 /// Weights are scaled down so that their sums stay within a half float.
 const SCALE: f32 = 1.0 / 64.0;
 
-impl Weighed {
+impl DensityPass {
     pub fn new(gpu: &Gpu) -> Self {
         Self {
             density: None,

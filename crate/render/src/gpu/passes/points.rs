@@ -8,7 +8,7 @@ use crate::plan::{Batch, Plan};
 
 /// A [`Plan`] that is drawn, all at once or bit by bit.
 #[derive(Debug)]
-pub(in crate::gpu) struct Planned {
+pub(in crate::gpu) struct PointsPass {
     vertices: Buffer,
     instances: Buffer,
     /// What is drawn next: a batch, and an instance within it.
@@ -16,7 +16,7 @@ pub(in crate::gpu) struct Planned {
     clear: bool,
 }
 
-impl Planned {
+impl PointsPass {
     pub fn new(gpu: &Gpu) -> Self {
         Self {
             vertices: Buffer::new(&gpu.device, "vertices"),
@@ -26,7 +26,7 @@ impl Planned {
         }
     }
 
-    /// Begins to draw what was planned.
+    /// Begins to draw what was points_pass.
     pub fn begin(&mut self, gpu: &Gpu, plan: &Plan, target: &Target) {
         self.vertices.fill(&gpu.device, &gpu.queue, &plan.vertices);
         self.instances.fill(&gpu.device, &gpu.queue, &plan.instances);

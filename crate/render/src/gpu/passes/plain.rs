@@ -1,0 +1,141 @@
+//! What a stage draws while nothing is bent.
+
+use crate::coverage::sweep::Progress;
+use crate::gpu::passes::cpu::CpuPass;
+use crate::gpu::passes::density::DensityPass;
+use crate::gpu::state::{MOST_POINTS, SWEEPS, Shown, StageState, VISITS, Work};
+use crate::picture::colour::Colouring;
+use crate::picture::view::View;
+use crate::picture::window::Window;
+use crate::pieces::frame::Frame;
+use crate::plan::{Detail, Plan};
+
+/// A picture as points, or swept where points would be dear or without end.
+#[derive(Debug)]
+pub(in crate::gpu) struct PlainPass {
+    plan: Plan,
+    /// At once, and complete.
+    swept: [CpuPass; 2],
+}
+
+impl PlainPass {
+    pub fn new() -> Self {
+        Self { plan: Plan::default(), swept: [CpuPass::new(), CpuPass::new()] }
+    }
+
+    /// What was swept, at once or when complete: its codes and the window they are of.
+    pub fn codes(&self, back: usize) -> (&[u32], Window) {
+        self.swept[back].codes()
+    }
+
+    /// Draws more of the picture: about `budget` points.
+    pub fn advance(&mut self, state: &mut StageState, frame: &Frame, view: View, budget: u64) {
+        match state.work {
+            Work::Anew | Work::Moved | Work::Plan => {
+                state.complete = false;
+                state.work = Work::Choose;
+                if state.style.colouring == Colouring::Density && state.gpu.densities {
+                    state.density.begin(&state.gpu, DensityPass::density(frame, view, state.window, budget));
+                    state.add_density(frame, budget);
+                } else if state.gpu.software {
+                    self.sweep_at_once(state, frame, view, budget);
+                } else {
+                    self.draw_at_once(state, frame, view, budget);
+                }
+            }
+            Work::Choose => self.choose(state, frame, view, budget),
+            Work::Points => {
+                let Some(back) = &state.back else { return };
+                if state.points_pass.go_on(&state.gpu, &state.pipelines, &self.plan, back, budget) {
+                    state.finish(Shown::Back, self.plan.exact, self.plan.points());
+                }
+            }
+            Work::Sweep => {
+                let progress = self.swept[1].go_on(if state.gpu.software { 2 * VISITS } else { VISITS });
+                if progress != Progress::Working {
+                    state.finish(Shown::SweptBack, progress == Progress::Complete, self.swept[1].lit);
+                }
+            }
+            Work::Density => state.add_density(frame, budget),
+            Work::Done => {}
+        }
+    }
+
+    /// Makes a whole picture within the budget, of fewer pixels if need be.
+    fn draw_at_once(&mut self, state: &mut StageState, frame: &Frame, view: View, budget: u64) {
+        let mut coarser = false;
+        loop {
+            let factor = state.factor();
+            let to_target = state.to_target(frame, view, factor);
+            self.plan.make(frame, to_target, state.target_window(factor), Detail::LADDER[0]);
+            let points = self.plan.points();
+            if points > budget && state.halve() {
+                coarser = true;
+            } else if !coarser && state.halvings > 0 && points * 5 < budget {
+                // Twice the pixels each way take at most some four times the points.
+                state.halvings -= 1;
+            } else {
+                break;
+            }
+        }
+        let factor = state.factor();
+        let target = state.fit(Shown::Front, factor);
+        state.points_pass.begin(&state.gpu, &self.plan, &target);
+        state.points_pass.go_on(&state.gpu, &state.pipelines, &self.plan, &target, u64::MAX);
+        state.front = Some(target);
+        state.show(Shown::Front, factor, self.plan.points());
+    }
+
+    /// The same by a sweep: a visit takes about as long as a point does where there is no graphics card.
+    fn sweep_at_once(&mut self, state: &mut StageState, frame: &Frame, view: View, budget: u64) {
+        let visits = budget.clamp(60_000, 400_000);
+        loop {
+            let factor = state.factor();
+            let to_target = state.to_target(frame, view, factor);
+            self.swept[0].begin(frame, to_target, state.target_window(factor), SWEEPS.0);
+            if self.swept[0].go_on(visits) != Progress::Working || !state.halve() {
+                break;
+            }
+        }
+        state.show(Shown::SweptFront, state.factor(), self.swept[0].lit);
+        if state.halvings > 0 && self.swept[0].visited() * 5 < visits {
+            state.halvings -= 1;
+        }
+    }
+
+    /// Chooses how to draw the complete picture: as points if they are soon drawn, as fine as may be; else
+    /// by a sweep.
+    fn choose(&mut self, state: &mut StageState, frame: &Frame, view: View, budget: u64) {
+        let factor = state.sampling;
+        let window = state.target_window(factor);
+        let to_target = state.to_target(frame, view, factor);
+        let mut finest = None;
+        // A sweep takes about as many visits as the coarsest plan has points.
+        let mut most = MOST_POINTS;
+        for detail in Detail::LADDER.into_iter().filter(|_| !state.gpu.software) {
+            self.plan.make(frame, to_target, window, detail);
+            let points = self.plan.points();
+            if finest.is_none() {
+                most = most.min(points.div_ceil(VISITS).saturating_mul(2 * budget));
+            }
+            if !self.plan.exact || points > most {
+                break;
+            }
+            finest = Some(detail);
+            // The next would have two to four times as many.
+            if points * 3 > most || self.plan.vertices.len() > 60_000 {
+                break;
+            }
+        }
+        if let Some(detail) = finest {
+            self.plan.make(frame, to_target, window, detail);
+            let target = state.fit(Shown::Back, factor);
+            state.points_pass.begin(&state.gpu, &self.plan, &target);
+            state.back = Some(target);
+            state.work = Work::Points;
+        } else {
+            self.swept[1].begin(frame, to_target, window, SWEEPS.1);
+            state.work = Work::Sweep;
+        }
+    }
+}
