@@ -75,9 +75,9 @@ fn main() {
         plan.begin(&bent, 24_000, false);
         assert_ne!(plan.run(&bent, &fineness, u64::MAX, Some(&mut moving)), Cut::TooMany);
         let moved = mesh(0.35);
-        let (first, ()) = least(1, || moving.follow(&bent, moved.displacements(), &mut plan));
+        let (first, ()) = least(1, || plan.follow(&bent, moved.displacements(), &mut moving));
         let (each, ()) = least(10, || {
-            moving.follow(&bent, moved.displacements(), &mut plan);
+            plan.follow(&bent, moved.displacements(), &mut moving);
             plan.compose(&frame, Detail::LADDER[0]);
         });
         moving_at_nine = each;

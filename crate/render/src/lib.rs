@@ -33,8 +33,9 @@ pub mod solid;
 #[cfg(test)]
 mod testing;
 
+pub use coverage::canvas::Hit;
 pub use coverage::flood::{CloudPoint, Flood};
-pub use coverage::sweep::{Hit, Progress, Sweep};
+pub use coverage::sweep::{Progress, Sweep};
 pub use density::Density;
 pub use picture::bitmap::Bitmap;
 pub use picture::colour::{Colouring, Look, OKABE_ITO, code_of_colour, pack_colour};

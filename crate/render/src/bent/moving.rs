@@ -3,10 +3,10 @@
 use frond_deform::{Cursor, Skin};
 use glam::DVec2;
 
-use super::{Bent, BentPlan, bend_to};
+use super::{Bent, Placed, bend_to};
 use crate::pieces::letters::Letters;
 
-/// The pieces of a [`BentPlan`] as they move with the mesh: the anchors of each are skinned, sixteen weights for a mesh
+/// The pieces of a [`BentPlan`](super::BentPlan) as they move with the mesh: the anchors of each are skinned, sixteen weights for a mesh
 /// of 4 x 4, however deep the bend is.
 #[derive(Debug, Default)]
 pub struct Moving {
@@ -51,12 +51,16 @@ impl Moving {
         bent.eye.blur(largest) <= BLUR
     }
 
-    /// Puts the pieces where they are when the control points of the mesh are displaced so.
-    pub fn follow(&mut self, bent: &Bent<'_>, displacements: &[DVec2], plan: &mut BentPlan) {
-        plan.clear(bent);
+    /// Tells for each piece where it is when the control points of the mesh are displaced so, its letters and its tint.
+    pub(super) fn follow(
+        &mut self,
+        bent: &Bent<'_>,
+        displacements: &[DVec2],
+        mut put: impl FnMut(&Placed, Letters, u32),
+    ) {
         if !Self::can_skin(bent) {
             for (cursor, letters, tint) in &self.pieces {
-                plan.put(&bent.placed(cursor), *letters, *tint);
+                put(&bent.placed(cursor), *letters, *tint);
             }
             return;
         }
@@ -80,7 +84,7 @@ impl Moving {
                     DVec2::new(f64::from(place[i]), f64::from(place[i + 1]))
                 };
                 let points = bend_to([at(0), at(1), at(2), at(3)], &bent.eye);
-                plan.put(&bent.sides.placed(points), *letters, *tint);
+                put(&bent.sides.placed(points), *letters, *tint);
             }
         }
     }

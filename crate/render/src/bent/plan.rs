@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use glam::DVec2;
+
 use super::{Bent, Cut, Cutter, Fineness, Moving, Placed};
 use crate::pieces::frame::Frame;
 use crate::pieces::letters::Letters;
@@ -69,7 +71,7 @@ impl BentPlan {
     }
 
     /// Takes all pieces out, to put in others of the same shape.
-    pub(super) fn clear(&mut self, bent: &Bent<'_>) {
+    fn clear(&mut self, bent: &Bent<'_>) {
         self.buckets.resize_with(BUCKETS, Vec::new);
         self.buckets.iter_mut().for_each(Vec::clear);
         self.plan.sides = bent.sides.to_card();
@@ -77,9 +79,11 @@ impl BentPlan {
         self.plan.exact = false;
     }
 
-    /// Puts in a piece.
-    pub(super) fn put(&mut self, placed: &Placed, letters: Letters, tint: u32) {
-        put(&mut self.buckets, placed, letters, tint);
+    /// Puts the pieces that were kept where they are when the control points of the mesh are displaced so.
+    pub fn follow(&mut self, bent: &Bent<'_>, displacements: &[DVec2], moving: &mut Moving) {
+        self.clear(bent);
+        let buckets = &mut self.buckets;
+        moving.follow(bent, displacements, |placed, letters, tint| put(buckets, placed, letters, tint));
     }
 
     /// Gives the pieces their clouds. May be called again for another detail.

@@ -313,7 +313,7 @@ fn pieces_follow_the_mesh() {
         if !skinned {
             after.bend.set_mesh(&moved).unwrap();
         }
-        moving.follow(&after.bent(), &moved, &mut plan);
+        plan.follow(&after.bent(), &moved, &mut moving);
         plan.compose(&after.frame, Detail::LADDER[4]);
         assert_eq!(plan.plan.instances.len(), pieces);
         after.bend.set_mesh(&moved).unwrap();

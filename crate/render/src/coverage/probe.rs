@@ -3,8 +3,8 @@
 use frond_core::{Affine2, hash};
 use glam::DVec2;
 
+use crate::coverage::canvas::{Canvas, Hit, Node};
 use crate::coverage::flood::Flood;
-use crate::coverage::sweep::{Canvas, Hit, Node};
 use crate::picture::bitmap::Bitmap;
 use crate::pieces::frame::Frame;
 

@@ -290,7 +290,7 @@ impl DeformedPass {
             self.settle(frame);
         }
         let Some(bent) = sight.bent(frame, &self.quick) else { return false };
-        self.moving.follow(&bent, &mesh, &mut self.front);
+        self.front.follow(&bent, &mesh, &mut self.moving);
         self.front.compose(frame, Detail::LADDER[0]);
         let points = self.front.plan.points();
         if points > 2 * budget {
