@@ -5,11 +5,11 @@ use glam::DVec2;
 
 use crate::evidence::reason::{self, Points, Reason};
 use crate::frame::Frame;
-use crate::gap::search::Search;
-use crate::gap::span::Span;
+use crate::gap::kruskal::{KruskalSearch, WidestEdge};
+use crate::gap::word_tree::WordTree;
 use crate::magnification::Magnification;
 use crate::overlap_graph::Components;
-use crate::support::table::Outline;
+use crate::support::table::SupportTable;
 use crate::verdict::{Gap, Options, Verdict};
 
 /// The answer of [`connectedness`].
@@ -97,18 +97,18 @@ fn decided(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Co
     if frame.point {
         return in_one_point(maps.len(), at_once.or_else(|| reason::one_point(maps)));
     }
-    let mut outline = Outline::default();
+    let mut outline = SupportTable::default();
     outline.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
-    let mut search = Search::default();
-    search.begin(&frame, &outline, options.epsilon.max(0.0));
+    let mut words = WordTree::default();
+    let mut search = KruskalSearch::begin(&frame, &mut outline, &mut words, options.epsilon.max(0.0));
     if at_once.is_some() && maps.len() == 2 {
-        search.meet(0, 1);
+        search.join(0, 1);
     }
-    if search.settle(&frame, &outline, options.budget) {
-        search.settle_all(&frame, &outline, options.budget);
+    if search.settle(options.budget) {
+        search.settle_all(options.budget);
     }
     // With a pair left open, some pieces may meet that were not found to: those in different parts do not.
-    let (found, parts) = (search.components.clone(), search.coarsest());
+    let (found, parts) = (search.met().clone(), search.coarsest());
     let apart = parts.count() > 1;
     let reason = at_once.or_else(|| {
         if apart {
@@ -116,11 +116,11 @@ fn decided(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Co
         }
         let mut pairs = search.may_meet();
         pairs.truncate(PAIRS);
-        let points = Points::find(maps, &frame, &outline, &pairs);
-        let gap = search.reach().upper * (1.0 + 1e-9);
+        let points = Points::find(maps, &frame, search.support(), &pairs);
+        let gap = search.widest_edge().upper * (1.0 + 1e-9);
         let near = |i: usize, j: usize| {
-            let nearest = search.nearest[i * maps.len() + j];
-            frame.to_plane(nearest.from.midpoint(nearest.to))
+            let [from, to] = search.edge(i, j).points;
+            frame.to_plane(from.midpoint(to))
         };
         let shared = match points.as_given() {
             Ok(reason) => return Some(reason),
@@ -151,36 +151,36 @@ fn decided(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Co
         overlaps.dedup();
     }
     let diameter = search.plane_diameter;
-    let span = match verdict {
-        Verdict::Connected => Span::default(),
-        Verdict::Touching => search.reach(),
-        Verdict::Disconnected => measure(&mut search, &frame, &outline, options.budget),
-        Verdict::Undecided => search.reach(),
+    let widest = match verdict {
+        Verdict::Connected => WidestEdge::default(),
+        Verdict::Touching => search.widest_edge(),
+        Verdict::Disconnected => measure(&mut search, options.budget),
+        Verdict::Undecided => search.widest_edge(),
     };
-    let closest = span.widest.map(|n| (frame.to_plane(n.from), frame.to_plane(n.to)));
+    let closest = widest.ends.map(|[from, to]| (frame.to_plane(from), frame.to_plane(to)));
     Connectedness {
         verdict,
-        gap: Gap { lower: span.lower, upper: span.upper },
+        gap: Gap { lower: widest.lower, upper: widest.upper },
         overlaps,
         components: components.labels(),
         count,
         closest,
         diameter,
-        nodes: search.nodes,
+        nodes: search.nodes(),
         reason,
     }
 }
 
 /// The widest gap of an attractor that is in several pieces, from the search that told them apart.
-fn measure(search: &mut Search, frame: &Frame, outline: &Outline, budget: usize) -> Span {
+fn measure(search: &mut KruskalSearch, budget: usize) -> WidestEdge {
     let absolute = 1e-9 * search.plane_diameter;
-    let mut best = Span { upper: f64::INFINITY, ..Span::default() };
+    let mut best = WidestEdge { upper: f64::INFINITY, ..WidestEdge::default() };
     loop {
         let near = search.resolution;
-        let span = search.span(frame, outline, 0.01, absolute, search.nodes.saturating_add(budget));
-        best.lower = best.lower.max(span.lower);
-        if span.upper < best.upper {
-            best = Span { lower: best.lower, ..span };
+        let found = search.measure(0.01, absolute, search.nodes().saturating_add(budget));
+        best.lower = best.lower.max(found.lower);
+        if found.upper < best.upper {
+            best = WidestEdge { lower: best.lower, ..found };
         }
         // Where it is pieces that were joined for being near that are farthest apart, they are to be told apart as well: but for
         // those that are nearer than the gap is wide.
@@ -189,11 +189,11 @@ fn measure(search: &mut Search, frame: &Frame, outline: &Outline, budget: usize)
         if !loose || best.upper > 2.0 * near || finer >= near {
             return best;
         }
-        let spent = search.nodes;
-        search.begin(frame, outline, finer / search.plane_diameter);
+        let spent = search.nodes();
+        search.begin_again(finer / search.plane_diameter);
         let begun = search.resolution < near;
-        let settled = begun && search.settle(frame, outline, budget);
-        search.nodes += spent;
+        let settled = begun && search.settle(budget);
+        search.add_nodes(spent);
         if !settled {
             return best;
         }

@@ -5,25 +5,25 @@ use glam::{DMat2, DVec2};
 
 use crate::exact::area;
 use crate::frame::Frame;
-use crate::gap::bracket::Rift;
+use crate::gap::bracket::CutSearch;
 use crate::gap::difference_set::{self, Differences, Translates};
 use crate::gap::greedy::Dive;
-use crate::gap::word_pairs::Words;
-use crate::gap::word_tree::Pieces;
+use crate::gap::word_pairs::WordPairs;
+use crate::gap::word_tree::WordTree;
 use crate::magnification::Magnification;
-use crate::support::table::Outline;
+use crate::support::table::SupportTable;
 use crate::verdict::{Bounded, Sample, State};
 
 /// The memory that [`decide`] works in; keep one for many calls.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
     pub(crate) frame: Frame,
-    pub(crate) outline: Outline,
+    pub(crate) outline: SupportTable,
     pub(crate) dive: Dive,
-    pub(crate) pieces: Pieces,
+    pub(crate) words: WordTree,
     differences: Differences,
     maps: Vec<Affine2>,
-    pub(crate) rift: Rift,
+    pub(crate) search: CutSearch,
 }
 
 /// Decides whether the attractor of raw maps is connected, and how wide its widest gap is.
@@ -107,7 +107,7 @@ impl Scratch {
             return magnification.bounded(self.decide(&magnification.magnify(maps), epsilon, budget, ask));
         }
         let Ask { polygon, bounds } = ask;
-        let Self { frame, outline, dive, pieces, differences, rift, .. } = self;
+        let Self { frame, outline, dive, words, differences, search, .. } = self;
         let equal = polygon || difference_set::are_equal(maps);
         let proved = equal && difference_set::fill(&maps[0]);
         if proved && !bounds && maps[0].norm() < 1.0 - 1e-9 && maps.iter().all(|map| map.is_finite()) {
@@ -140,19 +140,19 @@ impl Scratch {
             // The attractor lies in the unit disc of the frame.
             return whole(State::Connected, 0.0, 2.0 * frame.stretch);
         }
-        rift.begin(maps.len(), polygon);
+        search.begin(maps.len(), polygon);
         let areas = || maps.iter().map(difference_set::area);
         if areas().any(|area| area >= 0.5) {
-            rift.join_proved(|i, j| difference_set::area(&maps[i]) + difference_set::area(&maps[j]) >= 1.0);
-            if rift.is_whole() {
+            search.join_proved(|i, j| difference_set::area(&maps[i]) + difference_set::area(&maps[j]) >= 1.0);
+            if search.is_whole() {
                 return whole(State::Connected, 0.0, 2.0 * frame.stretch);
             }
         }
         let (bracket, diameter) = if equal {
             differences.set(frame, outline, polygon);
             let near = epsilon * epsilon * differences.extent(frame);
-            rift.join_near(|i, j| differences.meet(frame, i, j, near));
-            if rift.is_whole() && !bounds {
+            search.join_near(|i, j| differences.meet(frame, i, j, near));
+            if search.is_whole() && !bounds {
                 return whole(State::Touching, f64::INFINITY, f64::NAN);
             }
             // The differences reach as far to both sides.
@@ -160,16 +160,16 @@ impl Scratch {
             let resolution = frame.resolution(epsilon, diameter);
             let size = 0.5 * outline.diameter(DMat2::IDENTITY);
             let mut translates = Translates::new(frame, outline, differences, resolution, size);
-            (rift.bracket(&mut translates, resolution, budget), diameter)
+            (search.bracket(&mut translates, resolution, budget), diameter)
         } else {
             let met = |i: usize, j: usize| (frame.maps[i] == frame.maps[j]).then_some(0.0);
             if dive.set(frame) {
                 let near = epsilon * epsilon * dive.extent(frame);
-                rift.join_near(|i, j| met(i, j).or_else(|| dive.meet(frame, i, j, near)));
+                search.join_near(|i, j| met(i, j).or_else(|| dive.meet(frame, i, j, near)));
             } else {
-                rift.join_near(met);
+                search.join_near(met);
             }
-            if rift.is_whole() && !bounds {
+            if search.is_whole() && !bounds {
                 return whole(State::Touching, f64::INFINITY, f64::NAN);
             }
             if frame.factor < SWIFT {
@@ -179,14 +179,16 @@ impl Scratch {
             }
             let diameter = frame.diameter(outline.diameter(frame.from_round));
             let resolution = frame.resolution(epsilon, diameter);
-            (rift.bracket(&mut Words::new(frame, outline, pieces, resolution), resolution, budget), diameter)
+            let mut pairs = WordPairs::new(frame, outline, words);
+            pairs.begin(resolution, resolution);
+            (search.bracket(&mut pairs, resolution, budget), diameter)
         };
         let relative = |length: f64| length / diameter;
         let (lower, upper) = (
             relative(bracket.lower) * (1.0 - SLACK),
-            relative(rift.bottleneck() + frame.off()) * (1.0 + SLACK),
+            relative(search.bottleneck() + frame.off()) * (1.0 + SLACK),
         );
-        if rift.is_whole() {
+        if search.is_whole() {
             return whole(State::Touching, upper, diameter);
         }
         let sample = if lower > 0.0 {

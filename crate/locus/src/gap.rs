@@ -3,10 +3,9 @@
 pub(crate) mod bracket;
 pub(crate) mod difference_set;
 pub(crate) mod greedy;
-pub(crate) mod pair;
+pub(crate) mod kruskal;
+pub(crate) mod pair_descent;
 pub(crate) mod piece_distance;
-pub(crate) mod search;
-pub(crate) mod span;
 pub(crate) mod spanning_tree;
 pub(crate) mod word_pairs;
 pub(crate) mod word_tree;

@@ -5,9 +5,10 @@ use glam::DVec2;
 
 use crate::evidence::separate::{Descent, Separation};
 use crate::frame::Frame;
-use crate::gap::search::Search;
+use crate::gap::kruskal::KruskalSearch;
+use crate::gap::word_tree::WordTree;
 use crate::overlap_graph::Components;
-use crate::support::table::Outline;
+use crate::support::table::SupportTable;
 use crate::support::trapping_polygon::Enclosure;
 use crate::verdict::Options;
 
@@ -62,18 +63,18 @@ pub fn certificate(ifs: &Ifs, options: &Options) -> Option<Certificate> {
     if frame.point {
         return None;
     }
-    let mut outline = Outline::default();
+    let mut outline = SupportTable::default();
     outline.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
-    let mut search = Search::default();
-    search.begin(&frame, &outline, options.epsilon.max(0.0));
-    search.settle(&frame, &outline, options.budget);
+    let mut words = WordTree::default();
+    let mut search = KruskalSearch::begin(&frame, &mut outline, &mut words, options.epsilon.max(0.0));
+    search.settle(options.budget);
     let parts = search.coarsest();
     if parts.count() < 2 {
         return None;
     }
     // Refines what is known of the distances, so that the cut goes where the gap is widest.
-    search.span(&frame, &outline, 0.3, 0.0, search.nodes.saturating_add(options.budget.min(20_000)));
-    let side = cut(&search, &parts);
+    search.measure(0.3, 0.0, search.nodes().saturating_add(options.budget.min(20_000)));
+    let side = cut(&search, maps.len(), &parts);
     let from = frame.from_round;
     let drawn = drawn(&frame, &outline);
     ATTEMPTS.iter().find_map(|attempt| {
@@ -116,7 +117,7 @@ const ATTEMPTS: [Attempt; 5] = [
 ];
 
 /// The frame, drawn along the shorter axis of the attractor.
-fn drawn(frame: &Frame, outline: &Outline) -> Option<Frame> {
+fn drawn(frame: &Frame, outline: &SupportTable) -> Option<Frame> {
     let points = outline.points();
     let mean = points.iter().sum::<DVec2>() / points.len() as f64;
     let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
@@ -138,11 +139,9 @@ const FLAT: f64 = 4.0;
 const MOST_ROUNDING: f64 = 1e-5;
 
 /// Parts the maps at the widest gap: all others are closed, nearest first, until two components are left.
-fn cut(search: &Search, parts: &Components) -> Vec<u8> {
-    let count = search.count;
+fn cut(search: &KruskalSearch, count: usize, parts: &Components) -> Vec<u8> {
     let pairs = (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j)));
-    let mut edges: Vec<(f64, usize, usize)> =
-        pairs.map(|(i, j)| (search.nearest[i * count + j].reach, i, j)).collect();
+    let mut edges: Vec<(f64, usize, usize)> = pairs.map(|(i, j)| (search.edge(i, j).reach, i, j)).collect();
     edges.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut components = parts.clone();
     for (_, i, j) in edges {

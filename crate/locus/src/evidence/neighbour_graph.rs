@@ -14,11 +14,11 @@ use frond_core::Affine2;
 use crate::exact::address::Periodic;
 use crate::exact::quadratic::SurdSystem;
 use crate::frame::Frame;
-use crate::support::table::Outline;
+use crate::support::table::SupportTable;
 
 pub(crate) struct Neighbours<'a> {
     frame: &'a Frame,
-    outline: &'a Outline,
+    outline: &'a SupportTable,
     inverses: Vec<Affine2>,
     states: Vec<State>,
     index: HashMap<[i64; 6], u32>,
@@ -67,7 +67,7 @@ const TRIED: usize = 60;
 
 impl<'a> Neighbours<'a> {
     /// `None` if a map has no inverse.
-    pub fn new(frame: &'a Frame, outline: &'a Outline) -> Option<Self> {
+    pub fn new(frame: &'a Frame, outline: &'a SupportTable) -> Option<Self> {
         let invert = |map: &Affine2| map.inverse().filter(|inverse| inverse.norm() < STRETCH);
         let inverses = frame.maps.iter().map(invert).collect::<Option<Vec<_>>>()?;
         Some(Self {
@@ -315,7 +315,7 @@ mod tests {
     fn with<T>(maps: &[Affine2], work: impl FnOnce(&mut Neighbours<'_>) -> T) -> T {
         let mut frame = Frame::default();
         frame.set(maps).unwrap();
-        let mut outline = Outline::default();
+        let mut outline = SupportTable::default();
         outline.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
         let mut neighbours = Neighbours::new(&frame, &outline).unwrap();
         let count = maps.len();

@@ -13,7 +13,7 @@ use crate::exact::recognise::{self, Reading};
 use crate::frame::Frame;
 use crate::overlap_graph::OverlapGraph;
 use crate::region::trap::crossings_beside;
-use crate::support::table::Outline;
+use crate::support::table::SupportTable;
 use crate::verdict::ReasonKind;
 
 /// What holds two pieces together.
@@ -218,7 +218,7 @@ impl<'a> Points<'a> {
     pub fn find(
         maps: &'a [Affine2],
         frame: &'a Frame,
-        outline: &'a Outline,
+        outline: &'a SupportTable,
         pairs: &'a [(usize, usize)],
     ) -> Self {
         let mut found = corners(&frame.maps);

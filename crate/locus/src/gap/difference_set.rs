@@ -1,16 +1,15 @@
 //! Systems whose maps share one linear part.
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
 use crate::frame::Frame;
-use crate::gap::bracket::{Explore, Part};
-use crate::gap::pair::Pair;
-use crate::gap::piece_distance::{Distances, Gauge};
+use crate::gap::pair_descent::{Explore, Pair, Sight};
+use crate::gap::piece_distance::Gauge;
 use crate::support::f64x4::{Four, Vec4};
-use crate::support::table::Outline;
+use crate::support::table::SupportTable;
 
 /// The differences of the pieces of maps `M x + t_i`.
 ///
@@ -76,7 +75,7 @@ impl Differences {
     /// Gets ready for the maps of a frame, which share one linear part and contract one by one, and bounds their differences.
     ///
     /// Of a regular polygon with an even number of corners every other difference is known to repeat another.
-    pub fn set(&mut self, frame: &Frame, outline: &mut Outline, polygon: bool) {
+    pub fn set(&mut self, frame: &Frame, outline: &mut SupportTable, polygon: bool) {
         let m = frame.maps[0].linear;
         self.round = frame.factor * frame.factor - m.determinant().abs() < 1e-3;
         self.powers.clear();
@@ -211,7 +210,7 @@ fn after(power: DMat2, offset: DVec2, step: Vec4) -> Vec4 {
 /// A descent on [`Differences`].
 pub(crate) struct Translates<'a> {
     frame: &'a Frame,
-    outline: &'a Outline,
+    outline: &'a SupportTable,
     differences: &'a mut Differences,
     small: f64,
     gauge: Gauge,
@@ -221,7 +220,7 @@ impl<'a> Translates<'a> {
     /// `diameter` is that of the attractor in the frame.
     pub fn new(
         frame: &'a Frame,
-        outline: &'a Outline,
+        outline: &'a SupportTable,
         differences: &'a mut Differences,
         resolution: f64,
         diameter: f64,
@@ -234,17 +233,22 @@ impl<'a> Translates<'a> {
 }
 
 impl Explore for Translates<'_> {
+    type Nearest = ();
+
     fn lean(&mut self, to_measure: bool) {
         self.gauge = if to_measure { Gauge::to_measure(self.frame) } else { Gauge::to_separate(self.frame) };
     }
 
-    fn first(&mut self, i: u32, others: Range<u32>) -> Distances {
+    fn first(&mut self, i: u32, others: Range<u32>, mut see: impl FnMut(u32, Sight<()>)) {
         let shifts = &self.differences.shifts;
         let offset = |j: u32| shifts[i as usize] - shifts[j as usize];
         let lanes = [0, 1, 2, 3].map(|k| offset((others.start + k).min(others.end - 1)));
         let offsets = Vec4 { x: Four(lanes.map(|o| o.x)), y: Four(lanes.map(|o| o.y)) };
         self.differences.size(1, self.frame.maps[0].linear, self.frame.factor);
-        self.gauge.differences(self.outline, self.differences.powers[1], offsets)
+        let looks = self.gauge.differences(self.outline, self.differences.powers[1], offsets);
+        for (k, j) in others.enumerate() {
+            see(j, looks.sight(k));
+        }
     }
 
     fn root(&mut self, i: u8, j: u8) -> (u32, u32) {
@@ -258,7 +262,7 @@ impl Explore for Translates<'_> {
         self.differences.sizes[k as usize] <= self.small
     }
 
-    fn split(&mut self, pair: &Pair, into: &mut Vec<Part>) {
+    fn split(&mut self, pair: &Pair, mut see: impl FnMut(u32, u32, Sight<()>) -> ControlFlow<()>) {
         let (offset, k) = self.differences.nodes[pair.u as usize];
         self.differences.size(k as usize + 1, self.frame.maps[0].linear, self.frame.factor);
         let (power, next) = (self.differences.powers[k as usize], self.differences.powers[k as usize + 1]);
@@ -268,7 +272,9 @@ impl Explore for Translates<'_> {
             for l in 0..4.min(self.differences.count - 4 * block) {
                 let node = self.differences.nodes.len() as u32;
                 self.differences.nodes.push((offsets.at(l), k + 1));
-                into.push(Part::new(&looks, l, pair, node, 0));
+                if see(node, 0, looks.sight(l)).is_break() {
+                    return;
+                }
             }
         }
     }

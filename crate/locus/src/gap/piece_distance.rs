@@ -4,13 +4,14 @@ use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
 use crate::frame::Frame;
-use crate::gap::pair::Piece;
+use crate::gap::pair_descent::Sight;
+use crate::gap::word_tree::Piece;
 use crate::support::f64x4::{Four, Vec4};
-use crate::support::table::Outline;
+use crate::support::table::SupportTable;
 
 /// What was found out about up to four pieces, each against one and the same other.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Looks {
+pub(crate) struct Distances {
     /// Lower bounds of the distances in the plane; not above 0 where the two may meet.
     pub apart: [f64; 4],
     /// How near their middles are, against what reaches from one to the other: 0 if they coincide, 1 if the
@@ -18,6 +19,20 @@ pub(crate) struct Looks {
     pub overlap: [f64; 4],
     /// The squares of the distances between two points of the attractor, one in each piece.
     pub reach: [f64; 4],
+}
+
+impl Distances {
+    /// What was seen of piece `k`.
+    #[inline(always)]
+    pub fn sight(&self, k: usize) -> Sight<()> {
+        Sight { apart: self.apart[k], overlap: self.overlap[k], reach: self.reach[k], points: () }
+    }
+}
+
+/// [`Distances`], and the points that are so near.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Looks {
+    pub distances: Distances,
     /// These points, in the frame: in the pieces, and in the other.
     points: [Vec4; 2],
 }
@@ -28,17 +43,6 @@ impl Looks {
     pub fn points(&self, k: usize) -> (DVec2, DVec2) {
         (self.points[0].at(k), self.points[1].at(k))
     }
-}
-
-/// [`Looks`] without points.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Distances {
-    /// Lower bounds of the distances in the plane; not above 0 where the two may meet.
-    pub apart: [f64; 4],
-    /// How near their middles are.
-    pub overlap: [f64; 4],
-    /// The squares of the distances between two points of the attractor, one in each piece.
-    pub reach: [f64; 4],
 }
 
 /// How lengths and directions are measured.
@@ -111,38 +115,38 @@ impl Gauge {
     ///
     /// The four are independent of each other, and a processor works on them at once. Lanes that are left over
     /// repeat the last piece.
-    pub fn look(&self, outline: &Outline, parts: &[Piece], other: &Affine2) -> Looks {
+    pub fn look(&self, outline: &SupportTable, parts: &[Piece], other: &Affine2) -> Looks {
         self.look_as::<false>(outline, parts, other)
     }
 
     /// [`Gauge::look`] without points.
-    pub fn distances(&self, outline: &Outline, parts: &[Piece], other: &Affine2) -> Distances {
-        let Looks { apart, overlap, reach, .. } = if self.plain.is_some() {
+    pub fn distances(&self, outline: &SupportTable, parts: &[Piece], other: &Affine2) -> Distances {
+        let looks = if self.plain.is_some() {
             self.look_as::<true>(outline, parts, other)
         } else {
             self.look_as::<false>(outline, parts, other)
         };
-        Distances { apart, overlap, reach }
+        looks.distances
     }
 
     /// The same for sets of differences: bounds the distances of four points from the image, under `power`, of the
     /// attractor that `outline` bounds, which is symmetric about 0.
-    pub fn differences(&self, outline: &Outline, power: DMat2, offsets: Vec4) -> Distances {
+    pub fn differences(&self, outline: &SupportTable, power: DMat2, offsets: Vec4) -> Distances {
         let m = Linear4::splat(power);
         let see = |normal: Vec4| {
             let (far, p) = outline.support4(m.transposed_times(normal));
             (far, [m.times(p), offsets])
         };
-        let Looks { apart, overlap, reach, .. } = if self.plain.is_some() {
+        let looks = if self.plain.is_some() {
             self.steps::<true>(offsets, see)
         } else {
             self.steps::<false>(offsets, see)
         };
-        Distances { apart, overlap, reach }
+        looks.distances
     }
 
     #[inline(always)]
-    fn look_as<const PLAIN: bool>(&self, outline: &Outline, parts: &[Piece], other: &Affine2) -> Looks {
+    fn look_as<const PLAIN: bool>(&self, outline: &SupportTable, parts: &[Piece], other: &Affine2) -> Looks {
         let Sides { a, b, a0, b0 } = Sides::new(parts, other);
         self.steps::<PLAIN>(b0 - a0, |normal| {
             let (far_a, p) = outline.support4(a.transposed_times(normal));
@@ -160,12 +164,9 @@ impl Gauge {
     fn steps<const PLAIN: bool>(&self, middle: Vec4, see: impl Fn(Vec4) -> (Four, [Vec4; 2])) -> Looks {
         let first = self.along::<PLAIN>(middle, middle, &see);
         if first.apart.0.iter().all(|&apart| apart > 0.0) {
-            return Looks {
-                apart: self.distance::<PLAIN>(first.apart, first.scale, first.blur).0,
-                overlap: first.overlap.0,
-                reach: first.reach.0,
-                points: first.points,
-            };
+            let apart = self.distance::<PLAIN>(first.apart, first.scale, first.blur).0;
+            let distances = Distances { apart, overlap: first.overlap.0, reach: first.reach.0 };
+            return Looks { distances, points: first.points };
         }
         // The point nearest to the origin between `middle` and the difference of the points, both of them
         // differences of points of the two hulls.
@@ -185,12 +186,12 @@ impl Gauge {
             x: nearer(first.points[k].x, second.points[k].x),
             y: nearer(first.points[k].y, second.points[k].y),
         };
-        Looks {
+        let distances = Distances {
             apart: self.distance::<PLAIN>(apart, scale, blur).0,
             overlap: first.overlap.min(second.overlap).0,
             reach: first.reach.min(second.reach).0,
-            points: [chosen(0), chosen(1)],
-        }
+        };
+        Looks { distances, points: [chosen(0), chosen(1)] }
     }
 
     /// What is seen along lines of the directions `step`.

@@ -1,19 +1,19 @@
-//! Least spanning trees.
+//! Minimum spanning trees.
 
 /// Prim's algorithm.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Tree {
+pub(crate) struct SpanningTree {
     distance: Vec<f64>,
     from: Vec<u8>,
     outside: Vec<u8>,
     /// Which end each piece hangs on, in the order they were taken in.
     steps: Vec<(u8, u8)>,
-    /// Whether a piece lies beyond the widest edge; see [`Tree::cut`].
+    /// Whether a piece lies beyond the widest edge; see [`SpanningTree::cut`].
     pub beyond: Vec<bool>,
 }
 
-impl Tree {
-    /// The weight of the widest edge of the least spanning tree of `count` pieces, 0 if there is none. The pieces
+impl SpanningTree {
+    /// The weight of the widest edge of the minimum spanning tree of `count` pieces, 0 if there is none. The pieces
     /// that hang on the far end of that edge are `beyond` it.
     pub fn cut(&mut self, count: usize, between: impl Fn(u8, u8) -> f64) -> f64 {
         let widest = self.grow(count, between);

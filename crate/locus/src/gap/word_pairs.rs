@@ -1,45 +1,95 @@
 //! Pairs of words: what a descent on an attractor looks at.
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
+
+use frond_core::Affine2;
+use glam::{DMat2, DVec2};
 
 use crate::frame::Frame;
-use crate::gap::bracket::{Explore, Part};
-use crate::gap::pair::Pair;
-use crate::gap::piece_distance::{Distances, Gauge};
-use crate::gap::word_tree::Pieces;
-use crate::support::table::Outline;
+use crate::gap::pair_descent::{Explore, Pair, Sight};
+use crate::gap::piece_distance::{Distances, Gauge, Looks};
+use crate::gap::word_tree::{Piece, WordTree};
+use crate::support::table::SupportTable;
 
-/// After so many looks a finer outline pays.
-const ROUGH: usize = 150;
+/// After so many looks a finer table of support values pays.
+const LOOKS_BEFORE_FINE: usize = 150;
 
-/// The pieces of the maps of a frame.
-pub(crate) struct Words<'a> {
+/// The pieces of the maps of a frame; `P` is what is kept of the nearest points.
+pub(crate) struct WordPairs<'a, P> {
     pub frame: &'a Frame,
-    pub outline: &'a mut Outline,
-    pub pieces: &'a mut Pieces,
+    pub support: &'a mut SupportTable,
+    tree: &'a mut WordTree,
     /// Pieces whose sizes, as parts of the whole, add up to this or less are small.
-    pub small: f64,
+    small: f64,
     gauge: Gauge,
     looks: usize,
+    nearest: std::marker::PhantomData<P>,
 }
 
-impl<'a> Words<'a> {
-    pub fn new(frame: &'a Frame, outline: &'a mut Outline, pieces: &'a mut Pieces, resolution: f64) -> Self {
+impl<'a, P> WordPairs<'a, P> {
+    /// Pairs of the words of a frame, whose attractor has these support values; not begun.
+    pub fn new(frame: &'a Frame, support: &'a mut SupportTable, tree: &'a mut WordTree) -> Self {
+        let nearest = std::marker::PhantomData;
+        Self { frame, support, tree, small: -1.0, gauge: Gauge::default(), looks: 0, nearest }
+    }
+
+    /// Begins with the words of one letter. Pieces together as small as `near` count as meeting, where the resolution is
+    /// no finer than rounding.
+    pub fn begin(&mut self, resolution: f64, near: f64) {
+        let frame = self.frame;
         // Where rounding is coarser than the resolution, nothing is small.
         let visible = frame.rounding * frame.stretch <= resolution;
-        let small = if visible { resolution / outline.diameter(glam::DMat2::IDENTITY) } else { -1.0 };
-        pieces.begin(frame);
-        Self { frame, outline, pieces, small, gauge: Gauge::default(), looks: 0 }
+        self.small = if visible { near / self.support.diameter(DMat2::IDENTITY) } else { -1.0 };
+        self.tree.begin(frame);
     }
 }
 
-impl Explore for Words<'_> {
+/// What is kept of the nearest points of two pieces: nothing, or the points.
+pub(crate) trait Nearest: Copy + Default {
+    type Looks;
+    fn look(gauge: &Gauge, support: &SupportTable, parts: &[Piece], other: &Affine2) -> Self::Looks;
+    /// What was seen of part `k`, which is of the `first` piece of the pair or of the second.
+    fn sight(looks: &Self::Looks, k: usize, first: bool) -> Sight<Self>;
+}
+
+impl Nearest for () {
+    type Looks = Distances;
+    #[inline(always)]
+    fn look(gauge: &Gauge, support: &SupportTable, parts: &[Piece], other: &Affine2) -> Distances {
+        gauge.distances(support, parts, other)
+    }
+    #[inline(always)]
+    fn sight(looks: &Distances, k: usize, _: bool) -> Sight<()> {
+        looks.sight(k)
+    }
+}
+
+impl Nearest for [DVec2; 2] {
+    type Looks = Looks;
+    fn look(gauge: &Gauge, support: &SupportTable, parts: &[Piece], other: &Affine2) -> Looks {
+        gauge.look(support, parts, other)
+    }
+    fn sight(looks: &Looks, k: usize, first: bool) -> Sight<Self> {
+        let (part, other) = looks.points(k);
+        let points = if first { [part, other] } else { [other, part] };
+        let Distances { apart, overlap, reach } = looks.distances;
+        Sight { apart: apart[k], overlap: overlap[k], reach: reach[k], points }
+    }
+}
+
+impl<P: Nearest> Explore for WordPairs<'_, P> {
+    type Nearest = P;
+
     fn lean(&mut self, to_measure: bool) {
         self.gauge = if to_measure { Gauge::to_measure(self.frame) } else { Gauge::to_separate(self.frame) };
     }
 
-    fn first(&mut self, i: u32, others: Range<u32>) -> Distances {
-        self.gauge.distances(self.outline, self.pieces.range(others), &self.pieces.get(i).map)
+    fn first(&mut self, i: u32, others: Range<u32>, mut see: impl FnMut(u32, Sight<P>)) {
+        let one = self.tree.get(i).map;
+        let looks = P::look(&self.gauge, self.support, self.tree.range(others.clone()), &one);
+        for (k, j) in others.enumerate() {
+            see(j, P::sight(&looks, k, false));
+        }
     }
 
     fn root(&mut self, i: u8, j: u8) -> (u32, u32) {
@@ -47,27 +97,26 @@ impl Explore for Words<'_> {
     }
 
     fn is_small(&self, pair: &Pair) -> bool {
-        self.pieces.are_small(pair.u, pair.v, self.small)
+        self.tree.are_small(pair.u, pair.v, self.small)
     }
 
     /// Splits the larger piece.
-    fn split(&mut self, pair: &Pair, into: &mut Vec<Part>) {
-        if self.looks > ROUGH && !self.outline.is_fine() {
-            self.outline.set(&self.frame.maps, 0.012 * (1.0 - self.frame.factor), 64);
+    fn split(&mut self, pair: &Pair, mut see: impl FnMut(u32, u32, Sight<P>) -> ControlFlow<()>) {
+        if self.looks > LOOKS_BEFORE_FINE && !self.support.is_fine() {
+            self.support.set(&self.frame.maps, 0.012 * (1.0 - self.frame.factor), 64);
         }
-        let (parts, first) = self.pieces.parts_of_larger(self.frame, pair.u, pair.v);
+        let (parts, first) = self.tree.parts_of_larger(self.frame, pair.u, pair.v);
         let other = if first { pair.v } else { pair.u };
+        let whole = self.tree.get(other).map;
         self.looks += parts.len();
         for four in parts.clone().step_by(4) {
             let four = four..parts.end.min(four + 4);
-            let looks = self.gauge.distances(
-                self.outline,
-                self.pieces.range(four.clone()),
-                &self.pieces.get(other).map,
-            );
+            let looks = P::look(&self.gauge, self.support, self.tree.range(four.clone()), &whole);
             for (k, part) in four.enumerate() {
                 let (u, v) = if first { (part, other) } else { (other, part) };
-                into.push(Part::new(&looks, k, pair, u, v));
+                if see(u, v, P::sight(&looks, k, first)).is_break() {
+                    return;
+                }
             }
         }
     }

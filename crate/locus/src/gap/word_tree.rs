@@ -6,17 +6,27 @@ use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
 use crate::frame::Frame;
-use crate::gap::pair::Piece;
+
+/// One piece: the image of the attractor under the map of a word.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Piece {
+    /// The map of the word, in the frame; its translation is the middle of the piece.
+    pub map: Affine2,
+    /// Half the squared Frobenius norm of the map into the plane: the mean square of its stretches.
+    pub size: f64,
+    /// The index of its first part, 0 while it is not split.
+    pub parts: u32,
+}
 
 /// A tree of words: each piece knows where its parts are.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Pieces {
+pub(crate) struct WordTree {
     list: Vec<Piece>,
     /// See [`Frame::from_round`].
     from_round: DMat2,
 }
 
-impl Pieces {
+impl WordTree {
     /// Begins again with the pieces of the maps of a frame.
     pub fn begin(&mut self, frame: &Frame) {
         self.list.clear();

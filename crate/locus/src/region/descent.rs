@@ -1,6 +1,6 @@
 //! Descent on pairs of words over a whole box of parameters: whether all of its attractors are disconnected.
 //!
-//! It is the descent of [`Search`](crate::gap::search::Search) in all corners of the box at once. A pair of pieces is apart
+//! It is the descent of [`PairDescent`](crate::gap::pair_descent::PairDescent) in all corners of the box at once. A pair of pieces is apart
 //! over the box if one direction shows it in all corners by more than the points of the two may dip in between: see
 //! [`derivative_bounds`](crate::region::derivative_bounds). What is left open counts as meeting.
 

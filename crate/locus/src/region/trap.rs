@@ -41,7 +41,7 @@ use glam::DVec2;
 
 use crate::family::{Drift, Family};
 use crate::frame::Frame;
-use crate::gap::spanning_tree::Tree;
+use crate::gap::spanning_tree::SpanningTree;
 use crate::region::derivative_bounds::{Extent, bows};
 use crate::region::descent::{Couple, Descent, Sight};
 use crate::support::lanes::{FAN, Points, direction};
@@ -187,7 +187,7 @@ impl<const L: usize> Descent<L> {
     /// none of these is left that may be shorter.
     fn close_in(&mut self, pairs: &[Couple], effort: Effort) {
         let mut tried = vec![false; pairs.len()];
-        let mut tree = Tree::default();
+        let mut tree = SpanningTree::default();
         loop {
             let upper = |i: u8, j: u8| self.upper[usize::from(i.min(j)) * self.count + usize::from(i.max(j))];
             let widest = tree.cut(self.count, upper);
@@ -415,7 +415,7 @@ impl<const L: usize> Descent<L> {
     /// The widest edge of the least spanning tree of the nearest points known, over all corners.
     pub fn bottleneck(&self) -> f64 {
         let upper = |i: u8, j: u8| self.upper[usize::from(i.min(j)) * self.count + usize::from(i.max(j))];
-        Tree::default().cut(self.count, upper)
+        SpanningTree::default().cut(self.count, upper)
     }
 
     fn crossing(&self, couple: Couple, corners: [DVec2; 4]) -> Crossing {

@@ -7,7 +7,7 @@ use std::ops::Range;
 use frond_core::{Affine3, Fan3};
 use glam::DVec3;
 
-use crate::gap::spanning_tree::Tree;
+use crate::gap::spanning_tree::SpanningTree;
 use crate::space::frame::Frame3;
 
 /// One piece: the image of the attractor under the map of a word.
@@ -68,7 +68,7 @@ pub(crate) struct Closest {
     /// A lower bound of the distances in pairs that are too small to be split.
     floor: Vec<f64>,
     count: usize,
-    tree: Tree,
+    tree: SpanningTree,
     /// Pairs of pieces looked at.
     pub nodes: usize,
 }

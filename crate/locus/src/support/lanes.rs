@@ -16,7 +16,7 @@ pub(crate) type Maps<const L: usize> = [Affine2; L];
 /// One point of the attractor, by its address, in the systems of each lane.
 pub(crate) type Points<const L: usize> = [DVec2; L];
 
-/// What [`Outline`](crate::support::table::Outline) is for one system, for L systems that differ little: upper bounds
+/// What [`SupportTable`](crate::support::table::SupportTable) is for one system, for L systems that differ little: upper bounds
 /// of the support function of each, and points far out that have the same address in all.
 #[derive(Clone, Debug)]
 pub(crate) struct Fan<const L: usize> {
@@ -69,7 +69,7 @@ impl<const L: usize> Default for Fan<L> {
 
 impl<const L: usize> Fan<L> {
     /// Bounds the attractors of the systems, all known to lie in the unit disc; see
-    /// [`Outline::set`](crate::support::table::Outline::set).
+    /// [`SupportTable::set`](crate::support::table::SupportTable::set).
     pub fn set(&mut self, maps: &[Maps<L>], accuracy: f64, rounds: usize) {
         self.links.clear();
         for k in 0..FAN {

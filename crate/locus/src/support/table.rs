@@ -12,7 +12,7 @@ use crate::support::f64x4::{Four, Vec4};
 /// the two that enclose a given one takes a division and no arc tangent. `h` is convex and homogeneous,
 /// so that between two directions it lies below the line through its values.
 #[derive(Clone, Debug)]
-pub(crate) struct Outline {
+pub(crate) struct SupportTable {
     /// Directions on each side of the square.
     per: usize,
     /// Upper bounds of `h`; the first ones again at the end.
@@ -77,7 +77,7 @@ fn locate(per: usize, d: Vec4) -> Place {
     }
 }
 
-impl Default for Outline {
+impl Default for SupportTable {
     fn default() -> Self {
         Self { per: FINE, values: [1.0; TABLE], points: [DVec2::ZERO; TABLE], links: Vec::new() }
     }
@@ -87,7 +87,7 @@ impl Default for Outline {
 const FINE: usize = 8;
 const ROUGH: usize = 4;
 
-impl Outline {
+impl SupportTable {
     /// Bounds the attractor of `maps`, which is known to lie in the unit disc: support values are lowered
     /// from those of the disc by `h(d) <= max_i ( h(M_i^T d) + t_i . d )` until they settle to `accuracy`
     /// or after `rounds`.
@@ -97,7 +97,7 @@ impl Outline {
         self.bound(FINE, maps, accuracy, rounds);
     }
 
-    /// [`Outline::set`] in half as many directions.
+    /// [`SupportTable::set`] in half as many directions.
     pub fn sketch(&mut self, maps: &[Affine2], accuracy: f64, rounds: usize) {
         self.bound(ROUGH, maps, accuracy, rounds);
     }
@@ -146,7 +146,7 @@ impl Outline {
         &self.points[..4 * self.per]
     }
 
-    /// Whether it was last made by [`Outline::set`].
+    /// Whether it was last made by [`SupportTable::set`].
     pub fn is_fine(&self) -> bool {
         self.per == FINE
     }
@@ -264,7 +264,7 @@ impl Outline {
         (place.length * (a + place.along * (b - a)), points)
     }
 
-    /// [`Outline::support4`] in one direction.
+    /// [`SupportTable::support4`] in one direction.
     pub fn support(&self, d: DVec2) -> (f64, DVec2) {
         let (far, points) = self.support4(Vec4::splat(d));
         (far.0[0], points.at(0))
