@@ -17,7 +17,7 @@ use crate::verdict::{Gap, Options, Verdict};
 pub struct Connectedness {
     /// Whether the attractor is in one piece.
     pub verdict: Verdict,
-    /// The widest edge of the least spanning tree between the pieces, in plane units: zero if and only if
+    /// The widest edge of the minimum spanning tree between the pieces, in plane units: zero if and only if
     /// the attractor is connected. Where it is disconnected, the bounds are within 1 in 100 of each other
     /// or within 1e-9 of the diameter, unless the budget was spent. It does not depend on epsilon: pieces that come within it
     /// count as far apart as they are.
@@ -97,10 +97,10 @@ fn decided(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Co
     if frame.point {
         return in_one_point(maps.len(), at_once.or_else(|| reason::one_point(maps)));
     }
-    let mut outline = SupportTable::default();
-    outline.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
+    let mut support = SupportTable::default();
+    support.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
     let mut words = WordTree::default();
-    let mut search = KruskalSearch::begin(&frame, &mut outline, &mut words, options.epsilon.max(0.0));
+    let mut search = KruskalSearch::begin(&frame, &mut support, &mut words, options.epsilon.max(0.0));
     if at_once.is_some() && maps.len() == 2 {
         search.join(0, 1);
     }

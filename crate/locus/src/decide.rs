@@ -6,8 +6,8 @@ use glam::{DMat2, DVec2};
 use crate::exact::area;
 use crate::frame::Frame;
 use crate::gap::bracket::CutSearch;
-use crate::gap::difference_set::{self, Differences, Translates};
-use crate::gap::greedy::Dive;
+use crate::gap::difference_set::{self, DifferenceSet, Translates};
+use crate::gap::greedy::GreedySearch;
 use crate::gap::word_pairs::WordPairs;
 use crate::gap::word_tree::WordTree;
 use crate::magnification::Magnification;
@@ -18,10 +18,10 @@ use crate::verdict::{Bounded, Sample, State};
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
     pub(crate) frame: Frame,
-    pub(crate) outline: SupportTable,
-    pub(crate) dive: Dive,
+    pub(crate) support: SupportTable,
+    pub(crate) greedy: GreedySearch,
     pub(crate) words: WordTree,
-    differences: Differences,
+    differences: DifferenceSet,
     maps: Vec<Affine2>,
     pub(crate) search: CutSearch,
 }
@@ -107,7 +107,7 @@ impl Scratch {
             return magnification.bounded(self.decide(&magnification.magnify(maps), epsilon, budget, ask));
         }
         let Ask { polygon, bounds } = ask;
-        let Self { frame, outline, dive, words, differences, search, .. } = self;
+        let Self { frame, support, greedy, words, differences, search, .. } = self;
         let equal = polygon || difference_set::are_equal(maps);
         let proved = equal && difference_set::fill(&maps[0]);
         if proved && !bounds && maps[0].norm() < 1.0 - 1e-9 && maps.iter().all(|map| map.is_finite()) {
@@ -149,23 +149,23 @@ impl Scratch {
             }
         }
         let (bracket, diameter) = if equal {
-            differences.set(frame, outline, polygon);
+            differences.set(frame, support, polygon);
             let near = epsilon * epsilon * differences.extent(frame);
             search.join_near(|i, j| differences.meet(frame, i, j, near));
             if search.is_whole() && !bounds {
                 return whole(State::Touching, f64::INFINITY, f64::NAN);
             }
             // The differences reach as far to both sides.
-            let diameter = frame.diameter(0.5 * outline.diameter(frame.from_round));
+            let diameter = frame.diameter(0.5 * support.diameter(frame.from_round));
             let resolution = frame.resolution(epsilon, diameter);
-            let size = 0.5 * outline.diameter(DMat2::IDENTITY);
-            let mut translates = Translates::new(frame, outline, differences, resolution, size);
+            let size = 0.5 * support.diameter(DMat2::IDENTITY);
+            let mut translates = Translates::new(frame, support, differences, resolution, size);
             (search.bracket(&mut translates, resolution, budget), diameter)
         } else {
             let met = |i: usize, j: usize| (frame.maps[i] == frame.maps[j]).then_some(0.0);
-            if dive.set(frame) {
-                let near = epsilon * epsilon * dive.extent(frame);
-                search.join_near(|i, j| met(i, j).or_else(|| dive.meet(frame, i, j, near)));
+            if greedy.set(frame) {
+                let near = epsilon * epsilon * greedy.extent(frame);
+                search.join_near(|i, j| met(i, j).or_else(|| greedy.meet(frame, i, j, near)));
             } else {
                 search.join_near(met);
             }
@@ -173,13 +173,13 @@ impl Scratch {
                 return whole(State::Touching, f64::INFINITY, f64::NAN);
             }
             if frame.factor < SWIFT {
-                outline.sketch(&frame.maps, 0.02 * (1.0 - frame.factor), 64);
+                support.sketch(&frame.maps, 0.02 * (1.0 - frame.factor), 64);
             } else {
-                outline.set(&frame.maps, 0.012 * (1.0 - frame.factor), 64);
+                support.set(&frame.maps, 0.012 * (1.0 - frame.factor), 64);
             }
-            let diameter = frame.diameter(outline.diameter(frame.from_round));
+            let diameter = frame.diameter(support.diameter(frame.from_round));
             let resolution = frame.resolution(epsilon, diameter);
-            let mut pairs = WordPairs::new(frame, outline, words);
+            let mut pairs = WordPairs::new(frame, support, words);
             pairs.begin(resolution, resolution);
             (search.bracket(&mut pairs, resolution, budget), diameter)
         };
@@ -201,7 +201,7 @@ impl Scratch {
     }
 }
 
-/// Maps that shrink more slowly than this add up what a rough outline is too wide.
+/// Maps that shrink more slowly than this add up what a rough support is too wide.
 const SWIFT: f64 = 0.8;
 /// What the last few operations may add to a bound, relative to it.
 const SLACK: f64 = 1e-14;

@@ -53,14 +53,14 @@ pub trait Family {
 pub struct Slice<'a> {
     morph: &'a Morph,
     w: f64,
-    ways: Ways,
+    motions: Motions,
 }
 
 impl<'a> Slice<'a> {
     /// The plane of this w; w = 0 is that of Burch & Hart (1997, section 5).
     #[must_use]
     pub fn new(morph: &'a Morph, w: f64) -> Self {
-        Self { morph, w, ways: Ways::of(morph) }
+        Self { morph, w, motions: Motions::of(morph) }
     }
 }
 
@@ -75,11 +75,11 @@ impl Family for Slice<'_> {
 
     fn drift(&self, axis: usize, at: DVec2, half: f64, drifts: &mut Vec<Drift>) {
         let velocity = if axis == 0 { DVec3::X } else { DVec3::Y };
-        self.ways.drift(at.extend(self.w), velocity, half, drifts);
+        self.motions.drift(at.extend(self.w), velocity, half, drifts);
     }
 
     fn seam(&self) -> f64 {
-        self.ways.seam
+        self.motions.seam
     }
 }
 
@@ -98,7 +98,7 @@ impl Family for Morph {
     }
 
     fn seam(&self) -> f64 {
-        Ways::of(self).seam
+        Motions::of(self).seam
     }
 }
 
@@ -106,7 +106,7 @@ impl Family for Morph {
 #[derive(Clone, Debug)]
 pub(crate) struct Leg<'a> {
     pub morph: &'a Morph,
-    pub ways: &'a Ways,
+    pub motions: &'a Motions,
     pub from: DVec3,
     pub to: DVec3,
 }
@@ -130,7 +130,7 @@ impl Family for Leg<'_> {
 
     fn drift(&self, axis: usize, at: DVec2, half: f64, drifts: &mut Vec<Drift>) {
         if axis == 0 {
-            self.ways.drift(self.at(at.x), self.to - self.from, half, drifts);
+            self.motions.drift(self.at(at.x), self.to - self.from, half, drifts);
         } else {
             drifts.clear();
             drifts.resize(self.len(), Drift::STILL);
@@ -138,20 +138,20 @@ impl Family for Leg<'_> {
     }
 
     fn seam(&self) -> f64 {
-        self.ways.seam
+        self.motions.seam
     }
 }
 
 /// How each map of a morph moves.
 #[derive(Clone, Debug)]
-pub(crate) struct Ways {
+pub(crate) struct Motions {
     linear: bool,
-    each: Vec<Way>,
+    each: Vec<Motion>,
     seam: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Way {
+struct Motion {
     reflects: bool,
     angle: f64,
     turn: f64,
@@ -161,12 +161,12 @@ struct Way {
     step: Affine2,
 }
 
-impl Ways {
+impl Motions {
     pub fn of(morph: &Morph) -> Self {
         let (from, to) = (morph.at(0.0, 0.0), morph.at(1.0, 1.0));
         let mut seam = 0.0_f64;
         let turns = morph.turns();
-        let ways = morph.kinds().into_iter().enumerate().map(|(i, kind)| {
+        let motions = morph.kinds().into_iter().enumerate().map(|(i, kind)| {
             let reflects = kind == Kind::Reflecting;
             let (angle, turn) = turns[i];
             let [start, end] = [(from[i].linear, angle), (to[i].linear, angle + turn)].map(|(m, angle)| {
@@ -178,9 +178,9 @@ impl Ways {
                 s
             });
             let step = Affine2::new(to[i].linear - from[i].linear, to[i].translation - from[i].translation);
-            Way { reflects, angle, turn, stretch: [start, end - start], step }
+            Motion { reflects, angle, turn, stretch: [start, end - start], step }
         });
-        let each = ways.collect();
+        let each = motions.collect();
         let linear = morph.mode() == Mode::Linear;
         Self { linear, each, seam: if linear { 0.0 } else { seam } }
     }
@@ -188,23 +188,23 @@ impl Ways {
     /// The drift at (u, v, w) when these change with this velocity.
     fn drift(&self, at: DVec3, velocity: DVec3, half: f64, drifts: &mut Vec<Drift>) {
         drifts.clear();
-        drifts.extend(self.each.iter().map(|way| {
-            let shift = way.step.translation * velocity.y;
+        drifts.extend(self.each.iter().map(|motion| {
+            let shift = motion.step.translation * velocity.y;
             if self.linear {
-                let speed = Affine2::new(way.step.linear * velocity.x, shift);
+                let speed = Affine2::new(motion.step.linear * velocity.x, shift);
                 return Drift { speed, ..Drift::STILL };
             }
-            let turn = way.turn * velocity.x;
-            let growth = way.stretch[1] * (velocity.x + velocity.z);
-            let stretch = way.stretch[0] + way.stretch[1] * (at.x + at.z);
+            let turn = motion.turn * velocity.x;
+            let growth = motion.stretch[1] * (velocity.x + velocity.z);
+            let stretch = motion.stretch[0] + motion.stretch[1] * (at.x + at.z);
             let q = Polar2 {
-                angle: way.turn.mul_add(at.x, way.angle),
-                reflects: way.reflects,
+                angle: motion.turn.mul_add(at.x, motion.angle),
+                reflects: motion.reflects,
                 stretch: DMat2::IDENTITY,
             };
             // What a turn does behind Q: Q' = turn Q J, where J is a quarter turn, the other way round behind
             // a reflection.
-            let quarter = if way.reflects { -QUARTER } else { QUARTER };
+            let quarter = if motion.reflects { -QUARTER } else { QUARTER };
             // With L = Q S: L' = Q (turn J S + S'), L'' = Q (2 turn J S' - turn^2 S) and
             // L''' = -Q (turn^3 J S + 3 turn^2 S'), where S is linear.
             let speed = q.orthogonal() * (quarter * stretch * turn + growth);
@@ -349,7 +349,8 @@ mod tests {
                     check(&slice, at, 1e-3);
                 }
             }
-            let (ways, from, to) = (Ways::of(&morph), DVec3::new(0.1, 0.4, 0.2), DVec3::new(0.7, 0.2, -0.3));
+            let (ways, from, to) =
+                (Motions::of(&morph), DVec3::new(0.1, 0.4, 0.2), DVec3::new(0.7, 0.2, -0.3));
             check(&Leg { morph: &morph, ways: &ways, from, to }, DVec2::new(0.4, 0.0), 1e-2);
         }
         for sides in [2, 3, 7, 64] {

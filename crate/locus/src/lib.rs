@@ -10,7 +10,7 @@
 //! - [`connectedness`] descends on pairs of words and bounds the pieces that they name by the support function of the
 //!   attractor. It proves, where the others estimate: a [`Verdict`] of `Disconnected` or `Connected` is a
 //!   theorem about the maps, and `Touching` says no more than that the pieces come within epsilon of each
-//!   other. It measures the widest gap, too: the widest edge of the least spanning tree of the distances
+//!   other. It measures the widest gap, too: the widest edge of the minimum spanning tree of the distances
 //!   between pieces, which is zero exactly where the attractor is connected, and continuous in the maps.
 //!
 //! Both verdicts come with what shows them. A [`Reason`] is a point that pieces share, given by its addresses and checked

@@ -127,7 +127,7 @@ pub struct Ellipse {
 
 /// The answer of [`decide_bounds`](crate::decide_bounds).
 ///
-/// With `g` the widest gap (the widest edge of the least spanning tree of the distances between pieces,
+/// With `g` the widest gap (the widest edge of the minimum spanning tree of the distances between pieces,
 /// in the plane), `lower * diameter <= g <= upper * diameter`, rounding reckoned with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounded {

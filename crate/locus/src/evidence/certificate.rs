@@ -9,7 +9,7 @@ use crate::gap::kruskal::KruskalSearch;
 use crate::gap::word_tree::WordTree;
 use crate::overlap_graph::Components;
 use crate::support::table::SupportTable;
-use crate::support::trapping_polygon::Enclosure;
+use crate::support::trapping_polygon::TrappingPolygon;
 use crate::verdict::Options;
 
 /// A proof that an attractor is in several pieces, which can be checked without searching.
@@ -63,10 +63,10 @@ pub fn certificate(ifs: &Ifs, options: &Options) -> Option<Certificate> {
     if frame.point {
         return None;
     }
-    let mut outline = SupportTable::default();
-    outline.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
+    let mut support = SupportTable::default();
+    support.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
     let mut words = WordTree::default();
-    let mut search = KruskalSearch::begin(&frame, &mut outline, &mut words, options.epsilon.max(0.0));
+    let mut search = KruskalSearch::begin(&frame, &mut support, &mut words, options.epsilon.max(0.0));
     search.settle(options.budget);
     let parts = search.coarsest();
     if parts.count() < 2 {
@@ -76,18 +76,22 @@ pub fn certificate(ifs: &Ifs, options: &Options) -> Option<Certificate> {
     search.measure(0.3, 0.0, search.nodes().saturating_add(options.budget.min(20_000)));
     let side = cut(&search, maps.len(), &parts);
     let from = frame.from_round;
-    let drawn = drawn(&frame, &outline);
+    let drawn = drawn(&frame, &support);
     ATTEMPTS.iter().find_map(|attempt| {
         let frame = if attempt.drawn { drawn.as_ref()? } else { &frame };
-        let enclosure =
-            Enclosure::find(frame, outline.diameter(frame.to_round * from), attempt.slack, attempt.coarsest)?;
-        let mut descent = Descent::new(frame, &enclosure, options.budget / attempt.share);
+        let polygon = TrappingPolygon::find(
+            frame,
+            support.diameter(frame.to_round * from),
+            attempt.slack,
+            attempt.coarsest,
+        )?;
+        let mut descent = Descent::new(frame, &polygon, options.budget / attempt.share);
         let across = (0..maps.len()).flat_map(|i| (0..maps.len()).map(move |j| (i, j)));
         let mut across = across.filter(|&(i, j)| side[i] == 0 && side[j] == 1);
         across.all(|(i, j)| descent.separate(i as u8, j as u8)).then(|| Certificate {
             maps: maps.iter().copied().map(Affine2::to_row).collect(),
-            polygon: enclosure.plane.clone(),
-            letters: enclosure.letters,
+            polygon: polygon.plane.clone(),
+            letters: polygon.letters,
             side: side.clone(),
             pairs: descent.pairs,
         })
@@ -117,8 +121,8 @@ const ATTEMPTS: [Attempt; 5] = [
 ];
 
 /// The frame, drawn along the shorter axis of the attractor.
-fn drawn(frame: &Frame, outline: &SupportTable) -> Option<Frame> {
-    let points = outline.points();
+fn drawn(frame: &Frame, support: &SupportTable) -> Option<Frame> {
+    let points = support.points();
     let mean = points.iter().sum::<DVec2>() / points.len() as f64;
     let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
     for &point in points {

@@ -3,7 +3,7 @@
 //! **Theorem.** Let all maps contract, and let the attractor A lie on a line. If the graph of the pairs (i, j) of which one piece
 //! has a point between two points of the other is connected, then A is connected.
 //!
-//! **Proof.** Suppose that the widest gap g of A (the widest edge of the least spanning tree of the distances between the
+//! **Proof.** Suppose that the widest gap g of A (the widest edge of the minimum spanning tree of the distances between the
 //! pieces) is positive. A is connected in steps of g, as in [`trap`](crate::region::trap), and so is the piece `A_i` in steps
 //! of `|w_i| g`. On a line, a point between two points of `A_i` is then within `|w_i| g / 2 < g` of it. So the pairs of the graph
 //! are nearer than g, and as the graph is connected, no gap is as wide as g: a contradiction.

@@ -11,14 +11,14 @@ use std::collections::{HashMap, VecDeque};
 
 use frond_core::Affine2;
 
-use crate::exact::address::Periodic;
-use crate::exact::quadratic::SurdSystem;
+use crate::exact::address::Address;
+use crate::exact::quadratic::QuadraticSystem;
 use crate::frame::Frame;
 use crate::support::table::SupportTable;
 
 pub(crate) struct Neighbours<'a> {
     frame: &'a Frame,
-    outline: &'a SupportTable,
+    support: &'a SupportTable,
     inverses: Vec<Affine2>,
     states: Vec<State>,
     index: HashMap<[i64; 6], u32>,
@@ -67,12 +67,12 @@ const TRIED: usize = 60;
 
 impl<'a> Neighbours<'a> {
     /// `None` if a map has no inverse.
-    pub fn new(frame: &'a Frame, outline: &'a SupportTable) -> Option<Self> {
+    pub fn new(frame: &'a Frame, support: &'a SupportTable) -> Option<Self> {
         let invert = |map: &Affine2| map.inverse().filter(|inverse| inverse.norm() < STRETCH);
         let inverses = frame.maps.iter().map(invert).collect::<Option<Vec<_>>>()?;
         Some(Self {
             frame,
-            outline,
+            support,
             inverses,
             states: Vec::new(),
             index: HashMap::new(),
@@ -157,8 +157,8 @@ impl<'a> Neighbours<'a> {
         let back = map.linear.transpose();
         let mut step = map.translation;
         for _ in 0..ROUNDS {
-            let (far_a, p) = self.outline.support(step);
-            let (far_b, q) = self.outline.support(-(back * step));
+            let (far_a, p) = self.support.support(step);
+            let (far_b, q) = self.support.support(-(back * step));
             if step.dot(map.translation) - far_a - far_b > SLACK * step.length() {
                 return false;
             }
@@ -203,7 +203,7 @@ impl<'a> Neighbours<'a> {
     }
 
     /// A common point of the pieces of two maps, by its addresses in either, the shortest of those tried.
-    pub fn common_point(&self, i: usize, j: usize) -> Option<(Periodic, Periodic)> {
+    pub fn common_point(&self, i: usize, j: usize) -> Option<(Address, Address)> {
         let root = self.roots.get(&(i, j)).copied().flatten()?;
         if !self.states[root as usize].is_alive {
             return None;
@@ -232,7 +232,7 @@ impl<'a> Neighbours<'a> {
         let mut repeats = [vec![], vec![]];
         self.spell(&repeat, &mut repeats);
         let ([a, b], [c, d]) = (heads, repeats);
-        Some((Periodic::new(a, c)?, Periodic::new(b, d)?))
+        Some((Address::new(a, c)?, Address::new(b, d)?))
     }
 
     /// All states that can be reached, nearest first, and where each was reached from; up to `until`.
@@ -281,7 +281,7 @@ impl<'a> Neighbours<'a> {
     }
 
     /// Whether every two neighbour maps that were taken for the same are so, exactly.
-    pub fn is_exact(&self, system: &SurdSystem) -> bool {
+    pub fn is_exact(&self, system: &QuadraticSystem) -> bool {
         const MOST: usize = 3000;
         self.merged.len() <= MOST
             && self.merged.iter().all(|(k, [u, v])| {
@@ -315,9 +315,9 @@ mod tests {
     fn with<T>(maps: &[Affine2], work: impl FnOnce(&mut Neighbours<'_>) -> T) -> T {
         let mut frame = Frame::default();
         frame.set(maps).unwrap();
-        let mut outline = SupportTable::default();
-        outline.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
-        let mut neighbours = Neighbours::new(&frame, &outline).unwrap();
+        let mut support = SupportTable::default();
+        support.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
+        let mut neighbours = Neighbours::new(&frame, &support).unwrap();
         let count = maps.len();
         let pairs: Vec<_> = (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j))).collect();
         neighbours.explore(&pairs);
@@ -335,7 +335,7 @@ mod tests {
             [0.5, 0.0, 0.0, 0.5, 0.5, 0.0],
             [0.5, 0.0, 0.0, 0.5, 0.25, 0.375],
         ]);
-        let system = SurdSystem::as_given(&gasket).unwrap();
+        let system = QuadraticSystem::as_given(&gasket).unwrap();
         with(&gasket, |graph| {
             assert!(graph.is_closed() && graph.is_exact(&system) && !graph.share_many());
             assert_eq!(graph.types(), 6);
@@ -351,7 +351,7 @@ mod tests {
             .map(|[e, f]| [0.5, 0.0, 0.0, 0.5, e, f])
             .to_vec();
         for (maps, wanted) in [(twindragon, 6), (rows(&square), 8)] {
-            let system = SurdSystem::as_given(&maps).unwrap();
+            let system = QuadraticSystem::as_given(&maps).unwrap();
             with(&maps, |graph| {
                 assert!(graph.is_closed() && graph.is_exact(&system) && graph.share_many());
                 assert_eq!(graph.types(), wanted);

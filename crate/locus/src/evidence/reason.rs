@@ -6,10 +6,10 @@ use glam::DVec2;
 use crate::evidence::collinear::overlaps_on_a_line;
 use crate::evidence::neighbour_graph::Neighbours;
 use crate::evidence::shared_points::{Shared, corners};
-use crate::exact::address::{Periodic, shown};
+use crate::exact::address::{Address, shown};
 use crate::exact::area;
-use crate::exact::quadratic::SurdSystem;
-use crate::exact::recognise::{self, Reading};
+use crate::exact::quadratic::QuadraticSystem;
+use crate::exact::recognise::{self, Recognised};
 use crate::frame::Frame;
 use crate::overlap_graph::OverlapGraph;
 use crate::region::trap::crossings_beside;
@@ -147,10 +147,10 @@ pub(crate) fn at_once(maps: &[Affine2]) -> Option<Reason> {
 
 /// For an attractor that is one point as far as floating point tells.
 pub(crate) fn one_point(maps: &[Affine2]) -> Option<Reason> {
-    let fixed = |i: usize| Periodic { head: vec![], repeat: vec![i as u8] };
-    let all_fix = |system: &SurdSystem| (1..maps.len()).all(|i| system.coincide(&fixed(0), &fixed(i)));
+    let fixed = |i: usize| Address { head: vec![], repeat: vec![i as u8] };
+    let all_fix = |system: &QuadraticSystem| (1..maps.len()).all(|i| system.coincide(&fixed(0), &fixed(i)));
     let reason = Reason::of(ReasonKind::CommonPoint);
-    if SurdSystem::as_given(maps).is_some_and(|system| all_fix(&system)) {
+    if QuadraticSystem::as_given(maps).is_some_and(|system| all_fix(&system)) {
         return Some(reason);
     }
     let reading = recognise::read(maps).filter(|reading| all_fix(&reading.system))?;
@@ -218,11 +218,11 @@ impl<'a> Points<'a> {
     pub fn find(
         maps: &'a [Affine2],
         frame: &'a Frame,
-        outline: &'a SupportTable,
+        support: &'a SupportTable,
         pairs: &'a [(usize, usize)],
     ) -> Self {
         let mut found = corners(&frame.maps);
-        let graph = Neighbours::new(frame, outline).map(|mut graph| {
+        let graph = Neighbours::new(frame, support).map(|mut graph| {
             graph.explore(pairs);
             found.extend(pairs.iter().filter_map(|&(i, j)| graph.common_point(i, j)));
             graph
@@ -232,7 +232,7 @@ impl<'a> Points<'a> {
 
     /// A proof for the maps as they are given; or else the points that they do share.
     pub fn as_given(&self) -> Result<Reason, Vec<Link>> {
-        let system = SurdSystem::as_given(self.maps).ok_or_else(Vec::new)?;
+        let system = QuadraticSystem::as_given(self.maps).ok_or_else(Vec::new)?;
         self.reason(&system)
     }
 
@@ -241,7 +241,7 @@ impl<'a> Points<'a> {
         if !self.is_enough() {
             return None;
         }
-        let Reading { system, assuming } = recognise::read(self.maps)?;
+        let Recognised { system, assuming } = recognise::read(self.maps)?;
         Some(Reason { assuming, ..self.reason(&system).ok()? })
     }
 
@@ -254,7 +254,7 @@ impl<'a> Points<'a> {
         graph.is_connected()
     }
 
-    fn reason(&self, system: &SurdSystem) -> Result<Reason, Vec<Link>> {
+    fn reason(&self, system: &QuadraticSystem) -> Result<Reason, Vec<Link>> {
         let mut graph = OverlapGraph::new(self.maps.len());
         let mut links = Vec::new();
         let mut tried = vec![0; self.maps.len() * self.maps.len()];

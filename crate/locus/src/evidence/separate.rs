@@ -4,7 +4,7 @@ use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
 use crate::frame::Frame;
-use crate::support::trapping_polygon::Enclosure;
+use crate::support::trapping_polygon::TrappingPolygon;
 
 /// Two pieces that are apart, and a direction that shows it.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,7 +20,7 @@ pub struct Separation {
 /// A descent on pairs of words whose pieces are bounded by images of a polygon.
 pub(crate) struct Descent<'a> {
     frame: &'a Frame,
-    enclosure: &'a Enclosure,
+    polygon: &'a TrappingPolygon,
     /// From the frame to the plane, for directions.
     to_plane: DMat2,
     middle: DVec2,
@@ -50,11 +50,11 @@ const ROUNDS: usize = 8;
 const DIGITS: [i32; 4] = [3, 8, 16, 32];
 
 impl<'a> Descent<'a> {
-    pub fn new(frame: &'a Frame, enclosure: &'a Enclosure, budget: usize) -> Self {
-        let here = &enclosure.here;
+    pub fn new(frame: &'a Frame, polygon: &'a TrappingPolygon, budget: usize) -> Self {
+        let here = &polygon.here;
         let mut this = Self {
             frame,
-            enclosure,
+            polygon,
             to_plane: frame.from_round.inverse().transpose(),
             middle: here.iter().sum::<DVec2>() / here.len() as f64,
             words: Vec::new(),
@@ -128,7 +128,7 @@ impl<'a> Descent<'a> {
     /// The greatest `normal . x` over the image of the polygon, and where.
     fn support(&self, map: &Affine2, normal: DVec2) -> (f64, DVec2) {
         let pulled = map.linear.transpose() * normal;
-        let corners = self.enclosure.here.iter();
+        let corners = self.polygon.here.iter();
         let (far, corner) = corners
             .map(|&p| (pulled.dot(p), p))
             .fold((f64::NEG_INFINITY, DVec2::ZERO), |best, next| if next.0 > best.0 { next } else { best });

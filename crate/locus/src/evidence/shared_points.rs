@@ -5,10 +5,10 @@ use std::collections::HashMap;
 use frond_core::Affine2;
 use glam::DVec2;
 
-use crate::exact::address::Periodic;
+use crate::exact::address::Address;
 
 /// A point with two addresses, in two pieces.
-pub(crate) type Shared = (Periodic, Periodic);
+pub(crate) type Shared = (Address, Address);
 
 /// Points this near are taken for the same; in units of the attractor.
 const GRID: f64 = 67_108_864.0;
@@ -23,10 +23,10 @@ const POINTS: usize = 2048;
 /// Found in floating point, and so only proposed.
 pub(crate) fn corners(maps: &[Affine2]) -> Vec<Shared> {
     let count = maps.len();
-    let mut points: Vec<(DVec2, Periodic)> = Vec::new();
+    let mut points: Vec<(DVec2, Address)> = Vec::new();
     let mut known = HashMap::new();
-    let mut add = |points: &mut Vec<(DVec2, Periodic)>, point: DVec2, head: Vec<u8>, repeat: Vec<u8>| {
-        if let Some(address) = Periodic::new(head, repeat)
+    let mut add = |points: &mut Vec<(DVec2, Address)>, point: DVec2, head: Vec<u8>, repeat: Vec<u8>| {
+        if let Some(address) = Address::new(head, repeat)
             && known.insert(key(point), ()).is_none()
         {
             points.push((point, address));
@@ -58,12 +58,12 @@ pub(crate) fn corners(maps: &[Affine2]) -> Vec<Shared> {
             }
         }
     }
-    let mut holders: HashMap<[i64; 2], Vec<(usize, Periodic)>> = HashMap::new();
+    let mut holders: HashMap<[i64; 2], Vec<(usize, Address)>> = HashMap::new();
     let mut found = Vec::new();
     for (point, address) in &points {
         for (i, map) in maps.iter().enumerate() {
             let head = std::iter::once(i as u8).chain(address.head.iter().copied()).collect();
-            let Some(address) = Periodic::new(head, address.repeat.clone()) else { continue };
+            let Some(address) = Address::new(head, address.repeat.clone()) else { continue };
             let here = holders.entry(key(map.apply(*point))).or_default();
             if here.iter().any(|(holder, _)| *holder == i) {
                 continue;

@@ -5,12 +5,12 @@ use glam::DVec2;
 
 /// An endless address that repeats itself from some letter on: `head` once, then `repeat` for ever. Letters from 0.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct Periodic {
+pub(crate) struct Address {
     pub head: Vec<u8>,
     pub repeat: Vec<u8>,
 }
 
-impl Periodic {
+impl Address {
     /// The same address with the shortest repeat, beginning as early as can be. `None` if nothing is repeated.
     pub fn new(mut head: Vec<u8>, mut repeat: Vec<u8>) -> Option<Self> {
         let count = repeat.len();
@@ -72,14 +72,14 @@ mod tests {
     #[test]
     fn addresses_take_their_shortest_form() {
         let shown =
-            |head: &[u8], repeat: &[u8]| Periodic::new(head.to_vec(), repeat.to_vec()).unwrap().shown(9);
+            |head: &[u8], repeat: &[u8]| Address::new(head.to_vec(), repeat.to_vec()).unwrap().shown(9);
         assert_eq!(shown(&[0], &[1, 1, 1]), "1(2)");
         assert_eq!(shown(&[0, 1], &[1]), "1(2)");
         assert_eq!(shown(&[1, 1], &[1]), "(2)");
         assert_eq!(shown(&[0, 1, 2], &[1, 2, 1, 2]), "1(23)");
         assert_eq!(shown(&[0, 2], &[1, 2]), "1(32)");
-        assert_eq!(Periodic::new(vec![9, 0], vec![1, 10]).unwrap().shown(64), "10.1.(2.11)");
-        assert_eq!(Periodic::new(vec![1], vec![]), None);
+        assert_eq!(Address::new(vec![9, 0], vec![1, 10]).unwrap().shown(64), "10.1.(2.11)");
+        assert_eq!(Address::new(vec![1], vec![]), None);
     }
 
     #[test]
@@ -91,15 +91,15 @@ mod tests {
         for (maps, letters) in [(9, &[0_u8, 1, 8][..]), (10, &[0, 1, 8, 9]), (64, &[0, 1, 10, 11, 62, 63])] {
             for head in words(letters).into_iter().chain([vec![]]) {
                 for repeat in words(letters) {
-                    let Some(address) = Periodic::new(head.clone(), repeat) else { continue };
+                    let Some(address) = Address::new(head.clone(), repeat) else { continue };
                     let text = address.shown(maps);
-                    assert_eq!(Periodic::parse(&text), Some(address), "{text}");
+                    assert_eq!(Address::parse(&text), Some(address), "{text}");
                 }
             }
         }
-        assert_eq!(Periodic::new(vec![], vec![11]).unwrap().shown(12), ".(12)");
+        assert_eq!(Address::new(vec![], vec![11]).unwrap().shown(12), ".(12)");
         assert_eq!(
-            [Periodic::parse("1(0)"), Periodic::parse("1.(x)"), Periodic::parse("12")],
+            [Address::parse("1(0)"), Address::parse("1.(x)"), Address::parse("12")],
             [None, None, None]
         );
     }
@@ -107,7 +107,7 @@ mod tests {
     #[test]
     fn points_follow_the_letters() {
         let maps = [0.0, 0.5].map(|e| Affine2::from_row([0.5, 0.0, 0.0, 0.5, e, 0.0]));
-        let at = |text: &str| Periodic::parse(text).unwrap().point(&maps).unwrap().x;
+        let at = |text: &str| Address::parse(text).unwrap().point(&maps).unwrap().x;
         assert_eq!((at("1(2)"), at("2(1)"), at("(2)")), (0.5, 0.5, 1.0));
         // Binary 0.0101.. is a third.
         assert!((at("(12)") - 1.0 / 3.0).abs() < 1e-15);

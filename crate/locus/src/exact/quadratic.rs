@@ -5,25 +5,25 @@ use std::ops::{Add, Mul, Neg, Sub};
 use frond_core::Affine2;
 use num_bigint::BigInt;
 
-use crate::exact::address::Periodic;
+use crate::exact::address::Address;
 
 /// `a + b sqrt(d)`. Where `d` is 0 so is `b`; numbers with different other `d` are never mixed.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Surd {
+pub(crate) struct Quadratic {
     pub a: BigInt,
     pub b: BigInt,
     pub d: u8,
 }
 
-impl PartialEq for Surd {
+impl PartialEq for Quadratic {
     /// Without a root it does not matter which one is not there.
     fn eq(&self, other: &Self) -> bool {
         self.a == other.a && self.b == other.b && (self.d == other.d || self.b == BigInt::ZERO)
     }
 }
-impl Eq for Surd {}
+impl Eq for Quadratic {}
 
-impl Surd {
+impl Quadratic {
     pub fn whole(a: BigInt) -> Self {
         Self { a, b: BigInt::ZERO, d: 0 }
     }
@@ -38,35 +38,35 @@ impl Surd {
     }
 }
 
-impl Add for &Surd {
-    type Output = Surd;
-    fn add(self, other: Self) -> Surd {
-        Surd { a: &self.a + &other.a, b: &self.b + &other.b, d: self.d.max(other.d) }
+impl Add for &Quadratic {
+    type Output = Quadratic;
+    fn add(self, other: Self) -> Quadratic {
+        Quadratic { a: &self.a + &other.a, b: &self.b + &other.b, d: self.d.max(other.d) }
     }
 }
 
-impl Sub for &Surd {
-    type Output = Surd;
-    fn sub(self, other: Self) -> Surd {
-        Surd { a: &self.a - &other.a, b: &self.b - &other.b, d: self.d.max(other.d) }
+impl Sub for &Quadratic {
+    type Output = Quadratic;
+    fn sub(self, other: Self) -> Quadratic {
+        Quadratic { a: &self.a - &other.a, b: &self.b - &other.b, d: self.d.max(other.d) }
     }
 }
 
-impl Neg for &Surd {
-    type Output = Surd;
-    fn neg(self) -> Surd {
-        Surd { a: -&self.a, b: -&self.b, d: self.d }
+impl Neg for &Quadratic {
+    type Output = Quadratic;
+    fn neg(self) -> Quadratic {
+        Quadratic { a: -&self.a, b: -&self.b, d: self.d }
     }
 }
 
-impl Mul for &Surd {
-    type Output = Surd;
-    fn mul(self, other: Self) -> Surd {
+impl Mul for &Quadratic {
+    type Output = Quadratic;
+    fn mul(self, other: Self) -> Quadratic {
         let d = self.d.max(other.d);
         if self.d == 0 && other.d == 0 {
-            return Surd::whole(&self.a * &other.a);
+            return Quadratic::whole(&self.a * &other.a);
         }
-        Surd {
+        Quadratic {
             a: &self.a * &other.a + BigInt::from(d) * (&self.b * &other.b),
             b: &self.a * &other.b + &self.b * &other.a,
             d,
@@ -76,23 +76,23 @@ impl Mul for &Surd {
 
 /// A map: the row `[a, b, c, d, e, f]` over a denominator.
 #[derive(Clone, Debug)]
-pub(crate) struct SurdMap {
-    row: [Surd; 6],
-    over: Surd,
+pub(crate) struct QuadraticMap {
+    row: [Quadratic; 6],
+    over: Quadratic,
 }
 
 /// A point as the fractions x / w, y / w.
-pub(crate) type SurdPoint = [Surd; 3];
+pub(crate) type QuadraticPoint = [Quadratic; 3];
 
 /// Numbers of more binary digits than this are not computed with.
 const BITS: u64 = 40_000;
 
-impl SurdMap {
+impl QuadraticMap {
     /// The map that applies `inner` first.
     fn after(&self, inner: &Self) -> Self {
         let [a, b, c, d, e, f] = &self.row;
         let [p, q, r, s, t, u] = &inner.row;
-        let dot = |x: &Surd, y: &Surd, z: &Surd, w: &Surd| &(x * y) + &(z * w);
+        let dot = |x: &Quadratic, y: &Quadratic, z: &Quadratic, w: &Quadratic| &(x * y) + &(z * w);
         let row = [
             dot(a, p, b, r),
             dot(a, q, b, s),
@@ -105,14 +105,14 @@ impl SurdMap {
     }
 
     /// The image of a point.
-    fn apply(&self, [x, y, w]: &SurdPoint) -> SurdPoint {
+    fn apply(&self, [x, y, w]: &QuadraticPoint) -> QuadraticPoint {
         let [a, b, c, d, e, f] = &self.row;
-        let along = |p: &Surd, q: &Surd, r: &Surd| &(&(p * x) + &(q * y)) + &(r * w);
+        let along = |p: &Quadratic, q: &Quadratic, r: &Quadratic| &(&(p * x) + &(q * y)) + &(r * w);
         [along(a, b, e), along(c, d, f), &self.over * w]
     }
 
     /// From `(1 - M) p = t` by Cramer's rule; `None` if there is no such point or more than one.
-    fn fixed_point(&self) -> Option<SurdPoint> {
+    fn fixed_point(&self) -> Option<QuadraticPoint> {
         let [a, b, c, d, e, f] = &self.row;
         let (p, s) = (&self.over - a, &self.over - d);
         let w = &(&p * &s) - &(b * c);
@@ -121,19 +121,19 @@ impl SurdMap {
 }
 
 /// Whether two points are the same.
-pub(crate) fn same(p: &SurdPoint, q: &SurdPoint) -> bool {
+pub(crate) fn same(p: &QuadraticPoint, q: &QuadraticPoint) -> bool {
     &p[0] * &q[2] == &q[0] * &p[2] && &p[1] * &q[2] == &q[1] * &p[2]
 }
 
 /// The maps of a system.
 #[derive(Clone, Debug)]
-pub(crate) struct SurdSystem {
-    maps: Vec<SurdMap>,
+pub(crate) struct QuadraticSystem {
+    maps: Vec<QuadraticMap>,
     /// Digits that a letter adds.
     bits: u64,
 }
 
-impl SurdSystem {
+impl QuadraticSystem {
     /// The numbers as they are given: doubles are whole multiples of a power of two. `None` if they are too long.
     pub fn as_given(maps: &[Affine2]) -> Option<Self> {
         let rows: Vec<[f64; 6]> = maps.iter().copied().map(Affine2::to_row).collect();
@@ -142,21 +142,25 @@ impl SurdSystem {
             rows.iter().flatten().filter(|x| **x != 0.0).map(|x| power(*x)).min().unwrap_or(0).min(0);
         let whole = |x: f64| {
             let (digits, power) = dyadic(x);
-            Surd::whole(if digits == 0 { BigInt::ZERO } else { BigInt::from(digits) << (power - lowest) })
+            Quadratic::whole(if digits == 0 {
+                BigInt::ZERO
+            } else {
+                BigInt::from(digits) << (power - lowest)
+            })
         };
-        let over = Surd::whole(BigInt::from(1) << lowest.unsigned_abs());
+        let over = Quadratic::whole(BigInt::from(1) << lowest.unsigned_abs());
         Some(Self::new(rows.into_iter().map(|row| row.map(whole)).collect(), &over))
             .filter(|this| this.bits < 2000)
     }
 
     /// Maps of rows over one denominator.
-    pub fn new(rows: Vec<[Surd; 6]>, over: &Surd) -> Self {
-        let bits = rows.iter().flatten().chain([over]).map(Surd::bits).max().unwrap_or(0);
-        Self { maps: rows.into_iter().map(|row| SurdMap { row, over: over.clone() }).collect(), bits }
+    pub fn new(rows: Vec<[Quadratic; 6]>, over: &Quadratic) -> Self {
+        let bits = rows.iter().flatten().chain([over]).map(Quadratic::bits).max().unwrap_or(0);
+        Self { maps: rows.into_iter().map(|row| QuadraticMap { row, over: over.clone() }).collect(), bits }
     }
 
     /// The map of a word; `None` if its numbers would be too long.
-    pub fn word(&self, word: &[u8]) -> Option<SurdMap> {
+    pub fn word(&self, word: &[u8]) -> Option<QuadraticMap> {
         let (first, rest) = word.split_first()?;
         if word.len() as u64 * self.bits > BITS {
             return None;
@@ -166,7 +170,7 @@ impl SurdSystem {
     }
 
     /// The point of an address.
-    pub fn point(&self, address: &Periodic) -> Option<SurdPoint> {
+    pub fn point(&self, address: &Address) -> Option<QuadraticPoint> {
         if (address.head.len() + 2 * address.repeat.len()) as u64 * self.bits > BITS {
             return None;
         }
@@ -176,7 +180,7 @@ impl SurdSystem {
     }
 
     /// Whether two addresses are of one point.
-    pub fn coincide(&self, a: &Periodic, b: &Periodic) -> bool {
+    pub fn coincide(&self, a: &Address, b: &Address) -> bool {
         matches!((self.point(a), self.point(b)), (Some(p), Some(q)) if same(&p, &q))
     }
 
@@ -191,12 +195,12 @@ impl SurdSystem {
     }
 }
 
-impl SurdMap {
+impl QuadraticMap {
     /// The six numbers of `self^-1 other`, and their common denominator.
-    fn undo(&self, other: &Self) -> ([Surd; 6], Surd) {
+    fn undo(&self, other: &Self) -> ([Quadratic; 6], Quadratic) {
         let [a, b, c, d, e, f] = &self.row;
         let [p, q, r, s, t, u] = &other.row;
-        let dot = |x: &Surd, y: &Surd, z: &Surd, w: &Surd| &(x * y) - &(z * w);
+        let dot = |x: &Quadratic, y: &Quadratic, z: &Quadratic, w: &Quadratic| &(x * y) - &(z * w);
         // self = (M x + e) / m, other = (N x + t) / n: M^-1 (m N x + m t - n e) / n.
         let (m, n) = (&self.over, &other.over);
         let (x, y) = (&(m * t) - &(n * e), &(m * u) - &(n * f));
@@ -225,15 +229,15 @@ pub(crate) fn dyadic(x: f64) -> (i64, i64) {
 mod tests {
     use super::*;
 
-    fn gasket(corner: [f64; 2], scale: f64) -> SurdSystem {
+    fn gasket(corner: [f64; 2], scale: f64) -> QuadraticSystem {
         let maps = [[0.0, 0.0], [1.0, 0.0], corner]
             .map(|[x, y]| Affine2::from_row([scale, 0.0, 0.0, scale, (1.0 - scale) * x, (1.0 - scale) * y]));
-        SurdSystem::as_given(&maps).unwrap()
+        QuadraticSystem::as_given(&maps).unwrap()
     }
 
     #[test]
     fn points_of_addresses_are_exact() {
-        let address = |text: &str| Periodic::parse(text).unwrap();
+        let address = |text: &str| Address::parse(text).unwrap();
         // Any triangle will do, though no digit of its corner is short.
         let ifs = gasket([0.3, 0.866_025_403_784_438_6], 0.5);
         for (a, b, wanted) in [
@@ -253,13 +257,13 @@ mod tests {
 
     #[test]
     fn roots_multiply() {
-        let surd = |a: i64, b: i64| Surd { a: a.into(), b: b.into(), d: 5 };
+        let surd = |a: i64, b: i64| Quadratic { a: a.into(), b: b.into(), d: 5 };
         // The golden ratio, doubled, squared: (1 + sqrt 5)^2 = 6 + 2 sqrt 5.
         assert_eq!(&surd(1, 1) * &surd(1, 1), surd(6, 2));
         assert_eq!(&surd(1, 1) - &surd(1, 1), surd(0, 0));
         assert!(surd(0, 0).is_zero() && !surd(0, 1).is_zero());
-        assert_eq!(&surd(1, 1) * &surd(1, -1), Surd::whole((-4).into()));
-        assert_eq!((&Surd::whole(3.into()) * &surd(1, -2)), surd(3, -6));
+        assert_eq!(&surd(1, 1) * &surd(1, -1), Quadratic::whole((-4).into()));
+        assert_eq!((&Quadratic::whole(3.into()) * &surd(1, -2)), surd(3, -6));
     }
 
     #[test]

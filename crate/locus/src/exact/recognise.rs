@@ -5,11 +5,11 @@ use std::collections::HashMap;
 use frond_core::Affine2;
 use num_bigint::BigInt;
 
-use crate::exact::quadratic::{Surd, SurdSystem, dyadic};
+use crate::exact::quadratic::{Quadratic, QuadraticSystem, dyadic};
 
 /// What a system would be if its numbers were those that they come near.
-pub(crate) struct Reading {
-    pub system: SurdSystem,
+pub(crate) struct Recognised {
+    pub system: QuadraticSystem,
     /// Each number that is read as another one, and as which: "0.3333333333333333 is 1/3".
     pub assuming: Vec<String>,
 }
@@ -62,7 +62,7 @@ type Number = (f64, usize, f64);
 type Row = [(f64, Read); 6];
 
 /// Reads the maps with roots of as few kinds as will do; `None` if nothing would change, or too many numbers are strange.
-pub(crate) fn read(maps: &[Affine2]) -> Option<Reading> {
+pub(crate) fn read(maps: &[Affine2]) -> Option<Recognised> {
     // Rounding leaves more where numbers were added up: ulps of the largest that are of a kind.
     let largest = |of: fn(&Affine2) -> f64| maps.iter().map(of).fold(0.0, f64::max);
     let linear = largest(|map| map.to_row()[..4].iter().fold(0.0, |most, x| x.abs().max(most)));
@@ -80,7 +80,7 @@ pub(crate) fn read(maps: &[Affine2]) -> Option<Reading> {
     let guesses = GUESSES.iter().filter_map(|guess| Some((guess, guess.read(&rows, &fractions)?)));
     let (guess, (_, best)) = guesses.min_by_key(|(_, found)| found.0)?;
     let assuming = assumptions(&best);
-    (!assuming.is_empty()).then(|| Reading { system: system(&best, guess.axis), assuming })
+    (!assuming.is_empty()).then(|| Recognised { system: system(&best, guess.axis), assuming })
 }
 
 impl Guess {
@@ -148,7 +148,7 @@ fn assumptions(rows: &[Row]) -> Vec<String> {
 }
 
 /// All over one denominator.
-fn system(rows: &[Row], axis: Option<usize>) -> SurdSystem {
+fn system(rows: &[Row], axis: Option<usize>) -> QuadraticSystem {
     let (mut over, mut power) = (BigInt::from(1), 0);
     for (x, read) in rows.iter().flatten() {
         match read {
@@ -166,12 +166,12 @@ fn system(rows: &[Row], axis: Option<usize>) -> SurdSystem {
         Read::Itself => {
             let (digits, power) = dyadic(*x);
             let whole = if power < 0 { &over / two(-power) } else { &over * two(power) };
-            Surd::whole(whole * digits)
+            Quadratic::whole(whole * digits)
         }
         Read::As(value) => {
             let scale = &over / value.q;
             let d = if value.r == 0 { 0 } else { value.d };
-            Surd { a: &scale * value.p, b: &scale * value.r, d }
+            Quadratic { a: &scale * value.p, b: &scale * value.r, d }
         }
     };
     // Seen in coordinates where the axis of a pentagon is measured in sines, its shift and the number that leads to it are
@@ -180,14 +180,14 @@ fn system(rows: &[Row], axis: Option<usize>) -> SurdSystem {
     let entry = |row: &Row, k: usize| {
         let plain = surd(&row[k]);
         if k == from && of_pentagon(row[k].1) {
-            let times = &plain * &Surd { a: 5.into(), b: 1.into(), d: 5 };
-            Surd { a: times.a / 8, b: times.b / 8, d: 5 }
+            let times = &plain * &Quadratic { a: 5.into(), b: 1.into(), d: 5 };
+            Quadratic { a: times.a / 8, b: times.b / 8, d: 5 }
         } else {
             plain
         }
     };
     let rows = rows.iter().map(|row| std::array::from_fn(|k| entry(row, k))).collect();
-    SurdSystem::new(rows, &Surd::whole(over.clone()))
+    QuadraticSystem::new(rows, &Quadratic::whole(over.clone()))
 }
 
 fn of_pentagon(read: Read) -> bool {

@@ -7,8 +7,8 @@ use glam::{DMat2, DVec2};
 
 use crate::frame::Frame;
 use crate::gap::pair_descent::{Explore, Pair, Sight};
-use crate::gap::piece_distance::Gauge;
-use crate::support::f64x4::{Four, Vec4};
+use crate::gap::piece_distance::Metric;
+use crate::support::f64x4::{DVec2x4, F64x4};
 use crate::support::table::SupportTable;
 
 /// The differences of the pieces of maps `M x + t_i`.
@@ -19,7 +19,7 @@ use crate::support::table::SupportTable;
 /// point instead of two words, and most words of a length share their point with others. The supports of
 /// `D` are sums: its convex hull is that of the sum of the widths of all images of the translations.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Differences {
+pub(crate) struct DifferenceSet {
     /// Whether the linear part is a similitude, or nearly.
     round: bool,
     /// The powers of the linear part, from 0.
@@ -27,7 +27,7 @@ pub(crate) struct Differences {
     /// Their norms, at most.
     sizes: Vec<f64>,
     /// The differences of two translations, each once, four by four; those left over repeat the last.
-    steps: Vec<Vec4>,
+    steps: Vec<DVec2x4>,
     /// How many there are.
     count: usize,
     /// The points of the descent: where, and at which power.
@@ -71,11 +71,11 @@ pub(crate) fn area(map: &Affine2) -> f64 {
     (ad - bc).abs() - 4.0 * f64::EPSILON * (ad.abs() + bc.abs())
 }
 
-impl Differences {
+impl DifferenceSet {
     /// Gets ready for the maps of a frame, which share one linear part and contract one by one, and bounds their differences.
     ///
     /// Of a regular polygon with an even number of corners every other difference is known to repeat another.
-    pub fn set(&mut self, frame: &Frame, outline: &mut SupportTable, polygon: bool) {
+    pub fn set(&mut self, frame: &Frame, support: &mut SupportTable, polygon: bool) {
         let m = frame.maps[0].linear;
         self.round = frame.factor * frame.factor - m.determinant().abs() < 1e-3;
         self.powers.clear();
@@ -91,7 +91,7 @@ impl Differences {
             terms += 1;
         }
         let rest = 2.0 * self.size(terms, m, frame.factor) * (1.0 + 1e-12);
-        outline.set_differences(&self.powers[..terms], &self.shifts, rest);
+        support.set_differences(&self.powers[..terms], &self.shifts, rest);
         self.nodes.clear();
     }
 
@@ -134,7 +134,7 @@ impl Differences {
         steps.extend(sorted.chunks(4).map(|four| {
             let lane = |k: usize| four[k.min(four.len() - 1)];
             let four = [lane(0), lane(1), lane(2), lane(3)];
-            Vec4 { x: Four(four.map(|d| d.x)), y: Four(four.map(|d| d.y)) }
+            DVec2x4 { x: F64x4(four.map(|d| d.x)), y: F64x4(four.map(|d| d.y)) }
         }));
     }
 
@@ -202,33 +202,33 @@ impl Differences {
 
 /// Where four steps lead.
 #[inline(always)]
-fn after(power: DMat2, offset: DVec2, step: Vec4) -> Vec4 {
-    let (x, y, o) = (Vec4::splat(power.x_axis), Vec4::splat(power.y_axis), Vec4::splat(offset));
-    Vec4 { x: o.x + x.x * step.x + y.x * step.y, y: o.y + x.y * step.x + y.y * step.y }
+fn after(power: DMat2, offset: DVec2, step: DVec2x4) -> DVec2x4 {
+    let (x, y, o) = (DVec2x4::splat(power.x_axis), DVec2x4::splat(power.y_axis), DVec2x4::splat(offset));
+    DVec2x4 { x: o.x + x.x * step.x + y.x * step.y, y: o.y + x.y * step.x + y.y * step.y }
 }
 
-/// A descent on [`Differences`].
+/// A descent on [`DifferenceSet`].
 pub(crate) struct Translates<'a> {
     frame: &'a Frame,
-    outline: &'a SupportTable,
-    differences: &'a mut Differences,
+    support: &'a SupportTable,
+    differences: &'a mut DifferenceSet,
     small: f64,
-    gauge: Gauge,
+    metric: Metric,
 }
 
 impl<'a> Translates<'a> {
     /// `diameter` is that of the attractor in the frame.
     pub fn new(
         frame: &'a Frame,
-        outline: &'a SupportTable,
-        differences: &'a mut Differences,
+        support: &'a SupportTable,
+        differences: &'a mut DifferenceSet,
         resolution: f64,
         diameter: f64,
     ) -> Self {
         // Both pieces are as large, and where rounding is coarser than the resolution, nothing is small.
         let visible = frame.rounding * frame.stretch <= resolution;
         let small = if visible { 0.5 * resolution / (frame.stretch * diameter) } else { -1.0 };
-        Self { frame, outline, differences, small, gauge: Gauge::default() }
+        Self { frame, support, differences, small, metric: Metric::default() }
     }
 }
 
@@ -236,23 +236,24 @@ impl Explore for Translates<'_> {
     type Nearest = ();
 
     fn lean(&mut self, to_measure: bool) {
-        self.gauge = if to_measure { Gauge::to_measure(self.frame) } else { Gauge::to_separate(self.frame) };
+        self.metric =
+            if to_measure { Metric::to_measure(self.frame) } else { Metric::to_separate(self.frame) };
     }
 
     fn first(&mut self, i: u32, others: Range<u32>, mut see: impl FnMut(u32, Sight<()>)) {
         let shifts = &self.differences.shifts;
         let offset = |j: u32| shifts[i as usize] - shifts[j as usize];
         let lanes = [0, 1, 2, 3].map(|k| offset((others.start + k).min(others.end - 1)));
-        let offsets = Vec4 { x: Four(lanes.map(|o| o.x)), y: Four(lanes.map(|o| o.y)) };
+        let offsets = DVec2x4 { x: F64x4(lanes.map(|o| o.x)), y: F64x4(lanes.map(|o| o.y)) };
         self.differences.size(1, self.frame.maps[0].linear, self.frame.factor);
-        let looks = self.gauge.differences(self.outline, self.differences.powers[1], offsets);
+        let looks = self.metric.differences(self.support, self.differences.powers[1], offsets);
         for (k, j) in others.enumerate() {
             see(j, looks.sight(k));
         }
     }
 
     fn root(&mut self, i: u8, j: u8) -> (u32, u32) {
-        let Differences { nodes, shifts, .. } = &mut *self.differences;
+        let DifferenceSet { nodes, shifts, .. } = &mut *self.differences;
         nodes.push((shifts[usize::from(i)] - shifts[usize::from(j)], 1));
         (nodes.len() as u32 - 1, 0)
     }
@@ -268,7 +269,7 @@ impl Explore for Translates<'_> {
         let (power, next) = (self.differences.powers[k as usize], self.differences.powers[k as usize + 1]);
         for block in 0..self.differences.steps.len() {
             let offsets = after(power, offset, self.differences.steps[block]);
-            let looks = self.gauge.differences(self.outline, next, offsets);
+            let looks = self.metric.differences(self.support, next, offsets);
             for l in 0..4.min(self.differences.count - 4 * block) {
                 let node = self.differences.nodes.len() as u32;
                 self.differences.nodes.push((offsets.at(l), k + 1));

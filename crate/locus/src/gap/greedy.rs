@@ -4,7 +4,7 @@ use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
 use crate::frame::Frame;
-use crate::support::f64x4::Four;
+use crate::support::f64x4::F64x4;
 
 /// Looks for two points of the attractor, one in each of two pieces, that lie within a given distance of
 /// each other: always into those parts whose middles are nearest for their size, and back to the last that was
@@ -13,28 +13,28 @@ use crate::support::f64x4::Four;
 /// It proves nothing where it finds nothing, but what it finds is found in a tenth of the time that the descent
 /// with support functions takes.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Dive {
+pub(crate) struct GreedySearch {
     lanes: Vec<Lane>,
     sizes: Vec<f64>,
     /// A point of the attractor, in the frame.
     point: DVec2,
     /// What was passed over.
-    passed: Vec<(Pair, usize)>,
+    passed: Vec<(TwoPieces, usize)>,
 }
 
 /// The translations and norms of four maps.
 #[derive(Clone, Copy, Debug, Default)]
 struct Lane {
-    x: Four,
-    y: Four,
-    size: Four,
+    x: F64x4,
+    y: F64x4,
+    size: F64x4,
     /// What a lane's score is raised by: infinite where it holds no map.
-    far: Four,
+    far: F64x4,
 }
 
 /// Two pieces: their linear parts, about how large they are, and the difference of their middles.
 #[derive(Clone, Copy, Debug)]
-struct Pair {
+struct TwoPieces {
     linear: [DMat2; 2],
     size: [f64; 2],
     /// From the middle of the second to that of the first.
@@ -51,14 +51,14 @@ const STEPS: usize = 160;
 /// The lowest bits of a score hold the number of its map.
 const NUMBER: u64 = 63;
 
-impl Dive {
+impl GreedySearch {
     /// Gets ready for the maps of `frame`; `false` if it has no point to begin with.
     pub fn set(&mut self, frame: &Frame) -> bool {
         self.lanes.clear();
         self.sizes.clear();
         for four in frame.maps.chunks(4) {
             // A lane without a map is too far away to be chosen, also for a piece that is a mere point.
-            let mut lane = Lane { far: Four::splat(f64::INFINITY), ..Lane::default() };
+            let mut lane = Lane { far: F64x4::splat(f64::INFINITY), ..Lane::default() };
             for (k, map) in four.iter().enumerate() {
                 let size = map.norm();
                 lane.far.0[k] = 0.0;
@@ -83,7 +83,7 @@ impl Dive {
     /// to be `reach` or less.
     pub fn meet(&mut self, frame: &Frame, i: usize, j: usize, reach: f64) -> Option<f64> {
         let (a, b) = (frame.maps[i], frame.maps[j]);
-        let mut pair = Pair {
+        let mut pair = TwoPieces {
             linear: [a.linear, b.linear],
             size: [self.sizes[i], self.sizes[j]],
             apart: a.translation - b.translation,
@@ -115,7 +115,7 @@ impl Dive {
     /// Scores of the two parts of the larger piece whose middles are nearest to that of the other piece, for their
     /// size; with their numbers.
     #[inline(always)]
-    fn nearest_parts(&self, pair: &Pair) -> (f64, f64) {
+    fn nearest_parts(&self, pair: &TwoPieces) -> (f64, f64) {
         let large = usize::from(pair.size[0] < pair.size[1]);
         let m = pair.linear[large];
         let (size, other) = (pair.size[large], pair.size[1 - large]);
@@ -123,10 +123,10 @@ impl Dive {
         let (mut best, mut second) = (f64::INFINITY, f64::INFINITY);
         for (block, lane) in self.lanes.iter().enumerate() {
             let x =
-                Four::splat(apart.x) + Four::splat(m.x_axis.x) * lane.x + Four::splat(m.y_axis.x) * lane.y;
+                F64x4::splat(apart.x) + F64x4::splat(m.x_axis.x) * lane.x + F64x4::splat(m.y_axis.x) * lane.y;
             let y =
-                Four::splat(apart.y) + Four::splat(m.x_axis.y) * lane.x + Four::splat(m.y_axis.y) * lane.y;
-            let r = Four::splat(size) * lane.size + Four::splat(other);
+                F64x4::splat(apart.y) + F64x4::splat(m.x_axis.y) * lane.x + F64x4::splat(m.y_axis.y) * lane.y;
+            let r = F64x4::splat(size) * lane.size + F64x4::splat(other);
             let score = (x * x + y * y) / (r * r) + lane.far;
             let numbered = |k: usize| {
                 let number = (4 * block + k) as u64;
@@ -143,7 +143,7 @@ impl Dive {
     }
 
     #[inline(always)]
-    fn enter(&self, frame: &Frame, mut pair: Pair, part: usize) -> Pair {
+    fn enter(&self, frame: &Frame, mut pair: TwoPieces, part: usize) -> TwoPieces {
         let large = usize::from(pair.size[0] < pair.size[1]);
         let Affine2 { linear, translation } = frame.maps[part];
         let m = pair.linear[large];

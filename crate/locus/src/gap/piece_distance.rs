@@ -6,7 +6,7 @@ use glam::{DMat2, DVec2};
 use crate::frame::Frame;
 use crate::gap::pair_descent::Sight;
 use crate::gap::word_tree::Piece;
-use crate::support::f64x4::{Four, Vec4};
+use crate::support::f64x4::{DVec2x4, F64x4};
 use crate::support::table::SupportTable;
 
 /// What was found out about up to four pieces, each against one and the same other.
@@ -34,7 +34,7 @@ impl Distances {
 pub(crate) struct Looks {
     pub distances: Distances,
     /// These points, in the frame: in the pieces, and in the other.
-    points: [Vec4; 2],
+    points: [DVec2x4; 2],
 }
 
 impl Looks {
@@ -47,7 +47,7 @@ impl Looks {
 
 /// How lengths and directions are measured.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Gauge {
+pub(crate) struct Metric {
     /// Whether lengths are those of the plane, but for a factor: its square, and the inverse of that.
     plain: Option<[f64; 2]>,
     /// Takes steps to the plane.
@@ -64,28 +64,28 @@ pub(crate) struct Gauge {
 /// The linear parts of four maps, and what they do to vectors.
 #[derive(Clone, Copy)]
 struct Linear4 {
-    x: Vec4,
-    y: Vec4,
+    x: DVec2x4,
+    y: DVec2x4,
 }
 
 impl Linear4 {
     #[inline(always)]
     fn splat(m: DMat2) -> Self {
-        Self { x: Vec4::splat(m.x_axis), y: Vec4::splat(m.y_axis) }
+        Self { x: DVec2x4::splat(m.x_axis), y: DVec2x4::splat(m.y_axis) }
     }
 
     #[inline(always)]
-    fn times(self, v: Vec4) -> Vec4 {
-        Vec4 { x: self.x.x * v.x + self.y.x * v.y, y: self.x.y * v.x + self.y.y * v.y }
+    fn times(self, v: DVec2x4) -> DVec2x4 {
+        DVec2x4 { x: self.x.x * v.x + self.y.x * v.y, y: self.x.y * v.x + self.y.y * v.y }
     }
 
     #[inline(always)]
-    fn transposed_times(self, v: Vec4) -> Vec4 {
-        Vec4 { x: self.x.dot(v), y: self.y.dot(v) }
+    fn transposed_times(self, v: DVec2x4) -> DVec2x4 {
+        DVec2x4 { x: self.x.dot(v), y: self.y.dot(v) }
     }
 }
 
-impl Gauge {
+impl Metric {
     /// To tell pieces apart: they are round in the frame, and most easily told apart there, however flat they
     /// are in the plane.
     pub fn to_separate(frame: &Frame) -> Self {
@@ -115,26 +115,26 @@ impl Gauge {
     ///
     /// The four are independent of each other, and a processor works on them at once. Lanes that are left over
     /// repeat the last piece.
-    pub fn look(&self, outline: &SupportTable, parts: &[Piece], other: &Affine2) -> Looks {
-        self.look_as::<false>(outline, parts, other)
+    pub fn look(&self, support: &SupportTable, parts: &[Piece], other: &Affine2) -> Looks {
+        self.look_as::<false>(support, parts, other)
     }
 
-    /// [`Gauge::look`] without points.
-    pub fn distances(&self, outline: &SupportTable, parts: &[Piece], other: &Affine2) -> Distances {
+    /// [`Metric::look`] without points.
+    pub fn distances(&self, support: &SupportTable, parts: &[Piece], other: &Affine2) -> Distances {
         let looks = if self.plain.is_some() {
-            self.look_as::<true>(outline, parts, other)
+            self.look_as::<true>(support, parts, other)
         } else {
-            self.look_as::<false>(outline, parts, other)
+            self.look_as::<false>(support, parts, other)
         };
         looks.distances
     }
 
     /// The same for sets of differences: bounds the distances of four points from the image, under `power`, of the
-    /// attractor that `outline` bounds, which is symmetric about 0.
-    pub fn differences(&self, outline: &SupportTable, power: DMat2, offsets: Vec4) -> Distances {
+    /// attractor that `support` bounds, which is symmetric about 0.
+    pub fn differences(&self, support: &SupportTable, power: DMat2, offsets: DVec2x4) -> Distances {
         let m = Linear4::splat(power);
-        let see = |normal: Vec4| {
-            let (far, p) = outline.support4(m.transposed_times(normal));
+        let see = |normal: DVec2x4| {
+            let (far, p) = support.support4(m.transposed_times(normal));
             (far, [m.times(p), offsets])
         };
         let looks = if self.plain.is_some() {
@@ -146,12 +146,12 @@ impl Gauge {
     }
 
     #[inline(always)]
-    fn look_as<const PLAIN: bool>(&self, outline: &SupportTable, parts: &[Piece], other: &Affine2) -> Looks {
+    fn look_as<const PLAIN: bool>(&self, support: &SupportTable, parts: &[Piece], other: &Affine2) -> Looks {
         let Sides { a, b, a0, b0 } = Sides::new(parts, other);
         self.steps::<PLAIN>(b0 - a0, |normal| {
-            let (far_a, p) = outline.support4(a.transposed_times(normal));
+            let (far_a, p) = support.support4(a.transposed_times(normal));
             let pulled = b.transposed_times(normal);
-            let (far_b, q) = outline.support4(Vec4 { x: -pulled.x, y: -pulled.y });
+            let (far_b, q) = support.support4(DVec2x4 { x: -pulled.x, y: -pulled.y });
             (far_a + far_b, [a.times(p) + a0, b.times(q) + b0])
         })
     }
@@ -161,7 +161,11 @@ impl Gauge {
     ///
     /// `PLAIN` where lengths are those of the plane, but for a factor.
     #[inline(always)]
-    fn steps<const PLAIN: bool>(&self, middle: Vec4, see: impl Fn(Vec4) -> (Four, [Vec4; 2])) -> Looks {
+    fn steps<const PLAIN: bool>(
+        &self,
+        middle: DVec2x4,
+        see: impl Fn(DVec2x4) -> (F64x4, [DVec2x4; 2]),
+    ) -> Looks {
         let first = self.along::<PLAIN>(middle, middle, &see);
         if first.apart.0.iter().all(|&apart| apart > 0.0) {
             let apart = self.distance::<PLAIN>(first.apart, first.scale, first.blur).0;
@@ -172,17 +176,17 @@ impl Gauge {
         // differences of points of the two hulls.
         let turn = middle - (first.points[1] - first.points[0]);
         let length = turn.dot(if PLAIN { turn } else { Linear4::splat(self.lean).times(turn) });
-        let t = (first.normal.dot(turn) / length).max(Four::default()).min(Four::splat(1.0));
-        let step = Vec4 { x: middle.x - turn.x * t, y: middle.y - turn.y * t };
+        let t = (first.normal.dot(turn) / length).max(F64x4::default()).min(F64x4::splat(1.0));
+        let step = DVec2x4 { x: middle.x - turn.x * t, y: middle.y - turn.y * t };
         let second = self.along::<PLAIN>(middle, step, &see);
         // The greater of the two bounds: of their squares, with their signs, lest a root be taken for each.
-        let signed = |a: Four, other: Four| a * a.abs() * other;
+        let signed = |a: F64x4, other: F64x4| a * a.abs() * other;
         let (a, b) = (signed(first.apart, second.scale), signed(second.apart, first.scale));
         let apart = a.choose_less(b, second.apart, first.apart);
         let scale = a.choose_less(b, second.scale, first.scale);
         let blur = if PLAIN { first.blur } else { a.choose_less(b, second.blur, first.blur) };
-        let nearer = |a: Four, b: Four| second.reach.choose_less(first.reach, b, a);
-        let chosen = |k: usize| Vec4 {
+        let nearer = |a: F64x4, b: F64x4| second.reach.choose_less(first.reach, b, a);
+        let chosen = |k: usize| DVec2x4 {
             x: nearer(first.points[k].x, second.points[k].x),
             y: nearer(first.points[k].y, second.points[k].y),
         };
@@ -198,9 +202,9 @@ impl Gauge {
     #[inline(always)]
     fn along<const PLAIN: bool>(
         &self,
-        middle: Vec4,
-        step: Vec4,
-        see: &impl Fn(Vec4) -> (Four, [Vec4; 2]),
+        middle: DVec2x4,
+        step: DVec2x4,
+        see: &impl Fn(DVec2x4) -> (F64x4, [DVec2x4; 2]),
     ) -> View {
         let normal = if PLAIN { step } else { Linear4::splat(self.lean).times(step) };
         let (reach, points) = see(normal);
@@ -208,10 +212,10 @@ impl Gauge {
         let between = points[1] - points[0];
         // Rounding outward; the sum of the sides is no shorter than the normal.
         let sides = normal.x.abs() + normal.y.abs();
-        let off = Four::splat(self.rounding) * sides;
-        let squares = |v: Vec4, linear: DMat2, factor: f64| {
+        let off = F64x4::splat(self.rounding) * sides;
+        let squares = |v: DVec2x4, linear: DMat2, factor: f64| {
             if PLAIN {
-                v.dot(v) * Four::splat(factor)
+                v.dot(v) * F64x4::splat(factor)
             } else {
                 let there = Linear4::splat(linear).times(v);
                 there.dot(there)
@@ -222,7 +226,7 @@ impl Gauge {
             normal,
             apart: along - reach - off,
             scale: squares(normal, self.normal_to_plane, normal_to_plane),
-            blur: if PLAIN { Four::default() } else { Four::splat(self.blur) * sides },
+            blur: if PLAIN { F64x4::default() } else { F64x4::splat(self.blur) * sides },
             overlap: along / reach,
             reach: squares(between, self.to_plane, to_plane),
             points,
@@ -231,9 +235,9 @@ impl Gauge {
 
     /// A lower bound of the distance in the plane, 0 where it is less.
     #[inline(always)]
-    fn distance<const PLAIN: bool>(&self, apart: Four, scale: Four, blur: Four) -> Four {
+    fn distance<const PLAIN: bool>(&self, apart: F64x4, scale: F64x4, blur: F64x4) -> F64x4 {
         let length = if PLAIN { scale.sqrt() } else { scale.sqrt() + blur };
-        Four::default().choose_less(apart, apart * Four::splat(INWARD) / length, Four::default())
+        F64x4::default().choose_less(apart, apart * F64x4::splat(INWARD) / length, F64x4::default())
     }
 }
 
@@ -247,8 +251,8 @@ const INWARD: f64 = 1.0 - 8.0 * f64::EPSILON;
 struct Sides {
     a: Linear4,
     b: Linear4,
-    a0: Vec4,
-    b0: Vec4,
+    a0: DVec2x4,
+    b0: DVec2x4,
 }
 
 impl Sides {
@@ -256,28 +260,28 @@ impl Sides {
     fn new(parts: &[Piece], other: &Affine2) -> Self {
         let last = parts.len() - 1;
         let lanes = [&parts[0], &parts[last.min(1)], &parts[last.min(2)], &parts[last.min(3)]];
-        let four = |f: fn(&Affine2) -> f64| Four(lanes.map(|piece| f(&piece.map)));
+        let four = |f: fn(&Affine2) -> f64| F64x4(lanes.map(|piece| f(&piece.map)));
         let a = Linear4 {
-            x: Vec4 { x: four(|m| m.linear.x_axis.x), y: four(|m| m.linear.x_axis.y) },
-            y: Vec4 { x: four(|m| m.linear.y_axis.x), y: four(|m| m.linear.y_axis.y) },
+            x: DVec2x4 { x: four(|m| m.linear.x_axis.x), y: four(|m| m.linear.x_axis.y) },
+            y: DVec2x4 { x: four(|m| m.linear.y_axis.x), y: four(|m| m.linear.y_axis.y) },
         };
         Self {
             a,
             b: Linear4::splat(other.linear),
-            a0: Vec4 { x: four(|m| m.translation.x), y: four(|m| m.translation.y) },
-            b0: Vec4::splat(other.translation),
+            a0: DVec2x4 { x: four(|m| m.translation.x), y: four(|m| m.translation.y) },
+            b0: DVec2x4::splat(other.translation),
         }
     }
 }
 
 /// What is seen of two pieces along one direction, in four lanes.
 struct View {
-    normal: Vec4,
+    normal: DVec2x4,
     /// How far they are apart along the normal, which is `scale.sqrt()` long in the plane, and `blur` more at most.
-    apart: Four,
-    scale: Four,
-    blur: Four,
-    overlap: Four,
-    reach: Four,
-    points: [Vec4; 2],
+    apart: F64x4,
+    scale: F64x4,
+    blur: F64x4,
+    overlap: F64x4,
+    reach: F64x4,
+    points: [DVec2x4; 2],
 }

@@ -7,7 +7,7 @@ use glam::{DMat2, DVec2};
 
 use crate::frame::Frame;
 use crate::gap::pair_descent::{Explore, Pair, Sight};
-use crate::gap::piece_distance::{Distances, Gauge, Looks};
+use crate::gap::piece_distance::{Distances, Looks, Metric};
 use crate::gap::word_tree::{Piece, WordTree};
 use crate::support::table::SupportTable;
 
@@ -21,7 +21,7 @@ pub(crate) struct WordPairs<'a, P> {
     tree: &'a mut WordTree,
     /// Pieces whose sizes, as parts of the whole, add up to this or less are small.
     small: f64,
-    gauge: Gauge,
+    metric: Metric,
     looks: usize,
     nearest: std::marker::PhantomData<P>,
 }
@@ -30,7 +30,7 @@ impl<'a, P> WordPairs<'a, P> {
     /// Pairs of the words of a frame, whose attractor has these support values; not begun.
     pub fn new(frame: &'a Frame, support: &'a mut SupportTable, tree: &'a mut WordTree) -> Self {
         let nearest = std::marker::PhantomData;
-        Self { frame, support, tree, small: -1.0, gauge: Gauge::default(), looks: 0, nearest }
+        Self { frame, support, tree, small: -1.0, metric: Metric::default(), looks: 0, nearest }
     }
 
     /// Begins with the words of one letter. Pieces together as small as `near` count as meeting, where the resolution is
@@ -47,7 +47,7 @@ impl<'a, P> WordPairs<'a, P> {
 /// What is kept of the nearest points of two pieces: nothing, or the points.
 pub(crate) trait Nearest: Copy + Default {
     type Looks;
-    fn look(gauge: &Gauge, support: &SupportTable, parts: &[Piece], other: &Affine2) -> Self::Looks;
+    fn look(metric: &Metric, support: &SupportTable, parts: &[Piece], other: &Affine2) -> Self::Looks;
     /// What was seen of part `k`, which is of the `first` piece of the pair or of the second.
     fn sight(looks: &Self::Looks, k: usize, first: bool) -> Sight<Self>;
 }
@@ -55,8 +55,8 @@ pub(crate) trait Nearest: Copy + Default {
 impl Nearest for () {
     type Looks = Distances;
     #[inline(always)]
-    fn look(gauge: &Gauge, support: &SupportTable, parts: &[Piece], other: &Affine2) -> Distances {
-        gauge.distances(support, parts, other)
+    fn look(metric: &Metric, support: &SupportTable, parts: &[Piece], other: &Affine2) -> Distances {
+        metric.distances(support, parts, other)
     }
     #[inline(always)]
     fn sight(looks: &Distances, k: usize, _: bool) -> Sight<()> {
@@ -66,8 +66,8 @@ impl Nearest for () {
 
 impl Nearest for [DVec2; 2] {
     type Looks = Looks;
-    fn look(gauge: &Gauge, support: &SupportTable, parts: &[Piece], other: &Affine2) -> Looks {
-        gauge.look(support, parts, other)
+    fn look(metric: &Metric, support: &SupportTable, parts: &[Piece], other: &Affine2) -> Looks {
+        metric.look(support, parts, other)
     }
     fn sight(looks: &Looks, k: usize, first: bool) -> Sight<Self> {
         let (part, other) = looks.points(k);
@@ -81,12 +81,13 @@ impl<P: Nearest> Explore for WordPairs<'_, P> {
     type Nearest = P;
 
     fn lean(&mut self, to_measure: bool) {
-        self.gauge = if to_measure { Gauge::to_measure(self.frame) } else { Gauge::to_separate(self.frame) };
+        self.metric =
+            if to_measure { Metric::to_measure(self.frame) } else { Metric::to_separate(self.frame) };
     }
 
     fn first(&mut self, i: u32, others: Range<u32>, mut see: impl FnMut(u32, Sight<P>)) {
         let one = self.tree.get(i).map;
-        let looks = P::look(&self.gauge, self.support, self.tree.range(others.clone()), &one);
+        let looks = P::look(&self.metric, self.support, self.tree.range(others.clone()), &one);
         for (k, j) in others.enumerate() {
             see(j, P::sight(&looks, k, false));
         }
@@ -111,7 +112,7 @@ impl<P: Nearest> Explore for WordPairs<'_, P> {
         self.looks += parts.len();
         for four in parts.clone().step_by(4) {
             let four = four..parts.end.min(four + 4);
-            let looks = P::look(&self.gauge, self.support, self.tree.range(four.clone()), &whole);
+            let looks = P::look(&self.metric, self.support, self.tree.range(four.clone()), &whole);
             for (k, part) in four.enumerate() {
                 let (u, v) = if first { (part, other) } else { (other, part) };
                 if see(u, v, P::sight(&looks, k, first)).is_break() {

@@ -7,7 +7,7 @@ use frond_core::{Affine2, Morph};
 use glam::{DVec2, DVec3};
 
 use crate::decide::{Scratch, decide_bounds};
-use crate::family::{Leg, Ways};
+use crate::family::{Leg, Motions};
 use crate::grid::LocusGrid;
 use crate::region::derivative_bounds::Extent;
 use crate::region::descent::Descent;
@@ -118,11 +118,11 @@ const CLOSE: f64 = 0.01;
 /// their lengths. A path of no points holds.
 #[must_use]
 pub fn certify_path(morph: &Morph, points: &[DVec3], options: &CertifyOptions) -> PathCertificate {
-    let ways = Ways::of(morph);
+    let motions = Motions::of(morph);
     let legs: Vec<Leg<'_>> = match points {
         [] => Vec::new(),
-        [at] => vec![Leg { morph, ways: &ways, from: *at, to: *at }],
-        _ => points.windows(2).map(|p| Leg { morph, ways: &ways, from: p[0], to: p[1] }).collect(),
+        [at] => vec![Leg { morph, motions: &motions, from: *at, to: *at }],
+        _ => points.windows(2).map(|p| Leg { morph, motions: &motions, from: p[0], to: p[1] }).collect(),
     };
     let lengths: Vec<f64> = legs.iter().map(|leg| leg.from.distance(leg.to)).collect();
     let total: f64 = lengths.iter().sum();

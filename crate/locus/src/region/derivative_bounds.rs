@@ -35,7 +35,7 @@ use glam::{DMat2, DVec2};
 
 use crate::family::{Drift, Family};
 use crate::frame::Frame;
-use crate::support::lanes::{Fan, Maps, Points};
+use crate::support::lanes::{Maps, Points, SupportLanes};
 
 /// A box of parameters; a segment where `half.y` is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -278,7 +278,7 @@ impl<const L: usize> Lanes<L> {
     }
 
     /// Makes the bounds narrower when the attractors are known better than to lie in the unit disc.
-    pub fn refine(&mut self, fan: &Fan<L>) {
+    pub fn refine(&mut self, fan: &SupportLanes<L>) {
         let radius = fan.radius() + self.dip + self.still;
         if radius < 1.0 {
             self.measure(radius);
@@ -413,7 +413,7 @@ mod tests {
         if !lanes.set(family, extent, &mut Frame::default()) {
             return None;
         }
-        let mut fan = Fan::default();
+        let mut fan = SupportLanes::default();
         fan.set(&lanes.maps, 0.01, 64);
         lanes.refine(&fan);
         let mut used = 0;

@@ -12,7 +12,7 @@ use crate::family::Family;
 use crate::frame::Frame;
 use crate::overlap_graph::Components;
 use crate::region::derivative_bounds::{Extent, Lanes, bows};
-use crate::support::lanes::{Fan, Maps};
+use crate::support::lanes::{Maps, SupportLanes};
 
 /// A piece in all lanes.
 #[derive(Clone, Debug)]
@@ -59,7 +59,7 @@ pub(crate) struct Sight {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Descent<const L: usize> {
     pub lanes: Lanes<L>,
-    pub fan: Fan<L>,
+    pub fan: SupportLanes<L>,
     pub parts: Vec<Part<L>>,
     pub open: Vec<Couple>,
     /// For each two maps what is known of their distance: from below, of pairs apart, and from above.
@@ -222,7 +222,7 @@ impl<const L: usize> Descent<L> {
         self.lanes.margin(along / length + a.sag + b.sag)
     }
 
-    /// Looks at two pieces: as [`Gauge::look`](crate::gap::piece_distance::Gauge::look), in all lanes along the same directions.
+    /// Looks at two pieces: as [`Metric::look`](crate::gap::piece_distance::Metric::look), in all lanes along the same directions.
     #[inline]
     pub fn look(&mut self, u: u32, v: u32) -> Sight {
         self.nodes += 1;

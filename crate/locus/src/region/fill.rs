@@ -47,7 +47,7 @@ impl LocusGrid {
         let (width, left, bottom) = (x.len(), x.start, y.start);
         let maps = Vec::with_capacity(family.len());
         let descent = Descent::default();
-        let mut patch = Patch {
+        let mut patch = BoxFill {
             grid: self,
             family,
             epsilon,
@@ -76,7 +76,7 @@ struct Area {
     y1: usize,
 }
 
-struct Patch<'a, F: ?Sized> {
+struct BoxFill<'a, F: ?Sized> {
     grid: &'a LocusGrid,
     family: &'a F,
     epsilon: f64,
@@ -106,7 +106,7 @@ const MOST_DEBT: f64 = 4000.0;
 /// Where points move farther than this over a box, in parts of the attractor's size, no crossing is likely to last.
 const STRAY: f64 = 0.03;
 
-impl<F: Family + ?Sized> Patch<'_, F> {
+impl<F: Family + ?Sized> BoxFill<'_, F> {
     fn index(&self, x: usize, y: usize) -> usize {
         (y - self.bottom) * self.width + (x - self.left)
     }

@@ -8,7 +8,7 @@
 //! than the hulls of pieces.
 //!
 //! **Theorem.** Let all maps `w_i` of a system contract in one norm, `|w_i| <= s < 1`, and let g be the widest gap of
-//! its attractor A: the widest edge of the least spanning tree of the distances between the pieces `A_i`. For a word u
+//! its attractor A: the widest edge of the minimum spanning tree of the distances between the pieces `A_i`. For a word u
 //! write `A_u` for its piece, `|w_u|` for the norm of its map, and `r_u = |w_u| G / 2` for some `G >= g`.
 //! Suppose that for a word u that begins with i and a word v that begins with j there are points p1, p2 of `A_u` and q1, q2
 //! of `A_v`, and from each a ray to infinity, such that
@@ -183,7 +183,7 @@ impl<const L: usize> Descent<L> {
     }
 
     /// Looks for near points of the pairs that bound the widest gap: again and again of those across the cut that the
-    /// widest edge of the least spanning tree bridges, the one that overlaps most, until that edge is near or
+    /// widest edge of the minimum spanning tree bridges, the one that overlaps most, until that edge is near or
     /// none of these is left that may be shorter.
     fn close_in(&mut self, pairs: &[Couple], effort: Effort) {
         let mut tried = vec![false; pairs.len()];
@@ -412,7 +412,7 @@ impl<const L: usize> Descent<L> {
         *upper = upper.min(sight.reach);
     }
 
-    /// The widest edge of the least spanning tree of the nearest points known, over all corners.
+    /// The widest edge of the minimum spanning tree of the nearest points known, over all corners.
     pub fn bottleneck(&self) -> f64 {
         let upper = |i: u8, j: u8| self.upper[usize::from(i.min(j)) * self.count + usize::from(i.max(j))];
         SpanningTree::default().cut(self.count, upper)

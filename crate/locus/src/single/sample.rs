@@ -189,7 +189,7 @@ fn settle(descent: &mut Descent, edges: &mut [Edge; PAIRS], groups: &mut Groups)
     }
 }
 
-/// The widest gap, in the frame: the middle of a lower and an upper bound of the widest edge of the least spanning tree.
+/// The widest gap, in the frame: the middle of a lower and an upper bound of the widest edge of the minimum spanning tree.
 fn measure(descent: &mut Descent, edges: &mut [Edge; PAIRS], groups: Groups) -> f32 {
     let maps = descent.maps;
     let limit = descent.looks + SHADING;
@@ -222,7 +222,7 @@ fn measure(descent: &mut Descent, edges: &mut [Edge; PAIRS], groups: Groups) -> 
     0.5 * (above + widest(maps.len(), edges, groups, true))
 }
 
-/// The widest edge of the least spanning tree by lower or by upper bounds, pieces of one component at no distance.
+/// The widest edge of the minimum spanning tree by lower or by upper bounds, pieces of one component at no distance.
 fn widest(count: usize, edges: &[Edge; PAIRS], groups: Groups, lower: bool) -> f32 {
     let mut reached = groups.0[0];
     let mut widest = 0.0_f32;

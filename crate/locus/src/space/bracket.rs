@@ -1,4 +1,4 @@
-//! How near the pieces of an attractor of space come: bounds of the widest edge of the least spanning tree.
+//! How near the pieces of an attractor of space come: bounds of the widest edge of the minimum spanning tree.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -115,7 +115,7 @@ impl Closest {
         }
     }
 
-    /// Bounds of the widest edge of the least spanning tree, refined until the upper one is at most `resolution`, or the lower
+    /// Bounds of the widest edge of the minimum spanning tree, refined until the upper one is at most `resolution`, or the lower
     /// one is positive and within `within` of the upper, or so many pairs of pieces were looked at.
     ///
     /// Any cut of the pieces into two sets bounds the edge from below by the least distance across it; the cut at the
@@ -168,7 +168,7 @@ impl Closest {
         self.open[pair].peek().map_or(reach, |top| top.key.min(reach)).min(self.floor[pair])
     }
 
-    /// The widest edge of the least spanning tree of the upper bounds.
+    /// The widest edge of the minimum spanning tree of the upper bounds.
     fn grow(&mut self) -> f64 {
         let Self { tree, nearest, count, .. } = self;
         tree.cut(*count, |i, j| {

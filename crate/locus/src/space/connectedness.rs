@@ -15,7 +15,7 @@ use crate::verdict::{Gap, Options, Verdict};
 pub struct Connectedness3 {
     /// Whether the attractor is in one piece.
     pub verdict: Verdict,
-    /// The widest edge of the least spanning tree between the pieces, in units of space: zero if and only if the
+    /// The widest edge of the minimum spanning tree between the pieces, in units of space: zero if and only if the
     /// attractor is connected. Where it is disconnected, the bounds are within 1 in 100 of each other unless the budget
     /// was spent.
     pub gap: Gap,

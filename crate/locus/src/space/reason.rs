@@ -3,7 +3,7 @@
 use frond_core::Affine3;
 use glam::DVec3;
 
-use crate::exact::address::Periodic;
+use crate::exact::address::Address;
 use crate::overlap_graph::OverlapGraph;
 use crate::space::rational::Exact;
 use crate::space::shared_points::meetings;
@@ -127,7 +127,7 @@ pub(crate) fn find(maps: &[Affine3], size: f64) -> Option<Reason3> {
 }
 
 /// What is left of a reason in whole numbers.
-fn check(maps: &[Affine3], exact: &Exact, met: &[(Periodic, Periodic, DVec3)]) -> Option<Reason3> {
+fn check(maps: &[Affine3], exact: &Exact, met: &[(Address, Address, DVec3)]) -> Option<Reason3> {
     let count = maps.len();
     let mut graph = OverlapGraph::new(count);
     let mut volumes = Vec::new();
@@ -146,7 +146,7 @@ fn check(maps: &[Affine3], exact: &Exact, met: &[(Periodic, Periodic, DVec3)]) -
         if graph.components().joined(i, j) {
             continue;
         }
-        let point = |address: &Periodic| exact.point(&address.head, &address.repeat);
+        let point = |address: &Address| exact.point(&address.head, &address.repeat);
         if let (Some(p), Some(q)) = (point(a), point(b))
             && p == q
         {

@@ -3,14 +3,14 @@
 use frond_core::Affine3;
 use glam::DVec3;
 
-use crate::exact::address::Periodic;
+use crate::exact::address::Address;
 
 /// Addresses that are tried at most.
 const MOST: usize = 60_000;
 
 /// Pairs of addresses of two pieces each whose points are one to rounding, over systems of a few letters: short heads and words of
 /// one or two letters for ever. `near` is how far rounding may take points apart.
-pub(crate) fn meetings(maps: &[Affine3], near: f64) -> Vec<(Periodic, Periodic, DVec3)> {
+pub(crate) fn meetings(maps: &[Affine3], near: f64) -> Vec<(Address, Address, DVec3)> {
     let count = maps.len();
     let letters = || (0..count).map(|i| i as u8);
     let mut repeats: Vec<Vec<u8>> = letters().map(|i| vec![i]).collect();
@@ -26,7 +26,7 @@ pub(crate) fn meetings(maps: &[Affine3], near: f64) -> Vec<(Periodic, Periodic, 
         }
         heads.extend(level.iter().cloned());
     }
-    let mut found: Vec<(DVec3, Periodic)> = Vec::new();
+    let mut found: Vec<(DVec3, Address)> = Vec::new();
     for repeat in &repeats {
         let word = repeat.iter().fold(Affine3::IDENTITY, |map, &l| map * maps[usize::from(l)]);
         let Some(fixed) = word.fixed_point() else { continue };
@@ -36,7 +36,7 @@ pub(crate) fn meetings(maps: &[Affine3], near: f64) -> Vec<(Periodic, Periodic, 
                 continue;
             }
             let point = head.iter().rev().fold(fixed, |x, &l| maps[usize::from(l)].apply(x));
-            found.push((point, Periodic { head: head.clone(), repeat: repeat.clone() }));
+            found.push((point, Address { head: head.clone(), repeat: repeat.clone() }));
         }
     }
     found.sort_by(|a, b| a.0.x.total_cmp(&b.0.x));

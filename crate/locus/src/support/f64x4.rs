@@ -1,21 +1,21 @@
-//! Four numbers at once: what a compiler turns into vector instructions.
+//! F64x4 numbers at once: what a compiler turns into vector instructions.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use glam::DVec2;
 
-/// Four numbers.
+/// F64x4 numbers.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Four(pub [f64; 4]);
+pub(crate) struct F64x4(pub [f64; 4]);
 
-/// Four vectors of the plane.
+/// F64x4 vectors of the plane.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Vec4 {
-    pub x: Four,
-    pub y: Four,
+pub(crate) struct DVec2x4 {
+    pub x: F64x4,
+    pub y: F64x4,
 }
 
-impl Four {
+impl F64x4 {
     #[inline(always)]
     pub fn splat(x: f64) -> Self {
         Self([x; 4])
@@ -64,7 +64,7 @@ impl Four {
 
 macro_rules! lanewise {
     ($($trait:ident $f:ident $op:tt),*) => {$(
-        impl $trait for Four {
+        impl $trait for F64x4 {
             type Output = Self;
             #[inline(always)]
             fn $f(self, other: Self) -> Self {
@@ -75,7 +75,7 @@ macro_rules! lanewise {
 }
 lanewise!(Add add +, Sub sub -, Mul mul *, Div div /);
 
-impl Neg for Four {
+impl Neg for F64x4 {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -83,14 +83,14 @@ impl Neg for Four {
     }
 }
 
-impl Vec4 {
+impl DVec2x4 {
     #[inline(always)]
     pub fn splat(p: DVec2) -> Self {
-        Self { x: Four::splat(p.x), y: Four::splat(p.y) }
+        Self { x: F64x4::splat(p.x), y: F64x4::splat(p.y) }
     }
 
     #[inline(always)]
-    pub fn dot(self, other: Self) -> Four {
+    pub fn dot(self, other: Self) -> F64x4 {
         self.x * other.x + self.y * other.y
     }
 
@@ -101,7 +101,7 @@ impl Vec4 {
     }
 }
 
-impl Sub for Vec4 {
+impl Sub for DVec2x4 {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -109,7 +109,7 @@ impl Sub for Vec4 {
     }
 }
 
-impl Add for Vec4 {
+impl Add for DVec2x4 {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {

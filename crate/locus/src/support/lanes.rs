@@ -19,15 +19,15 @@ pub(crate) type Points<const L: usize> = [DVec2; L];
 /// What [`SupportTable`](crate::support::table::SupportTable) is for one system, for L systems that differ little: upper bounds
 /// of the support function of each, and points far out that have the same address in all.
 #[derive(Clone, Debug)]
-pub(crate) struct Fan<const L: usize> {
+pub(crate) struct SupportLanes<const L: usize> {
     values: [[f64; L]; TABLE],
     points: [Points<L>; TABLE],
-    links: Vec<Link<L>>,
+    links: Vec<Lowering<L>>,
 }
 
 /// How the supports in one direction of the images under one map follow from the table.
 #[derive(Clone, Copy, Debug)]
-struct Link<const L: usize> {
+struct Lowering<const L: usize> {
     low: [u32; L],
     near: u32,
     from_low: [f64; L],
@@ -61,13 +61,13 @@ pub(crate) fn locate(d: DVec2) -> (usize, f64, f64) {
     (side * PER + low, along - low as f64, large.abs())
 }
 
-impl<const L: usize> Default for Fan<L> {
+impl<const L: usize> Default for SupportLanes<L> {
     fn default() -> Self {
         Self { values: [[1.0; L]; TABLE], points: [[DVec2::ZERO; L]; TABLE], links: Vec::new() }
     }
 }
 
-impl<const L: usize> Fan<L> {
+impl<const L: usize> SupportLanes<L> {
     /// Bounds the attractors of the systems, all known to lie in the unit disc; see
     /// [`SupportTable::set`](crate::support::table::SupportTable::set).
     pub fn set(&mut self, maps: &[Maps<L>], accuracy: f64, rounds: usize) {
@@ -75,8 +75,13 @@ impl<const L: usize> Fan<L> {
         for k in 0..FAN {
             let d = direction(k);
             for map in maps {
-                let mut link =
-                    Link { low: [0; L], near: 0, from_low: [0.0; L], from_high: [0.0; L], shift: [0.0; L] };
+                let mut link = Lowering {
+                    low: [0; L],
+                    near: 0,
+                    from_low: [0.0; L],
+                    from_high: [0.0; L],
+                    shift: [0.0; L],
+                };
                 for l in 0..L {
                     let (low, along, length) = locate(map[l].linear.transpose() * d);
                     link.low[l] = low as u32;

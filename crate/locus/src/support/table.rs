@@ -3,7 +3,7 @@
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
-use crate::support::f64x4::{Four, Vec4};
+use crate::support::f64x4::{DVec2x4, F64x4};
 
 /// The support function `h(d) = max { d . x : x in A }` of an attractor, bounded from above in a fan of
 /// directions, with a point of the attractor that comes near each bound.
@@ -19,17 +19,17 @@ pub(crate) struct SupportTable {
     values: [f64; TABLE],
     /// Points of the attractor far out in each direction; the first ones again at the end.
     points: [DVec2; TABLE],
-    links: Vec<Link>,
+    links: Vec<Lowering>,
 }
 
 /// How the supports in four neighbouring directions of the image under one map follow from the table.
 #[derive(Clone, Copy, Debug)]
-struct Link {
+struct Lowering {
     low: [u8; 4],
     near: [u8; 4],
-    from_low: Four,
-    from_high: Four,
-    shift: Four,
+    from_low: F64x4,
+    from_high: F64x4,
+    shift: F64x4,
 }
 
 /// Where directions lie in the fan.
@@ -40,9 +40,9 @@ struct Place {
     /// The nearest one.
     near: [usize; 4],
     /// How far along the sector.
-    along: Four,
+    along: F64x4,
     /// Their length in the maximum norm.
-    length: Four,
+    length: F64x4,
 }
 
 /// 1.5 * 2^52: floats around here are whole, and hold their number in their lowest bits.
@@ -55,24 +55,24 @@ const MASK: u64 = 63;
 ///
 /// Directions come in no order, so that a branch on them would be guessed wrong half the time: there is none.
 #[inline(always)]
-fn locate(per: usize, d: Vec4) -> Place {
+fn locate(per: usize, d: DVec2x4) -> Place {
     let per = per as f64;
     let (across, up) = (d.x.abs(), d.y.abs());
     let large = across.choose_less(up, d.y, d.x);
     let small = across.choose_less(up, -d.x, d.y);
     // The sides in their order: right, top, left, bottom.
-    let steep = across.choose_less(up, Four::splat(per), Four::default());
-    let side = steep + large.choose_less(Four::default(), Four::splat(2.0 * per), Four::default());
+    let steep = across.choose_less(up, F64x4::splat(per), F64x4::default());
+    let side = steep + large.choose_less(F64x4::default(), F64x4::splat(2.0 * per), F64x4::default());
     // The zero vector lies in any sector, at length 0.
-    let slope = small / (large + Four::splat(f64::MIN_POSITIVE));
-    let along = slope * Four::splat(0.5 * per) + Four::splat(0.5 * per);
+    let slope = small / (large + F64x4::splat(f64::MIN_POSITIVE));
+    let along = slope * F64x4::splat(0.5 * per) + F64x4::splat(0.5 * per);
     // The nearest whole number below, or that just above which is one sector on at its very beginning.
-    let whole = along - Four::splat(0.5) + Four::splat(WHOLE);
-    let index = |x: Four| x.0.map(|x| (x.to_bits() & MASK) as usize);
+    let whole = along - F64x4::splat(0.5) + F64x4::splat(WHOLE);
+    let index = |x: F64x4| x.0.map(|x| (x.to_bits() & MASK) as usize);
     Place {
         low: index(whole + side),
-        near: index(along + side + Four::splat(WHOLE)),
-        along: along - (whole - Four::splat(WHOLE)),
+        near: index(along + side + F64x4::splat(WHOLE)),
+        along: along - (whole - F64x4::splat(WHOLE)),
         length: large.abs(),
     }
 }
@@ -115,18 +115,20 @@ impl SupportTable {
         let half = 2 * self.per;
         for k in (0..half).step_by(4) {
             let four = [k, k + 1, k + 2, k + 3].map(|k| self.direction(k));
-            let d = Vec4 { x: Four(four.map(|d| d.x)), y: Four(four.map(|d| d.y)) };
-            let mut far = d.dot(d).sqrt() * Four::splat(rest);
-            let mut point = Vec4::default();
+            let d = DVec2x4 { x: F64x4(four.map(|d| d.x)), y: F64x4(four.map(|d| d.y)) };
+            let mut far = d.dot(d).sqrt() * F64x4::splat(rest);
+            let mut point = DVec2x4::default();
             for power in powers {
-                let pulled =
-                    Vec4 { x: Vec4::splat(power.x_axis).dot(d), y: Vec4::splat(power.y_axis).dot(d) };
+                let pulled = DVec2x4 {
+                    x: DVec2x4::splat(power.x_axis).dot(d),
+                    y: DVec2x4::splat(power.y_axis).dot(d),
+                };
                 let (wide, difference) = match shifts {
                     [a, b] => width_of_two(*a - *b, pulled),
                     _ => width(shifts, pulled),
                 };
                 far = far + wide;
-                let (x, y) = (Vec4::splat(power.x_axis), Vec4::splat(power.y_axis));
+                let (x, y) = (DVec2x4::splat(power.x_axis), DVec2x4::splat(power.y_axis));
                 point.x = point.x + x.x * difference.x + y.x * difference.y;
                 point.y = point.y + x.y * difference.x + y.y * difference.y;
             }
@@ -158,19 +160,19 @@ impl SupportTable {
         self.links.clear();
         for k in (0..4 * per).step_by(4) {
             let four = [k, k + 1, k + 2, k + 3].map(|k| self.direction(k));
-            let d = Vec4 { x: Four(four.map(|d| d.x)), y: Four(four.map(|d| d.y)) };
+            let d = DVec2x4 { x: F64x4(four.map(|d| d.x)), y: F64x4(four.map(|d| d.y)) };
             for map in maps {
-                let (x, y) = (Vec4::splat(map.linear.x_axis), Vec4::splat(map.linear.y_axis));
-                let place = locate(per, Vec4 { x: x.dot(d), y: y.dot(d) });
-                self.links.push(Link {
+                let (x, y) = (DVec2x4::splat(map.linear.x_axis), DVec2x4::splat(map.linear.y_axis));
+                let place = locate(per, DVec2x4 { x: x.dot(d), y: y.dot(d) });
+                self.links.push(Lowering {
                     low: place.low.map(|low| low as u8),
                     near: place.near.map(|near| near as u8),
-                    from_low: place.length * (Four::splat(1.0) - place.along),
+                    from_low: place.length * (F64x4::splat(1.0) - place.along),
                     from_high: place.length * place.along,
-                    shift: Vec4::splat(map.translation).dot(d),
+                    shift: DVec2x4::splat(map.translation).dot(d),
                 });
             }
-            self.values[k..k + 4].copy_from_slice(&(d.dot(d).sqrt() * Four::splat(1.0 + 1e-12)).0);
+            self.values[k..k + 4].copy_from_slice(&(d.dot(d).sqrt() * F64x4::splat(1.0 + 1e-12)).0);
         }
         self.wrap(|outline, k, from| outline.values[k] = outline.values[from]);
         for _ in 0..rounds {
@@ -183,16 +185,16 @@ impl SupportTable {
 
     /// One round; returns by how much a value fell at most.
     fn lower(&mut self, maps: usize) -> f64 {
-        let mut change = Four::default();
+        let mut change = F64x4::default();
         for (chunk, links) in self.links.chunks_exact(maps).enumerate() {
-            let mut best = Four::splat(f64::NEG_INFINITY);
+            let mut best = F64x4::splat(f64::NEG_INFINITY);
             for link in links {
                 let gather =
-                    |step: usize| Four(link.low.map(|low| self.values[usize::from(low & 63) + step]));
+                    |step: usize| F64x4(link.low.map(|low| self.values[usize::from(low & 63) + step]));
                 best = best.max(link.from_low * gather(0) + link.from_high * gather(1) + link.shift);
             }
             let values = &mut self.values[4 * chunk..4 * chunk + 4];
-            let old = Four([values[0], values[1], values[2], values[3]]);
+            let old = F64x4([values[0], values[1], values[2], values[3]]);
             change = change.max(old - best);
             values.copy_from_slice(&old.min(best).0);
         }
@@ -205,7 +207,7 @@ impl SupportTable {
         let fan = 4 * self.per;
         let mut steps = [(0_u8, 0_u8); 4 * FINE];
         for (chunk, links) in self.links.chunks_exact(maps.len()).enumerate() {
-            let mut best = Four::splat(f64::NEG_INFINITY);
+            let mut best = F64x4::splat(f64::NEG_INFINITY);
             for (i, link) in links.iter().enumerate() {
                 for k in 0..4 {
                     let low = usize::from(link.low[k] & 63);
@@ -255,31 +257,31 @@ impl SupportTable {
 
     /// Upper bounds of `h(d)`, and points of the attractor that come near them.
     #[inline(always)]
-    pub fn support4(&self, d: Vec4) -> (Four, Vec4) {
+    pub fn support4(&self, d: DVec2x4) -> (F64x4, DVec2x4) {
         let place = locate(self.per, d);
-        let gather = |step: usize| Four(place.low.map(|low| self.values[low + step]));
+        let gather = |step: usize| F64x4(place.low.map(|low| self.values[low + step]));
         let (a, b) = (gather(0), gather(1));
         let points = place.near.map(|near| self.points[near]);
-        let points = Vec4 { x: Four(points.map(|p| p.x)), y: Four(points.map(|p| p.y)) };
+        let points = DVec2x4 { x: F64x4(points.map(|p| p.x)), y: F64x4(points.map(|p| p.y)) };
         (place.length * (a + place.along * (b - a)), points)
     }
 
     /// [`SupportTable::support4`] in one direction.
     pub fn support(&self, d: DVec2) -> (f64, DVec2) {
-        let (far, points) = self.support4(Vec4::splat(d));
+        let (far, points) = self.support4(DVec2x4::splat(d));
         (far.0[0], points.at(0))
     }
 
     /// The diameter of the attractor, at most, where lengths are measured after `to_plane`.
     pub fn diameter(&self, to_plane: DMat2) -> f64 {
-        let (x, y) = (Vec4::splat(to_plane.x_axis), Vec4::splat(to_plane.y_axis));
-        let mut widest = Four::default();
+        let (x, y) = (DVec2x4::splat(to_plane.x_axis), DVec2x4::splat(to_plane.y_axis));
+        let mut widest = F64x4::default();
         for k in (0..2 * self.per).step_by(4) {
             let four = [k, k + 1, k + 2, k + 3].map(|k| self.direction(k));
-            let d = Vec4 { x: Four(four.map(|d| d.x)), y: Four(four.map(|d| d.y)) };
-            let pulled = Vec4 { x: x.dot(d), y: y.dot(d) };
+            let d = DVec2x4 { x: F64x4(four.map(|d| d.x)), y: F64x4(four.map(|d| d.y)) };
+            let pulled = DVec2x4 { x: x.dot(d), y: y.dot(d) };
             let (there, _) = self.support4(pulled);
-            let (back, _) = self.support4(Vec4 { x: -pulled.x, y: -pulled.y });
+            let (back, _) = self.support4(DVec2x4 { x: -pulled.x, y: -pulled.y });
             widest = widest.max((there + back) / d.dot(d).sqrt());
         }
         // The two points farthest apart lie along a direction at most half a step off one of the fan, and the
@@ -291,13 +293,13 @@ impl SupportTable {
 
 /// The widths of points in four directions, and the differences that they are the lengths of.
 #[inline(always)]
-fn width(points: &[DVec2], d: Vec4) -> (Four, Vec4) {
-    let (mut most, mut least) = (Four::splat(f64::NEG_INFINITY), Four::splat(f64::INFINITY));
-    let (mut first, mut last) = (Vec4::default(), Vec4::default());
+fn width(points: &[DVec2], d: DVec2x4) -> (F64x4, DVec2x4) {
+    let (mut most, mut least) = (F64x4::splat(f64::NEG_INFINITY), F64x4::splat(f64::INFINITY));
+    let (mut first, mut last) = (DVec2x4::default(), DVec2x4::default());
     for &point in points {
-        let p = Vec4::splat(point);
+        let p = DVec2x4::splat(point);
         let along = p.dot(d);
-        let choose = |a: Four, b: Four, old: Vec4| Vec4 {
+        let choose = |a: F64x4, b: F64x4, old: DVec2x4| DVec2x4 {
             x: a.choose_less(b, p.x, old.x),
             y: a.choose_less(b, p.y, old.y),
         };
@@ -309,9 +311,9 @@ fn width(points: &[DVec2], d: Vec4) -> (Four, Vec4) {
 
 /// [`width`] of two points with this difference.
 #[inline(always)]
-fn width_of_two(difference: DVec2, d: Vec4) -> (Four, Vec4) {
-    let p = Vec4::splat(difference);
+fn width_of_two(difference: DVec2, d: DVec2x4) -> (F64x4, DVec2x4) {
+    let p = DVec2x4::splat(difference);
     let along = p.dot(d);
-    let signed = |x: Four| along.choose_less(Four::default(), -x, x);
-    (along.abs(), Vec4 { x: signed(p.x), y: signed(p.y) })
+    let signed = |x: F64x4| along.choose_less(F64x4::default(), -x, x);
+    (along.abs(), DVec2x4 { x: signed(p.x), y: signed(p.y) })
 }

@@ -7,7 +7,7 @@ use crate::exact::expansion::{sign_of_sum, two_product};
 use crate::frame::Frame;
 
 /// The polygon, counter-clockwise.
-pub(crate) struct Enclosure {
+pub(crate) struct TrappingPolygon {
     /// Its corners in the plane: numbers of few digits where that does.
     pub plane: Vec<DVec2>,
     /// The same corners in the frame.
@@ -30,7 +30,7 @@ const WORK: usize = 40_000_000;
 /// Digits after the point that corners are rounded to, in units of the polygon's size; then none at all.
 const DIGITS: [i32; 4] = [10, 16, 24, 34];
 
-impl Enclosure {
+impl TrappingPolygon {
     /// The polygon for the maps of a frame, in which the attractor is of the given diameter.
     ///
     /// Its support values `h` in a fan of directions solve `h(d) = max_i ( h(M_i^T d) + t_i . d ) + delta`, with `h`
@@ -49,7 +49,7 @@ impl Enclosure {
         let mut blocks = frame.maps.clone();
         for letters in 1.. {
             for &count in &FANS[coarsest..] {
-                let fan = Fan::new(count);
+                let fan = Directions::new(count);
                 if let Some(support) = fan.settle(&blocks, delta)
                     && let Some(found) = Self::around(frame, &fan.polygon(&support), &blocks, letters)
                 {
@@ -126,20 +126,20 @@ fn takes_inside(corners: &[DVec2], blocks: &[Affine2], tolerance: f64) -> bool {
 }
 
 /// Unit vectors at equal angles.
-struct Fan {
+struct Directions {
     directions: Vec<DVec2>,
     step: f64,
 }
 
 /// How a support value follows from two others.
-struct Link {
+struct Lowering {
     low: usize,
     from_low: f64,
     from_high: f64,
     shift: f64,
 }
 
-impl Fan {
+impl Directions {
     fn new(count: usize) -> Self {
         let step = std::f64::consts::TAU / count as f64;
         Self { directions: (0..count).map(|k| DVec2::from_angle(step * k as f64)).collect(), step }
@@ -148,12 +148,12 @@ impl Fan {
     /// Support values that all maps lower by half of `delta` or more; `None` if they do not settle.
     fn settle(&self, maps: &[Affine2], delta: f64) -> Option<Vec<f64>> {
         let count = self.directions.len();
-        let links: Vec<Link> =
+        let links: Vec<Lowering> =
             self.directions.iter().flat_map(|&d| maps.iter().map(move |map| self.link(map, d))).collect();
         let mut support = vec![1.0; count];
         for _ in 0..WORK / links.len() {
-            let image = |links: &[Link]| {
-                let value = |link: &Link| {
+            let image = |links: &[Lowering]| {
+                let value = |link: &Lowering| {
                     let high = support[(link.low + 1) % count];
                     link.from_low * support[link.low] + link.from_high * high + link.shift
                 };
@@ -174,13 +174,13 @@ impl Fan {
 
     /// The support in direction `d` of an image is that of the set in the direction pulled back, and this is at most
     /// what the two directions of the fan beside it give.
-    fn link(&self, map: &Affine2, d: DVec2) -> Link {
+    fn link(&self, map: &Affine2, d: DVec2) -> Lowering {
         let pulled: DVec2 = DMat2::transpose(&map.linear) * d;
         let turn = pulled.y.atan2(pulled.x).rem_euclid(std::f64::consts::TAU) / self.step;
         let low = (turn.floor() as usize).min(self.directions.len() - 1);
         let angle = (turn - low as f64).clamp(0.0, 1.0) * self.step;
         let scale = pulled.length() / self.step.sin();
-        Link {
+        Lowering {
             low,
             from_low: scale * (self.step - angle).sin(),
             from_high: scale * angle.sin(),
@@ -215,11 +215,11 @@ impl Fan {
 mod tests {
     use super::*;
 
-    fn enclosure(rows: &[[f64; 6]]) -> Option<Enclosure> {
+    fn enclosure(rows: &[[f64; 6]]) -> Option<TrappingPolygon> {
         let maps: Vec<Affine2> = rows.iter().copied().map(Affine2::from_row).collect();
         let mut frame = Frame::default();
         frame.set(&maps).unwrap();
-        Enclosure::find(&frame, 1.0, 0.02, 0)
+        TrappingPolygon::find(&frame, 1.0, 0.02, 0)
     }
 
     #[test]
