@@ -17,26 +17,28 @@ use crate::verdict::{Gap, Options, Verdict};
 pub struct Connectedness {
     /// Whether the attractor is in one piece.
     pub verdict: Verdict,
-    /// The widest edge of the minimum spanning tree between the pieces, in plane units: zero if and only if
-    /// the attractor is connected. Where it is disconnected, the bounds are within 1 in 100 of each other
-    /// or within 1e-9 of the diameter, unless the budget was spent. It does not depend on epsilon: pieces that come within it
-    /// count as far apart as they are.
+    /// The widest edge of the minimum spanning tree between the pieces, in plane units: zero if and only if the
+    /// attractor is connected. Where it is disconnected, the bounds are within 1 in 100 of each other or within 1e-9
+    /// of the diameter, unless the budget was spent. It does not depend on epsilon: pieces that come within it count
+    /// as far apart as they are.
     pub gap: Gap,
     /// Pairs of maps whose attractorlets meet, or come within epsilon of each other, the smaller index
     /// first, in ascending order.
     pub overlaps: Vec<(usize, usize)>,
     /// For each map the number, from 0, of the component of the overlap graph that its attractorlet is in.
     pub components: Vec<usize>,
-    /// How many components the overlap graph has. The attractor may have more: attractorlets may be in pieces themselves.
+    /// How many components the overlap graph has. The attractor may have more: attractorlets may be in pieces
+    /// themselves.
     pub count: usize,
-    /// Two points of the attractor in different pieces whose distance is `gap.upper`, but for rounding: the ends of the widest
-    /// edge between pieces. `None` where it is proved to be in one piece, or is a single point.
+    /// Two points of the attractor in different pieces whose distance is `gap.upper`, but for rounding: the ends of
+    /// the widest edge between pieces. `None` where it is proved to be in one piece, or is a single point.
     pub closest: Option<(DVec2, DVec2)>,
     /// An upper bound of the diameter of the attractor, in plane units: epsilon is relative to it.
     pub diameter: f64,
     /// How many pairs of pieces were looked at.
     pub nodes: usize,
-    /// Why it is `Connected`; or, where it is `Touching` or `Undecided`, under which reading of its numbers it would be.
+    /// Why it is `Connected`; or, where it is `Touching` or `Undecided`, under which reading of its numbers it would
+    /// be.
     pub reason: Option<Reason>,
 }
 
@@ -115,7 +117,7 @@ fn decided(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Co
             return None;
         }
         let mut pairs = search.may_meet();
-        pairs.truncate(PAIRS);
+        pairs.truncate(MOST_PAIRS_FOR_REASON);
         let points = Points::find(maps, &frame, search.support(), &pairs);
         let gap = search.widest_edge().upper * (1.0 + 1e-9);
         let near = |i: usize, j: usize| {
@@ -182,8 +184,8 @@ fn measure(search: &mut KruskalSearch, budget: usize) -> WidestEdge {
         if found.upper < best.upper {
             best = WidestEdge { lower: best.lower, ..found };
         }
-        // Where it is pieces that were joined for being near that are farthest apart, they are to be told apart as well: but for
-        // those that are nearer than the gap is wide.
+        // Where it is pieces that were joined for being near that are farthest apart, they are to be told apart as
+        // well: but for those that are nearer than the gap is wide.
         let finer = 0.5 * best.lower;
         let loose = best.upper - best.lower > (0.011 * best.upper).max(absolute);
         if !loose || best.upper > 2.0 * near || finer >= near {
@@ -201,7 +203,7 @@ fn measure(search: &mut KruskalSearch, budget: usize) -> WidestEdge {
 }
 
 /// Pairs of maps whose neighbours are looked at: enough for 64 maps that each touch a few.
-const PAIRS: usize = 400;
+const MOST_PAIRS_FOR_REASON: usize = 400;
 
 /// All pieces in one component.
 fn one(count: usize) -> Components {

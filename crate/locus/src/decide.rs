@@ -172,7 +172,7 @@ impl Scratch {
             if search.is_whole() && !bounds {
                 return whole(State::Touching, f64::INFINITY, f64::NAN);
             }
-            if frame.factor < SWIFT {
+            if frame.factor < FACTOR_FOR_ROUGH_TABLE {
                 support.sketch(&frame.maps, 0.02 * (1.0 - frame.factor), 64);
             } else {
                 support.set(&frame.maps, 0.012 * (1.0 - frame.factor), 64);
@@ -185,8 +185,8 @@ impl Scratch {
         };
         let relative = |length: f64| length / diameter;
         let (lower, upper) = (
-            relative(bracket.lower) * (1.0 - SLACK),
-            relative(search.bottleneck() + frame.off()) * (1.0 + SLACK),
+            relative(bracket.lower) * (1.0 - LAST_ROUNDING),
+            relative(search.bottleneck() + frame.off()) * (1.0 + LAST_ROUNDING),
         );
         if search.is_whole() {
             return whole(State::Touching, upper, diameter);
@@ -202,6 +202,6 @@ impl Scratch {
 }
 
 /// Maps that shrink more slowly than this add up what a rough support is too wide.
-const SWIFT: f64 = 0.8;
+const FACTOR_FOR_ROUGH_TABLE: f64 = 0.8;
 /// What the last few operations may add to a bound, relative to it.
-const SLACK: f64 = 1e-14;
+const LAST_ROUNDING: f64 = 1e-14;

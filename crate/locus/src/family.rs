@@ -349,9 +349,9 @@ mod tests {
                     check(&slice, at, 1e-3);
                 }
             }
-            let (ways, from, to) =
+            let (motions, from, to) =
                 (Motions::of(&morph), DVec3::new(0.1, 0.4, 0.2), DVec3::new(0.7, 0.2, -0.3));
-            check(&Leg { morph: &morph, ways: &ways, from, to }, DVec2::new(0.4, 0.0), 1e-2);
+            check(&Leg { morph: &morph, motions: &motions, from, to }, DVec2::new(0.4, 0.0), 1e-2);
         }
         for sides in [2, 3, 7, 64] {
             check(&Polygons::new(sides), DVec2::new(0.3, 0.5), 1e-2);

@@ -16,8 +16,8 @@ pub(crate) struct Frame {
     pub to_round: DMat2,
     /// The point of the plane that is 0 here.
     pub origin: DVec2,
-    /// The metric of the plane, pulled back: a step `d` here is `sqrt(d . metric d)` long in the plane, roughly. Of flat
-    /// shapes this cancels most digits, so that bounds take `from_round * d` instead.
+    /// The metric of the plane, pulled back: a step `d` here is `sqrt(d . metric d)` long in the plane, roughly. Of
+    /// flat shapes this cancels most digits, so that bounds take `from_round * d` instead.
     pub metric: DMat2,
     /// Whether distances here are those of the plane, but for a factor.
     pub plain: bool,
@@ -35,7 +35,7 @@ pub(crate) struct Frame {
 }
 
 /// Below this operator norm the plane's own coordinates are good enough.
-const PLAIN: f64 = 0.97;
+const PLAIN_FACTOR: f64 = 0.97;
 
 impl Default for Frame {
     fn default() -> Self {
@@ -59,7 +59,8 @@ impl Frame {
     /// Sets the frame up for raw maps; the cheap test first, [`Contraction::find`] where it fails.
     pub fn set(&mut self, maps: &[Affine2]) -> Result<(), IfsError> {
         let fits = |x: f64| x.abs() < 1e100;
-        let plain = |map: &Affine2| map.norm() < PLAIN && fits(map.translation.x) && fits(map.translation.y);
+        let plain =
+            |map: &Affine2| map.norm() < PLAIN_FACTOR && fits(map.translation.x) && fits(map.translation.y);
         // Comparisons with NaN are false, so that bad numbers go the long way and get their message.
         if !maps.is_empty() && maps.iter().all(plain) {
             self.set_plain(maps);
@@ -77,7 +78,7 @@ impl Frame {
         self.place(maps, DMat2::IDENTITY, DMat2::IDENTITY, origin, radius);
         self.factor = factor;
         self.length = 1;
-        self.rounding = ULPS * (1.0 + origin.length() / radius) / (1.0 - factor);
+        self.rounding = ROUNDING_UNIT * (1.0 + origin.length() / radius) / (1.0 - factor);
     }
 
     /// Sets the frame up in coordinates that are known to make the maps contract.
@@ -92,7 +93,7 @@ impl Frame {
         let growth = self.maps.iter().fold(1.0_f64, |most, map| most.max(map.norm()));
         let spread = length as f64 * growth.powi(length as i32 - 1) / (1.0 - factor);
         let size = 1.0 + (to * centre).length() / radius;
-        self.rounding = ULPS * condition * size * growth * spread;
+        self.rounding = ROUNDING_UNIT * condition * size * growth * spread;
     }
 
     fn place(&mut self, maps: &[Affine2], to: DMat2, from: DMat2, origin: DVec2, radius: f64) {
@@ -176,7 +177,7 @@ impl Frame {
 }
 
 /// A few times the error of one rounding; see [`Frame::rounding`].
-const ULPS: f64 = 24.0 * f64::EPSILON;
+const ROUNDING_UNIT: f64 = 24.0 * f64::EPSILON;
 
 /// The fixed point of the mean of the maps: the middle of the attractor, each map weighed alike.
 fn mean_point(maps: &[Affine2]) -> DVec2 {

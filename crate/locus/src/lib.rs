@@ -13,10 +13,10 @@
 //!   other. It measures the widest gap, too: the widest edge of the minimum spanning tree of the distances
 //!   between pieces, which is zero exactly where the attractor is connected, and continuous in the maps.
 //!
-//! Both verdicts come with what shows them. A [`Reason`] is a point that pieces share, given by its addresses and checked
-//! in whole numbers of any length, or pieces that cross, or a finite graph of neighbours; where numbers only come near
-//! to those that it needs (1/3, sqrt(3)/6), it says so, and the verdict stays `Touching`. A [`certificate`] of
-//! disconnection is a polygon and pairs of words that are apart, for the crate `frond-check` to replay.
+//! Both verdicts come with what shows them. A [`Reason`] is a point that pieces share, given by its addresses and
+//! checked in whole numbers of any length, or pieces that cross, or a finite graph of neighbours; where numbers only
+//! come near to those that it needs (1/3, sqrt(3)/6), it says so, and the verdict stays `Touching`. A [`certificate`]
+//! of disconnection is a polygon and pairs of words that are apart, for the crate `frond-check` to replay.
 //!
 //! [`decide`] is the same in microseconds, for one parameter of a locus; [`LocusGrid`] samples a locus with
 //! it, in tiles and from coarse to fine; [`plan_path`] and [`find_path`] look for the way from (0, 0) to
@@ -24,9 +24,9 @@
 //! Where the plane has none that holds, [`Axes::Three`] lets the stretch run ahead of the turn, which often
 //! does; and [`rate`] compares ways to match the maps by the paths that they leave open.
 //!
-//! What holds at one parameter often holds around it, and that is proved as well: [`LocusGrid::patch`] decides whole boxes
-//! of a [`Family`] at once, [`certify_path`] bounds the gap along all of a path, and [`crossings`] are a reason to be
-//! connected that survives small changes.
+//! What holds at one parameter often holds around it, and that is proved as well: [`LocusGrid::patch`] decides whole
+//! boxes of a [`Family`] at once, [`certify_path`] bounds the gap along all of a path, and [`crossings`] are a reason
+//! to be connected that survives small changes.
 //!
 //! In space [`connectedness3`], [`decide3`], [`locus3`] and [`find_path3`] answer the same.
 //!

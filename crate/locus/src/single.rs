@@ -51,11 +51,11 @@ pub type SingleMap = [f32; 8];
 ///
 /// Coordinates are centred on the attractor of the middle sample and of about its size.
 ///
-/// What is said: `Disconnected` and `Connected` are proved, the rounding of every step from the exact maps on reckoned with
-/// (see single/system.rs); `Touching` means that points of the attractor come within epsilon; so two
+/// What is said: `Disconnected` and `Connected` are proved, the rounding of every step from the exact maps on
+/// reckoned with (see single/system.rs); `Touching` means that points of the attractor come within epsilon; so two
 /// answers differ only where the gap is between zero and epsilon. Whatever single precision cannot tell is
-/// `Undecided`: maps that do not contract in the plane's own norm, expansions, points, budgets spent. Those
-/// are for [`decide()`](crate::decide()), and both together are right everywhere.
+/// `Undecided`: maps that do not contract in the plane's own norm, expansions, points, budgets spent. Those are for
+/// [`decide()`](crate::decide()), and both together are right everywhere.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SingleLocus {
     maps: usize,

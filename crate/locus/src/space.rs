@@ -1,8 +1,8 @@
 //! The same questions in space: whether a shape is in one piece, over which parameters of a morph it is, and a way
 //! through them.
 //!
-//! The gap is the widest edge of the minimum spanning tree of the distances between pieces, as in the plane: Hata's theorem
-//! knows no dimension, and balls, support functions and the tree do not either.
+//! The gap is the widest edge of the minimum spanning tree of the distances between pieces, as in the plane: Hata's
+//! theorem knows no dimension, and balls, support functions and the tree do not either.
 
 mod bracket;
 mod connectedness;

@@ -56,8 +56,8 @@ impl Default for Options {
 pub struct Gap {
     /// It is at least this.
     pub lower: f64,
-    /// It is at most this: two points of the attractor are as near, to rounding. Rounding is reckoned with but where the maps
-    /// stretch distances, so that they are computed in other coordinates.
+    /// It is at most this: two points of the attractor are as near, to rounding. Rounding is reckoned with but where
+    /// the maps stretch distances, so that they are computed in other coordinates.
     pub upper: f64,
 }
 
@@ -141,8 +141,8 @@ pub struct Bounded {
     /// An upper bound of the diameter of the attractor, in units of the plane: 0 if it is one point, NaN
     /// where it is not known to exist.
     pub diameter: f64,
-    /// Where the attractor lies and how fast it contracts; `None` where it is not known to exist, or so small, below 1e-300,
-    /// that no double holds the inverse of its size.
+    /// Where the attractor lies and how fast it contracts; `None` where it is not known to exist, or so small, below
+    /// 1e-300, that no double holds the inverse of its size.
     pub ellipse: Option<Ellipse>,
 }
 

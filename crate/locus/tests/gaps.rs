@@ -75,8 +75,8 @@ fn number(seed: u32, index: u32) -> f64 {
     f64::from(hash::counter(seed, index)) / f64::from(u32::MAX) * 2.0 - 1.0
 }
 
-/// Some maps: round, singular, reflecting or nearly meeting ones, most of them seen in coordinates that stretch or shear
-/// them up to a million times, so that they contract in an ellipse only.
+/// Some maps: round, singular, reflecting or nearly meeting ones, most of them seen in coordinates that stretch or
+/// shear them up to a million times, so that they contract in an ellipse only.
 fn system(seed: u32) -> Option<Vec<Affine2>> {
     let at = |k| number(seed, k);
     let pick = |k, of| hash::counter(seed, k) % of;

@@ -84,7 +84,8 @@ fn cases() {
         }
         let answer = check(name, &maps, connected, 1e-9);
         println!("{}", line(name, &answer, &maps, 1e-9));
-        // What is in one piece is so for a reason, for the numbers as given or as meant; of these at least, if not of all.
+        // What is in one piece is so for a reason, for the numbers as given or as meant; of these at least, if not of
+        // all.
         assert!(connected || answer.reason.is_none(), "{name}: {answer:?}");
         assert!(!connected || answer.reason.is_some() || !own, "{name}: {answer:?}");
         proved += usize::from(answer.verdict == Verdict::Connected);

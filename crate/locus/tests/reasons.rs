@@ -1,5 +1,5 @@
-//! Which shapes are proved to be in one piece, by which reason, and which would be if their numbers meant what they come
-//! near.
+//! Which shapes are proved to be in one piece, by which reason, and which would be if their numbers meant what they
+//! come near.
 
 use frond_core::{Affine2, Ifs};
 use frond_locus::{Connectedness, LinkKind, Options, Reason, Verdict, connectedness};
@@ -13,7 +13,8 @@ fn answer(maps: &[Affine2]) -> Connectedness {
     connectedness(&Ifs::new(maps.to_vec()).unwrap(), &Options { epsilon: 1e-6, ..Options::default() })
 }
 
-/// The point of an address as it is shown, by another way than the one that found it: letters from the end, many times over.
+/// The point of an address as it is shown, by another way than the one that found it: letters from the end, many
+/// times over.
 fn point(maps: &[Affine2], address: &str) -> DVec2 {
     let (head, repeat) = address.strip_suffix(')').unwrap().split_once('(').unwrap();
     let letters = |part: &str| -> Vec<usize> {

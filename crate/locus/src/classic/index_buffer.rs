@@ -30,8 +30,8 @@ pub struct IndexBufferOptions {
     pub choice: Choice,
     /// By how much the window is larger than the attractor, relative to it: 0 to 10.
     pub margin: f64,
-    /// The window itself, lower left and upper right corner in units of the plane; the margin then counts for nothing. Its
-    /// pixels are as wide and as high as it is. Points outside are not plotted.
+    /// The window itself, lower left and upper right corner in units of the plane; the margin then counts for
+    /// nothing. Its pixels are as wide and as high as it is. Points outside are not plotted.
     pub window: Option<[DVec2; 2]>,
 }
 

@@ -17,9 +17,10 @@ use crate::verdict::Options;
 /// # What it proves
 ///
 /// *There is an attractor `A`, and it lies in the polygon `P`.* Every word `u` of `letters` letters maps `P` strictly
-/// into itself: `w_u(P)` is in the inside of `P`. Then `D = P - P` is the unit ball of a norm, and for the linear part
-/// `M_u D = M_u P - M_u P` lies inside `D`: each of these finitely many words contracts in that norm. So they have
-/// an attractor (Hutchinson 1981), which is that of the maps, and it is in every compact set that is mapped into itself.
+/// into itself: `w_u(P)` is in the inside of `P`. Then `D = P - P` is the unit ball of a norm, and for the linear
+/// part `M_u D = M_u P - M_u P` lies inside `D`: each of these finitely many words contracts in that norm. So they
+/// have an attractor (Hutchinson 1981), which is that of the maps, and it is in every compact set that is mapped into
+/// itself.
 ///
 /// *It is in several pieces.* The piece of a word `u` lies in `w_u(P)`. For each of `pairs`, the direction `n` shows
 /// that the pieces of its words are apart: `max n . w_u(P) < min n . w_v(P)`. A piece is the union of its parts; from
@@ -42,8 +43,8 @@ pub struct Certificate {
 }
 
 /// A certificate that the attractor is disconnected, or `None` if that is not proved: it takes the verdict
-/// [`Disconnected`](crate::Verdict::Disconnected) at these options, at most twice as many looks again, and a gap that shows
-/// beside rounding.
+/// [`Disconnected`](crate::Verdict::Disconnected) at these options, at most twice as many looks again, and a gap that
+/// shows beside rounding.
 ///
 /// ```
 /// use frond_core::{Affine2, Ifs};
@@ -110,8 +111,8 @@ struct Attempt {
     share: usize,
 }
 
-/// Few corners of few digits first. Where pieces come near each other, and all the more where the attractor is flat, they
-/// are told apart much sooner in a polygon that lies close.
+/// Few corners of few digits first. Where pieces come near each other, and all the more where the attractor is flat,
+/// they are told apart much sooner in a polygon that lies close.
 const ATTEMPTS: [Attempt; 5] = [
     Attempt { slack: 0.02, drawn: false, coarsest: 0, share: 16 },
     Attempt { slack: 0.02, drawn: true, coarsest: 0, share: 16 },
@@ -134,11 +135,11 @@ fn drawn(frame: &Frame, support: &SupportTable) -> Option<Frame> {
     // Rounding grows by the square: products of maps are computed there.
     let most = (MOST_ROUNDING / frame.rounding).sqrt();
     let aspect = (spread(axis) / spread(axis.perp())).min(most);
-    (aspect > FLAT).then(|| frame.drawn(axis.perp(), aspect))
+    (aspect > FLAT_ASPECT).then(|| frame.drawn(axis.perp(), aspect))
 }
 
 /// An attractor is flat if it is so many times longer than wide.
-const FLAT: f64 = 4.0;
+const FLAT_ASPECT: f64 = 4.0;
 /// What rounding may come to when a flat one is drawn.
 const MOST_ROUNDING: f64 = 1e-5;
 

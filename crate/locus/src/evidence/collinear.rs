@@ -1,12 +1,13 @@
 //! Attractors that lie on a line.
 //!
-//! **Theorem.** Let all maps contract, and let the attractor A lie on a line. If the graph of the pairs (i, j) of which one piece
-//! has a point between two points of the other is connected, then A is connected.
+//! **Theorem.** Let all maps contract, and let the attractor A lie on a line. If the graph of the pairs (i, j) of
+//! which one piece has a point between two points of the other is connected, then A is connected.
 //!
-//! **Proof.** Suppose that the widest gap g of A (the widest edge of the minimum spanning tree of the distances between the
-//! pieces) is positive. A is connected in steps of g, as in [`trap`](crate::region::trap), and so is the piece `A_i` in steps
-//! of `|w_i| g`. On a line, a point between two points of `A_i` is then within `|w_i| g / 2 < g` of it. So the pairs of the graph
-//! are nearer than g, and as the graph is connected, no gap is as wide as g: a contradiction.
+//! **Proof.** Suppose that the widest gap g of A (the widest edge of the minimum spanning tree of the distances
+//! between the pieces) is positive. A is connected in steps of g, as in [`trap`](crate::region::trap), and so is the
+//! piece `A_i` in steps of `|w_i| g`. On a line, a point between two points of `A_i` is then within `|w_i| g / 2 < g`
+//! of it. So the pairs of the graph are nearer than g, and as the graph is connected, no gap is as wide as g: a
+//! contradiction.
 
 use frond_core::Affine2;
 use glam::DVec2;
@@ -15,11 +16,12 @@ use crate::overlap_graph::Components;
 use crate::region::trap::Crossing;
 
 /// What rounding may take from a point, relative to the line's extent, where the maps contract well.
-const ROUNDING: f64 = 1e-13;
+const POINT_ROUNDING: f64 = 1e-13;
 /// Rounds for the ends of the attractor, which need not be found to the last digit.
-const ROUNDS: usize = 2000;
+const MOST_ROUNDS_FOR_ENDS: usize = 2000;
 
-/// Pieces on one of the axes that reach past each other, beside those that are known to meet: enough to reach every piece.
+/// Pieces on one of the axes that reach past each other, beside those that are known to meet: enough to reach every
+/// piece.
 pub(crate) fn overlaps_on_a_line(met: &[(usize, usize)], maps: &[Affine2]) -> Option<Vec<Crossing>> {
     // Exactly: a number more that is not 0, and the line is left.
     let stays = |axis: usize| {
@@ -39,7 +41,7 @@ pub(crate) fn overlaps_on_a_line(met: &[(usize, usize)], maps: &[Affine2]) -> Op
     // Two points of the attractor, pushed outward.
     let first = line[0].1 / (1.0 - line[0].0);
     let (mut low, mut high) = (first, first);
-    for _ in 0..ROUNDS {
+    for _ in 0..MOST_ROUNDS_FOR_ENDS {
         let ends = line.iter().flat_map(|(scale, shift)| [low, high].map(|x| scale * x + shift));
         let (least, most) = ends.fold((low, high), |(a, b), x| (a.min(x), b.max(x)));
         if least == low && most == high {
@@ -47,7 +49,7 @@ pub(crate) fn overlaps_on_a_line(met: &[(usize, usize)], maps: &[Affine2]) -> Op
         }
         (low, high) = (least, most);
     }
-    let rounding = ROUNDING * (low.abs() + high.abs()) / (1.0 - factor);
+    let rounding = POINT_ROUNDING * (low.abs() + high.abs()) / (1.0 - factor);
     let reach = |i: usize| {
         let (scale, shift) = line[i];
         let ends = [scale * low + shift, scale * high + shift];

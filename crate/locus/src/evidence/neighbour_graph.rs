@@ -1,9 +1,10 @@
 //! The neighbour graph: how two pieces that may meet lie to each other, at every size.
 //!
-//! Two pieces `A_u` and `A_v` lie to each other as `A` and `h(A)` do, with the neighbour map `h = w_u^-1 w_v`. Splitting one of
-//! them leads to others: `h w_j` and `w_i^-1 h`. Those whose image of the attractor is far from it are left out. An endless
-//! path in the graph proves that its two pieces meet, since its maps stay bounded while the pieces shrink; where the graph is
-//! finite such a path comes back to where it was, and then both addresses of the common point repeat themselves.
+//! Two pieces `A_u` and `A_v` lie to each other as `A` and `h(A)` do, with the neighbour map `h = w_u^-1 w_v`.
+//! Splitting one of them leads to others: `h w_j` and `w_i^-1 h`. Those whose image of the attractor is far from it
+//! are left out. An endless path in the graph proves that its two pieces meet, since its maps stay bounded while the
+//! pieces shrink; where the graph is finite such a path comes back to where it was, and then both addresses of the
+//! common point repeat themselves.
 //!
 //! Here the graph is found in floating point. What it says is only proposed: see `surd` for what checks it.
 
@@ -16,7 +17,7 @@ use crate::exact::quadratic::QuadraticSystem;
 use crate::frame::Frame;
 use crate::support::table::SupportTable;
 
-pub(crate) struct Neighbours<'a> {
+pub(crate) struct NeighbourGraph<'a> {
     frame: &'a Frame,
     support: &'a SupportTable,
     inverses: Vec<Affine2>,
@@ -26,7 +27,7 @@ pub(crate) struct Neighbours<'a> {
     roots: HashMap<(usize, usize), Option<u32>>,
     waiting: VecDeque<u32>,
     looks: usize,
-    /// Pairs of words that were taken for one that is known: what [`Neighbours::is_exact`] has to check.
+    /// Pairs of words that were taken for one that is known: what [`NeighbourGraph::is_exact`] has to check.
     merged: Vec<(u32, Words)>,
 }
 
@@ -50,25 +51,25 @@ struct State {
 }
 
 /// Neighbour maps, and pairs of pieces, that are looked at most.
-const STATES: usize = 3000;
-const LOOKS: usize = 60_000;
+const MOST_NEIGHBOURS: usize = 3000;
+const MOST_LOOKS: usize = 60_000;
 /// Numbers of neighbour maps this near are taken for the same.
-const GRID: f64 = 4_194_304.0;
+const CELLS_PER_UNIT: f64 = 4_194_304.0;
 /// What of a number errors may have reached.
-const DRIFT: f64 = 1e-9;
+const LARGEST_ERROR: f64 = 1e-9;
 /// Pieces that are nearer, in units of the attractor, may meet.
-const SLACK: f64 = 1e-6;
+const MEETING_DISTANCE: f64 = 1e-6;
 /// Directions tried on a pair.
-const ROUNDS: usize = 4;
+const DIRECTIONS_PER_PAIR: usize = 4;
 /// Beyond this stretch, two pieces that lie together have lost their likeness.
-const STRETCH: f64 = 1e4;
+const LARGEST_STRETCH: f64 = 1e4;
 /// States on the way of a loop that are tried for a shorter one.
-const TRIED: usize = 60;
+const MOST_TRIED_IN_LOOP: usize = 60;
 
-impl<'a> Neighbours<'a> {
+impl<'a> NeighbourGraph<'a> {
     /// `None` if a map has no inverse.
     pub fn new(frame: &'a Frame, support: &'a SupportTable) -> Option<Self> {
-        let invert = |map: &Affine2| map.inverse().filter(|inverse| inverse.norm() < STRETCH);
+        let invert = |map: &Affine2| map.inverse().filter(|inverse| inverse.norm() < LARGEST_STRETCH);
         let inverses = frame.maps.iter().map(invert).collect::<Option<Vec<_>>>()?;
         Some(Self {
             frame,
@@ -83,8 +84,8 @@ impl<'a> Neighbours<'a> {
         })
     }
 
-    /// Follows the pieces of these pairs of maps down, as far as the limits go; from either side, so that all neighbours are
-    /// counted.
+    /// Follows the pieces of these pairs of maps down, as far as the limits go; from either side, so that all
+    /// neighbours are counted.
     pub fn explore(&mut self, pairs: &[(usize, usize)]) {
         for (i, j) in pairs.iter().flat_map(|&(i, j)| [(i, j), (j, i)]) {
             let map = self.inverses[i] * self.frame.maps[j];
@@ -93,7 +94,7 @@ impl<'a> Neighbours<'a> {
             self.roots.insert((i, j), root);
         }
         while let Some(k) = self.waiting.pop_front() {
-            if self.states.len() >= STATES || self.looks >= LOOKS {
+            if self.states.len() >= MOST_NEIGHBOURS || self.looks >= MOST_LOOKS {
                 self.waiting.clear();
                 break;
             }
@@ -109,7 +110,7 @@ impl<'a> Neighbours<'a> {
             return None;
         }
         // Off the grid by an odd bit, so that numbers that mean something do not lie on its lines.
-        let key = map.to_row().map(|x| (x * GRID + 0.3719).round() as i64);
+        let key = map.to_row().map(|x| (x * CELLS_PER_UNIT + 0.3719).round() as i64);
         if let Some(&known) = self.index.get(&key) {
             self.merged.push((known, words));
             return Some(known);
@@ -127,7 +128,7 @@ impl<'a> Neighbours<'a> {
             is_open: true,
             is_alive: false,
         });
-        if grown * self.frame.rounding < DRIFT && map.norm() < STRETCH {
+        if grown * self.frame.rounding < LARGEST_ERROR && map.norm() < LARGEST_STRETCH {
             self.waiting.push_back(k);
         }
         Some(k)
@@ -156,10 +157,10 @@ impl<'a> Neighbours<'a> {
     fn may_meet(&self, map: &Affine2) -> bool {
         let back = map.linear.transpose();
         let mut step = map.translation;
-        for _ in 0..ROUNDS {
+        for _ in 0..DIRECTIONS_PER_PAIR {
             let (far_a, p) = self.support.support(step);
             let (far_b, q) = self.support.support(-(back * step));
-            if step.dot(map.translation) - far_a - far_b > SLACK * step.length() {
+            if step.dot(map.translation) - far_a - far_b > MEETING_DISTANCE * step.length() {
                 return false;
             }
             let between = map.apply(q) - p;
@@ -210,7 +211,7 @@ impl<'a> Neighbours<'a> {
         }
         let (order, before) = self.search(root, None);
         let mut best: Option<(usize, Vec<u32>, Vec<u32>)> = None;
-        for &k in order.iter().take(TRIED) {
+        for &k in order.iter().take(MOST_TRIED_IN_LOOP) {
             let head = way(root, k, &before);
             if best.as_ref().is_some_and(|(least, ..)| head.len() > *least) {
                 break;
@@ -312,12 +313,12 @@ fn way_before(k: u32, before: &HashMap<u32, u32>) -> Vec<u32> {
 mod tests {
     use super::*;
 
-    fn with<T>(maps: &[Affine2], work: impl FnOnce(&mut Neighbours<'_>) -> T) -> T {
+    fn with<T>(maps: &[Affine2], work: impl FnOnce(&mut NeighbourGraph<'_>) -> T) -> T {
         let mut frame = Frame::default();
         frame.set(maps).unwrap();
         let mut support = SupportTable::default();
         support.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
-        let mut neighbours = Neighbours::new(&frame, &support).unwrap();
+        let mut neighbours = NeighbourGraph::new(&frame, &support).unwrap();
         let count = maps.len();
         let pairs: Vec<_> = (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j))).collect();
         neighbours.explore(&pairs);

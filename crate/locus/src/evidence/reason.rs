@@ -4,7 +4,7 @@ use frond_core::Affine2;
 use glam::DVec2;
 
 use crate::evidence::collinear::overlaps_on_a_line;
-use crate::evidence::neighbour_graph::Neighbours;
+use crate::evidence::neighbour_graph::NeighbourGraph;
 use crate::evidence::shared_points::{Shared, corners};
 use crate::exact::address::{Address, shown};
 use crate::exact::area;
@@ -46,9 +46,9 @@ pub struct Link {
     pub kind: LinkKind,
     /// Two maps, from 0, the smaller index first.
     pub pair: (usize, usize),
-    /// The addresses of the point in the first piece and in the second, or the words of the pieces that cross or are too
-    /// large, as people read them: letters from 1, "1(2)" for 1222.. Of more than nine maps letters are joined by dots:
-    /// "12.3.(10)".
+    /// The addresses of the point in the first piece and in the second, or the words of the pieces that cross or are
+    /// too large, as people read them: letters from 1, "1(2)" for 1222.. Of more than nine maps letters are joined by
+    /// dots: "12.3.(10)".
     pub words: [String; 2],
     /// The shared point, to rounding, the middle of the crossing, or where large pieces come near; in the plane.
     pub at: DVec2,
@@ -157,8 +157,8 @@ pub(crate) fn one_point(maps: &[Affine2]) -> Option<Reason> {
     Some(Reason { assuming: reading.assuming, ..reason })
 }
 
-/// A proof by pieces that lie across each other, beside points that are shared, where no gap is known to be wider than `gap`
-/// (in the plane). `near` is where two pieces come near each other.
+/// A proof by pieces that lie across each other, beside points that are shared, where no gap is known to be wider
+/// than `gap` (in the plane). `near` is where two pieces come near each other.
 pub(crate) fn by_crossings(
     maps: &[Affine2],
     shared: Vec<Link>,
@@ -203,14 +203,14 @@ pub(crate) fn by_crossings(
 }
 
 /// Points of two pieces that are checked at most.
-const TRIES: usize = 4;
+const MOST_TRIES_PER_PAIR: usize = 4;
 
 /// Points that pieces share, proposed by floating point and checked without rounding.
 pub(crate) struct Points<'a> {
     maps: &'a [Affine2],
     pairs: &'a [(usize, usize)],
     found: Vec<Shared>,
-    graph: Option<Neighbours<'a>>,
+    graph: Option<NeighbourGraph<'a>>,
 }
 
 impl<'a> Points<'a> {
@@ -222,7 +222,7 @@ impl<'a> Points<'a> {
         pairs: &'a [(usize, usize)],
     ) -> Self {
         let mut found = corners(&frame.maps);
-        let graph = Neighbours::new(frame, support).map(|mut graph| {
+        let graph = NeighbourGraph::new(frame, support).map(|mut graph| {
             graph.explore(pairs);
             found.extend(pairs.iter().filter_map(|&(i, j)| graph.common_point(i, j)));
             graph
@@ -266,7 +266,7 @@ impl<'a> Points<'a> {
             // Where some points do not fit, others that lie together in the same way hardly will.
             let tries = &mut tried[i * self.maps.len() + j];
             *tries += 1;
-            if *tries > TRIES || !system.coincide(a, b) {
+            if *tries > MOST_TRIES_PER_PAIR || !system.coincide(a, b) {
                 continue;
             }
             graph.add(i, j);
@@ -289,6 +289,6 @@ impl<'a> Points<'a> {
             Some(graph) if graph.share_many() => ReasonKind::Neighbours,
             _ => ReasonKind::SharedPoints,
         };
-        Ok(Reason { links, neighbours: closed.map(Neighbours::types), ..Reason::of(kind) })
+        Ok(Reason { links, neighbours: closed.map(NeighbourGraph::types), ..Reason::of(kind) })
     }
 }

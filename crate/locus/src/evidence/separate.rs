@@ -43,11 +43,11 @@ struct Node {
 }
 
 /// More letters than this, and rounding has taken over.
-const LETTERS: u16 = 600;
+const MOST_LETTERS: u16 = 600;
 /// Directions tried on a pair.
-const ROUNDS: usize = 8;
+const DIRECTIONS_PER_PAIR: usize = 8;
 /// Digits after the point that directions are rounded to, at first.
-const DIGITS: [i32; 4] = [3, 8, 16, 32];
+const DIRECTION_BITS: [i32; 4] = [3, 8, 16, 32];
 
 impl<'a> Descent<'a> {
     pub fn new(frame: &'a Frame, polygon: &'a TrappingPolygon, budget: usize) -> Self {
@@ -102,7 +102,7 @@ impl<'a> Descent<'a> {
         if parts > 0 {
             return Some(parts..parts + count);
         }
-        if letters >= LETTERS {
+        if letters >= MOST_LETTERS {
             return None;
         }
         let first = self.words.len() as u32;
@@ -135,8 +135,8 @@ impl<'a> Descent<'a> {
         (far + map.translation.dot(normal), map.apply(corner))
     }
 
-    /// By how much a direction separates two images of the polygon, beyond rounding, with the nearest corners: each image
-    /// may be off, and so may the corners themselves.
+    /// By how much a direction separates two images of the polygon, beyond rounding, with the nearest corners: each
+    /// image may be off, and so may the corners themselves.
     fn between(&self, normal: DVec2, a: &Affine2, b: &Affine2) -> (f64, DVec2) {
         let ((most, p), (least, q)) = (self.support(a, normal), self.support(b, -normal));
         (-least - most - 4.0 * self.frame.rounding * normal.length(), q - p)
@@ -146,7 +146,7 @@ impl<'a> Descent<'a> {
     /// the nearest points of the two).
     fn direction(&self, a: &Affine2, b: &Affine2) -> Option<DVec2> {
         let mut step = b.apply(self.middle) - a.apply(self.middle);
-        for _ in 0..ROUNDS {
+        for _ in 0..DIRECTIONS_PER_PAIR {
             let (apart, between) = self.between(step, a, b);
             if apart > 0.0 {
                 return Some(step);
@@ -174,6 +174,6 @@ impl<'a> Descent<'a> {
             let back = self.frame.from_round.transpose() * *normal;
             self.between(back, a, b).0 > 0.0
         };
-        DIGITS.into_iter().map(rounded).chain([normal]).find(separates)
+        DIRECTION_BITS.into_iter().map(rounded).chain([normal]).find(separates)
     }
 }

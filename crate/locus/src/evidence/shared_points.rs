@@ -11,14 +11,14 @@ use crate::exact::address::Address;
 pub(crate) type Shared = (Address, Address);
 
 /// Points this near are taken for the same; in units of the attractor.
-const GRID: f64 = 67_108_864.0;
+const CELLS_PER_UNIT: f64 = 67_108_864.0;
 /// Words of two letters are tried up to this many maps.
-const FEW: usize = 16;
+const MOST_MAPS_FOR_TWO_LETTERS: usize = 16;
 /// Points that are looked at most.
-const POINTS: usize = 2048;
+const MOST_POINTS: usize = 2048;
 
-/// What pieces seem to share, in coordinates where the attractor is of size 1: images, under one to three maps, of the fixed
-/// points of words of one or two letters.
+/// What pieces seem to share, in coordinates where the attractor is of size 1: images, under one to three maps, of
+/// the fixed points of words of one or two letters.
 ///
 /// Found in floating point, and so only proposed.
 pub(crate) fn corners(maps: &[Affine2]) -> Vec<Shared> {
@@ -38,7 +38,7 @@ pub(crate) fn corners(maps: &[Affine2]) -> Vec<Shared> {
         }
     }
     // Reflections take corners to one another and back: words of two letters fix them.
-    for i in 0..if count <= FEW { count } else { 0 } {
+    for i in 0..if count <= MOST_MAPS_FOR_TWO_LETTERS { count } else { 0 } {
         for j in (0..count).filter(|&j| j != i) {
             if let Some(point) = (maps[i] * maps[j]).fixed_point() {
                 add(&mut points, point, vec![], vec![i as u8, j as u8]);
@@ -47,7 +47,7 @@ pub(crate) fn corners(maps: &[Affine2]) -> Vec<Shared> {
     }
     // Two letters before the repeated ones are enough for the classical shapes; many maps get fewer.
     for _ in 0..2 {
-        if points.len() * count > POINTS {
+        if points.len() * count > MOST_POINTS {
             break;
         }
         for k in 0..points.len() {
@@ -87,7 +87,7 @@ pub(crate) fn corners(maps: &[Affine2]) -> Vec<Shared> {
 }
 
 fn key(point: DVec2) -> [i64; 2] {
-    [point.x, point.y].map(|x| (x * GRID + 0.3719).round() as i64)
+    [point.x, point.y].map(|x| (x * CELLS_PER_UNIT + 0.3719).round() as i64)
 }
 
 #[cfg(test)]

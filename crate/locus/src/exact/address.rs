@@ -36,8 +36,8 @@ impl Address {
         Some(self.head.iter().rev().fold(fixed, |point, i| map(i).apply(point)))
     }
 
-    /// As people read it: letters from 1, "1(2)" for 1222.. Of more than nine maps letters are joined by dots, and one stands
-    /// before the bracket, so that "12.3.(10)" and ".(12)" cannot be taken for other letters.
+    /// As people read it: letters from 1, "1(2)" for 1222.. Of more than nine maps letters are joined by dots, and
+    /// one stands before the bracket, so that "12.3.(10)" and ".(12)" cannot be taken for other letters.
     pub fn shown(&self, maps: usize) -> String {
         let dot = if maps > 9 { "." } else { "" };
         format!("{}{dot}({})", shown(&self.head, maps), shown(&self.repeat, maps))

@@ -85,7 +85,7 @@ pub(crate) struct QuadraticMap {
 pub(crate) type QuadraticPoint = [Quadratic; 3];
 
 /// Numbers of more binary digits than this are not computed with.
-const BITS: u64 = 40_000;
+const MOST_BITS: u64 = 40_000;
 
 impl QuadraticMap {
     /// The map that applies `inner` first.
@@ -162,7 +162,7 @@ impl QuadraticSystem {
     /// The map of a word; `None` if its numbers would be too long.
     pub fn word(&self, word: &[u8]) -> Option<QuadraticMap> {
         let (first, rest) = word.split_first()?;
-        if word.len() as u64 * self.bits > BITS {
+        if word.len() as u64 * self.bits > MOST_BITS {
             return None;
         }
         let map = |i: &u8| &self.maps[usize::from(*i)];
@@ -171,7 +171,7 @@ impl QuadraticSystem {
 
     /// The point of an address.
     pub fn point(&self, address: &Address) -> Option<QuadraticPoint> {
-        if (address.head.len() + 2 * address.repeat.len()) as u64 * self.bits > BITS {
+        if (address.head.len() + 2 * address.repeat.len()) as u64 * self.bits > MOST_BITS {
             return None;
         }
         let fixed = self.word(&address.repeat)?.fixed_point()?;

@@ -47,21 +47,22 @@ const GUESSES: [Guess; 5] = [
     Guess { d: 5, axis: Some(1) },
 ];
 /// The largest denominator of a fraction, and of a number with a root.
-const DENOMINATOR: i64 = 1000;
-const ROOT_DENOMINATOR: i64 = 48;
+const LARGEST_DENOMINATOR: i64 = 1000;
+const LARGEST_ROOT_DENOMINATOR: i64 = 48;
 /// The largest factor of a root.
-const FACTOR: f64 = 4.0;
+const LARGEST_ROOT_FACTOR: f64 = 4.0;
 /// Numbers with no more binary digits than this mean what they say.
-const SHORT: i64 = 20;
+const SHORT_BITS: i64 = 20;
 /// Numbers of a system that fit nothing, after which none of it is read.
-const STRANGE: usize = 4;
+const TOO_MANY_STRANGE: usize = 4;
 
 /// A number, where it is in a row, and how far off it may be.
 type Number = (f64, usize, f64);
 /// A row of numbers with what they stand for.
 type Row = [(f64, Read); 6];
 
-/// Reads the maps with roots of as few kinds as will do; `None` if nothing would change, or too many numbers are strange.
+/// Reads the maps with roots of as few kinds as will do; `None` if nothing would change, or too many numbers are
+/// strange.
 pub(crate) fn read(maps: &[Affine2]) -> Option<Recognised> {
     // Rounding leaves more where numbers were added up: ulps of the largest that are of a kind.
     let largest = |of: fn(&Affine2) -> f64| maps.iter().map(of).fold(0.0, f64::max);
@@ -99,7 +100,7 @@ impl Guess {
                 if x == 0.0 { Read::Itself } else { Read::As(in_sines(x, off)?) }
             } else if let Some(read) = fractions[&x.to_bits()] {
                 read
-            } else if strange >= STRANGE {
+            } else if strange >= TOO_MANY_STRANGE {
                 return None;
             } else {
                 let value = with_root(x, off, self.d);
@@ -114,16 +115,16 @@ impl Guess {
             row.try_into().ok()
         };
         let rows = rows.iter().map(&mut row).collect::<Option<_>>()?;
-        (strange < STRANGE).then_some((strange, rows))
+        (strange < TOO_MANY_STRANGE).then_some((strange, rows))
     }
 }
 
 /// The sine of 72 degrees; its square is (5 + sqrt 5) / 8.
-const SINE: f64 = 0.951_056_516_295_153_6;
+const SINE_OF_72: f64 = 0.951_056_516_295_153_6;
 
 /// A number of a pentagon, as a multiple of the sine of 72 degrees.
 fn in_sines(x: f64, off: f64) -> Option<Value> {
-    let (x, off) = (x / SINE, off / SINE + 4.0 * f64::EPSILON * x.abs());
+    let (x, off) = (x / SINE_OF_72, off / SINE_OF_72 + 4.0 * f64::EPSILON * x.abs());
     if x.abs() <= off {
         return Some(Value { p: 0, r: 0, q: 1, d: 0, of_pentagon: false });
     }
@@ -174,8 +175,8 @@ fn system(rows: &[Row], axis: Option<usize>) -> QuadraticSystem {
             Quadratic { a: &scale * value.p, b: &scale * value.r, d }
         }
     };
-    // Seen in coordinates where the axis of a pentagon is measured in sines, its shift and the number that leads to it are
-    // multiples of 1, and the number that leads from it is a multiple of the square of the sine.
+    // Seen in coordinates where the axis of a pentagon is measured in sines, its shift and the number that leads to
+    // it are multiples of 1, and the number that leads from it is a multiple of the square of the sine.
     let from = if axis == Some(0) { 2 } else { 1 };
     let entry = |row: &Row, k: usize| {
         let plain = surd(&row[k]);
@@ -203,7 +204,7 @@ fn gcd(mut a: BigInt, mut b: BigInt) -> BigInt {
 
 /// Short binary numbers are themselves; others are a fraction of small numbers, or what was typed.
 fn of_fraction(x: f64, off: f64) -> Option<Read> {
-    if x == 0.0 || dyadic(x).1 >= -SHORT {
+    if x == 0.0 || dyadic(x).1 >= -SHORT_BITS {
         return Some(Read::Itself);
     }
     if x.abs() <= off {
@@ -224,7 +225,7 @@ fn short_fraction(x: f64, off: f64) -> Option<(i64, i64)> {
             break;
         }
         let (p, q) = (whole as i64 * p1 + p0, whole as i64 * q1 + q0);
-        if q > DENOMINATOR || p > 1 << 40 {
+        if q > LARGEST_DENOMINATOR || p > 1 << 40 {
             break;
         }
         if (x.abs() - p as f64 / q as f64).abs() <= off {
@@ -265,9 +266,9 @@ fn gcd_i64(mut a: i64, mut b: i64) -> i64 {
 /// `(p + r sqrt(d)) / q` within `off`, of the least `q`, then `r`.
 fn with_root(x: f64, off: f64, d: u8) -> Option<Value> {
     let root = f64::from(d).sqrt();
-    for q in 1..=ROOT_DENOMINATOR {
+    for q in 1..=LARGEST_ROOT_DENOMINATOR {
         let scaled = x * q as f64;
-        for r in 1..=(FACTOR * q as f64) as i64 {
+        for r in 1..=(LARGEST_ROOT_FACTOR * q as f64) as i64 {
             for r in [r, -r] {
                 let p = (scaled - r as f64 * root).round();
                 let away = (scaled - r as f64 * root - p).abs();

@@ -6,11 +6,11 @@ use crate::overlap_graph::Components;
 
 /// A descent on pairs that looks for the widest gap, with what it needs, kept for the next.
 ///
-/// The widest gap `g` is the greatest, over all ways to cut the pieces into two groups, of the least distance between the
-/// groups. So points that are near show it to be no more than the widest edge of the minimum spanning tree between
-/// them, and whatever cut is proved to be wide shows it to be no less. The cut to try is the one that this
-/// widest edge bridges: pairs of pieces that lie on one side of it need not be looked into at all, and of the
-/// others only those parts that may be nearer than what bridges it.
+/// The widest gap `g` is the greatest, over all ways to cut the pieces into two groups, of the least distance between
+/// the groups. So points that are near show it to be no more than the widest edge of the minimum spanning tree
+/// between them, and whatever cut is proved to be wide shows it to be no less. The cut to try is the one that this
+/// widest edge bridges: pairs of pieces that lie on one side of it need not be looked into at all, and of the others
+/// only those parts that may be nearer than what bridges it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct CutSearch {
     descent: PairDescent<()>,
@@ -116,8 +116,8 @@ impl CutSearch {
         Bracket { lower: 0.0, upper: self.bottleneck() }
     }
 
-    /// Tells all pairs apart that lie across the cut, the nearest first; `false` if two turn out to meet, or this is not
-    /// found out.
+    /// Tells all pairs apart that lie across the cut, the nearest first; `false` if two turn out to meet, or this is
+    /// not found out.
     fn prove(&mut self, explore: &mut impl Explore<Nearest = ()>, budget: usize) -> bool {
         explore.lean(false);
         self.order.clear();
@@ -165,8 +165,8 @@ impl CutSearch {
         tree.cut(descent.count, between).sqrt()
     }
 
-    /// Looks into the pairs across the cut, which are all apart, the nearest first, until the nearest is not much nearer
-    /// than the `bridge`, or `budget` looks are spent; returns a lower bound of their distances.
+    /// Looks into the pairs across the cut, which are all apart, the nearest first, until the nearest is not much
+    /// nearer than the `bridge`, or `budget` looks are spent; returns a lower bound of their distances.
     fn measure(&mut self, explore: &mut impl Explore<Nearest = ()>, mut bridge: f64, budget: usize) -> f64 {
         explore.lean(true);
         let Self { descent, across, .. } = self;

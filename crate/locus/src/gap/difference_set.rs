@@ -14,10 +14,10 @@ use crate::support::table::SupportTable;
 /// The differences of the pieces of maps `M x + t_i`.
 ///
 /// Two pieces at the same depth are translates of each other, so that all there is to know of them is by how much
-/// they are moved: `A_i` and `A_j` are as far apart as `t_i - t_j` is from `M D`, where `D`, the set of all differences of two points
-/// of the attractor, is itself an attractor: that of the maps `M x + t_a - t_b`. So a descent follows one
-/// point instead of two words, and most words of a length share their point with others. The supports of
-/// `D` are sums: its convex hull is that of the sum of the widths of all images of the translations.
+/// they are moved: `A_i` and `A_j` are as far apart as `t_i - t_j` is from `M D`, where `D`, the set of all
+/// differences of two points of the attractor, is itself an attractor: that of the maps `M x + t_a - t_b`. So a
+/// descent follows one point instead of two words, and most words of a length share their point with others. The
+/// supports of `D` are sums: its convex hull is that of the sum of the widths of all images of the translations.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct DifferenceSet {
     /// Whether the linear part is a similitude, or nearly.
@@ -38,21 +38,21 @@ pub(crate) struct DifferenceSet {
 }
 
 /// More than this many powers are not summed up exactly.
-const TERMS: usize = 96;
+const MOST_TERMS: usize = 96;
 /// What is left out of the sums, against the whole.
-const REST: f64 = 0.004;
+const LARGEST_REST: f64 = 0.004;
 /// How far from the middle of the differences to go on a dive, against the disc they lie in, squared; how often back,
 /// and how many steps.
-const NEAR: f64 = 0.5;
-const BACK: usize = 12;
-const STEPS: usize = 120;
+const SQUARE_TO_ENTER: f64 = 0.5;
+const MOST_RETURNS: usize = 12;
+const MOST_STEPS: usize = 120;
 
 /// Of more maps there are too many differences to look at them all.
-const MOST: usize = 16;
+const MOST_MAPS: usize = 16;
 
 /// Whether the maps share one linear part, and are few.
 pub(crate) fn are_equal(maps: &[Affine2]) -> bool {
-    (2..=MOST).contains(&maps.len()) && maps[1..].iter().all(|map| map.linear == maps[0].linear)
+    (2..=MOST_MAPS).contains(&maps.len()) && maps[1..].iter().all(|map| map.linear == maps[0].linear)
 }
 
 /// Whether any two of these maps, which share one linear part, have pieces that meet: see [`area`].
@@ -72,7 +72,8 @@ pub(crate) fn area(map: &Affine2) -> f64 {
 }
 
 impl DifferenceSet {
-    /// Gets ready for the maps of a frame, which share one linear part and contract one by one, and bounds their differences.
+    /// Gets ready for the maps of a frame, which share one linear part and contract one by one, and bounds their
+    /// differences.
     ///
     /// Of a regular polygon with an even number of corners every other difference is known to repeat another.
     pub fn set(&mut self, frame: &Frame, support: &mut SupportTable, polygon: bool) {
@@ -87,7 +88,7 @@ impl DifferenceSet {
         self.set_steps(polygon);
         // The attractor lies in the unit disc, its differences in that of radius 2.
         let mut terms = 1;
-        while terms < TERMS && 2.0 * self.size(terms, m, frame.factor) > REST {
+        while terms < MOST_TERMS && 2.0 * self.size(terms, m, frame.factor) > LARGEST_REST {
             terms += 1;
         }
         let rest = 2.0 * self.size(terms, m, frame.factor) * (1.0 + 1e-12);
@@ -150,7 +151,7 @@ impl DifferenceSet {
         let (mut offset, mut k) = (self.shifts[i] - self.shifts[j], 1);
         self.passed.clear();
         let mut back = 0;
-        for _ in 0..STEPS {
+        for _ in 0..MOST_STEPS {
             let squared = frame.square(offset);
             // 0 is the difference of any point from itself.
             if squared <= reach {
@@ -159,7 +160,7 @@ impl DifferenceSet {
             // The differences lie within twice the norm of the power.
             let limit = 2.0 * self.size(k + 1, m, frame.factor);
             let (best, second) = self.nearest_steps(k, offset);
-            let limit = NEAR * limit * limit;
+            let limit = SQUARE_TO_ENTER * limit * limit;
             if second.0 < limit {
                 self.passed.push((offset, k, second.1));
             }
@@ -168,7 +169,7 @@ impl DifferenceSet {
                 k += 1;
             } else {
                 back += 1;
-                let (passed, at, step) = self.passed.pop().filter(|_| back <= BACK)?;
+                let (passed, at, step) = self.passed.pop().filter(|_| back <= MOST_RETURNS)?;
                 offset = self.step(passed, at, step);
                 k = at + 1;
             }

@@ -41,15 +41,15 @@ struct TwoPieces {
     apart: DVec2,
 }
 
-/// How far the middles of two pieces may be apart, against the radii of the discs they lie in, squared, to be looked into: mostly
-/// a piece does not fill its disc.
-const NEAR: f64 = 0.4;
+/// How far the middles of two pieces may be apart, against the radii of the discs they lie in, squared, to be looked
+/// into: mostly a piece does not fill its disc.
+const SQUARE_TO_ENTER: f64 = 0.4;
 /// How often to go back.
-const BACK: usize = 16;
+const MOST_RETURNS: usize = 16;
 /// Steps in all.
-const STEPS: usize = 160;
+const MOST_STEPS: usize = 160;
 /// The lowest bits of a score hold the number of its map.
-const NUMBER: u64 = 63;
+const NUMBER_BITS: u64 = 63;
 
 impl GreedySearch {
     /// Gets ready for the maps of `frame`; `false` if it has no point to begin with.
@@ -72,7 +72,8 @@ impl GreedySearch {
         point.is_some()
     }
 
-    /// The square of a distance that the attractor has at least across, in the plane: between images of one of its points.
+    /// The square of a distance that the attractor has at least across, in the plane: between images of one of its
+    /// points.
     pub fn extent(&self, frame: &Frame) -> f64 {
         let images = || frame.maps.iter().map(|map| map.apply(self.point));
         let far = |p: DVec2| images().map(|q| frame.square(q - p)).fold(0.0, f64::max);
@@ -90,7 +91,7 @@ impl GreedySearch {
         };
         self.passed.clear();
         let mut back = 0;
-        for _ in 0..STEPS {
+        for _ in 0..MOST_STEPS {
             let [p, q] = pair.linear;
             let between = pair.apart + p * self.point - q * self.point;
             let squared = frame.square(between);
@@ -98,14 +99,14 @@ impl GreedySearch {
                 return Some(squared);
             }
             let (best, second) = self.nearest_parts(&pair);
-            if second < NEAR {
+            if second < SQUARE_TO_ENTER {
                 self.passed.push((pair, number(second)));
             }
-            if best < NEAR {
+            if best < SQUARE_TO_ENTER {
                 pair = self.enter(frame, pair, number(best));
             } else {
                 back += 1;
-                let (passed, part) = self.passed.pop().filter(|_| back <= BACK)?;
+                let (passed, part) = self.passed.pop().filter(|_| back <= MOST_RETURNS)?;
                 pair = self.enter(frame, passed, part);
             }
         }
@@ -130,7 +131,7 @@ impl GreedySearch {
             let score = (x * x + y * y) / (r * r) + lane.far;
             let numbered = |k: usize| {
                 let number = (4 * block + k) as u64;
-                f64::from_bits(score.0[k].to_bits() & !NUMBER | number)
+                f64::from_bits(score.0[k].to_bits() & !NUMBER_BITS | number)
             };
             // The least and the last but one, without a branch.
             let ([a, b], [c, d]) = (ordered(numbered(0), numbered(1)), ordered(numbered(2), numbered(3)));
@@ -158,7 +159,7 @@ const SIGN: [f64; 2] = [1.0, -1.0];
 
 #[inline(always)]
 fn number(score: f64) -> usize {
-    (score.to_bits() & NUMBER) as usize
+    (score.to_bits() & NUMBER_BITS) as usize
 }
 
 #[inline(always)]

@@ -1,8 +1,8 @@
 //! Which pieces meet, and how far all others are apart: the thorough way, for the full answer about one system.
 //!
-//! First the pairs that are not yet known to be apart are pursued, those that overlap most before the others: it ends with a
-//! verdict. Then the others, nearest first, which is Kruskal's algorithm on the distances between pieces: it ends with the
-//! widest edge of their minimum spanning tree.
+//! First the pairs that are not yet known to be apart are pursued, those that overlap most before the others: it ends
+//! with a verdict. Then the others, nearest first, which is Kruskal's algorithm on the distances between pieces: it
+//! ends with the widest edge of their minimum spanning tree.
 
 use glam::DVec2;
 
@@ -24,8 +24,8 @@ pub(crate) struct KruskalSearch<'a> {
     open: Vec<Pair>,
     /// Of those the ones passed over since they were in one component already.
     later: Vec<Pair>,
-    /// See [`Frame::off`]: in coordinates of the plane. In others, which flat shapes need, it says so much too much that no
-    /// narrow gap would have an upper bound, and is left out.
+    /// See [`Frame::off`]: in coordinates of the plane. In others, which flat shapes need, it says so much too much
+    /// that no narrow gap would have an upper bound, and is left out.
     off: f64,
     /// The diameter of the attractor in the plane.
     pub plane_diameter: f64,
@@ -181,8 +181,8 @@ impl<'a> KruskalSearch<'a> {
     ///
     /// A distance is known well enough when its bounds differ by `relative` of it or by `absolute`.
     pub fn measure(&mut self, relative: f64, absolute: f64, budget: usize) -> WidestEdge {
-        // From here on pieces are known to be apart, however near they come, unless they were left open: then they may meet, as
-        // far as the lower bound goes.
+        // From here on pieces are known to be apart, however near they come, unless they were left open: then they
+        // may meet, as far as the lower bound goes.
         let mut components = self.coarsest();
         let Self { words, descent, .. } = self;
         descent.near = -1.0;
@@ -210,8 +210,8 @@ impl<'a> KruskalSearch<'a> {
         WidestEdge { lower, ..self.widest_edge() }
     }
 
-    /// An upper bound of the widest gap: the widest edge of the minimum spanning tree of the nearest points known, and what
-    /// rounding may add.
+    /// An upper bound of the widest gap: the widest edge of the minimum spanning tree of the nearest points known,
+    /// and what rounding may add.
     pub fn widest_edge(&self) -> WidestEdge {
         let mut widest = WidestEdge::default();
         let mut components = Components::new(self.descent.count);

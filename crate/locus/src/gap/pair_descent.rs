@@ -181,8 +181,8 @@ impl<P: Copy + Default> PairDescent<P> {
         self.met.count() == 1
     }
 
-    /// Looks at every two attractorlets once, but for those known to have a point in common; `see` is told how deep those
-    /// overlap that do not meet so far.
+    /// Looks at every two attractorlets once, but for those known to have a point in common; `see` is told how deep
+    /// those overlap that do not meet so far.
     pub fn look_at_all(&mut self, explore: &mut impl Explore<Nearest = P>, mut see: impl FnMut(Pair)) {
         let (rows, columns) = self.rows_and_columns();
         for i in 0..rows {
@@ -206,8 +206,8 @@ impl<P: Copy + Default> PairDescent<P> {
         }
     }
 
-    /// Looks into two attractorlets until it is known whether they meet, or `budget` looks are spent. Depth first, parts that
-    /// overlap most before their sisters.
+    /// Looks into two attractorlets until it is known whether they meet, or `budget` looks are spent. Depth first,
+    /// parts that overlap most before their sisters.
     pub fn tell_apart(
         &mut self,
         explore: &mut impl Explore<Nearest = P>,
@@ -250,9 +250,9 @@ impl<P: Copy + Default> PairDescent<P> {
         known
     }
 
-    /// Splits a pair that is `apart`: those of its parts that are, too, go to the others, the rest on the stack, the one that
-    /// overlaps most on top. Parts are no nearer than the whole, even if the directions tried on them show less. Returns the
-    /// square of the least distance known of the two attractorlets.
+    /// Splits a pair that is `apart`: those of its parts that are, too, go to the others, the rest on the stack, the
+    /// one that overlaps most on top. Parts are no nearer than the whole, even if the directions tried on them show
+    /// less. Returns the square of the least distance known of the two attractorlets.
     pub fn split(&mut self, explore: &mut impl Explore<Nearest = P>, pair: Pair, apart: f64) -> f64 {
         let at = self.edge(pair.i.into(), pair.j.into());
         let before = self.open.len();
@@ -274,8 +274,8 @@ impl<P: Copy + Default> PairDescent<P> {
         self.edges[at].reach
     }
 
-    /// Follows the nearest parts of so many pairs down, the first of them given and the others the nearest left, for points
-    /// that are nearer than those met by a search that was cut short.
+    /// Follows the nearest parts of so many pairs down, the first of them given and the others the nearest left, for
+    /// points that are nearer than those met by a search that was cut short.
     pub fn follow_nearest(&mut self, explore: &mut impl Explore<Nearest = P>, first: Pair, pairs: usize) {
         let mut next = Some(first);
         for _ in 0..pairs {

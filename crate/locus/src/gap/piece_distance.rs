@@ -96,7 +96,7 @@ impl Metric {
             plain: frame.plain.then_some([factor(frame.from_round), factor(to_round)]),
             to_plane: frame.from_round,
             normal_to_plane: to_round.transpose(),
-            blur: BLUR * largest,
+            blur: NORMAL_ROUNDING * largest,
             lean: DMat2::IDENTITY,
             rounding: frame.rounding,
         }
@@ -237,15 +237,15 @@ impl Metric {
     #[inline(always)]
     fn distance<const PLAIN: bool>(&self, apart: F64x4, scale: F64x4, blur: F64x4) -> F64x4 {
         let length = if PLAIN { scale.sqrt() } else { scale.sqrt() + blur };
-        F64x4::default().choose_less(apart, apart * F64x4::splat(INWARD) / length, F64x4::default())
+        F64x4::default().choose_less(apart, apart * F64x4::splat(ROUND_DOWN) / length, F64x4::default())
     }
 }
 
-/// By how much a number that is computed from given ones in two or three steps may be off, relative to their sizes. A frame's
-/// inverse has no more of its own.
-const BLUR: f64 = 16.0 * f64::EPSILON;
+/// By how much a number that is computed from given ones in two or three steps may be off, relative to their sizes. A
+/// frame's inverse has no more of its own.
+const NORMAL_ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// What takes care of the rounding of a few last operations.
-const INWARD: f64 = 1.0 - 8.0 * f64::EPSILON;
+const ROUND_DOWN: f64 = 1.0 - 8.0 * f64::EPSILON;
 
 /// The maps of four pieces and of another one.
 struct Sides {

@@ -33,8 +33,8 @@ impl<'a, P> WordPairs<'a, P> {
         Self { frame, support, tree, small: -1.0, metric: Metric::default(), looks: 0, nearest }
     }
 
-    /// Begins with the words of one letter. Pieces together as small as `near` count as meeting, where the resolution is
-    /// no finer than rounding.
+    /// Begins with the words of one letter. Pieces together as small as `near` count as meeting, where the resolution
+    /// is no finer than rounding.
     pub fn begin(&mut self, resolution: f64, near: f64) {
         let frame = self.frame;
         // Where rounding is coarser than the resolution, nothing is small.

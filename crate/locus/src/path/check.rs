@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use crate::decide::{Scratch, decide};
 use crate::grid::LocusGrid;
-use crate::path::field::{WALL, gap_of};
+use crate::path::field::{GAP_WITHOUT_ATTRACTOR, gap_of};
 use crate::verdict::Sample;
 
 /// A family of systems over (u, v, w), of the plane or of space.
@@ -68,7 +68,7 @@ pub(crate) fn judge<P: Parameters>(
         let gap = gap_of(morph.sample(at, epsilon, &mut memory), epsilon);
         let broken = gap > 0.0;
         if broken {
-            let gap = if gap >= WALL { f64::INFINITY } else { gap };
+            let gap = if gap >= GAP_WITHOUT_ATTRACTOR { f64::INFINITY } else { gap };
             tell(at);
             check.holds = false;
             if check.worst.is_none() || gap > check.gap {

@@ -9,11 +9,11 @@ use crate::path::distance_transform::distances;
 use crate::verdict::{Sample, State};
 
 /// What counts as the gap of a parameter without an attractor: more than any real one, which is below 1.
-pub(crate) const WALL: f64 = 10.0;
+pub(crate) const GAP_WITHOUT_ATTRACTOR: f64 = 10.0;
 /// What counts as the gap of a parameter that was not looked at: a wall to ways, but not broken ground.
-pub(crate) const UNSEEN: f64 = 20.0;
+pub(crate) const GAP_UNSEEN: f64 = 20.0;
 /// Nearer to an end than this, clearance is asked for in proportion only: the ends often lie on the very boundary.
-pub(crate) const NEAR_END: f64 = 0.125;
+pub(crate) const END_RADIUS: f64 = 0.125;
 
 /// A cell of a heap ordered by cost, the least first.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,10 +38,10 @@ pub(crate) fn gap_of(sample: Sample, epsilon: f64) -> f64 {
     let gap = f64::from(sample.gap);
     match sample.state {
         State::Connected | State::Touching => 0.0,
-        State::NoAttractor => WALL,
-        _ if gap.is_nan() => WALL,
+        State::NoAttractor => GAP_WITHOUT_ATTRACTOR,
+        _ if gap.is_nan() => GAP_WITHOUT_ATTRACTOR,
         _ if gap <= epsilon => 0.0,
-        _ => gap.min(WALL),
+        _ => gap.min(GAP_WITHOUT_ATTRACTOR),
     }
 }
 
@@ -161,13 +161,13 @@ impl Field {
     fn measure(&mut self) {
         let gap = &self.gap;
         self.clearance =
-            distances(self.lattice.size, self.pitch, |cell| gap[cell] > 0.0 && gap[cell] < UNSEEN);
+            distances(self.lattice.size, self.pitch, |cell| gap[cell] > 0.0 && gap[cell] < GAP_UNSEEN);
     }
 
     /// Takes cells for broken by `gap` that were found so between the samples.
     pub fn mark(&mut self, cells: &[usize], gap: f64) {
         for &cell in cells {
-            self.gap[cell] = self.gap[cell].max(gap.min(WALL));
+            self.gap[cell] = self.gap[cell].max(gap.min(GAP_WITHOUT_ATTRACTOR));
         }
         self.measure();
     }
@@ -202,7 +202,7 @@ impl Field {
             let repeated = (0..3).any(|k| corner >> k & 1 == 1 && low[k] == high[k]);
             if !repeated {
                 let cell = self.lattice.cell(DVec3::new(pick(0), pick(1), pick(2)));
-                widest = widest.max(cell.map_or(UNSEEN, |cell| self.gap[cell]));
+                widest = widest.max(cell.map_or(GAP_UNSEEN, |cell| self.gap[cell]));
             }
         }
         widest
@@ -232,7 +232,7 @@ impl Field {
         if end <= 3.0 {
             return self.ample;
         }
-        let part = (end * self.unit / NEAR_END).min(1.0);
+        let part = (end * self.unit / END_RADIUS).min(1.0);
         (self.clearance[cell] / part).min(self.ample)
     }
 
@@ -259,7 +259,9 @@ impl Field {
         let by = differing.map(|k| {
             let mut corner = p;
             corner[k] = q[k];
-            self.lattice.cell(corner).map_or(UNSEEN, |corner| self.gap[corner].max(self.step_gap(corner, to)))
+            self.lattice
+                .cell(corner)
+                .map_or(GAP_UNSEEN, |corner| self.gap[corner].max(self.step_gap(corner, to)))
         });
         ends.max(by.fold(f64::INFINITY, f64::min))
     }

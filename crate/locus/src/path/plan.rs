@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 use thiserror::Error;
 
 use crate::grid::{Bounds, GridError, Locus};
-use crate::path::field::{Field, Lattice, NEAR_END, Terms, UNSEEN, gap_of};
+use crate::path::field::{END_RADIUS, Field, GAP_UNSEEN, Lattice, Terms, gap_of};
 use crate::path::simplify::simplify;
 use frond_core::along;
 
@@ -95,18 +95,18 @@ pub(crate) fn field_of(locus: &Locus, epsilon: f64) -> Result<Field, PathError> 
 
 /// Where every way breaks, gaps this much wider than the least count as no wider; more only where the way has too many
 /// corners otherwise.
-const AS_WIDE: [f64; 7] = [1.02, 1.05, 1.1, 1.2, 1.5, 2.0, f64::INFINITY];
+const GAP_TOLERANCES: [f64; 7] = [1.02, 1.05, 1.1, 1.2, 1.5, 2.0, f64::INFINITY];
 /// The part of the most room that a way must keep, so that it may be straight.
-pub(crate) const ROOMY: f64 = 0.6;
+pub(crate) const ROOM_SHARE: f64 = 0.6;
 
 pub(crate) fn plan_in(field: &Field) -> PathPlan {
     let widest = field.widest();
     // Where it must break there is no room at the break.
-    let room = if widest > 0.0 { 0.0 } else { ROOMY * field.roomiest(widest).max(0.0) };
+    let room = if widest > 0.0 { 0.0 } else { ROOM_SHARE * field.roomiest(widest).max(0.0) };
     let mut kept = Vec::new();
-    for tolerance in AS_WIDE {
+    for tolerance in GAP_TOLERANCES {
         // The last tolerates all.
-        let terms = Terms { widest: (tolerance * widest).min(UNSEEN), room };
+        let terms = Terms { widest: (tolerance * widest).min(GAP_UNSEEN), room };
         kept = simplify(field, &field.cheapest(terms), terms, PathPlan::MOST_POINTS);
         // A way that holds does so however many corners it takes.
         if widest == 0.0 || kept.len() <= PathPlan::MOST_POINTS {
@@ -140,7 +140,7 @@ pub(crate) fn plan_in(field: &Field) -> PathPlan {
 pub(crate) fn clearance(field: &Field, points: &[DVec3]) -> f64 {
     let steps = 4 * points.len() * field.side() as usize;
     let met = (0..=steps).map(|k| along(points, k as f64 / steps as f64));
-    let far = met.filter(|at| ENDS.iter().all(|end| end.distance(*at) >= NEAR_END));
+    let far = met.filter(|at| ENDS.iter().all(|end| end.distance(*at) >= END_RADIUS));
     let cells = far.filter_map(|at| field.lattice.cell(field.lattice.fraction(at)));
     cells.map(|cell| field.clearance(cell)).fold(f64::INFINITY, f64::min)
 }

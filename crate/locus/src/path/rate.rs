@@ -35,8 +35,8 @@ pub struct Rated {
 }
 
 impl Rated {
-    /// The order of matchings, the best first: by the gap of the path, then by its clearance, in steps of a sixteenth, then by
-    /// its length.
+    /// The order of matchings, the best first: by the gap of the path, then by its clearance, in steps of a
+    /// sixteenth, then by its length.
     #[must_use]
     pub fn compare(&self, other: &Self) -> Ordering {
         let steps = |plan: &PathPlan| (16.0 * plan.clearance).round();
@@ -48,12 +48,12 @@ impl Rated {
 }
 
 /// Parameters decided along the path.
-const CHECKS: usize = 400;
+const LEAST_CHECKS: usize = 400;
 /// How often the path is mended.
-const REPAIRS: usize = 3;
+const MOST_REPAIRS: usize = 3;
 
-/// Rates a matching: a small locus, and the path through it. Quicker and coarser than [`find_path`](crate::find_path), for
-/// choosing from a list.
+/// Rates a matching: a small locus, and the path through it. Quicker and coarser than
+/// [`find_path`](crate::find_path), for choosing from a list.
 ///
 /// # Errors
 /// [`PathError::Grid`] for a size out of range.
@@ -62,7 +62,7 @@ pub fn rate(morph: &Morph, options: &RateOptions) -> Result<Rated, PathError> {
     let side = size.saturating_sub(1).div_ceil(3).max(1).saturating_mul(3).saturating_add(1);
     let locus = LocusGrid::new(Bounds::default(), side, side)?.locus(morph, epsilon);
     let mut field = field_of(&locus, epsilon)?;
-    let plan = improve(morph, &mut field, epsilon, CHECKS.max(8 * side), REPAIRS).plan;
+    let plan = improve(morph, &mut field, epsilon, LEAST_CHECKS.max(8 * side), MOST_REPAIRS).plan;
     let held = locus.state().iter().filter(|&&code| code <= 1).count();
     let share = held as f64 / locus.state().len() as f64;
     Ok(Rated { plan, share, locus })

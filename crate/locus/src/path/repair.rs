@@ -2,7 +2,7 @@
 
 use crate::path::check::{Parameters, PathCheck, judge};
 use crate::path::field::Field;
-use crate::path::plan::{PathPlan, ROOMY, clearance, plan_in};
+use crate::path::plan::{PathPlan, ROOM_SHARE, clearance, plan_in};
 
 /// What came of planning in one field.
 pub(crate) struct Tried {
@@ -56,14 +56,14 @@ pub(crate) fn improve(
     Tried { plan, final_word, marked }
 }
 
-/// A plan that holds, without the corners that it can do without: the legs instead of them are decided themselves, which
-/// tells more than the samples around them.
+/// A plan that holds, without the corners that it can do without: the legs instead of them are decided themselves,
+/// which tells more than the samples around them.
 fn straightened(morph: &impl Parameters, field: &Field, mut plan: PathPlan, epsilon: f64) -> PathPlan {
     let mut k = 1;
     while k + 1 < plan.points.len() {
         let leg = [plan.points[k - 1], plan.points[k + 1]];
-        let samples = (LEG_CHECKS * leg[0].distance(leg[1]) / field.step()).ceil().min(1e4) as usize;
-        let shortcut = clearance(field, &leg) >= ROOMY * plan.clearance
+        let samples = (CHECKS_PER_SAMPLE * leg[0].distance(leg[1]) / field.step()).ceil().min(1e4) as usize;
+        let shortcut = clearance(field, &leg) >= ROOM_SHARE * plan.clearance
             && judge(morph, &leg, epsilon, samples, |_| ()).holds;
         if shortcut {
             plan.points.remove(k);
@@ -76,8 +76,8 @@ fn straightened(morph: &impl Parameters, field: &Field, mut plan: PathPlan, epsi
 }
 
 /// Parameters decided on a leg for each sample that it passes.
-const LEG_CHECKS: f64 = 16.0;
+const CHECKS_PER_SAMPLE: f64 = 16.0;
 /// Parameters decided along a plan, at least.
-pub(crate) const CHECKS: usize = 2048;
+pub(crate) const LEAST_CHECKS: usize = 2048;
 /// How often a plan is mended before a finer locus is taken.
-pub(crate) const REPAIRS: usize = 8;
+pub(crate) const MOST_REPAIRS: usize = 8;

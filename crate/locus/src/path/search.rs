@@ -6,7 +6,7 @@ use crate::decide::Scratch;
 use crate::family::Slice;
 use crate::grid::{Bounds, GridError, Locus, LocusGrid};
 use crate::path::plan::{PathError, PathPlan, field_of};
-use crate::path::repair::{CHECKS, REPAIRS, improve};
+use crate::path::repair::{LEAST_CHECKS, MOST_REPAIRS, improve};
 use crate::path::volume::VolumeSearch;
 
 /// Which parameters a path may take.
@@ -61,7 +61,7 @@ pub struct PathSearch {
 }
 
 /// Parameters decided in one part.
-const DECISIONS: usize = 1000;
+const DECISIONS_PER_STEP: usize = 1000;
 
 impl PathSearch {
     /// Nothing is looked for yet.
@@ -88,7 +88,7 @@ impl PathSearch {
             self.plane = Some(plane);
             return Ok(None);
         };
-        let found = self.volume.step(morph, options.epsilon, DECISIONS);
+        let found = self.volume.step(morph, options.epsilon, DECISIONS_PER_STEP);
         Ok(found.map(|space| if space.gap < plane.gap { space } else { plane.clone() }))
     }
 }
@@ -106,7 +106,7 @@ fn find_in_plane(morph: &Morph, options: &PathOptions, refinements: &[usize]) ->
             Err(_) => break,
         };
         let mut field = field_of(&sampled(morph, &grid, epsilon, refinement > 1)?, epsilon)?;
-        let tried = improve(morph, &mut field, epsilon, CHECKS.max(8 * side), REPAIRS);
+        let tried = improve(morph, &mut field, epsilon, LEAST_CHECKS.max(8 * side), MOST_REPAIRS);
         let done = tried.plan.holds || tried.final_word;
         let (apart, step) = (tried.plan.apart, tried.plan.step);
         if best.as_ref().is_none_or(|best| tried.plan.gap < best.gap) {

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::path::field::{Field, Terms};
 
 /// Way points, ends included, that a person takes in at a glance: more are drawn only where they save much.
-const FEW: usize = 6;
+const POINTS_AT_A_GLANCE: usize = 6;
 /// Corners looked at.
 const MOST_CORNERS: usize = 96;
 
@@ -43,7 +43,8 @@ pub(crate) fn simplify(field: &Field, way: &[usize], terms: Terms, most: usize) 
     loop {
         let kept = cheapest_chain(count, &legs, &directions, toll);
         let found = kept.len() > 1 || count == 1;
-        let fits = kept.len() <= FEW || toll >= 6.0 * first && kept.len() <= most || toll > 1e6;
+        let fits =
+            kept.len() <= POINTS_AT_A_GLANCE || toll >= 6.0 * first && kept.len() <= most || toll > 1e6;
         if found && fits {
             let kept = kept.into_iter().map(|k| corners[k]).collect();
             return relaxed(field, kept, terms, first);

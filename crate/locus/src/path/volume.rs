@@ -8,21 +8,22 @@ use glam::DVec3;
 
 use crate::decide::{Scratch, decide};
 use crate::grid::LocusGrid;
-use crate::path::field::{Field, Lattice, UNSEEN, gap_of};
+use crate::path::field::{Field, GAP_UNSEEN, Lattice, gap_of};
 use crate::path::plan::{ENDS, PathPlan};
-use crate::path::repair::{CHECKS, improve};
+use crate::path::repair::{LEAST_CHECKS, improve};
 
 /// The steps to the unit of the lattices that are looked through, one after the other.
-const STEPS: [usize; 2] = [8, 16];
+const STEPS_PER_UNIT: [usize; 2] = [8, 16];
 /// Above so many maps only the first is.
-const MANY: usize = 16;
+const MOST_MAPS_FOR_FINE: usize = 16;
 /// How many ways are looked for in each of them.
-const WAYS: usize = 4;
+const MOST_WAYS: usize = 4;
 /// How far round a coarse way is looked at finely, in fine steps.
-const AROUND: f64 = 3.0;
+const TUBE_RADIUS: f64 = 3.0;
 
 /// Looks for a path from the first shape to the last through (u, v, w), w in [-1, 1]: that of least widest gap over a
-/// coarse lattice, looked at again in a finer tube around it, and checked between the samples of that. A part at a time.
+/// coarse lattice, looked at again in a finer tube around it, and checked between the samples of that. A part at a
+/// time.
 #[derive(Clone, Debug)]
 pub(crate) struct VolumeSearch {
     /// The lattices that are still to be looked through.
@@ -36,7 +37,7 @@ pub(crate) struct VolumeSearch {
 
 impl VolumeSearch {
     pub(crate) fn new() -> Self {
-        Self { steps: STEPS.iter(), space: None, ways: 0, apart: false, best: None }
+        Self { steps: STEPS_PER_UNIT.iter(), space: None, ways: 0, apart: false, best: None }
     }
 
     /// Decides so many parameters of a lattice, or looks closely at the way that was found in it. The plan, once it is
@@ -54,13 +55,13 @@ impl VolumeSearch {
         }
         self.ways += 1;
         let mut field = space.tube(&way);
-        let checks = CHECKS.max(64 * space.steps);
+        let checks = LEAST_CHECKS.max(64 * space.steps);
         let mut tried = improve(morph, &mut field, epsilon, checks, 4);
         tried.plan.apart = self.apart && !tried.plan.holds;
         tried.plan.step = 1.0 / space.steps as f64;
         let parameter = |cell| field.lattice.parameter(field.lattice.place(cell));
         let marked: Vec<DVec3> = tried.marked.iter().map(|&cell| parameter(cell)).collect();
-        let done = tried.plan.holds || tried.final_word || marked.is_empty() || self.ways == WAYS;
+        let done = tried.plan.holds || tried.final_word || marked.is_empty() || self.ways == MOST_WAYS;
         let worst = tried.plan.gap;
         if self.best.as_ref().is_none_or(|best| tried.plan.gap < best.gap) {
             self.best = Some(tried.plan);
@@ -75,7 +76,7 @@ impl VolumeSearch {
     /// The next lattice, unless there is a path that holds, or the last was.
     fn next_space(&mut self, morph: &Morph, epsilon: f64) -> Option<Space> {
         // The decisions for many maps take long.
-        let enough = |best: &PathPlan| best.holds || morph.len() > MANY;
+        let enough = |best: &PathPlan| best.holds || morph.len() > MOST_MAPS_FOR_FINE;
         if self.best.as_ref().is_some_and(enough) {
             return None;
         }
@@ -144,7 +145,7 @@ impl Space {
             if let Some(cell) =
                 self.lattice.cell(self.lattice.fraction(at)).filter(|c| !self.ends.contains(c))
             {
-                self.gap[cell] = self.gap(cell).max(gap.min(crate::path::field::WALL));
+                self.gap[cell] = self.gap(cell).max(gap.min(crate::path::field::GAP_WITHOUT_ATTRACTOR));
             }
         }
     }
@@ -210,9 +211,9 @@ impl Space {
     /// A lattice of half the step, decided around a way.
     fn tube(&mut self, way: &[usize]) -> Field {
         let fine = lattice(2 * self.steps);
-        let mut gap = vec![UNSEEN; fine.count()];
+        let mut gap = vec![GAP_UNSEEN; fine.count()];
         let ends = ends(&fine);
-        let reach = AROUND as i32;
+        let reach = TUBE_RADIUS as i32;
         for (k, &cell) in way.iter().enumerate() {
             let here = 2.0 * self.lattice.place(cell);
             let next = 2.0 * self.lattice.place(way[(k + 1).min(way.len() - 1)]);
@@ -221,10 +222,10 @@ impl Space {
                     (-reach..=reach).flat_map(move |y| (-reach..=reach).map(move |x| [x, y, z]))
                 }) {
                     let place = middle + DVec3::from_array(shift.map(f64::from));
-                    if place.distance(middle) > AROUND {
+                    if place.distance(middle) > TUBE_RADIUS {
                         continue;
                     }
-                    if let Some(cell) = fine.cell(place).filter(|&cell| gap[cell] >= UNSEEN) {
+                    if let Some(cell) = fine.cell(place).filter(|&cell| gap[cell] >= GAP_UNSEEN) {
                         gap[cell] = self.decide(fine.parameter(place));
                     }
                 }

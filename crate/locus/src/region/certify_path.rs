@@ -89,33 +89,33 @@ impl Ord for Segment {
 }
 
 /// Segments shorter than this part of a leg are not split: there numbers end.
-const SHORTEST: f64 = 1e-12;
+const SHORTEST_SEGMENT: f64 = 1e-12;
 /// A bound this near to what is known to be there is as good as it gets.
-const TIGHT: f64 = 1.1;
+const TIGHT_RATIO: f64 = 1.1;
 /// Where points move farther than this over a segment, no crossing is likely to last.
-const STRAY: f64 = 0.1;
-/// Where motion makes up less than this part of what bounds a gap, it is worth asking whether the gap is there; and where
-/// hardly any, splitting the segment does not help: then it is looked at once more, for long.
-const SETTLED: f64 = 0.2;
-const STUCK: f64 = 0.02;
+const LARGEST_STRAY: f64 = 0.1;
+/// Where motion makes up less than this part of what bounds a gap, it is worth asking whether the gap is there; and
+/// where hardly any, splitting the segment does not help: then it is looked at once more, for long.
+const MOTION_SHARE_TO_ASK: f64 = 0.2;
+const MOTION_SHARE_TO_LOOK_LONG: f64 = 0.02;
 /// Pairs of words tried for a crossing of two maps.
-const TRIES: usize = 150;
+const MOST_TRIES: usize = 150;
 const FEWEST_TRIES: usize = 10;
 /// Looks spent on each two maps where one looks for long.
-const DEEP: usize = 20_000;
+const LOOKS_FOR_LONG: usize = 20_000;
 /// Pairs of pieces looked at for each box of the budget, at most: so that it bounds the time.
-const PAIRS: usize = 1000;
+const PAIRS_PER_BOX: usize = 1000;
 /// Where they move less than this, it is worth looking long for points that are near.
-const CLOSE: f64 = 0.01;
+const STRAY_TO_LOOK_LONG: f64 = 0.01;
 
 /// Proves as small a bound as it can of the widest gap along a path through (u, v, w): it covers the path with
 /// segments, each of which is decided as a whole, and splits the worst until the bound is within what is
 /// asked for, no smaller one can be, or `budget` segments were looked at.
 ///
-/// A segment is connected throughout by pieces that cross ([`crossings`](crate::crossings)), or bounded by pairs of points that stay
-/// near each other. Both are proofs about all its parameters, with rounding reckoned with. Where the shapes just touch,
-/// as at the end of many a morph, no segment is proved connected, and the bound shrinks with
-/// their lengths. A path of no points holds.
+/// A segment is connected throughout by pieces that cross ([`crossings`](crate::crossings)), or bounded by pairs of
+/// points that stay near each other. Both are proofs about all its parameters, with rounding reckoned with. Where the
+/// shapes just touch, as at the end of many a morph, no segment is proved connected, and the bound shrinks with their
+/// lengths. A path of no points holds.
 #[must_use]
 pub fn certify_path(morph: &Morph, points: &[DVec3], options: &CertifyOptions) -> PathCertificate {
     let motions = Motions::of(morph);
@@ -136,7 +136,7 @@ pub fn certify_path(morph: &Morph, points: &[DVec3], options: &CertifyOptions) -
         least: 0.0,
         looks: 0,
         pairs: 0,
-        tries: TRIES,
+        tries: MOST_TRIES,
         scratch: Scratch::default(),
         descent: Descent::default(),
         maps: Vec::with_capacity(morph.len()),
@@ -202,14 +202,15 @@ impl Work<'_> {
                 return true;
             }
             let Segment { leg, from, to, gap, moving, deep } = worst;
-            if moving < SETTLED {
+            if moving < MOTION_SHARE_TO_ASK {
                 self.weigh(leg, from.midpoint(to));
-                if self.least > self.within && gap <= TIGHT * self.least {
+                if self.least > self.within && gap <= TIGHT_RATIO * self.least {
                     return true;
                 }
             }
-            let stuck = moving < STUCK && gap * (1.0 - moving) > self.within || to - from < SHORTEST;
-            let spent = self.looks + 2 > budget || self.pairs > budget.saturating_mul(PAIRS);
+            let stuck = moving < MOTION_SHARE_TO_LOOK_LONG && gap * (1.0 - moving) > self.within
+                || to - from < SHORTEST_SEGMENT;
+            let spent = self.looks + 2 > budget || self.pairs > budget.saturating_mul(PAIRS_PER_BOX);
             if spent || stuck && deep {
                 return false;
             }
@@ -249,15 +250,15 @@ impl Work<'_> {
         let stray = self.descent.lanes.stray();
         let effort = Effort {
             looks: if deep {
-                DEEP
-            } else if stray < CLOSE {
+                LOOKS_FOR_LONG
+            } else if stray < STRAY_TO_LOOK_LONG {
                 2000
             } else {
                 150
             },
             tries: if deep {
-                TRIES
-            } else if stray < STRAY {
+                MOST_TRIES
+            } else if stray < LARGEST_STRAY {
                 self.tries
             } else {
                 0
@@ -266,13 +267,13 @@ impl Work<'_> {
         };
         let joined = self.descent.cross(f64::INFINITY, effort).is_some();
         if effort.tries > 0 {
-            self.tries = if joined { TRIES } else { (self.tries / 2).max(FEWEST_TRIES) };
+            self.tries = if joined { MOST_TRIES } else { (self.tries / 2).max(FEWEST_TRIES) };
         }
         self.pairs += self.descent.nodes;
         let seen = if joined { 0.0 } else { self.descent.bottleneck() / unit };
         // NaN, of an attractor that may be a point, bounds nothing.
         let gap = if seen < gap { seen } else { gap };
-        let moving = if stray < CLOSE { 2.0 * stray / (unit * gap) } else { 1.0 };
+        let moving = if stray < STRAY_TO_LOOK_LONG { 2.0 * stray / (unit * gap) } else { 1.0 };
         Segment { gap, moving, ..segment }
     }
 }

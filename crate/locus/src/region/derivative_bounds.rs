@@ -5,20 +5,24 @@
 //! of the box and every point of its attractors:
 //!
 //! ```text
-//! x    = w_a(y)                                  |x|    <= r
-//! x'   = w_a'(y) + L_a y'                        |x'|   <= r1 = max (|L'| r + |t'|)                                / (1 - |L|)
-//! x''  = w_a''(y) + 2 L_a' y' + L_a y''          |x''|  <= r2 = max (|L''| r + |t''| + 2 |L'| r1)                  / (1 - |L|)
-//! x''' = w_a'''(y) + 3 L_a'' y' + 3 L_a' y'' + ..  |x'''| <= r3 = max (|L'''| r + |t'''| + 3 |L''| r1 + 3 |L'| r2) / (1 - |L|)
+//! x    = w_a(y)                                    |x|    <= r
+//! x'   = w_a'(y) + L_a y'                          |x'|   <= r1
+//! x''  = w_a''(y) + 2 L_a' y' + L_a y''            |x''|  <= r2
+//! x''' = w_a'''(y) + 3 L_a'' y' + 3 L_a' y'' + ..  |x'''| <= r3
+//!
+//! r1 = max (|L'| r + |t'|)                               / (1 - |L|)
+//! r2 = max (|L''| r + |t''| + 2 |L'| r1)                 / (1 - |L|)
+//! r3 = max (|L'''| r + |t'''| + 3 |L''| r1 + 3 |L'| r2)  / (1 - |L|)
 //! ```
 //!
 //! `r1` times half the width of the box bounds the Hausdorff distance from the middle. It is linear in the width, and
 //! mostly tells of motions that all pieces make alike. More is gained by looking at the systems on the edge of the box,
 //! its *lanes*: left, middle and right along x, below and above along y.
 //!
-//! Let f be smooth on an interval of half width h, with values l, m, r at its left, middle and right. If `f'' <= b`, f lies
-//! nowhere lower than `min(l, m, r) - b h^2 / 8`. And with `c = l - 2 m + r` and `|f'''| <= k`, there is `b h^2 <=
-//! c + k h^3`; or, from the parabola through the three values, f lies nowhere lower than `min(l, r) - c / 2 - 0.0642
-//! k h^3` where `c > 0`. So whatever is linear in points of the attractors (how far one is from another, or
+//! Let f be smooth on an interval of half width h, with values l, m, r at its left, middle and right. If `f'' <= b`,
+//! f lies nowhere lower than `min(l, m, r) - b h^2 / 8`. And with `c = l - 2 m + r` and `|f'''| <= k`, there is `b
+//! h^2 <= c + k h^3`; or, from the parabola through the three values, f lies nowhere lower than `min(l, r) - c / 2 -
+//! 0.0642 k h^3` where `c > 0`. So whatever is linear in points of the attractors (how far one is from another, or
 //! from a hull, along a direction) is known over the box but for a *dip*, of the third order where c is known: the
 //! same direction and the same addresses must serve in all lanes. For the points `w_u(y)` of a whole piece,
 //!
@@ -27,8 +31,8 @@
 //! |c(w_u(y)) - c(t_u)| <= |c(L_u)| r + |L_r - L_l| h r1 + (|L_r| + |L_l|) h^2 r2 / 2
 //! ```
 //!
-//! Along y the lanes are two, and the dip is `h^2 r2 / 2` for each point: 0 along v, as the points of a morph are linear
-//! in its translations.
+//! Along y the lanes are two, and the dip is `h^2 r2 / 2` for each point: 0 along v, as the points of a morph are
+//! linear in its translations.
 
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};
@@ -135,9 +139,9 @@ fn norm(linear: DMat2) -> f64 {
 }
 
 /// More than the errors of a few operations, relative to their result.
-const UP: f64 = 1.0 + 1e-12;
+const ROUND_UP: f64 = 1.0 + 1e-12;
 /// `max (t - t^3) / 6`, rounded up.
-const PARABOLA: f64 = 0.064_151;
+const CUBIC_DIP: f64 = 0.064_151;
 
 impl<const L: usize> Lanes<L> {
     /// Sets the lanes up for a family over a box; `false` if its maps are not seen to contract everywhere in the
@@ -167,8 +171,8 @@ impl<const L: usize> Lanes<L> {
                 let first = norm(to * speed.linear * from) + half * linear;
                 let moved = (to * speed.apply(frame.origin)).length() + half * shift;
                 Bound {
-                    linear: [first * UP, linear * UP, condition * jerk * UP],
-                    shift: [moved * UP, shift * UP, size_to * jerk * away * UP],
+                    linear: [first * ROUND_UP, linear * ROUND_UP, condition * jerk * ROUND_UP],
+                    shift: [moved * ROUND_UP, shift * ROUND_UP, size_to * jerk * away * ROUND_UP],
                 }
             }));
         }
@@ -193,7 +197,7 @@ impl<const L: usize> Lanes<L> {
         for (i, lanes) in self.maps.iter().enumerate() {
             let bent = self.bent(i, |bound| bound.linear[1]);
             let most = lanes.iter().map(|map| map.norm()).fold(0.0, f64::max);
-            self.norms.push((most + bent) * UP);
+            self.norms.push((most + bent) * ROUND_UP);
             // (det L)'' is 2 det L' and no more than 2 |L| |L''| besides.
             let norm = self.norms[i];
             let bent = self.bent(i, |b| 2.0 * (b.linear[0] * b.linear[0] + norm * b.linear[1]));
@@ -201,7 +205,7 @@ impl<const L: usize> Lanes<L> {
             let (low, high) = least.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), area| {
                 (low.min(area), high.max(area))
             });
-            self.areas.push(low.max(-high) - bent * UP - 1e-9);
+            self.areas.push(low.max(-high) - bent * ROUND_UP - 1e-9);
         }
         self.factor = self.norms.iter().copied().fold(0.0, f64::max);
         // Comparisons with NaN are false.
@@ -214,7 +218,8 @@ impl<const L: usize> Lanes<L> {
         let mut radius = 0.0_f64;
         for (i, lanes) in self.maps.iter().enumerate() {
             let shift = lanes.iter().map(|map| map.translation.length()).fold(0.0, f64::max);
-            radius = radius.max((shift + self.bent(i, |bound| bound.shift[1])) / (1.0 - self.norms[i]) * UP);
+            radius =
+                radius.max((shift + self.bent(i, |bound| bound.shift[1])) / (1.0 - self.norms[i]) * ROUND_UP);
         }
         let unit = radius.max(0.5);
         if !unit.is_finite() || unit > 100.0 {
@@ -224,7 +229,7 @@ impl<const L: usize> Lanes<L> {
             map.translation /= unit;
         }
         for bound in self.bounds.iter_mut().flatten() {
-            bound.shift = bound.shift.map(|shift| shift * (UP / unit));
+            bound.shift = bound.shift.map(|shift| shift * (ROUND_UP / unit));
         }
         self.from_round = frame.from_round * unit;
         self.origin = frame.origin;
@@ -234,7 +239,7 @@ impl<const L: usize> Lanes<L> {
         let slower = (1.0 - frame.factor).max(1e-6) / (1.0 - self.factor);
         let seam = seam * size_to * (size_from + away) / (1.0 - self.factor);
         // Each lane is off for itself, and c is a sum of four values.
-        self.rounding = 4.0 * (frame.rounding * slower.max(1.0) + seam) / unit * UP;
+        self.rounding = 4.0 * (frame.rounding * slower.max(1.0) + seam) / unit * ROUND_UP;
         self.measure(1.0);
         self.rounding < 1e-6
     }
@@ -271,10 +276,10 @@ impl<const L: usize> Lanes<L> {
         let h = self.half.x;
         let [along_y, bent_y, _] = rates(1);
         self.stray = h * first + self.half.y * along_y;
-        self.sizes = [radius * UP, h * first * UP, h * h * second * UP];
-        self.dip = second * self.square(0) * UP;
-        self.jerk = third * h * h * h * UP;
-        self.still = bent_y * self.square(1) * UP;
+        self.sizes = [radius * ROUND_UP, h * first * ROUND_UP, h * h * second * ROUND_UP];
+        self.dip = second * self.square(0) * ROUND_UP;
+        self.jerk = third * h * h * h * ROUND_UP;
+        self.still = bent_y * self.square(1) * ROUND_UP;
     }
 
     /// Makes the bounds narrower when the attractors are known better than to lie in the unit disc.
@@ -290,7 +295,7 @@ impl<const L: usize> Lanes<L> {
     #[inline]
     pub fn margin(&self, bow: f64) -> f64 {
         let (bow, jerk) = (bow.max(0.0), 2.0 * self.jerk);
-        let fine = ((bow + jerk) * 0.125).min(0.5 * bow + PARABOLA * jerk);
+        let fine = ((bow + jerk) * 0.125).min(0.5 * bow + CUBIC_DIP * jerk);
         fine.min(2.0 * self.dip) + 2.0 * self.still + self.rounding
     }
 
@@ -321,7 +326,7 @@ impl<const L: usize> Lanes<L> {
             let size = |m: DMat2| (m.x_axis.length_squared() + m.y_axis.length_squared()).sqrt();
             size(l - m * 2.0 + r) * radius + size(r - l) * first + (size(l) + size(r)) * (0.5 * second)
         };
-        (0..L / 3).map(sag).fold(0.0, f64::max) * UP
+        (0..L / 3).map(sag).fold(0.0, f64::max) * ROUND_UP
     }
 }
 
@@ -338,8 +343,8 @@ pub(crate) fn bows<const L: usize>(points: &Points<L>) -> [DVec2; 2] {
     [row(0), row(1)]
 }
 
-/// Whether some map of a family has no attractor anywhere in a box: its spectral radius stays above 1, as the root of its
-/// determinant or half its trace does.
+/// Whether some map of a family has no attractor anywhere in a box: its spectral radius stays above 1, as the root of
+/// its determinant or half its trace does.
 pub(crate) fn never_contracts<F: Family + ?Sized>(family: &F, extent: Extent) -> bool {
     let mut lanes: [Vec<Affine2>; 6] = std::array::from_fn(|_| Vec::with_capacity(family.len()));
     for (l, maps) in lanes.iter_mut().enumerate() {

@@ -1,8 +1,9 @@
 //! Descent on pairs of words over a whole box of parameters: whether all of its attractors are disconnected.
 //!
-//! It is the descent of [`PairDescent`](crate::gap::pair_descent::PairDescent) in all corners of the box at once. A pair of pieces is apart
-//! over the box if one direction shows it in all corners by more than the points of the two may dip in between: see
-//! [`derivative_bounds`](crate::region::derivative_bounds). What is left open counts as meeting.
+//! It is the descent of [`PairDescent`](crate::gap::pair_descent::PairDescent) in all corners of the box at once. A
+//! pair of pieces is apart over the box if one direction shows it in all corners by more than the points of the two
+//! may dip in between: see [`derivative_bounds`](crate::region::derivative_bounds). What is left open counts as
+//! meeting.
 
 use std::ops::Range;
 
@@ -20,7 +21,8 @@ pub(crate) struct Part<const L: usize> {
     pub maps: Maps<L>,
     /// An upper bound of its map's operator norm over the box.
     pub norm: f64,
-    /// c of its map's translation, and how far that of a point may be off: see [`derivative_bounds`](crate::region::derivative_bounds).
+    /// c of its map's translation, and how far that of a point may be off: see
+    /// [`derivative_bounds`](crate::region::derivative_bounds).
     pub bows: [DVec2; 2],
     pub sag: f64,
     /// Half the squared Frobenius norm in the first lane.
@@ -73,7 +75,7 @@ pub(crate) struct Descent<const L: usize> {
 }
 
 /// Directions tried on a pair.
-const ROUNDS: usize = 2;
+const DIRECTIONS_PER_PAIR: usize = 2;
 
 impl<const L: usize> Descent<L> {
     /// Starts on a box; `false` if nothing can be said of it as a whole.
@@ -222,7 +224,8 @@ impl<const L: usize> Descent<L> {
         self.lanes.margin(along / length + a.sag + b.sag)
     }
 
-    /// Looks at two pieces: as [`Metric::look`](crate::gap::piece_distance::Metric::look), in all lanes along the same directions.
+    /// Looks at two pieces: as [`Metric::look`](crate::gap::piece_distance::Metric::look), in all lanes along the
+    /// same directions.
     #[inline]
     pub fn look(&mut self, u: u32, v: u32) -> Sight {
         self.nodes += 1;
@@ -234,7 +237,7 @@ impl<const L: usize> Descent<L> {
         }
         let mut best =
             Sight { apart: 0.0, overlap: f64::INFINITY, reach: f64::INFINITY, near: f64::INFINITY };
-        for round in 0..ROUNDS {
+        for round in 0..DIRECTIONS_PER_PAIR {
             let normal = step;
             let (mut apart, mut middles, mut reaches) = (f64::INFINITY, 0.0, 0.0);
             let (mut far_a, mut far_b) = (0, 0);
@@ -268,7 +271,7 @@ impl<const L: usize> Descent<L> {
                 }
             }
             best.overlap = best.overlap.min(middles / reaches);
-            if round + 1 < ROUNDS {
+            if round + 1 < DIRECTIONS_PER_PAIR {
                 let turn = step - between;
                 let length = turn.length_squared();
                 if length == 0.0 {

@@ -6,9 +6,9 @@
 //! - *connected*: the same pieces cross throughout ([`Descent::cross`]), or two maps fill more than all of the plane;
 //! - *without attractor*: one map stretches throughout.
 //!
-//! Else it is split. What the samples at the corners of boxes say, [`decide`] says; so the cost follows the length of the
-//! boundaries and how fast the shapes change from one sample to the next: at a great magnification nearly all is decided
-//! in large boxes.
+//! Else it is split. What the samples at the corners of boxes say, [`decide`] says; so the cost follows the length of
+//! the boundaries and how fast the shapes change from one sample to the next: at a great magnification nearly all is
+//! decided in large boxes.
 
 use std::ops::Range;
 
@@ -24,13 +24,13 @@ use crate::region::trap::Effort;
 use crate::verdict::{Sample, State};
 
 impl LocusGrid {
-    /// Decides a rectangle of samples, adaptively: the tile holds one row for each of the rows `y`, from the bottom, with
-    /// one sample for each of the columns `x`.
+    /// Decides a rectangle of samples, adaptively: the tile holds one row for each of the rows `y`, from the bottom,
+    /// with one sample for each of the columns `x`.
     ///
-    /// States are those of [`decide`], or proofs for a whole box of samples: such a sample is `Disconnected` only where
-    /// its gap is wider than epsilon, and may be `Connected` where `decide` alone says `Touching`. Gaps inside a disconnected box are interpolated between its corners: in its
-    /// middle that is right to 1 in 20 or to 1 in 200 of the diameter, elsewhere mostly to 1 in 10, and never less
-    /// than what is proved.
+    /// States are those of [`decide`], or proofs for a whole box of samples: such a sample is `Disconnected` only
+    /// where its gap is wider than epsilon, and may be `Connected` where `decide` alone says `Touching`. Gaps inside
+    /// a disconnected box are interpolated between its corners: in its middle that is right to 1 in 20 or to 1 in 200
+    /// of the diameter, elsewhere mostly to 1 in 10, and never less than what is proved.
     #[must_use]
     pub fn patch<F: Family + ?Sized>(
         &self,
@@ -92,19 +92,19 @@ struct BoxFill<'a, F: ?Sized> {
 }
 
 /// Boxes of fewer open samples are not worth an attempt.
-const LEAST: usize = 4;
+const LEAST_OPEN: usize = 4;
 /// The same for crossings, which take longer to find.
-const LEAST_CROSSED: usize = 40;
+const LEAST_OPEN_TO_CROSS: usize = 40;
 /// Looks spent at most on telling the pieces of a box apart.
-const LOOKS: usize = 150;
+const LOOKS_TO_SEPARATE: usize = 150;
 /// How hard to look for crossings in a box.
-const EFFORT: Effort = Effort { looks: 80, tries: 150, near: 2e-3 };
+const EFFORT_TO_CROSS: Effort = Effort { looks: 80, tries: 150, near: 2e-3 };
 /// Looks that a sample decided on its own is worth: where crossings are hard to find, at most about as long is spent on
 /// them in vain as on the samples.
-const WORTH: f64 = 3.0;
+const LOOKS_PER_SAMPLE: f64 = 3.0;
 const MOST_DEBT: f64 = 4000.0;
 /// Where points move farther than this over a box, in parts of the attractor's size, no crossing is likely to last.
-const STRAY: f64 = 0.03;
+const LARGEST_STRAY: f64 = 0.03;
 
 impl<F: Family + ?Sized> BoxFill<'_, F> {
     fn index(&self, x: usize, y: usize) -> usize {
@@ -120,7 +120,7 @@ impl<F: Family + ?Sized> BoxFill<'_, F> {
         self.family.fill(self.grid.u(x), self.grid.v(y), &mut self.maps);
         let budget = LocusGrid::budget(self.maps.len());
         let sample = decide(&self.maps, self.epsilon, budget, self.scratch);
-        self.debt = (self.debt - WORTH).max(0.0);
+        self.debt = (self.debt - LOOKS_PER_SAMPLE).max(0.0);
         self.tile.state[i] = sample.state as u8;
         self.tile.gap[i] = sample.gap;
         sample
@@ -155,7 +155,7 @@ impl<F: Family + ?Sized> BoxFill<'_, F> {
             all(|state| state == State::NoAttractor),
         );
         let open = self.open(area);
-        if open < LEAST || !(apart || whole || none) {
+        if open < LEAST_OPEN || !(apart || whole || none) {
             return false;
         }
         let at = |x, y| DVec2::new(self.grid.u(x), self.grid.v(y));
@@ -202,7 +202,7 @@ impl<F: Family + ?Sized> BoxFill<'_, F> {
             return false;
         }
         self.descent.outline();
-        let Some(least) = self.descent.separate(0.7 * narrowest, LOOKS) else { return false };
+        let Some(least) = self.descent.separate(0.7 * narrowest, LOOKS_TO_SEPARATE) else { return false };
         // Lengths of the plane are between so many times those of the lanes.
         let (long, short) = Affine2::new(self.descent.lanes.from_round, DVec2::ZERO).singular_values();
         let proved = least * short / (self.descent.diameter().1 * long) * (1.0 - 1e-12);
@@ -217,11 +217,14 @@ impl<F: Family + ?Sized> BoxFill<'_, F> {
     fn join(&mut self, area: Area, open: usize) -> bool {
         let filled = self.descent.lanes.areas_fill();
         if !filled {
-            if open < LEAST_CROSSED || self.descent.lanes.stray() > STRAY || self.debt > MOST_DEBT {
+            if open < LEAST_OPEN_TO_CROSS
+                || self.descent.lanes.stray() > LARGEST_STRAY
+                || self.debt > MOST_DEBT
+            {
                 return false;
             }
             self.descent.outline();
-            if self.descent.cross(f64::INFINITY, EFFORT).is_none() {
+            if self.descent.cross(f64::INFINITY, EFFORT_TO_CROSS).is_none() {
                 self.debt += self.descent.nodes as f64;
                 return false;
             }

@@ -8,10 +8,10 @@
 //! than the hulls of pieces.
 //!
 //! **Theorem.** Let all maps `w_i` of a system contract in one norm, `|w_i| <= s < 1`, and let g be the widest gap of
-//! its attractor A: the widest edge of the minimum spanning tree of the distances between the pieces `A_i`. For a word u
-//! write `A_u` for its piece, `|w_u|` for the norm of its map, and `r_u = |w_u| G / 2` for some `G >= g`.
-//! Suppose that for a word u that begins with i and a word v that begins with j there are points p1, p2 of `A_u` and q1, q2
-//! of `A_v`, and from each a ray to infinity, such that
+//! its attractor A: the widest edge of the minimum spanning tree of the distances between the pieces `A_i`. For a
+//! word u write `A_u` for its piece, `|w_u|` for the norm of its map, and `r_u = |w_u| G / 2` for some `G >= g`.
+//! Suppose that for a word u that begins with i and a word v that begins with j there are points p1, p2 of `A_u` and
+//! q1, q2 of `A_v`, and from each a ray to infinity, such that
 //!
 //! 1. the rays of p1 and p2 are farther than `r_v` from `A_v`, those of q1 and q2 farther than `r_u` from `A_u`,
 //! 2. no ray of a p meets one of a q,
@@ -20,21 +20,21 @@
 //! If the graph of all pairs (i, j) for which this can be found is connected, then A is connected.
 //!
 //! **Proof.** Suppose that g > 0. *A is connected in steps of g*: with n so large that all pieces of n letters are
-//! smaller than g, any two points of one such piece are a step apart; and for any word of less than n
-//! letters the parts of its piece hang together by distances of at most g, since they are those of A, made smaller. *So
-//! `A_u` is connected in steps of `|w_u| g`*, and the union P of closed discs of radius `|w_u| g / 2 <= r_u` about
-//! its points is connected by paths; so is the union Q of discs about `A_v`. A large disc D holds P, Q and the
-//! beginnings of the rays. A path from the boundary of D along the ray to p1, in P to p2, and out along its
-//! ray, and another one likewise through q1, Q and q2, join alternating points of the boundary of D inside
-//! it, so that they meet. By 2 they do not meet on two rays, by 1 not on a ray and in the other's union; so P and Q meet,
-//! and `d(A_i, A_j) <= d(A_u, A_v) <= (|w_u| + |w_v|) g / 2 <= s g < g`. As this holds for the edges of a
-//! connected graph, the widest gap is below g, a contradiction. So g = 0, and A is connected (Hata 1985).
+//! smaller than g, any two points of one such piece are a step apart; and for any word of less than n letters the
+//! parts of its piece hang together by distances of at most g, since they are those of A, made smaller. *So `A_u` is
+//! connected in steps of `|w_u| g`*, and the union P of closed discs of radius `|w_u| g / 2 <= r_u` about its points
+//! is connected by paths; so is the union Q of discs about `A_v`. A large disc D holds P, Q and the beginnings of the
+//! rays. A path from the boundary of D along the ray to p1, in P to p2, and out along its ray, and another one
+//! likewise through q1, Q and q2, join alternating points of the boundary of D inside it, so that they meet. By 2
+//! they do not meet on two rays, by 1 not on a ray and in the other's union; so P and Q meet, and `d(A_i, A_j) <=
+//! d(A_u, A_v) <= (|w_u| + |w_v|) g / 2 <= s g < g`. As this holds for the edges of a connected graph, the widest gap
+//! is below g, a contradiction. So g = 0, and A is connected (Hata 1985).
 //!
-//! All conditions are strict inequalities between points and hulls, so that they hold for all systems nearby: for
-//! a whole box of parameters, if in the corners they hold by more than what [`derivative_bounds`](crate::region::derivative_bounds) leaves
-//! open in between. Here the rays are those along which a point lies beyond the hull of the other piece: in the cyclic order
-//! of directions, first the one piece juts out beyond the other, then the other beyond the one, and again, as with
-//! two bars laid across each other.
+//! All conditions are strict inequalities between points and hulls, so that they hold for all systems nearby: for a
+//! whole box of parameters, if in the corners they hold by more than what
+//! [`derivative_bounds`](crate::region::derivative_bounds) leaves open in between. Here the rays are those along
+//! which a point lies beyond the hull of the other piece: in the cyclic order of directions, first the one piece juts
+//! out beyond the other, then the other beyond the one, and again, as with two bars laid across each other.
 
 use frond_core::Affine2;
 use glam::DVec2;
@@ -100,8 +100,8 @@ pub fn crossings(maps: &[Affine2], gap: f64, slack: f64) -> Option<Vec<Crossing>
     crossings_beside(&[], maps, gap, slack)
 }
 
-/// The same, where pairs of maps are known to meet for another reason: no crossings are needed for these. The proof stays:
-/// their distance is 0, below any gap.
+/// The same, where pairs of maps are known to meet for another reason: no crossings are needed for these. The proof
+/// stays: their distance is 0, below any gap.
 pub(crate) fn crossings_beside(
     met: &[(usize, usize)],
     maps: &[Affine2],
@@ -172,8 +172,8 @@ impl<const L: usize> Descent<L> {
         }
         self.open.sort_unstable_by(|a, b| a.overlap.total_cmp(&b.overlap));
         let pairs = std::mem::take(&mut self.open);
-        self.close_in(&pairs, Effort { looks: effort.looks.min(BRIEF), ..effort });
-        if effort.looks > BRIEF {
+        self.close_in(&pairs, Effort { looks: effort.looks.min(LOOKS_AT_FIRST), ..effort });
+        if effort.looks > LOOKS_AT_FIRST {
             self.close_in(&pairs, effort);
         }
         let gap = self.bottleneck().min(known);
@@ -431,7 +431,7 @@ impl<const L: usize> Descent<L> {
 }
 
 /// Looks spent on a pair at first: mostly near points are found soon, or not at all.
-const BRIEF: usize = 150;
+const LOOKS_AT_FIRST: usize = 150;
 /// Two convex pieces take more turns than this only where the points of one hardly reach beyond the other.
 const MOST_TURNS: usize = 12;
 

@@ -189,7 +189,8 @@ fn settle(descent: &mut Descent, edges: &mut [Edge; PAIRS], groups: &mut Groups)
     }
 }
 
-/// The widest gap, in the frame: the middle of a lower and an upper bound of the widest edge of the minimum spanning tree.
+/// The widest gap, in the frame: the middle of a lower and an upper bound of the widest edge of the minimum spanning
+/// tree.
 fn measure(descent: &mut Descent, edges: &mut [Edge; PAIRS], groups: Groups) -> f32 {
     let maps = descent.maps;
     let limit = descent.looks + SHADING;

@@ -56,7 +56,7 @@ pub(crate) struct Nearest {
     pub to: DVec3,
 }
 
-const FAR: Nearest = Nearest { reach: f64::INFINITY, from: DVec3::ZERO, to: DVec3::ZERO };
+const UNKNOWN: Nearest = Nearest { reach: f64::INFINITY, from: DVec3::ZERO, to: DVec3::ZERO };
 
 /// What is known of all pairs of attractorlets.
 #[derive(Clone, Debug, Default)]
@@ -84,7 +84,7 @@ pub(crate) struct Bracket {
 }
 
 /// Directions tried on a pair.
-const ROUNDS: usize = 4;
+const DIRECTIONS_PER_PAIR: usize = 4;
 
 impl Closest {
     /// Starts with the attractorlets of a frame.
@@ -99,7 +99,7 @@ impl Closest {
         self.open.iter_mut().for_each(BinaryHeap::clear);
         self.open.resize_with(pairs, BinaryHeap::new);
         self.nearest.clear();
-        self.nearest.resize(pairs, FAR);
+        self.nearest.resize(pairs, UNKNOWN);
         self.floor.clear();
         self.floor.resize(pairs, f64::INFINITY);
         for i in 0..self.count {
@@ -115,8 +115,8 @@ impl Closest {
         }
     }
 
-    /// Bounds of the widest edge of the minimum spanning tree, refined until the upper one is at most `resolution`, or the lower
-    /// one is positive and within `within` of the upper, or so many pairs of pieces were looked at.
+    /// Bounds of the widest edge of the minimum spanning tree, refined until the upper one is at most `resolution`,
+    /// or the lower one is positive and within `within` of the upper, or so many pairs of pieces were looked at.
     ///
     /// Any cut of the pieces into two sets bounds the edge from below by the least distance across it; the cut at the
     /// widest edge of the tree of upper bounds is the one that tells most.
@@ -241,7 +241,7 @@ impl Closest {
         }
         let (mut lower, mut depth) = (f64::NEG_INFINITY, 0.0_f64);
         let nearest = &mut self.nearest[pair];
-        for round in 0..ROUNDS {
+        for round in 0..DIRECTIONS_PER_PAIR {
             // The direction is about that of `step` in space, and a form on the frame.
             let normal = frame.metric * step;
             // That of the normal as it is, not as it would be without rounding; no shorter than it may be.
@@ -265,7 +265,7 @@ impl Closest {
             if lower > nearest.reach {
                 return;
             }
-            if round + 1 < ROUNDS {
+            if round + 1 < DIRECTIONS_PER_PAIR {
                 // Towards the least point of the difference of the two (Frank & Wolfe 1956).
                 let turn = step - (to - from);
                 let size = turn.dot(frame.metric * turn);

@@ -19,15 +19,15 @@ pub struct Connectedness3 {
     /// attractor is connected. Where it is disconnected, the bounds are within 1 in 100 of each other unless the budget
     /// was spent.
     pub gap: Gap,
-    /// Pairs of maps whose attractorlets meet, or come within epsilon of each other, the smaller index first, in ascending
-    /// order.
+    /// Pairs of maps whose attractorlets meet, or come within epsilon of each other, the smaller index first, in
+    /// ascending order.
     pub overlaps: Vec<(usize, usize)>,
     /// For each map the number, from 0, of the component of the overlap graph that its attractorlet is in.
     pub components: Vec<usize>,
     /// How many components the overlap graph has.
     pub count: usize,
-    /// Two points of the attractor in different pieces whose distance is about `gap.upper`. `None` where it is proved to be
-    /// in one piece, or is a single point.
+    /// Two points of the attractor in different pieces whose distance is about `gap.upper`. `None` where it is proved
+    /// to be in one piece, or is a single point.
     pub closest: Option<(DVec3, DVec3)>,
     /// An upper bound of the diameter of the attractor: epsilon is relative to it.
     pub diameter: f64,
@@ -55,14 +55,14 @@ impl Connectedness3 {
 }
 
 /// Cells along an edge of the cube of directions.
-const CELLS: usize = 8;
+const FAN_CELLS: usize = 8;
 /// How near the bounds of a gap come.
-const WITHIN: f64 = 0.01;
+const BRACKET_WIDTH: f64 = 0.01;
 
 /// Decides whether the attractor of `ifs` is connected, which of its pieces meet, and how wide the widest gap is.
 ///
-/// `Connected` and `Disconnected` are proofs, rounding and that of the coefficients reckoned with; `Touching` is what can be
-/// said at the resolution.
+/// `Connected` and `Disconnected` are proofs, rounding and that of the coefficients reckoned with; `Touching` is what
+/// can be said at the resolution.
 ///
 /// ```
 /// use frond_core::{Affine3, Ifs3};
@@ -96,12 +96,12 @@ fn decided(maps: &[Affine3], contraction: &Contraction3, options: &Options) -> C
         return in_one_point(count, reason::find(maps, 0.0));
     }
     let mut fan = Fan3::default();
-    fan.set(&frame.maps, frame.factor, CELLS, 1e-4);
+    fan.set(&frame.maps, frame.factor, FAN_CELLS, 1e-4);
     let diameter = fan.diameter(frame.linear);
     let resolution = frame.resolution(options.epsilon.max(0.0), diameter);
     let mut closest = Closest::default();
     closest.begin(&frame, &fan);
-    let found = closest.bracket(&frame, &fan, resolution, WITHIN, options.budget);
+    let found = closest.bracket(&frame, &fan, resolution, BRACKET_WIDTH, options.budget);
     let apart = found.lower > 0.0;
     let reason = if apart { None } else { reason::find(maps, diameter) };
     let proved = reason.as_ref().is_some_and(Reason3::is_proof);

@@ -16,18 +16,18 @@ pub struct Scratch3 {
 }
 
 /// Cells along an edge of the cube of directions: few, since a finer fan takes longer than it saves.
-const CELLS: usize = 3;
+const FAN_CELLS: usize = 3;
 /// How far apart the bounds of a gap may be.
-const WITHIN: f64 = 0.05;
+const BRACKET_WIDTH: f64 = 0.05;
 /// Volumes are computed: what adds up to more than 1 by this does so exactly.
-const FULL: f64 = 1.0 + 1e-12;
+const VOLUME_THAT_FILLS: f64 = 1.0 + 1e-12;
 
 /// Decides whether the attractor of raw maps of space is connected, and how wide its widest gap is: what
 /// [`decide`](crate::decide) does in the plane.
 ///
 /// `epsilon` is relative to the diameter of the attractor; `budget` limits the pairs of pieces looked at (20,000 is
-/// plenty for a few maps). `Disconnected` is proved, rounding reckoned with; `Connected` only where the volumes of two maps
-/// leave no room between their pieces. The answer depends on the arguments alone.
+/// plenty for a few maps). `Disconnected` is proved, rounding reckoned with; `Connected` only where the volumes of
+/// two maps leave no room between their pieces. The answer depends on the arguments alone.
 pub fn decide3(maps: &[Affine3], epsilon: f64, budget: usize, scratch: &mut Scratch3) -> Sample {
     if let Some(magnification) = Magnification::of3(maps) {
         return decide3(&magnification.magnify3(maps), epsilon, budget, scratch);
@@ -46,14 +46,14 @@ pub fn decide3(maps: &[Affine3], epsilon: f64, budget: usize, scratch: &mut Scra
     if frame.point || maps.len() == 1 {
         return whole(if maps.len() == 1 { State::Connected } else { State::Touching });
     }
-    if maps.len() == 2 && maps.iter().map(|map| map.determinant().abs()).sum::<f64>() >= FULL {
+    if maps.len() == 2 && maps.iter().map(|map| map.determinant().abs()).sum::<f64>() >= VOLUME_THAT_FILLS {
         return whole(State::Connected);
     }
-    fan.set(&frame.maps, frame.factor, CELLS, 0.02);
+    fan.set(&frame.maps, frame.factor, FAN_CELLS, 0.02);
     let diameter = fan.diameter(frame.linear);
     let resolution = frame.resolution(epsilon.max(0.0), diameter);
     closest.begin(frame, fan);
-    let found = closest.bracket(frame, fan, resolution, WITHIN, budget);
+    let found = closest.bracket(frame, fan, resolution, BRACKET_WIDTH, budget);
     if found.upper <= resolution {
         whole(State::Touching)
     } else if found.lower > 0.0 {

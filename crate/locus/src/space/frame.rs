@@ -47,14 +47,14 @@ impl Default for Frame3 {
 }
 
 /// Below this operator norm the coordinates of space are good enough.
-const PLAIN: f64 = 0.9;
+const PLAIN_FACTOR: f64 = 0.9;
 /// A few times the error of one rounding; see [`Frame3::rounding`].
-const ULPS: f64 = 48.0 * f64::EPSILON;
+const ROUNDING_UNIT: f64 = 48.0 * f64::EPSILON;
 
 impl Frame3 {
     /// Sets the frame up for raw maps; the cheap test first, [`Contraction3::find`] where it fails.
     pub fn set(&mut self, maps: &[Affine3]) -> Result<(), IfsError> {
-        let fits = |map: &Affine3| map.norm() < PLAIN && map.translation.abs().max_element() < 1e100;
+        let fits = |map: &Affine3| map.norm() < PLAIN_FACTOR && map.translation.abs().max_element() < 1e100;
         // Comparisons with NaN are false, so that bad numbers go the long way and get their message.
         if !maps.is_empty() && maps.len() <= frond_core::MAX_MAPS && maps.iter().all(fits) {
             let factor = maps.iter().map(|map| map.norm()).fold(0.0, f64::max) * (1.0 + 1e-13);
@@ -63,7 +63,7 @@ impl Frame3 {
             let radius = shift / (1.0 - factor) * (1.0 + 1e-12);
             self.place(maps, DMat3::IDENTITY, DMat3::IDENTITY, origin, radius);
             self.factor = factor;
-            self.rounding = ULPS * (1.0 + origin.length() / radius) / (1.0 - factor);
+            self.rounding = ROUNDING_UNIT * (1.0 + origin.length() / radius) / (1.0 - factor);
         } else {
             self.set_round(maps, &Contraction3::find(maps)?);
         }
@@ -80,7 +80,7 @@ impl Frame3 {
         let growth = self.maps.iter().fold(1.0_f64, |most, map| most.max(map.norm()));
         let spread = length as f64 * growth.powi(length as i32 - 1) / (1.0 - factor);
         let size = 1.0 + (to * centre).length() / radius;
-        self.rounding = ULPS * condition * size * growth * spread;
+        self.rounding = ROUNDING_UNIT * condition * size * growth * spread;
     }
 
     fn place(&mut self, maps: &[Affine3], to: DMat3, from: DMat3, origin: DVec3, radius: f64) {
@@ -92,7 +92,8 @@ impl Frame3 {
         self.linear = from * unit;
         self.normal = to.transpose() * (1.0 / unit);
         let sides = [self.normal.x_axis, self.normal.y_axis, self.normal.z_axis];
-        self.blur = ULPS * sides.map(|side| side.abs().max_element()).into_iter().fold(0.0, f64::max);
+        self.blur =
+            ROUNDING_UNIT * sides.map(|side| side.abs().max_element()).into_iter().fold(0.0, f64::max);
         self.blur *= norm(to) * norm(from);
         self.stretch = if from == DMat3::IDENTITY { unit } else { norm(self.linear) };
         // Of size 1, or of small shapes the squares of what is seen would vanish.
@@ -105,8 +106,8 @@ impl Frame3 {
         }));
     }
 
-    /// Points of space within this distance are not told apart: `epsilon` of the diameter, or as near as rounding lets one
-    /// see, unless rounding has become coarse itself.
+    /// Points of space within this distance are not told apart: `epsilon` of the diameter, or as near as rounding
+    /// lets one see, unless rounding has become coarse itself.
     pub fn resolution(&self, epsilon: f64, diameter: f64) -> f64 {
         (epsilon * diameter).max((4.0 * self.rounding * self.stretch).min(1e-9 * diameter))
     }

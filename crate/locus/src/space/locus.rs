@@ -6,7 +6,7 @@ use glam::DVec3;
 use crate::grid::{Bounds, GridError, Locus, LocusGrid};
 use crate::path::check::{Parameters, PathCheck, judge};
 use crate::path::plan::{PathError, PathPlan, field_of};
-use crate::path::repair::{CHECKS, REPAIRS, improve};
+use crate::path::repair::{LEAST_CHECKS, MOST_REPAIRS, improve};
 use crate::path::search::PathOptions;
 use crate::space::decide::{Scratch3, decide3};
 use crate::verdict::Sample;
@@ -20,8 +20,8 @@ impl Parameters for Morph3 {
     }
 }
 
-/// Samples the connectedness locus of a morph in space over a rectangle of (u, v), as [`LocusGrid::locus`] does in the plane.
-/// `epsilon` is relative to the diameter of the attractor.
+/// Samples the connectedness locus of a morph in space over a rectangle of (u, v), as [`LocusGrid::locus`] does in
+/// the plane. `epsilon` is relative to the diameter of the attractor.
 ///
 /// # Errors
 /// None but those of [`Locus::from_parts`], which do not occur.
@@ -42,9 +42,9 @@ pub fn locus3(grid: &LocusGrid, morph: &Morph3, epsilon: f64) -> Result<Locus, G
     Locus::from_parts(*grid, state, gap)
 }
 
-/// Plans a path from the first shape of a morph in space to the last, in the plane of (u, v), and checks it between the
-/// samples of the locus: what [`find_path`](crate::find_path) does in the plane, with the same planner. The third axis of the options is
-/// not looked along.
+/// Plans a path from the first shape of a morph in space to the last, in the plane of (u, v), and checks it between
+/// the samples of the locus: what [`find_path`](crate::find_path) does in the plane, with the same planner. The third
+/// axis of the options is not looked along.
 ///
 /// # Errors
 /// [`PathError::Grid`] for a size out of range.
@@ -61,7 +61,7 @@ pub fn find_path3(morph: &Morph3, options: &PathOptions) -> Result<PathPlan, Pat
             Err(_) => break,
         };
         let mut field = field_of(&locus3(&grid, morph, epsilon)?, epsilon)?;
-        let tried = improve(morph, &mut field, epsilon, (CHECKS / 4).max(8 * side), REPAIRS);
+        let tried = improve(morph, &mut field, epsilon, (LEAST_CHECKS / 4).max(8 * side), MOST_REPAIRS);
         let done = tried.plan.holds || tried.final_word;
         if best.as_ref().is_none_or(|best| tried.plan.gap < best.gap) {
             best = Some(tried.plan);
@@ -73,8 +73,8 @@ pub fn find_path3(morph: &Morph3, options: &PathOptions) -> Result<PathPlan, Pat
     best.ok_or(PathError::Outside)
 }
 
-/// Decides `samples` parameters (u, v, w) spread evenly along a path of a morph in space, both ends included, and reports
-/// where it breaks.
+/// Decides `samples` parameters (u, v, w) spread evenly along a path of a morph in space, both ends included, and
+/// reports where it breaks.
 #[must_use]
 pub fn check_path3(morph: &Morph3, points: &[DVec3], epsilon: f64, samples: usize) -> PathCheck {
     judge(morph, points, epsilon, samples, |_| ())

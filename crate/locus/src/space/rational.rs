@@ -32,10 +32,10 @@ pub(crate) struct Exact {
     pub assuming: Vec<String>,
 }
 
-/// Numbers below 2^-`DIGITS` would make fractions of more digits than are worth while.
-const DIGITS: i32 = 300;
+/// Numbers below 2^-`MOST_BITS` would make fractions of more digits than are worth while.
+const MOST_BITS: i32 = 300;
 /// The largest denominator that a number is read with.
-const DENOMINATOR: i64 = 360;
+const LARGEST_DENOMINATOR: i64 = 360;
 
 impl Exact {
     /// The maps as they are given: every double is a whole number over a power of two. `None` where one is too small.
@@ -176,8 +176,8 @@ fn dyadic(x: f64) -> Option<(BigInt, BigInt)> {
     let power = exponent.max(1) - 1075 + zeros;
     let whole = BigInt::from(mantissa >> zeros) * if x < 0.0 { -1 } else { 1 };
     match power {
-        0..=DIGITS => Some((whole << power.unsigned_abs(), BigInt::from(1))),
-        _ if (-DIGITS..0).contains(&power) => Some((whole, BigInt::from(1) << power.unsigned_abs())),
+        0..=MOST_BITS => Some((whole << power.unsigned_abs(), BigInt::from(1))),
+        _ if (-MOST_BITS..0).contains(&power) => Some((whole, BigInt::from(1) << power.unsigned_abs())),
         _ => None,
     }
 }
@@ -187,7 +187,7 @@ fn fraction(x: f64) -> Option<(i64, i64)> {
     if x.is_nan() || x.abs() > 1e6 {
         return None;
     }
-    (1..=DENOMINATOR).find_map(|q| {
+    (1..=LARGEST_DENOMINATOR).find_map(|q| {
         let p = (x * q as f64).round();
         let near = (x - p / q as f64).abs() <= 4.0 * f64::EPSILON * x.abs().max(1.0 / 16.0);
         near.then_some((p as i64, q))

@@ -42,7 +42,8 @@ impl Reason3Kind {
 pub struct Shared3 {
     /// Two maps, from 0, the smaller index first.
     pub pair: (usize, usize),
-    /// The addresses of the point in the first piece and in the second: letters from 1, "1(2)" for 1222.. as in the plane.
+    /// The addresses of the point in the first piece and in the second: letters from 1, "1(2)" for 1222.. as in the
+    /// plane.
     pub words: [String; 2],
     /// The point, to rounding.
     pub at: DVec3,
@@ -50,8 +51,8 @@ pub struct Shared3 {
 
 /// Why an attractor of space is in one piece: enough pairs of pieces meet to reach every piece (Hata 1985).
 ///
-/// With nothing assumed it is a proof about the maps as they are given, computed in whole numbers of any length. Otherwise
-/// it is one about numbers that they come near.
+/// With nothing assumed it is a proof about the maps as they are given, computed in whole numbers of any length.
+/// Otherwise it is one about numbers that they come near.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reason3 {
     /// Which kind of reason.
@@ -108,7 +109,8 @@ impl Reason3 {
     }
 }
 
-/// Looks for a reason; `size` is that of the attractor. A proof, or else what would be one if numbers meant what they come near.
+/// Looks for a reason; `size` is that of the attractor. A proof, or else what would be one if numbers meant what they
+/// come near.
 pub(crate) fn find(maps: &[Affine3], size: f64) -> Option<Reason3> {
     match maps {
         [] => return None,

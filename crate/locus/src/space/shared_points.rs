@@ -6,10 +6,10 @@ use glam::DVec3;
 use crate::exact::address::Address;
 
 /// Addresses that are tried at most.
-const MOST: usize = 60_000;
+const MOST_ADDRESSES: usize = 60_000;
 
-/// Pairs of addresses of two pieces each whose points are one to rounding, over systems of a few letters: short heads and words of
-/// one or two letters for ever. `near` is how far rounding may take points apart.
+/// Pairs of addresses of two pieces each whose points are one to rounding, over systems of a few letters: short heads
+/// and words of one or two letters for ever. `near` is how far rounding may take points apart.
 pub(crate) fn meetings(maps: &[Affine3], near: f64) -> Vec<(Address, Address, DVec3)> {
     let count = maps.len();
     let letters = || (0..count).map(|i| i as u8);
@@ -21,7 +21,7 @@ pub(crate) fn meetings(maps: &[Affine3], near: f64) -> Vec<(Address, Address, DV
     let mut level = heads.clone();
     for _ in 0..3 {
         level = level.iter().flat_map(|head| letters().map(move |i| [&head[..], &[i]].concat())).collect();
-        if (heads.len() + level.len()) * repeats.len() > MOST {
+        if (heads.len() + level.len()) * repeats.len() > MOST_ADDRESSES {
             break;
         }
         heads.extend(level.iter().cloned());
@@ -49,7 +49,7 @@ pub(crate) fn meetings(maps: &[Affine3], near: f64) -> Vec<(Address, Address, DV
             }
             let (i, j) = (address.first(), second.first());
             let tries = &mut seen[i.min(j) * count + i.max(j)];
-            if i != j && other.distance(*point) <= near && *tries < TRIES {
+            if i != j && other.distance(*point) <= near && *tries < MOST_POINTS_PER_PAIR {
                 *tries += 1;
                 let (a, b) = if i < j { (address, second) } else { (second, address) };
                 met.push((a.clone(), b.clone(), *point));
@@ -60,4 +60,4 @@ pub(crate) fn meetings(maps: &[Affine3], near: f64) -> Vec<(Address, Address, DV
 }
 
 /// Points of two pieces that are kept at most.
-const TRIES: u8 = 6;
+const MOST_POINTS_PER_PAIR: u8 = 6;

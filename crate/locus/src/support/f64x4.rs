@@ -1,14 +1,14 @@
-//! F64x4 numbers at once: what a compiler turns into vector instructions.
+//! Four numbers at once: what a compiler turns into vector instructions.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use glam::DVec2;
 
-/// F64x4 numbers.
+/// Four numbers.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct F64x4(pub [f64; 4]);
 
-/// F64x4 vectors of the plane.
+/// Four vectors of the plane.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct DVec2x4 {
     pub x: F64x4,

@@ -16,8 +16,8 @@ pub(crate) type Maps<const L: usize> = [Affine2; L];
 /// One point of the attractor, by its address, in the systems of each lane.
 pub(crate) type Points<const L: usize> = [DVec2; L];
 
-/// What [`SupportTable`](crate::support::table::SupportTable) is for one system, for L systems that differ little: upper bounds
-/// of the support function of each, and points far out that have the same address in all.
+/// What [`SupportTable`](crate::support::table::SupportTable) is for one system, for L systems that differ little:
+/// upper bounds of the support function of each, and points far out that have the same address in all.
 #[derive(Clone, Debug)]
 pub(crate) struct SupportLanes<const L: usize> {
     values: [[f64; L]; TABLE],
@@ -193,7 +193,7 @@ impl<const L: usize> SupportLanes<L> {
                 upper = upper.max((self.values[k][l] + self.values[k + FAN / 2][l]) / length);
             }
             // The points farthest apart need not be opposite each other.
-            for m in k + FAN / 2 - ASIDE..=k + FAN / 2 + ASIDE {
+            for m in k + FAN / 2 - DIRECTIONS_ASIDE..=k + FAN / 2 + DIRECTIONS_ASIDE {
                 lower = lower.max(apart(k, m % FAN));
             }
         }
@@ -202,4 +202,4 @@ impl<const L: usize> SupportLanes<L> {
 }
 
 /// How many directions off the opposite one the farthest point is looked for.
-const ASIDE: usize = 2;
+const DIRECTIONS_ASIDE: usize = 2;

@@ -46,10 +46,10 @@ struct Place {
 }
 
 /// 1.5 * 2^52: floats around here are whole, and hold their number in their lowest bits.
-const WHOLE: f64 = 6_755_399_441_055_744.0;
+const ROUND_TO_WHOLE: f64 = 6_755_399_441_055_744.0;
 /// As many as six bits reach, and one more: so NaN, which may give any, reads nothing outside.
-const TABLE: usize = MASK as usize + 2;
-const MASK: u64 = 63;
+const TABLE: usize = INDEX_MASK as usize + 2;
+const INDEX_MASK: u64 = 63;
 
 /// Places four directions in a fan of `per` a side.
 ///
@@ -67,25 +67,25 @@ fn locate(per: usize, d: DVec2x4) -> Place {
     let slope = small / (large + F64x4::splat(f64::MIN_POSITIVE));
     let along = slope * F64x4::splat(0.5 * per) + F64x4::splat(0.5 * per);
     // The nearest whole number below, or that just above which is one sector on at its very beginning.
-    let whole = along - F64x4::splat(0.5) + F64x4::splat(WHOLE);
-    let index = |x: F64x4| x.0.map(|x| (x.to_bits() & MASK) as usize);
+    let whole = along - F64x4::splat(0.5) + F64x4::splat(ROUND_TO_WHOLE);
+    let index = |x: F64x4| x.0.map(|x| (x.to_bits() & INDEX_MASK) as usize);
     Place {
         low: index(whole + side),
-        near: index(along + side + F64x4::splat(WHOLE)),
-        along: along - (whole - F64x4::splat(WHOLE)),
+        near: index(along + side + F64x4::splat(ROUND_TO_WHOLE)),
+        along: along - (whole - F64x4::splat(ROUND_TO_WHOLE)),
         length: large.abs(),
     }
 }
 
 impl Default for SupportTable {
     fn default() -> Self {
-        Self { per: FINE, values: [1.0; TABLE], points: [DVec2::ZERO; TABLE], links: Vec::new() }
+        Self { per: FINE_PER_SIDE, values: [1.0; TABLE], points: [DVec2::ZERO; TABLE], links: Vec::new() }
     }
 }
 
 /// Directions a side of a fan that is to be as tight as can be, and of one that is to be made quickly.
-const FINE: usize = 8;
-const ROUGH: usize = 4;
+const FINE_PER_SIDE: usize = 8;
+const ROUGH_PER_SIDE: usize = 4;
 
 impl SupportTable {
     /// Bounds the attractor of `maps`, which is known to lie in the unit disc: support values are lowered
@@ -94,12 +94,12 @@ impl SupportTable {
     ///
     /// Every value on the way is a bound, so that new ones may be used at once.
     pub fn set(&mut self, maps: &[Affine2], accuracy: f64, rounds: usize) {
-        self.bound(FINE, maps, accuracy, rounds);
+        self.bound(FINE_PER_SIDE, maps, accuracy, rounds);
     }
 
     /// [`SupportTable::set`] in half as many directions.
     pub fn sketch(&mut self, maps: &[Affine2], accuracy: f64, rounds: usize) {
-        self.bound(ROUGH, maps, accuracy, rounds);
+        self.bound(ROUGH_PER_SIDE, maps, accuracy, rounds);
     }
 
     /// Bounds the differences of two points of the attractor of maps that share one linear part, `powers[1]`: sums
@@ -109,7 +109,7 @@ impl SupportTable {
     /// In a direction of the fan the sum of the widths of the shifts is what the support is, exactly; the
     /// differences that reach farthest, and 0 for ever after, add up to a point.
     pub fn set_differences(&mut self, powers: &[DMat2], shifts: &[DVec2], rest: f64) {
-        self.per = ROUGH;
+        self.per = ROUGH_PER_SIDE;
         self.values = [4.0; TABLE];
         self.points = [DVec2::ZERO; TABLE];
         let half = 2 * self.per;
@@ -150,7 +150,7 @@ impl SupportTable {
 
     /// Whether it was last made by [`SupportTable::set`].
     pub fn is_fine(&self) -> bool {
-        self.per == FINE
+        self.per == FINE_PER_SIDE
     }
 
     fn bound(&mut self, per: usize, maps: &[Affine2], accuracy: f64, rounds: usize) {
@@ -205,7 +205,7 @@ impl SupportTable {
     /// Finds points: each is the image of one before under the map that reaches farthest.
     fn reach(&mut self, maps: &[Affine2], accuracy: f64, rounds: usize) {
         let fan = 4 * self.per;
-        let mut steps = [(0_u8, 0_u8); 4 * FINE];
+        let mut steps = [(0_u8, 0_u8); 4 * FINE_PER_SIDE];
         for (chunk, links) in self.links.chunks_exact(maps.len()).enumerate() {
             let mut best = F64x4::splat(f64::NEG_INFINITY);
             for (i, link) in links.iter().enumerate() {
@@ -286,7 +286,7 @@ impl SupportTable {
         }
         // The two points farthest apart lie along a direction at most half a step off one of the fan, and the
         // widest step is at the middle of a side.
-        let cosine = if self.per == FINE { 0.992_507_556 } else { 0.973_248_989 };
+        let cosine = if self.per == FINE_PER_SIDE { 0.992_507_556 } else { 0.973_248_989 };
         widest.0.into_iter().fold(0.0, f64::max) / cosine
     }
 }

@@ -17,18 +17,18 @@ pub(crate) struct TrappingPolygon {
 }
 
 /// Of what rounding may do to one support value: an image's, and that of the corners, on both sides.
-const OFF: f64 = 4.0;
+const ROUNDINGS: f64 = 4.0;
 /// How much larger than the attractor it may be where rounding needs so much: pieces are then told apart some letters
 /// further down.
-const MOST: f64 = 8.0;
+const LARGEST_SIZE: f64 = 8.0;
 /// Directions tried, coarse to fine: maps that hardly shrink need a polygon that is nearly round.
-const FANS: [usize; 3] = [24, 96, 288];
+const DIRECTION_COUNTS: [usize; 3] = [24, 96, 288];
 /// How many words of several letters are tried.
-const BLOCKS: usize = 300;
+const MOST_WORDS: usize = 300;
 /// Support values computed at most, over all rounds.
-const WORK: usize = 40_000_000;
+const MOST_SUPPORTS: usize = 40_000_000;
 /// Digits after the point that corners are rounded to, in units of the polygon's size; then none at all.
-const DIGITS: [i32; 4] = [10, 16, 24, 34];
+const GRID_BITS: [i32; 4] = [10, 16, 24, 34];
 
 impl TrappingPolygon {
     /// The polygon for the maps of a frame, in which the attractor is of the given diameter.
@@ -37,18 +37,18 @@ impl TrappingPolygon {
     /// between two directions of the fan bounded by the chord: so each map takes the polygon to a distance `delta` from
     /// its edges.
     ///
-    /// It may be larger than the attractor by about `slack`, relative to that; `coarsest` is the number of the coarsest fan
-    /// to try.
+    /// It may be larger than the attractor by about `slack`, relative to that; `coarsest` is the number of the
+    /// coarsest fan to try.
     pub fn find(frame: &Frame, diameter: f64, slack: f64, coarsest: usize) -> Option<Self> {
         let delta = slack * diameter * (1.0 - frame.factor).clamp(1e-4, 1.0);
         // What rounding needs, be it more: half of it is left when the support values have settled.
-        let delta = delta.max(4.0 * OFF * frame.rounding);
-        if delta >= MOST * diameter {
+        let delta = delta.max(4.0 * ROUNDINGS * frame.rounding);
+        if delta >= LARGEST_SIZE * diameter {
             return None;
         }
         let mut blocks = frame.maps.clone();
         for letters in 1.. {
-            for &count in &FANS[coarsest..] {
+            for &count in &DIRECTION_COUNTS[coarsest..] {
                 let fan = Directions::new(count);
                 if let Some(support) = fan.settle(&blocks, delta)
                     && let Some(found) = Self::around(frame, &fan.polygon(&support), &blocks, letters)
@@ -56,7 +56,7 @@ impl TrappingPolygon {
                     return Some(found);
                 }
             }
-            if blocks.len() * frame.maps.len() > BLOCKS {
+            if blocks.len() * frame.maps.len() > MOST_WORDS {
                 break;
             }
             blocks = blocks.iter().flat_map(|&a| frame.maps.iter().map(move |&b| a * b)).collect();
@@ -69,14 +69,14 @@ impl TrappingPolygon {
         let inverse = frame.from_round.inverse();
         let origin = frame.to_plane(DVec2::ZERO);
         let size = corners.iter().map(|&p| (frame.from_round * p).abs().max_element()).fold(0.0, f64::max);
-        let grids = DIGITS.map(|digits| 2.0_f64.powi(size.log2().ceil() as i32 - digits));
+        let grids = GRID_BITS.map(|digits| 2.0_f64.powi(size.log2().ceil() as i32 - digits));
         grids.into_iter().chain([0.0]).find_map(|grid| {
             let snap = |x: f64| if grid > 0.0 { (x / grid).round() * grid } else { x };
             let snapped =
                 corners.iter().map(|&p| frame.to_plane(p)).map(|p| DVec2::new(snap(p.x), snap(p.y)));
             let plane = strictly_convex(snapped.collect())?;
             let here: Vec<DVec2> = plane.iter().map(|&p| inverse * (p - origin)).collect();
-            let tolerance = OFF * frame.rounding;
+            let tolerance = ROUNDINGS * frame.rounding;
             takes_inside(&here, blocks, tolerance).then_some(Self { plane, here, letters })
         })
     }
@@ -151,7 +151,7 @@ impl Directions {
         let links: Vec<Lowering> =
             self.directions.iter().flat_map(|&d| maps.iter().map(move |map| self.link(map, d))).collect();
         let mut support = vec![1.0; count];
-        for _ in 0..WORK / links.len() {
+        for _ in 0..MOST_SUPPORTS / links.len() {
             let image = |links: &[Lowering]| {
                 let value = |link: &Lowering| {
                     let high = support[(link.low + 1) % count];
