@@ -1,4 +1,4 @@
-//! What shows a verdict: reasons to be connected, certificates of being disconnected.
+//! What shows a verdict: reasons to be connected, and certificates of being disconnected.
 
 pub(crate) mod certificate;
 pub(crate) mod collinear;

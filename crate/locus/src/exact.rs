@@ -1,4 +1,5 @@
-//! Arithmetic without rounding, and the facts that are read from it.
+//! Arithmetic without rounding: expansions of doubles, numbers a + b sqrt(d) of any length, which numbers doubles most
+//! plausibly stand for, and what is proved with them.
 
 pub(crate) mod address;
 pub(crate) mod area;

@@ -1,4 +1,8 @@
 //! The widest gap: the widest edge of the minimum spanning tree of the distances between the pieces.
+//!
+//! `piece_distance` bounds the distance of two pieces; `pair_descent` splits pairs of pieces that are not told apart;
+//! `bracket` and `kruskal` say which pairs to look into. `word_pairs` and `difference_set` are two ways to name
+//! pieces: by their words, and, where all maps share one linear part, by how far they are moved.
 
 pub(crate) mod bracket;
 pub(crate) mod difference_set;

@@ -1,37 +1,64 @@
 //! Whether the shape of an iterated function system is in one piece, over which parameters of a morph it is,
 //! and how to go from one shape to another without breaking it.
 //!
-//! An attractor is the union of its pieces `w_i(A)`, and it is connected if and only if the graph of the
-//! pieces that meet is ([`OverlapGraph`]; Hata 1985, Burch & Hart 1997, theorem 2). Three tests find that
-//! graph:
+//! An attractor is the union of its pieces `w_i(A)`, and it is connected if and only if the graph of the pieces that
+//! meet is ([`OverlapGraph`]; Hata 1985). Its *widest gap* says how far it is from that: the widest edge of the minimum
+//! spanning tree of the distances between the pieces. It is zero exactly where the attractor is connected, and
+//! continuous in the maps. All of the crate bounds this one number, from below and from above.
 //!
-//! - [`barnsley_test`] compares points of the pieces with a bound of their error (Burch & Hart, Fig 1);
-//! - [`IndexBuffer`] looks for pieces that were plotted in one pixel (their Fig 2);
-//! - [`connectedness`] descends on pairs of words and bounds the pieces that they name by the support function of the
-//!   attractor. It proves, where the others estimate: a [`Verdict`] of `Disconnected` or `Connected` is a
-//!   theorem about the maps, and `Touching` says no more than that the pieces come within epsilon of each
-//!   other. It measures the widest gap, too: the widest edge of the minimum spanning tree of the distances
-//!   between pieces, which is zero exactly where the attractor is connected, and continuous in the maps.
+//! # By topic
 //!
-//! Both verdicts come with what shows them. A [`Reason`] is a point that pieces share, given by its addresses and
-//! checked in whole numbers of any length, or pieces that cross, or a finite graph of neighbours; where numbers only
-//! come near to those that it needs (1/3, sqrt(3)/6), it says so, and the verdict stays `Touching`. A [`certificate`]
-//! of disconnection is a polygon and pairs of words that are apart, for the crate `frond-check` to replay.
+//! *One system.* [`connectedness`] gives the full answer: a [`Verdict`], bounds of the gap, which pieces meet.
+//! `Connected` and `Disconnected` are theorems about the maps as they are given; `Touching` says no more than that the
+//! pieces come within epsilon of each other. A [`Reason`] shows the one, a [`certificate`] the other: a polygon and
+//! pairs of words that are apart, for the crate `frond-check` to replay. [`decide`] is the same in microseconds,
+//! [`decide_bounds`] with bounds. [`barnsley_test`] and [`IndexBuffer`] are the tests of Burch & Hart (1997), which
+//! estimate.
 //!
-//! [`decide`] is the same in microseconds, for one parameter of a locus; [`LocusGrid`] samples a locus with
-//! it, in tiles and from coarse to fine; [`plan_path`] and [`find_path`] look for the way from (0, 0) to
-//! (1, 1) whose widest gap is least, and of such ways for one with room on both sides, short and of few corners.
-//! Where the plane has none that holds, [`Axes::Three`] lets the stretch run ahead of the turn, which often
-//! does; and [`rate`] compares ways to match the maps by the paths that they leave open.
+//! *A locus.* [`LocusGrid`] samples the parameters of a [`Family`] of systems, in tiles and from coarse to fine;
+//! [`LocusGrid::patch`] decides whole boxes of parameters at once. [`SingleLocus`] is the twin of the shader.
 //!
-//! What holds at one parameter often holds around it, and that is proved as well: [`LocusGrid::patch`] decides whole
-//! boxes of a [`Family`] at once, [`certify_path`] bounds the gap along all of a path, and [`crossings`] are a reason
-//! to be connected that survives small changes.
+//! *A path.* [`find_path`] looks for the way from (0, 0) to (1, 1) whose widest gap is least, and of such ways for one
+//! with room on both sides, short and of few corners; [`plan_path`] does so on a locus that is known. Where the plane
+//! has none that holds, [`Axes::Three`] lets the stretch run ahead of the turn, which often does. [`check_path`] looks
+//! along a path, [`certify_path`] bounds the gap along all of it, and [`rate`] compares ways to match the maps by the
+//! paths that they leave open.
 //!
-//! In space [`connectedness3`], [`decide3`], [`locus3`] and [`find_path3`] answer the same.
+//! *Space.* [`connectedness3`], [`decide3`], [`locus3`] and [`find_path3`] answer the same.
+//!
+//! # Units
 //!
 //! Gaps and distances of [`connectedness`] are in units of the plane. Epsilon, and the gaps of [`Sample`],
 //! [`Locus`] and [`PathPlan`], are relative to the diameter of the attractor.
+//!
+//! # In which order to read
+//!
+//! 1. `verdict`: what is asked, and the words of the answers; `overlap_graph`; `frame`: coordinates in which all maps
+//!    contract and the attractor lies in the unit disc; `magnification`, for shapes too small to square their lengths.
+//! 2. `support/table`: how far the attractor reaches in a direction. `gap/piece_distance` bounds the distance of two
+//!    pieces by it.
+//! 3. `gap/pair_descent`: which pairs of words are looked into. `gap/bracket` brackets the widest gap for `decide`,
+//!    `gap/kruskal` finds out about all pairs for `connectedness`. `gap/greedy` and `gap/difference_set` are quicker
+//!    ways to an answer where there is one.
+//! 4. `exact` and `evidence`: proofs, in arithmetic without rounding.
+//! 5. `family`, `grid` and `region`: many parameters; `region/derivative_bounds` says how far attractors move.
+//! 6. `path`: `field` is the landscape, `plan` the way through it, `repair` checks it and plans again.
+//! 7. `space` does all this once more in three dimensions, `single` in f32 for the graphics card.
+//!
+//! # On what it stands
+//!
+//! - Burch & Hart, *Linear Fractal Shape Interpolation* (1997): the locus, the overlap graph, the two tests in
+//!   `classic`.
+//! - Hata, *On the structure of self-similar sets* (1985): connected if and only if the overlap graph is.
+//! - Hutchinson, *Fractals and self similarity* (1981): a compact set that the maps take into itself holds the
+//!   attractor.
+//! - Bandt and others on neighbour maps: the finite graph of the ways in which pieces lie to each other
+//!   (`evidence/neighbour_graph`).
+//! - Calegari, Koch & Walker, *Roots, Schottky semigroups, and a proof of Bandt's conjecture* (arXiv 1410.8542): the
+//!   *trap*, on which [`crossings`] rest (`region/trap`).
+//! - Barnsley & Harrington, *A Mandelbrot set for pairs of linear maps* (1985): the set M ([`Polygons`]).
+//! - Frank & Wolfe (1956) for nearest points of convex sets; Kruskal (1956) and Prim (1957) for spanning trees;
+//!   Felzenszwalb & Huttenlocher (2012) for the distance transform.
 
 mod classic;
 mod connectedness;

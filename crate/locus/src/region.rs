@@ -1,4 +1,5 @@
-//! What holds for a whole box of parameters at once.
+//! What holds for a whole box of parameters at once: points of the attractor move smoothly, so that what is seen on the
+//! edge of a box by a margin is true inside.
 
 pub(crate) mod certify_path;
 pub(crate) mod derivative_bounds;
