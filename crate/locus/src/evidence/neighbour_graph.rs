@@ -1,12 +1,12 @@
 //! The neighbour graph: how two pieces that may meet lie to each other, at every size.
 //!
-//! Two pieces `A_u` and `A_v` lie to each other as `A` and `h(A)` do, with the neighbour map `h = w_u^-1 w_v`.
-//! Splitting one of them leads to others: `h w_j` and `w_i^-1 h`. Those whose image of the attractor is far from it
-//! are left out. An endless path in the graph proves that its two pieces meet, since its maps stay bounded while the
-//! pieces shrink; where the graph is finite such a path comes back to where it was, and then both addresses of the
-//! common point repeat themselves.
+//! (Bandt & Graf 1992 for similitudes.) Two pieces `A_u` and `A_v` lie to each other as `A` and `h(A)` do, with the
+//! neighbour map `h = w_u^-1 w_v`. Splitting one of them leads to others: `h w_j` and `w_i^-1 h`. Those whose image
+//! of the attractor is far from it are left out. An endless path in the graph proves that its two pieces meet, since
+//! its maps stay bounded while the pieces shrink; where the graph is finite such a path comes back to where it was,
+//! and then both addresses of the common point repeat themselves.
 //!
-//! Here the graph is found in floating point. What it says is only proposed: see `surd` for what checks it.
+//! Here the graph is found in floating point. What it says is only proposed: see `exact::quadratic` for what checks it.
 
 use std::collections::{HashMap, VecDeque};
 
@@ -174,7 +174,7 @@ impl<'a> NeighbourGraph<'a> {
         true
     }
 
-    /// Finds the states from which one can go on for ever: all but those that lead nowhere.
+    /// Finds the states from which one can go on without end: all but those that lead nowhere.
     fn settle(&mut self) {
         let mut before: Vec<Vec<u32>> = vec![Vec::new(); self.states.len()];
         let mut ways: Vec<usize> = Vec::new();

@@ -3,7 +3,7 @@
 use frond_core::Affine2;
 use glam::DVec2;
 
-/// An endless address that repeats itself from some letter on: `head` once, then `repeat` for ever. Letters from 0.
+/// An endless address that repeats itself from some letter on: `head` once, then `repeat` without end. Letters from 0.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Address {
     pub head: Vec<u8>,

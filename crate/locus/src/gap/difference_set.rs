@@ -41,8 +41,8 @@ pub(crate) struct DifferenceSet {
 const MOST_TERMS: usize = 96;
 /// What is left out of the sums, against the whole.
 const LARGEST_REST: f64 = 0.004;
-/// How far from the middle of the differences to go on a dive, against the disc they lie in, squared; how often back,
-/// and how many steps.
+/// How far from the middle of the differences to go on a greedy descent, against the disc they lie in, squared; how
+/// often back, and how many steps.
 const SQUARE_TO_ENTER: f64 = 0.5;
 const MOST_RETURNS: usize = 12;
 const MOST_STEPS: usize = 120;

@@ -133,7 +133,7 @@ impl GreedySearch {
                 let number = (4 * block + k) as u64;
                 f64::from_bits(score.0[k].to_bits() & !NUMBER_BITS | number)
             };
-            // The least and the last but one, without a branch.
+            // The two least, without a branch.
             let ([a, b], [c, d]) = (ordered(numbered(0), numbered(1)), ordered(numbered(2), numbered(3)));
             let [least, more] = ordered(a, c);
             let next = ordered(more, ordered(b, d)[0])[0];

@@ -179,7 +179,7 @@ impl Metric {
         let t = (first.normal.dot(turn) / length).max(F64x4::default()).min(F64x4::splat(1.0));
         let step = DVec2x4 { x: middle.x - turn.x * t, y: middle.y - turn.y * t };
         let second = self.along::<PLAIN>(middle, step, &see);
-        // The greater of the two bounds: of their squares, with their signs, lest a root be taken for each.
+        // The greater of the two bounds: of their squares, with their signs, so that no root is taken for each.
         let signed = |a: F64x4, other: F64x4| a * a.abs() * other;
         let (a, b) = (signed(first.apart, second.scale), signed(second.apart, first.scale));
         let apart = a.choose_less(b, second.apart, first.apart);

@@ -83,12 +83,12 @@ impl<const L: usize> Descent<L> {
         if !self.lanes.set(family, extent, frame) || self.lanes.widest_margin() > 0.5 {
             return false;
         }
-        self.outline();
+        self.set_support();
         true
     }
 
     /// Bounds the attractors of the lanes that are set.
-    pub fn outline(&mut self) {
+    pub fn set_support(&mut self) {
         self.fan.set(&self.lanes.maps, 0.012 * (1.0 - self.lanes.factor), 64);
         self.lanes.refine(&self.fan);
         self.count = self.lanes.maps.len();

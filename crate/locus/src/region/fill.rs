@@ -201,7 +201,7 @@ impl<F: Family + ?Sized> BoxFill<'_, F> {
         if off > (0.05 * seen).max(0.005) || self.descent.lanes.widest_margin() > 2.0 * narrowest {
             return false;
         }
-        self.descent.outline();
+        self.descent.set_support();
         let Some(least) = self.descent.separate(0.7 * narrowest, LOOKS_TO_SEPARATE) else { return false };
         // Lengths of the plane are between so many times those of the lanes.
         let (long, short) = Affine2::new(self.descent.lanes.from_round, DVec2::ZERO).singular_values();
@@ -223,7 +223,7 @@ impl<F: Family + ?Sized> BoxFill<'_, F> {
             {
                 return false;
             }
-            self.descent.outline();
+            self.descent.set_support();
             if self.descent.cross(f64::INFINITY, EFFORT_TO_CROSS).is_none() {
                 self.debt += self.descent.nodes as f64;
                 return false;

@@ -201,7 +201,7 @@ impl<const L: usize> Descent<L> {
             // They are in the order of how deep they overlap.
             let Some(k) = (0..pairs.len()).find(|&k| !tried[k] && helps(&pairs[k])) else { return };
             tried[k] = true;
-            self.dive(pairs[k], effort);
+            self.look_for_near_points(pairs[k], effort);
         }
     }
 
@@ -273,7 +273,7 @@ impl<const L: usize> Descent<L> {
 
     /// Follows the parts of a pair that overlap most down, for points of the two attractorlets that are near each
     /// other.
-    fn dive(&mut self, pair: Couple, effort: Effort) {
+    fn look_for_near_points(&mut self, pair: Couple, effort: Effort) {
         let k = usize::from(pair.i) * self.count + usize::from(pair.j);
         let end = self.nodes + effort.looks;
         self.open.clear();

@@ -11,7 +11,7 @@ const ROUNDS: usize = 48;
 /// Looks spent at most on the verdict, and on measuring a gap after it.
 const LOOKS: u32 = 3000;
 const SHADING: u32 = 400;
-/// How near to each other the bounds of a gap shall come.
+/// How near to each other the bounds of a gap are to come.
 const SHADE: f32 = 0.95;
 /// Pairs of maps.
 const PAIRS: usize = MAX_MAPS * (MAX_MAPS - 1) / 2;

@@ -64,7 +64,7 @@ impl Exact {
         Some(Self { maps: whole, assuming })
     }
 
-    /// The point with the address `head`, then `repeat` for ever; `None` where the repeated map has no fixed point.
+    /// The point with the address `head`, then `repeat` without end; `None` where the repeated map has no fixed point.
     pub fn point(&self, head: &[u8], repeat: &[u8]) -> Option<Point> {
         let mut letters = repeat.iter().map(|&letter| &self.maps[usize::from(letter)]);
         let first = letters.next()?.clone();

@@ -9,7 +9,7 @@ use crate::exact::address::Address;
 const MOST_ADDRESSES: usize = 60_000;
 
 /// Pairs of addresses of two pieces each whose points are one to rounding, over systems of a few letters: short heads
-/// and words of one or two letters for ever. `near` is how far rounding may take points apart.
+/// and words of one or two letters without end. `near` is how far rounding may take points apart.
 pub(crate) fn meetings(maps: &[Affine3], near: f64) -> Vec<(Address, Address, DVec3)> {
     let count = maps.len();
     let letters = || (0..count).map(|i| i as u8);

@@ -1,4 +1,4 @@
-//! The outline of an attractor in several systems at once.
+//! Support values of an attractor in several systems at once.
 #![expect(clippy::needless_range_loop, reason = "a lane is the same place in several arrays")]
 
 use frond_core::Affine2;
@@ -47,7 +47,7 @@ pub(crate) fn direction(k: usize) -> DVec2 {
 }
 
 /// The sector that `d` lies in, how far along it, and the length of `d` in the maximum norm; without a branch,
-/// as in the outline.
+/// as in [`table`](crate::support::table).
 #[inline(always)]
 pub(crate) fn locate(d: DVec2) -> (usize, f64, f64) {
     let steep = d.x.abs() < d.y.abs();
@@ -174,7 +174,7 @@ impl<const L: usize> SupportLanes<L> {
 
     /// The radius of a disc about the origin that holds the attractors of all lanes.
     pub fn radius(&self) -> f64 {
-        // Between two directions the outline goes farther out by up to the cosine of half their angle.
+        // Between two directions the hull goes farther out by up to the cosine of half their angle.
         let far = |k: usize| self.values[k].iter().copied().fold(0.0, f64::max) / direction(k).length();
         (0..FAN).map(far).fold(0.0, f64::max) / 0.992_507_556
     }

@@ -107,7 +107,7 @@ impl SupportTable {
     /// powers leave out.
     ///
     /// In a direction of the fan the sum of the widths of the shifts is what the support is, exactly; the
-    /// differences that reach farthest, and 0 for ever after, add up to a point.
+    /// differences that reach farthest, and 0 without end after, add up to a point.
     pub fn set_differences(&mut self, powers: &[DMat2], shifts: &[DVec2], rest: f64) {
         self.per = ROUGH_PER_SIDE;
         self.values = [4.0; TABLE];
@@ -138,8 +138,8 @@ impl SupportTable {
                 (self.values[k + l + half], self.points[k + l + half]) = (self.values[k + l], -p);
             }
         }
-        self.wrap(|outline, k, from| {
-            (outline.values[k], outline.points[k]) = (outline.values[from], outline.points[from]);
+        self.wrap(|table, k, from| {
+            (table.values[k], table.points[k]) = (table.values[from], table.points[from]);
         });
     }
 
@@ -174,7 +174,7 @@ impl SupportTable {
             }
             self.values[k..k + 4].copy_from_slice(&(d.dot(d).sqrt() * F64x4::splat(1.0 + 1e-12)).0);
         }
-        self.wrap(|outline, k, from| outline.values[k] = outline.values[from]);
+        self.wrap(|table, k, from| table.values[k] = table.values[from]);
         for _ in 0..rounds {
             if self.lower(maps.len()) < accuracy {
                 break;
@@ -198,7 +198,7 @@ impl SupportTable {
             change = change.max(old - best);
             values.copy_from_slice(&old.min(best).0);
         }
-        self.wrap(|outline, k, from| outline.values[k] = outline.values[from]);
+        self.wrap(|table, k, from| table.values[k] = table.values[from]);
         change.0.into_iter().fold(0.0, f64::max)
     }
 
@@ -232,7 +232,7 @@ impl SupportTable {
                 self.points[k] = maps[usize::from(i)].apply(self.points[usize::from(near) % fan]);
             }
         }
-        self.wrap(|outline, k, from| outline.points[k] = outline.points[from]);
+        self.wrap(|table, k, from| table.points[k] = table.points[from]);
     }
 
     /// Repeats the beginning of the fan at its end, as far as [`locate`] may reach.

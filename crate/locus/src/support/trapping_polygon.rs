@@ -41,7 +41,7 @@ impl TrappingPolygon {
     /// coarsest fan to try.
     pub fn find(frame: &Frame, diameter: f64, slack: f64, coarsest: usize) -> Option<Self> {
         let delta = slack * diameter * (1.0 - frame.factor).clamp(1e-4, 1.0);
-        // What rounding needs, be it more: half of it is left when the support values have settled.
+        // At least what rounding needs: half of it is left when the support values have settled.
         let delta = delta.max(4.0 * ROUNDINGS * frame.rounding);
         if delta >= LARGEST_SIZE * diameter {
             return None;
