@@ -84,7 +84,7 @@ fn all_places(maps: &[Affine2], point: DVec2, letters: usize) -> Vec<(Vec<u8>, D
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(200)))]
 
     #[test]
     fn raw_terms_are_the_formula(

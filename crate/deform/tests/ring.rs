@@ -86,7 +86,7 @@ fn any_roughness() -> impl Strategy<Value = Roughness> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(150))]
+    #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(150)))]
 
     #[test]
     fn it_is_the_formula(

@@ -140,7 +140,7 @@ fn factor() -> impl Strategy<Value = f64> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(64)))]
 
     #[test]
     fn the_graph_is_made_of_its_copies(

@@ -264,7 +264,7 @@ fn drawing() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(400)))]
 
     #[test]
     fn no_drawing_takes_much_memory_or_has_many_points(list in proptest::collection::vec(drawing(), 1..6)) {

@@ -223,7 +223,7 @@ fn a_grown_leaf_goes_through_each_format() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(400)))]
 
     #[test]
     fn no_text_panics(text in "\\PC{0,200}") {

@@ -302,7 +302,7 @@ fn a_comb_is_thinned() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(64)))]
 
     #[test]
     fn nothing_panics(

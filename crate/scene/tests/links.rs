@@ -216,7 +216,7 @@ fn link() -> Word {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4000))]
+    #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(4000)))]
 
     #[test]
     fn whatever_opens_is_written_and_opens_as_the_same(link in link()) {

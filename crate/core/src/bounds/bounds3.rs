@@ -198,7 +198,7 @@ mod tests {
     use crate::testing3::{any_ifs3, orbit3};
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(48))]
+        #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(48)))]
         #[test]
         fn everything_lies_within_and_little_is_left_over(ifs in any_ifs3()) {
             let bounds = Bounds3::of(&ifs);

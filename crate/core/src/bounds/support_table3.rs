@@ -217,7 +217,7 @@ mod tests {
     use crate::testing3::{any_ifs3, orbit3, round};
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(64))]
+        #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(64)))]
         #[test]
         fn no_point_lies_beyond_and_some_come_near(ifs in any_ifs3()) {
             prop_assume!(ifs.contraction().radius > 1e-6);

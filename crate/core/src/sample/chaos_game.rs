@@ -187,7 +187,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(64))]
+        #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(64)))]
         #[test]
         fn points_of_space_lie_in_the_ball_and_in_the_piece_they_name(ifs in any_ifs3(), seed in any::<u32>()) {
             let bounds = Bounds3::of(&ifs);

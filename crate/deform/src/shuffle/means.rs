@@ -197,7 +197,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(100))]
+        #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(100)))]
 
         #[test]
         fn the_mean_of_a_piece_is_that_of_its_pieces(maps in any_shape(), mesh in any_mesh(), letters in 0..5_usize) {

@@ -138,7 +138,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(2000)))]
 
         #[test]
         fn whatever_word_is_read_is_written_as_one_that_brings_it_back(

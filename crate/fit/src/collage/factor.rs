@@ -189,7 +189,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(2000)))]
 
         #[test]
         fn nothing_within_the_bound_is_nearer(

@@ -184,7 +184,7 @@ fn channels(moment: &Moment) -> [f64; 10] {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(64)))]
     #[test]
     fn between_two_keys_nothing_leaves_their_range(
         legs in proptest::collection::vec((prop_oneof![3 => 0.1..1.0_f64, 1 => 1e-3..2e-2_f64], proptest::array::uniform6(-1.0..1.0_f64)), 2..6),
