@@ -1,5 +1,7 @@
 //! The morph of two closed curves.
 
+use std::sync::LazyLock;
+
 use frond_fit::{
     ArcCopy, ClosedCurve, CurveMorph, Fitter, MorphedCurve, Nearest, Outline, crossings, maple_leaf, oak_leaf,
 };
@@ -14,17 +16,14 @@ fn fitted(points: &[DVec2], numbers: usize, steps: usize) -> ClosedCurve {
     fitter.best().curve.clone()
 }
 
-thread_local! {
-    static MAPLE: ClosedCurve = fitted(&maple_leaf(1), 200, 12);
-    static OAK: ClosedCurve = fitted(&oak_leaf(1), 200, 12);
-}
-
 fn maple() -> ClosedCurve {
-    MAPLE.with(Clone::clone)
+    static MAPLE: LazyLock<ClosedCurve> = LazyLock::new(|| fitted(&maple_leaf(1), 200, 12));
+    MAPLE.clone()
 }
 
 fn oak() -> ClosedCurve {
-    OAK.with(Clone::clone)
+    static OAK: LazyLock<ClosedCurve> = LazyLock::new(|| fitted(&oak_leaf(1), 200, 12));
+    OAK.clone()
 }
 
 /// Koch's snowflake: 12 edges, each a copy of 4.

@@ -3,6 +3,7 @@
 use frond_check::{Pair, Refused, check};
 use frond_core::{Affine2, Ifs, hash};
 use frond_locus::{Certificate, Options, Verdict, certificate, connectedness};
+use frond_testing::cases;
 use glam::DVec2;
 
 /// The certificate in the checker's own terms.
@@ -86,8 +87,8 @@ impl Dice {
 /// What a run of many systems gave.
 #[derive(Default)]
 struct Tally {
-    disconnected: usize,
-    sheared: usize,
+    disconnected: u32,
+    sheared: u32,
     pairs: Vec<usize>,
     longest: usize,
     /// Those without a certificate, with their relative gaps.
@@ -107,7 +108,7 @@ impl Tally {
             return;
         }
         self.disconnected += 1;
-        self.sheared += usize::from(ifs.maps().iter().any(|map| map.norm() > 1.5));
+        self.sheared += u32::from(ifs.maps().iter().any(|map| map.norm() > 1.5));
         let (Some(found), Some(checked)) = (found, checked) else {
             self.without.push((seed, answer.gap.lower / answer.diameter));
             return;
@@ -141,34 +142,34 @@ impl Tally {
 
 #[test]
 fn every_disconnected_verdict_has_a_certificate() {
-    let mut tally = Tally::default();
-    for seed in 0..4000 {
+    let (mut tally, count) = (Tally::default(), cases(400));
+    for seed in 0..count {
         if let Some(ifs) = (Dice { seed, count: 0 }).system() {
             tally.add(seed, &ifs, &Options { epsilon: 1e-5, budget: 30_000 });
         }
     }
     tally.show("random");
-    assert!(tally.disconnected > 2000 && tally.sheared > 500 && tally.without.is_empty());
+    assert!(2 * tally.disconnected > count && 8 * tally.sheared > count && tally.without.is_empty());
 }
 
 /// Two to five copies on a polygon, a little too small to meet, moved, turned and sheared: gaps of 1e-2 to 1e-11.
 #[test]
 fn narrow_gaps_have_certificates_down_to_rounding() {
-    let mut tally = Tally::default();
-    for seed in 0..400 {
+    let (mut tally, count) = (Tally::default(), cases(60));
+    for seed in 0..count {
         let mut dice = Dice { seed: 77_000 + seed, count: 0 };
-        let count = 2 + dice.below(4);
-        let critical = if count < 5 { 0.5 } else { 1.5 - 5.0_f64.sqrt() / 2.0 };
+        let corners = 2 + dice.below(4);
+        let critical = if corners < 5 { 0.5 } else { 1.5 - 5.0_f64.sqrt() / 2.0 };
         let scale = critical * (1.0 - 10.0_f64.powf(dice.between(-11.0, -2.0)));
-        let corner = |k: usize| DVec2::from_angle(std::f64::consts::TAU * k as f64 / count as f64);
+        let corner = |k: usize| DVec2::from_angle(std::f64::consts::TAU * k as f64 / corners as f64);
         let shear = Affine2::from_row([1.0, dice.between(-9.0, 9.0), 0.3, 1.0, dice.between(-9.0, 9.0), 1.0]);
-        let maps = (0..count).map(|k| Affine2::similitude(scale, 0.0, corner(k) * (1.0 - scale)));
+        let maps = (0..corners).map(|k| Affine2::similitude(scale, 0.0, corner(k) * (1.0 - scale)));
         let Some(maps) = maps.map(|map| map.conjugate(shear)).collect::<Option<Vec<_>>>() else { continue };
         tally.add(seed, &Ifs::new(maps).unwrap(), &Options { epsilon: 0.0, budget: 100_000 });
     }
     tally.show("narrow");
     // Squares nearly touch all along an edge: that takes as many pairs as gaps fit on it, and more than the budget.
-    assert!(tally.disconnected > 300 && tally.without.len() <= 3);
+    assert!(4 * tally.disconnected > 3 * count && 100 * tally.without.len() <= count as usize);
 }
 
 impl Dice {
@@ -248,8 +249,8 @@ impl Dice {
 
 #[test]
 fn flat_sheared_and_defective_systems_have_certificates() {
-    let mut tally = Tally::default();
-    for seed in 0..1200 {
+    let (mut tally, count) = (Tally::default(), cases(200));
+    for seed in 0..count {
         if let Some(ifs) = (Dice { seed: 99_000 + seed, count: 0 }).odd_system() {
             tally.add(seed, &ifs, &Options::default());
         }
@@ -257,14 +258,14 @@ fn flat_sheared_and_defective_systems_have_certificates() {
     tally.show("odd");
     // Narrower ones may take more pairs than the budget.
     tally.without.retain(|&(_, gap)| gap > 1e-6);
-    assert!(tally.disconnected > 400 && tally.without.is_empty(), "{:?}", tally.without);
+    assert!(3 * tally.disconnected > count && tally.without.is_empty(), "{:?}", tally.without);
 }
 
 /// Hardly any contraction, or only in long words.
 #[test]
 fn slow_systems_have_certificates() {
-    let mut tally = Tally::default();
-    for seed in 0..600 {
+    let (mut tally, count) = (Tally::default(), cases(100));
+    for seed in 0..count {
         let mut dice = Dice { seed: 88_000 + seed, count: 0 };
         let small = |dice: &mut Dice| {
             Affine2::similitude(
@@ -290,7 +291,7 @@ fn slow_systems_have_certificates() {
         }
     }
     tally.show("slow");
-    assert!(tally.disconnected > 100);
+    assert!(6 * tally.disconnected > count);
 }
 
 #[test]
@@ -317,7 +318,8 @@ fn what_is_known_to_be_connected_gets_none() {
 #[test]
 fn mutants_are_refused() {
     let mut kinds = std::collections::BTreeMap::new();
-    for seed in 0..400 {
+    let count = cases(60);
+    for seed in 0..count {
         let mut dice = Dice { seed, count: 0 };
         let Some(ifs) = dice.system() else { continue };
         let Some(found) = certificate(&ifs, &Options { epsilon: 1e-5, budget: 30_000 }) else { continue };
@@ -371,5 +373,5 @@ fn mutants_are_refused() {
     for ((name, code), count) in &kinds {
         println!("{count:5}  {name}: {code}");
     }
-    assert!(kinds.len() >= 18 && kinds.values().sum::<usize>() > 3000);
+    assert!(kinds.len() >= 18 && kinds.values().sum::<u32>() > 7 * count);
 }

@@ -160,7 +160,7 @@ fn just_connected() -> [Vec<Affine2>; 3] {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(300)))]
+    #![proptest_config(ProptestConfig::with_cases(frond_testing::cases(60)))]
 
     #[test]
     fn random_morphs_are_decided_as_in_double_precision(ends in any_ends(), linear: bool, fine in 0..3) {
