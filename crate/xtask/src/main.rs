@@ -2,12 +2,13 @@
 //!
 //! - [`command`] runs other programs; [`step`] names what runs, times it and counts it.
 //! - [`tools`], [`node`] and [`browser`] see to it that what is needed is there.
-//! - [`wasm`] and [`package`] make `www/pkg`; [`site`] makes `dist/`; [`size`] weighs it.
+//! - [`wasm`] and [`package`] make `www/pkg` of the [`modules`]; [`site`] makes `dist/`; [`size`] weighs it.
 //! - [`serve`], [`test`] and [`bench`] are the commands of those names.
 
 mod bench;
 mod browser;
 mod command;
+mod modules;
 mod node;
 mod package;
 mod serve;

@@ -4,7 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use crate::command::{Outcome, root, target};
-use crate::wasm::files;
+use crate::modules::files;
+use crate::stamp;
 
 const MANIFEST: &str = include_str!("package/package.json");
 /// The entries: all that needs no graphics card, in the browser and in Node.
@@ -16,9 +17,12 @@ const ENTRIES: [(&str, &str); 3] = [
 
 /// Writes what makes a folder with wasm-bindgen's files a package: its manifest and its entries.
 pub fn write_manifest(folder: &Path) -> Outcome {
-    fs::write(folder.join("package.json"), MANIFEST.replace("0.0.0", env!("CARGO_PKG_VERSION")))?;
+    stamp::write_changed(
+        &folder.join("package.json"),
+        &MANIFEST.replace("0.0.0", env!("CARGO_PKG_VERSION")),
+    )?;
     for (name, text) in ENTRIES {
-        fs::write(folder.join(name), text)?;
+        stamp::write_changed(&folder.join(name), text)?;
     }
     Ok(())
 }

@@ -41,17 +41,22 @@ impl Hash {
     }
 }
 
-/// Whether the stamp file holds this text.
-pub fn holds(stamp: &Path, text: &str) -> bool {
-    fs::read_to_string(stamp).is_ok_and(|old| old == text)
+/// Whether the file holds this text.
+pub fn holds(file: &Path, text: &str) -> bool {
+    fs::read_to_string(file).is_ok_and(|old| old == text)
 }
 
-/// Writes the stamp, and the directories to it.
-pub fn write(stamp: &Path, text: &str) -> Outcome {
-    if let Some(parent) = stamp.parent() {
+/// Writes a file, and the directories to it.
+pub fn write(file: &Path, text: &str) -> Outcome {
+    if let Some(parent) = file.parent() {
         fs::create_dir_all(parent)?;
     }
-    Ok(fs::write(stamp, text)?)
+    Ok(fs::write(file, text)?)
+}
+
+/// Writes a file unless it holds this text already: whoever watches it need not look again.
+pub fn write_changed(file: &Path, text: &str) -> Outcome {
+    if holds(file, text) { Ok(()) } else { write(file, text) }
 }
 
 /// All files below a path, or the path itself where it is a file; none where it does not exist.

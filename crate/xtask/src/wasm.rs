@@ -4,7 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::thread;
 
-use crate::command::{Outcome, cargo_wasm, root, run, target};
+use crate::command::{Outcome, ask, cargo_wasm, root, run, target};
+use crate::modules::{MODULES, SCRIPTS, files, files_of};
 use crate::node::{self, Tool};
 use crate::package;
 use crate::stamp::{self, Hash};
@@ -17,34 +18,8 @@ const OPTIMISE: &str = "-O3 --enable-simd --enable-bulk-memory --enable-bulk-mem
     --enable-sign-ext --enable-mutable-globals --enable-reference-types --enable-multivalue \
     --enable-call-indirect-overlong";
 
-/// The modules that crate/web is built into: the name of the files and the feature that makes it. The first describes and
-/// draws, and is all that the first picture needs; the second has closed curves and graphs, where the page shows some; the
-/// third decides and proves, in the workers; the fourth traces and fits outlines, in workers of its own; the fifth is for
-/// space, where its tool is open; of the others, which draw on a graphics card, a visitor gets one.
-const MODULES: [(&str, &str); 7] = [
-    ("frond", "compute"),
-    ("frond-curve", "curve"),
-    ("frond-proof", "proof"),
-    ("frond-fit", "fit"),
-    ("frond-space", "space"),
-    ("frond-webgpu", "webgpu"),
-    ("frond-webgl2", "webgl2"),
-];
-
-/// Scripts of crate/web/js, which choose among the modules.
-const SCRIPTS: [&str; 2] = ["renderer.js", "renderer.d.ts"];
-
-/// What the page imports.
-pub fn files() -> Vec<String> {
-    let of = |(name, _): (&str, &str)| {
-        ["js", "d.ts"]
-            .map(|ending| format!("{name}.{ending}"))
-            .into_iter()
-            .chain(["wasm", "wasm.d.ts"].map(|ending| format!("{name}_bg.{ending}")))
-            .collect::<Vec<_>>()
-    };
-    MODULES.into_iter().flat_map(of).chain(SCRIPTS.map(str::to_owned)).collect()
-}
+/// What lies in a crate's folder and is no part of a module.
+const NO_SOURCES: [&str; 5] = ["tests", "benches", "examples", "pkg", "webdriver.json"];
 
 /// Sees to it that `www/pkg` is what the sources say, with all the set-up that this needs.
 pub fn build(steps: &mut Steps) -> Outcome {
@@ -54,72 +29,106 @@ pub fn build(steps: &mut Steps) -> Outcome {
     rebuild(steps)
 }
 
-/// As [`build`], when the set-up is known to be done.
+/// As [`build`], when the set-up is known to be done. A module whose crates are as they were is left alone.
 pub fn rebuild(steps: &mut Steps) -> Outcome {
-    let stamp = target().join("xtask/wasm.stamp");
     let pkg = root().join("www/pkg");
-    let text = inputs()?;
-    if stamp::holds(&stamp, &text) && files().iter().all(|file| pkg.join(file).is_file()) {
-        return Ok(());
-    }
-    steps.run("build the wasm modules", || {
-        let made = make()?;
-        fs::create_dir_all(&pkg)?;
-        for file in files() {
-            // Each is there in whole or not at all: a server may be reading.
-            let part = pkg.join(format!("{file}.part"));
-            fs::copy(made.join(&file), &part)?;
-            fs::rename(part, pkg.join(&file))?;
+    let mut stale = Vec::new();
+    // Asking Cargo which crates a module is made of takes a moment each: not where nothing has changed at all.
+    let (stamp, text) = (stamp_of("wasm"), inputs()?);
+    if !stamp::holds(&stamp, &text) || !files().iter().all(|file| pkg.join(file).is_file()) {
+        for (name, feature) in MODULES {
+            let text = hash(&crates(feature)?)?;
+            let there = files_of(name).iter().all(|file| pkg.join(file).is_file());
+            if !there || !stamp::holds(&stamp_of(name), &text) {
+                stale.push(Stale { name, feature, text });
+            }
         }
-        package::write_manifest(&pkg)?;
-        stamp::write(&stamp, &text)
-    })
+    }
+    if !stale.is_empty() {
+        let names: Vec<&str> = stale.iter().map(|module| module.name).collect();
+        steps.run(&format!("build the wasm modules ({})", names.join(", ")), || make(&stale, &pkg))?;
+    }
+    for script in SCRIPTS {
+        stamp::write_changed(
+            &pkg.join(script),
+            &fs::read_to_string(root().join("crate/web/js").join(script))?,
+        )?;
+    }
+    package::write_manifest(&pkg)?;
+    stamp::write_changed(&stamp, &text)
 }
 
-/// The hash of everything that the module is made from.
+/// A module that has to be built, and the hash of what it will be built from.
+struct Stale {
+    name: &'static str,
+    feature: &'static str,
+    text: String,
+}
+
+fn stamp_of(name: &str) -> PathBuf {
+    target().join(format!("xtask/{name}.stamp"))
+}
+
+/// The hash of everything that the modules are made from.
 pub fn inputs() -> Outcome<String> {
+    let mut all = Vec::new();
+    for folder in fs::read_dir(root().join("crate"))? {
+        let folder = folder?.path();
+        if !["testing", "xtask"].map(|name| folder.ends_with(name)).contains(&true) {
+            all.push(folder);
+        }
+    }
+    all.sort();
+    hash(&all)
+}
+
+/// The folders of the crates that a module is made of, itself among them.
+fn crates(feature: &str) -> Outcome<Vec<PathBuf>> {
+    let line = format!(
+        "tree --package frond-web --no-default-features --features {feature} --target {WASM_TARGET} \
+         --edges normal,build --prefix none --format {{p}}"
+    );
+    let text =
+        ask(&mut cargo_wasm(&line)).ok_or("`cargo tree` cannot say what the wasm modules are made of")?;
+    // The crates of this repository are those with a folder: `frond-core v0.1.0 (/home/me/frond/crate/core)`.
+    let folders =
+        text.lines().filter_map(|line| line.split_once(" (")?.1.split_once(')').map(|(folder, _)| folder));
+    let mut found: Vec<PathBuf> = folders.map(PathBuf::from).filter(|folder| folder.is_dir()).collect();
+    found.sort();
+    found.dedup();
+    if found.is_empty() { Err("`cargo tree` names no crate of this repository".into()) } else { Ok(found) }
+}
+
+/// The hash of the settings and of the sources in these folders, without tests.
+fn hash(folders: &[PathBuf]) -> Outcome<String> {
     let mut hash = Hash::new(&[OPTIMISE]);
     for file in ["Cargo.toml", "Cargo.lock", "rust-toolchain.toml", ".cargo/config.toml", "package-lock.json"]
     {
         hash.path(&root().join(file))?;
     }
-    for folder in sources()? {
-        hash.path(&folder)?;
+    for folder in folders {
+        let mut entries =
+            fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<Outcome<Vec<_>>>()?;
+        entries.sort();
+        for path in entries {
+            if !NO_SOURCES.iter().any(|name| path.ends_with(name)) {
+                hash.path(&path)?;
+            }
+        }
     }
     Ok(hash.text())
 }
 
-/// The folders that hold the module's sources: all crates but this one, without their tests.
-fn sources() -> Outcome<Vec<PathBuf>> {
-    let mut found = Vec::new();
-    for folder in fs::read_dir(root().join("crate"))? {
-        let folder = folder?.path();
-        if folder.file_name().is_some_and(|name| name == "xtask") || !folder.is_dir() {
-            continue;
-        }
-        for entry in fs::read_dir(&folder)? {
-            let path = entry?.path();
-            let name = path.file_name().unwrap_or_default().to_string_lossy();
-            if !["tests", "benches", "examples", "pkg", "webdriver.json"].contains(&&*name) {
-                found.push(path);
-            }
-        }
-    }
-    found.sort();
-    Ok(found)
-}
-
-/// Builds into a folder of its own, which it returns. While one module is compiled, which takes one core at its end, those
-/// before it are bound and made smaller.
-fn make() -> Outcome<PathBuf> {
+/// Builds modules into `pkg`. While one is compiled, which takes one core at its end, the one before it is bound and made
+/// smaller.
+fn make(modules: &[Stale], pkg: &Path) -> Outcome {
     let made = target().join("xtask/pkg");
-    if made.exists() {
-        fs::remove_dir_all(&made)?;
-    }
     fs::create_dir_all(&made)?;
+    fs::create_dir_all(pkg)?;
     thread::scope(|scope| -> Outcome {
         let mut finishing = Vec::new();
-        for (name, feature) in MODULES {
+        for module in modules {
+            let (name, feature) = (module.name, module.feature);
             run(&mut cargo_wasm(&format!(
                 "build --package frond-web --lib --release --target {WASM_TARGET} --no-default-features --features {feature}"
             )))?;
@@ -129,17 +138,20 @@ fn make() -> Outcome<PathBuf> {
             let made = &made;
             // An error of this kind does not go from thread to thread: its words do.
             finishing
-                .push(scope.spawn(move || finish(name, &raw, made).map_err(|problem| problem.to_string())));
+                .push((module, scope.spawn(move || finish(name, &raw, made).map_err(|e| e.to_string()))));
         }
-        for one in finishing {
-            one.join().map_err(|_| "a module could not be finished")??;
+        for (module, finished) in finishing {
+            finished.join().map_err(|_| "a module could not be finished")??;
+            for file in files_of(module.name) {
+                // Each is there in whole or not at all: a server may be reading.
+                let part = pkg.join(format!("{file}.part"));
+                fs::copy(made.join(&file), &part)?;
+                fs::rename(part, pkg.join(&file))?;
+            }
+            stamp::write(&stamp_of(module.name), &module.text)?;
         }
         Ok(())
-    })?;
-    for script in SCRIPTS {
-        fs::copy(root().join("crate/web/js").join(script), made.join(script))?;
-    }
-    Ok(made)
+    })
 }
 
 /// Bindings for what Cargo built, and the module itself as small as it gets.
