@@ -40,7 +40,7 @@ Usage: cargo xtask <command>
       `npm install path/to/target/package/frond`, then `import init, { attractor } from \"frond\"`.
 
   test [name ..]
-      Run every check, or those whose group or step has one of these names:
+      Run every check but the last, or those whose group or step has one of these names:
 TESTS
       The end-to-end tests take FROND_CHROMIUM as the browser where it is set, and the tests of exact
       answers take FROND_KNOWN as the directory of the answers (default: tests/known).

@@ -9,6 +9,7 @@ use crate::command::Outcome;
 #[derive(Default)]
 pub struct Steps {
     done: Vec<Step>,
+    left: Vec<String>,
     again: Option<String>,
 }
 
@@ -52,9 +53,14 @@ impl Steps {
         result
     }
 
-    /// Says which command tries alone what has just failed: the summary ends with it.
+    /// Says which command tries alone what has just failed.
     pub fn again(&mut self, command: String) {
         self.again = Some(command);
+    }
+
+    /// Says what was not tried, because something failed before.
+    pub fn leave(&mut self, name: String) {
+        self.left.push(name);
     }
 
     /// Whether any step ran.
@@ -64,16 +70,25 @@ impl Steps {
 
     /// Prints every step with its time; the last line holds the counts and nothing else.
     pub fn summary(&self) {
-        println!();
+        println!("\n{}", self.table());
+    }
+
+    fn table(&self) -> String {
+        let mut lines = Vec::new();
         for step in &self.done {
-            let mark = if step.passed { "ok    " } else { "FAILED" };
-            println!("{mark} {:>9}  {}", seconds(step.time), step.name);
+            let mark = if step.passed { "ok" } else { "FAILED" };
+            lines.push(format!("{mark:<9}{:>9}  {}", seconds(step.time), step.name));
         }
-        if let Some(command) = &self.again {
-            println!("\nTo try alone what failed: {command}");
-        }
+        lines.extend(self.left.iter().map(|name| format!("{:<20}{name}", "not run")));
+        let all = self.done.iter().map(|step| step.time).sum();
+        lines.push(format!("{:<9}{:>9}", "in all", seconds(all)));
         let passed = self.done.iter().filter(|step| step.passed).count();
-        println!("{passed} passed, {} failed", self.done.len() - passed);
+        if let Some(step) = self.done.iter().rfind(|step| !step.passed) {
+            let again = self.again.as_ref().map_or(String::new(), |command| format!("; alone: {command}"));
+            lines.push(format!("\nFAILED   {}{again}", step.name));
+        }
+        lines.push(format!("{passed} passed, {} failed", self.done.len() - passed));
+        lines.join("\n")
     }
 }
 
@@ -103,6 +118,21 @@ mod tests {
         let mut steps = Steps::default();
         assert!(steps.prepare("check", |steps| steps.run("install", || Err("no network".into()))).is_err());
         assert_eq!(steps.done.iter().map(|step| step.name.as_str()).collect::<Vec<_>>(), ["install"]);
+    }
+
+    #[test]
+    fn the_last_lines_say_what_failed_and_how_to_try_it_alone() {
+        let mut steps = Steps::default();
+        assert!(steps.run("fmt: layout", || Ok(())).is_ok());
+        assert!(steps.run("tsc: types", || Outcome::<()>::Err("no".into())).is_err());
+        steps.again("cargo xtask test tsc".to_owned());
+        steps.leave("vitest: parts".to_owned());
+        let table = steps.table();
+        let lines: Vec<&str> = table.lines().collect();
+        let [.., not_run, _, _, failed, counts] = lines[..] else { panic!("{table}") };
+        assert!(not_run.starts_with("not run") && not_run.ends_with("vitest: parts"), "{table}");
+        assert_eq!(failed, "FAILED   tsc: types; alone: cargo xtask test tsc");
+        assert_eq!(counts, "1 passed, 1 failed");
     }
 
     #[test]

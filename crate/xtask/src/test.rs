@@ -21,6 +21,12 @@ struct Check {
     work: fn() -> Outcome,
 }
 
+/// The group of what runs only when it is named.
+const ON_DEMAND: &str = "deep";
+
+/// How many times as many examples `deep` tries.
+const DEEP_FACTOR: u32 = 20;
+
 const CHECKS: &[Check] = &[
     Check {
         group: "rust",
@@ -88,18 +94,27 @@ const CHECKS: &[Check] = &[
         set_up: e2e,
         work: || play("phone"),
     },
+    Check {
+        group: ON_DEMAND,
+        name: "deep",
+        what: "tests of the crates with many more examples; only when named",
+        set_up: nothing,
+        work: deep,
+    },
 ];
 
-/// Runs the checks whose group or name is among `wanted`, or all; stops at the first that fails.
+/// Runs the checks whose group or name is among `wanted`, or all but those [`ON_DEMAND`]; stops at the first that fails.
 pub fn test(steps: &mut Steps, wanted: &[String]) -> Outcome {
     if let Some(word) = wanted.iter().find(|word| !CHECKS.iter().any(|check| check.is(word))) {
         return Err(format!("there is no check `{word}`; there are:\n{}", list()).into());
     }
-    for check in CHECKS.iter().filter(|check| wanted.is_empty() || wanted.iter().any(|word| check.is(word))) {
-        let name = format!("{}: {}", check.name, check.what);
+    let mut chosen = CHECKS.iter().filter(|check| check.is_chosen(wanted));
+    while let Some(check) = chosen.next() {
+        let name = check.title();
         let outcome = steps.prepare(&name, check.set_up).and_then(|()| steps.run(&name, check.work));
         if outcome.is_err() {
             steps.again(format!("cargo xtask test {}", check.name));
+            chosen.for_each(|check| steps.leave(check.title()));
             return outcome;
         }
     }
@@ -115,6 +130,14 @@ pub fn list() -> String {
 }
 
 impl Check {
+    fn title(&self) -> String {
+        format!("{}: {}", self.name, self.what)
+    }
+
+    fn is_chosen(&self, wanted: &[String]) -> bool {
+        if wanted.is_empty() { self.group != ON_DEMAND } else { wanted.iter().any(|word| self.is(word)) }
+    }
+
     fn is(&self, word: &str) -> bool {
         self.group == word || self.name == word
     }
@@ -162,6 +185,17 @@ fn clippy_wasm() -> Outcome {
 
 fn cargo_test() -> Outcome {
     run(&mut cargo("test --quiet --workspace"))
+}
+
+/// Properties of 256 examples, proptest's own number, have no FROND_CASES to read.
+fn deep() -> Outcome {
+    let mut command = cargo("test --quiet --workspace");
+    for (name, value) in [("FROND_CASES", DEEP_FACTOR), ("PROPTEST_CASES", 256 * DEEP_FACTOR)] {
+        if std::env::var_os(name).is_none() {
+            command.env(name, value.to_string());
+        }
+    }
+    run(&mut command)
 }
 
 fn tsc() -> Outcome {
