@@ -4,15 +4,11 @@
 
 use wasm_bindgen_test::wasm_bindgen_test_configure;
 
-mod api;
-mod bend;
 mod card;
 mod js;
 mod locus;
-mod proof;
 mod render;
 mod sheet;
-mod solid;
 mod space;
 
 wasm_bindgen_test_configure!(run_in_browser);

@@ -1,5 +1,4 @@
-//! Bent photographs: what the graphics card draws against what the processor does, on both backends, and the handle for
-//! JavaScript.
+//! Bent photographs: what the graphics card draws against what the processor does, on both backends.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -9,12 +8,9 @@ use frond_deform::{Bend, Continuity, Mesh, Roughness, Settings, Spin};
 use frond_render::gpu::{Event, Stage, Wanted};
 use frond_render::{BentSheet, Photo, Sheet, SheetOptions, View, draw_sheet};
 use glam::DVec2;
-use js_sys::{Reflect, Uint8Array};
-use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::{console_log, wasm_bindgen_test};
 
 use crate::card::{card, picture_of};
-use crate::js::json;
 
 const SIZE: (u32, u32) = (180, 120);
 
@@ -133,41 +129,4 @@ async fn the_card_draws_what_the_processor_does() {
         let faults = events.borrow();
         assert!(faults.is_empty(), "{faults:?}");
     }
-}
-
-fn bend_object(moves: &str) -> JsValue {
-    json(&format!(
-        r#"{{"columns":2,"rows":2,"box":[0,0,1.5,1],"moves":{moves},"kb":1,"ke":4,"delta":0.5,"spin":"none",
-        "continuity":"auto","superposed":true}}"#
-    ))
-}
-
-#[wasm_bindgen_test]
-fn the_handle_draws_and_refuses() {
-    let code = |error: JsValue| Reflect::get(&error, &"code".into()).unwrap().as_string().unwrap();
-    let rgba = JsValue::from(Uint8Array::from(&bytes(30, 20)[..]));
-    let mut sheet = frond_web::Sheet::new(&rgba, 30.0, 20.0).ok().unwrap();
-    let options = || json(r#"{"width":60,"height":40}"#);
-    let at_rest = sheet.draw(JsValue::NULL, 2.0, options()).unwrap().to_vec();
-    assert_eq!(at_rest.len(), 60 * 40 * 4);
-    let still = sheet.draw(bend_object("[0,0,0,0,0,0,0,0]"), 2.0, options()).unwrap().to_vec();
-    assert!(differences(&at_rest, &still).0 < 1.0);
-    let bent = sheet.draw(bend_object("[0,0,0.3,0,0,0,0,0.4]"), 2.0, options()).unwrap().to_vec();
-    assert!(differences(&at_rest, &bent).1 > 0.1);
-    // As if it had been made anew.
-    let mut other = frond_web::Sheet::new(&rgba, 30.0, 20.0).ok().unwrap();
-    let anew = other.draw(bend_object("[0,0,0.3,0,0,0,0,0.4]"), 2.0, options()).unwrap().to_vec();
-    assert_eq!(bent, anew);
-
-    assert_eq!(code(sheet.draw(bend_object("[0,0]"), 2.0, options()).unwrap_err()), "mesh-count");
-    assert_eq!(code(sheet.draw(bend_object("[0,0,0,0,0,0,0,0]"), 5.0, options()).unwrap_err()), "bad-input");
-    let huge = json(r#"{"width":60000,"height":40}"#);
-    assert_eq!(code(sheet.draw(JsValue::NULL, 2.0, huge).unwrap_err()), "picture-too-large");
-    let new = |rgba: &JsValue, w, h| frond_web::Sheet::new(rgba, w, h).map(|_| ());
-    assert_eq!(code(new(&rgba, 31.0, 20.0).unwrap_err()), "photo-bytes");
-    assert_eq!(code(new(&rgba, f64::NAN, 20.0).unwrap_err()), "photo-size");
-    assert_eq!(code(new(&rgba, 10_000.0, 10_000.0).unwrap_err()), "photo-size");
-    assert_eq!(code(new(&"picture".into(), 30.0, 20.0).unwrap_err()), "bad-input");
-    // And it still draws.
-    assert_eq!(sheet.draw(JsValue::NULL, 2.0, options()).unwrap().to_vec(), at_rest);
 }
