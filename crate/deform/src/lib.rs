@@ -18,6 +18,21 @@
 //!
 //! [`Spin`] turns the displacement with the piece. [`Cube`] gives codes to the points of a unit square, so that
 //! pictures can be bent like attractors.
+//!
+//! # In which order to read it
+//!
+//! 1. `mesh`: the control points and what they displace.
+//! 2. `shuffle`: codes, their shuffle, the weights of the depths, and [`Field`], the formulas as they stand in the
+//!    paper; then the same terms computed level by level and place by place.
+//! 3. `continuity`: what keeps neighbouring pieces together. Corners that pieces share, a grid that each level is
+//!    splatted into, or the paper's own averages.
+//! 4. `bend`: all of it at one moment, with its `settings`; `skin` and `follow` for a mesh that moves; `ring` for
+//!    curves.
+//!
+//! # What it stands on
+//!
+//! Fujimoto, Ohno, Muraoka and Chiba (above); Wachspress coordinates inside of corners; Delaunay triangulation for the
+//! paper's own repair.
 
 mod bend;
 mod continuity;

@@ -4,18 +4,39 @@
 //!
 //! - [`FractalFunction`] and [`FractalCurve`] are made of smaller copies of parts of themselves: FIF, where each piece
 //!   copies the whole; RFIF, where it copies what lies between two knots; PFIF, where it copies any part.
-//! - [`Hough`] finds maps that a graph is made of by voting; [`name_clusters`] tells maps from echoes, [`assemble`] makes a
-//!   whole function of them, [`assemble_picked`] one of those that were picked, [`FractalFunction::to_recurrent`] a RFIF
-//!   of a PFIF. A [`Series`] is measured data, [`Components`] the directions in which clusters spread.
+//! - [`Hough`] finds maps that a graph is made of by voting; [`name_clusters`] tells maps from echoes, [`assemble`]
+//!   makes a whole function of them, [`assemble_picked`] one of those that were picked,
+//!   [`FractalFunction::to_recurrent`] a RFIF of a PFIF. A [`Series`] is measured data, [`Components`] the directions
+//!   in which clusters spread.
 //! - [`fit_collage`] is the paper's fit of a ring of feature points.
 //! - [`Fitter`] fits a [`ClosedCurve`], knots with edges that are straight or copies of arcs, which is closed by
 //!   construction and nearer than a polyline of as many numbers.
 //! - [`CurveMorph`] brings two closed curves to one structure; at every moment between them there is a closed curve.
-//! - [`Outline`] is a closed polyline that is to be fitted; [`features`] finds its feature points, [`fidelity`] says how
-//!   near a fit is to it.
-//! - [`Tracer`] finds the leaf in a picture and the line round it, [`read_file`] outlines and series in drawings and tables.
+//! - [`Outline`] is a closed polyline that is to be fitted; [`features`] finds its feature points, [`fidelity`] says
+//!   how near a fit is to it.
+//! - [`Tracer`] finds the leaf in a picture and the line round it, [`read_file`] outlines and series in drawings and
+//!   tables.
 //! - [`split_polyline`], [`least_squares_polyline`], [`bezier`] and [`fourier`] spend as many numbers in other ways;
 //!   [`maple_leaf`], [`oak_leaf`] and [`island`] grow outlines to try all this on; [`curve_presets`] are fits of them.
+//!
+//! # In which order to read it
+//!
+//! 1. `outline`: what is fitted, its feature points, and how near a fit is to it.
+//! 2. `fractal`: a piece, the curves and functions that are made of pieces, and points of them.
+//! 3. `collage` and `hough`: the paper's two ways to find the pieces. `baseline`: what they are compared with.
+//! 4. `closed`: the form that does better. `fitter` is the loop, `candidates` proposes copies, `moves` trades numbers
+//!    between knots and copies, `refine` is least squares through the attractor, `final_refine` ends it.
+//! 5. `curve_morph`: two curves matched by dynamic time warping (`dtw`), given as many knots each (`matching`,
+//!    `knot_ring`).
+//! 6. `segment`: a leaf in a picture. A channel, Otsu's threshold, morphology, connected components, the contour.
+//!    `read`: outlines and series out of files.
+//!
+//! # What it stands on
+//!
+//! - Cochran, Hart and Flynn (above): fractal functions, the collage fit, the votes.
+//! - Barnsley, "Fractal functions and interpolation" (1986): FIF.
+//! - Otsu, "A threshold selection method from gray-level histograms" (1979): `segment`.
+//! - Sakoe and Chiba, "Dynamic programming algorithm optimization for spoken word recognition" (1978): `dtw`.
 //!
 //! Conventions: y points up, outlines run counter-clockwise, indices count from 0 in code and from 1 in messages.
 //! No panics on any input, no unsafe code, no web, no pictures.

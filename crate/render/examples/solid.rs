@@ -1,4 +1,5 @@
-//! Draws attractors of space into files of RGBA pixels: `cargo run --release -p frond-render --example space -- FOLDER`.
+//! Draws attractors of space into files of RGBA pixels: `cargo run --release -p frond-render --example solid --
+//! FOLDER`.
 
 use std::time::Instant;
 

@@ -4,19 +4,49 @@
 //! A picture shows every pixel that a piece of the attractor reaches into, and no other. [`rasterize`]
 //! makes one from an [`Ifs`](frond_core::Ifs).
 //!
-//! Both ways begin with a [`Frame`]: the attractor brought into the unit disc by the smallest ellipse around
-//! its hull, so that a piece is a matrix, its size is read off the matrix, and its points fit an `f32`
-//! whatever the size of the shape and however far one zooms in. A [`View`] takes it to the screen, in `f64`.
+//! ```
+//! use frond_core::{Affine2, Ifs};
+//! use frond_render::{RasterOptions, rasterize};
+//! use glam::{DMat2, DVec2};
 //!
-//! - A [`Sweep`] walks down the tree of pieces and skips what is outside of the window or lit already. Where
-//!   pieces overlap without end it goes over to a [`Flood`] of points on a grid.
-//! - A lit pixel holds a code, the first [`Letters`] of its piece. A [`Look`] makes colours of codes.
-//! - A [`Density`] spreads samples after the measure; [`tone`] makes light of it.
-//! - What [`bent`] holds is drawn where a [`Bend`](frond_deform::Bend) takes it: in pieces that are even in themselves, as
-//!   points that follow the mesh, or swept.
+//! // Sierpinski's triangle: three maps, each of which halves the plane towards a corner.
+//! let half = DMat2::from_diagonal(DVec2::splat(0.5));
+//! let corners = [DVec2::ZERO, DVec2::X, DVec2::Y];
+//! let ifs = Ifs::new(corners.map(|corner| Affine2::new(half, corner * 0.5)).to_vec())?;
+//! let pixels = rasterize(&ifs, &RasterOptions { width: 64, height: 64, ..RasterOptions::default() })?;
 //!
-//! Each shader in `shader/` has a twin with the same arithmetic, and tests that compare them. The twins are here, but for
-//! that of the locus, which is in crate/locus: what runs on the card for it is `gpu::LocusGpu`.
+//! assert_eq!(pixels.len(), 64 * 64 * 4);
+//! assert!(pixels.chunks(4).any(|pixel| pixel[3] == 255) && pixels.chunks(4).any(|pixel| pixel[3] == 0));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # In which order to read it
+//!
+//! 1. `picture`: a [`Window`] of pixels and the [`View`] of the plane in it; a [`Look`] makes colours of codes,
+//!    [`tone`] light of densities.
+//! 2. `pieces`: a [`Frame`] is the attractor brought into the unit disc by the smallest ellipse around its hull, so
+//!    that a piece is a matrix, its size is read off the matrix, and its points fit an `f32` however far one zooms in.
+//!    [`Letters`], the first of a piece's word, are its code.
+//! 3. `coverage`: a [`Sweep`] walks down the tree of pieces and skips what is outside of the window or lit already.
+//!    Where pieces overlap without end it goes over to a [`Flood`] of points on a grid. With this [`rasterize`] is
+//!    complete.
+//! 4. A [`Plan`] is the same picture as points that a graphics card places; a [`Density`] spreads samples after the
+//!    measure.
+//! 5. [`bent`] draws what a [`Bend`](frond_deform::Bend) deforms: in pieces that are even in themselves. `sheet` does
+//!    it to a photograph.
+//! 6. [`solid`] is space: a [`Carve`](solid::Carve) leaves a depth buffer, which is shaded; points are splats.
+//! 7. `gpu` draws on a card: a `Stage` chooses between passes, which share one `StageState`; `locus` decides the
+//!    samples of a connectedness locus.
+//!
+//! Each shader in `shader/` has a twin of the same name and the same arithmetic, and tests that compare them; the twin
+//! of `locus.wgsl` is in crate/locus, that of `solid/shade.wgsl` is in two files, `hole_fill.rs` and `shade.rs`.
+//!
+//! # What it stands on
+//!
+//! - Burch and Hart, "Linear Fractal Shape Interpolation": the attractors, and colours by the first map.
+//! - Fujimoto, Ohno, Muraoka and Chiba, "Fractal Deformation": what [`bent`] and `sheet` draw.
+//! - Darwish and Abd-El-Wahab, "IFS Fractal Animation": what [`solid`] draws.
+//! - Greene, Kass and Miller, "Hierarchical Z-buffer visibility" (1993): how [`solid`] passes over what is hidden.
 
 pub mod bent;
 mod coverage;
