@@ -17,9 +17,9 @@ const SYMBOLS: usize = 4;
 
 /// A fractal deformation of a closed curve at one moment (Fujimoto et al., eqs 12, 18 and 19).
 ///
-/// The code of a point is its parameter t, from 0 to 1 around the curve, written in base 4: digit k names the quarter of
-/// the quarter .. of the curve that the point is in. Term k gives it the displacement of the point whose digits kb + 1 to
-/// k stand in reverse (eqs 5 and 6); the weights are those of eq 13.
+/// The code of a point is its parameter t, from 0 to 1 around the curve, written in base 4: digit k names the quarter
+/// of the quarter .. of the curve that the point is in. Term k gives it the displacement of the point whose digits kb +
+/// 1 to k stand in reverse (eqs 5 and 6); the weights are those of eq 13.
 ///
 /// Continuity is exact: a term that is shuffled is taken at the ends of the 4^k parts of length 4^-k, where two parts
 /// meet it is the mean of both sides, and within a part it is linear in t. So the curve stays closed and has no gaps.
@@ -84,8 +84,8 @@ impl RingBend {
         Terms::new(kb, ke.min(deepest as f64), roughness, Spin::None, superposed)
     }
 
-    /// The bend of the curve whose points at t = i / count are `grid`; count is a power of 4, 4^9 at most. Where it is less
-    /// than [`points`](Self::points) says, the detail is taken down to it.
+    /// The bend of the curve whose points at t = i / count are `grid`; count is a power of 4, 4^9 at most. Where it is
+    /// less than [`points`](Self::points) says, the detail is taken down to it.
     ///
     /// # Errors
     /// [`BendError`]: for settings that are none, another count, and points that are not finite.
@@ -137,8 +137,8 @@ impl RingBend {
             .fill(DVec2::ZERO, |[after, before], weight| (samples[after] + samples[before]) * (0.5 * weight));
     }
 
-    /// The sum of the shuffled terms at the ends of the smallest parts; `value` gives one at the end of a part, from the
-    /// points of the grid that are shuffled to there by the parts after and before it, and from its weight.
+    /// The sum of the shuffled terms at the ends of the smallest parts; `value` gives one at the end of a part, from
+    /// the points of the grid that are shuffled to there by the parts after and before it, and from its weight.
     fn fill<T>(&self, zero: T, value: impl Fn([usize; 2], f64) -> T) -> Vec<T>
     where
         T: Copy + Add<Output = T> + Mul<f64, Output = T>,

@@ -58,8 +58,8 @@ pub enum Continuity {
     Corners,
     /// Terms are spread over grids and read off smoothly between their nodes, for tilings: nothing tears.
     Splat,
-    /// Nothing: the formula as it stands. Trees, whose pieces hardly touch, are bent best so; where the shuffle tears them,
-    /// they fray, the rougher the more.
+    /// Nothing: the formula as it stands. Trees, whose pieces hardly touch, are bent best so; where the shuffle tears
+    /// them, they fray, the rougher the more.
     Raw,
     /// The mean of what is shuffled over each piece of ke letters, interpolated over a Delaunay triangulation of their
     /// middles (Fujimoto et al., section 5.3). Nothing tears, but thin parts lean on their neighbours.

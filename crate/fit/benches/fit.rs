@@ -1,9 +1,9 @@
 //! What fits come to, on grown leaves and on the outlines (.csv) of the folder named in `FROND_LEAVES`:
 //! `FROND_LEAVES=.. cargo bench -p frond-fit --bench fit -- [name ..] [numbers=260] [turns=1] [noise=0] [only]`.
 //!
-//! With `turns` the outline is begun at so many places of it, and each is fitted: how much results scatter. `noise` is how
-//! far each point is moved by chance, in percent of the diagonal; errors are measured against the outline with its noise,
-//! and against the one without. `only` leaves out what fits are compared with.
+//! With `turns` the outline is begun at so many places of it, and each is fitted: how much results scatter. `noise` is
+//! how far each point is moved by chance, in percent of the diagonal; errors are measured against the outline with its
+//! noise, and against the one without. `only` leaves out what fits are compared with.
 
 use frond_fit::{
     ClosedCurve, Fitter, Outline, Stage, bezier, fidelity, fourier, island, least_squares_polyline,

@@ -1,4 +1,5 @@
-//! What counting costs a vote, against a plain loop that solves each 3 x 3 system: `cargo bench -p frond-fit --bench hough`.
+//! What counting costs a vote, against a plain loop that solves each 3 x 3 system: `cargo bench -p frond-fit --bench
+//! hough`.
 
 #[path = "../tests/plain/mod.rs"]
 mod plain;

@@ -46,9 +46,9 @@ pub struct ArcCopy {
 
 /// A closed curve through knots whose edges are straight or smaller copies of its own arcs.
 ///
-/// It is closed and has no gaps by construction: every edge, whatever it copies, runs from knot to knot. With one affine
-/// map an edge it is a recurrent system (Cochran, Hart & Flynn, eqs 4 to 6, with the non-separable maps of eq 9).
-/// It costs 2 numbers a knot and 2 a copied edge.
+/// It is closed and has no gaps by construction: every edge, whatever it copies, runs from knot to knot. With one
+/// affine map an edge it is a recurrent system (Cochran, Hart & Flynn, eqs 4 to 6, with the non-separable maps of eq
+/// 9). It costs 2 numbers a knot and 2 a copied edge.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosedCurve {
     /// The knots, in order.
@@ -98,7 +98,8 @@ impl ClosedCurve {
         if copy.reversed { (last, first) } else { (first, last) }
     }
 
-    /// The linear part of the map that makes edge `index` of its arc, and where the arc begins; none where it is straight.
+    /// The linear part of the map that makes edge `index` of its arc, and where the arc begins; none where it is
+    /// straight.
     #[must_use]
     pub fn map(&self, index: usize) -> Option<(DMat2, DVec2)> {
         let copy = self.edges.get(index)?.as_ref()?;

@@ -139,8 +139,8 @@ pub struct CollageFit {
 
 /// Fits a ring of feature points by the collage: for each range the domain, way round and factors of least squares.
 ///
-/// Of equals the first in the order of `start`, forwards before reversed. Points beyond maps * M are left out. Where the
-/// ends of copies of any part cannot be tied under the bound, a smaller one is taken for all of them.
+/// Of equals the first in the order of `start`, forwards before reversed. Points beyond maps * M are left out. Where
+/// the ends of copies of any part cannot be tied under the bound, a smaller one is taken for all of them.
 ///
 /// # Errors
 /// Where there are too few or too many points, one is not finite, or the bound is not in (0, 1).
@@ -210,8 +210,9 @@ fn nearest(ring: &[DVec2], intervals: usize, options: &CollageOptions) -> Collag
 /// Ties the ends through the attractor: where a domain ends inside a piece, the curve does not pass through the feature
 /// point there, and a map that brings feature points to feature points leaves a gap.
 ///
-/// False where that does not come to rest. With each step the way to where it would is multiplied by no more than twice the
-/// largest factor, since a point of a domain moves and its chord does, too: below a half it always does, above it often.
+/// False where that does not come to rest. With each step the way to where it would is multiplied by no more than twice
+/// the largest factor, since a point of a domain moves and its chord does, too: below a half it always does, above it
+/// often.
 fn tie(fit: &mut CollageFit, ring: &[DVec2]) -> bool {
     let (low, high) = bounds(ring);
     let size = low.distance(high);
@@ -249,7 +250,8 @@ fn misfit(domain: &[DVec2], range: &[DVec2], factor: DMat2, step: DVec2, offset:
 /// The factor, b and e of least squares under the bound.
 ///
 /// b and e are linear in the rest and not bounded, so both sides are first freed of what b and e can do: of their
-/// regression on m, or, with tied ends, of their chords. What is left is a regression of two or of one unknown a coordinate.
+/// regression on m, or, with tied ends, of their chords. What is left is a regression of two or of one unknown a
+/// coordinate.
 fn solve(domain: &[DVec2], range: &[DVec2], options: &CollageOptions, bound: f64) -> (DMat2, DVec2, DVec2) {
     let (d, r) = (line(domain, options.tied), line(range, options.tied));
     let last = (range.len() - 1) as f64;

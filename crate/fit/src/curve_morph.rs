@@ -44,9 +44,9 @@ impl MorphError {
 /// Two closed curves with knots in common, or one alone.
 ///
 /// Each curve gets further knots, without changing, until both have as many, and each has its partner. At s an edge is
-/// the chord between blended knots, plus 1 - s times what the first curve's edge copies of the residual (curve less chord)
-/// of an arc, plus s times what the second's copies, both of the curve at s itself. So it is a fractal curve with two
-/// copies an edge: closed and without gaps at every s, the first curve at 0, the second at 1.
+/// the chord between blended knots, plus 1 - s times what the first curve's edge copies of the residual (curve less
+/// chord) of an arc, plus s times what the second's copies, both of the curve at s itself. So it is a fractal curve
+/// with two copies an edge: closed and without gaps at every s, the first curve at 0, the second at 1.
 #[derive(Clone, Debug)]
 pub struct CurveMorph {
     rings: [Ring; 2],

@@ -1,8 +1,8 @@
 //! Self-affinity found by voting (Cochran, Hart & Flynn, section 3.1).
 //!
-//! Every domain triple of a coarse feature set is laid on every range of a fine one; each pairing votes for one affine map
-//! [a 0; b c] + [d e]. Maps that the graph is made of get many votes. Five dimensions of bins would not fit in memory: a
-//! first pass counts (a, b, c) only, a second one counts (d, e) for the cells that did best.
+//! Every domain triple of a coarse feature set is laid on every range of a fine one; each pairing votes for one affine
+//! map [a 0; b c] + [d e]. Maps that the graph is made of get many votes. Five dimensions of bins would not fit in
+//! memory: a first pass counts (a, b, c) only, a second one counts (d, e) for the cells that did best.
 
 mod assemble;
 mod cluster;

@@ -63,8 +63,8 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// Cleans points and makes an outline of them: repeated points and a repeated closing point are dropped, a clockwise
-    /// one is turned round.
+    /// Cleans points and makes an outline of them: repeated points and a repeated closing point are dropped, a
+    /// clockwise one is turned round.
     ///
     /// # Errors
     /// Where fewer than three points differ, there are too many, one is not finite, or all lie on a line.

@@ -13,7 +13,7 @@ pub use sniff::{FileKind, sniff};
 
 use glam::DVec2;
 
-use self::gather::{About, Gathered, LEAST, fewer};
+use self::gather::{About, FEWEST_POINTS, Gathered, fewer};
 use crate::outline::Outline;
 use crate::segment::{MAX_OUTLINE, thinned};
 
@@ -115,7 +115,7 @@ fn table_content(text: &str, read_as: ReadAs) -> Result<FileContent, ReadError> 
         gathered.take(&table.line, About { label: (), closed: true, ground: false });
         return gathered.finish("csv", table.remarks, |()| "table".into());
     }
-    let or_outline = table.two && points.len() >= LEAST;
+    let or_outline = table.two && points.len() >= FEWEST_POINTS;
     let (rows, mut remarks) = (table.line.count, table.remarks);
     let mut points = table.line.into_points();
     points.sort_by(|a, b| a.x.total_cmp(&b.x));
@@ -126,7 +126,7 @@ fn table_content(text: &str, read_as: ReadAs) -> Result<FileContent, ReadError> 
             format!("At {} places there was more than one value: the first is kept.", before - points.len());
         remarks.push(Remark::new("gaps", message));
     }
-    if points.len() + 1 < LEAST {
+    if points.len() + 1 < FEWEST_POINTS {
         return Err(ReadError::TooFew { count: points.len(), series: true });
     }
     if points.len() > MAX_OUTLINE {

@@ -55,8 +55,8 @@ fn points(woven: &MorphedCurve, tolerance: f64) -> Vec<DVec2> {
     woven.trace(tolerance, None, 1 << 18).into_iter().map(|(_, p)| p).collect()
 }
 
-/// The largest distance from corners of a curve, opened some levels deep, to the curve that is traced to `tolerance`, and
-/// back from points of it; in parts of the diagonal.
+/// The largest distance from corners of a curve, opened some levels deep, to the curve that is traced to `tolerance`,
+/// and back from points of it; in parts of the diagonal.
 fn off(curve: &ClosedCurve, woven: &MorphedCurve, tolerance: f64) -> f64 {
     let diagonal = diagonal(curve);
     let line = Nearest::new(&points(woven, tolerance * diagonal), true);
@@ -153,8 +153,8 @@ fn further_knots_change_nothing() {
     for (k, (a, b)) in pairs().into_iter().enumerate() {
         let morph = CurveMorph::new(&a, Some(&b)).unwrap();
         for (curve, s) in [(&a, 0.0), (&b, 1.0)] {
-            // Each corner of a coarse trace is a point of the curve, exactly: it is there in a finer one of the curve alone, or
-            // in one that is as fine as can be around it, where the curve runs all but straight.
+            // Each corner of a coarse trace is a point of the curve, exactly: it is there in a finer one of the curve
+            // alone, or in one that is as fine as can be around it, where the curve runs all but straight.
             let diagonal = diagonal(curve);
             let alone = CurveMorph::new(curve, None).unwrap().at(0.0);
             let fine: Vec<_> = alone.trace(2e-5 * diagonal, None, 1 << 20);

@@ -17,7 +17,8 @@ fn table_1() -> (FractalFunction, Features, Features) {
     (function, coarse, fine)
 }
 
-/// The repository's own copy, whatever FROND_KNOWN names: what is said below of Figure 4 and Table 3 is said of the paper's.
+/// The repository's own copy, whatever FROND_KNOWN names: what is said below of Figure 4 and Table 3 is said of the
+/// paper's.
 const OWN: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/known");
 
 fn file(folder: &str, name: &str) -> Value {

@@ -1,5 +1,5 @@
-//! What drawing a bent gasket costs: `cargo bench -p frond-render --bench bent`. Times in one run are compared with each
-//! other, not with those of other machines.
+//! What drawing a bent gasket costs: `cargo bench -p frond-render --bench bent`. Times in one run are compared with
+//! each other, not with those of other machines.
 
 use std::time::Instant;
 

@@ -1,5 +1,5 @@
-// The connectedness locus, one invocation a sample. CPU twin: crate/locus/src/single.rs and what is under it, which says
-// why each step is as it is; the two must stay the same, operation for operation.
+// The connectedness locus, one invocation a sample. CPU twin: crate/locus/src/single.rs and what is under it, which
+// says why each step is as it is; the two must stay the same, operation for operation.
 
 struct Job {
     // The number of maps.

@@ -90,8 +90,8 @@ pub enum Verdict {
 }
 
 /// Pieces below this many pixels are even enough, those below the second are looked at in one place.
-const TINY: f64 = 1.5;
-const SMALL: f64 = 12.0;
+const EVEN_SIZE: f64 = 1.5;
+const ONE_PROBE_SIZE: f64 = 12.0;
 /// How much a piece may be twisted that is to be placed by an affine map, in pixels.
 const TWIST: f64 = 0.25;
 /// How many tips of a large piece are looked at, and of its parts.
@@ -120,7 +120,7 @@ impl<'a> Bent<'a> {
         let reach = bend.reach() * eye.scale();
         // What is read off a grid or a triangulation has folds.
         let folds = matches!(bend.continuity(), Continuity::Splat | Continuity::Average);
-        let small = if folds { TINY } else { SMALL };
+        let small = if folds { EVEN_SIZE } else { ONE_PROBE_SIZE };
         Self { frame, bend, window: target, eye, sides, slack, probes, small, reach }
     }
 
@@ -178,7 +178,7 @@ impl<'a> Bent<'a> {
 
     /// How far points of a piece are from where its anchors say.
     fn miss(&self, cursor: &Cursor, placed: &Placed, size: f64) -> f64 {
-        if size <= TINY {
+        if size <= EVEN_SIZE {
             return 0.0;
         }
         let off = |point: &DVec2| {

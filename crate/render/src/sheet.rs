@@ -16,8 +16,8 @@ use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::raster::{MAX_SIDE, RenderError};
 
-/// A rectangle of square cells, wherever their corners have gone: what a photograph is stretched over. At rest it lies on
-/// [0, aspect] x [0, 1].
+/// A rectangle of square cells, wherever their corners have gone: what a photograph is stretched over. At rest it lies
+/// on [0, aspect] x [0, 1].
 ///
 /// Neighbouring cells share their corners, so that it cannot tear.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,8 +39,8 @@ impl Sheet {
         Self::new(aspect, 1, |place| place)
     }
 
-    /// A sheet of `side` x `side` cells (1 to [`Sheet::FINEST`]) whose corners are where `bent` takes those of the sheet
-    /// at rest. An `aspect` that is none counts as 1.
+    /// A sheet of `side` x `side` cells (1 to [`Sheet::FINEST`]) whose corners are where `bent` takes those of the
+    /// sheet at rest. An `aspect` that is none counts as 1.
     #[must_use]
     pub fn new(aspect: f64, side: usize, mut bent: impl FnMut(DVec2) -> DVec2) -> Self {
         let aspect = if aspect > 0.0 && aspect.is_finite() { aspect } else { 1.0 };
@@ -51,8 +51,8 @@ impl Sheet {
         Self { aspect, side, corners }
     }
 
-    /// The maps whose attractor the sheet at rest is: `parts` x `parts`, x first, from the lower left, as the letters of
-    /// crate/deform count.
+    /// The maps whose attractor the sheet at rest is: `parts` x `parts`, x first, from the lower left, as the letters
+    /// of crate/deform count.
     #[must_use]
     pub fn maps(aspect: f64, parts: usize) -> Vec<Affine2> {
         let scale = DMat2::from_diagonal(DVec2::splat(1.0 / parts as f64));
@@ -61,8 +61,8 @@ impl Sheet {
     }
 
     /// Cells along a side for so many letters of `parts` x `parts` maps: one for each piece, more where these are too
-    /// large to bend smoothly, and no more than `most`. The second number is how many letters pieces have that are whole
-    /// cells or consist of some.
+    /// large to bend smoothly, and no more than `most`. The second number is how many letters pieces have that are
+    /// whole cells or consist of some.
     #[must_use]
     pub fn resolution(parts: usize, ke: f64, most: usize) -> (usize, usize) {
         let parts = parts.max(2);
@@ -119,9 +119,9 @@ impl Sheet {
         })
     }
 
-    /// How many cells to draw as one, each way, so that a sheet that is crumpled together does not keep whoever draws it
-    /// busy for minutes: as few as possible with no more than `most` layers on the average over the window. `screen` is
-    /// where the corners are on it.
+    /// How many cells to draw as one, each way, so that a sheet that is crumpled together does not keep whoever draws
+    /// it busy for minutes: as few as possible with no more than `most` layers on the average over the window. `screen`
+    /// is where the corners are on it.
     #[must_use]
     pub fn step(&self, screen: &[DVec2], window: Window, most: f64) -> usize {
         let end = DVec2::new(f64::from(window.width), f64::from(window.height));

@@ -8,7 +8,7 @@ use crate::stamp::{self, Hash};
 use crate::step::Steps;
 
 /// The least version that Vite and its like run on.
-const LEAST: (u32, u32) = (20, 19);
+const OLDEST_NODE: (u32, u32) = (20, 19);
 
 /// Programs that come as packages.
 #[derive(Clone, Copy)]
@@ -57,8 +57,12 @@ pub fn packages(steps: &mut Steps) -> Outcome {
         .ok_or("Node is not installed, or not on the path. Frond needs Node 20.19 or later, with npm.")?;
     let version =
         parse(&text).ok_or_else(|| format!("`node --version` says {text:?}, which is no version"))?;
-    if version < LEAST {
-        return Err(format!("Node is {text}: Frond needs Node {}.{} or later.", LEAST.0, LEAST.1).into());
+    if version < OLDEST_NODE {
+        return Err(format!(
+            "Node is {text}: Frond needs Node {}.{} or later.",
+            OLDEST_NODE.0, OLDEST_NODE.1
+        )
+        .into());
     }
     let stamp = root().join("node_modules/.frond-stamp");
     let mut hash = Hash::new(&[]);
@@ -88,8 +92,8 @@ mod tests {
     #[test]
     fn versions_are_compared_as_numbers() {
         assert_eq!(parse("v20.19.43"), Some((20, 19)));
-        assert!(parse("v9.99.0").is_some_and(|version| version < LEAST));
-        assert!(parse("v100.0.0-nightly").is_some_and(|version| version > LEAST));
+        assert!(parse("v9.99.0").is_some_and(|version| version < OLDEST_NODE));
+        assert!(parse("v100.0.0-nightly").is_some_and(|version| version > OLDEST_NODE));
         assert_eq!(parse("20.19.0"), None);
         assert_eq!(parse("v20"), None);
     }

@@ -12,15 +12,15 @@ use crate::shuffle::level_terms::{Source, Words};
 use crate::shuffle::means::{Means, words};
 use crate::shuffle::terms::Terms;
 
-/// A superposed displacement made continuous as Fujimoto et al. do it in section 5.3: the mean displacement of each region
-/// that the shuffle leaves whole, interpolated over a Delaunay triangulation of the regions' middles.
+/// A superposed displacement made continuous as Fujimoto et al. do it in section 5.3: the mean displacement of each
+/// region that the shuffle leaves whole, interpolated over a Delaunay triangulation of the regions' middles.
 ///
 /// Here the regions are the pieces of ke letters. The mean of a term over one is that of F_v over the piece that it is
 /// shuffled to, exactly, turned as a whole; all points count alike, as the chaos game throws them. Where the roughness
 /// varies, the weights are those at the middle. Middles that coincide are taken together, and four points far out have
-/// the displacement of the middle that is nearest, so that the triangulation covers all and there is one even for middles
-/// in a line. The terms that are no shuffle at all are the plain displacement, which is left exact, unlike in the paper:
-/// so kb = ke is the plain deformation.
+/// the displacement of the middle that is nearest, so that the triangulation covers all and there is one even for
+/// middles in a line. The terms that are no shuffle at all are the plain displacement, which is left exact, unlike in
+/// the paper: so kb = ke is the plain deformation.
 #[derive(Clone, Debug)]
 pub(crate) struct Average {
     maps: usize,
@@ -56,7 +56,7 @@ const MOST_CELLS: usize = 1 << 16;
 /// Middles are rounded to this part of the shape's size: no rounding error makes a triangle of its own.
 const STEP: f64 = 1.0 / (1_u64 << 30) as f64;
 /// How far out the outer four points lie.
-const FAR: [(f64, f64); 4] = [(-1.0, -1.0), (2.0, -1.0), (-1.0, 2.0), (2.0, 2.0)];
+const OUTER_POINTS: [(f64, f64); 4] = [(-1.0, -1.0), (2.0, -1.0), (-1.0, 2.0), (2.0, 2.0)];
 
 impl Average {
     /// The most letters for a shape of so many maps.
@@ -73,7 +73,8 @@ impl Average {
             .count()
     }
 
-    /// Over the words of as many letters as the last term, for meshes of the same size as this; the box holds the shape.
+    /// Over the words of as many letters as the last term, for meshes of the same size as this; the box holds the
+    /// shape.
     pub fn new(ifs: &Ifs, mesh: &Mesh, terms: &Terms, (low, high): (DVec2, DVec2)) -> Self {
         let means = Means::new(ifs, terms.depth(), mesh, (low, high));
         let middle = means.middle();
@@ -92,11 +93,11 @@ impl Average {
             shared[number as usize] += 1;
             vertices.push(number);
         }
-        let nearest = FAR.map(|far| {
+        let nearest = OUTER_POINTS.map(|far| {
             let distance = |&i: &usize| points[i].distance_squared(far.into());
             (0..points.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
         });
-        points.extend(FAR.map(DVec2::from));
+        points.extend(OUTER_POINTS.map(DVec2::from));
         let vertex = |(number, point): (usize, &DVec2)| Vertex {
             position: Point2::new(point.x, point.y),
             number: number as u32,

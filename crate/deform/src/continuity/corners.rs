@@ -26,7 +26,7 @@ const PARTS: usize = 256;
 
 impl Corners {
     /// The most corners that are looked for.
-    pub const MOST: usize = 8;
+    pub const MOST_CORNERS: usize = 8;
 
     /// The corners of the attractor of `maps`, if it has any that are fixed by a map each. There is but one polygon to
     /// look at, the hull of the fixed points, so that shapes without corners cost next to nothing.
@@ -35,7 +35,7 @@ impl Corners {
         let fixed = maps.iter().map(|map| map.fixed_point()).collect::<Option<Vec<DVec2>>>()?;
         let size = fixed.iter().map(|p| p.distance(fixed[0])).fold(0.0, f64::max);
         let letters = hull(&fixed, TOLERANCE * size);
-        if !(3..=Self::MOST).contains(&letters.len()) {
+        if !(3..=Self::MOST_CORNERS).contains(&letters.len()) {
             return None;
         }
         let points: Vec<DVec2> = letters.iter().map(|&letter| fixed[letter]).collect();
@@ -72,8 +72,8 @@ impl Corners {
     /// on its ends alone. Outside, triangles and parallelograms go on; other polygons are left along the line to
     /// their middle.
     #[must_use]
-    pub fn weights(&self, point: DVec2) -> [f64; Self::MOST] {
-        let mut list = [0.0; Self::MOST];
+    pub fn weights(&self, point: DVec2) -> [f64; Self::MOST_CORNERS] {
+        let mut list = [0.0; Self::MOST_CORNERS];
         let Some(to_sides) = self.to_sides else {
             self.wachspress(point, &mut list);
             return list;
@@ -90,10 +90,10 @@ impl Corners {
 
     /// The product of the distances to all sides that do not meet in a corner, times twice the area that the corner
     /// cuts off (Wachspress 1975): no division but by the sum, so that sides are no exception.
-    fn wachspress(&self, point: DVec2, list: &mut [f64; Self::MOST]) {
+    fn wachspress(&self, point: DVec2, list: &mut [f64; Self::MOST_CORNERS]) {
         let count = self.points.len();
         let sides = |p: DVec2| {
-            let mut sides = [0.0; Self::MOST];
+            let mut sides = [0.0; Self::MOST_CORNERS];
             for (i, side) in sides[..count].iter_mut().enumerate() {
                 *side = turn(self.points[i], self.points[(i + 1) % count], p);
             }

@@ -7,8 +7,8 @@ use crate::continuity::footing::Footing;
 /// A grid over a box, of squares or nearly, on which functions are quadratic B-splines: they and their slopes are
 /// continuous. Outside of the box they stay what they are on its edge.
 ///
-/// A grid of twice as many squares each way holds all functions of this one, without any loss ([`Grid::refine`]), so that
-/// what is spread over grids of several sizes is read off the finest alone.
+/// A grid of twice as many squares each way holds all functions of this one, without any loss ([`Grid::refine`]), so
+/// that what is spread over grids of several sizes is read off the finest alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Grid {
     low: DVec2,

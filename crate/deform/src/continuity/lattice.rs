@@ -44,7 +44,7 @@ pub struct Level {
 pub(crate) struct Slot {
     point: DVec2,
     /// What the corners of the cell count there.
-    pub shares: [f64; Corners::MOST],
+    pub shares: [f64; Corners::MOST_CORNERS],
     side: Option<(usize, usize)>,
 }
 

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::RingBend;
 
 /// Parts of the curve in each of which the mesh alone bends it little.
-const LEAST: usize = 256;
+const FEWEST_PARTS: usize = 256;
 
 /// How often such a part is halved where the mesh bends it more than can be seen.
 const HALVINGS: u32 = 8;
@@ -17,12 +17,12 @@ const MOST_FINE: usize = 1 << 16;
 const OUTSIDE: f64 = 1.0 / 128.0;
 
 impl RingBend {
-    /// A closed polyline, the first corner not repeated, bent: `line` holds the corners of the curve at rest with their t,
-    /// which increases from 0 on and stays below 1.
+    /// A closed polyline, the first corner not repeated, bent: `line` holds the corners of the curve at rest with their
+    /// t, which increases from 0 on and stays below 1.
     ///
-    /// It follows the bent polyline within `tolerance` inside the window (left, bottom, right, top; none: all is inside),
-    /// and coarsely elsewhere, so that nothing comes into the window that does not belong there. There are at most `most`
-    /// corners, three or more; a tolerance that would take more is raised.
+    /// It follows the bent polyline within `tolerance` inside the window (left, bottom, right, top; none: all is
+    /// inside), and coarsely elsewhere, so that nothing comes into the window that does not belong there. There are at
+    /// most `most` corners, three or more; a tolerance that would take more is raised.
     #[must_use]
     pub fn polyline(
         &self,
@@ -73,10 +73,10 @@ impl RingBend {
         }
     }
 
-    /// Where it may be bent: the corners, the ends of parts, and more where the mesh alone, whose curvature is known inside
-    /// of its box, bends more than `tolerance`.
+    /// Where it may be bent: the corners, the ends of parts, and more where the mesh alone, whose curvature is known
+    /// inside of its box, bends more than `tolerance`.
     fn fine(&self, line: &[(f64, DVec2)], tolerance: f64, curvature: f64) -> Vec<(f64, DVec2)> {
-        let parts = self.values.len().max(LEAST);
+        let parts = self.values.len().max(FEWEST_PARTS);
         let Some(&(first, _)) = line.first() else { return Vec::new() };
         let (low, high) = self.mesh.bounds();
         let inside = |p: DVec2| p.cmpge(low).all() && p.cmple(high).all();
@@ -139,7 +139,8 @@ fn beside([left, bottom, right, top]: [f64; 4], p: DVec2) -> f64 {
 
 /// Fewer corners of a closed polyline: those left out are nearer to a side than `room` says of each.
 ///
-/// Sides are drawn on while they pass all circles of that size around the corners between: it is one sweep (Williams 1978).
+/// Sides are drawn on while they pass all circles of that size around the corners between: it is one sweep (Williams
+/// 1978).
 fn simplified(points: &[(f64, DVec2)], room: impl Fn(usize) -> f64) -> Vec<(f64, DVec2)> {
     let mut found = vec![points[0]];
     let mut anchor = points[0].1;

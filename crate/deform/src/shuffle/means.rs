@@ -23,7 +23,8 @@ pub(crate) struct Means {
     tails: usize,
     /// The total degree of the polynomials.
     degree: usize,
-    /// From the coordinates of the moments, in which the shape has its middle in the origin and a size of 1, to the plane.
+    /// From the coordinates of the moments, in which the shape has its middle in the origin and a size of 1, to the
+    /// plane.
     to_plane: Affine2,
 }
 

@@ -18,8 +18,8 @@ pub(crate) const fn slot(i: usize, j: usize) -> usize {
 ///
 /// The mean of a polynomial over the shape is that of its means over the pieces, which are means of polynomials of no
 /// higher degree over the shape again: from the lowest degree on, the moments solve a linear system for each degree.
-/// Because the maps contract together, each system has one solution. The maps are those of the shape in some coordinates,
-/// best in such that its middle is the origin and its size about 1.
+/// Because the maps contract together, each system has one solution. The maps are those of the shape in some
+/// coordinates, best in such that its middle is the origin and its size about 1.
 pub(crate) fn of_shape(maps: &[Substitution], probabilities: &[f64]) -> Vec<f64> {
     let Some(mut mean) = maps.first().cloned() else { return vec![1.0] };
     mean.rows.fill(0.0);

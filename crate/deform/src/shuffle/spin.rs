@@ -19,7 +19,8 @@ pub enum Spin {
 }
 
 impl Spin {
-    /// The factor of one map. A singular map gives the identity, but for [`Spin::Scaled`], where only the zero map does.
+    /// The factor of one map. A singular map gives the identity, but for [`Spin::Scaled`], where only the zero map
+    /// does.
     #[must_use]
     pub fn factor(self, map: &Affine2) -> DMat2 {
         let m = map.linear;

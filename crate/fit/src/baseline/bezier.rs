@@ -5,7 +5,7 @@ use glam::DVec2;
 use crate::outline::{Outline, features};
 
 /// Times that points look for their places on a segment anew.
-const ROUNDS: usize = 12;
+const PROJECTION_ROUNDS: usize = 12;
 
 /// Numbers of a segment: two handles, and one of its ends.
 const NUMBERS: usize = 6;
@@ -61,7 +61,7 @@ impl Segment {
         let whole = places[many].max(f64::MIN_POSITIVE);
         places.iter_mut().for_each(|place| *place /= whole);
         let mut handles = solve(&points, &places, ends);
-        for _ in 0..ROUNDS {
+        for _ in 0..PROJECTION_ROUNDS {
             for (place, p) in places.iter_mut().zip(&points) {
                 *place = nearer(handles, *place, *p);
             }
@@ -91,8 +91,9 @@ fn nearer(handles: [DVec2; 4], t: f64, p: DVec2) -> f64 {
     if next.is_finite() { next.clamp(0.0, 1.0) } else { t }
 }
 
-/// Cubic Bézier segments end to end, of 6 numbers each (3 of them at least), whose handles are found by least squares; the
-/// segment that is farthest off is cut at its farthest point, again and again. As a closed polyline of about `count` points.
+/// Cubic Bézier segments end to end, of 6 numbers each (3 of them at least), whose handles are found by least squares;
+/// the segment that is farthest off is cut at its farthest point, again and again. As a closed polyline of about
+/// `count` points.
 #[must_use]
 pub fn bezier(outline: &Outline, numbers: usize, count: usize) -> Vec<DVec2> {
     let points = outline.points();

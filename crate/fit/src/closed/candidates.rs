@@ -1,8 +1,8 @@
 //! Which arc an edge should copy, and what a knot more or less would do: estimates without refinement.
 //!
-//! All stretches of the outline and all arcs of the curve are seen from their chords, as heights over a grid on it. What
-//! a line through the heights explains is taken off: knots are free, and will see to it. Then a copy, and a corner as
-//! well, is a regression of one unknown.
+//! All stretches of the outline and all arcs of the curve are seen from their chords, as heights over a grid on it.
+//! What a line through the heights explains is taken off: knots are free, and will see to it. Then a copy, and a corner
+//! as well, is a regression of one unknown.
 
 use glam::DVec2;
 
@@ -190,7 +190,8 @@ fn dot(a: &Heights, b: &Heights) -> f64 {
 }
 
 impl Stretch {
-    /// The points from index `from` to `to` of a ring, as one edge between two knots; none where it turns back on itself.
+    /// The points from index `from` to `to` of a ring, as one edge between two knots; none where it turns back on
+    /// itself.
     pub fn new(ring: &[DVec2], from: usize, to: usize, ends: [DVec2; 2]) -> Option<Self> {
         let count = ring.len();
         let many = (to + count - from) % count;

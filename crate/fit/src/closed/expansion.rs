@@ -79,8 +79,8 @@ impl<'a> Frame<'a> {
         Self { curve, index, copy, first, last, edge, chord, squash, linear }
     }
 
-    /// With w = (U - A) / (B - A) in the arc's own frame, the image of U is P + (Q - P) (Re w + i c Im w); the rest is its
-    /// derivative by P, Q, A, B, U and c.
+    /// With w = (U - A) / (B - A) in the arc's own frame, the image of U is P + (Q - P) (Re w + i c Im w); the rest is
+    /// its derivative by P, Q, A, B, U and c.
     fn image(&self, vertex: &Vertex, size: f64, jets: bool) -> Vertex {
         let w = over(vertex.at - self.curve.knots[self.first], self.chord);
         let s = self.squash * w;

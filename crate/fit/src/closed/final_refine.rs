@@ -3,8 +3,8 @@
 use super::{ClosedCurve, Refiner, Ties};
 use crate::outline::{Fidelity, Outline, fidelity};
 
-/// What the curve pays for straying from the outline, one way to finish after the other. Little is best for the outline's
-/// distance from the curve, much for the curve's from the outline, and for how rough it is.
+/// What the curve pays for straying from the outline, one way to finish after the other. Little is best for the
+/// outline's distance from the curve, much for the curve's from the outline, and for how rough it is.
 const WEIGHTS: [f64; 6] = [0.003, 0.01, 0.03, 0.1, 0.3, 1.0];
 
 /// Those for curves that are not the best found.
@@ -23,16 +23,17 @@ const SLOPE: f64 = 0.004;
 const SLOPE_WEIGHT: f64 = 15.0;
 
 /// The Hausdorff distance may be so many root mean squares.
-const FAR: f64 = 4.5;
+const MOST_HAUSDORFF: f64 = 4.5;
 
 /// What each further one counts.
 const FAR_WEIGHT: f64 = 0.08;
 
-/// How good a fit is, the smaller the better: the root mean square distance, raised by how much the roughness is off and by
-/// how far the farthest point is.
+/// How good a fit is, the smaller the better: the root mean square distance, raised by how much the roughness is off
+/// and by how far the farthest point is.
 pub(crate) fn score(near: &Fidelity) -> f64 {
     let slope = (near.slope_difference().abs() - SLOPE).max(0.0);
-    let far = if near.rms > 0.0 { (near.hausdorff / near.rms - FAR).clamp(0.0, 100.0) } else { 0.0 };
+    let far =
+        if near.rms > 0.0 { (near.hausdorff / near.rms - MOST_HAUSDORFF).clamp(0.0, 100.0) } else { 0.0 };
     near.rms * (1.0 + SLOPE_WEIGHT * slope + FAR_WEIGHT * far)
 }
 

@@ -139,7 +139,7 @@ const FINISHED: usize = 3;
 const LEVELS: usize = 3;
 
 /// The most rounds of trade.
-const ROUNDS: usize = 900;
+const MOST_TRADE_ROUNDS: usize = 900;
 
 impl Fitter {
     /// Begins a fit of at most `numbers` numbers: 2 a knot, 2 a copied edge.
@@ -221,7 +221,7 @@ impl Fitter {
         let share = match self.stage {
             Stage::Straight => 0.02 * self.rounds as f64,
             Stage::Copies => 0.1,
-            Stage::Trade => 0.15 + 0.75 * self.rounds as f64 / ROUNDS as f64,
+            Stage::Trade => 0.15 + 0.75 * self.rounds as f64 / MOST_TRADE_ROUNDS as f64,
             Stage::Polish => 0.9 + 0.1 * self.finisher.as_ref().map_or(0.0, Finisher::share),
             Stage::Done => 1.0,
         };
@@ -313,12 +313,12 @@ impl Fitter {
         let library = Library::new(&self.now.curve, self.tolerance, LEVELS);
         let moves = self.choose(&library);
         self.rounds += 1;
-        if self.rounds >= ROUNDS {
+        if self.rounds >= MOST_TRADE_ROUNDS {
             self.stage = Stage::Polish;
             self.rounds = 0;
             return;
         }
-        if self.rounds == ROUNDS / 3
+        if self.rounds == MOST_TRADE_ROUNDS / 3
             && let Some((marked, error)) = self.straight.take()
             && self.home.as_ref().map_or(self.error, |home| home.1.min(self.error)) > error
         {

@@ -21,8 +21,8 @@ const MOST_FACTOR: i64 = 1 << 20;
 const FINEST: f64 = 1e-9;
 
 /// No knot lies further out, and no curve is smaller unless it is a point: squares of lengths are numbers then.
-const FAR: f64 = 1e100;
-const SMALL: f64 = 1e-100;
+const FARTHEST_KNOT: f64 = 1e100;
+const SMALLEST_CURVE: f64 = 1e-100;
 
 /// Why a curve is not packed or unpacked.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
@@ -67,10 +67,11 @@ impl PackError {
 }
 
 impl ClosedCurve {
-    /// The curve in few bytes. Knots move by less than `precision` (in plane units; it is held to a billionth of the box at
-    /// least), factors by 1/2048; factors that would then be too large become a little smaller.
+    /// The curve in few bytes. Knots move by less than `precision` (in plane units; it is held to a billionth of the
+    /// box at least), factors by 1/2048; factors that would then be too large become a little smaller.
     ///
-    /// A version, the first knot and the width of the grid; then, bit by bit, steps from knot to knot and what edges copy.
+    /// A version, the first knot and the width of the grid; then, bit by bit, steps from knot to knot and what edges
+    /// copy.
     ///
     /// # Errors
     /// Where the curve is not [sound](Self::is_sound), has more than [`MAX_KNOTS`] knots, or lies beyond 1e100 or is
@@ -157,8 +158,8 @@ impl ClosedCurve {
         }
         let (low, high) = crate::outline::bounds(&self.knots);
         let size = (high - low).max_element();
-        let near = low.abs().max(high.abs()).max_element() <= FAR;
-        if near && (size == 0.0 || size >= SMALL) { Ok(()) } else { Err(PackError::Size) }
+        let near = low.abs().max(high.abs()).max_element() <= FARTHEST_KNOT;
+        if near && (size == 0.0 || size >= SMALLEST_CURVE) { Ok(()) } else { Err(PackError::Size) }
     }
 
     /// The width of the grid for a precision: a knot moves by half a diagonal of the grid at most.

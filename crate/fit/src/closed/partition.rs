@@ -37,8 +37,8 @@ impl Sums {
     }
 }
 
-/// Indices, in order, of about `count` points of the outline that part it into arcs which lines fit best: the least sum of
-/// squares over all choices among feature points, by dynamic programming with a price a knot.
+/// Indices, in order, of about `count` points of the outline that part it into arcs which lines fit best: the least sum
+/// of squares over all choices among feature points, by dynamic programming with a price a knot.
 #[must_use]
 pub fn partition(outline: &Outline, count: usize) -> Vec<usize> {
     let points = outline.points();

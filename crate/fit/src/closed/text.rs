@@ -51,7 +51,8 @@ impl ClosedCurve {
     fn packed(&self) -> Result<(Self, Vec<u8>), PackError> {
         self.check()?;
         let mut curve = self.clone();
-        // Where rounding takes the box over a power of two the grid is another one; points of the coarser lie on the finer.
+        // Where rounding takes the box over a power of two the grid is another one; points of the coarser lie on the
+        // finer.
         for _ in 0..8 {
             let grain = curve.grain();
             let mut finer = (0..=HALVINGS).map(|k| grain * 0.5_f64.powi(k));

@@ -1,10 +1,10 @@
 //! The matrix of least squares whose norm is bounded.
 //!
 //! C is to make the sum of |y - C x|² as small as it can be while no vector becomes longer than `bound` times what it
-//! was. With S the sum of x x^T and G that of y x^T the sum is tr(C S C^T) - 2 tr(G C^T) and something that does not hang
-//! on C: convex in C, as is the set of all C within the bound. So there is one minimum, and with Λ, symmetric and nowhere
-//! negative, as the multiplier of bound² - C^T C it is where C (S + Λ) = G. The rank of Λ says how many singular values
-//! are at the bound: none, one or both.
+//! was. With S the sum of x x^T and G that of y x^T the sum is tr(C S C^T) - 2 tr(G C^T) and something that does not
+//! hang on C: convex in C, as is the set of all C within the bound. So there is one minimum, and with Λ, symmetric and
+//! nowhere negative, as the multiplier of bound² - C^T C it is where C (S + Λ) = G. The rank of Λ says how many
+//! singular values are at the bound: none, one or both.
 
 use glam::{DMat2, DVec2};
 
@@ -17,8 +17,8 @@ const THIN: f64 = 1e-24;
 const CELLS: u32 = 32;
 const GRADING: i32 = 8;
 
-/// The C of least squares with a spectral norm of `bound` at most, for pairs of x and y. Of many the least: what no x tells
-/// of is 0.
+/// The C of least squares with a spectral norm of `bound` at most, for pairs of x and y. Of many the least: what no x
+/// tells of is 0.
 pub(super) fn bounded(pairs: impl Iterator<Item = (DVec2, DVec2)> + Clone, bound: f64) -> DMat2 {
     let square = pairs.clone().fold(DMat2::ZERO, |sum, (x, _)| sum + outer(x, x));
     let size = square.x_axis.x + square.y_axis.y;
@@ -108,9 +108,10 @@ impl Sums {
     /// One at the bound: C takes a unit vector v to a vector of length `bound`.
     ///
     /// For any v the least rise of the cost at which |C v| is no more than `bound` is (|C0 v| - bound)² / (v^T S^-1 v),
-    /// with the free C0 = G S^-1. None rises more than C itself, and its own v just as much: v is where that is greatest.
-    /// With v along S^1/2 t and a unit t = (sin θ, cos θ) its root is |N t| - bound |S^1/2 t|, N = G S^-1/2. The first
-    /// term falls on both sides of N's longest axis, the second grows towards θ = 0, and between the two the greatest is.
+    /// with the free C0 = G S^-1. None rises more than C itself, and its own v just as much: v is where that is
+    /// greatest. With v along S^1/2 t and a unit t = (sin θ, cos θ) its root is |N t| - bound |S^1/2 t|, N = G S^-1/2.
+    /// The first term falls on both sides of N's longest axis, the second grows towards θ = 0, and between the two the
+    /// greatest is.
     fn one_at(&self, bound: f64, free: DMat2) -> DMat2 {
         let root = DVec2::new(self.square.x.sqrt(), self.square.y.sqrt());
         let (a, b) = (self.cross.x_axis / root.x, self.cross.y_axis / root.y);

@@ -69,8 +69,8 @@ fn cost(a: &Spot, b: &Spot) -> f64 {
     a.at.distance_squared(b.at) + TURN * 0.5 * (1.0 - a.way.dot(b.way))
 }
 
-/// The cheapest way from (0, first) once round both curves, where only places within `band` of `centre(i)` are looked at: its
-/// cost and its steps as pairs of indices, the second unwrapped.
+/// The cheapest way from (0, first) once round both curves, where only places within `band` of `centre(i)` are looked
+/// at: its cost and its steps as pairs of indices, the second unwrapped.
 fn path(
     a: &[Spot],
     b: &[Spot],

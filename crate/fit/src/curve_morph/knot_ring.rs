@@ -12,8 +12,8 @@ const MOST_THROUGH: usize = 64;
 
 /// What an edge copies: the arc over `span` edges (1 or more) from knot `from` on.
 ///
-/// In the frames in which the arc's chord and the edge's run from 0 to 1, the copy is the matrix with columns (1, 0) and
-/// `shape`. A fitted edge has (0, c); a part of one has another.
+/// In the frames in which the arc's chord and the edge's run from 0 to 1, the copy is the matrix with columns (1, 0)
+/// and `shape`. A fitted edge has (0, c); a part of one has another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Rough {
     pub from: usize,
@@ -125,8 +125,8 @@ impl Ring {
         }
     }
 
-    /// Puts knots into an edge, as near as can be to `wanted`: points in order and how far along the edge they are, from
-    /// 0 to 1. The curve does not change.
+    /// Puts knots into an edge, as near as can be to `wanted`: points in order and how far along the edge they are,
+    /// from 0 to 1. The curve does not change.
     pub fn open(&mut self, edge: usize, wanted: &[(f64, DVec2)]) {
         if wanted.is_empty() {
             return;

@@ -7,7 +7,7 @@ use super::knot_ring::Ring;
 use super::morphed_curve::MorphedCurve;
 
 /// Corners of the polylines that are aligned.
-const MOST: usize = 4000;
+const MOST_VERTICES: usize = 4000;
 
 /// Knots farther apart than this, in parts of the curve, are no partners.
 const APART: f64 = 0.03;
@@ -27,7 +27,7 @@ pub(super) fn share(a: Ring, b: Ring) -> [Ring; 2] {
         let places = ring.places();
         MorphedCurve::new(&[ring.clone(), ring.clone()], &[places.clone(), places], 0.0)
     });
-    let lines = alone.each_ref().map(|woven| woven.trace(woven.size / 400.0, None, MOST));
+    let lines = alone.each_ref().map(|woven| woven.trace(woven.size / 400.0, None, MOST_VERTICES));
     let way = align(&lines[0], &lines[1]);
     let list = merge(&rings, &alone, &way);
     let total = list.len();

@@ -4,8 +4,8 @@ use super::{CurveMorph, MorphedCurve};
 use crate::curve_morph::knot_ring::Ring;
 
 impl CurveMorph {
-    /// For each edge the arc that it copies at A and the one at B, by the knot it begins at and its number of edges; none
-    /// where it is straight. Knots are those that both curves have in common.
+    /// For each edge the arc that it copies at A and the one at B, by the knot it begins at and its number of edges;
+    /// none where it is straight. Knots are those that both curves have in common.
     #[must_use]
     pub fn arcs(&self) -> Vec<[Option<(usize, usize)>; 2]> {
         let arc = |ring: &Ring, edge: usize| ring.edges[edge].as_ref().map(|rough| (rough.from, rough.span));

@@ -79,8 +79,9 @@ impl MorphedCurve {
     /// The curve as a closed polyline, each corner with its t; the first is not repeated.
     ///
     /// The curve is nowhere farther than `tolerance` from it inside the window (left, bottom, right, top; none: all is
-    /// inside), and coarse elsewhere; where very many copies are in one stretch, that is judged by samples. Corners are points of the curve, those of its copies among them. There are at most
-    /// `most` corners, three or more; a tolerance that would take more is raised.
+    /// inside), and coarse elsewhere; where very many copies are in one stretch, that is judged by samples. Corners are
+    /// points of the curve, those of its copies among them. There are at most `most` corners, three or more; a
+    /// tolerance that would take more is raised.
     #[must_use]
     pub fn trace(&self, tolerance: f64, window: Option<[f64; 4]>, most: usize) -> Vec<(f64, DVec2)> {
         let most = most.max(3);
@@ -170,8 +171,8 @@ impl MorphedCurve {
         self.places[knot % count] + (knot / count) as f64
     }
 
-    /// Looks at what strays most. Either it says where, from 0 to 1, the stretch should be cut; or a piece that lies within
-    /// one edge was replaced by what that edge is made of.
+    /// Looks at what strays most. Either it says where, from 0 to 1, the stretch should be cut; or a piece that lies
+    /// within one edge was replaced by what that edge is made of.
     fn look_into(&self, stretch: &mut Stretch, rest: f64) -> Option<(usize, f64, Option<usize>)> {
         if stretch.judged.is_some() {
             return Some((0, 0.5, None));

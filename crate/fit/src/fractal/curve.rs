@@ -33,7 +33,8 @@ pub struct FractalCurve {
 }
 
 impl FractalCurve {
-    /// A partitioned fractal curve (eq 7): any pieces that follow each other without holes, each a copy of any longer part.
+    /// A partitioned fractal curve (eq 7): any pieces that follow each other without holes, each a copy of any longer
+    /// part.
     ///
     /// # Errors
     /// Where numbers are not finite, pieces do not join, a domain is too short or outside, or a factor's norm is not
@@ -157,7 +158,8 @@ impl FractalCurve {
         self.bound
     }
 
-    /// The contractivity under the metric of eq 2: max((1 + A) / 2, C), A the largest |a| and C the largest norm of a factor.
+    /// The contractivity under the metric of eq 2: max((1 + A) / 2, C), A the largest |a| and C the largest norm of a
+    /// factor.
     #[must_use]
     pub fn contractivity(&self) -> f64 {
         let a = self.pieces.iter().map(|piece| piece.a().abs()).fold(0.0, f64::max);
@@ -192,8 +194,8 @@ impl FractalCurve {
     /// The limit of the curve at `t` from a side, within a distance of `tolerance`.
     ///
     /// It follows the address of t, one letter a step, until what is left is too small to be seen. A parameter that has
-    /// come as near to a knot as its rounding allows is taken to be that knot, as long as that is very near: an error of
-    /// t grows with every letter, and a rough curve would show it.
+    /// come as near to a knot as its rounding allows is taken to be that knot, as long as that is very near: an error
+    /// of t grows with every letter, and a rough curve would show it.
     #[must_use]
     pub fn limit(&self, t: f64, side: Side, tolerance: f64) -> DVec2 {
         let [start, end] = self.interval();

@@ -19,7 +19,8 @@ pub enum Dimension {
     Counted(f64),
 }
 
-/// A function F(t) whose graph is made of smaller copies of parts of itself (Cochran, Hart & Flynn, sections 2.1 to 2.3).
+/// A function F(t) whose graph is made of smaller copies of parts of itself (Cochran, Hart & Flynn, sections 2.1 to
+/// 2.3).
 #[derive(Clone, Debug, PartialEq)]
 pub struct FractalFunction {
     curve: FractalCurve,
@@ -34,8 +35,8 @@ fn columns(points: &[DVec2]) -> (Vec<f64>, Vec<DVec2>) {
 }
 
 impl FractalFunction {
-    /// A fractal interpolation function through points (t, x) with factors c, one a piece, each piece a copy of the whole,
-    /// reflected where told (section 2.1).
+    /// A fractal interpolation function through points (t, x) with factors c, one a piece, each piece a copy of the
+    /// whole, reflected where told (section 2.1).
     ///
     /// # Errors
     /// Where there are fewer than two points, t does not increase, a number is not finite, a |c| is 1 or more, or lists

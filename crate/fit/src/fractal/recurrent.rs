@@ -7,7 +7,7 @@ use crate::fractal::function::FractalFunction;
 use crate::fractal::piece::Piece;
 
 /// What may be taken for a knot, in parts of the interval.
-const NEAR: f64 = 1e-7;
+const KNOT_DISTANCE: f64 = 1e-7;
 
 /// A recurrent function by its knots: what [`FractalFunction::rfif`] takes.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,16 +33,16 @@ impl Recurrent {
 impl FractalFunction {
     /// The same function as a RFIF; none where it takes more than `most` pieces, or endlessly many.
     ///
-    /// Every end of a domain must be a knot. A knot inside a range cuts the piece in two, and where it is copied from must
-    /// be a knot, too; and so on, until there are no new ones. This answers the question that Cochran, Hart & Flynn leave
-    /// open (section 4.2): the seven maps of Table 3 come to eleven pieces.
+    /// Every end of a domain must be a knot. A knot inside a range cuts the piece in two, and where it is copied from
+    /// must be a knot, too; and so on, until there are no new ones. This answers the question that Cochran, Hart &
+    /// Flynn leave open (section 4.2): the seven maps of Table 3 come to eleven pieces.
     ///
     /// Where pieces did not meet, they do now: at the limit from the right.
     #[must_use]
     pub fn to_recurrent(&self, most: usize) -> Option<Recurrent> {
         let pieces = self.curve().pieces();
         let [start, end] = self.curve().interval();
-        let near = NEAR * (end - start);
+        let near = KNOT_DISTANCE * (end - start);
         let ends = pieces.iter().flat_map(|piece| piece.range.into_iter().chain(piece.domain));
         let mut waiting: Vec<f64> = ends.collect();
         let mut knots: Vec<f64> = Vec::new();

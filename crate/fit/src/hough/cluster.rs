@@ -69,9 +69,9 @@ pub(super) fn peaks(pairing: &Pairing, cells: &[u32], counts: &[u32]) -> Vec<Clu
 
 /// Whether no neighbour has more hits; of equals the first counts.
 fn is_peak(plane: &[u32], at: usize) -> bool {
-    const LEAST: u32 = 3;
+    const FEWEST_HITS: u32 = 3;
     let mine = plane[at];
-    if mine < LEAST {
+    if mine < FEWEST_HITS {
         return false;
     }
     let (row, column) = (at / PLANE, at % PLANE);

@@ -1,4 +1,5 @@
-//! Echoes: where F is made of copies by two maps, it is also made, in part, of copies by one after the inverse of another.
+//! Echoes: where F is made of copies by two maps, it is also made, in part, of copies by one after the inverse of
+//! another.
 
 /// One map of a composition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,10 +14,10 @@ pub struct Letter {
 const LETTERS: usize = 5;
 
 /// The most compositions.
-const MOST: usize = 20_000;
+const MOST_COMPOSITIONS: usize = 20_000;
 
 /// A cluster is an echo where it is this many bins from a composition, or nearer.
-const NEAR: f64 = 1.5;
+const ECHO_BINS: f64 = 1.5;
 
 /// The compositions of some maps.
 #[derive(Debug, Default)]
@@ -46,7 +47,7 @@ impl Words {
         let mut from = 0;
         for _ in 1..LETTERS {
             let until = self.words.len();
-            if (until - from) * self.letters.len() > MOST {
+            if (until - from) * self.letters.len() > MOST_COMPOSITIONS {
                 break;
             }
             for at in from..until {
@@ -68,7 +69,7 @@ impl Words {
 
     /// The shortest composition that is the map, to bins.
     pub fn find(&self, map: [f64; 5], quanta: [f64; 5]) -> Option<Vec<Letter>> {
-        let near = |sum: &[f64; 5]| (0..5).all(|i| (sum[i] - map[i]).abs() <= NEAR * quanta[i]);
+        let near = |sum: &[f64; 5]| (0..5).all(|i| (sum[i] - map[i]).abs() <= ECHO_BINS * quanta[i]);
         self.words.iter().find(|(word, sum)| word.len() > 1 && near(sum)).map(|(word, _)| word.clone())
     }
 }

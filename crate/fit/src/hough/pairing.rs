@@ -141,7 +141,8 @@ impl Pairing {
         (self.coarse.points().len() - width) as f64 * (width - 1) as f64 * width as f64
     }
 
-    /// All votes with domains of a width and ranges of a length: conditions 1 to 3, then eqs 10 to 14. Returns how many.
+    /// All votes with domains of a width and ranges of a length: conditions 1 to 3, then eqs 10 to 14. Returns how
+    /// many.
     pub fn pair(
         &self,
         [width, length]: [usize; 2],
@@ -164,8 +165,8 @@ impl Pairing {
 
     /// Where all is even, which point is nearest depends on widths and lengths only, so ranges go by in rows.
     ///
-    /// Eq 14 without its matrix: c is the middle's distance from the chord, range over domain; b is what is then left of
-    /// the chord's rise.
+    /// Eq 14 without its matrix: c is the middle's distance from the chord, range over domain; b is what is then left
+    /// of the chord's rise.
     fn pair_even(
         &self,
         [w, s]: [usize; 2],

@@ -26,11 +26,13 @@ struct Place {
 
 /// A whole function of picks, in any order.
 ///
-/// Where copies lie over each other they are cut in the middle; where none lies, a straight piece goes from fine feature
-/// point to fine feature point. With `tied` the ends of pieces are moved to feature points, c is found by least squares,
-/// and pieces meet. Without, maps stay as they are but for where they end: pieces may leave gaps, as the paper's do.
+/// Where copies lie over each other they are cut in the middle; where none lies, a straight piece goes from fine
+/// feature point to fine feature point. With `tied` the ends of pieces are moved to feature points, c is found by least
+/// squares, and pieces meet. Without, maps stay as they are but for where they end: pieces may leave gaps, as the
+/// paper's do.
 ///
-/// Picks that are no copies of anything longer, or lie outside, are left out; `used` of the assembly tells which remain.
+/// Picks that are no copies of anything longer, or lie outside, are left out; `used` of the assembly tells which
+/// remain.
 ///
 /// # Errors
 /// Where the pieces are no function: where a |c| is 1 or more, above all.

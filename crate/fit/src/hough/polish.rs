@@ -7,17 +7,17 @@ use crate::fractal::recurrent::Recurrent;
 const STEPS: [f64; 5] = [0.06, 0.03, 0.015, 0.006, 0.0025];
 
 /// The most rounds through all numbers.
-const ROUNDS: usize = 16;
+const MOST_ROUNDS: usize = 16;
 
 /// Recurrent functions of more pieces are left as they are.
-const MOST: usize = 40;
+const MOST_PIECES: usize = 40;
 
 /// The largest |c|.
 const MOST_C: f64 = 0.95;
 
 /// Tries every number a little larger and a little smaller, and keeps what brings the function nearer to the features.
 pub(super) fn polish(mut recurrent: Recurrent, fine: &Features, unit: f64) -> Recurrent {
-    if recurrent.c.len() > MOST {
+    if recurrent.c.len() > MOST_PIECES {
         return recurrent;
     }
     let [start, end] = fine.interval();
@@ -32,7 +32,7 @@ pub(super) fn polish(mut recurrent: Recurrent, fine: &Features, unit: f64) -> Re
     let knots = recurrent.points.len();
     let mut rounds = STEPS.into_iter();
     let mut step = rounds.next();
-    let mut left = ROUNDS;
+    let mut left = MOST_ROUNDS;
     while let (Some(size), 1..) = (step, left) {
         let before = best;
         left -= 1;

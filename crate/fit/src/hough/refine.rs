@@ -18,19 +18,19 @@ pub struct Candidate {
 }
 
 /// How far images may be from the graph, in half heights, as the map becomes better.
-const NEAR: [f64; 4] = [0.16, 0.1, 0.06, 0.04];
+const FIT_DISTANCES: [f64; 4] = [0.16, 0.1, 0.06, 0.04];
 
 /// A point this far off is worth nothing when maps are compared; a part with half of that is worth three quarters.
 const WORTH: f64 = 0.03;
 
 /// The part is given with what lies around it as long as images are this near: a copy of little is cheap there, too.
-const FAR: f64 = 0.25;
+const CONTEXT_DISTANCE: f64 = 0.25;
 
 /// The ends of the range are looked for so many fine points around.
 const AROUND: isize = 3;
 
 /// Coarse points that a part has at least.
-const LEAST: usize = 5;
+const FEWEST_POINTS: usize = 5;
 
 /// The map in the frame, and as it is given out.
 pub(super) fn refine(pairing: &Pairing, start: [f64; 5]) -> Option<([f64; 5], Candidate)> {
@@ -41,7 +41,7 @@ pub(super) fn refine(pairing: &Pairing, start: [f64; 5]) -> Option<([f64; 5], Ca
     let inside = |&j: &usize| image(j) >= low && image(j) <= high;
     let first = (0..coarse.len()).find(inside)?;
     let last = (0..coarse.len()).rev().find(inside)?;
-    if last < first + LEAST - 1 {
+    if last < first + FEWEST_POINTS - 1 {
         return None;
     }
     let shifted = |index: usize, by: isize| index.checked_add_signed(by).filter(|&i| i < fine.len());
@@ -98,9 +98,9 @@ fn follow(pairing: &Pairing, mut map: [f64; 5], [first, last]: [usize; 2]) -> Op
         target(map, j).map_or(f64::INFINITY, |x| (x - told).abs())
     };
     let mut run = [first, last];
-    for near in NEAR {
+    for near in FIT_DISTANCES {
         run = longest(first, last, |j| rest(&map, j) <= near)?;
-        if run[1] + 1 - run[0] < LEAST {
+        if run[1] + 1 - run[0] < FEWEST_POINTS {
             return None;
         }
         let rows = (run[0]..=run[1]).filter_map(|j| Some((coarse[j].x, coarse[j].y, target(&map, j)?)));
@@ -113,10 +113,10 @@ fn follow(pairing: &Pairing, mut map: [f64; 5], [first, last]: [usize; 2]) -> Op
     let points = run[1] + 1 - run[0];
     let squares: f64 = (run[0]..=run[1]).map(|j| rest(&map, j).powi(2)).sum();
     let rms = (squares / points as f64).sqrt();
-    while run[0] > first && rest(&map, run[0] - 1) <= FAR {
+    while run[0] > first && rest(&map, run[0] - 1) <= CONTEXT_DISTANCE {
         run[0] -= 1;
     }
-    while run[1] < last && rest(&map, run[1] + 1) <= FAR {
+    while run[1] < last && rest(&map, run[1] + 1) <= CONTEXT_DISTANCE {
         run[1] += 1;
     }
     rms.is_finite().then_some(Fit { map, run, points, rms })

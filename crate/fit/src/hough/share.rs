@@ -55,8 +55,8 @@ pub fn share_cells(
     shares
 }
 
-/// The clusters among peaks of one pass or of all its parts: those with most hits first, at most `most`, and none beside
-/// a higher one.
+/// The clusters among peaks of one pass or of all its parts: those with most hits first, at most `most`, and none
+/// beside a higher one.
 #[must_use]
 pub fn gather(mut peaks: Vec<Cluster>, most: usize) -> Vec<Cluster> {
     peaks.sort_by_key(|cluster| (std::cmp::Reverse(cluster.hits), cluster.bins));

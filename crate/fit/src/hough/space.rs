@@ -3,7 +3,7 @@
 use super::{BINS, Cluster, PLANE};
 
 /// Rounds of Jacobi's method; five dimensions take six or seven.
-const ROUNDS: usize = 40;
+const JACOBI_ROUNDS: usize = 40;
 
 /// The principal components of clusters, each weighted by its hits.
 ///
@@ -79,7 +79,7 @@ fn eigen(mut m: [[f64; 5]; 5]) -> ([f64; 5], [[f64; 5]; 5]) {
     let mut vectors: [[f64; 5]; 5] =
         std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
     let size: f64 = (0..5).map(|i| m[i][i].abs()).sum();
-    for _ in 0..ROUNDS {
+    for _ in 0..JACOBI_ROUNDS {
         let off: f64 = (0..5).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| m[i][j].abs()).sum();
         if off <= 1e-15 * size {
             break;

@@ -6,7 +6,8 @@ use glam::DVec2;
 
 use super::{Outline, bounds};
 
-/// Where the corner of the grid is put, in boxes: counts are averaged over these, since a single grid is a matter of luck.
+/// Where the corner of the grid is put, in boxes: counts are averaged over these, since a single grid is a matter of
+/// luck.
 const SHIFTS: [DVec2; 4] =
     [DVec2::ZERO, DVec2::new(0.5, 0.25), DVec2::new(0.25, 0.75), DVec2::new(0.75, 0.5)];
 

@@ -17,7 +17,7 @@ const MAX_POINTS: usize = 20 * MAX_OUTLINE;
 /// The most crossings that are counted.
 const MAX_CROSSINGS: usize = 100;
 /// An outline that can be fitted has as many points at least, a series one fewer.
-pub const LEAST: usize = 4;
+pub const FEWEST_POINTS: usize = 4;
 
 /// The points of a line, as they come.
 #[derive(Default)]
@@ -115,7 +115,7 @@ impl<L> Gathered<L> {
             points = &fewer;
         }
         let error = match Outline::new(points) {
-            Ok(outline) if outline.points().len() >= LEAST => {
+            Ok(outline) if outline.points().len() >= FEWEST_POINTS => {
                 self.good += 1;
                 self.opened += usize::from(!about.closed);
                 // What crosses itself may have no area: its box has.
@@ -126,7 +126,7 @@ impl<L> Gathered<L> {
                 return self.prune();
             }
             Ok(outline) => ReadError::TooFew { count: outline.points().len(), series: false },
-            Err(_) if all < LEAST => ReadError::TooFew { count: all, series: false },
+            Err(_) if all < FEWEST_POINTS => ReadError::TooFew { count: all, series: false },
             Err(_) => ReadError::Flat,
         };
         self.error.get_or_insert(error);

@@ -125,7 +125,8 @@ impl ReadError {
 /// What is to be said of a file that was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Remark {
-    /// A name that does not change, for programs: `crossing`, `thinned`, `gaps`, `closed`, `ignored`, `assumed`, `several`.
+    /// A name that does not change, for programs: `crossing`, `thinned`, `gaps`, `closed`, `ignored`, `assumed`,
+    /// `several`.
     pub code: &'static str,
     /// A sentence or two that say what to try.
     pub message: String,

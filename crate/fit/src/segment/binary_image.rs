@@ -54,8 +54,8 @@ impl Bits {
         edges
     }
 
-    /// What is left where a square of 2 `radius` + 1 pixels fits in. Beyond the border all counts as on, so that nothing
-    /// is eaten from there.
+    /// What is left where a square of 2 `radius` + 1 pixels fits in. Beyond the border all counts as on, so that
+    /// nothing is eaten from there.
     pub fn opened_by_square(&self, radius: usize) -> Self {
         let mut work = self.clone();
         work.squeeze(radius, false);

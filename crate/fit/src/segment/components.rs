@@ -62,7 +62,8 @@ pub fn parts(bits: &Bits, on: bool, corners: bool) -> Parts {
 }
 
 impl Parts {
-    /// Drops the pieces that are smaller than `least`, sorts the others by area, largest first, and keeps `most` of them.
+    /// Drops the pieces that are smaller than `least`, sorts the others by area, largest first, and keeps `most` of
+    /// them.
     pub fn largest(mut self, least: usize, most: usize) -> Self {
         let mut order: Vec<usize> = (0..self.all.len()).filter(|&i| self.all[i].area >= least).collect();
         order.sort_by_key(|&i| (usize::MAX - self.all[i].area, i));

@@ -1,4 +1,5 @@
-//! What a line drawn in one channel gets wrong: slits where a stalk lies across the blade, and stalks that stand off it.
+//! What a line drawn in one channel gets wrong: slits where a stalk lies across the blade, and stalks that stand off
+//! it.
 
 use super::binary_image::{Bits, squared_distances};
 use super::components::{NONE, Parts, parts};
@@ -18,8 +19,9 @@ pub fn close_slits(bits: &mut Bits, likeness: &[u8], weak: f64, radius: f64) {
     }
 }
 
-/// Takes the stalk off each piece: the longest thin part that is as wide at its end as where it begins, so that the tips
-/// of lobes and teeth stay. `size` is the side of a square as large as the leaf; stalks are up to a 20th of it wide.
+/// Takes the stalk off each piece: the longest thin part that is as wide at its end as where it begins, so that the
+/// tips of lobes and teeth stay. `size` is the side of a square as large as the leaf; stalks are up to a 20th of it
+/// wide.
 ///
 /// Returns how many were taken off.
 pub fn remove_stalks(bits: &mut Bits, size: f64) -> usize {

@@ -136,8 +136,8 @@ fn wholeness(bits: &Bits) -> f64 {
 }
 
 impl Choice {
-    /// Whether it is nothing but speckles: in pieces, or in one spread only once it is smoothed (0.64 of the spread of a
-    /// bell lies between its halves).
+    /// Whether it is nothing but speckles: in pieces, or in one spread only once it is smoothed (0.64 of the spread of
+    /// a bell lies between its halves).
     pub fn is_noise(&self) -> bool {
         self.whole < 0.5 * WHOLE || (self.smoothed && self.level.separation < 0.7)
     }

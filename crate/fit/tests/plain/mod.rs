@@ -1,5 +1,5 @@
-//! The first pass of the Hough transform as section 3.1 has it, word for word: the nearest point is looked for, and eq 14
-//! is solved as a 3 x 3 system, for every candidate.
+//! The first pass of the Hough transform as section 3.1 has it, word for word: the nearest point is looked for, and eq
+//! 14 is solved as a 3 x 3 system, for every candidate.
 
 use frond_fit::{BINS, HoughOptions};
 use glam::{DMat3, DVec2, DVec3};

@@ -1,4 +1,5 @@
-// Clouds of points of space, placed by pieces and seen by a camera. What is nearest stays. CPU twin: src/solid/points.rs.
+// Clouds of points of space, placed by pieces and seen by a camera. What is nearest stays. CPU twin:
+// src/solid/points.rs.
 
 struct Eye {
     // Row by row, from space to what the eye sees: right, up, away; the last column moves.

@@ -40,11 +40,11 @@ fn code_at(at: vec2<i32>) -> u32 {
 }
 
 // Far away where nothing is seen.
-const FAR: f32 = 1e30;
+const NOTHING_DEPTH: f32 = 1e30;
 
 fn depth_at(at: vec2<i32>) -> f32 {
     if code_at(at) == 0u {
-        return FAR;
+        return NOTHING_DEPTH;
     }
     return bitcast<f32>(textureLoad(depths, at, 0).r);
 }
@@ -61,7 +61,7 @@ fn mend_fragment(@builtin(position) position: vec4<f32>) -> Kept {
     let own = depth_at(at);
     let slack = 6.0 / lamp.focal;
     var before = 0;
-    var nearest = FAR;
+    var nearest = NOTHING_DEPTH;
     var source = at;
     for (var k = 0; k < 9; k++) {
         let next = at + vec2<i32>(k % 3 - 1, k / 3 - 1);
@@ -96,7 +96,7 @@ fn normal_at(at: vec2<i32>, depth: f32) -> vec3<f32> {
     for (var dy = -2; dy <= 2; dy++) {
         for (var dx = -2; dx <= 2; dx++) {
             let near = depth_at(at + vec2<i32>(dx, dy));
-            if near < FAR {
+            if near < NOTHING_DEPTH {
                 // In pixels. Of a plane it is the inverse of the depth that changes evenly from pixel to pixel.
                 let step = lamp.focal * (1.0 - depth / near);
                 let f = vec2<f32>(f32(dx), f32(dy));
@@ -131,7 +131,7 @@ fn ring_at(at: vec2<i32>, depth: f32, normal: vec3<f32>, radius: f32, turn: f32)
         }
         known += 1.0;
         let there = depth_at(next);
-        if there >= FAR {
+        if there >= NOTHING_DEPTH {
             continue;
         }
         let way = (point_at(next, there) - own) / (radius * unit);

@@ -14,8 +14,8 @@ const MASS: f64 = 1.0 / 256.0;
 const FLOORS: (f64, i32) = (0.5, 10);
 
 impl Density {
-    /// The density of a bent attractor, from at most about `most` pieces, each placed by an affine map and weighed by the
-    /// measure, and of as many samples in all as `points` in each pass.
+    /// The density of a bent attractor, from at most about `most` pieces, each placed by an affine map and weighed by
+    /// the measure, and of as many samples in all as `points` in each pass.
     #[must_use]
     pub fn bent(bent: &Bent<'_>, size: f64, most: usize, points: usize) -> Self {
         let mut pieces = Vec::new();

@@ -6,8 +6,8 @@ use glam::DVec2;
 use super::{Bent, Placed, bend_to};
 use crate::pieces::letters::Letters;
 
-/// The pieces of a [`BentPlan`](super::BentPlan) as they move with the mesh: the anchors of each are skinned, sixteen weights for a mesh
-/// of 4 x 4, however deep the bend is.
+/// The pieces of a [`BentPlan`](super::BentPlan) as they move with the mesh: the anchors of each are skinned, sixteen
+/// weights for a mesh of 4 x 4, however deep the bend is.
 #[derive(Debug, Default)]
 pub struct Moving {
     pieces: Vec<(Cursor, Letters, u32)>,

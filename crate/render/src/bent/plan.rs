@@ -28,16 +28,16 @@ pub struct BentPlan {
 }
 
 /// The size of the pieces in the first bucket, in pixels. In each of the others they are larger by the root of 2.
-const LEAST: f64 = 0.25;
+const SMALLEST_BUCKET: f64 = 0.25;
 const BUCKETS: usize = 27;
 
 fn bucket(size: f64) -> usize {
     // A cast of what is no number gives 0.
-    ((2.0 * (size / LEAST).log2()).ceil() as usize).min(BUCKETS - 1)
+    ((2.0 * (size / SMALLEST_BUCKET).log2()).ceil() as usize).min(BUCKETS - 1)
 }
 
 fn largest(bucket: usize) -> f64 {
-    LEAST * 2.0_f64.powf(0.5 * bucket as f64)
+    SMALLEST_BUCKET * 2.0_f64.powf(0.5 * bucket as f64)
 }
 
 impl BentPlan {

@@ -10,11 +10,11 @@ pub(super) struct Buffer {
 }
 
 /// The smallest size: nothing is smaller than a few instances.
-const LEAST: u64 = 1 << 12;
+const SMALLEST_BUFFER: u64 = 1 << 12;
 
 impl Buffer {
     pub fn new(device: &wgpu::Device, label: &'static str) -> Self {
-        Self { buffer: Self::create(device, label, LEAST), label }
+        Self { buffer: Self::create(device, label, SMALLEST_BUFFER), label }
     }
 
     fn create(device: &wgpu::Device, label: &'static str, size: u64) -> wgpu::Buffer {

@@ -98,7 +98,7 @@ const GROUP: u32 = 8;
 /// answer for seconds is taken to hang.
 const BAND: u32 = 1 << 15;
 /// The most samples of a job.
-const MOST: usize = 1 << 24;
+const MOST_SAMPLES: usize = 1 << 24;
 
 impl LocusGpu {
     /// The most maps of a system.
@@ -169,7 +169,7 @@ impl LocusGpu {
             return Err(LocusError::Size);
         }
         let (width, height) = (columns.len() / maps, rows.len() / maps);
-        let samples = width.checked_mul(height).filter(|n| *n <= MOST).ok_or(LocusError::Size)?;
+        let samples = width.checked_mul(height).filter(|n| *n <= MOST_SAMPLES).ok_or(LocusError::Size)?;
         if samples == 0 {
             return Ok(Vec::new());
         }

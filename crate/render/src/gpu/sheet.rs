@@ -10,8 +10,8 @@ use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::sheet::{Photo, Sheet, SheetOptions, draw_sheet, on_target};
 
-/// Corners further away than so many pixels have too few digits on the card: such a close view is drawn on the processor,
-/// where it has few triangles.
+/// Corners further away than so many pixels have too few digits on the card: such a close view is drawn on the
+/// processor, where it has few triangles.
 const FARTHEST: f64 = 1e6;
 /// The most layers on the average before a sheet is drawn coarser: by a card, and by the processor in its place.
 const LAYERS: (f64, f64) = (64.0, 16.0);
@@ -84,7 +84,8 @@ impl SheetGpu {
         }
     }
 
-    /// Draws a sheet, with `factor` x `factor` samples for each pixel of the window. Returns how many triangles it took.
+    /// Draws a sheet, with `factor` x `factor` samples for each pixel of the window. Returns how many triangles it
+    /// took.
     pub fn draw(
         &mut self,
         gpu: &Gpu,

@@ -145,8 +145,8 @@ impl Stage {
         }
     }
 
-    /// Moves the control points of the mesh of the bend: as many as it has, finite. This is cheap. Returns whether there
-    /// is such a mesh; if not, nothing changes.
+    /// Moves the control points of the mesh of the bend: as many as it has, finite. This is cheap. Returns whether
+    /// there is such a mesh; if not, nothing changes.
     pub fn move_mesh(&mut self, displacements: &[DVec2]) -> bool {
         let Some(deformed) = &mut self.deformed else { return false };
         let Some(moved) = deformed.move_mesh(displacements) else { return false };

@@ -203,13 +203,13 @@ fn inside(point: &DVec2) -> bool {
 /// The farthest points in some directions, found from within: a farthest point of the attractor is the
 /// image of one, so that images of those at hand are tried until nothing is gained.
 fn tips(maps: &[Affine2], anchor: DVec2) -> Vec<DVec2> {
-    const ROUNDS: usize = 24;
+    const MOST_ROUNDS: usize = 24;
     let directions: [DVec2; TIPS] =
         std::array::from_fn(|k| DVec2::from_angle(std::f64::consts::TAU * k as f64 / TIPS as f64));
     let mut tips = vec![anchor];
     tips.extend(maps.iter().take(TIPS).filter_map(|map| map.fixed_point()).filter(inside));
     let mut images = Vec::new();
-    for _ in 0..ROUNDS {
+    for _ in 0..MOST_ROUNDS {
         images.clear();
         images.extend_from_slice(&tips);
         images.extend(maps.iter().flat_map(|map| tips.iter().map(|tip| map.apply(*tip))));

@@ -9,9 +9,9 @@ use crate::picture::window::Window;
 /// so that two triangles never both miss a pixel of the edge between them, nor both take it.
 const PARTS: f64 = 256.0;
 /// Beyond so many parts 64 bits do not suffice for a product of two differences.
-const NEAR: i64 = 1 << 29;
+const LARGEST_EXACT: i64 = 1 << 29;
 /// What is further away than any zoom takes it is taken to be here.
-const FAR: f64 = (1_i64 << 60) as f64;
+const FARTHEST_CORNER: f64 = (1_i64 << 60) as f64;
 
 /// A corner on the screen, in parts of a pixel; `None` for what is no place.
 pub(super) type Corner = Option<[i64; 2]>;
@@ -19,7 +19,7 @@ pub(super) type Corner = Option<[i64; 2]>;
 /// Where a point of the screen, in pixels, is rounded to.
 pub(super) fn corner(pixel: DVec2) -> Corner {
     pixel.is_finite().then(|| {
-        let parts = |x: f64| (x * PARTS).round().clamp(-FAR, FAR) as i64;
+        let parts = |x: f64| (x * PARTS).round().clamp(-FARTHEST_CORNER, FARTHEST_CORNER) as i64;
         [parts(pixel.x), parts(pixel.y)]
     })
 }
@@ -59,7 +59,7 @@ impl Band {
         let step = (slopes.x_axis * texels).length().max((slopes.y_axis * texels).length());
         let level = step.log2() as f32;
         let turned = if area > 0.0 { corners } else { [corners[0], corners[2], corners[1]] };
-        let near = corners.iter().flatten().all(|x| x.abs() < NEAR);
+        let near = corners.iter().flatten().all(|x| x.abs() < LARGEST_EXACT);
         let wide = turned.map(|corner| corner.map(i128::from));
         for row in rows {
             let y = i64::from(self.top + row) * PARTS as i64 + PARTS as i64 / 2;

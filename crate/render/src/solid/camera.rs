@@ -61,7 +61,8 @@ impl Camera {
         Ok(Self { eye, turn, slope: (0.5 * angle).tan() })
     }
 
-    /// Around `target` at a `distance`: `turn` to the side, from where y is straight ahead, and `tilt` upwards, in radians; z is up.
+    /// Around `target` at a `distance`: `turn` to the side, from where y is straight ahead, and `tilt` upwards, in
+    /// radians; z is up.
     ///
     /// # Errors
     /// As [`looking`](Self::looking).

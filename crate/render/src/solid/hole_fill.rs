@@ -1,13 +1,13 @@
 //! Closing the holes of a surface of points: a CPU twin of `shader/solid/shade.wgsl`.
 
 use super::Relief;
-use super::shade::FAR;
+use super::shade::NOTHING_DEPTH;
 use super::splat::SEEN;
 
 /// How many of the nine pixels around a hole, itself included, lie before it.
-const MOST: usize = 5;
+const NEARER_NEIGHBOURS: usize = 5;
 /// How much nearer they are, in pixels at their depth.
-const SLACK: f32 = 6.0;
+const DEPTH_STEP: f32 = 6.0;
 
 /// A relief in which what most neighbours lie before is taken for a hole, and filled with the nearest of them.
 #[must_use]
@@ -17,20 +17,20 @@ pub fn mend(relief: &Relief, focal: f32) -> Relief {
         let inside = x >= 0 && y >= 0 && x < width && y < height;
         inside.then(|| (y * width + x) as usize).filter(|&at| relief.codes()[at] != 0)
     };
-    let depth = |x: i32, y: i32| at(x, y).map_or(FAR, |at| relief.depth()[at]);
+    let depth = |x: i32, y: i32| at(x, y).map_or(NOTHING_DEPTH, |at| relief.depth()[at]);
     let mut mended = Relief::new(relief.width(), relief.height());
     for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
         let own = depth(x, y);
-        let (mut before, mut nearest, mut from) = (0, FAR, (x, y));
+        let (mut before, mut nearest, mut from) = (0, NOTHING_DEPTH, (x, y));
         for k in 0..9 {
             let next = (x + k % 3 - 1, y + k / 3 - 1);
             let there = depth(next.0, next.1);
-            before += usize::from(there < own - SLACK / focal * there);
+            before += usize::from(there < own - DEPTH_STEP / focal * there);
             if there < nearest {
                 (nearest, from) = (there, next);
             }
         }
-        let from = if before < MOST { (x, y) } else { from };
+        let from = if before < NEARER_NEIGHBOURS { (x, y) } else { from };
         if let Some(from) = at(from.0, from.1) {
             mended.put(x as u32, y as u32, relief.depth()[from], relief.codes()[from] & SEEN);
         }

@@ -80,8 +80,8 @@ pub struct Lamp {
 }
 
 impl Lamp {
-    /// The lamp of a scene in a source of `width` x `height` pixels, with `factor` x `factor` of them for each one shown;
-    /// `range` is what depths there are.
+    /// The lamp of a scene in a source of `width` x `height` pixels, with `factor` x `factor` of them for each one
+    /// shown; `range` is what depths there are.
     #[must_use]
     pub fn new(lighting: &Lighting, camera: &Camera, size: [u32; 2], factor: u32, range: [f32; 2]) -> Self {
         let part = |x: f64| x.clamp(0.0, 1.0) as f32;

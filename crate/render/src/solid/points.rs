@@ -59,10 +59,10 @@ pub struct Cloud {
 pub(super) const OBJECT: u32 = 18;
 
 /// The fewest points of a cloud that is placed several times.
-const LEAST: usize = 400;
+const FEWEST_CLOUD_POINTS: usize = 400;
 
-/// Pieces that together are all of it, no more than `most`, and none that is much larger than another: each is given as many
-/// points.
+/// Pieces that together are all of it, no more than `most`, and none that is much larger than another: each is given as
+/// many points.
 fn instances(ifs: &Ifs3, number: u32, most: usize) -> Vec<Instance3> {
     let mut found: Vec<(Affine3, usize)> = vec![(Affine3::IDENTITY, 0)];
     let mut size = 1.0;
@@ -123,8 +123,9 @@ impl Eye {
     }
 }
 
-/// The space that each of `count` points has to itself, if they are spread over something of the system's dimension and of the
-/// size of `vertices`. Chance leaves larger holes than that, and larger points would hide what is fine: mending closes most.
+/// The space that each of `count` points has to itself, if they are spread over something of the system's dimension and
+/// of the size of `vertices`. Chance leaves larger holes than that, and larger points would hide what is fine: mending
+/// closes most.
 fn gap(ifs: &Ifs3, vertices: &[Vertex3], count: usize) -> f32 {
     let reach = |k: usize| {
         let of = |v: &Vertex3| v.position[k];
@@ -142,7 +143,7 @@ impl Cloud {
     /// About `count` points of a system that is object `number`, from a seed.
     #[must_use]
     pub fn new(ifs: &Ifs3, number: u32, count: usize, seed: u32) -> Self {
-        let instances = instances(ifs, number, count / LEAST);
+        let instances = instances(ifs, number, count / FEWEST_CLOUD_POINTS);
         let share = (count / instances.len().max(1)).max(1);
         let mut game = ChaosGame3::new(ifs, seed);
         let mut positions = vec![0.0_f32; 3 * share];

@@ -14,9 +14,10 @@ const RINGS: [(f32, f32); 4] = [(2.0, 0.2), (5.0, 0.3), (12.0, 0.3), (28.0, 0.2)
 const RAYS: usize = 8;
 
 /// As deep as nothing is.
-pub(super) const FAR: f32 = 1e30;
+pub(super) const NOTHING_DEPTH: f32 = 1e30;
 
-/// RGBA pixels of a relief, row 0 on top, as `lamp` has it: `lamp.factor` x `lamp.factor` pixels of the relief make one.
+/// RGBA pixels of a relief, row 0 on top, as `lamp` has it: `lamp.factor` x `lamp.factor` pixels of the relief make
+/// one.
 #[must_use]
 pub fn light(relief: &Relief, lamp: &Lamp, look: &Look) -> Vec<u8> {
     let scene = Scene { relief, lamp, look };
@@ -60,7 +61,7 @@ impl Scene<'_> {
     /// The depth at a pixel.
     fn depth(&self, x: i32, y: i32) -> f32 {
         if self.code(x, y) == 0 {
-            return FAR;
+            return NOTHING_DEPTH;
         }
         self.relief.depth()[(y * self.relief.width() as i32 + x) as usize]
     }
@@ -102,13 +103,14 @@ impl Scene<'_> {
             * depth
     }
 
-    /// The lie of the surface: a plane through what is near, by least squares, each pixel weighed by how near it is in depth.
+    /// The lie of the surface: a plane through what is near, by least squares, each pixel weighed by how near it is in
+    /// depth.
     fn normal(&self, x: i32, y: i32, depth: f32) -> Vec3 {
         let (mut xx, mut xy, mut yy, mut xz, mut yz) = (0.0_f32, 0.0_f32, 0.0_f32, 0.0_f32, 0.0_f32);
         for dy in -REACH..=REACH {
             for dx in -REACH..=REACH {
                 let near = self.depth(x + dx, y + dy);
-                if near >= FAR {
+                if near >= NOTHING_DEPTH {
                     continue;
                 }
                 // In pixels. Of a plane it is the inverse of the depth that changes evenly from pixel to pixel.
@@ -132,8 +134,8 @@ impl Scene<'_> {
         Vec3::new(gx, -gy, slant.y * gy - slant.x * gx - 1.0).normalize()
     }
 
-    /// How much of what is around stands out of the plane of the surface: 0 in the open, 1 in a deep hole. A slope alone is
-    /// no hollow, and what lies beyond the border of the picture is not known: it does not count as open.
+    /// How much of what is around stands out of the plane of the surface: 0 in the open, 1 in a deep hole. A slope
+    /// alone is no hollow, and what lies beyond the border of the picture is not known: it does not count as open.
     fn hollow(&self, x: i32, y: i32, depth: f32, normal: Vec3) -> f32 {
         let unit = depth / self.lamp.focal;
         let own = self.point(x, y, depth);
@@ -149,7 +151,7 @@ impl Scene<'_> {
                 }
                 known += 1.0;
                 let there = self.depth(x + dx, y + dy);
-                if there >= FAR {
+                if there >= NOTHING_DEPTH {
                     continue;
                 }
                 let way = (self.point(x + dx, y + dy, there) - own) / (radius * unit);
@@ -221,7 +223,8 @@ mod tests {
 
     #[test]
     fn a_rough_surface_has_no_rim_along_the_border() {
-        // What is seen of it in a picture that goes on all around is what it should look like at the border of this one.
+        // What is seen of it in a picture that goes on all around is what it should look like at the border of this
+        // one.
         let (whole, part) = (180_u32, 100_u32);
         let margin = (whole - part) / 2;
         let lighting = Lighting { fog: 0.0, ..Lighting::default() };

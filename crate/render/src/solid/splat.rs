@@ -10,7 +10,7 @@ const COME: u32 = 24;
 /// The part of a code that says what is seen.
 pub(super) const SEEN: u32 = (1 << COME) - 1;
 /// The longest step, in pixels: points go as far as all steps together.
-const LONGEST: i32 = 8;
+const WIDEST_SPLAT: i32 = 8;
 
 /// How points spread by steps of one length, as the shader reads it: a uniform buffer.
 #[repr(C)]
@@ -27,14 +27,14 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// What closes the space between points of these gaps, the longest steps first; `nearest` is the nearest depth there is.
-    /// Nothing where no gap is wider than a pixel.
+    /// What closes the space between points of these gaps, the longest steps first; `nearest` is the nearest depth
+    /// there is. Nothing where no gap is wider than a pixel.
     #[must_use]
     pub fn steps(size: [i32; 2], focal: f32, nearest: f32, gaps: &[f32]) -> Vec<Self> {
         let widest = gaps.iter().copied().fold(0.0, f32::max) * focal / nearest;
         let gaps = std::array::from_fn(|i| gaps.get(i).copied().unwrap_or(0.0));
-        let step = |k: u32| Self { size, focal, step: LONGEST >> k, gaps };
-        (0..=LONGEST.ilog2()).map(step).filter(|spread| widest >= spread.step as f32).collect()
+        let step = |k: u32| Self { size, focal, step: WIDEST_SPLAT >> k, gaps };
+        (0..=WIDEST_SPLAT.ilog2()).map(step).filter(|spread| widest >= spread.step as f32).collect()
     }
 
     /// A relief in which every point has been offered to the pixels a step away.

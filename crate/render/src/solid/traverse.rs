@@ -10,16 +10,16 @@ use crate::pieces::letters::Letters;
 /// The most systems in one picture.
 pub const MAX_OBJECTS: usize = 60;
 /// A piece whose ball is smaller than this, in pixels across, is a pixel.
-const SMALL: f64 = 1.0;
+const PIXEL_SIZE: f64 = 1.0;
 /// Nearer than this part of the distance to the farthest point nothing is seen.
-const NEAR: f64 = 1e-3;
+const NEAREST_SHARE: f64 = 1e-3;
 /// The longest word: what is that deep is a pixel, whatever its size.
-const DEEP: u32 = 400;
+const LONGEST_WORD: u32 = 400;
 
 /// A picture of space in the making: every pixel that a piece in sight reaches, and no other.
 ///
-/// A piece is looked into, the nearest of its parts first, until its ball is within a pixel; one that is out of sight, or
-/// behind what is there already, is passed over. So the work is that of what is seen.
+/// A piece is looked into, the nearest of its parts first, until its ball is within a pixel; one that is out of sight,
+/// or behind what is there already, is passed over. So the work is that of what is seen.
 #[derive(Clone, Debug)]
 pub struct Carve {
     objects: Vec<Object>,
@@ -31,7 +31,8 @@ pub struct Carve {
 }
 
 /// A system in coordinates in which its maps contract, and what takes these to where the eye is at the origin and z is
-/// depth. A shape that was flattened is carved as what it was flattened from: its pieces are round there, and long here.
+/// depth. A shape that was flattened is carved as what it was flattened from: its pieces are round there, and long
+/// here.
 #[derive(Clone, Debug)]
 struct Object {
     maps: Vec<Affine3>,
@@ -154,7 +155,7 @@ impl Carve {
                 if self.relief.hides(pixels, nearest as f32) {
                     return;
                 }
-                if node.depth >= DEEP {
+                if node.depth >= LONGEST_WORD {
                     let [x0, y0, x1, y1] = pixels;
                     self.relief.put(u32::midpoint(x0, x1), u32::midpoint(y0, y1), middle.z as f32, code());
                     return;
@@ -197,7 +198,7 @@ impl Carve {
         }
         let scale = self.focal / middle.z;
         let (x, y) = (0.5 * width + scale * middle.x, 0.5 * height - scale * middle.y);
-        if 2.0 * radius * scale <= SMALL {
+        if 2.0 * radius * scale <= PIXEL_SIZE {
             let inside = x >= 0.0 && y >= 0.0 && x < width && y < height;
             return if inside { Sight::Pixel([x as u32, y as u32]) } else { Sight::None };
         }
@@ -218,7 +219,7 @@ impl Carve {
 
 /// Nothing is seen nearer than this, if `far` is as far as anything is from the eye.
 fn near(far: f64) -> f64 {
-    (NEAR * far).max(f64::MIN_POSITIVE)
+    (NEAREST_SHARE * far).max(f64::MIN_POSITIVE)
 }
 
 /// The nearest and the farthest depth of balls, as the eye has them.

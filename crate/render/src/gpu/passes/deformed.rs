@@ -178,8 +178,8 @@ impl DeformedPass {
         self.later = Some(Later(make));
     }
 
-    /// Moves the control points: as many as there are, finite. Returns whether they have moved, `None` where they are none
-    /// of this mesh.
+    /// Moves the control points: as many as there are, finite. Returns whether they have moved, `None` where they are
+    /// none of this mesh.
     pub fn move_mesh(&mut self, displacements: &[DVec2]) -> Option<bool> {
         let fits = |d: &DVec2| d.abs().max_element() < 1e100;
         if displacements.len() != self.mesh.len() || !displacements.iter().all(fits) {

@@ -33,8 +33,8 @@ pub struct Uniforms3 {
 
 /// Draws attractors of space on one canvas.
 ///
-/// A change of the clouds, the size or the eye shows points; a carved picture, which somebody makes meanwhile, is shown from
-/// when it is [put](Self::put_still) there until the next such change. Where nothing changes nothing is done.
+/// A change of the clouds, the size or the eye shows points; a carved picture, which somebody makes meanwhile, is shown
+/// from when it is [put](Self::put_still) there until the next such change. Where nothing changes nothing is done.
 #[derive(Debug)]
 pub struct Stage3 {
     gpu: Gpu,
@@ -130,8 +130,8 @@ impl Stage3 {
         self.stale = true;
     }
 
-    /// Shows what was carved of the present clouds with the present eye: depths and codes, row by row from the top. Whether
-    /// it is of the size of `still_lamp`.
+    /// Shows what was carved of the present clouds with the present eye: depths and codes, row by row from the top.
+    /// Whether it is of the size of `still_lamp`.
     pub fn put_still(&mut self, [width, height]: [u32; 2], depth: &[f32], codes: &[u32]) -> bool {
         let Some(uniforms) = self.uniforms else { return false };
         let window = Window { width, height };
