@@ -1,4 +1,4 @@
-//! Closing the holes of a surface of points: a CPU twin of `shader/solid/shade.wgsl`.
+//! Closing the holes of a surface of points: a CPU twin of `shader/solid/hole_fill.wgsl`.
 
 use super::Relief;
 use super::shade::NOTHING_DEPTH;

@@ -7,12 +7,13 @@ use crate::solid::{Instance3, Vertex3};
 pub(super) const WORDS: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 
 const POINTS: &str = include_str!("../../../shader/solid/points.wgsl");
-const SPREAD: &str =
+const SPLAT: &str =
     concat!(include_str!("../../../shader/screen.wgsl"), include_str!("../../../shader/solid/splat.wgsl"));
-const LIGHT: &str = concat!(
+const SHADE: &str = concat!(
     include_str!("../../../shader/colour.wgsl"),
     include_str!("../../../shader/screen.wgsl"),
-    include_str!("../../../shader/solid/shade.wgsl")
+    include_str!("../../../shader/solid/shade.wgsl"),
+    include_str!("../../../shader/solid/hole_fill.wgsl")
 );
 
 /// Everything that is the same for all pictures of space.
@@ -36,8 +37,8 @@ impl Pipelines3 {
             let source = wgpu::ShaderSource::Wgsl(source.into());
             device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(label), source })
         };
-        let (points, light) = (module("space points", POINTS), module("space light", LIGHT));
-        let spread = module("space spread", SPREAD);
+        let (points, light) = (module("space points", POINTS), module("space light", SHADE));
+        let spread = module("space spread", SPLAT);
         let eye_layout = layout(device, "eye", &[uniform(0)]);
         let words = wgpu::TextureSampleType::Uint;
         let entries = [uniform(0), uniform(1), texture(2, words), texture(3, words)];
