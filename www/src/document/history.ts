@@ -1,4 +1,4 @@
-import type { Scene, SpacePart } from "#wasm/api";
+import type { Scene } from "#wasm/api";
 
 /** One undo step: the scene before and after it. */
 interface Step {
@@ -33,49 +33,32 @@ export function close(history: History): History {
 }
 
 /**
- * The moment, the view and the tool belong to whoever looks, so a step that did not change them leaves them where they
- * are now.
+ * Some of a document belongs to whoever looks, as the moment and the view do: a step that did not change it leaves it as
+ * it is now. `target` is where the step goes, `other` where it comes from.
  */
-function restore(target: Scene, other: Scene, present: Scene): Scene {
-  const scene: Scene = { ...target, t: target.t === other.t ? present.t : target.t };
-  const view = target.view === other.view ? present.view : target.view;
-  if (view) scene.view = view;
-  else delete scene.view;
-  const tool = target.tool === other.tool ? present.tool : target.tool;
-  if (tool) scene.tool = tool;
-  else delete scene.tool;
-  if (scene.deform && present.deform && scene.deform.phase === other.deform?.phase) {
-    scene.deform = { ...scene.deform, phase: present.deform.phase };
-  }
-  if (present.space) scene.space = restoreSpace(target.space, other.space, present.space);
-  return scene;
-}
+export type Keep = (target: Scene, other: Scene, present: Scene) => Scene;
 
-/** The same of space. */
-function restoreSpace(
-  target: SpacePart | undefined,
-  other: SpacePart | undefined,
-  present: SpacePart,
-): SpacePart {
-  const view = target?.view === other?.view ? present.view : target?.view;
-  const at = (target?.at ?? 0) === (other?.at ?? 0) ? present.at : (target?.at ?? 0);
-  const own = target?.own === other?.own ? present.own : target?.own;
-  return { packed: target?.packed ?? "", at, ...(view ? { view } : {}), ...(view && own ? { own } : {}) };
-}
-
-export function stepBack(history: History, present: Scene): { history: History; scene: Scene } | null {
+export function stepBack(
+  history: History,
+  present: Scene,
+  keep: Keep,
+): { history: History; scene: Scene } | null {
   const step = history.past.at(-1);
   if (!step) return null;
-  const scene = restore(step.before, step.after, present);
+  const scene = keep(step.before, step.after, present);
   return {
     history: { past: history.past.slice(0, -1), future: [step, ...history.future], open: false },
     scene,
   };
 }
 
-export function stepForward(history: History, present: Scene): { history: History; scene: Scene } | null {
+export function stepForward(
+  history: History,
+  present: Scene,
+  keep: Keep,
+): { history: History; scene: Scene } | null {
   const [step, ...future] = history.future;
   if (!step) return null;
-  const scene = restore(step.after, step.before, present);
+  const scene = keep(step.after, step.before, present);
   return { history: { past: [...history.past, step], future, open: false }, scene };
 }

@@ -1,6 +1,7 @@
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { Scene } from "#wasm/api";
 import { close, EMPTY, type History, record, stepBack, stepForward } from "./history";
+import { keep } from "./keep";
 
 /** Stands until the wasm module has told its own default: a gasket and its mirror image. */
 const BLANK: Scene = {
@@ -72,11 +73,11 @@ export function replace(next: Scene): void {
 }
 
 export function undo(): void {
-  move(stepBack(history.peek(), present.peek()));
+  move(stepBack(history.peek(), present.peek(), keep));
 }
 
 export function redo(): void {
-  move(stepForward(history.peek(), present.peek()));
+  move(stepForward(history.peek(), present.peek(), keep));
 }
 
 function move(to: { history: History; scene: Scene } | null): void {
