@@ -57,7 +57,9 @@ export const pictureTasks = {
     const carve = pictured(context, objects).carve(view, width * factor, height * factor);
     try {
       await carved(context, carve);
-      const data = carve.paint(light, { width, height, factor, palette, ground });
+      // Declared as what may be shared memory; it never is. The same below.
+      const look = { width, height, factor, palette, ground };
+      const data = carve.paint(light, look) as Uint8ClampedArray<ArrayBuffer>;
       context.transfer(data.buffer);
       return { width, height, data };
     } finally {
@@ -73,8 +75,8 @@ export const pictureTasks = {
     const carve = pictured(context, objects).carve(view, width, height);
     try {
       await carved(context, carve);
-      const depth = carve.depth();
-      const codes = carve.codes();
+      const depth = carve.depth() as Float32Array<ArrayBuffer>;
+      const codes = carve.codes() as Uint32Array<ArrayBuffer>;
       context.transfer(depth.buffer, codes.buffer);
       return { width, height, depth, codes, empty: codes.every((code) => code === 0) };
     } finally {
