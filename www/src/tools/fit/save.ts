@@ -26,7 +26,7 @@ export function saveSvg(): void {
     const other = paper();
     if (other) return collageSvg(other.fit);
     const best = shownFit.peek();
-    return best && rough.curveSvg(best.curve);
+    return best && rough.curveSvg(best.curve, undefined);
   });
 }
 
@@ -35,7 +35,7 @@ export function saveCsv(): void {
     const other = paper();
     if (other) return collageCsv(other.fit);
     const best = shownFit.peek();
-    return best && rough.curveCsv(best.curve);
+    return best && rough.curveCsv(best.curve, undefined);
   });
 }
 
