@@ -66,12 +66,17 @@ fn write_curve(link: &mut String, [key, name_key, which]: Keys, shape: &CurveSha
     Ok(())
 }
 
-/// The closed curves of a link: none unless it names both.
+/// The closed curves of a link: both or none.
 pub(super) fn read_curves<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Option<Curves>, LinkError> {
-    Ok(match (read_curve(get, A)?, read_curve(get, B)?) {
-        (Some(a), Some(b)) => Some(Curves { a, b }),
-        _ => None,
-    })
+    let without = |[key, ..]: Keys, [other, ..]: Keys| {
+        Err(LinkError::Value { key, value: format!("left out beside “{other}”") })
+    };
+    match (read_curve(get, A)?, read_curve(get, B)?) {
+        (Some(a), Some(b)) => Ok(Some(Curves { a, b })),
+        (None, None) => Ok(None),
+        (Some(_), None) => without(B, A),
+        (None, Some(_)) => without(A, B),
+    }
 }
 
 fn read_curve<'a>(

@@ -521,4 +521,13 @@ fn curves_of_the_gallery_are_written_by_their_names() {
     }
     assert!(encode(&changed).contains("&curve-b=curve:"));
     assert!(decode("v=1&curve-a=willow&curve-b=maple").1.is_some());
+    for (link, words) in [
+        ("v=1&curve-a=maple", "“curve-b” cannot be left out beside “curve-a”"),
+        ("v=1&curve-b=maple", "“curve-a” cannot be left out beside “curve-b”"),
+    ] {
+        let (scene, problem) = decode(link);
+        let problem = problem.unwrap();
+        assert!(scene.curves.is_none() && problem.code() == "link-damaged");
+        assert!(problem.to_string().contains(words), "{problem}");
+    }
 }
