@@ -320,12 +320,10 @@ test("what is out of sight is kept at the edge while keys are on it", async ({ s
   expect(await page.locator(".pane").evaluate((pane) => pane.scrollLeft + pane.scrollTop)).toBe(0);
 });
 
-for (const colorScheme of ["light", "dark"] as const) {
-  test(`axe finds nothing on the grid, ${colorScheme}`, async ({ studio, page }) => {
-    await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
-    const grid = new Grid(page, studio);
-    await grid.open();
-    await grid.drag(await grid.place(2, 2), 40, 40);
-    await expectClean(page, ".stage");
-  });
-}
+test("axe finds nothing on the grid", async ({ studio, page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  const grid = new Grid(page, studio);
+  await grid.open();
+  await grid.drag(await grid.place(2, 2), 40, 40);
+  await expectClean(page, ".stage");
+});

@@ -79,10 +79,9 @@ async function pull(page: Page): Promise<void> {
   await page.getByRole("button", { name: "Show me" }).click();
 }
 
-test("the sample is there at once, whole, and bends without a crack at any locality", async ({
-  studio,
-  page,
-}) => {
+test("the sample is there at once, whole, and bends without a crack at any locality", {
+  tag: "@webgpu",
+}, async ({ studio, page }) => {
   await withSample(studio, page);
   const still = await studio.look();
   const [left, top, right, bottom] = still.box;
@@ -104,7 +103,10 @@ test("the sample is there at once, whole, and bends without a crack at any local
   }
 });
 
-test("a picture of one's own is chosen, bent, and gives way to the sample", async ({ studio, page }) => {
+test("a picture of one's own is chosen, bent, and gives way to the sample", { tag: "@webgpu" }, async ({
+  studio,
+  page,
+}) => {
   await withSample(studio, page);
   await file(page).setInputFiles(picture(quarters, "flag.png"));
   await expect(page.getByText("240 × 120 pixels")).toBeVisible();
@@ -173,10 +175,9 @@ test("pictures are dropped on the stage and pasted", async ({ studio, page }) =>
   expect((await studio.look()).colours[0]).toMatch(/^#(ff0000|00a000|0000ff|ffffff)$/);
 });
 
-test("a link brings the bend and says where the picture is; a shape comes back whole", async ({
-  studio,
-  page,
-}) => {
+test("a link brings the bend and says where the picture is; a shape comes back whole", {
+  tag: "@webgpu",
+}, async ({ studio, page }) => {
   await withSample(studio, page);
   await pull(page);
   const bent = (await studio.look()).hash;

@@ -88,15 +88,13 @@ test("on its side, a phone still shows the picture and the time", async ({ studi
   await expect(studio.time).toBeInViewport({ ratio: 1 });
 });
 
-for (const colorScheme of ["light", "dark"] as const) {
-  test(`axe finds nothing in the deformation tool on a phone, ${colorScheme}`, async ({ studio, page }) => {
-    await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
-    await studio.open(GASKET);
-    await studio.drawn();
-    await expectClean(page);
-    await page.getByRole("button", { name: "Wave" }).tap();
-    for (const summary of await page.locator(".bend-fold > summary").all()) await summary.tap();
-    await studio.drawn();
-    await expectClean(page);
-  });
-}
+test("axe finds nothing in the deformation tool on a phone", async ({ studio, page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await studio.open(GASKET);
+  await studio.drawn();
+  await expectClean(page);
+  await page.getByRole("button", { name: "Wave" }).tap();
+  for (const summary of await page.locator(".bend-fold > summary").all()) await summary.tap();
+  await studio.drawn();
+  await expectClean(page);
+});

@@ -1,118 +1,25 @@
-import type { Locator, Page } from "@playwright/test";
 import { expectClean } from "./axe";
-import { ALL, idsOf, open } from "./figure-pages";
+import { look, openFigure } from "./figure-page";
 import { expect, test } from "./fixture";
 
-const PAGES = idsOf("from-the-paper");
-const LESSONS = idsOf("lessons");
-
-/** How many pixels of a canvas hold something. */
-function lit(page: Page, selector: string): Promise<number> {
-  return page
-    .locator(selector)
-    .first()
-    .evaluate((canvas) => {
-      const { width, height } = canvas as HTMLCanvasElement;
-      const image = (canvas as HTMLCanvasElement).getContext("2d")?.getImageData(0, 0, width, height);
-      return image ? image.data.filter((value, i) => i % 4 === 3 && value > 0).length : 0;
-    });
-}
-
-test("the index shows every figure, drawn", async ({ page }) => {
-  await open(page, "");
-  const cards = page.getByRole("main").getByRole("listitem");
-  await expect(cards).toHaveCount(ALL.length);
-  for (const i of [2, 3, 4, 6]) {
-    const canvas = `.cards >> nth=0 >> li:nth-child(${i + 1}) canvas`;
-    await expect.poll(() => lit(page, canvas)).toBeGreaterThan(200);
+test("the index shows every figure, drawn and clean", async ({ page }) => {
+  await openFigure(page, "");
+  const sections = page.getByRole("main").getByRole("region");
+  await expect(sections).toHaveCount(5);
+  for (const section of await sections.all()) {
+    const pictures = section.getByRole("listitem").locator("canvas");
+    for (const picture of await pictures.all()) {
+      await expect.poll(async () => (await look(picture)).lit).toBeGreaterThan(0.001);
+    }
   }
+  await expect(
+    page.getByRole("main").getByRole("listitem").locator(":is(canvas, svg)").first(),
+  ).toBeAttached();
   await expectClean(page);
 });
 
-test("every figure is clean and opens in the studio", async ({ page }) => {
-  for (const figure of PAGES) {
-    await test.step(figure, async () => {
-      await open(page, figure);
-      await expect(page.getByRole("main").getByText("reconstructed", { exact: true })).toBeVisible();
-      await expectClean(page);
-      await page.getByRole("link", { name: "Open in the studio" }).click();
-      await expect(page.getByRole("slider", { name: "Time", exact: true })).toBeVisible();
-      await expect(page.getByRole("alert")).toHaveCount(0);
-    });
-  }
-});
-
-for (const lesson of LESSONS) {
-  test(`lesson ${lesson} asks before it tells`, async ({ page }) => {
-    // Without motion, so that no colour is half-way between two.
-    await page.emulateMedia({ reducedMotion: "reduce" });
-    await open(page, lesson);
-    await expect(page.getByRole("main").getByText("by Frond", { exact: true })).toBeVisible();
-    // The finished picture: more than one colour on it, and words for those who do not see it.
-    const picture = page.getByRole("region", { name: "The picture" }).getByRole("img").first();
-    await expect(picture).toHaveAccessibleName(/\w+ \w+/);
-    await expect.poll(() => picture.evaluate(colours)).toBeGreaterThan(1);
-    await expectClean(page);
-
-    // A prediction by keys alone, and then the truth beside it.
-    const question = page.getByRole("region", { name: "What do you think?" });
-    await expect(question.locator(".truth")).toHaveCount(0);
-    const input = question.locator("fieldset input").first();
-    await input.focus();
-    await page.keyboard.press((await input.getAttribute("type")) === "range" ? "ArrowLeft" : "Space");
-    const button = question.getByRole("button", { name: "Show me" });
-    await button.focus();
-    const before = await placeOf(button);
-    await page.keyboard.press("Enter");
-    await expect(question.locator(".truth")).toBeVisible();
-    const again = question.getByRole("button", { name: "Think again" });
-    await expect(again).toBeFocused();
-    // What was there stays where it was.
-    expect(await placeOf(again)).toBeCloseTo(before, 0);
-    await expectClean(page);
-    await page.keyboard.press("Enter");
-    await expect(question.locator(".truth")).toHaveCount(0);
-
-    await page.getByRole("link", { name: "Open in the studio" }).click();
-    await expect(page.getByRole("region", { name: "Picture" })).toBeVisible();
-    await expect(page.getByRole("alert")).toHaveCount(0);
-  });
-}
-
-/** How far down the page an element begins. */
-function placeOf(element: Locator): Promise<number> {
-  return element.evaluate(
-    (it) => it.getBoundingClientRect().top + (it.closest("main")?.scrollTop ?? Number.NaN),
-  );
-}
-
-/** How many colours a canvas holds, or a drawing uses. */
-function colours(picture: Element): number {
-  if (!(picture instanceof HTMLCanvasElement)) {
-    const parts = [...picture.querySelectorAll("path, circle, rect, polygon")];
-    return new Set(parts.map((part) => getComputedStyle(part).stroke + getComputedStyle(part).fill)).size;
-  }
-  const image = picture.getContext("2d")?.getImageData(0, 0, picture.width, picture.height);
-  return image ? new Set(new Uint32Array(image.data.buffer)).size : 0;
-}
-
-test("every lesson is clean in the dark, with its answer", async ({ page }) => {
-  await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
-  for (const lesson of LESSONS) {
-    await test.step(lesson, async () => {
-      await open(page, lesson);
-      const question = page.getByRole("region", { name: "What do you think?" });
-      const input = question.locator("fieldset input").first();
-      if ((await input.getAttribute("type")) !== "range") await input.check();
-      await question.getByRole("button", { name: "Show me" }).click();
-      await expect(question.locator(".truth")).toBeVisible();
-      await expectClean(page);
-    });
-  }
-});
-
 test("Lesson 2 takes its throws by keys", async ({ page }) => {
-  await open(page, "e2");
+  await openFigure(page, "e2");
   await page.getByRole("button", { name: "1, lower left" }).focus();
   for (const key of ["1", "2", "3", "3"]) await page.keyboard.press(key);
   await expect(page.getByText("9 throws, the last towards 3")).toBeVisible();
@@ -121,7 +28,7 @@ test("Lesson 2 takes its throws by keys", async ({ page }) => {
 });
 
 test("Lesson 3 compares graphs line by line", async ({ page }) => {
-  await open(page, "e3");
+  await openFigure(page, "e3");
   for (const pair of ["1 and 2", "2 and 3"]) await page.getByRole("checkbox", { name: pair }).check();
   await expect(page.getByText("You drew 2 lines. With them the curve would be in 2 groups.")).toBeVisible();
   await page.getByRole("button", { name: "Show me" }).click();
@@ -130,14 +37,14 @@ test("Lesson 3 compares graphs line by line", async ({ page }) => {
 });
 
 test("Lesson 5 measures what it tells", async ({ page }) => {
-  await open(page, "e5");
+  await openFigure(page, "e5");
   await page.getByRole("button", { name: "Show me" }).click();
   await expect(page.locator(".truth")).toContainText(/Here 75 pixels say connected from 0\.49\d\d on/);
   await expect(page.getByRole("row", { name: /^pair subdivision/ })).toContainText(/0\.49999\d\d|0\.5000000/);
 });
 
 test("Lesson 7 can be led across by keys", async ({ page }) => {
-  await open(page, "e7");
+  await openFigure(page, "e7");
   await page.getByRole("button", { name: "Show me" }).click();
   await expect(page.locator(".truth")).toContainText("It first breaks at 0.55");
   await expect(page.getByText(/^widest gap 4\.\d%/)).toBeVisible();
@@ -147,11 +54,11 @@ test("Lesson 7 can be led across by keys", async ({ page }) => {
 });
 
 test("Lesson 8 shows M, with its landmarks", async ({ page }) => {
-  await open(page, "e8");
+  await openFigure(page, "e8");
   await page.getByRole("radio", { name: "In one piece" }).check();
   await page.getByRole("button", { name: "Show me" }).click();
   const map = page.getByRole("img", { name: /^The set M/ });
-  await expect.poll(() => map.evaluate(colours)).toBeGreaterThan(50);
+  await expect.poll(() => look(map).then(({ colours }) => colours)).toBeGreaterThan(50);
   await page.getByRole("button", { name: /, dust$/ }).click();
   await expect(page.getByText("gap 0.033%")).toBeVisible();
   await page.getByRole("button", { name: /^½ \+ ½i/ }).click();
@@ -159,7 +66,7 @@ test("Lesson 8 shows M, with its landmarks", async ({ page }) => {
 });
 
 test("Lesson 10 finds the pairing that holds", async ({ page }) => {
-  await open(page, "e10");
+  await openFigure(page, "e10");
   await page.getByRole("radio", { name: /^P/ }).check();
   await page.getByRole("button", { name: "Show me" }).click();
   await expect(page.getByText("You said P. Q holds together.")).toBeVisible();
@@ -168,16 +75,16 @@ test("Lesson 10 finds the pairing that holds", async ({ page }) => {
 });
 
 test("one leads to the next, and an unknown one to all", async ({ page }) => {
-  await open(page, "4");
+  await page.goto("./#figures/4");
   await page.getByRole("navigation", { name: "Before and after" }).getByRole("link").last().click();
   await expect(page.getByRole("heading", { level: 1 })).toBeFocused();
   await expect(page).toHaveTitle(/^Figure 5/);
-  await open(page, "nonsense");
+  await page.goto("./#figures/nonsense");
   await expect(page.getByText("There is no figure “nonsense”")).toBeVisible();
 });
 
 test("Figure 1 proves below one half only", async ({ page }) => {
-  await open(page, "1");
+  await openFigure(page, "1");
   const next = page.getByRole("button", { name: "Next iteration" });
   while (await next.isEnabled()) await next.click();
   await expect(page.getByText("by iteration 4")).toBeVisible();
@@ -188,7 +95,7 @@ test("Figure 1 proves below one half only", async ({ page }) => {
 });
 
 test("Figure 2 gains its edges and loses them again", async ({ page }) => {
-  await open(page, "2");
+  await openFigure(page, "2");
   await page.getByRole("radio", { name: "100", exact: true }).check();
   for (let i = 0; i < 3; i++) await page.getByRole("button", { name: "Plot 100 more" }).click();
   await expect(page.getByText("1 meets 3")).toBeVisible();
@@ -198,7 +105,7 @@ test("Figure 2 gains its edges and loses them again", async ({ page }) => {
 });
 
 test("Figures 3 and 4 part half-way", async ({ page }) => {
-  await open(page, "3");
+  await openFigure(page, "3");
   const time = page.getByRole("slider", { name: "Time t" });
   for (let i = 0; i < 15; i++) await time.press("ArrowRight");
   await expect(page.getByText("determinant of map 1: 0.000")).toBeVisible();
@@ -209,7 +116,7 @@ test("Figures 3 and 4 part half-way", async ({ page }) => {
 });
 
 test("Figure 5 breaks where Figure 6 holds", async ({ page }) => {
-  await open(page, "5");
+  await openFigure(page, "5");
   const broken = page.getByRole("main").getByRole("button").filter({ hasText: "in pieces" });
   await expect(broken).toHaveCount(7);
   await page.getByRole("navigation", { name: "Figures" }).getByRole("link", { name: "Figure 6" }).click();
@@ -224,7 +131,7 @@ test("Figure 5 breaks where Figure 6 holds", async ({ page }) => {
 });
 
 test("Figure 7 says what lies under the ring", async ({ page }) => {
-  await open(page, "7");
+  await openFigure(page, "7");
   const turn = page.getByRole("slider", { name: "u, turn and stretch" });
   await expect(turn).toHaveAttribute("aria-valuetext", /in pieces, proved/);
   await turn.press("Home");
@@ -233,7 +140,7 @@ test("Figure 7 says what lies under the ring", async ({ page }) => {
 });
 
 test("Table 1 measures, stops and goes on", async ({ page }) => {
-  await open(page, "table-1");
+  await openFigure(page, "table-1");
   await page.getByRole("button", { name: "Stop" }).click();
   await expect(page.getByText(/^stopped after/).first()).toBeVisible();
   await page.getByRole("radio", { name: "100 000", exact: true }).check();
@@ -243,21 +150,4 @@ test("Table 1 measures, stops and goes on", async ({ page }) => {
   const [, middle] = /0\.47850\s*(0\.\d+)/.exec((await row.textContent()) ?? "") ?? [];
   expect(Number(middle)).toBeGreaterThan(0.4785);
   expect(Number(middle)).toBeLessThan(0.5);
-});
-
-test.describe("without a connection", () => {
-  test.use({ expected: /page-.*\.js|Failed to (load|fetch)/ });
-
-  test("a page that cannot be fetched says what to do, and comes at the next try", async ({ page }) => {
-    await open(page, "");
-    await page.route(/\/page-[^/]*\.js$/, (route) => route.abort());
-    await page.getByRole("link", { name: /^Table 1/ }).click();
-    await expect(page.getByRole("alert")).toContainText(/Table 1 could not be loaded/);
-    // What was there stays.
-    await expect(page.getByRole("heading", { level: 1 })).toHaveText("Figures");
-    await page.unrouteAll();
-    await page.getByRole("button", { name: "Try again" }).click();
-    await expect(page).toHaveTitle(/^Table 1/);
-    await expect(page.getByRole("alert")).toHaveCount(0);
-  });
 });

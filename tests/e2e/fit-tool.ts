@@ -96,6 +96,11 @@ export class FitTool {
     this.messages = page.locator(".cut-messages");
   }
 
+  /** With few numbers from the start: they are fitted soon. */
+  async openFew(numbers: number): Promise<void> {
+    await this.open(`v=1&a=gasket&b=dragon-3&tool=fit&fit=outline:closed,${numbers},0`);
+  }
+
   async open(fragment = "v=1&a=gasket&b=dragon-3&tool=fit"): Promise<void> {
     if (this.page.url() !== "about:blank") await this.page.goto("about:blank");
     await this.page.goto(`./#${fragment}`);
@@ -107,8 +112,7 @@ export class FitTool {
     await expect(this.status).toHaveText(/^\d.* off, \d+ numbers$/);
   }
 
-  /** Few numbers are fitted soon: software draws, and the machine may have other things to do. */
-  async few(numbers = 40): Promise<void> {
+  async few(numbers: number): Promise<void> {
     const field = this.page.getByRole("spinbutton", { name: "How many numbers" });
     await field.fill(String(numbers));
     await field.press("Enter");

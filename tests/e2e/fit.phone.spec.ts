@@ -4,8 +4,7 @@ import { expect, test } from "./fixture";
 
 test("the outline is on top, its slider below it, and nothing is wider than the phone", async ({ page }) => {
   const tool = new FitTool(page);
-  await tool.open();
-  await tool.few(24);
+  await tool.openFew(24);
   await tool.fitted();
   const width = await page.evaluate(() => document.documentElement.scrollWidth);
   expect(width).toBe(390);
@@ -27,8 +26,7 @@ test("the outline is on top, its slider below it, and nothing is wider than the 
 test("a finger pans, two enlarge, and one with a brush mends the mask", async ({ page }) => {
   const tool = new FitTool(page);
   await page.emulateMedia({ reducedMotion: "reduce" });
-  await tool.open();
-  await tool.few(12);
+  await tool.openFew(12);
   await tool.input.setInputFiles(file(leafPicture, "leaf.png"));
   await expect(tool.status).toHaveText(/^Cut out: one part$/);
   const finger = await Finger.of(page);

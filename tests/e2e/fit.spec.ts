@@ -38,8 +38,7 @@ test("a photograph becomes a mask, an outline, a fit, a shape of the morph, and 
   page,
 }) => {
   const tool = new FitTool(page);
-  await tool.open();
-  await tool.few();
+  await tool.openFew(40);
   await tool.input.setInputFiles(file(leafPicture, "leaf.png"));
   await expect(card(page)).toHaveText("leaf.png");
   await expect(tool.status).toHaveText(/^Cut out: one part$/);
@@ -80,8 +79,7 @@ test("a photograph becomes a mask, an outline, a fit, a shape of the morph, and 
 test("a brush mends the mask, by mouse and by keys, and strokes are taken back", async ({ page }) => {
   const tool = new FitTool(page);
   await page.emulateMedia({ reducedMotion: "reduce" });
-  await tool.open();
-  await tool.few(12);
+  await tool.openFew(12);
   await tool.input.setInputFiles(file(leafPicture, "leaf.png"));
   await expect(tool.status).toHaveText(/^Cut out: one part$/);
   const box = await tool.stage.boundingBox();
@@ -132,8 +130,7 @@ test("a brush mends the mask, by mouse and by keys, and strokes are taken back",
 
 test("two leaves: one is taken, and the other can be picked", async ({ page }) => {
   const tool = new FitTool(page);
-  await tool.open();
-  await tool.few(12);
+  await tool.openFew(12);
   await tool.input.setInputFiles(file(twoLeaves, "two.png"));
   await expect(tool.status).toHaveText("Cut out: 2 parts");
   await expect(tool.messages).toContainText(/two|several|2/i);
@@ -179,8 +176,7 @@ test("the paper's fit has gaps that are shown and said, and tied ends have none"
 
 test("files go in: a drawing, points, noise that is smoothed", async ({ page }) => {
   const tool = new FitTool(page);
-  await tool.open();
-  await tool.few(24);
+  await tool.openFew(24);
   const ring = Array.from({ length: 300 }, (_, i) => {
     const angle = (2 * Math.PI * i) / 300;
     const radius = 40 + 10 * Math.cos(5 * angle) + (i % 2);
@@ -209,8 +205,7 @@ test("files go in: a drawing, points, noise that is smoothed", async ({ page }) 
 
 test("what cannot be fitted is refused with what to try, and nothing is lost", async ({ page }) => {
   const tool = new FitTool(page);
-  await tool.open();
-  await tool.few(24);
+  await tool.openFew(24);
   await tool.fitted();
   const before = (await tool.scene()).fit?.curve;
   const jpeg = Buffer.concat([
@@ -272,8 +267,7 @@ test("what cannot be fitted is refused with what to try, and nothing is lost", a
 
 test("a script in a drawing never runs, and what is beside it is fitted", async ({ page }) => {
   const tool = new FitTool(page);
-  await tool.open();
-  await tool.few(12);
+  await tool.openFew(12);
   const svg = `<svg xmlns="http://www.w3.org/2000/svg" onload="document.title='caught'"><script>document.title='caught'</script><path d="M0 0H90V60L45 90L0 60Z"/></svg>`;
   await tool.input.setInputFiles(file(svg, "house.svg", "image/svg+xml"));
   await expect(card(page)).toHaveText("house.svg");
@@ -283,8 +277,7 @@ test("a script in a drawing never runs, and what is beside it is fitted", async 
 
 test("numbers with NaN are left out, and it is said which", async ({ page }) => {
   const tool = new FitTool(page);
-  await tool.open();
-  await tool.few(12);
+  await tool.openFew(12);
   const rows = Array.from({ length: 200 }, (_, i) => {
     const angle = (2 * Math.PI * i) / 200;
     return i === 20 ? "NaN,3" : `${(9 * Math.cos(angle)).toFixed(3)},${(5 * Math.sin(angle)).toFixed(3)}`;
@@ -295,8 +288,7 @@ test("numbers with NaN are left out, and it is said which", async ({ page }) => 
 
 test("files come out, and say what is seen", async ({ page }) => {
   const tool = new FitTool(page);
-  await tool.open();
-  await tool.few(40);
+  await tool.openFew(40);
   await tool.fitted();
   const saved = async (name: string) => {
     const download = page.waitForEvent("download");
@@ -318,8 +310,7 @@ test("files come out, and say what is seen", async ({ page }) => {
 
 test("a file is dropped on the stage and pasted", async ({ page }) => {
   const tool = new FitTool(page);
-  await tool.open();
-  await tool.few(12);
+  await tool.openFew(12);
   const bytes = [...leafPicture];
   const arrive = (how: "drop" | "paste", called: string) =>
     page.evaluate(
@@ -343,30 +334,27 @@ test("a file is dropped on the stage and pasted", async ({ page }) => {
   await expect(tool.status).toHaveText(/^Cut out/);
 });
 
-for (const colorScheme of ["light", "dark"] as const) {
-  test(`axe finds nothing, ${colorScheme}`, async ({ page }) => {
-    await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
-    const tool = new FitTool(page);
-    await tool.open();
-    await tool.few(24);
-    await tool.fitted();
-    await expect(page.getByTestId("compare")).toBeVisible();
-    await test.step("closed curve", () => expectClean(page));
-    await test.step("as in the paper", async () => {
-      await page.getByRole("radio", { name: "As in the paper (collage)" }).check({ force: true });
-      await expect(page.getByTestId("gaps")).toBeVisible();
-      await expectClean(page);
-    });
-    await test.step("cutting out", async () => {
-      await tool.input.setInputFiles(file(twoLeaves, "two.png"));
-      await expect(tool.status).toHaveText("Cut out: 2 parts");
-      await page.getByRole("radio", { name: "Keep" }).check({ force: true });
-      await expectClean(page);
-    });
-    await test.step("keys", async () => {
-      await page.locator("body").press("?");
-      await expect(page.getByRole("dialog")).toBeVisible();
-      await expectClean(page);
-    });
+test("axe finds nothing", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  const tool = new FitTool(page);
+  await tool.openFew(24);
+  await tool.fitted();
+  await expect(page.getByTestId("compare")).toBeVisible();
+  await test.step("closed curve", () => expectClean(page));
+  await test.step("as in the paper", async () => {
+    await page.getByRole("radio", { name: "As in the paper (collage)" }).check({ force: true });
+    await expect(page.getByTestId("gaps")).toBeVisible();
+    await expectClean(page);
   });
-}
+  await test.step("cutting out", async () => {
+    await tool.input.setInputFiles(file(twoLeaves, "two.png"));
+    await expect(tool.status).toHaveText("Cut out: 2 parts");
+    await page.getByRole("radio", { name: "Keep" }).check({ force: true });
+    await expectClean(page);
+  });
+  await test.step("keys", async () => {
+    await page.locator("body").press("?");
+    await expect(page.getByRole("dialog")).toBeVisible();
+    await expectClean(page);
+  });
+});

@@ -57,6 +57,7 @@ export const test = base.extend<Fixtures, { tab: Tab }>({
     }
     tab.page ??= await newTab(browser);
     const page = tab.page;
+    if (viewport) await page.setViewportSize(viewport);
     await use(page);
     await page.evaluate(() => {
       localStorage.clear();
@@ -66,7 +67,6 @@ export const test = base.extend<Fixtures, { tab: Tab }>({
     await page.unrouteAll();
     await page.mouse.move(0, 0);
     await page.emulateMedia({ colorScheme: "light", reducedMotion: "no-preference" });
-    if (viewport) await page.setViewportSize(viewport);
   },
   studio: async ({ page }, use) => use(new Studio(page)),
   quiet: [

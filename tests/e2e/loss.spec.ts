@@ -2,7 +2,7 @@ import { expect, test } from "./fixture";
 
 test.use({ alone: true, expected: /context.*lost|device.*lost|CONTEXT_LOST|destroyed/i });
 
-test("a lost device costs nothing but a notice", async ({ studio, page }, info) => {
+test("a lost device costs nothing but a notice", { tag: "@webgpu" }, async ({ studio, page }, info) => {
   await studio.open("a=dragon-3&b=gasket&path=straight&t=0.7");
   const before = await studio.look();
   await page.evaluate(() => window.frond?.forceLoss());
@@ -16,7 +16,10 @@ test("a lost device costs nothing but a notice", async ({ studio, page }, info) 
   expect(await studio.likeness()).toBeGreaterThanOrEqual(0.995);
 });
 
-test("a device that is lost again and again is given up, and the picture stays", async ({ studio, page }) => {
+test("a device that is lost again and again is given up, and the picture stays", { tag: "@webgpu" }, async ({
+  studio,
+  page,
+}) => {
   await studio.open("a=dragon-3&b=gasket&path=straight&t=0.7");
   const before = await studio.look();
   const canvas = page.locator(".picture canvas");

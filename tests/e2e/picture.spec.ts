@@ -1,19 +1,23 @@
 import { palette } from "../../www/src/style/palette";
 import { expect, test } from "./fixture";
 
-test("the first picture is there, drawn by the backend of this project", async ({ studio, page }, info) => {
-  await studio.open();
-  const look = await studio.look();
-  expect(await page.evaluate(() => window.frond?.backend())).toBe(info.project.name);
-  const all = look.width * look.height;
-  expect(look.lit).toBeGreaterThan(0.01 * all);
-  expect(look.lit).toBeLessThan(0.9 * all);
-  // Three maps, three colours, and none but those of the palette.
-  expect(look.colours.slice(0, 3).sort()).toEqual(palette("light").slice(0, 3).sort());
-  expect(await studio.said()).toEqual([]);
-  // What stood in for it until then is gone.
-  await expect(page.locator(".picture canvas")).toHaveCount(1);
-});
+test(
+  "the first picture is there, drawn by the backend of this project",
+  { tag: "@webgpu" },
+  async ({ studio, page }, info) => {
+    await studio.open();
+    const look = await studio.look();
+    expect(await page.evaluate(() => window.frond?.backend())).toBe(info.project.name);
+    const all = look.width * look.height;
+    expect(look.lit).toBeGreaterThan(0.01 * all);
+    expect(look.lit).toBeLessThan(0.9 * all);
+    // Three maps, three colours, and none but those of the palette.
+    expect(look.colours.slice(0, 3).sort()).toEqual(palette("light").slice(0, 3).sort());
+    expect(await studio.said()).toEqual([]);
+    // What stood in for it until then is gone.
+    await expect(page.locator(".picture canvas")).toHaveCount(1);
+  },
+);
 
 test.describe("the first picture", () => {
   test.use({ alone: true });
@@ -50,7 +54,7 @@ test.describe("the first picture", () => {
   });
 });
 
-test("it agrees with the adaptive cut", async ({ studio }) => {
+test("it agrees with the adaptive cut", { tag: "@webgpu" }, async ({ studio }) => {
   // Points, lines, areas, very uneven pieces, and the middle of a morph; each in place of the one before.
   for (const link of [
     "a=dust&b=dust",
@@ -102,7 +106,7 @@ test("the gasket is where mathematics puts it", async ({ studio, page }) => {
   expect(at).toEqual([true, true, true, true, false, false, false]);
 });
 
-test("the wheel zooms, dragging pans, and the fit brings the first picture back", async ({
+test("the wheel zooms, dragging pans, and the fit brings the first picture back", { tag: "@webgpu" }, async ({
   studio,
   page,
 }) => {
@@ -131,7 +135,7 @@ test("the wheel zooms, dragging pans, and the fit brings the first picture back"
   await expect(page).not.toHaveURL(/view=/);
 });
 
-test("deep zooms stay sharp", async ({ studio, page }) => {
+test("deep zooms stay sharp", { tag: "@webgpu" }, async ({ studio, page }) => {
   // Beyond what 32 bits could tell apart: the fixed point of the first map looks the same at every power of two.
   await studio.open("a=gasket&b=gasket&view=0,0,1048576");
   const deep = await studio.look();
@@ -143,7 +147,7 @@ test("deep zooms stay sharp", async ({ studio, page }) => {
   await expect(page.getByTestId("zoom")).toHaveText("×1024");
 });
 
-test("the three colourings are three pictures of one shape", async ({ studio, page }) => {
+test("the three colourings are three pictures of one shape", { tag: "@webgpu" }, async ({ studio, page }) => {
   await studio.open("a=gasket&b=gasket");
   const map = await studio.look();
   await page.getByRole("radio", { name: "Address" }).check();
@@ -160,7 +164,7 @@ test("the three colourings are three pictures of one shape", async ({ studio, pa
   expect(await studio.look()).toEqual(map);
 });
 
-test("turning and linear stand side by side", async ({ studio, page }) => {
+test("turning and linear stand side by side", { tag: "@webgpu" }, async ({ studio, page }) => {
   await studio.open("a=dragon-3&b=gasket&path=straight&t=0.5");
   const alone = await studio.look();
   await page.getByRole("switch", { name: /side by side/ }).check();

@@ -85,7 +85,8 @@ export default defineConfig({
     {
       name: "webgpu",
       // What hangs on what draws; all else is tried once.
-      testMatch: /\/(curve|deform-picture|locus|loss|picture|space|time)\.spec\.ts$/,
+      testIgnore: "**/*.phone.spec.ts",
+      grep: /@webgpu/,
       use: { launchOptions: launch(webgpu) },
     },
     {

@@ -3,6 +3,9 @@ import type { Page } from "@playwright/test";
 import { expectClean } from "./axe";
 import { expect, test } from "./fixture";
 
+// A picture of space costs by its pixels.
+test.use({ viewport: { width: 960, height: 640 } });
+
 const stage = (page: Page) => page.getByTestId("space-stage");
 const status = (page: Page) => page.getByTestId("space-status");
 /** Smoothed as well: nothing is left to do. */
@@ -19,30 +22,31 @@ async function choose(page: Page, name: string): Promise<void> {
   await expect(gallery).toHaveCount(0);
 }
 
-test("what is seen first is complete, and drawn by the graphics interface that was asked for", async ({
-  studio,
-  page,
-}, { project }) => {
-  await studio.open("tool=space");
-  await complete(page);
-  const first = await studio.look();
-  expect(await page.evaluate(() => window.frond?.backend())).toBe(project.name);
-  expect(first.lit).toBeGreaterThan(40_000);
-  expect(first.colours.length).toBeGreaterThan(200);
-  // Nothing changes by itself, and looking round is nothing to undo.
-  await page.waitForTimeout(500);
-  expect((await studio.look()).hash).toBe(first.hash);
-  await stage(page).focus();
-  await page.keyboard.press("ArrowLeft");
-  await expect(status(page)).toHaveText(/points|Complete/);
-  await complete(page);
-  const turned = await studio.look();
-  expect(turned.hash).not.toBe(first.hash);
-  await expect(page.getByRole("button", { name: "Undo", exact: true })).toBeDisabled();
-  await page.keyboard.press("0");
-  await complete(page);
-  expect((await studio.look()).hash).toBe(first.hash);
-});
+test(
+  "what is seen first is complete, and drawn by the graphics interface that was asked for",
+  { tag: "@webgpu" },
+  async ({ studio, page }, { project }) => {
+    await studio.open("tool=space");
+    await complete(page);
+    const first = await studio.look();
+    expect(await page.evaluate(() => window.frond?.backend())).toBe(project.name);
+    expect(first.lit).toBeGreaterThan(40_000);
+    expect(first.colours.length).toBeGreaterThan(200);
+    // Nothing changes by itself, and looking round is nothing to undo.
+    await page.waitForTimeout(500);
+    expect((await studio.look()).hash).toBe(first.hash);
+    await stage(page).focus();
+    await page.keyboard.press("ArrowLeft");
+    await expect(status(page)).toHaveText(/points|Complete/);
+    await complete(page);
+    const turned = await studio.look();
+    expect(turned.hash).not.toBe(first.hash);
+    await expect(page.getByRole("button", { name: "Undo", exact: true })).toBeDisabled();
+    await page.keyboard.press("0");
+    await complete(page);
+    expect((await studio.look()).hash).toBe(first.hash);
+  },
+);
 
 test("a hand turns the pyramid by its parameters, and undo brings every bit back", async ({
   studio,
@@ -243,7 +247,10 @@ test("what cannot be is refused, and the work stays", async ({ studio, page }) =
   expect(await packed(studio)).toBe(before);
 });
 
-test("a lost device is replaced, and the picture is the same", async ({ studio, page }) => {
+test("a lost device is replaced, and the picture is the same", { tag: "@webgpu" }, async ({
+  studio,
+  page,
+}) => {
   await studio.open("tool=space&space=o:octahedron");
   await complete(page);
   const before = (await studio.look()).hash;

@@ -5,7 +5,9 @@ const BREAKING = "a=dragon-3&b=gasket&path=straight";
 /** As far as is seen. */
 const HOLDS = /In one piece, proved|Looks whole at 1\/600/;
 
-test("the slider scrubs by keys: the picture and the verdict follow", async ({ studio }) => {
+test("the slider scrubs by keys: the picture and the verdict follow", { tag: "@webgpu" }, async ({
+  studio,
+}) => {
   await studio.open(BREAKING);
   const start = await studio.look();
   await expect(studio.verdict).toHaveText(HOLDS);

@@ -1,0 +1,116 @@
+import type { Locator, Page } from "@playwright/test";
+import { expectClean } from "./axe";
+import { expectDrawn, openFigure, rowOf } from "./figure-page";
+import { expect, test } from "./fixture";
+
+/** The first figure of each row of the list: the row itself names the others. */
+const ROWS = { Morphs: "1", Deformations: "d1", "Rough curves": "c1", Space: "s1" };
+const FIRST_LESSON = "e1";
+
+/** Where the page is from: one on an open question is nobody's. */
+const badge = (page: Page) => page.locator(".figure-number .badge");
+
+for (const [row, first] of Object.entries(ROWS)) {
+  test(`${row}: every figure says where it is from, is drawn, clean in both themes, and leads into the studio`, async ({
+    page,
+  }) => {
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    const links: string[] = [];
+    for (const figure of await rowOf(page, first)) {
+      await test.step(figure, async () => {
+        await openFigure(page, figure);
+        if (figure !== "s9") await expect(badge(page)).toHaveText(/^(as printed|reconstructed|Frond’s own)$/);
+        if (figure === "c7") await stopFit(page);
+        await expectDrawn(page);
+        await expectClean(page);
+        links.push(...(await studioLinks(page)));
+      });
+    }
+    expect(links.length).toBeGreaterThan(0);
+    await expectOpening(page, links);
+  });
+}
+
+test("Lessons: every one asks before it tells, is clean in both themes, and leads into the studio", async ({
+  page,
+}) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  const links: string[] = [];
+  for (const lesson of await rowOf(page, FIRST_LESSON)) {
+    await test.step(lesson, async () => {
+      await openFigure(page, lesson);
+      await expect(badge(page)).toHaveText("by Frond");
+      // The finished picture: more than one colour on it, and words for those who do not see it.
+      const picture = page.getByRole("region", { name: "The picture" }).getByRole("img").first();
+      await expect(picture).toHaveAccessibleName(/\w+ \w+/);
+      await expect.poll(() => picture.evaluate(coloursOf)).toBeGreaterThan(1);
+      await expectClean(page);
+      await expectAnswer(page);
+      links.push(...(await studioLinks(page)));
+    });
+  }
+  await expectOpening(page, links);
+});
+
+/** A prediction by keys alone, and then the truth beside it. */
+async function expectAnswer(page: Page): Promise<void> {
+  const question = page.getByRole("region", { name: "What do you think?" });
+  await expect(question.locator(".truth")).toHaveCount(0);
+  const input = question.locator("fieldset input").first();
+  await input.focus();
+  await page.keyboard.press((await input.getAttribute("type")) === "range" ? "ArrowLeft" : "Space");
+  const button = question.getByRole("button", { name: "Show me" });
+  await button.focus();
+  const before = await placeOf(button);
+  await page.keyboard.press("Enter");
+  await expect(question.locator(".truth")).toBeVisible();
+  const again = question.getByRole("button", { name: "Think again" });
+  await expect(again).toBeFocused();
+  // What was there stays where it was.
+  expect(await placeOf(again)).toBeCloseTo(before, 0);
+  await expectClean(page);
+  await page.keyboard.press("Enter");
+  await expect(question.locator(".truth")).toHaveCount(0);
+}
+
+/** How far down the page an element begins. */
+function placeOf(element: Locator): Promise<number> {
+  return element.evaluate(
+    (it) => it.getBoundingClientRect().top + (it.closest("main")?.scrollTop ?? Number.NaN),
+  );
+}
+
+/** How many colours a canvas holds, or a drawing uses. */
+function coloursOf(picture: Element): number {
+  if (!(picture instanceof HTMLCanvasElement)) {
+    const parts = [...picture.querySelectorAll("path, circle, rect, polygon")];
+    return new Set(parts.map((part) => getComputedStyle(part).stroke + getComputedStyle(part).fill)).size;
+  }
+  const image = picture.getContext("2d")?.getImageData(0, 0, picture.width, picture.height);
+  return image ? new Set(new Uint32Array(image.data.buffer)).size : 0;
+}
+
+/** Lets the leaf's fit come far enough to be seen, and no farther. */
+async function stopFit(page: Page): Promise<void> {
+  const curve = page.getByRole("img", { name: /^Frond’s closed curve of 290 numbers/ });
+  await expect(curve).toHaveAccessibleName(/% off$/);
+  await page.getByRole("button", { name: "Stop" }).click();
+  await expect(page.getByRole("img", { name: /^Where two of 29 copies/ })).toHaveAccessibleName(/a gap of/);
+}
+
+/** Where the page leads into the studio. */
+function studioLinks(page: Page): Promise<string[]> {
+  return page
+    .locator(".figure-studio")
+    .evaluateAll((all) => all.map((a) => a.getAttribute("href") ?? "no address"));
+}
+
+/** Links of figures are links of the studio, of the tool that they name. */
+async function expectOpening(page: Page, links: readonly string[]): Promise<void> {
+  for (const link of links) {
+    await page.evaluate((link) => location.assign(link), link);
+    const tool = new URLSearchParams(link.slice(1)).get("tool") ?? undefined;
+    await expect.poll(() => page.evaluate(() => window.frond?.scene().tool)).toBe(tool);
+    await expect(page.getByRole("alert")).toHaveCount(0);
+  }
+}
