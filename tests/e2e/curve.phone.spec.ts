@@ -3,7 +3,7 @@ import { Finger } from "./finger";
 import { expect, test } from "./fixture";
 import { Grid } from "./grid";
 
-const LEAVES = "v=1&a=gasket&b=dragon-3&curve-a=maple&curve-b=oak";
+const LEAVES = "v=1&a=gasket&b=gasket&path=straight&curve-a=maple&curve-b=oak";
 
 test("a phone shows the leaf with its time, and nothing scrolls sideways", async ({ studio, page }) => {
   await studio.open(`${LEAVES}&t=0.3`);
@@ -41,7 +41,7 @@ test("what a finger presses is large enough", async ({ studio, page }) => {
 });
 
 test("a curve is chosen by taps, and played", async ({ studio, page }) => {
-  await studio.open("v=1&a=gasket&b=dragon-3");
+  await studio.open("v=1&a=gasket&b=gasket&path=straight");
   await studio.drawn();
   await page.getByRole("button", { name: /^Shape B: / }).tap();
   await page.getByRole("region", { name: "Closed curves" }).getByRole("button", { name: /^Oak/ }).tap();

@@ -185,7 +185,9 @@ test("what is chosen is moved by numbers", async ({ studio, page }) => {
 
 test("between two key frames a drag makes a third", async ({ studio, page }) => {
   const grid = new Grid(page, studio);
-  await grid.open("v=1&a=gasket&b=dragon-3&tool=deform&mesh=4x4:0,0,1,1&keys=0:;0.5:6,0.2,0&phase=0.25");
+  await grid.open(
+    "v=1&a=gasket&b=gasket&path=straight&tool=deform&mesh=4x4:0,0,1,1&keys=0:;0.5:6,0.2,0&phase=0.25",
+  );
   const at = await grid.place(2, 2);
   await grid.drag(at, 0, -30);
   const keys = async () => (await studio.scene()).deform?.keys.map(({ at, moves }) => [at, moves[10]]);

@@ -3,7 +3,7 @@ import type { Page } from "@playwright/test";
 import { expect, test } from "./fixture";
 import type { Studio } from "./studio";
 
-const GASKET = "v=1&a=gasket&b=dragon-3&tool=deform";
+const GASKET = "v=1&a=gasket&b=gasket&path=straight&tool=deform";
 
 /** A PNG of these pixels, three bytes each. */
 function png(

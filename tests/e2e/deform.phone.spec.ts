@@ -2,7 +2,7 @@ import { expectClean } from "./axe";
 import { Finger } from "./finger";
 import { expect, test } from "./fixture";
 
-const GASKET = "v=1&a=gasket&b=dragon-3&tool=deform";
+const GASKET = "v=1&a=gasket&b=gasket&path=straight&tool=deform";
 
 test("a phone shows the picture with its time, and nothing scrolls sideways", async ({ studio, page }) => {
   await studio.open(GASKET);

@@ -2,7 +2,7 @@ import type { Page } from "@playwright/test";
 import { expectClean } from "./axe";
 import { expect, test } from "./fixture";
 
-const GASKET = "v=1&a=gasket&b=dragon-3&tool=deform";
+const GASKET = "v=1&a=gasket&b=gasket&path=straight&tool=deform";
 
 const slider = (page: Page, name: string) => page.getByRole("slider", { name, exact: true });
 const key = (page: Page, number: number) =>

@@ -4,7 +4,7 @@ import { expectClean } from "./axe";
 import { expect, test } from "./fixture";
 import type { Studio } from "./studio";
 
-const GRAPH = "v=1&a=gasket&b=dragon-3&tool=fit&fit=graph:closed,260,0";
+const GRAPH = "v=1&a=gasket&b=gasket&path=straight&tool=fit&fit=graph:closed,260,0";
 
 async function open(page: Page, more = ""): Promise<void> {
   await openLink(page, `${GRAPH}${more}`);

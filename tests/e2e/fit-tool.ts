@@ -98,10 +98,10 @@ export class FitTool {
 
   /** With few numbers from the start: they are fitted soon. */
   async openFew(numbers: number): Promise<void> {
-    await this.open(`v=1&a=gasket&b=dragon-3&tool=fit&fit=outline:closed,${numbers},0`);
+    await this.open(`v=1&a=gasket&b=gasket&path=straight&tool=fit&fit=outline:closed,${numbers},0`);
   }
 
-  async open(fragment = "v=1&a=gasket&b=dragon-3&tool=fit"): Promise<void> {
+  async open(fragment = "v=1&a=gasket&b=gasket&path=straight&tool=fit"): Promise<void> {
     if (this.page.url() !== "about:blank") await this.page.goto("about:blank");
     await this.page.goto(`./#${fragment}`);
     await this.status.waitFor();

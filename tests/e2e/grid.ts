@@ -17,7 +17,7 @@ export class Grid {
     this.#studio = studio;
   }
 
-  async open(fragment = "v=1&a=gasket&b=dragon-3&tool=deform"): Promise<void> {
+  async open(fragment = "v=1&a=gasket&b=gasket&path=straight&tool=deform"): Promise<void> {
     await this.#studio.open(fragment);
     await this.handle(1, 1).waitFor();
     await this.#studio.drawn();

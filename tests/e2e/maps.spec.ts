@@ -1,7 +1,7 @@
 import { expect, test } from "./fixture";
 
 test("a parallelogram is dragged by its corner: one step of undo", async ({ studio, page }) => {
-  await studio.open("a=gasket&b=dragon-3");
+  await studio.open("a=gasket&b=gasket&path=straight");
   await page.getByRole("button", { name: "Edit the maps of A" }).click();
   const before = await studio.look();
   const { maps } = (await studio.scene()).a;
@@ -29,7 +29,7 @@ test("a parallelogram is dragged by its corner: one step of undo", async ({ stud
 });
 
 test("parallelograms are reached, chosen and moved by keys", async ({ studio, page }) => {
-  await studio.open("a=gasket&b=dragon-3");
+  await studio.open("a=gasket&b=gasket&path=straight");
   await page.locator("body").press("e");
   const { maps } = (await studio.scene()).a;
   await studio.drawn();
@@ -50,7 +50,7 @@ test("parallelograms are reached, chosen and moved by keys", async ({ studio, pa
 });
 
 test("numbers are typed, bad ones are explained, and the last good shape stays", async ({ studio, page }) => {
-  await studio.open("a=gasket&b=dragon-3");
+  await studio.open("a=gasket&b=gasket&path=straight");
   await page.getByRole("button", { name: "Edit the maps of A" }).click();
   await page.getByRole("radio", { name: "Six numbers" }).check();
   const a = page.getByRole("spinbutton", { name: "New x from x, a" });
@@ -75,7 +75,7 @@ test("numbers are typed, bad ones are explained, and the last good shape stays",
 });
 
 test("maps are added, copied, mirrored, taken away, and reset", async ({ studio, page }) => {
-  await studio.open("a=gasket&b=dragon-3");
+  await studio.open("a=gasket&b=gasket&path=straight");
   await page.getByRole("button", { name: "Edit the maps of A" }).click();
   const count = async () => (await studio.scene()).a.maps.length;
   const before = await studio.look();

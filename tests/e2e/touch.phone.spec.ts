@@ -43,7 +43,7 @@ test("the picture is pinched and moved", async ({ studio, page }) => {
 });
 
 test("a parallelogram is dragged with a finger", async ({ studio, page }) => {
-  await studio.open("a=gasket&b=dragon-3");
+  await studio.open("a=gasket&b=gasket&path=straight");
   await page.getByRole("button", { name: "Edit the maps of A" }).tap();
   await studio.idle();
   const { maps } = (await studio.scene()).a;
