@@ -3,6 +3,9 @@ import type { Page } from "@playwright/test";
 import { expect, test } from "./fixture";
 import type { Studio } from "./studio";
 
+// A picture costs by its pixels.
+test.use({ viewport: { width: 960, height: 640 } });
+
 const GASKET = "v=1&a=gasket&b=gasket&path=straight&tool=deform";
 
 /** A PNG of these pixels, three bytes each. */

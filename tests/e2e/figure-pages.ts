@@ -1,18 +1,66 @@
-import type { Page } from "@playwright/test";
+import type { Locator, Page } from "@playwright/test";
 import { ROWS } from "../../www/src/figures/list";
+import { expect } from "./fixture";
 
-type RowId = "from-the-paper" | "deformation" | "rough-curves" | "in-space" | "lessons";
+/** Every row of figures, from the page's own list: a new figure is tested like the others. */
+export const ROWS_OF_FIGURES: readonly { name: string; ids: string[] }[] = ROWS.map(({ name, figures }) => ({
+  name,
+  ids: figures.map(({ id }) => id),
+}));
 
-/** The addresses of a row of figures, from the page's own list: a new figure is tested like the others. */
-export function idsOf(id: RowId): string[] {
-  return ROWS.find((row) => row.id === id)?.figures.map((figure) => figure.id) ?? [];
+export const LESSONS = ROWS_OF_FIGURES.find(({ name }) => name === "Lessons")?.ids ?? [];
+
+/** Opens a page of the figures, from another one without loading anew; "" is the index. */
+export async function openFigure(page: Page, figure: string): Promise<void> {
+  const fragment = `#figures${figure === "" ? "" : `/${figure}`}`;
+  if (page.url() === "about:blank") await page.goto(`./${fragment}`);
+  else await page.evaluate((fragment) => location.assign(fragment), fragment);
+  // The page before it is gone: its row says where we are.
+  if (figure !== "") await page.locator(`.figure-top [aria-current=page][href="${fragment}"]`).waitFor();
+  await page.getByRole("heading", { level: 1 }).waitFor();
 }
 
-export const ALL: readonly string[] = ROWS.flatMap(({ figures }) => figures.map(({ id }) => id));
+export interface Look {
+  /** Parts of the picture that hold something. */
+  lit: number;
+  colours: number;
+  hash: number;
+}
 
-/** Opens the page of a figure, or of all where there is none named, anew. */
-export async function open(page: Page, figure: string): Promise<void> {
-  if (page.url() !== "about:blank") await page.goto("about:blank");
-  await page.goto(`./#figures${figure === "" ? "" : `/${figure}`}`);
-  await page.getByRole("heading", { level: 1 }).waitFor();
+/** What is on a canvas. */
+export function look(picture: Locator): Promise<Look> {
+  return picture.evaluate((canvas) => {
+    if (!(canvas instanceof HTMLCanvasElement)) throw new Error("not a canvas");
+    const { width, height } = canvas;
+    const image = canvas.getContext("2d")?.getImageData(0, 0, width, height);
+    const pixels = new Uint32Array(image?.data.buffer ?? new ArrayBuffer(0));
+    const held = pixels.filter((pixel) => pixel >>> 24 > 0);
+    return {
+      lit: held.length / Math.max(1, pixels.length),
+      colours: new Set(held).size,
+      hash: pixels.reduce((hash, pixel) => Math.imul(hash ^ pixel, 0x01000193), 0x811c9dc5),
+    };
+  });
+}
+
+/** Every picture of the page holds something, and there is one. */
+export async function expectDrawn(page: Page): Promise<void> {
+  await expect(page.getByRole("main").locator("canvas, svg").first()).toBeAttached();
+  for (const picture of await page.getByRole("main").locator("canvas[role=img]").all()) {
+    const name = (await picture.getAttribute("aria-label")) ?? "";
+    await expect.poll(async () => (await look(picture)).lit, { message: name }).toBeGreaterThan(0.001);
+  }
+}
+
+/** A canvas of the page holds a shape. Those of space have no name of their own: what is around them has. */
+export async function expectShape(page: Page): Promise<void> {
+  const most = () =>
+    page.evaluate(() =>
+      [...document.querySelectorAll("canvas")].reduce((most, canvas) => {
+        const image = canvas.getContext("2d")?.getImageData(0, 0, canvas.width || 1, canvas.height || 1);
+        const count = image ? image.data.filter((value, i) => i % 4 === 3 && value > 0).length : 0;
+        return Math.max(most, count);
+      }, 0),
+    );
+  await expect.poll(most).toBeGreaterThan(500);
 }

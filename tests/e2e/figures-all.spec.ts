@@ -1,27 +1,24 @@
 import type { Locator, Page } from "@playwright/test";
 import { expectClean } from "./axe";
-import { expectDrawn, openFigure, rowOf } from "./figure-page";
+import { expectDrawn, expectShape, LESSONS, openFigure, ROWS_OF_FIGURES } from "./figure-pages";
 import { expect, test } from "./fixture";
-
-/** The first figure of each row of the list: the row itself names the others. */
-const ROWS = { Morphs: "1", Deformations: "d1", "Rough curves": "c1", Space: "s1" };
-const FIRST_LESSON = "e1";
 
 /** Where the page is from: one on an open question is nobody's. */
 const badge = (page: Page) => page.locator(".figure-number .badge");
 
-for (const [row, first] of Object.entries(ROWS)) {
-  test(`${row}: every figure says where it is from, is drawn, clean in both themes, and leads into the studio`, async ({
+for (const { name, ids } of ROWS_OF_FIGURES.filter(({ ids }) => ids !== LESSONS)) {
+  test(`${name}: every figure says where it is from, is drawn, clean in both themes, and leads into the studio`, async ({
     page,
   }) => {
     await page.emulateMedia({ reducedMotion: "reduce" });
     const links: string[] = [];
-    for (const figure of await rowOf(page, first)) {
+    for (const figure of ids) {
       await test.step(figure, async () => {
         await openFigure(page, figure);
         if (figure !== "s9") await expect(badge(page)).toHaveText(/^(as printed|reconstructed|Frond’s own)$/);
         if (figure === "c7") await stopFit(page);
         await expectDrawn(page);
+        if (name === "Figures of space") await expectShape(page);
         await expectClean(page);
         links.push(...(await studioLinks(page)));
       });
@@ -36,7 +33,7 @@ test("Lessons: every one asks before it tells, is clean in both themes, and lead
 }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   const links: string[] = [];
-  for (const lesson of await rowOf(page, FIRST_LESSON)) {
+  for (const lesson of LESSONS) {
     await test.step(lesson, async () => {
       await openFigure(page, lesson);
       await expect(badge(page)).toHaveText("by Frond");

@@ -1,6 +1,9 @@
 import type { Locator } from "@playwright/test";
-import { type Look, look, openFigure } from "./figure-page";
+import { type Look, look, openFigure } from "./figure-pages";
 import { expect, test } from "./fixture";
+
+// Their pictures are computed without a graphics card, and cost by their pixels.
+test.use({ viewport: { width: 640, height: 700 } });
 
 /** The picture once it is drawn in full, and of what is asked for now. */
 async function settled(picture: Locator): Promise<Look> {
@@ -21,6 +24,7 @@ test("Figure 1 tells the code of the place that is pressed", async ({ page }) =>
   await openFigure(page, "d1");
   const square = page.getByRole("img", { name: /^\(c\)/ });
   await expect(square).toHaveAccessibleName(/has the code 23\.$/);
+  await square.scrollIntoViewIfNeeded();
   const box = await square.boundingBox();
   if (!box) throw new Error("the square is not on the page");
   await page.mouse.click(box.x + 0.1 * box.width, box.y + 0.1 * box.height);

@@ -1,22 +1,4 @@
-import { idsOf, open } from "./figure-pages";
 import { expect, test } from "./fixture";
-
-test("no figure on rough curves is wider than a phone", async ({ page }) => {
-  test.setTimeout(120_000);
-  for (const figure of idsOf("rough-curves")) {
-    await open(page, figure);
-    const wide = await page.evaluate(() => {
-      const live = document.querySelector(".figure-live");
-      if (!live) return ["no figure"];
-      // What scrolls by itself may be wider.
-      return [...live.querySelectorAll("*")]
-        .filter((part) => !part.closest(".wide-table") && !part.closest(".unseen"))
-        .filter((part) => part.getBoundingClientRect().right > innerWidth + 1)
-        .map((part) => `${part.tagName} ${part.getAttribute("class")}`);
-    });
-    expect(wide, figure).toEqual([]);
-  }
-});
 
 test("a finger drags the middle point of Figure 1", async ({ page }) => {
   await page.goto("./#figures/c1");

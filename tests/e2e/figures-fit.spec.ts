@@ -1,5 +1,5 @@
 import type { Locator, Page } from "@playwright/test";
-import { look, openFigure } from "./figure-page";
+import { look, openFigure } from "./figure-pages";
 import { expect, test } from "./fixture";
 
 async function expectChange(picture: Locator, act: () => Promise<unknown>): Promise<void> {

@@ -1,20 +1,19 @@
 import { expectClean } from "./axe";
-import { look, openFigure } from "./figure-page";
+import { look, openFigure, ROWS_OF_FIGURES } from "./figure-pages";
 import { expect, test } from "./fixture";
 
 test("the index shows every figure, drawn and clean", async ({ page }) => {
   await openFigure(page, "");
-  const sections = page.getByRole("main").getByRole("region");
-  await expect(sections).toHaveCount(5);
-  for (const section of await sections.all()) {
-    const pictures = section.getByRole("listitem").locator("canvas");
-    for (const picture of await pictures.all()) {
+  const cards = page.getByRole("main").getByRole("listitem");
+  await expect(cards).toHaveCount(ROWS_OF_FIGURES.flatMap(({ ids }) => ids).length);
+  for (const card of await cards.all()) {
+    await card.scrollIntoViewIfNeeded();
+    const picture = card.locator("canvas, svg").first();
+    await expect(picture).toBeAttached();
+    if (await picture.evaluate((element) => element instanceof HTMLCanvasElement)) {
       await expect.poll(async () => (await look(picture)).lit).toBeGreaterThan(0.001);
     }
   }
-  await expect(
-    page.getByRole("main").getByRole("listitem").locator(":is(canvas, svg)").first(),
-  ).toBeAttached();
   await expectClean(page);
 });
 
@@ -150,4 +149,21 @@ test("Table 1 measures, stops and goes on", async ({ page }) => {
   const [, middle] = /0\.47850\s*(0\.\d+)/.exec((await row.textContent()) ?? "") ?? [];
   expect(Number(middle)).toBeGreaterThan(0.4785);
   expect(Number(middle)).toBeLessThan(0.5);
+});
+
+test.describe("without a connection", () => {
+  test.use({ alone: true, expected: /page-.*\.js|Failed to (load|fetch)/ });
+
+  test("a page that cannot be fetched says what to do, and comes at the next try", async ({ page }) => {
+    await openFigure(page, "");
+    await page.route(/\/page-[^/]*\.js$/, (route) => route.abort());
+    await page.getByRole("link", { name: /^Table 1/ }).click();
+    await expect(page.getByRole("alert")).toContainText(/Table 1 could not be loaded/);
+    // What was there stays.
+    await expect(page.getByRole("heading", { level: 1 })).toHaveText("Figures");
+    await page.unrouteAll();
+    await page.getByRole("button", { name: "Try again" }).click();
+    await expect(page).toHaveTitle(/^Table 1/);
+    await expect(page.getByRole("alert")).toHaveCount(0);
+  });
 });

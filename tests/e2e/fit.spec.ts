@@ -11,14 +11,14 @@ test("what is seen first is a leaf with its fit, and the slider changes it", asy
   await tool.open();
   await expect(card(page)).toHaveText("Maple-like leaf");
   await expect.poll(() => tool.lit()).toBeGreaterThan(10_000);
-  await tool.few(60);
+  await tool.few(24);
   await tool.fitted();
   const { fit } = await tool.scene();
-  expect(fit?.numbers).toBe(60);
+  expect(fit?.numbers).toBe(24);
   const curve = fit?.curve?.curve;
   const numbers = 2 * ((curve?.knots.length ?? 0) + (curve?.edges.filter(Boolean).length ?? 0));
-  expect(numbers).toBeGreaterThan(40);
-  expect(numbers).toBeLessThanOrEqual(60);
+  expect(numbers).toBeGreaterThan(12);
+  expect(numbers).toBeLessThanOrEqual(24);
   await expect(tool.figures).toContainText(/Error \(RMS\)\d.*%/);
   const slider = page.getByRole("slider", { name: "How many numbers" });
   await slider.focus();
@@ -26,9 +26,9 @@ test("what is seen first is a leaf with its fit, and the slider changes it", asy
   await tool.fitted();
   expect((await tool.scene()).fit?.numbers).toBe(12);
   await page.getByRole("button", { name: "Undo", exact: true }).click();
-  await expect.poll(async () => (await tool.scene()).fit?.numbers).toBe(60);
+  await expect.poll(async () => (await tool.scene()).fit?.numbers).toBe(24);
   // What was fitted before is there at once.
-  await expect(tool.status).toHaveText(/off, (5|6)\d numbers$/);
+  await expect(tool.status).toHaveText(/off, (1|2)\d numbers$/);
   await page.getByRole("button", { name: "Oak-like leaf" }).click();
   await expect(card(page)).toHaveText("Oak-like leaf");
   await tool.fitted();
@@ -38,7 +38,7 @@ test("a photograph becomes a mask, an outline, a fit, a shape of the morph, and 
   page,
 }) => {
   const tool = new FitTool(page);
-  await tool.openFew(40);
+  await tool.openFew(24);
   await tool.input.setInputFiles(file(leafPicture, "leaf.png"));
   await expect(card(page)).toHaveText("leaf.png");
   await expect(tool.status).toHaveText(/^Cut out: one part$/);
@@ -151,7 +151,7 @@ test("a fit can be stopped, and the best so far is kept", async ({ page }) => {
   await expect(tool.status).toHaveText(/^Stopped: \d.* off, \d+ numbers$/);
   await expect(tool.figures).toContainText(/Error \(RMS\)\d.*%/);
   expect((await tool.scene()).fit?.curve?.curve.knots.length).toBeGreaterThan(100);
-  await tool.few(40);
+  await tool.few(12);
   await tool.fitted();
 });
 
@@ -288,7 +288,7 @@ test("numbers with NaN are left out, and it is said which", async ({ page }) => 
 
 test("files come out, and say what is seen", async ({ page }) => {
   const tool = new FitTool(page);
-  await tool.openFew(40);
+  await tool.openFew(24);
   await tool.fitted();
   const saved = async (name: string) => {
     const download = page.waitForEvent("download");
@@ -337,7 +337,7 @@ test("a file is dropped on the stage and pasted", async ({ page }) => {
 test("axe finds nothing", async ({ page }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   const tool = new FitTool(page);
-  await tool.openFew(24);
+  await tool.openFew(12);
   await tool.fitted();
   await expect(page.getByTestId("compare")).toBeVisible();
   await test.step("closed curve", () => expectClean(page));

@@ -1,73 +1,73 @@
 import { expect, test } from "./fixture";
 
-test("the gallery has its shapes, each with a picture of its own", async ({ studio, page }) => {
+test("the gallery has its shapes, chosen with the mouse and with the keyboard", async ({ studio, page }) => {
   await studio.open("a=gasket&b=gasket");
-  await studio.idle();
-  await page.getByRole("button", { name: /^Shape A: / }).click();
-  const items = page.getByRole("dialog", { name: "Shape A" }).getByRole("listitem");
-  await expect.poll(() => items.count()).toBeGreaterThanOrEqual(16);
-  const pictures = await items.locator("canvas").evaluateAll((all) =>
-    all.map((canvas) => {
-      const { width, height } = canvas as HTMLCanvasElement;
-      const image = (canvas as HTMLCanvasElement).getContext("2d")?.getImageData(0, 0, width, height);
-      let lit = 0;
-      let sum = 0;
-      for (let i = 3; i < (image?.data.length ?? 0); i += 4) {
-        if (!image?.data[i]) continue;
-        lit++;
-        sum = (sum * 31 + i) % 1_000_000_007;
-      }
-      return { share: lit / (width * height), sum };
-    }),
-  );
-  for (const { share } of pictures) {
-    expect(share).toBeGreaterThan(0.005);
-    expect(share).toBeLessThan(0.95);
-  }
-  expect(new Set(pictures.map(({ sum }) => sum)).size).toBeGreaterThan(0.9 * pictures.length);
-});
+  await test.step("each has a picture of its own", async () => {
+    await studio.idle();
+    await page.getByRole("button", { name: /^Shape A: / }).click();
+    const items = page.getByRole("dialog", { name: "Shape A" }).getByRole("listitem");
+    await expect.poll(() => items.count()).toBeGreaterThanOrEqual(16);
+    const pictures = await items.locator("canvas").evaluateAll((all) =>
+      all.map((canvas) => {
+        const { width, height } = canvas as HTMLCanvasElement;
+        const image = (canvas as HTMLCanvasElement).getContext("2d")?.getImageData(0, 0, width, height);
+        let lit = 0;
+        let sum = 0;
+        for (let i = 3; i < (image?.data.length ?? 0); i += 4) {
+          if (!image?.data[i]) continue;
+          lit++;
+          sum = (sum * 31 + i) % 1_000_000_007;
+        }
+        return { share: lit / (width * height), sum };
+      }),
+    );
+    for (const { share } of pictures) {
+      expect(share).toBeGreaterThan(0.005);
+      expect(share).toBeLessThan(0.95);
+    }
+    expect(new Set(pictures.map(({ sum }) => sum)).size).toBeGreaterThan(0.9 * pictures.length);
+    await page.keyboard.press("Escape");
+  });
+  await test.step("with the mouse", async () => {
+    const before = await studio.look();
+    const card = page.getByRole("button", { name: /^Shape A: / });
+    await card.click();
+    await page
+      .getByRole("dialog")
+      .getByRole("button", { name: /^Twin-dragon/ })
+      .click();
+    await expect(page.getByRole("dialog")).toHaveCount(0);
+    await expect(card).toHaveAccessibleName(/^Shape A: Twin-dragon, 2 maps/);
+    await expect(card).toBeFocused();
+    expect((await studio.scene()).a.preset).toBe("twindragon");
+    expect((await studio.look()).hash).not.toBe(before.hash);
+    await expect(page).toHaveURL(/a=twindragon/);
+  });
+  await test.step("with the keyboard", async () => {
+    await studio.time.press("End");
+    const before = await studio.look();
+    const card = page.getByRole("button", { name: /^Shape B: / });
+    await card.focus();
+    await page.keyboard.press("Enter");
+    await expect(page.getByRole("dialog", { name: "Shape B" })).toBeVisible();
+    // The present shape has the focus; the next ones are an arrow away.
+    await expect(page.getByRole("button", { name: /^Gasket/ })).toBeFocused();
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("Enter");
+    await expect(card).toBeFocused();
+    expect((await studio.scene()).b.preset).toBe("dragon-3");
+    expect((await studio.look()).hash).not.toBe(before.hash);
 
-test("a shape is chosen with the mouse", async ({ studio, page }) => {
-  await studio.open("a=gasket&b=gasket");
-  const before = await studio.look();
-  const card = page.getByRole("button", { name: /^Shape A: / });
-  await card.click();
-  await page
-    .getByRole("dialog")
-    .getByRole("button", { name: /^Twin-dragon/ })
-    .click();
-  await expect(page.getByRole("dialog")).toHaveCount(0);
-  await expect(card).toHaveAccessibleName(/^Shape A: Twin-dragon, 2 maps/);
-  await expect(card).toBeFocused();
-  expect((await studio.scene()).a.preset).toBe("twindragon");
-  expect((await studio.look()).hash).not.toBe(before.hash);
-  await expect(page).toHaveURL(/a=twindragon/);
-});
-
-test("a shape is chosen with the keyboard", async ({ studio, page }) => {
-  await studio.open("a=gasket&b=gasket&t=1");
-  const before = await studio.look();
-  const card = page.getByRole("button", { name: /^Shape B: / });
-  await card.focus();
-  await page.keyboard.press("Enter");
-  await expect(page.getByRole("dialog", { name: "Shape B" })).toBeVisible();
-  // The present shape has the focus; the next ones are an arrow away.
-  await expect(page.getByRole("button", { name: /^Gasket/ })).toBeFocused();
-  await page.keyboard.press("ArrowRight");
-  await page.keyboard.press("ArrowRight");
-  await page.keyboard.press("Enter");
-  await expect(card).toBeFocused();
-  expect((await studio.scene()).b.preset).toBe("dragon-3");
-  expect((await studio.look()).hash).not.toBe(before.hash);
-
-  // Escape changes nothing, and gives the focus back.
-  await page.keyboard.press("Enter");
-  await expect(page.getByRole("dialog", { name: "Shape B" })).toBeVisible();
-  await page.keyboard.press("End");
-  await page.keyboard.press("Escape");
-  await expect(page.getByRole("dialog")).toHaveCount(0);
-  await expect(card).toBeFocused();
-  expect((await studio.scene()).b.preset).toBe("dragon-3");
+    // Escape changes nothing, and gives the focus back.
+    await page.keyboard.press("Enter");
+    await expect(page.getByRole("dialog", { name: "Shape B" })).toBeVisible();
+    await page.keyboard.press("End");
+    await page.keyboard.press("Escape");
+    await expect(page.getByRole("dialog")).toHaveCount(0);
+    await expect(card).toBeFocused();
+    expect((await studio.scene()).b.preset).toBe("dragon-3");
+  });
 });
 
 test("the ends are swapped, and made the same", async ({ studio, page }) => {

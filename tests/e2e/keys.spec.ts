@@ -1,78 +1,74 @@
 import { expect, test } from "./fixture";
 
-test("the list of shortcuts opens with ?, closes with Escape, and gives the focus back", async ({
-  studio,
-  page,
-}) => {
+test("keys do what their list says, and rest in a dialog and in a field", async ({ studio, page }) => {
   await studio.open("a=dragon-3&b=gasket&path=straight");
-  await studio.time.focus();
-  await page.keyboard.press("?");
-  const list = page.getByRole("dialog", { name: "Keyboard" });
-  await expect(list).toBeVisible();
-  await expect(list).toContainText("Play, pause");
-  // Keys of the page rest while a dialog is open.
-  await page.keyboard.press("g");
-  await page.keyboard.press("2");
-  await page.keyboard.press("]");
-  await expect(page.getByRole("dialog")).toHaveCount(1);
-  await page.keyboard.press("Escape");
-  await expect(page.getByRole("dialog")).toHaveCount(0);
-  await expect(studio.time).toBeFocused();
-  expect(await studio.scene()).toMatchObject({ t: 0, colouring: "map" });
+  await test.step("the list opens with ?, closes with Escape, and gives the focus back", async () => {
+    await studio.time.focus();
+    await page.keyboard.press("?");
+    const list = page.getByRole("dialog", { name: "Keyboard" });
+    await expect(list).toBeVisible();
+    await expect(list).toContainText("Play, pause");
+    // Keys of the page rest while a dialog is open.
+    await page.keyboard.press("g");
+    await page.keyboard.press("2");
+    await page.keyboard.press("]");
+    await expect(page.getByRole("dialog")).toHaveCount(1);
+    await page.keyboard.press("Escape");
+    await expect(page.getByRole("dialog")).toHaveCount(0);
+    await expect(studio.time).toBeFocused();
+    expect(await studio.scene()).toMatchObject({ t: 0, colouring: "map" });
 
-  const opener = page.getByRole("banner").getByRole("button", { name: "Keyboard shortcuts" });
-  await opener.click();
-  await list.getByRole("button", { name: "Close" }).click();
-  await expect(opener).toBeFocused();
-});
-
-test("every key of the list does what it says", async ({ studio, page }) => {
-  await studio.open("a=dragon-3&b=gasket&path=straight");
-  const body = page.locator("body");
-  const t = async () => (await studio.scene()).t;
-  await body.press("ArrowRight");
-  expect(await t()).toBe(0.01);
-  await body.press("Shift+ArrowLeft");
-  expect(await t()).toBe(0.009);
-  await expect(page.getByRole("list", { name: "Film of the morph" }).getByRole("button")).toHaveCount(13);
-  await body.press("]");
-  expect(await t()).toBeCloseTo(1 / 12, 3);
-  await body.press("[");
-  expect(await t()).toBe(0);
-  await body.press("2");
-  expect((await studio.scene()).colouring).toBe("address");
-  await body.press("z");
-  expect((await studio.scene()).colouring).toBe("map");
-  await body.press("Shift+Z");
-  expect((await studio.scene()).colouring).toBe("address");
-  await body.press("Control+z");
-  expect((await studio.scene()).colouring).toBe("map");
-  await body.press("Control+y");
-  expect((await studio.scene()).colouring).toBe("address");
-  await body.press("g");
-  await expect(page.getByRole("dialog", { name: "Shape A" })).toBeVisible();
-  await page.keyboard.press("Escape");
-  await body.press("e");
-  await expect(page.getByRole("region", { name: "Maps of shape A" })).toBeVisible();
-  await body.press("e");
-  await expect(page.getByRole("region", { name: "Maps of shape A" })).toHaveCount(0);
-  // The view glides back to the whole shape first.
-  await studio.drawn();
-  await page.getByRole("application", { name: /^The attractor/ }).press("+");
-  await expect(page.getByTestId("zoom")).toHaveText("×1.3");
-  await body.press("f");
-  await expect(page.getByTestId("zoom")).toHaveText("×1.0");
-});
-
-test("typing in a field moves nothing else", async ({ studio, page }) => {
-  await studio.open("a=dragon-3&b=gasket&path=straight&t=0.5");
-  const before = await studio.scene();
-  const field = page.getByRole("spinbutton", { name: "Time in percent" });
-  await field.focus();
-  await page.keyboard.type(" 2gze?");
-  await expect(page.getByRole("dialog")).toHaveCount(0);
-  await field.press("Escape");
-  expect(await studio.scene()).toEqual(before);
+    const opener = page.getByRole("banner").getByRole("button", { name: "Keyboard shortcuts" });
+    await opener.click();
+    await list.getByRole("button", { name: "Close" }).click();
+    await expect(opener).toBeFocused();
+  });
+  await test.step("typing in a field moves nothing else", async () => {
+    const before = await studio.scene();
+    const field = page.getByRole("spinbutton", { name: "Time in percent" });
+    await field.focus();
+    await page.keyboard.type(" 2gze?");
+    await expect(page.getByRole("dialog")).toHaveCount(0);
+    await field.press("Escape");
+    expect(await studio.scene()).toEqual(before);
+    await field.blur();
+  });
+  await test.step("every key of the list does what it says", async () => {
+    const body = page.locator("body");
+    const t = async () => (await studio.scene()).t;
+    await body.press("ArrowRight");
+    expect(await t()).toBe(0.01);
+    await body.press("Shift+ArrowLeft");
+    expect(await t()).toBe(0.009);
+    await expect(page.getByRole("list", { name: "Film of the morph" }).getByRole("button")).toHaveCount(13);
+    await body.press("]");
+    expect(await t()).toBeCloseTo(1 / 12, 3);
+    await body.press("[");
+    expect(await t()).toBe(0);
+    await body.press("2");
+    expect((await studio.scene()).colouring).toBe("address");
+    await body.press("z");
+    expect((await studio.scene()).colouring).toBe("map");
+    await body.press("Shift+Z");
+    expect((await studio.scene()).colouring).toBe("address");
+    await body.press("Control+z");
+    expect((await studio.scene()).colouring).toBe("map");
+    await body.press("Control+y");
+    expect((await studio.scene()).colouring).toBe("address");
+    await body.press("g");
+    await expect(page.getByRole("dialog", { name: "Shape A" })).toBeVisible();
+    await page.keyboard.press("Escape");
+    await body.press("e");
+    await expect(page.getByRole("region", { name: "Maps of shape A" })).toBeVisible();
+    await body.press("e");
+    await expect(page.getByRole("region", { name: "Maps of shape A" })).toHaveCount(0);
+    // The view glides back to the whole shape first.
+    await studio.drawn();
+    await page.getByRole("application", { name: /^The attractor/ }).press("+");
+    await expect(page.getByTestId("zoom")).toHaveText("×1.3");
+    await body.press("f");
+    await expect(page.getByTestId("zoom")).toHaveText("×1.0");
+  });
 });
 
 test("Tab walks the page in reading order, and never sticks", async ({ studio, page }) => {

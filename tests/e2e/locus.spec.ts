@@ -88,67 +88,65 @@ test("the map is enlarged by wheel, keys, buttons and numbers, and moved by hand
   });
 });
 
-test("a press takes a point off the path; undo, the slider and a button lead back", async ({
-  studio,
-  page,
-}) => {
+test("a point of the map is looked at and taken, and there are ways back", async ({ studio, page }) => {
   await studio.open(DRAGON);
-  const before = await studio.look();
-  // Never twice at one place: on a fast machine that is a double click, which zooms.
-  const press = async (v: number) => {
-    const { x, y } = await studio.place(-0.5, v);
-    await page.mouse.click(x, y);
-    await expect(page.getByRole("button", { name: "Back to the path" })).toBeVisible();
-  };
-  await press(0.5);
-  const at = (await studio.scene()).locus?.at;
-  expect(at?.[0]).toBeCloseTo(-0.5, 1);
-  expect(at?.[1]).toBeCloseTo(0.5, 1);
-  expect((await studio.look()).hash).not.toBe(before.hash);
-  await page.getByRole("button", { name: "Undo", exact: true }).click();
-  expect((await studio.scene()).locus).toBeUndefined();
-  expect(await studio.look()).toEqual(before);
-  await page.getByRole("button", { name: "Redo", exact: true }).click();
-  expect((await studio.scene()).locus?.at).toEqual(at);
-  await page.getByRole("button", { name: "Back to the path" }).click();
-  expect(await studio.look()).toEqual(before);
+  await test.step("what is pointed at is shown, by hand and by keys", async () => {
+    await studio.idle();
+    const card = page.locator(".locus-preview");
+    await expect(card).toBeHidden();
+    const { x, y } = await studio.place(1.8, 0.2);
+    await page.mouse.move(x, y);
+    await expect(card).toBeVisible();
+    await expect(card).toContainText(/In pieces, proved, gap [\d.]+%.*u 1\.80 {2}v 0\.20/);
+    await page.mouse.move(10, 300);
+    await expect(card).toBeHidden();
+    // Nothing was taken.
+    expect((await studio.scene()).locus).toBeUndefined();
 
-  await press(0.2);
-  await studio.time.focus();
-  await studio.time.press("PageUp");
-  expect((await studio.scene()).locus).toBeUndefined();
-  expect((await studio.scene()).t).toBeCloseTo(0.6, 5);
+    await plane(page).focus();
+    await page.keyboard.press("ArrowRight");
+    await expect(card).toBeVisible();
+    await expect(card).toContainText(/u 0\.5[78]/);
+    await page.keyboard.press("Enter");
+    expect((await studio.scene()).locus?.at?.[0]).toBeCloseTo(0.575, 2);
+    await page.keyboard.press("Escape");
+    await expect(card).toBeHidden();
+    await page.getByRole("button", { name: "Back to the path" }).click();
+  });
+  await test.step("a press takes a point off the path; undo, the slider and a button lead back", async () => {
+    const before = await studio.look();
+    // Never twice at one place: on a fast machine that is a double click, which zooms.
+    const press = async (v: number) => {
+      const { x, y } = await studio.place(-0.5, v);
+      await page.mouse.click(x, y);
+      await expect(page.getByRole("button", { name: "Back to the path" })).toBeVisible();
+    };
+    await press(0.5);
+    const at = (await studio.scene()).locus?.at;
+    expect(at?.[0]).toBeCloseTo(-0.5, 1);
+    expect(at?.[1]).toBeCloseTo(0.5, 1);
+    expect((await studio.look()).hash).not.toBe(before.hash);
+    await page.getByRole("button", { name: "Undo", exact: true }).click();
+    expect((await studio.scene()).locus).toBeUndefined();
+    expect(await studio.look()).toEqual(before);
+    await page.getByRole("button", { name: "Redo", exact: true }).click();
+    expect((await studio.scene()).locus?.at).toEqual(at);
+    await page.getByRole("button", { name: "Back to the path" }).click();
+    expect(await studio.look()).toEqual(before);
 
-  await press(0.8);
-  await page.getByRole("button", { name: "Add as way point" }).click();
-  const { locus, path } = await studio.scene();
-  expect(locus).toBeUndefined();
-  expect(path.kind).toBe("drawn");
-  expect(path.points[0]?.[0]).toBeCloseTo(-0.5, 1);
-});
+    await press(0.2);
+    await studio.time.focus();
+    await studio.time.press("PageUp");
+    expect((await studio.scene()).locus).toBeUndefined();
+    expect((await studio.scene()).t).toBeCloseTo(0.6, 5);
 
-test("what is pointed at is shown, by hand and by keys", async ({ studio, page }) => {
-  await studio.open(DRAGON);
-  await studio.idle();
-  const card = page.locator(".locus-preview");
-  await expect(card).toBeHidden();
-  const { x, y } = await studio.place(1.8, 0.2);
-  await page.mouse.move(x, y);
-  await expect(card).toBeVisible();
-  await expect(card).toContainText(/In pieces, proved, gap [\d.]+%.*u 1\.80 {2}v 0\.20/);
-  await page.mouse.move(10, 300);
-  await expect(card).toBeHidden();
-  // Nothing was taken.
-  expect((await studio.scene()).locus).toBeUndefined();
-
-  await plane(page).focus();
-  await page.keyboard.press("ArrowRight");
-  await expect(card).toBeVisible();
-  await expect(card).toContainText(/u 0\.5[78]/);
-  await page.keyboard.press("Enter");
-  expect((await studio.scene()).locus?.at?.[0]).toBeCloseTo(0.575, 2);
-  await page.keyboard.press("Escape");
-  await expect(card).toBeHidden();
+    await press(0.8);
+    await page.getByRole("button", { name: "Add as way point" }).click();
+    const { locus, path } = await studio.scene();
+    expect(locus).toBeUndefined();
+    expect(path.kind).toBe("drawn");
+    expect(path.points[0]?.[0]).toBeCloseTo(-0.5, 1);
+  });
 });
 
 test("a slice off the path says so, and can be cut through the picture", async ({ studio, page }) => {

@@ -2,112 +2,113 @@ import { expect, test } from "./fixture";
 
 const TWO = "a=dragon-3&b=gasket&path=drawn:0.2,0.8;0.6,0.9&t=0.5";
 
-test("a way point is dragged with the mouse: one step of undo", async ({ studio, page }) => {
+test("a way point is moved by the mouse, by numbers and by keys", async ({ studio, page }) => {
   await studio.open(TWO);
-  const before = await studio.look();
-  const from = await studio.place(0.2, 0.8);
-  const to = await studio.place(0.5, 0.2);
-  await page.mouse.move(from.x, from.y);
-  await page.mouse.down();
-  await page.mouse.move((from.x + to.x) / 2, (from.y + to.y) / 2, { steps: 4 });
-  await page.mouse.move(to.x, to.y, { steps: 4 });
-  await page.mouse.up();
-  const { path } = await studio.scene();
-  expect(path.kind).toBe("drawn");
-  expect(path.points[0]?.[0]).toBeCloseTo(0.5, 1);
-  expect(path.points[0]?.[1]).toBeCloseTo(0.2, 1);
-  expect(path.points[1]).toEqual([0.6, 0.9]);
-  // The numbers beside follow.
-  const [u, v] = path.points[0] ?? [];
-  await expect(page.getByRole("spinbutton", { name: "turn and stretch, u" })).toHaveValue(String(u));
-  await expect(page.getByRole("spinbutton", { name: "move, v" })).toHaveValue(String(v));
-  expect((await studio.look()).hash).not.toBe(before.hash);
+  await test.step("dragged: one step of undo", async () => {
+    const before = await studio.look();
+    const from = await studio.place(0.2, 0.8);
+    const to = await studio.place(0.5, 0.2);
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move((from.x + to.x) / 2, (from.y + to.y) / 2, { steps: 4 });
+    await page.mouse.move(to.x, to.y, { steps: 4 });
+    await page.mouse.up();
+    const { path } = await studio.scene();
+    expect(path.kind).toBe("drawn");
+    expect(path.points[0]?.[0]).toBeCloseTo(0.5, 1);
+    expect(path.points[0]?.[1]).toBeCloseTo(0.2, 1);
+    expect(path.points[1]).toEqual([0.6, 0.9]);
+    // The numbers beside follow.
+    const [u, v] = path.points[0] ?? [];
+    await expect(page.getByRole("spinbutton", { name: "turn and stretch, u" })).toHaveValue(String(u));
+    await expect(page.getByRole("spinbutton", { name: "move, v" })).toHaveValue(String(v));
+    expect((await studio.look()).hash).not.toBe(before.hash);
 
-  await page.getByRole("button", { name: "Undo", exact: true }).click();
-  expect((await studio.scene()).path.points).toEqual([
-    [0.2, 0.8],
-    [0.6, 0.9],
-  ]);
-  expect(await studio.look()).toEqual(before);
-  await expect(page.getByRole("button", { name: "Undo", exact: true })).toBeDisabled();
-  await page.getByRole("button", { name: "Redo", exact: true }).click();
-  expect((await studio.scene()).path).toEqual(path);
-});
-
-test("a way point is moved, added and taken away by keys", async ({ studio, page }) => {
-  await studio.open(TWO);
-  await studio.way(1).focus();
-  await page.keyboard.press("ArrowRight");
-  await page.keyboard.press("Alt+ArrowUp");
-  await page.keyboard.press("Shift+ArrowLeft");
-  expect((await studio.scene()).path.points[0]).toEqual([0.209, 0.9]);
-  await expect(studio.way(1)).toHaveAttribute("aria-valuetext", /^u 0\.21, v 0\.90, /);
-
-  await page.keyboard.press("+");
-  await expect(studio.way(2)).toBeFocused();
-  expect((await studio.scene()).path.points).toHaveLength(3);
-  await page.keyboard.press("Delete");
-  await expect(studio.way(1)).toBeFocused();
-  await page.keyboard.press("Delete");
-  await expect(studio.way(1)).toHaveAccessibleName("Way point 1 of 1");
-  await expect(studio.way(1)).toBeFocused();
-  expect((await studio.scene()).path.points).toEqual([[0.6, 0.9]]);
-  await page.keyboard.press("Delete");
-  expect((await studio.scene()).path).toEqual({ kind: "drawn", points: [] });
-  await expect(page.getByRole("slider", { name: "Place on the path" })).toBeFocused();
-});
-
-test("way points are added and taken away by the mouse", async ({ studio, page }) => {
-  await studio.open("a=dragon-3&b=gasket&path=straight");
-  // Twice on the path makes a way point there.
-  const here = await studio.place(0.6, 0.61);
-  await page.mouse.dblclick(here.x, here.y);
-  const { path } = await studio.scene();
-  expect(path.kind).toBe("drawn");
-  expect(path.points).toHaveLength(1);
-  expect(path.points[0]?.[0]).toBeCloseTo(0.6, 1);
-  await expect(page.getByRole("radio", { name: "Drawn" })).toBeChecked();
-  await page.getByRole("button", { name: "Remove this way point" }).click();
-  expect((await studio.scene()).path.points).toEqual([]);
-
-  // Where the picture is now; the picture stays.
-  await studio.time.press("Home");
-  for (let i = 0; i < 4; i++) await studio.time.press("PageUp");
-  const before = await studio.look();
-  await page.getByRole("button", { name: "Add way point" }).click();
-  expect((await studio.scene()).path.points).toEqual([[0.4, 0.4]]);
-  expect(await studio.look()).toEqual(before);
-  const point = await studio.place(0.4, 0.4);
-  await page.mouse.dblclick(point.x, point.y);
-  expect((await studio.scene()).path.points).toEqual([]);
-});
-
-test("a way point is told in numbers, and bad ones change nothing", async ({ studio, page }) => {
-  await studio.open(TWO);
-  await studio.way(2).focus();
-  const u = page.getByRole("spinbutton", { name: "turn and stretch, u" });
-  await u.fill("3/4");
-  await u.press("Enter");
-  expect((await studio.scene()).path.points[1]).toEqual([0.75, 0.9]);
-  for (const bad of ["7", "three", "NaN", "1e999", ""]) {
-    await u.fill(bad);
+    await page.getByRole("button", { name: "Undo", exact: true }).click();
+    expect((await studio.scene()).path.points).toEqual([
+      [0.2, 0.8],
+      [0.6, 0.9],
+    ]);
+    expect(await studio.look()).toEqual(before);
+    await expect(page.getByRole("button", { name: "Undo", exact: true })).toBeDisabled();
+    await page.getByRole("button", { name: "Redo", exact: true }).click();
+    expect((await studio.scene()).path).toEqual(path);
+    await page.getByRole("button", { name: "Undo", exact: true }).click();
+  });
+  await test.step("told in numbers, and bad ones change nothing", async () => {
+    await studio.way(2).focus();
+    const u = page.getByRole("spinbutton", { name: "turn and stretch, u" });
+    await u.fill("3/4");
     await u.press("Enter");
-    await expect(u).toHaveAttribute("aria-invalid", "true");
-    await expect(u).toHaveAccessibleDescription(/Kept: 0\.75/);
-  }
-  expect((await studio.scene()).path.points[1]).toEqual([0.75, 0.9]);
+    expect((await studio.scene()).path.points[1]).toEqual([0.75, 0.9]);
+    for (const bad of ["7", "three", "NaN", "1e999", ""]) {
+      await u.fill(bad);
+      await u.press("Enter");
+      await expect(u).toHaveAttribute("aria-invalid", "true");
+      await expect(u).toHaveAccessibleDescription(/Kept: 0\.75/);
+    }
+    expect((await studio.scene()).path.points[1]).toEqual([0.75, 0.9]);
+    await u.press("Escape");
+    await page.getByRole("button", { name: "Undo", exact: true }).click();
+  });
+  await test.step("moved, added and taken away by keys", async () => {
+    await studio.way(1).focus();
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("Alt+ArrowUp");
+    await page.keyboard.press("Shift+ArrowLeft");
+    expect((await studio.scene()).path.points[0]).toEqual([0.209, 0.9]);
+    await expect(studio.way(1)).toHaveAttribute("aria-valuetext", /^u 0\.21, v 0\.90, /);
+
+    await page.keyboard.press("+");
+    await expect(studio.way(2)).toBeFocused();
+    expect((await studio.scene()).path.points).toHaveLength(3);
+    await page.keyboard.press("Delete");
+    await expect(studio.way(1)).toBeFocused();
+    await page.keyboard.press("Delete");
+    await expect(studio.way(1)).toHaveAccessibleName("Way point 1 of 1");
+    await expect(studio.way(1)).toBeFocused();
+    expect((await studio.scene()).path.points).toEqual([[0.6, 0.9]]);
+    await page.keyboard.press("Delete");
+    expect((await studio.scene()).path).toEqual({ kind: "drawn", points: [] });
+    await expect(page.getByRole("slider", { name: "Place on the path" })).toBeFocused();
+  });
 });
 
-test("the path's own point is dragged along it", async ({ studio, page }) => {
+test("the straight path is gone along, and bent, by the mouse", async ({ studio, page }) => {
   await studio.open("a=dragon-3&b=gasket&path=straight");
-  const from = await studio.place(0, 0);
-  const to = await studio.place(0.6, 0.5);
-  await page.mouse.move(from.x, from.y);
-  await page.mouse.down();
-  await page.mouse.move(to.x, to.y, { steps: 5 });
-  await page.mouse.up();
-  expect((await studio.scene()).t).toBeCloseTo(0.55, 1);
-  expect((await studio.scene()).path.kind).toBe("straight");
+  await test.step("its own point is dragged along it", async () => {
+    const from = await studio.place(0, 0);
+    const to = await studio.place(0.6, 0.5);
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(to.x, to.y, { steps: 5 });
+    await page.mouse.up();
+    expect((await studio.scene()).t).toBeCloseTo(0.55, 1);
+    expect((await studio.scene()).path.kind).toBe("straight");
+  });
+  await test.step("way points are added and taken away", async () => {
+    // Twice on the path makes a way point there.
+    const here = await studio.place(0.6, 0.61);
+    await page.mouse.dblclick(here.x, here.y);
+    const { path } = await studio.scene();
+    expect(path.kind).toBe("drawn");
+    expect(path.points).toHaveLength(1);
+    expect(path.points[0]?.[0]).toBeCloseTo(0.6, 1);
+    await expect(page.getByRole("radio", { name: "Drawn" })).toBeChecked();
+    await page.getByRole("button", { name: "Remove this way point" }).click();
+    expect((await studio.scene()).path.points).toEqual([]);
+
+    // Where the picture is now; the picture stays.
+    await studio.time.press("Home");
+    for (let i = 0; i < 4; i++) await studio.time.press("PageUp");
+    const before = await studio.look();
+    await page.getByRole("button", { name: "Add way point" }).click();
+    expect((await studio.scene()).path.points).toEqual([[0.4, 0.4]]);
+    expect(await studio.look()).toEqual(before);
+    const point = await studio.place(0.4, 0.4);
+    await page.mouse.dblclick(point.x, point.y);
+    expect((await studio.scene()).path.points).toEqual([]);
+  });
 });
 
 test("the automatic path holds where the straight one breaks", async ({ studio, page }) => {

@@ -47,7 +47,6 @@ test("another way to match is one step", async ({ studio, page }) => {
   const after = await studio.scene();
   expect(after.correspondence.length).toBe(3);
   expect(after.path.kind).toBe("auto");
-  await studio.idle();
   await page.getByRole("button", { name: "Undo", exact: true }).click();
   // The path is automatic, and found anew.
   expect(await studio.scene()).toMatchObject({
@@ -59,7 +58,6 @@ test("another way to match is one step", async ({ studio, page }) => {
 
 test("shapes that reflect oppositely have ways across", async ({ studio, page }) => {
   await studio.open("a=fern&b=maple");
-  await studio.idle();
   const before = await studio.scene();
   await page.locator(".notes").getByRole("button", { name: "Other ways across" }).click();
   const ways = page.getByRole("radiogroup", { name: "Ways across" }).getByRole("radio");

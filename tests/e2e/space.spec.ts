@@ -4,7 +4,7 @@ import { expectClean } from "./axe";
 import { expect, test } from "./fixture";
 
 // A picture of space costs by its pixels.
-test.use({ viewport: { width: 960, height: 640 } });
+test.use({ viewport: { width: 900, height: 560 } });
 
 /** A small scene is complete sooner than what is seen first. */
 const TETRAHEDRON = "tool=space&space=o:tetrahedron";
@@ -57,12 +57,8 @@ test("looking round is another picture, and nothing to undo", async ({ studio, p
   expect((await studio.look()).hash).toBe(first.hash);
 });
 
-test("a hand turns the pyramid by its parameters, and undo brings every bit back", async ({
-  studio,
-  page,
-}) => {
+test("a hand turns a shape by its parameters, and undo brings every bit back", async ({ studio, page }) => {
   await studio.open(TETRAHEDRON);
-  await choose(page, "Pyramid");
   await complete(page);
   const made = [await packed(studio), (await studio.look()).hash];
   const table = page.getByRole("region", { name: "Its parameters", exact: true });
@@ -76,7 +72,7 @@ test("a hand turns the pyramid by its parameters, and undo brings every bit back
   await page.mouse.move(x + 60, y + 20, { steps: 4 });
   await page.mouse.move(x + 120, y - 30, { steps: 4 });
   await page.mouse.up();
-  await expect(table).toContainText(/of 60 numbers are not as made/);
+  await expect(table).toContainText(/of 48 numbers are not as made/);
   await expect(table).toContainText("is the same picture");
   await complete(page);
   const turned = (await studio.look()).hash;
@@ -156,8 +152,7 @@ test("a flight through the natural scene is keyed, exported as a film that plays
   const mine = await studio.scene();
   const other = await browser.newPage({ viewport: page.viewportSize() });
   await other.goto(page.url());
-  await whole(other);
-  expect(await other.evaluate(() => window.frond?.scene())).toEqual(mine);
+  await expect.poll(() => other.evaluate(() => window.frond?.scene())).toEqual(mine);
   await other.close();
 });
 
@@ -197,8 +192,8 @@ test("no object of several leaves unasked, and the background goes with the link
   await page.waitForTimeout(600);
   const other = await browser.newPage({ viewport: page.viewportSize(), colorScheme: "light" });
   await other.goto(page.url());
-  await whole(other);
-  expect(await colour(other)).toBe("rgb(14, 16, 21)");
+  await stage(other).waitFor();
+  await expect.poll(() => colour(other)).toBe("rgb(14, 16, 21)");
   await other.close();
 });
 
@@ -233,11 +228,11 @@ test("what cannot be is refused, and the work stays", async ({ studio, page }) =
   await whole(page);
   expect((await studio.said()).join()).toContain("damaged");
   // Everything behind the eye: said, with a way back.
-  await studio.open("tool=space&space=o:sponge&space-view=0,50,0,1,0,0,0.7");
+  await studio.open(`${TETRAHEDRON}&space-view=0,50,0,1,0,0,0.7`);
   await expect(page.getByText("Everything is behind the eye.")).toBeVisible();
   await page.getByRole("button", { name: "Show all", exact: true }).click();
   await whole(page);
-  expect((await studio.look()).lit).toBeGreaterThan(40_000);
+  expect((await studio.look()).lit).toBeGreaterThan(5000);
   // An eye inside the sponge still has a picture.
   await studio.open("tool=space&space=o:sponge&space-view=0,0,0,0.05,0.3,0.1,0.9");
   await whole(page);
