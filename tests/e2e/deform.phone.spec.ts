@@ -65,7 +65,7 @@ test("a key frame is dragged with a finger: one step of undo", async ({ studio, 
   await page.getByRole("button", { name: "Breathe" }).tap();
   const keys = async () => (await studio.scene()).deform?.keys.map(({ at }) => at);
   const box = await page.getByRole("slider", { name: /^Key frame 4 of 4/ }).boundingBox();
-  const track = await page.locator(".keys").boundingBox();
+  const track = await page.locator(".key-track").boundingBox();
   if (!box || !track) throw new Error("no key on the track");
   const from = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
   const finger = await Finger.of(page);

@@ -133,7 +133,7 @@ test("key frames are added, moved, and deleted", async ({ studio, page }) => {
   await page.getByRole("button", { name: "Undo" }).click();
   expect(await keys()).toEqual([0, 0.4]);
   const box = await key(page, 2).boundingBox();
-  const track = await page.locator(".keys").boundingBox();
+  const track = await page.locator(".key-track").boundingBox();
   if (!box || !track) throw new Error("no key on the track");
   const [x, y] = [box.x + box.width / 2, box.y + 8];
   await page.mouse.move(x, y);

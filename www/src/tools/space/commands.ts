@@ -64,6 +64,7 @@ export const commands: readonly Command[] = [
   { id: "key", label: "Set a key", group: "Time", keys: ["K"], run: setKey },
   { id: "key-move", label: "Move it by 0.1 s; Shift finer, Alt farther", group: KEY, keys: ["←", "→"] },
   { id: "key-go", label: "Go there", group: KEY, keys: ["Enter"] },
-  { id: "key-delete", label: "Delete it", group: KEY, keys: ["Delete"] },
+  { id: "key-next", label: "To its neighbour", group: KEY, keys: ["[", "]"] },
+  { id: "key-delete", label: "Delete it", group: KEY, keys: ["Delete", "−"] },
   ...everywhere(),
 ];

@@ -6,7 +6,7 @@ import { IconButton } from "#ui/Button";
 import { narrow } from "#ui/media";
 import { Slider } from "#ui/Slider";
 import { pausePhase, playPhase, scrubPhase } from "../clock";
-import { KeyTrack } from "./KeyTrack";
+import { Keys } from "./Keys";
 import { TimeOptions } from "./TimeOptions";
 import { momentWords } from "./words";
 
@@ -26,7 +26,7 @@ export function DeformStrip() {
           valueText={momentWords(deformation.value)}
           onChange={scrubPhase}
         />
-        <KeyTrack />
+        <Keys />
       </div>
       {!narrow.value && <TimeOptions />}
     </section>

@@ -6,7 +6,7 @@ import { NumberField } from "#ui/NumberField";
 import { MOST_KEYS, withKeyAt } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";
 import { EaseMenu } from "./EaseMenu";
-import { keyHere } from "./KeyTrack";
+import { keyHere } from "./Keys";
 import { attempt, removeKey, setKey } from "./keys";
 import type { Problems } from "./TimeNumbers";
 

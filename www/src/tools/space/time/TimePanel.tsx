@@ -7,7 +7,7 @@ import { scrubSpace } from "./clock";
 import { EaseMenu } from "./EaseMenu";
 import { fly } from "./fly";
 import { KeyOptions } from "./KeyOptions";
-import { keyHere } from "./KeyTrack";
+import { keyHere } from "./Keys";
 import { attempt, removeKey } from "./keys";
 import { LoopRow } from "./LoopChoice";
 import { openAnimation } from "./open";

@@ -12,7 +12,7 @@ import { pauseSpace, scrubSpace, togglePlay } from "./clock";
 import { exportOpen, exportProgress, openExport } from "./exporting";
 import { fly } from "./fly";
 import { KeyOptions, SetKey } from "./KeyOptions";
-import { KeyTrack } from "./KeyTrack";
+import { Keys } from "./Keys";
 import { LoopMenu } from "./LoopChoice";
 import { watchKeys } from "./pictures";
 import { TimeMenu } from "./TimeMenu";
@@ -62,7 +62,7 @@ function Scrub() {
   const line = timeline.value ?? space.value?.timeline ?? EMPTY_LINE;
   return (
     <Slider
-      class="space-scrub"
+      class="key-scrub"
       label="Time"
       value={Math.min(line.seconds, moment.value)}
       min={0}
@@ -76,9 +76,9 @@ function Scrub() {
 
 function Track() {
   const line = timeline.value;
-  if (line) return <KeyTrack line={line} />;
+  if (line) return <Keys line={line} />;
   return (
-    <div class="space-keys empty">
+    <div class="space-no-keys">
       <p class="hint">
         Nothing moves yet.
         <span class="more"> Set a key, go to another moment, look from elsewhere, and set another.</span>
