@@ -11,6 +11,7 @@ import { installHook } from "./shell/hook";
 import { readParameters } from "./shell/parameters";
 import { reportTrouble, showFailure } from "./shell/trouble";
 import { whenFirstPicture } from "./stage/first";
+import { adoptPath, watchAutomaticPath } from "./tools/morph/locus/automatic";
 import { load } from "./wasm/core";
 import { compileProof } from "./wasm/proof";
 import { startEngine } from "./workers/pool/engine";
@@ -42,7 +43,9 @@ async function begin(root: HTMLElement): Promise<void> {
       failed: (problem) => notify({ kind: "error", text: wordsOf(problem) }),
     },
   );
+  adoptPath();
   startSchedules({ card: parameters.card });
+  watchAutomaticPath();
   fetchAhead();
 }
 

@@ -1,6 +1,5 @@
 import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
-import { announce, notify, wordsOf } from "#document/notice";
-import { edit, replace, scene } from "#document/scene";
+import { notify, wordsOf } from "#document/notice";
 import { thinned } from "#geometry/path";
 import type { PathPlan, PathPoint } from "#wasm/api";
 import { cancel, submit, workers } from "#workers/pool/engine";
@@ -11,8 +10,13 @@ import { publish } from "./results";
 
 const MOST_POINTS = 64;
 
-/** The pair that the way points of an automatic path belong to. A link's own points are left as they were sent. */
-let settled: LocusInputs | null = null;
+/** A path through the plane w = 0. */
+export interface Planned {
+  inputs: LocusInputs;
+  plan: PathPlan;
+  /** Through all samples, not through the coarse ones that come first. */
+  whole: boolean;
+}
 
 /** What is known of a path through three parameters. */
 export interface Plan3 {
@@ -22,23 +26,15 @@ export interface Plan3 {
   plan: PathPlan | null;
 }
 
-const wished = signal(false);
+const found = signal<Planned | null>(null);
 const found3 = signal<Plan3 | null>(null);
-/** Whether automatic paths may use the third parameter. */
-export const third: ReadonlySignal<boolean> = wished;
+/** The last one that was found for the pair of its time. */
+export const planned: ReadonlySignal<Planned | null> = found;
 export const plan3: ReadonlySignal<Plan3 | null> = found3;
 
 /** Whether a path leaves the plane w = 0. */
 export const leavesPlane = (points: readonly PathPoint[]): boolean =>
   points.some(([, , w]) => (w ?? 0) !== 0);
-
-/** The document was opened with these way points: they stand until the pair changes. */
-export function adoptPath(): void {
-  const { path } = scene.peek();
-  const whole = path.kind === "auto" && path.points.length > 0;
-  settled = whole ? morph.peek() : null;
-  wished.value = whole && leavesPlane(path.points);
-}
 
 /** Plans through the samples that are in; each stage knows the field better than the one before. */
 export function planFrom(work: LocusWork, stride: number): void {
@@ -54,11 +50,7 @@ export function planFrom(work: LocusWork, stride: number): void {
       accept: (plan) => {
         if (inputs !== morph.peek()) return;
         publish.plan.value = plan;
-        const auto = scene.peek().path.kind === "auto";
-        if (stride === 1 && auto && wished.peek() && settled !== inputs) lookFurther(inputs, false);
-        // A path through three parameters stands until another one is found.
-        if (!wished.peek()) apply(plan, inputs);
-        if (stride === 1 && auto) settled = inputs;
+        found.value = { inputs, plan, whole: stride === 1 };
       },
       fail: (error) => notify({ kind: "error", text: `No path could be planned: ${wordsOf(error)}` }),
     }),
@@ -72,13 +64,6 @@ export function wayOf(plan: PathPlan): PathPoint[] {
     .map(
       ([u, v, w = 0]): PathPoint => (short(w) === 0 ? [short(u), short(v)] : [short(u), short(v), short(w)]),
     );
-}
-
-function apply(plan: PathPlan, inputs: LocusInputs): void {
-  const now = scene.peek();
-  if (now.path.kind !== "auto" || settled === inputs) return;
-  const points = wayOf(plan);
-  if (!samePoints(points, now.path.points)) replace({ ...now, path: { kind: "auto", points } });
 }
 
 export function samePoints(p: readonly PathPoint[], q: readonly PathPoint[]): boolean {
@@ -102,15 +87,13 @@ export function isBetter(other: PathPlan, plan: PathPlan): boolean {
   return !other.holds && other.gap < 0.95 * plan.gap;
 }
 
-/** Looks for a path through three parameters. `asked`: by hand, so that taking it is a step that can be undone. */
-function lookFurther(inputs: LocusInputs, asked: boolean): void {
+/** Looks for a path through three parameters. */
+export function searchThird(
+  inputs: LocusInputs,
+  then: { found(plan: PathPlan): void; failed(problem: unknown): void },
+): void {
   const { from, to, options } = inputs;
   found3.value = { inputs, plan: null };
-  const giveUp = (text: string) => {
-    found3.value = null;
-    wished.value = false;
-    notify({ kind: "error", text });
-  };
   submit(
     single<"plan3">(
       "plan3",
@@ -120,62 +103,24 @@ function lookFurther(inputs: LocusInputs, asked: boolean): void {
         accept: (plan) => {
           if (inputs !== morph.peek()) return;
           found3.value = { inputs, plan };
-          const flat = publish.plan.peek();
-          const points = wayOf(plan);
-          if (!leavesPlane(points) || (flat && !isBetter(plan, flat))) {
-            if (asked) announce("The third parameter does not help here.");
-            wished.value = false;
-            if (flat) {
-              settled = null;
-              apply(flat, inputs);
-              settled = inputs;
-            }
-            return;
-          }
-          const change = { ...scene.peek(), path: { kind: "auto" as const, points } };
-          settled = inputs;
-          if (asked) edit(() => change);
-          else if (scene.peek().path.kind === "auto") replace(change);
+          then.found(plan);
         },
-        fail: (error) => giveUp(`No path through three parameters could be found: ${wordsOf(error)}`),
+        fail: (problem) => {
+          found3.value = null;
+          then.failed(problem);
+        },
       },
     ),
   );
 }
 
-/** Lets the automatic path use the third parameter, or keeps it in the plane. */
-export function setThird(on: boolean): void {
-  wished.value = on;
-  const inputs = morph.peek();
-  if (on) {
-    lookFurther(inputs, true);
-    return;
-  }
+export function stopSearch(): void {
   cancel("plan3");
   if (found3.peek()?.plan === null) found3.value = null;
-  const flat = publish.plan.peek();
-  const { path } = scene.peek();
-  if (path.kind !== "auto" || !leavesPlane(path.points)) return;
-  settled = flat ? inputs : null;
-  edit((before) => ({ ...before, path: { kind: "auto", points: flat ? wayOf(flat) : [] } }));
 }
 
-/** Choosing the automatic path takes the plan that is already there; what undo brings back is left as it was. */
+/** What was found of another pair is let go. */
 export function schedulePlan(): void {
-  let before = scene.peek().path.kind;
-  effect(() => {
-    const { kind, points } = scene.value.path;
-    const plan = publish.plan.value;
-    untracked(() => {
-      if (kind === "auto" && before !== "auto") {
-        settled = null;
-        if (plan && !wished.peek()) apply(plan, morph.peek());
-      }
-      before = kind;
-      const looking = found3.peek()?.plan === null;
-      if (kind === "auto" && !looking) wished.value = leavesPlane(points);
-    });
-  });
   effect(() => {
     const inputs = morph.value;
     untracked(() => {

@@ -2,18 +2,15 @@ import { scheduleCertify } from "./certify";
 import type { CardChoice } from "./locus/card-trial";
 import { scheduleLocus } from "./locus/schedule";
 import { scheduleMatching } from "./matching";
-import { adoptPath, schedulePlan } from "./plan";
+import { schedulePlan } from "./plan";
 import { scheduleProof } from "./proof";
 import { scheduleRoutes } from "./routes";
 import { scheduleBreaks, scheduleStrip } from "./strip";
 import { scheduleThumbnails } from "./thumbnails";
 import { scheduleVerdict } from "./verdict";
 
-export { adoptPath } from "./plan";
-
 /** Ties the engine to the document: from here on every change asks for what follows from it. */
 export function startSchedules(options: { card: CardChoice }): void {
-  adoptPath();
   scheduleVerdict();
   scheduleLocus(options.card);
   schedulePlan();

@@ -1,5 +1,4 @@
 import { computed } from "@preact/signals";
-import { adoptPath } from "#compute/start";
 import { curved } from "#document/curve/curve";
 import { bend, deformation } from "#document/deform/bend";
 import type { Photograph } from "#document/deform/photograph";
@@ -12,6 +11,7 @@ import { scene } from "#document/scene";
 import { stageStyle } from "#stage/look";
 import { bentPicture, type SheetRequest } from "#stage/surface/sheet";
 import { effectiveView, stageSize } from "#stage/view";
+import { adoptPath } from "#tools/morph/locus/automatic";
 import { download, plainName, pngOf } from "#ui/download";
 import type { Tool } from "#wasm/api";
 import { frond } from "#wasm/core";

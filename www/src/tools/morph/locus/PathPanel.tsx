@@ -1,7 +1,7 @@
 import "#stage/locus/path.css";
 import { computed, useComputed } from "@preact/signals";
 import { certified, certify, stopCertifying } from "#compute/certify";
-import { leavesPlane, plan3, setThird, third, wayOf } from "#compute/plan";
+import { leavesPlane, plan3, wayOf } from "#compute/plan";
 import { along, locus, pathStates, plan } from "#compute/results";
 import { locusView, pathPoints } from "#document/morph";
 import { edit, endGesture } from "#document/scene";
@@ -17,6 +17,7 @@ import { workers } from "#workers/pool/engine";
 import { MOST_POINTS } from "../changes";
 import { openMatching, openRoutes } from "../dialogs";
 import { mode, pathKind } from "../parts";
+import { setThird, third } from "./automatic";
 import { focusHandle } from "./Handles";
 import {
   addAfter,

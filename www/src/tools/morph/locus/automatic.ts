@@ -1,0 +1,117 @@
+/** The automatic path: takes what was planned into the document. */
+import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
+import { inputs as morph } from "#compute/inputs";
+import type { LocusInputs } from "#compute/locus/job";
+import {
+  isBetter,
+  leavesPlane,
+  plan3,
+  planned,
+  samePoints,
+  searchThird,
+  stopSearch,
+  wayOf,
+} from "#compute/plan";
+import { plan as flatPlan } from "#compute/results";
+import { announce, notify, wordsOf } from "#document/notice";
+import { edit, replace, scene } from "#document/scene";
+import type { PathPlan } from "#wasm/api";
+
+/** The pair that the way points of an automatic path belong to. A link's own points are left as they were sent. */
+let settled: LocusInputs | null = null;
+
+const wished = signal(false);
+/** Whether automatic paths may use the third parameter. */
+export const third: ReadonlySignal<boolean> = wished;
+
+/** The document was opened with these way points: they stand until the pair changes. */
+export function adoptPath(): void {
+  const { path } = scene.peek();
+  const whole = path.kind === "auto" && path.points.length > 0;
+  settled = whole ? morph.peek() : null;
+  wished.value = whole && leavesPlane(path.points);
+}
+
+function apply(plan: PathPlan, inputs: LocusInputs): void {
+  const now = scene.peek();
+  if (now.path.kind !== "auto" || settled === inputs) return;
+  const points = wayOf(plan);
+  if (!samePoints(points, now.path.points)) replace({ ...now, path: { kind: "auto", points } });
+}
+
+/** Looks for a path through three parameters. `asked`: by hand, so that taking it is a step that can be undone. */
+function lookFurther(inputs: LocusInputs, asked: boolean): void {
+  searchThird(inputs, {
+    found(plan) {
+      const flat = flatPlan.peek();
+      const points = wayOf(plan);
+      if (!leavesPlane(points) || (flat && !isBetter(plan, flat))) {
+        if (asked) announce("The third parameter does not help here.");
+        wished.value = false;
+        if (flat) {
+          settled = null;
+          apply(flat, inputs);
+          settled = inputs;
+        }
+        return;
+      }
+      const change = { ...scene.peek(), path: { kind: "auto" as const, points } };
+      settled = inputs;
+      if (asked) edit(() => change);
+      else if (scene.peek().path.kind === "auto") replace(change);
+    },
+    failed(problem) {
+      wished.value = false;
+      notify({
+        kind: "error",
+        text: `No path through three parameters could be found: ${wordsOf(problem)}`,
+      });
+    },
+  });
+}
+
+/** Lets the automatic path use the third parameter, or keeps it in the plane. */
+export function setThird(on: boolean): void {
+  wished.value = on;
+  const inputs = morph.peek();
+  if (on) {
+    lookFurther(inputs, true);
+    return;
+  }
+  stopSearch();
+  const flat = flatPlan.peek();
+  const { path } = scene.peek();
+  if (path.kind !== "auto" || !leavesPlane(path.points)) return;
+  settled = flat ? inputs : null;
+  edit((before) => ({ ...before, path: { kind: "auto", points: flat ? wayOf(flat) : [] } }));
+}
+
+/** Choosing the automatic path takes the plan that is already there; what undo brings back is left as it was. */
+export function watchAutomaticPath(): void {
+  let before = scene.peek().path.kind;
+  effect(() => {
+    const { kind, points } = scene.value.path;
+    const plan = flatPlan.value;
+    untracked(() => {
+      if (kind === "auto" && before !== "auto") {
+        settled = null;
+        if (plan && !wished.peek()) apply(plan, morph.peek());
+      }
+      before = kind;
+      const looking = plan3.peek()?.plan === null;
+      if (kind === "auto" && !looking) wished.value = leavesPlane(points);
+    });
+  });
+  effect(() => {
+    const now = planned.value;
+    if (now) untracked(() => take(now.plan, now.inputs, now.whole));
+  });
+}
+
+function take(plan: PathPlan, inputs: LocusInputs, whole: boolean): void {
+  const auto = scene.peek().path.kind === "auto";
+  if (whole && auto && wished.peek() && settled !== inputs) lookFurther(inputs, false);
+  // A path through three parameters stands until another one is found.
+  if (!wished.peek()) apply(plan, inputs);
+  if (whole && auto) settled = inputs;
+}
