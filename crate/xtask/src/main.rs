@@ -3,11 +3,14 @@
 //! - [`command`] runs other programs; [`step`] names what runs, times it and counts it.
 //! - [`tools`], [`node`] and [`browser`] see to it that what is needed is there.
 //! - [`wasm`] and [`package`] make `www/pkg` of the [`modules`]; [`site`] makes `dist/`; [`size`] weighs it.
+//! - [`circles`] keeps files from importing in circles: [`imports`] finds who imports what.
 //! - [`serve`], [`test`] and [`bench`] are the commands of those names.
 
 mod bench;
 mod browser;
+mod circles;
 mod command;
+mod imports;
 mod modules;
 mod node;
 mod package;

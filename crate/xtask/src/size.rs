@@ -11,16 +11,16 @@ use flate2::write::GzEncoder;
 use crate::command::{Outcome, root};
 use crate::stamp;
 
-/// Bytes of wasm to the first picture that a graphics card draws, by WebGPU, at most: the module that describes and draws,
-/// which computes a coarse one at once, and the renderer.
+/// Bytes of wasm to the first picture that a graphics card draws, by WebGPU, at most: the module that describes and
+/// draws, which computes a coarse one at once, and the renderer.
 const PICTURE: usize = 650_000;
 /// Bytes of the scripts that index.html loads by itself, at most; what is loaded when asked for is not among them.
 const SCRIPT: usize = 80_000;
 
 /// Weighs dist/ and fails where it is too heavy.
 ///
-/// What comes after the first picture is only weighed: the workers' module, which decides and proves, those of the fit and of space,
-/// and the renderer for WebGL2, which brings wgpu's own validation and translation of shaders.
+/// What comes after the first picture is only weighed: the workers' module, which decides and proves, those of the fit
+/// and of space, and the renderer for WebGL2, which brings wgpu's own validation and translation of shaders.
 pub fn gate() -> Outcome {
     let dist = root().join("dist");
     let weigh = |name: &str| -> Outcome<usize> {

@@ -4,6 +4,7 @@ use std::net::TcpListener;
 use std::path::PathBuf;
 
 use crate::browser;
+use crate::circles;
 use crate::command::{Outcome, cargo, cargo_wasm, own_flags, root, run};
 use crate::node::{self, Tool};
 use crate::site;
@@ -34,6 +35,13 @@ const CHECKS: &[Check] = &[
         what: "layout of the Rust code",
         set_up: tools::components,
         work: fmt,
+    },
+    Check {
+        group: "rust",
+        name: "circles",
+        what: "no circle of imports among the files of a crate",
+        set_up: nothing,
+        work: circles::gate,
     },
     Check {
         group: "rust",
@@ -103,7 +111,8 @@ const CHECKS: &[Check] = &[
     },
 ];
 
-/// Runs the checks whose group or name is among `wanted`, or all but those [`ON_DEMAND`]; stops at the first that fails.
+/// Runs the checks whose group or name is among `wanted`, or all but those [`ON_DEMAND`]; stops at the first that
+/// fails.
 pub fn test(steps: &mut Steps, wanted: &[String]) -> Outcome {
     if let Some(word) = wanted.iter().find(|word| !CHECKS.iter().any(|check| check.is(word))) {
         return Err(format!("there is no check `{word}`; there are:\n{}", list()).into());

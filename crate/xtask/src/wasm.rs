@@ -119,8 +119,8 @@ fn hash(folders: &[PathBuf]) -> Outcome<String> {
     Ok(hash.text())
 }
 
-/// Builds modules into `pkg`. While one is compiled, which takes one core at its end, the one before it is bound and made
-/// smaller.
+/// Builds modules into `pkg`. While one is compiled, which takes one core at its end, the one before it is bound and
+/// made smaller.
 fn make(modules: &[Stale], pkg: &Path) -> Outcome {
     let made = target().join("xtask/pkg");
     fs::create_dir_all(&made)?;
