@@ -1,13 +1,15 @@
 //! How a shape is bent.
 
 use glam::DVec2;
+use serde::{Deserialize, Serialize};
 
 use crate::error::BendError;
 use crate::mesh::Mesh;
 use crate::shuffle::spin::Spin;
 
 /// How much the small parts answer: delta of Fujimoto et al., eq 13. 0 or more, in no unit.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+#[serde(untagged)]
 pub enum Roughness {
     /// The same all over.
     Constant(f64),
@@ -49,7 +51,8 @@ impl Roughness {
 }
 
 /// What keeps neighbouring pieces together.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Continuity {
     /// What suits the shape: corners where there are any, nothing for trees, else the splat.
     #[default]

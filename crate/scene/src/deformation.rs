@@ -1,5 +1,6 @@
 //! What a document says of bending.
 
+use frond_deform::{Continuity, Roughness, Spin};
 use serde::{Deserialize, Serialize};
 
 /// The most control points along a side of the mesh.
@@ -31,48 +32,6 @@ pub enum Subject {
     Shape,
     /// A picture on the unit square. The picture itself is not part of a document.
     Picture,
-}
-
-/// How a displacement turns with the piece it is given to.
-#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum SpinName {
-    /// Not at all.
-    #[default]
-    None,
-    /// By the orthogonal polar factor.
-    Orthogonal,
-    /// By its rotation.
-    Rotation,
-    /// By A / ||A||.
-    Scaled,
-}
-
-/// What keeps neighbouring pieces together.
-#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum ContinuityName {
-    /// What fits the shape.
-    #[default]
-    Auto,
-    /// Corners that they share.
-    Corners,
-    /// A splat for each level.
-    Splat,
-    /// Nothing.
-    Raw,
-    /// Averages and a Delaunay triangulation.
-    Average,
-}
-
-/// The roughness: one for all, or one at each corner of the box (lower left, lower right, upper left, upper right).
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum RoughnessValue {
-    /// The same everywhere.
-    Constant(f64),
-    /// Blended between the corners.
-    Corners([f64; 4]),
 }
 
 /// A colour function: sRGB colours "#rrggbb", one a control point, shuffled on its own.
@@ -129,11 +88,11 @@ pub struct Deformation {
     /// The detail.
     pub ke: f64,
     /// The roughness.
-    pub delta: RoughnessValue,
+    pub delta: Roughness,
     /// How displacements turn.
-    pub spin: SpinName,
+    pub spin: Spin,
     /// What keeps pieces together.
-    pub continuity: ContinuityName,
+    pub continuity: Continuity,
     /// Whether all terms are summed.
     pub superposed: bool,
     /// Colours that are carried along.
@@ -158,9 +117,9 @@ impl Deformation {
             looped: true,
             kb: 0.0,
             ke: 9.0,
-            delta: RoughnessValue::Constant(0.75),
-            spin: SpinName::None,
-            continuity: ContinuityName::Auto,
+            delta: Roughness::Constant(0.75),
+            spin: Spin::None,
+            continuity: Continuity::Auto,
             superposed: true,
             tint: None,
         }

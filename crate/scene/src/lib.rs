@@ -12,15 +12,12 @@ mod scene;
 mod space;
 
 pub use curve::{Curve, CurveEdge, CurveShape, Curves};
-pub use deformation::{
-    ContinuityName, Deformation, Key, MAX_KEYS, MAX_SIDE, RoughnessValue, SpinName, Subject, Tint, Tool,
-};
+pub use deformation::{Deformation, Key, MAX_KEYS, MAX_SIDE, Subject, Tint, Tool};
 pub use fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS};
 pub use link::{LinkError, MAX_LINK, VERSION, decode, encode};
 pub use preset::{Preset, Row, preset, presets};
 pub use scene::{
-    Colouring, FamilyName, LocusView, MAX_WAY_POINTS, ModeName, Path, PathKind, Scene, Shape, WayPoint,
-    Window,
+    Colouring, FamilyName, LocusView, MAX_WAY_POINTS, Path, PathKind, Scene, Shape, WayPoint, Window,
 };
 pub use space::{
     CourseName, EaseName, FileError, Film, FilmError, Held, MAX_KEYS3, MAX_OBJECTS3, MAX_PACKED, MeetExample,

@@ -13,13 +13,13 @@
 
 use std::fmt::Write as _;
 
-use frond_core::{IfsError, MAX_MAPS};
+use frond_core::{IfsError, MAX_MAPS, Mode};
 use frond_fit::PackError;
 use thiserror::Error;
 
 use crate::deformation::Tool;
 use crate::preset::{Row, preset};
-use crate::scene::{Colouring, ModeName, PathKind, Scene, Shape, Window};
+use crate::scene::{Colouring, PathKind, Scene, Shape, Window};
 
 mod deform;
 mod fit;
@@ -129,7 +129,7 @@ fn write(scene: &Scene) -> Result<String, LinkError> {
     for (key, shape) in [("a", &scene.a), ("b", &scene.b)] {
         write_shape(&mut link, key, shape);
     }
-    if scene.mode == ModeName::Linear {
+    if scene.mode == Mode::Linear {
         link.push_str("&mode=linear");
     }
     let kind = match scene.path.kind {
@@ -227,7 +227,7 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
             shape.ifs().map_err(|source| LinkError::Shape { end, source })?;
         }
     }
-    scene.mode = choice("mode", get("mode"), &[("polar", ModeName::Polar), ("linear", ModeName::Linear)])?;
+    scene.mode = choice("mode", get("mode"), &[("polar", Mode::Polar), ("linear", Mode::Linear)])?;
     if let Some(text) = get("path") {
         let (kind, points) = text.split_once(':').unwrap_or((text, ""));
         let kinds = [("auto", PathKind::Auto), ("straight", PathKind::Straight), ("drawn", PathKind::Drawn)];

@@ -170,26 +170,6 @@ pub enum Colouring {
     Grid,
 }
 
-/// How the linear parts are interpolated: [`Mode`] as it is written in documents.
-#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum ModeName {
-    /// By polar factors.
-    #[default]
-    Polar,
-    /// Element by element.
-    Linear,
-}
-
-impl From<ModeName> for Mode {
-    fn from(name: ModeName) -> Self {
-        match name {
-            ModeName::Polar => Self::Polar,
-            ModeName::Linear => Self::Linear,
-        }
-    }
-}
-
 /// The part of the plane that is looked at.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Window {
@@ -210,7 +190,7 @@ pub struct Scene {
     pub b: Shape,
     /// How the linear parts are interpolated.
     #[serde(default)]
-    pub mode: ModeName,
+    pub mode: Mode,
     /// The way from the first to the last.
     #[serde(default)]
     pub path: Path,
@@ -263,7 +243,7 @@ impl Default for Scene {
         Self {
             a: shape("dragon-3"),
             b: shape("gasket"),
-            mode: ModeName::Polar,
+            mode: Mode::Polar,
             path: Path::default(),
             t: 0.0,
             correspondence: Vec::new(),
@@ -286,7 +266,7 @@ impl Scene {
     #[must_use]
     pub fn morph_options(&self) -> MorphOptions {
         MorphOptions {
-            mode: self.mode.into(),
+            mode: self.mode,
             correspondence: self.correspondence.clone(),
             turns: self.turns.clone(),
         }

@@ -1,9 +1,11 @@
 //! What may be chosen about a morph, and what can be wrong with it.
 
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// How the linear parts are interpolated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Mode {
     /// The polar factors: the angle turns, the stretch is interpolated element by element (Burch & Hart
     /// 1997, eq 6).

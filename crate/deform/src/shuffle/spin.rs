@@ -2,10 +2,12 @@
 
 use frond_core::{Affine2, Polar2};
 use glam::{DMat2, DVec2};
+use serde::{Deserialize, Serialize};
 
 /// How the displacement of a piece follows the turns of the maps that lead to it, so that every leaflet of a fern
 /// sways about its own stem (Fujimoto et al., section 5.3, examples 2 and 3).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Spin {
     /// It does not: displacements keep their direction.
     #[default]

@@ -1,11 +1,13 @@
 //! What colour a piece has: the CPU twin of `shader/colour.wgsl`.
 
 use bytemuck::{Pod, Zeroable};
+use serde::Deserialize;
 
 use crate::pieces::letters::Letters;
 
 /// How pieces are coloured.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
 pub enum Colouring {
     /// Each map has a colour.
     #[default]

@@ -8,11 +8,11 @@
 
 use std::fmt::Write as _;
 
+use frond_deform::{Continuity, Roughness, Spin};
+
 use super::LinkError;
 use super::words::{choice, damaged, number, numbers, read_numbers, read_some, within};
-use crate::deformation::{
-    ContinuityName, Deformation, Key, MAX_KEYS, MAX_SIDE, RoughnessValue, SpinName, Subject, Tint,
-};
+use crate::deformation::{Deformation, Key, MAX_KEYS, MAX_SIDE, Subject, Tint};
 
 /// Lengths beyond are a mistake.
 const FAR: f64 = 1e100;
@@ -22,18 +22,18 @@ const DEEP: f64 = 64.0;
 const ROUGH: f64 = 1e6;
 const SECONDS: std::ops::RangeInclusive<f64> = 0.5..=60.0;
 
-const SPINS: [(&str, SpinName); 4] = [
-    ("none", SpinName::None),
-    ("orthogonal", SpinName::Orthogonal),
-    ("rotation", SpinName::Rotation),
-    ("scaled", SpinName::Scaled),
+const SPINS: [(&str, Spin); 4] = [
+    ("none", Spin::None),
+    ("orthogonal", Spin::Orthogonal),
+    ("rotation", Spin::Rotation),
+    ("scaled", Spin::Scaled),
 ];
-const JOINS: [(&str, ContinuityName); 5] = [
-    ("auto", ContinuityName::Auto),
-    ("corners", ContinuityName::Corners),
-    ("splat", ContinuityName::Splat),
-    ("raw", ContinuityName::Raw),
-    ("average", ContinuityName::Average),
+const JOINS: [(&str, Continuity); 5] = [
+    ("auto", Continuity::Auto),
+    ("corners", Continuity::Corners),
+    ("splat", Continuity::Splat),
+    ("raw", Continuity::Raw),
+    ("average", Continuity::Average),
 ];
 const TERMS: [(&str, bool); 2] = [("all", true), ("last", false)];
 
@@ -46,8 +46,8 @@ pub(super) fn write_deform(link: &mut String, deform: &Deformation) {
     let Deformation { columns, rows, .. } = deform;
     let _ = write!(link, "&mesh={columns}x{rows}:{}", numbers(&deform.bounds));
     let delta = match deform.delta {
-        RoughnessValue::Constant(delta) => vec![delta],
-        RoughnessValue::Corners(deltas) => deltas.to_vec(),
+        Roughness::Constant(delta) => vec![delta],
+        Roughness::Corners(deltas) => deltas.to_vec(),
     };
     let _ = write!(link, "&bend={}", numbers(&[&[deform.kb, deform.ke], &delta[..]].concat()));
     let _ = write!(link, "&keys={}", deform.keys.iter().map(key).collect::<Vec<_>>().join(";"));
@@ -138,17 +138,17 @@ pub(super) fn read_deform<'a>(
     Ok(Some(deform))
 }
 
-fn read_bend(text: &str) -> Result<(f64, f64, RoughnessValue), LinkError> {
+fn read_bend(text: &str) -> Result<(f64, f64, Roughness), LinkError> {
     let list: Option<Vec<f64>> = text.split(',').take(7).map(|part| part.parse().ok()).collect();
     let (kb, ke, delta) = match list.as_deref() {
-        Some(&[kb, ke, delta]) => (kb, ke, RoughnessValue::Constant(delta)),
-        Some(&[kb, ke, a, b, c, d]) => (kb, ke, RoughnessValue::Corners([a, b, c, d])),
+        Some(&[kb, ke, delta]) => (kb, ke, Roughness::Constant(delta)),
+        Some(&[kb, ke, a, b, c, d]) => (kb, ke, Roughness::Corners([a, b, c, d])),
         _ => return Err(damaged("bend", text)),
     };
     let rough = |delta: &f64| (0.0..=ROUGH).contains(delta);
     let fits = match &delta {
-        RoughnessValue::Constant(delta) => rough(delta),
-        RoughnessValue::Corners(deltas) => deltas.iter().all(rough),
+        Roughness::Constant(delta) => rough(delta),
+        Roughness::Corners(deltas) => deltas.iter().all(rough),
     };
     let deep = (0.0..=DEEP).contains(&ke) && (0.0..=ke).contains(&kb);
     if fits && deep { Ok((kb, ke, delta)) } else { Err(damaged("bend", text)) }

@@ -1,5 +1,6 @@
 //! Tests of links.
 
+use frond_deform::{Continuity, Roughness, Spin};
 use proptest::prelude::*;
 
 use super::*;
@@ -116,11 +117,11 @@ prop_compose! {
         times in proptest::collection::btree_set(0..1000_u32, 1..5),
         (kb, more) in prop_oneof![Just((0.0, 9.0)), (0.0..4.0_f64, 0.0..4.0_f64)],
         delta in prop_oneof![
-            (0.0..2.0_f64).prop_map(RoughnessValue::Constant),
-            proptest::array::uniform4(0.0..2.0_f64).prop_map(RoughnessValue::Corners)
+            (0.0..2.0_f64).prop_map(Roughness::Constant),
+            proptest::array::uniform4(0.0..2.0_f64).prop_map(Roughness::Corners)
         ],
-        spin in proptest::sample::select(vec![SpinName::None, SpinName::Orthogonal, SpinName::Rotation, SpinName::Scaled]),
-        continuity in proptest::sample::select(vec![ContinuityName::Auto, ContinuityName::Corners, ContinuityName::Splat, ContinuityName::Raw, ContinuityName::Average]),
+        spin in proptest::sample::select(vec![Spin::None, Spin::Orthogonal, Spin::Rotation, Spin::Scaled]),
+        continuity in proptest::sample::select(vec![Continuity::Auto, Continuity::Corners, Continuity::Splat, Continuity::Raw, Continuity::Average]),
         flags: [bool; 5],
         phase in 0.0..=1.0_f64,
         seconds in 0.5..=60.0_f64,
@@ -189,7 +190,7 @@ prop_compose! {
         let maps = a.maps.len().max(b.maps.len());
         Scene {
             a, b, t, colouring, compare,
-            mode: if linear { ModeName::Linear } else { ModeName::Polar },
+            mode: if linear { Mode::Linear } else { Mode::Polar },
             path: Path { kind, points },
             correspondence: if reversed { (0..maps).rev().collect() } else { Vec::new() },
             turns: if turn == 0 { Vec::new() } else { vec![turn; maps] },

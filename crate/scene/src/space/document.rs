@@ -1,9 +1,9 @@
 //! What there is in space.
 
-use frond_core::{Affine3, Course, Ease, Ifs3, IfsError, MAX_MAPS, MorphOptions};
+use frond_core::{Affine3, Course, Ease, Ifs3, IfsError, MAX_MAPS, Mode, MorphOptions};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::scene::{ModeName, Path};
+use crate::scene::Path;
 use crate::space::natural::natural_scene;
 use crate::space::part::{Held, SpaceView};
 use crate::space::preset::{Row3, preset3};
@@ -153,7 +153,7 @@ pub struct SpaceMorph {
     pub to: Shape3,
     /// How the linear parts are interpolated.
     #[serde(default)]
-    pub mode: ModeName,
+    pub mode: Mode,
     /// The way there.
     #[serde(default)]
     pub path: Path,
@@ -173,7 +173,7 @@ impl SpaceMorph {
     #[must_use]
     pub fn options(&self) -> MorphOptions {
         MorphOptions {
-            mode: self.mode.into(),
+            mode: self.mode,
             correspondence: self.correspondence.clone(),
             turns: self.turns.clone(),
         }

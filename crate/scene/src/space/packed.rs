@@ -11,10 +11,11 @@
 
 use std::fmt::Write as _;
 
+use frond_core::Mode;
 use thiserror::Error;
 
 use crate::link::words::{escape, number, numbers, tidy, unescape};
-use crate::scene::{MAX_WAY_POINTS, ModeName, Path, PathKind, WayPoint};
+use crate::scene::{MAX_WAY_POINTS, Path, PathKind, WayPoint};
 use crate::space::document::{
     CourseName, EaseName, MAX_KEYS3, MAX_OBJECTS3, PAGE, PaintName, Repeat, Shape3, Space, SpaceKey,
     SpaceLight, SpaceMorph, SpaceObject, Timeline,
@@ -170,7 +171,7 @@ fn write_shape(word: &mut String, shape: &Shape3) {
 fn write_morph(word: &mut String, morph: &SpaceMorph) {
     word.push_str("/to:");
     write_shape(word, &morph.to);
-    if morph.mode == ModeName::Linear {
+    if morph.mode == Mode::Linear {
         word.push_str("/mode:linear");
     }
     if morph.path != Path::default() {
@@ -250,7 +251,7 @@ pub fn unpack(word: &str) -> Result<Space, PackedError> {
                 Some(())
             }
             "to" => read_shape(text).map(|(to, _)| {
-                let (mode, path) = (ModeName::Polar, Path::default());
+                let (mode, path) = (Mode::Polar, Path::default());
                 space.morph = Some(SpaceMorph {
                     to,
                     mode,
@@ -327,7 +328,7 @@ fn read_light(text: &str) -> Option<SpaceLight> {
 
 fn read_choice(morph: &mut SpaceMorph, key: &str, text: &str) -> Option<()> {
     match key {
-        "mode" => morph.mode = choice(&[("polar", ModeName::Polar), ("linear", ModeName::Linear)], text)?,
+        "mode" => morph.mode = choice(&[("polar", Mode::Polar), ("linear", Mode::Linear)], text)?,
         "way" => {
             let mut parts = text.split(';');
             morph.path.kind = choice(&KINDS, parts.next()?)?;

@@ -9,32 +9,6 @@ use crate::boundary::error::{bad_input, failure};
 use crate::boundary::look::read_palette;
 use crate::boundary::value::read;
 
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
-#[serde(rename_all = "lowercase")]
-enum SpinName {
-    None,
-    Orthogonal,
-    Rotation,
-    Scaled,
-}
-
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
-#[serde(rename_all = "lowercase")]
-enum ContinuityName {
-    Auto,
-    Corners,
-    Splat,
-    Raw,
-    Average,
-}
-
-#[derive(Clone, Debug, Deserialize, PartialEq)]
-#[serde(untagged)]
-enum Delta {
-    Constant(f64),
-    Corners([f64; 4]),
-}
-
 #[derive(Clone, Debug, Deserialize, PartialEq)]
 struct PlainTint {
     colours: Vec<String>,
@@ -54,9 +28,9 @@ pub(crate) struct PlainBend {
     moves: Vec<f64>,
     kb: f64,
     ke: f64,
-    delta: Delta,
-    spin: SpinName,
-    continuity: ContinuityName,
+    delta: Roughness,
+    spin: Spin,
+    continuity: Continuity,
     superposed: bool,
     tint: Option<PlainTint>,
 }
@@ -93,23 +67,9 @@ impl PlainBend {
         let settings = Settings {
             kb: self.kb,
             ke: self.ke,
-            roughness: match self.delta {
-                Delta::Constant(delta) => Roughness::Constant(delta),
-                Delta::Corners(deltas) => Roughness::Corners(deltas),
-            },
-            spin: match self.spin {
-                SpinName::None => Spin::None,
-                SpinName::Orthogonal => Spin::Orthogonal,
-                SpinName::Rotation => Spin::Rotation,
-                SpinName::Scaled => Spin::Scaled,
-            },
-            continuity: match self.continuity {
-                ContinuityName::Auto => Continuity::Auto,
-                ContinuityName::Corners => Continuity::Corners,
-                ContinuityName::Splat => Continuity::Splat,
-                ContinuityName::Raw => Continuity::Raw,
-                ContinuityName::Average => Continuity::Average,
-            },
+            roughness: self.delta,
+            spin: self.spin,
+            continuity: self.continuity,
             superposed: self.superposed,
         };
         let tint = self.tint.as_ref().map(read_tint).transpose()?;

@@ -1,31 +1,8 @@
-//! How a picture is coloured.
+//! Colours.
 
-use frond_render::Colouring;
-use serde::Deserialize;
 use wasm_bindgen::JsValue;
 
 use crate::boundary::error::bad_input;
-
-#[derive(Clone, Copy, Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub(crate) enum ColouringName {
-    #[default]
-    Map,
-    Address,
-    Density,
-    Grid,
-}
-
-impl From<ColouringName> for Colouring {
-    fn from(name: ColouringName) -> Self {
-        match name {
-            ColouringName::Map => Self::Map,
-            ColouringName::Address => Self::Address,
-            ColouringName::Density => Self::Density,
-            ColouringName::Grid => Self::Grid,
-        }
-    }
-}
 
 /// Colours "#rrggbb".
 pub(crate) fn read_palette(colours: &[String]) -> Result<Vec<[u8; 3]>, JsValue> {

@@ -83,18 +83,10 @@ pub(crate) fn point(p: DVec2) -> [f64; 2] {
     p.to_array()
 }
 
-#[derive(Deserialize, Default)]
-#[serde(rename_all = "lowercase")]
-enum ModeName {
-    #[default]
-    Polar,
-    Linear,
-}
-
 #[derive(Deserialize)]
 struct PlainMorph {
     #[serde(default)]
-    mode: ModeName,
+    mode: Mode,
     #[serde(default)]
     correspondence: Vec<usize>,
     #[serde(default)]
@@ -103,12 +95,8 @@ struct PlainMorph {
 
 /// The fields `mode`, `correspondence` and `turns` of an object, all of which may be absent.
 pub(crate) fn read_morph_options(options: &JsValue) -> Result<MorphOptions, JsValue> {
-    let plain: PlainMorph = read("The options", options.clone())?;
-    let mode = match plain.mode {
-        ModeName::Polar => Mode::Polar,
-        ModeName::Linear => Mode::Linear,
-    };
-    Ok(MorphOptions { mode, correspondence: plain.correspondence, turns: plain.turns })
+    let PlainMorph { mode, correspondence, turns } = read("The options", options.clone())?;
+    Ok(MorphOptions { mode, correspondence, turns })
 }
 
 /// The family between two IFS objects, by the fields of `options` that [`read_morph_options`] reads.

@@ -1,13 +1,13 @@
 //! Pictures without a canvas.
 
-use frond_render::{RasterOptions, View, rasterize as draw};
+use frond_render::{Colouring, RasterOptions, View, rasterize as draw};
 use js_sys::Uint8ClampedArray;
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::bend::bend_on;
 use crate::boundary::error::failure;
-use crate::boundary::look::{ColouringName, read_palette};
+use crate::boundary::look::read_palette;
 use crate::boundary::value::{read, read_ifs};
 
 #[derive(Deserialize)]
@@ -23,7 +23,7 @@ struct Plain {
     height: f64,
     view: Option<PlainView>,
     #[serde(default)]
-    colouring: ColouringName,
+    colouring: Colouring,
     #[serde(default)]
     palette: Vec<String>,
     smooth: Option<bool>,
@@ -47,7 +47,7 @@ pub fn rasterize(
         width: plain.width as u32,
         height: plain.height as u32,
         view: plain.view.map(|view| View { x: view.x, y: view.y, scale: view.scale }),
-        colouring: plain.colouring.into(),
+        colouring: plain.colouring,
         palette: &palette,
         smooth: plain.smooth.unwrap_or(true),
         exposure: plain.exposure.unwrap_or(1.0),

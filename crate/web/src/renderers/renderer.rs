@@ -2,15 +2,15 @@
 
 use frond_core::{Affine2, Ifs};
 use frond_deform::{Bend, Continuity, Settings};
-use frond_render::View;
 use frond_render::gpu::{Drawn, Make, Stage, Style};
+use frond_render::{Colouring, View};
 use js_sys::{Promise, Reflect, global};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::bend::{PlainBend, of_bend};
 use crate::boundary::error::{bad_input, of_ifs};
-use crate::boundary::look::{ColouringName, read_palette};
+use crate::boundary::look::read_palette;
 use crate::boundary::photo::read_photo;
 use crate::boundary::value::{object, read};
 use crate::renderers::canvas::{Held, open, pixels_of};
@@ -30,7 +30,7 @@ pub struct Renderer {
 #[derive(Deserialize)]
 struct PlainStyle {
     #[serde(default)]
-    colouring: ColouringName,
+    colouring: Colouring,
     #[serde(default)]
     palette: Vec<String>,
     exposure: Option<f32>,
@@ -161,7 +161,7 @@ impl Renderer {
     ) -> Result<(), JsValue> {
         let plain: PlainStyle = read("The style", style)?;
         self.stage.set_style(Style {
-            colouring: plain.colouring.into(),
+            colouring: plain.colouring,
             palette: read_palette(&plain.palette)?,
             exposure: plain.exposure.unwrap_or(1.0),
         });

@@ -277,7 +277,7 @@ fn a_morph_goes_along_its_path_and_its_keys() {
     let path = Path { points, ..Path::default() };
     let morph = SpaceMorph {
         to: to.clone(),
-        mode: crate::scene::ModeName::Polar,
+        mode: frond_core::Mode::Polar,
         path,
         t: 1.0,
         correspondence: Vec::new(),

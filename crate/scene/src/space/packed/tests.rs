@@ -53,7 +53,7 @@ fn any_space() -> impl Strategy<Value = Space> {
         proptest::option::of((any_shape(), 0.0..=1.0_f64, any::<bool>()).prop_map(|(to, t, linear)| {
             let points = vec![WayPoint { u: t, v: 0.3, w: 0.0 }, WayPoint { u: 0.7, v: t, w: 0.25 }];
             let kind = if linear { PathKind::Drawn } else { PathKind::Straight };
-            let mode = if linear { ModeName::Linear } else { ModeName::Polar };
+            let mode = if linear { Mode::Linear } else { Mode::Polar };
             SpaceMorph {
                 to,
                 mode,
