@@ -3,9 +3,17 @@
 #[cfg(any(feature = "compute", feature = "curve", feature = "webgpu", feature = "webgl2"))]
 pub(crate) mod bend;
 pub(crate) mod error;
+#[cfg(any(feature = "proof", feature = "space"))]
+pub(crate) mod grid;
 pub(crate) mod look;
+#[cfg(any(feature = "proof", feature = "space"))]
+pub(crate) mod path;
 #[cfg(any(feature = "compute", feature = "curve", feature = "webgpu", feature = "webgl2"))]
 pub(crate) mod photo;
 #[cfg(any(feature = "compute", feature = "proof"))]
 pub(crate) mod polygon;
+#[cfg(any(feature = "proof", feature = "space"))]
+pub(crate) mod resolution;
+#[cfg(feature = "space")]
+pub(crate) mod space;
 pub(crate) mod value;

@@ -3,6 +3,7 @@
 mod closed_curve;
 mod file;
 mod graph;
+mod measure;
 mod morph;
 mod read;
 

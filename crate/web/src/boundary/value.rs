@@ -104,3 +104,8 @@ pub(crate) fn read_morph(from: &JsValue, to: &JsValue, options: &JsValue) -> Res
     let (from, to) = (read_maps(from)?, read_maps(to)?);
     Morph::new(&from, &to, &read_morph_options(options)?).map_err(|error| of_morph(&error))
 }
+
+/// A list that is too long, before its entries are read.
+pub(crate) fn longer_than(value: &JsValue, most: usize) -> Option<usize> {
+    value.dyn_ref::<Array>().map(|list| list.length() as usize).filter(|&length| length > most)
+}

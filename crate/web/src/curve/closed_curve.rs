@@ -1,24 +1,15 @@
 //! Closed curves made of smaller copies of their own arcs, from JavaScript.
 
-use frond_fit::{ClosedCurve, MAX_TEXT, PackError, box_slope_of, spectral_norm};
+use frond_fit::{ClosedCurve, MAX_TEXT, PackError, spectral_norm};
 use frond_scene::Curve;
 use glam::DVec2;
-use js_sys::Array;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
+use super::measure::{COUNTED, MOST_COUNTED, diagonal, dimension};
 use super::read::{self, read_curve};
 use crate::boundary::error::failure;
 use crate::boundary::value::{Row, object, write};
-
-/// Where boxes are counted, in parts of the box's diagonal: as for outlines.
-const BOXES: [f64; 5] = [64.0, 90.5, 128.0, 181.0, 256.0];
-
-/// The parts of the box's diagonal that a polyline is true to which is counted, measured or looked through for crossings.
-pub(super) const COUNTED: f64 = 1.0 / 2000.0;
-
-/// The most points of such a polyline.
-pub(super) const MOST_COUNTED: usize = 1 << 17;
 
 fn of_pack(error: PackError) -> JsValue {
     failure(error.code(), &error.to_string())
@@ -70,11 +61,6 @@ pub fn quantised(#[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue)
     write_curve(&read_curve(&curve)?.quantised().map_err(of_pack)?)
 }
 
-/// The box dimension that a closed polyline seems to have between 1/64 and 1/256 of its box's diagonal.
-pub(super) fn dimension(points: &[DVec2], diagonal: f64) -> f64 {
-    if diagonal > 0.0 { box_slope_of(points, true, &BOXES.map(|parts| diagonal / parts)) } else { 0.0 }
-}
-
 fn length(points: &[DVec2]) -> f64 {
     points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| a.distance(*b)).sum()
 }
@@ -93,7 +79,7 @@ pub fn curve_facts(
 ) -> Result<JsValue, JsValue> {
     let curve = read_curve(&curve)?;
     let woven = read::woven(&curve)?;
-    let diagonal = super::morph::diagonal(&woven);
+    let diagonal = diagonal(&woven);
     let points: Vec<_> =
         woven.trace(COUNTED * diagonal, None, MOST_COUNTED).into_iter().map(|(_, p)| p).collect();
     let norms = (0..curve.knots.len()).filter_map(|i| curve.map(i)).map(|(linear, _)| spectral_norm(linear));
@@ -141,9 +127,4 @@ pub fn curve_maps(
         })
         .collect();
     write(&edges)
-}
-
-/// A list that is too long, before its entries are read.
-pub(super) fn longer_than(value: &JsValue, most: usize) -> Option<usize> {
-    value.dyn_ref::<Array>().map(|list| list.length() as usize).filter(|&length| length > most)
 }

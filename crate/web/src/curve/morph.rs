@@ -7,7 +7,7 @@ use js_sys::{Float64Array, Int32Array, Uint32Array};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use super::closed_curve::{COUNTED, MOST_COUNTED, dimension};
+use super::measure::{COUNTED, MOST_COUNTED, diagonal, dimension};
 use super::read::{of_morph, read_curve};
 use crate::boundary::bend::{PlainBend, of_bend};
 use crate::boundary::error::bad_input;
@@ -22,11 +22,6 @@ const CROSSED: f64 = 1.0 / 500.0;
 
 /// The most crossings that are counted.
 const MOST_CROSSINGS: usize = 10_000;
-
-pub(super) fn diagonal(woven: &MorphedCurve) -> f64 {
-    let [left, bottom, right, top] = woven.bounds();
-    f64::hypot(right - left, top - bottom)
-}
 
 #[derive(Deserialize)]
 struct View {

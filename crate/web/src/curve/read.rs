@@ -8,9 +8,8 @@ use frond_scene::Curve;
 use js_sys::Reflect;
 use wasm_bindgen::JsValue;
 
-use super::closed_curve::longer_than;
 use crate::boundary::error::{bad_input, failure};
-use crate::boundary::value::read;
+use crate::boundary::value::{longer_than, read};
 
 /// What is wrong with a curve. Knots and edges count from 1 in messages.
 #[derive(Clone, Copy, Debug, PartialEq)]

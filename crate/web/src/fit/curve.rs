@@ -2,20 +2,17 @@
 //!
 //! Outlines cross the boundary as flat arrays x0, y0, x1, y1, .. with y pointing up; the closing point is not repeated.
 
-mod collage;
-
-pub use collage::*;
-
 use frond_fit::{
-    ArcCopy, ClosedCurve, CollageOptions, Fidelity, Fitter, Outline, OutlineError, PackError, Stage, bezier,
-    crossings, features, fidelity, fourier, island, least_squares_polyline, maple_leaf, oak_leaf,
-    split_polyline,
+    ArcCopy, ClosedCurve, CollageOptions, Fitter, Outline, OutlineError, PackError, Stage, bezier, crossings,
+    features, fourier, island, least_squares_polyline, maple_leaf, oak_leaf, split_polyline,
 };
 use glam::DVec2;
-use js_sys::{Date, Float64Array};
+use js_sys::Date;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
+use super::collage::{collage_of, pieces_of};
+use super::outline::{self, figures, flat, of_outline, outline_of};
 use crate::boundary::error::{bad_input, failure};
 use crate::boundary::value::{object, read, write};
 
@@ -29,19 +26,6 @@ const WIDEST: f64 = 0.02;
 const FINE: f64 = 1e-4;
 const LEVELS: usize = 12;
 
-fn flat(points: &[DVec2]) -> JsValue {
-    let numbers: Vec<f64> = points.iter().flat_map(|p| p.to_array()).collect();
-    Float64Array::from(&numbers[..]).into()
-}
-
-fn of_outline(error: &OutlineError) -> JsValue {
-    failure(error.code(), &error.to_string())
-}
-
-fn outline_of(flat: &[f64]) -> Result<Outline, JsValue> {
-    Outline::new(&super::points(flat)?).map_err(|error| of_outline(&error))
-}
-
 /// The outline that is fitted: thinned where it is finer than can be seen, and smoothed by 0 to 1.
 fn prepared(points: &[DVec2], smoothing: f64) -> Result<Outline, OutlineError> {
     let mut outline = Outline::new(points)?;
@@ -54,27 +38,6 @@ fn prepared(points: &[DVec2], smoothing: f64) -> Result<Outline, OutlineError> {
         outline = Outline::new(outline.smoothed(width).points())?;
     }
     Ok(outline)
-}
-
-#[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
-struct Figures {
-    rms: f64,
-    hausdorff: f64,
-    length_ratio: f64,
-    outline_slope: f64,
-    fit_slope: f64,
-}
-
-impl From<Fidelity> for Figures {
-    fn from(f: Fidelity) -> Self {
-        let Fidelity { rms, hausdorff, length_ratio, outline_slope, fit_slope } = f;
-        Self { rms, hausdorff, length_ratio, outline_slope, fit_slope }
-    }
-}
-
-fn figures(outline: &Outline, fit: &[DVec2]) -> Result<JsValue, JsValue> {
-    write(&Figures::from(fidelity(outline, fit)))
 }
 
 /// An edge of a curve, as in `api.d.ts`.
@@ -149,7 +112,7 @@ fn noisy(points: &[DVec2], seed: u32) -> Vec<DVec2> {
 /// points at most. `crossings` counts where it crosses itself, up to 99; null where it is too tangled to tell.
 #[wasm_bindgen(js_name = prepareOutline)]
 pub fn prepare_outline(points: &[f64], smoothing: f64) -> Result<JsValue, JsValue> {
-    let outline = prepared(&super::points(points)?, smoothing).map_err(|error| of_outline(&error))?;
+    let outline = prepared(&outline::points(points)?, smoothing).map_err(|error| of_outline(&error))?;
     let crossed = crossings(outline.points(), 99).map(|found| found.len());
     Ok(object(&[
         ("points", flat(outline.points())),
@@ -267,8 +230,8 @@ pub fn rival_fit(points: &[f64], method: &str, numbers: u32) -> Result<JsValue, 
         }
         "collage" => {
             let options = CollageOptions { maps: (numbers / 10).max(2), ..CollageOptions::default() };
-            let fit = collage::collage_of(&outline, 9 * options.maps, &options)?;
-            (fit.numbers(), collage::pieces_of(&fit).concat())
+            let fit = collage_of(&outline, 9 * options.maps, &options)?;
+            (fit.numbers(), pieces_of(&fit).concat())
         }
         _ => return Err(bad_input("The method", "split, squares, fourier, bezier and collage are there")),
     };

@@ -12,6 +12,7 @@ use js_sys::{Array, Float64Array, Uint32Array};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
+use super::outline;
 use crate::boundary::error::{bad_input, failure};
 use crate::boundary::value::{object, read, write};
 
@@ -30,7 +31,7 @@ fn of_function(error: FunctionError) -> JsValue {
 }
 
 pub(super) fn features(flat: &[f64]) -> Result<Features, JsValue> {
-    Features::new(&super::points(flat)?).map_err(of_hough)
+    Features::new(&outline::points(flat)?).map_err(of_hough)
 }
 
 fn flat(features: &Features) -> Float64Array {
@@ -69,7 +70,7 @@ fn write_progress(HoughProgress { share, votes }: HoughProgress) -> JsValue {
 /// any order; those that are not finite are left out.
 #[wasm_bindgen(js_name = seriesFeatures)]
 pub fn series_features(points: &[f64], count: f64, smoothing: f64) -> Result<Float64Array, JsValue> {
-    let series = Series::new(&super::points(points)?).map_err(of_hough)?;
+    let series = Series::new(&outline::points(points)?).map_err(of_hough)?;
     Ok(flat(&series.features(count as usize, smoothing).map_err(of_hough)?))
 }
 

@@ -5,8 +5,10 @@ use js_sys::{Object, Reflect};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
+use super::collage::collage_fit;
+use super::curve::CurveFit;
 use super::hough::{features, hough_clusters, peaks, read_options};
-use super::{CurveFit, PictureTracer, collage_fit};
+use super::trace::PictureTracer;
 use crate::boundary::error::bad_input;
 use crate::boundary::value::{object, read, write};
 

@@ -5,8 +5,8 @@ use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::bad_input;
+use crate::boundary::path::read_path;
 use crate::boundary::value::{object, read, read_morph};
-use crate::proof::path::read_path;
 
 #[derive(Deserialize)]
 struct Certifying {

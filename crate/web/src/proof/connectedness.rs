@@ -1,21 +1,16 @@
 //! Whether a shape is in one piece.
 
 use frond_core::{Ifs, IfsError};
-use frond_locus::{BarnsleyOptions, Choice, Connectedness, IndexBuffer, IndexBufferOptions, Options};
+use frond_locus::{BarnsleyOptions, Choice, Connectedness, IndexBuffer, IndexBufferOptions};
 use glam::DVec2;
 use js_sys::Uint8Array;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::{bad_input, failure, of_ifs};
+use crate::boundary::resolution::read_options;
 use crate::boundary::value::{object, point, read, read_ifs, read_maps, write};
 use crate::proof::evidence::write_reason;
-
-#[derive(Deserialize)]
-struct Resolution {
-    epsilon: Option<f64>,
-    budget: Option<f64>,
-}
 
 /// Whether the attractor is connected, which of its pieces meet, and how wide the widest gap is. Maps without
 /// an attractor get the verdict `no-attractor`.
@@ -39,18 +34,6 @@ pub fn connectedness(
         ])),
         Err(error) => Err(of_ifs(&error)),
     }
-}
-
-pub(crate) fn read_options(options: JsValue) -> Result<Options, JsValue> {
-    let resolution: Resolution = read("The options", options)?;
-    let mut options = Options::default();
-    if let Some(epsilon) = resolution.epsilon {
-        options.epsilon = epsilon;
-    }
-    if let Some(budget) = resolution.budget {
-        options.budget = budget as usize;
-    }
-    Ok(options)
 }
 
 fn answer(found: &Connectedness) -> Result<JsValue, JsValue> {

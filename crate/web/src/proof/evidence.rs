@@ -7,8 +7,8 @@ use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::of_ifs;
+use crate::boundary::resolution::read_options;
 use crate::boundary::value::{Row, object, point, read_maps, write};
-use crate::proof::connectedness::read_options;
 
 /// A certificate that the attractor is in several pieces, or `null` where that is not proved.
 #[wasm_bindgen(unchecked_return_type = "Certificate | null")]

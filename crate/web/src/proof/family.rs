@@ -3,8 +3,8 @@
 use frond_locus::{LocusGrid, Pass, Polygons, Scratch};
 use wasm_bindgen::prelude::*;
 
+use crate::boundary::grid::{read_grid, write_tile};
 use crate::boundary::polygon::read_family;
-use crate::proof::locus::{read_grid, write_tile};
 
 /// The locus of a polygon family over s, a part at a time. For two sides it is the set M.
 #[wasm_bindgen]

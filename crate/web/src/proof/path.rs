@@ -1,13 +1,13 @@
 //! Ways through a locus.
 
 use frond_locus::{Axes, PathError, PathOptions, PathPlan, check_path};
-use glam::DVec3;
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::{bad_input, failure};
-use crate::boundary::value::{object, read, read_morph, write};
-use crate::proof::locus::{EPSILON, read_locus};
+use crate::boundary::grid::{EPSILON, read_locus};
+use crate::boundary::path::{read_path, read_samples, write_check, write_plan};
+use crate::boundary::value::{read, read_morph};
 
 #[derive(Deserialize)]
 struct Planning {
@@ -86,46 +86,6 @@ fn plan(found: Result<PathPlan, PathError>) -> Result<JsValue, JsValue> {
     write_plan(&found.map_err(|error| failure(error.code(), &error.to_string()))?)
 }
 
-pub(crate) fn write_plan(plan: &PathPlan) -> Result<JsValue, JsValue> {
-    let points: Vec<Vec<f64>> = plan.points.iter().map(|&at| parameter(at)).collect();
-    let mut fields = vec![
-        ("points", write(&points)?),
-        ("gap", plan.gap.into()),
-        ("holds", plan.holds.into()),
-        ("clearance", plan.clearance.into()),
-        ("apart", plan.apart.into()),
-        ("step", plan.step.into()),
-    ];
-    if let Some(worst) = plan.worst {
-        fields.push(("worst", write(&parameter(worst))?));
-    }
-    Ok(object(&fields))
-}
-
-/// `[u, v]` in the plane, else `[u, v, w]`.
-fn parameter(at: DVec3) -> Vec<f64> {
-    if at.z == 0.0 { vec![at.x, at.y] } else { at.to_array().to_vec() }
-}
-
-/// A path of points `[u, v]` or `[u, v, w]`.
-pub(crate) fn read_path(points: JsValue) -> Result<Vec<DVec3>, JsValue> {
-    let points: Vec<Vec<f64>> = read("The path", points)?;
-    let point = |point: Vec<f64>| match point[..] {
-        [u, v] => Some(DVec3::new(u, v, 0.0)),
-        [u, v, w] => Some(DVec3::new(u, v, w)),
-        _ => None,
-    };
-    let points = points.into_iter().map(|row| point(row).filter(|at| at.is_finite()));
-    let points: Option<Vec<DVec3>> = points.collect();
-    points.ok_or_else(|| bad_input("The path", "each point must be two or three finite numbers"))
-}
-
-#[derive(Deserialize)]
-struct Checking {
-    epsilon: Option<f64>,
-    samples: Option<f64>,
-}
-
 /// Looks along a path of (u, v) or (u, v, w) points, ends included, and tells where it breaks, as fractions of its length.
 #[wasm_bindgen(js_name = checkPath, unchecked_return_type = "PathCheck")]
 pub fn check(
@@ -138,9 +98,6 @@ pub fn check(
     options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph(&from, &to, &options)?;
-    let plain: Checking = read("The options", options)?;
-    let points = read_path(points)?;
-    let samples = plain.samples.unwrap_or(400.0).clamp(2.0, 100_000.0) as usize;
-    let found = check_path(&morph, &points, plain.epsilon.unwrap_or(EPSILON), samples);
-    Ok(object(&[("gap", found.gap.into()), ("holds", found.holds.into()), ("breaks", write(&found.breaks)?)]))
+    let (epsilon, samples) = read_samples(options, 400.0)?;
+    write_check(&check_path(&morph, &read_path(points)?, epsilon, samples))
 }

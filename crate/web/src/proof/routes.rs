@@ -7,9 +7,9 @@ use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::{failure, of_morph};
+use crate::boundary::grid::write_samples;
+use crate::boundary::path::write_plan;
 use crate::boundary::value::{object, read, read_ifs, read_morph, rows, write};
-use crate::proof::locus::write_samples;
-use crate::proof::path::write_plan;
 
 /// How many candidates are listed unless told.
 const CANDIDATES: f64 = 12.0;

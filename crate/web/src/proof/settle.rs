@@ -1,21 +1,17 @@
 //! What a graphics card leaves of a locus.
 
 use frond_core::Affine2;
-use frond_locus::{Bounds, GridError, LocusGrid, Scratch, State, decide};
+use frond_locus::{GridError, LocusGrid, Scratch, State, decide};
 use glam::DVec2;
 use js_sys::{Float32Array, Uint8Array};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
+use crate::boundary::grid::{of_grid, read_grid};
 use crate::boundary::value::{object, read, read_morph};
-use crate::proof::locus::{EPSILON, PlainBounds, of_grid};
 
 #[derive(Deserialize)]
 struct Sampling {
-    bounds: Option<PlainBounds>,
-    width: f64,
-    height: f64,
-    epsilon: Option<f64>,
     #[serde(default)]
     w: f64,
     most: Option<f64>,
@@ -41,9 +37,8 @@ pub fn settle_locus(
     gap: Vec<f32>,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph(&from, &to, &options)?;
-    let plain: Sampling = read("The options", options)?;
-    let w = plain.w;
-    settle(&plain, state, gap, |u, v, maps| morph.fill3(u, v, w, maps))
+    let Sampling { w, most } = read("The options", options.clone())?;
+    settle(read_grid(&options)?, most, state, gap, |u, v, maps| morph.fill3(u, v, w, maps))
 }
 
 /// The same for `LocusCompute.runFamily`.
@@ -59,7 +54,8 @@ pub fn settle_family(
 ) -> Result<JsValue, JsValue> {
     let Polygon { sides } = read("The family", family)?;
     let sides = (sides as usize).clamp(1, frond_core::MAX_MAPS);
-    settle(&read("The options", options)?, state, gap, |x, y, maps| {
+    let Sampling { most, .. } = read("The options", options.clone())?;
+    settle(read_grid(&options)?, most, state, gap, |x, y, maps| {
         let linear = Affine2::from_row([x, -y, y, x, 0.0, 0.0]).linear;
         let corner = |k: usize| DVec2::from_angle(std::f64::consts::TAU * k as f64 / sides as f64);
         maps.clear();
@@ -68,21 +64,17 @@ pub fn settle_family(
 }
 
 fn settle(
-    plain: &Sampling,
+    (grid, epsilon): (LocusGrid, f64),
+    most: Option<f64>,
     mut state: Vec<u8>,
     mut gap: Vec<f32>,
     mut fill: impl FnMut(f64, f64, &mut Vec<Affine2>),
 ) -> Result<JsValue, JsValue> {
-    let bounds = plain.bounds.map_or_else(Bounds::default, Bounds::from);
-    // A cast of NaN or a negative number gives 0, which the grid refuses.
-    let grid = LocusGrid::new(bounds, plain.width as usize, plain.height as usize)
-        .map_err(|error| of_grid(&error))?;
     let count = grid.width() * grid.height();
     if state.len() != count || gap.len() != count {
         return Err(of_grid(&GridError::Samples));
     }
-    let epsilon = plain.epsilon.unwrap_or(EPSILON);
-    let mut most = plain.most.map_or(usize::MAX, |most| most as usize);
+    let mut most = most.map_or(usize::MAX, |most| most as usize);
     let (mut maps, mut scratch, mut left) = (Vec::new(), Scratch::default(), 0_usize);
     for k in 0..count {
         // A gap that is not known marks those that nobody has looked at in double precision.

@@ -6,8 +6,8 @@ use js_sys::Float32Array;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
-use super::{read_maps3, write_maps3};
 use crate::boundary::error::failure;
+use crate::boundary::space::{read_maps3, write_maps3};
 use crate::boundary::value::{object, read, write};
 
 #[derive(Serialize)]

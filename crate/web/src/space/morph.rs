@@ -1,18 +1,17 @@
 //! Morphs in space, and where they hold together.
 
 use frond_core::{Ifs3, IfsError, Morph3};
-use frond_locus::{Bounds, LocusGrid, Options, PathOptions, Reason3, Scratch3, decide3};
-use glam::DVec3;
+use frond_locus::{LocusGrid, PathOptions, Reason3, Scratch3, decide3};
 use js_sys::{Array, Float32Array, Uint8Array};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use super::{read_ifs3, read_maps3, write_maps3};
-use crate::boundary::error::{bad_input, failure, of_ifs, of_morph};
+use crate::boundary::error::{failure, of_ifs, of_morph};
+use crate::boundary::grid::read_grid;
+use crate::boundary::path::{read_path, read_samples, write_check, write_plan};
+use crate::boundary::resolution::read_options;
+use crate::boundary::space::{read_ifs3, read_maps3, write_maps3};
 use crate::boundary::value::{object, read, read_morph_options, write};
-
-/// What a picture of 600 pixels resolves.
-const EPSILON: f64 = 1.0 / 600.0;
 
 fn read_morph3(from: &JsValue, to: &JsValue, options: &JsValue) -> Result<Morph3, JsValue> {
     let options = read_morph_options(options)?;
@@ -48,12 +47,6 @@ pub fn interpolate3(
     write_maps3(&read_morph3(&from, &to, &options)?.at3(u, v, w))
 }
 
-#[derive(Deserialize)]
-struct Resolution {
-    epsilon: Option<f64>,
-    budget: Option<f64>,
-}
-
 /// Whether a shape of space is in one piece. Maps without an attractor get the verdict `no-attractor`.
 #[wasm_bindgen(unchecked_return_type = "Connectedness3")]
 pub fn connectedness3(
@@ -61,11 +54,7 @@ pub fn connectedness3(
     #[wasm_bindgen(unchecked_param_type = "{ epsilon?: number; budget?: number } | undefined")]
     options: JsValue,
 ) -> Result<JsValue, JsValue> {
-    let Resolution { epsilon, budget } = read("The options", options)?;
-    let mut options = Options { epsilon: epsilon.unwrap_or(EPSILON), ..Options::default() };
-    if let Some(budget) = budget {
-        options.budget = budget as usize;
-    }
+    let options = read_options(options)?;
     let ifs = match Ifs3::new(read_maps3(&maps)?) {
         Ok(ifs) => ifs,
         Err(IfsError::NoAttractor { .. } | IfsError::Unproved) => {
@@ -96,22 +85,6 @@ pub fn connectedness3(
     ]))
 }
 
-#[derive(Deserialize)]
-struct PlainBounds {
-    u0: f64,
-    v0: f64,
-    u1: f64,
-    v1: f64,
-}
-
-#[derive(Deserialize)]
-struct Sampling {
-    bounds: Option<PlainBounds>,
-    width: f64,
-    height: f64,
-    epsilon: Option<f64>,
-}
-
 /// A locus of a morph in space, row by row.
 #[wasm_bindgen]
 pub struct SpaceLocus {
@@ -133,18 +106,8 @@ impl SpaceLocus {
         )]
         options: JsValue,
     ) -> Result<Self, JsValue> {
-        let plain: Sampling = read("The options", options.clone())?;
-        let bounds = plain.bounds.map_or_else(Bounds::default, |PlainBounds { u0, v0, u1, v1 }| Bounds {
-            u0,
-            v0,
-            u1,
-            v1,
-        });
-        // A cast of NaN or a negative number gives 0, which the grid refuses.
-        let grid = LocusGrid::new(bounds, plain.width as usize, plain.height as usize)
-            .map_err(|error| failure(error.code(), &error.to_string()))?;
+        let (grid, epsilon) = read_grid(&options)?;
         let morph = read_morph3(&from, &to, &options)?;
-        let epsilon = plain.epsilon.unwrap_or(EPSILON);
         Ok(Self { grid, morph, epsilon, scratch: Scratch3::default() })
     }
 
@@ -197,29 +160,7 @@ pub fn find_path(
     }
     let plan = frond_locus::find_path3(&morph, &options)
         .map_err(|error| failure(error.code(), &error.to_string()))?;
-    let points: Vec<Vec<f64>> = plan.points.iter().copied().map(parameter).collect();
-    let mut fields = vec![
-        ("points", write(&points)?),
-        ("gap", plan.gap.into()),
-        ("holds", plan.holds.into()),
-        ("clearance", plan.clearance.into()),
-        ("apart", plan.apart.into()),
-    ];
-    if let Some(worst) = plan.worst {
-        fields.push(("worst", write(&parameter(worst))?));
-    }
-    Ok(object(&fields))
-}
-
-/// `[u, v]` in the plane, else `[u, v, w]`.
-fn parameter(at: DVec3) -> Vec<f64> {
-    if at.z == 0.0 { vec![at.x, at.y] } else { at.to_array().to_vec() }
-}
-
-#[derive(Deserialize)]
-struct Checking {
-    epsilon: Option<f64>,
-    samples: Option<f64>,
+    write_plan(&plan)
 }
 
 /// Looks along a path, ends included, and tells where it breaks, as fractions of its length.
@@ -234,18 +175,6 @@ pub fn check_path(
     options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph3(&from, &to, &options)?;
-    let plain: Checking = read("The options", options)?;
-    let points: Vec<Vec<f64>> = read("The path", points)?;
-    let point = |point: &Vec<f64>| match point[..] {
-        [u, v] => Some(DVec3::new(u, v, 0.0)),
-        [u, v, w] => Some(DVec3::new(u, v, w)),
-        _ => None,
-    };
-    let points: Option<Vec<DVec3>> =
-        points.iter().map(|row| point(row).filter(|at| at.is_finite())).collect();
-    let points =
-        points.ok_or_else(|| bad_input("The path", "each point must be two or three finite numbers"))?;
-    let samples = plain.samples.unwrap_or(100.0).clamp(2.0, 100_000.0) as usize;
-    let found = frond_locus::check_path3(&morph, &points, plain.epsilon.unwrap_or(EPSILON), samples);
-    Ok(object(&[("gap", found.gap.into()), ("holds", found.holds.into()), ("breaks", write(&found.breaks)?)]))
+    let (epsilon, samples) = read_samples(options, 100.0)?;
+    write_check(&frond_locus::check_path3(&morph, &read_path(points)?, epsilon, samples))
 }

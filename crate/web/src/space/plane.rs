@@ -5,8 +5,8 @@ use js_sys::Float32Array;
 use wasm_bindgen::prelude::*;
 
 use super::shape::Throwing;
-use super::{read_ifs3, read_maps3, read_point3, write_maps3};
 use crate::boundary::error::failure;
+use crate::boundary::space::{read_ifs3, read_maps3, read_point3, write_maps3};
 use crate::boundary::value::{object, rows, write};
 
 fn of_project(error: &ProjectError) -> JsValue {

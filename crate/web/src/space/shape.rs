@@ -10,8 +10,8 @@ use js_sys::{Float32Array, Uint8Array};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
-use super::{of_transform, read_ifs3, read_map3, read_maps3, read_point3, write_maps3};
 use crate::boundary::error::{bad_input, failure, of_ifs};
+use crate::boundary::space::{of_transform, read_ifs3, read_map3, read_maps3, read_point3, write_maps3};
 use crate::boundary::value::{object, read, write};
 
 /// Throws unless the maps have an attractor together.

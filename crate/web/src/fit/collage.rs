@@ -6,7 +6,7 @@ use js_sys::Float64Array;
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use super::{figures, flat, outline_of};
+use super::outline::{figures, flat, outline_of};
 use crate::boundary::error::failure;
 use crate::boundary::value::{object, read, write};
 
