@@ -60,6 +60,12 @@ pub enum FunctionError {
         /// Index of the second of the two.
         piece: usize,
     },
+    /// The values at the ends of the domains, which hang on each other, grow without end.
+    #[error(
+        "With these parts and factors the ends of the parts run away. Make factors smaller, or let parts begin and end \
+         at points."
+    )]
+    Unsettled,
 }
 
 impl FunctionError {
@@ -75,6 +81,7 @@ impl FunctionError {
             Self::NotContractive { .. } => "not-contractive",
             Self::BadDomain { .. } => "bad-domain",
             Self::NotJoined { .. } => "not-joined",
+            Self::Unsettled => "unsettled",
         }
     }
 }

@@ -5,3 +5,5 @@ pub mod function;
 pub mod piece;
 pub mod recurrent;
 pub mod sample;
+mod through;
+mod window;

@@ -1,15 +1,11 @@
 //! Fractal functions from JavaScript: graphs made of smaller copies of their own parts.
 
-mod through;
-mod window;
-
 use frond_fit::{Dimension, FractalFunction, FunctionError, Piece};
 use js_sys::{Array, Float64Array, Reflect};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
-use self::through::{Problem, through};
 use crate::boundary::error::{bad_input, failure};
 use crate::boundary::value::{object, read, write};
 
@@ -113,7 +109,7 @@ pub fn interpolation(
     }
     let (kind, function) = match (spans, domains) {
         (Some(_), Some(_)) => return Err(bad_input("The options", "give spans or domains, not both")),
-        (None, None) => (Kind::Fif, FractalFunction::fif(&points, &c, &reflected).map_err(Problem::from)),
+        (None, None) => (Kind::Fif, FractalFunction::fif(&points, &c, &reflected)),
         (Some(spans), None) => {
             let mut whole = Vec::with_capacity(spans.len());
             for (index, pair) in spans.into_iter().enumerate() {
@@ -123,11 +119,11 @@ pub fn interpolation(
                 let [from, to] = pair.map(|x| x as usize);
                 whole.push(if reflected.get(index) == Some(&true) { (to, from) } else { (from, to) });
             }
-            (Kind::Rfif, FractalFunction::rfif(&points, &c, &whole).map_err(Problem::from))
+            (Kind::Rfif, FractalFunction::rfif(&points, &c, &whole))
         }
-        (None, Some(domains)) => (Kind::Pfif, through(&points, &c, &reflected, &domains)),
+        (None, Some(domains)) => (Kind::Pfif, FractalFunction::through(&points, &c, &reflected, &domains)),
     };
-    write_graph(kind, &function.map_err(|problem| problem.js())?)
+    write_graph(kind, &function.map_err(|error| of_function(&error))?)
 }
 
 #[derive(Deserialize)]
@@ -166,7 +162,7 @@ pub fn sample_graph(
     if !(low.is_finite() && high.is_finite() && low < high) {
         return Err(bad_input("window", "two numbers are needed, the smaller first"));
     }
-    let points = window::sample(&function, tolerance, [low.max(start), high.min(end)], most as usize);
+    let points = function.sample(tolerance, [low.max(start), high.min(end)], most as usize);
     let flat: Vec<f64> = points.into_iter().flat_map(|(t, x)| [t, x]).collect();
     Ok(Float64Array::from(&flat[..]))
 }

@@ -1,6 +1,8 @@
 //! A part of a graph as a polyline.
 
-use frond_fit::{FractalFunction, Piece, Side};
+use crate::fractal::curve::Side;
+use crate::fractal::function::FractalFunction;
+use crate::fractal::piece::Piece;
 
 /// A copy of a part of the graph: t = scale * source + shift, x = shear * source + factor * F(source) + offset.
 #[derive(Clone, Copy)]
@@ -54,31 +56,29 @@ impl Part {
     }
 }
 
-/// Points (t, x) from one end of the window to the other; between two, x stays within the tolerance of both. Where that
-/// would take more than `most` points, the tolerance is doubled until it does not.
-pub(super) fn sample(
-    function: &FractalFunction,
-    tolerance: f64,
-    window: [f64; 2],
-    most: usize,
-) -> Vec<(f64, f64)> {
-    let curve = function.curve();
-    // The window may lie beyond the ends of the graph.
-    let [start, end] = curve.interval();
-    let [low, high] = window.map(|t| t.clamp(start, end));
-    let ends = [(low, Side::Right), (high, Side::Left)].map(|(t, side)| (t, function.limit(t, side, 0.0)));
-    if low >= high || most <= 2 {
-        return ends.to_vec();
-    }
-    let mut tolerance = tolerance.max(curve.bound() / (64.0 * most as f64));
-    let parts = loop {
-        match parts(function, tolerance, [low, high], most - 2) {
-            Some(parts) => break parts,
-            None => tolerance = 2.0 * tolerance.max(f64::MIN_POSITIVE),
+impl FractalFunction {
+    /// Points (t, x) from one end of the window to the other; between two, x stays within the tolerance of both. Where that
+    /// would take more than `most` points, the tolerance is doubled until it does not.
+    #[must_use]
+    pub fn sample(&self, tolerance: f64, window: [f64; 2], most: usize) -> Vec<(f64, f64)> {
+        let curve = self.curve();
+        // The window may lie beyond the ends of the graph.
+        let [start, end] = curve.interval();
+        let [low, high] = window.map(|t| t.clamp(start, end));
+        let ends = [(low, Side::Right), (high, Side::Left)].map(|(t, side)| (t, self.limit(t, side, 0.0)));
+        if low >= high || most <= 2 {
+            return ends.to_vec();
         }
-    };
-    let inner = parts.iter().map(|part| part.first(function)).filter(|point| point.0 > low && point.0 < high);
-    ends[..1].iter().copied().chain(inner).chain(ends[1..].iter().copied()).collect()
+        let mut tolerance = tolerance.max(curve.bound() / (64.0 * most as f64));
+        let parts = loop {
+            match parts(self, tolerance, [low, high], most - 2) {
+                Some(parts) => break parts,
+                None => tolerance = 2.0 * tolerance.max(f64::MIN_POSITIVE),
+            }
+        };
+        let inner = parts.iter().map(|part| part.first(self)).filter(|point| point.0 > low && point.0 < high);
+        ends[..1].iter().copied().chain(inner).chain(ends[1..].iter().copied()).collect()
+    }
 }
 
 /// The parts of the graph within the window that are as flat as the tolerance, from left to right; none where there are
@@ -120,7 +120,6 @@ fn parts(
 }
 
 #[cfg(test)]
-#[expect(clippy::unwrap_used, reason = "a test may fail so")]
 mod tests {
     use glam::DVec2;
 
@@ -135,7 +134,7 @@ mod tests {
     fn what_lies_between_two_points_is_near_both() {
         let function = rough();
         for window in [[0.0, 1.0], [0.31, 0.3100001], [-5.0, 0.2], [0.9, 7.0]] {
-            let points = sample(&function, 0.01, window, 1 << 16);
+            let points = function.sample(0.01, window, 1 << 16);
             assert_eq!((points[0].0, points[points.len() - 1].0), (window[0].max(0.0), window[1].min(1.0)));
             for pair in points.windows(2) {
                 let [(t0, x0), (t1, x1)] = [pair[0], pair[1]];
@@ -146,19 +145,19 @@ mod tests {
                 }
             }
         }
-        let few = sample(&function, 0.01, [0.31, 0.3101], 1 << 16).len();
-        assert!(few * 20 < sample(&function, 0.01, [0.0, 1.0], 1 << 16).len(), "{few}");
+        let few = function.sample(0.01, [0.31, 0.3101], 1 << 16).len();
+        assert!(few * 20 < function.sample(0.01, [0.0, 1.0], 1 << 16).len(), "{few}");
     }
 
     #[test]
     fn there_are_never_more_points_than_asked_for() {
         let function = rough();
         for most in [2, 3, 7, 100, 3000] {
-            let points = sample(&function, 0.0, [0.0, 1.0], most);
+            let points = function.sample(0.0, [0.0, 1.0], most);
             assert!(points.len() <= most && points.len() * 20 > most, "{most}: {}", points.len());
         }
         // A window without anything in it has the value of the nearer end.
         let end = (1.0, function.at(1.0));
-        assert_eq!(sample(&function, 0.1, [3.0, 4.0], 100), [end, end]);
+        assert_eq!(function.sample(0.1, [3.0, 4.0], 100), [end, end]);
     }
 }
