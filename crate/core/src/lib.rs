@@ -1,14 +1,25 @@
-//! Iterated function systems: what they are, where they lie, how they are sampled and how one is turned
-//! into another.
+//! Iterated function systems: what they are, where they lie, how they are sampled and how one is turned into another.
 //!
-//! An iterated function system ([`Ifs`]) is a list of affine maps ([`Affine2`]) that contract together.
-//! It stands for its attractor, the one shape that is the union of its own images. A word of maps names a
-//! piece of the shape ([`Word`]); [`Hull`] bounds it, [`ChaosGame`] and [`adaptive_cut`] sample it,
-//! [`Morph`] changes one system into another by way of the polar decomposition ([`Polar2`]); [`candidates`] lists which
-//! map may become which, and [`routes`] what other maps of the same shapes may be morphed instead.
+//! An iterated function system ([`Ifs`]) is a list of affine maps ([`Affine2`]) that contract together. It stands for its
+//! attractor, the one shape that is the union of its own images. What is the same in the plane and in space is written once,
+//! over [`Dimension`]: `Ifs` alone is one of the plane, [`Ifs3`] one of space.
 //!
-//! The same in space: [`Ifs3`], [`Bounds3`], [`ChaosGame3`], [`Morph3`]. A shape is moved by moving its parameters
-//! ([`Pose`]), by hand or by key frames ([`Motion3`]).
+//! # The order in which to read it
+//!
+//! 1. `linear/`: [`Affine`] maps, their polar factors ([`Polar2`], [`Polar3`]) and singular values.
+//! 2. `ifs/`: [`Ifs`], why it has an attractor ([`Contraction`]), its dimensions ([`similarity_dimension`]), its
+//!    [`symmetries`]. `dimension/` says what the plane and space differ in.
+//! 3. `bounds/`: where the attractor lies ([`Hull`], [`Bounds3`], [`Fan3`]).
+//! 4. `sample/`: its points ([`ChaosGame`]) and its pieces of one size ([`adaptive_cut`]).
+//! 5. `morph/`: the family between two systems ([`Morph`]), which map becomes which ([`pair`], [`candidates`]) and what
+//!    other maps of the same shapes may be morphed instead ([`routes`]).
+//! 6. `animation/`: key frames ([`Motion3`]) and places ([`Place3`]). `projection/` and `intersection`: shadows of shapes of
+//!    space ([`exact_projection`]), and where two shapes meet ([`intersection()`]).
+//!
+//! # The papers
+//!
+//! Hutchinson 1981 and Falconer 1988 for systems and their dimensions; Burch & Hart 1997 for the morph; Darwish &
+//! Abd-El-Wahab for what is moved and projected.
 //!
 //! Conventions: y points up, angles are radians, counter-clockwise. Indices count from 0 in code and from 1
 //! in messages. No panics on any input, no unsafe code, no web, no GPU.

@@ -182,6 +182,19 @@ pub struct Window {
 }
 
 /// Everything that a link holds.
+///
+/// ```
+/// use frond_scene::{Colouring, Scene, decode, encode};
+///
+/// let scene = Scene { colouring: Colouring::Density, ..Scene::default() };
+/// let link = encode(&scene)?;
+/// assert_eq!(decode(&link), (scene, None));
+/// // What is damaged opens as the default, with a reason.
+/// let (opened, reason) = decode("v=1&colour=loud");
+/// assert_eq!(opened, Scene::default());
+/// assert!(reason.is_some());
+/// # Ok::<(), frond_scene::LinkError>(())
+/// ```
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Scene {
     /// The first shape.
