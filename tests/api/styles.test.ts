@@ -48,3 +48,52 @@ describe("styles that are loaded with a tool", () => {
     expect(bare).toEqual([]);
   });
 });
+
+/** Names of classes from a module: `css["name"]`, where `css` is what the file imports that module as. */
+const importedModules = (text: string) => [...text.matchAll(/import (\w+) from "(\.[^"]+\.module\.css)"/g)];
+const modules = new Map(
+  files.filter(({ path }) => path.endsWith(".module.css")).map(({ path, text }) => [path, text]),
+);
+
+describe("modules of style", () => {
+  const used = new Set<string>();
+  const missing: string[] = [];
+  for (const { path, text } of files.filter(({ css }) => !css)) {
+    for (const [, name = "", from = ""] of importedModules(text)) {
+      const module = join(path, "..", from);
+      const known = new Set(selectorsOf(modules.get(module) ?? "").flatMap(namesIn));
+      const uses = [...text.matchAll(new RegExp(`\\b${name}\\[(?:"([^"]+)"|[^\\]]+)\\]`, "g"))];
+      for (const [whole, asked] of uses) {
+        used.add(`${module} ${asked ?? "*"}`);
+        if (asked !== undefined && !known.has(asked)) missing.push(`${path}: ${whole}`);
+      }
+      if (!modules.has(module) || uses.length === 0) missing.push(`${path}: ${from}`);
+    }
+  }
+
+  it("have every class that is asked of them", () => expect(missing).toEqual([]));
+
+  it.each([...modules])(
+    "%s has no class that nobody asks for, and no selector without a class",
+    (path, text) => {
+      const selectors = selectorsOf(text.replace(/:global\([^)]*\)/g, ""));
+      const unused = selectors
+        .flatMap(namesIn)
+        .filter((name) => !/^(data|aria)-|^type$/.test(name) && !used.has(`${path} ${name}`));
+      // Some names are chosen while the page runs: `css[kind]`.
+      if (!used.has(`${path} *`)) expect([...new Set(unused)]).toEqual([]);
+      expect(selectors.filter((selector) => !/\.[a-z]/.test(selector))).toEqual([]);
+    },
+  );
+});
+
+it("has no style of figures outside of modules, and no colour in them that is not a token", () => {
+  const sheets = files.filter(({ path, css }) => css && path.startsWith("figures/"));
+  expect(sheets.filter(({ path }) => !path.endsWith(".module.css"))).toEqual([]);
+  const colours = sheets.flatMap(({ path, text }) =>
+    [...text.matchAll(/[:\s](#[0-9a-f]{3,8}\b|(?:rgb|hsl|oklch)a?\([^)]*\))/gi)].map(
+      ([, colour]) => `${path}: ${colour}`,
+    ),
+  );
+  expect(colours).toEqual([]);
+});

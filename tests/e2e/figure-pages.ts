@@ -16,7 +16,7 @@ export async function openFigure(page: Page, figure: string): Promise<void> {
   if (page.url() === "about:blank") await page.goto(`./${fragment}`);
   else await page.evaluate((fragment) => location.assign(fragment), fragment);
   // The page before it is gone: its row says where we are.
-  if (figure !== "") await page.locator(`.figure-top [aria-current=page][href="${fragment}"]`).waitFor();
+  if (figure !== "") await page.locator(`nav [aria-current=page][href="${fragment}"]`).waitFor();
   await page.getByRole("heading", { level: 1 }).waitFor();
 }
 

@@ -4,7 +4,7 @@ import { expectDrawn, expectShape, LESSONS, openFigure, ROWS_OF_FIGURES } from "
 import { expect, test } from "./fixture";
 
 /** Where the page is from: one on an open question is nobody's. */
-const badge = (page: Page) => page.locator(".figure-number .badge");
+const badge = (page: Page) => page.getByTestId("badge");
 
 for (const { name, ids } of ROWS_OF_FIGURES.filter(({ ids }) => ids !== LESSONS)) {
   test(`${name}: every figure says where it is from, is drawn, clean in both themes, and leads into the studio`, async ({
@@ -52,7 +52,7 @@ test("Lessons: every one asks before it tells, is clean in both themes, and lead
 /** A prediction by keys alone, and then the truth beside it. */
 async function expectAnswer(page: Page): Promise<void> {
   const question = page.getByRole("region", { name: "What do you think?" });
-  await expect(question.locator(".truth")).toHaveCount(0);
+  await expect(question.getByTestId("truth")).toHaveCount(0);
   const input = question.locator("fieldset input").first();
   await input.focus();
   await page.keyboard.press((await input.getAttribute("type")) === "range" ? "ArrowLeft" : "Space");
@@ -60,14 +60,14 @@ async function expectAnswer(page: Page): Promise<void> {
   await button.focus();
   const before = await placeOf(button);
   await page.keyboard.press("Enter");
-  await expect(question.locator(".truth")).toBeVisible();
+  await expect(question.getByTestId("truth")).toBeVisible();
   const again = question.getByRole("button", { name: "Think again" });
   await expect(again).toBeFocused();
   // What was there stays where it was.
   expect(await placeOf(again)).toBeCloseTo(before, 0);
   await expectClean(page);
   await page.keyboard.press("Enter");
-  await expect(question.locator(".truth")).toHaveCount(0);
+  await expect(question.getByTestId("truth")).toHaveCount(0);
 }
 
 /** How far down the page an element begins. */
@@ -98,7 +98,7 @@ async function stopFit(page: Page): Promise<void> {
 /** Where the page leads into the studio. */
 function studioLinks(page: Page): Promise<string[]> {
   return page
-    .locator(".figure-studio")
+    .getByTestId("studio-link")
     .evaluateAll((all) => all.map((a) => a.getAttribute("href") ?? "no address"));
 }
 

@@ -22,8 +22,8 @@ function over(page: Page): Promise<number> {
 /** What of a figure is cut off. What scrolls by itself may be wider. */
 function wide(page: Page): Promise<string[]> {
   return page.evaluate(() =>
-    [...document.querySelectorAll(".figure-live *")]
-      .filter((part) => !part.closest(".wide-table") && !part.closest(".unseen"))
+    [...document.querySelectorAll("[data-testid=live] *")]
+      .filter((part) => !part.closest("[data-testid=wide-table]") && !part.closest(".unseen"))
       .filter((part) => part.getBoundingClientRect().right > innerWidth + 1)
       .map((part) => `${part.tagName} ${part.getAttribute("class")}`),
   );
@@ -43,7 +43,7 @@ test("nothing moves on a phone when the truth comes", async ({ page }) => {
       );
     const before = await place(button);
     await button.click();
-    await question.locator(".truth").waitFor();
+    await question.getByTestId("truth").waitFor();
     const after = await place(question.getByRole("button", { name: "Think again" }));
     expect(after, lesson).toBeCloseTo(before, 0);
   }

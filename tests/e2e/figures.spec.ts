@@ -38,14 +38,14 @@ test("Lesson 3 compares graphs line by line", async ({ page }) => {
 test("Lesson 5 measures what it tells", async ({ page }) => {
   await openFigure(page, "e5");
   await page.getByRole("button", { name: "Show me" }).click();
-  await expect(page.locator(".truth")).toContainText(/Here 75 pixels say connected from 0\.49\d\d on/);
+  await expect(page.getByTestId("truth")).toContainText(/Here 75 pixels say connected from 0\.49\d\d on/);
   await expect(page.getByRole("row", { name: /^pair subdivision/ })).toContainText(/0\.49999\d\d|0\.5000000/);
 });
 
 test("Lesson 7 can be led across by keys", async ({ page }) => {
   await openFigure(page, "e7");
   await page.getByRole("button", { name: "Show me" }).click();
-  await expect(page.locator(".truth")).toContainText("It first breaks at 0.55");
+  await expect(page.getByTestId("truth")).toContainText("It first breaks at 0.55");
   await expect(page.getByText(/^widest gap 4\.\d%/)).toBeVisible();
   const turn = page.getByRole("slider", { name: /^Way point u/ });
   for (let i = 0; i < 10; i++) await turn.press("ArrowLeft");

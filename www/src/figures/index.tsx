@@ -1,14 +1,8 @@
-import "./darwish/open-question/meet.css";
-import "./kit/frame/figures.css";
-import "./fujimoto/deform.css";
-import "./cochran/fits.css";
-import "./lessons/lesson.css";
-import "./darwish/spaces.css";
-import "./kit/frame/parts.css";
 import type { ComponentType } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { wordsOf } from "#document/notice";
 import { Button } from "#ui/Button";
+import figuresCss from "./figures.module.css";
 import type { Heading } from "./kit/frame/frame";
 import { type Figure, find, type Row } from "./list";
 import { pageOf } from "./loading";
@@ -41,10 +35,10 @@ export function Figures({ figure: name }: { figure: string | null }) {
   }, [shown, figure]);
 
   return (
-    <div class="figures" ref={top} onPointerOver={fetchAhead} onFocusIn={fetchAhead}>
+    <div class={figuresCss["figures"]} ref={top} onPointerOver={fetchAhead} onFocusIn={fetchAhead}>
       {problem !== null && <Unloaded name={name} problem={problem} onTry={retry} />}
       {found && figure && shown?.Page ? (
-        <article class="figure" aria-busy={shown.name !== name}>
+        <article class={figuresCss["figure"]} aria-busy={shown.name !== name}>
           <TopNav row={found.row} here={figure.id} />
           <shown.Page key={figure.id} number={figure.number} title={figure.title} />
           <NextNav row={found.row} index={found.index} />
@@ -87,7 +81,7 @@ function fetchAhead({ target }: Event): void {
 
 function Unloaded({ name, problem, onTry }: { name: string | null; problem: string; onTry: () => void }) {
   return (
-    <div role="alert" class="unloaded">
+    <div role="alert" class={figuresCss["unloaded"]}>
       <p>
         {find(name ?? "")?.figure.number ?? "The page"} could not be loaded: {problem} Is there a connection?
         Try again, or load the whole page anew.
@@ -100,7 +94,7 @@ function Unloaded({ name, problem, onTry }: { name: string | null; problem: stri
 /** Every page of the same row by its number. */
 function TopNav({ row, here }: { row: Row; here: string }) {
   return (
-    <nav class="figure-top" aria-label={row.name}>
+    <nav class={figuresCss["figure-top"]} aria-label={row.name}>
       <a href="#figures">All figures</a>
       <ol>
         {row.figures.map(({ id, number, short }) => (
@@ -118,7 +112,7 @@ function TopNav({ row, here }: { row: Row; here: string }) {
 /** One back and one on, by name. */
 function NextNav({ row: { figures }, index }: { row: Row; index: number }) {
   return (
-    <nav class="figure-next" aria-label="Before and after">
+    <nav class={figuresCss["figure-next"]} aria-label="Before and after">
       <Step figure={figures[index - 1]} rel="prev" />
       <Step figure={figures[index + 1]} rel="next" />
     </nav>
@@ -128,7 +122,7 @@ function NextNav({ row: { figures }, index }: { row: Row; index: number }) {
 function Step({ figure, rel }: { figure: Figure | undefined; rel: "prev" | "next" }) {
   return (
     figure && (
-      <a class={rel === "prev" ? "back" : "on"} href={`#figures/${figure.id}`} rel={rel}>
+      <a class={rel === "next" ? figuresCss["on"] : undefined} href={`#figures/${figure.id}`} rel={rel}>
         <span>{figure.number}</span>
         {figure.title}
       </a>

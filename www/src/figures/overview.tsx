@@ -1,15 +1,18 @@
 import { lazily } from "#ui/lazy";
+import frameCss from "./kit/frame/frame.module.css";
+import layout from "./kit/frame/layout.module.css";
 import { ROWS, type Row } from "./list";
 import { thumbOf } from "./loading";
+import css from "./overview.module.css";
 
 /** All figures and lessons, each with a small picture that the program made. */
 export function Overview({ missing }: { missing: string | null }) {
   return (
-    <div class="overview">
+    <div class={css["overview"]}>
       <header>
         <h1 tabIndex={-1}>Figures</h1>
         {missing !== null && (
-          <p role="status" class="missing">
+          <p role="status" class={layout["missing"]}>
             There is no figure “{missing}”. Here are those there are.
           </p>
         )}
@@ -17,7 +20,7 @@ export function Overview({ missing }: { missing: string | null }) {
       {ROWS.map((row) => (
         <section key={row.id} aria-labelledby={row.id}>
           <h2 id={row.id}>{row.title}</h2>
-          <p class="figure-lead">{row.about}</p>
+          <p class={frameCss["figure-lead"]}>{row.about}</p>
           <Cards {...row} />
         </section>
       ))}
@@ -32,18 +35,18 @@ const THUMBS = new Map(
 
 function Cards({ figures }: Row) {
   return (
-    <ul class="cards">
+    <ul class={css["cards"]}>
       {figures.map(({ id, number, title, about }) => {
         const Thumb = THUMBS.get(id);
         return (
           <li key={id}>
-            <a class="figure-card" href={`#figures/${id}`}>
-              <span class="figure-thumb" aria-hidden="true">
+            <a class={css["figure-card"]} href={`#figures/${id}`}>
+              <span class={css["figure-thumb"]} aria-hidden="true">
                 {Thumb && <Thumb />}
               </span>
-              <span class="figure-number">{number}</span>
+              <span class={frameCss["figure-number"]}>{number}</span>
               <strong>{title}</strong>
-              <span class="about">{about}</span>
+              <span class={css["about"]}>{about}</span>
             </a>
           </li>
         );

@@ -1,11 +1,12 @@
 import { Segmented } from "#ui/Segmented";
 import type { Parameter } from "../../kit/frame/frame";
 import { aboutDragon, DRAGONS, dragon } from "./dragon";
+import css from "./dragon-choice.module.css";
 
 /** Which dragon stands for the paper's. */
 export function DragonChoice() {
   return (
-    <div class="dragon-choice">
+    <div class={css["dragon-choice"]}>
       <Segmented
         label="Dragon"
         options={DRAGONS.map(({ value, label, about }) => ({ value, label, description: about }))}
@@ -14,7 +15,7 @@ export function DragonChoice() {
           dragon.value = next;
         }}
       />
-      <p class="choice-about">{aboutDragon(dragon.value)}.</p>
+      <p class={css["choice-about"]}>{aboutDragon(dragon.value)}.</p>
     </div>
   );
 }

@@ -4,6 +4,7 @@ import { fixed } from "#format/numbers";
 import { verdictPhrase } from "#format/verdict";
 import type { Uv } from "#geometry/path";
 import { uvAt } from "#geometry/path";
+import layout from "../../kit/frame/layout.module.css";
 import { VerdictChip } from "../../kit/frame/verdict";
 import { type Breakage, breakage } from "../../kit/maps/breakage";
 import { boxAround, framesAlong, mapsAt } from "../../kit/maps/morphs";
@@ -12,6 +13,7 @@ import { Strip } from "../../kit/picture/stills";
 import { Time, type useTime } from "../../kit/time/time";
 import { useStates, useValue, useVerdict } from "../../kit/workers";
 import { dragon, ends } from "./dragon";
+import css from "./film.module.css";
 
 const FRAMES = 10;
 
@@ -35,8 +37,8 @@ export function Film({ name, points, time, broken, beside }: FilmProps) {
   const box = useMemo(() => boxAround(frames.map((frame) => frame.maps)), [frames]);
   return (
     <>
-      <div class="panel film-picture">
-        <div class="film-top">
+      <div class={`${layout["panel"]} ${css["film-picture"]}`}>
+        <div class={css["film-top"]}>
           <Picture
             maps={maps}
             box={box}
@@ -44,7 +46,7 @@ export function Film({ name, points, time, broken, beside }: FilmProps) {
           />
           {beside?.(at)}
         </div>
-        <div class="film-foot">
+        <div class={css["film-foot"]}>
           <VerdictChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
           <span class="number">
             <span class="symbol">u</span> {fixed(at[0])} <span class="symbol">v</span> {fixed(at[1])}

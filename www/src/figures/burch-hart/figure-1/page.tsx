@@ -7,9 +7,11 @@ import { Plot } from "../../kit/chart/plot";
 import { barnsley, type Round } from "../../kit/connectedness/barnsley";
 import { Rows } from "../../kit/connectedness/barnsley-rows";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";
 import { dust } from "../../kit/maps/families";
+import css from "./page.module.css";
 
 const MOST = 10;
 const [LOWEST, HIGHEST] = [0.25, 0.55];
@@ -53,7 +55,7 @@ export function Page(heading: Heading) {
       reconstructed="The algorithm is the paper’s, line by line. It prints no example, so the dust is chosen here: the simplest family that falls apart at a known place."
       studio={{ href: href(r) }}
     >
-      <div class="controls">
+      <div class={layout["controls"]}>
         <Control label="Scale" symbol="r" value={fixed(r, 3)}>
           <Slider
             label="Scale r"
@@ -64,10 +66,13 @@ export function Page(heading: Heading) {
             valueText={fixed(r, 3)}
             onChange={setR}
           >
-            <span class="slider-mark" style={{ left: `${(100 * (0.5 - LOWEST)) / (HIGHEST - LOWEST)}%` }} />
+            <span
+              class={css["slider-mark"]}
+              style={{ left: `${(100 * (0.5 - LOWEST)) / (HIGHEST - LOWEST)}%` }}
+            />
           </Slider>
         </Control>
-        <div class="buttons">
+        <div class={layout["buttons"]}>
           <Button kind="primary" onClick={step} disabled={ended || rounds.length >= MOST}>
             Next iteration
           </Button>
@@ -79,7 +84,7 @@ export function Page(heading: Heading) {
       <div aria-live="polite">
         <Answer last={last} r={r} />
       </div>
-      <div class="two-columns wide-first">
+      <div class={layout["two-columns"]}>
         <Rows rounds={rounds} r={r} />
         <Curves r={r} rounds={rounds} />
       </div>

@@ -11,11 +11,14 @@ import { type Collisions, groups } from "../../kit/connectedness/collisions";
 import { Buffer } from "../../kit/connectedness/index-buffer";
 import { Graph } from "../../kit/connectedness/overlap-graph";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";
 import { shrink } from "../../kit/maps/families";
 import { PlayButton, usePlay } from "../../kit/time/play";
+import timeCss from "../../kit/time/time.module.css";
 import { useVerdict } from "../../kit/workers";
+import css from "./page.module.css";
 
 /** Steps a second while it plays. */
 const PACE = 12;
@@ -85,13 +88,13 @@ export function Page(heading: Heading) {
       reconstructed="The algorithm is the paper’s (what it prints as p = w₂v(x) is the map from the window to the pixels). It prints no example: shapes, resolution and points are chosen here."
       studio={{ href: href(shape, scale) }}
     >
-      <div class="controls">
+      <div class={layout["controls"]}>
         <Segmented label="Shape" options={SHAPES} value={shape} onChange={setShape} />
-        <div class="choice">
-          <span class="choice-label">Points a step</span>
+        <div class={layout["choice"]}>
+          <span class={layout["choice-label"]}>Points a step</span>
           <Segmented label="Points a step" options={STEPS} value={step} onChange={setStep} />
         </div>
-        <div class="buttons">
+        <div class={layout["buttons"]}>
           <Button onClick={() => player.go(count + Number(step))} disabled={count >= MOST_POINTS}>
             Plot {step} more
           </Button>
@@ -100,7 +103,7 @@ export function Page(heading: Heading) {
           </Button>
         </div>
       </div>
-      <div class="figure-time">
+      <div class={timeCss["figure-time"]}>
         <PlayButton playing={player.playing} toggle={player.toggle} />
         <Slider
           label="Points plotted"
@@ -113,15 +116,15 @@ export function Page(heading: Heading) {
         />
         <output class="number">{count} points</output>
       </div>
-      <div class="two-columns">
-        <div class="panel">
+      <div class={layout["two-columns"]}>
+        <div class={layout["panel"]}>
           <Buffer
             run={run}
             count={count}
             label={`Index buffer of ${size} by ${size} pixels with ${count} points plotted; ${run.collisions} times a pixel was plotted by two pieces.`}
           />
         </div>
-        <div class="panel graph-panel">
+        <div class={layout["panel"]}>
           <Graph count={maps.length} angles={angles} edges={run.edges} />
           <div aria-live="polite">
             <Chip
@@ -130,7 +133,7 @@ export function Page(heading: Heading) {
               aside={whole ? `as far as ${size} pixels tell` : "so far"}
             />
           </div>
-          <ol class="edges">
+          <ol class={css["edges"]}>
             {run.edges.map(({ between: [i, j], at }) => (
               <li key={`${i}-${j}`}>
                 {i + 1} meets {j + 1} <span class="number">at point {at}</span>
@@ -139,7 +142,7 @@ export function Page(heading: Heading) {
           </ol>
         </div>
       </div>
-      <div class="controls">
+      <div class={layout["controls"]}>
         <Control label="Pixels a side" value={String(size)}>
           <Slider
             label="Pixels a side"

@@ -2,6 +2,7 @@ import { useMemo } from "preact/hooks";
 import { startRun } from "../../kit/connectedness/buffer-run";
 import { Buffer } from "../../kit/connectedness/index-buffer";
 import { gasket } from "../../kit/maps/families";
+import { Small } from "../../kit/picture/small";
 
 export function Thumb() {
   const run = useMemo(() => {
@@ -9,5 +10,9 @@ export function Thumb() {
     started.plotTo(900);
     return started;
   }, []);
-  return <Buffer run={run} count={run.count} label={null} />;
+  return (
+    <Small>
+      <Buffer run={run} count={run.count} label={null} />
+    </Small>
+  );
 }

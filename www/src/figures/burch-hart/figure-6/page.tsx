@@ -3,6 +3,7 @@ import { fixed } from "#format/numbers";
 import { shareWords as gapWords } from "#format/verdict";
 import type { PathPlan } from "#wasm/api";
 import { Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { drawn, preset, studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";
 import { Square } from "../../kit/locus/locus-square";
@@ -13,6 +14,7 @@ import { SAMPLES } from "../../kit/workers";
 import { chart, dragon, followChart } from "../dragon/dragon";
 import { DragonChoice, dragonParameters, WHY_DRAGON } from "../dragon/dragon-choice";
 import { dragonWords, Film, useBroken } from "../dragon/film";
+import filmCss from "../dragon/film.module.css";
 
 /** Dragon to gasket along a path through the locus. */
 export function Page(heading: Heading) {
@@ -67,7 +69,7 @@ export function Page(heading: Heading) {
           )}
         />
       ) : (
-        <div class="panel film-picture waiting">
+        <div class={`${layout["panel"]} ${filmCss["film-picture"]} ${filmCss["waiting"]}`}>
           <Chip
             tone="unknown"
             text={problem ?? "Planning the path …"}

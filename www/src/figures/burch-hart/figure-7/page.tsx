@@ -7,6 +7,7 @@ import { isBroken } from "#geometry/states";
 import { Slider } from "#ui/Slider";
 import type { MapRow, PathPlan } from "#wasm/api";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { drawn, preset, studioHref } from "../../kit/frame/studio-link";
 import { VerdictChip } from "../../kit/frame/verdict";
 import { Square } from "../../kit/locus/locus-square";
@@ -17,6 +18,7 @@ import { useValue, useVerdict } from "../../kit/workers";
 import { chart, dragon, ends, followChart } from "../dragon/dragon";
 import { DragonChoice, dragonParameters, WHY_DRAGON } from "../dragon/dragon-choice";
 import { dragonWords } from "../dragon/film";
+import css from "./page.module.css";
 
 /** The connectedness locus of dragon and gasket. */
 export function Page(heading: Heading) {
@@ -64,9 +66,9 @@ export function Page(heading: Heading) {
       }}
     >
       <DragonChoice />
-      <div class="two-columns even">
+      <div class={`${layout["two-columns"]} ${layout["even"]}`}>
         <div>
-          <div class="axes">
+          <div class={css["axes"]}>
             <Ticks axis="v" />
             <Square
               field={field}
@@ -98,7 +100,7 @@ function Here({ maps, box, point, judged, onMove }: HereProps) {
   const [u, v] = point;
   const answer = judged?.answer ?? null;
   return (
-    <div class="panel here">
+    <div class={`${layout["panel"]} ${css["here"]}`}>
       <Picture
         maps={maps}
         box={box}
@@ -131,7 +133,7 @@ function Here({ maps, box, point, judged, onMove }: HereProps) {
 
 function Ticks({ axis }: { axis: "u" | "v" }) {
   return (
-    <div class={`axis ${axis}`} aria-hidden="true">
+    <div class={`${css["axis"]} ${css[axis]}`} aria-hidden="true">
       {[-1, 0, 1, 2].map((at) => (
         <span key={at} style={{ "--at": `${(100 * (at + 1)) / 3}%` }}>
           {fixed(at, 0)}
@@ -144,18 +146,18 @@ function Ticks({ axis }: { axis: "u" | "v" }) {
 
 function Legend({ progress, problem }: { progress: number; problem: string | null }) {
   return (
-    <ul class="key" aria-label="Key">
+    <ul class={layout["key"]} aria-label="Key">
       <li>
-        <i class="box holds" /> no gap wider than 1/600
+        <i class={`${css["box"]} ${css["holds"]}`} /> no gap wider than 1/600
       </li>
       <li>
-        <i class="box broken" /> in pieces, darker the wider the gap
+        <i class={`${css["box"]} ${css["broken"]}`} /> in pieces, darker the wider the gap
       </li>
       <li>
-        <i class="line dashed" /> Figure 5
+        <i class={`${css["line"]} ${css["dashed"]}`} /> Figure 5
       </li>
       <li>
-        <i class="line" /> Figure 6
+        <i class={css["line"]} /> Figure 6
       </li>
       <li class="number">
         {problem ?? (progress < 1 ? `${Math.round(100 * progress)}% computed` : "all computed")}

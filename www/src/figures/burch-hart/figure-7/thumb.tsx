@@ -1,6 +1,7 @@
 import { useEffect } from "preact/hooks";
 import { Square } from "../../kit/locus/locus-square";
 import { STRAIGHT } from "../../kit/maps/morphs";
+import { Small } from "../../kit/picture/small";
 import { chart, followChart } from "../dragon/dragon";
 
 export function Thumb() {
@@ -10,5 +11,9 @@ export function Thumb() {
     { name: "straight", points: STRAIGHT, dashed: true },
     ...(plan ? [{ name: "planned", points: plan.points }] : []),
   ];
-  return <Square field={field} label={null} lines={lines} />;
+  return (
+    <Small>
+      <Square field={field} label={null} lines={lines} />
+    </Small>
+  );
 }

@@ -5,6 +5,7 @@ import { verdictPhrase } from "#format/verdict";
 import type { MapRow, Mode } from "#wasm/api";
 import { Plot } from "../../kit/chart/plot";
 import { Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { VerdictChip } from "../../kit/frame/verdict";
 import { type Breakage, breakage, shareWords, stretchWords } from "../../kit/maps/breakage";
@@ -78,7 +79,7 @@ export function Page(heading: Heading) {
       reconstructed="The paper says that both shapes have three maps and that the lower left one is rotated by 180°, and prints no numbers. Taken at its word, the gasket’s map ½ x becomes −½ x with its translation as it is."
       studio={{ href: href(time.t) }}
     >
-      <div class="two-columns even">
+      <div class={`${layout["two-columns"]} ${layout["even"]}`}>
         {MODES.map(({ mode, number, short }) => (
           <Side key={mode} mode={mode} number={number} short={short} t={time.t} box={box} />
         ))}
@@ -86,7 +87,7 @@ export function Page(heading: Heading) {
       <Time time={time} words={`determinant ${fixed((time.t - 0.5) ** 2, 3)} against 0.25`} />
       <Determinants t={time.t} />
       {MODES.map(({ mode, number, short }, i) => (
-        <div key={mode} class="film-row">
+        <div key={mode} class={layout["film-row"]}>
           <h2>
             {number}, {short}
           </h2>
@@ -116,14 +117,14 @@ function Side({ mode, number, short, t, box }: SideProps) {
   const judged = useVerdict(maps);
   const det = maps[0] ? determinant(maps[0]) : 0;
   return (
-    <figure class="panel">
+    <figure class={layout["panel"]}>
       <Picture
         maps={maps}
         box={box}
         label={`${number} at t = ${fixed(t)}: ${verdictPhrase(judged?.answer ?? null)}`}
       />
       <figcaption>
-        <span class="side-name">
+        <span class={layout["side-name"]}>
           {number} <span>{short}</span>
         </span>
         <VerdictChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />

@@ -2,6 +2,7 @@ import { useMemo } from "preact/hooks";
 import { gasket, turnedGasket } from "../../kit/maps/families";
 import { boxAround, mapsAt } from "../../kit/maps/morphs";
 import { Picture } from "../../kit/picture/picture";
+import { Pair } from "../../kit/picture/small";
 
 /** The same moment both ways. */
 export function Thumb() {
@@ -11,10 +12,10 @@ export function Thumb() {
     return { maps, box: boxAround(maps) };
   }, []);
   return (
-    <span class="thumb-pair">
+    <Pair>
       {pictures.maps.map((maps, i) => (
         <Picture key={i === 0 ? "linear" : "polar"} maps={maps} box={pictures.box} label={null} />
       ))}
-    </span>
+    </Pair>
   );
 }

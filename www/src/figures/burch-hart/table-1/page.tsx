@@ -17,7 +17,9 @@ import {
   WINDOWS,
 } from "../../kit/connectedness/critical-scale";
 import { Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
+import tableCss from "../../kit/frame/table.module.css";
 import { gasket } from "../../kit/maps/families";
 import { useChannel, useValue } from "../../kit/workers";
 
@@ -67,12 +69,12 @@ export function Page(heading: Heading) {
         }),
       }}
     >
-      <div class="controls">
-        <div class="choice">
-          <span class="choice-label">Points</span>
+      <div class={layout["controls"]}>
+        <div class={layout["choice"]}>
+          <span class={layout["choice-label"]}>Points</span>
           <Segmented label="Points of each buffer" options={POINTS} value={points} onChange={setPoints} />
         </div>
-        <div class="buttons">
+        <div class={layout["buttons"]}>
           {measured.state === "running" ? (
             <Button onClick={measured.stop}>Stop</Button>
           ) : (
@@ -83,7 +85,7 @@ export function Page(heading: Heading) {
         </div>
       </div>
       <Progress measured={measured} />
-      <div class="two-columns even">
+      <div class={`${layout["two-columns"]} ${layout["even"]}`}>
         <Measurements rows={rows} exact={measured.exact} />
         <Errors rows={rows} />
       </div>
@@ -117,7 +119,7 @@ function Measurements({ rows, exact }: { rows: readonly Row[]; exact: number | n
   const part = (row: Row, text: (found: number[]) => string) =>
     row.found.length > 0 ? text(row.found) : "…";
   return (
-    <table class="measurements">
+    <table class={tableCss["measurements"]}>
       <caption>
         Least scale <span class="symbol">r</span> that is called connected
       </caption>
@@ -136,7 +138,7 @@ function Measurements({ rows, exact }: { rows: readonly Row[]; exact: number | n
               {row.size} × {row.size}
             </th>
             <td>{fixed(row.paper, 5)}</td>
-            <td class="strong">{part(row, (found) => fixed(median(found), 4))}</td>
+            <td class={tableCss["strong"]}>{part(row, (found) => fixed(median(found), 4))}</td>
             <td>
               {part(row, (found) => `${fixed(Math.min(...found), 4)} – ${fixed(Math.max(...found), 4)}`)}
             </td>
@@ -147,7 +149,7 @@ function Measurements({ rows, exact }: { rows: readonly Row[]; exact: number | n
         <tr>
           <th scope="row">pair subdivision</th>
           <td>–</td>
-          <td class="strong">{exact === null ? "…" : fixed(exact, 7)}</td>
+          <td class={tableCss["strong"]}>{exact === null ? "…" : fixed(exact, 7)}</td>
           <td>no pixels</td>
         </tr>
         <tr>
@@ -209,7 +211,7 @@ function Progress({ measured }: { measured: Measurement }) {
     failed: problem,
   }[state];
   return (
-    <div class="measuring">
+    <div class={tableCss["measuring"]}>
       <progress max={RUNS} value={answered} aria-label="Measured" />
       <p class="number">{text}</p>
       <p class="unseen" role="status">

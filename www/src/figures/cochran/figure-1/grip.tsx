@@ -1,6 +1,7 @@
 import { useRef } from "preact/hooks";
 import { addStep, fixed, keyStep } from "#format/numbers";
 import type { PlaceOf } from "../graphs/profile";
+import css from "./grip.module.css";
 
 export interface GripProps {
   name: string;
@@ -28,7 +29,7 @@ export function Grip({ name, t, x, place, valueAt, onMove }: GripProps) {
     <button
       ref={host}
       type="button"
-      class="grip-point"
+      class={css["grip-point"]}
       style={{ left: `${left}px`, top: `${top}px` }}
       aria-label={`${name} at t = ${fixed(t)}, x = ${fixed(x)}: arrow keys move it, with Shift finer`}
       onPointerDown={(event) => {

@@ -6,11 +6,14 @@ import { Switch } from "#ui/Switch";
 import { loadCurves, rough } from "#wasm/curve";
 
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import frameCss from "../../kit/frame/frame.module.css";
+import layout from "../../kit/frame/layout.module.css";
 import { fitHref } from "../../kit/frame/studio-link";
 import { byPiece, rangeOf } from "../graphs/graphs";
 import { Profile } from "../graphs/profile";
 import { Grip } from "./grip";
 import { FIGURE_1, interpolated, type Points } from "./interpolation";
+import css from "./page.module.css";
 
 /** The rougher the higher; at 1 there is no end to it. */
 const MOST_C = 0.95;
@@ -106,9 +109,9 @@ export function Page(heading: Heading) {
           ))
         }
       </Profile>
-      <div class="controls">
+      <div class={layout["controls"]}>
         {c.map((value, i) => (
-          <div key={POINT_NAMES[i]} class="control">
+          <div key={POINT_NAMES[i]} class={frameCss["control"]}>
             <Control
               label={i === 0 ? "roughness, left" : "roughness, right"}
               symbol={`c${sub(i + 1)}`}
@@ -132,7 +135,7 @@ export function Page(heading: Heading) {
           </div>
         ))}
       </div>
-      <div class="point-fields">
+      <div class={css["point-fields"]}>
         <NumberField
           label="First point"
           symbol="x₀"

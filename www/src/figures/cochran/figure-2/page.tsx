@@ -4,6 +4,7 @@ import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
 import { loadCurves, rough } from "#wasm/curve";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { fitHref } from "../../kit/frame/studio-link";
 import { byPiece, fixedPointImages, rangeOf, TABLE_1_GRAPH } from "../graphs/graphs";
 import { MapTable } from "../graphs/map-table";
@@ -77,9 +78,9 @@ export function Page(heading: Heading) {
       differs="The paper speaks of the interval from 0 to 1; the table’s numbers live on [−1, 1]. That its pieces do not meet exactly is not said there."
       studio={{ href: fitHref({ mode: "graph", graph: TABLE_1_GRAPH }), label: "Open in the Fit tool" }}
     >
-      <div class="controls">
-        <div class="choice">
-          <span class="choice-label">Show</span>
+      <div class={layout["controls"]}>
+        <div class={layout["choice"]}>
+          <span class={layout["choice-label"]}>Show</span>
           <Segmented
             label="What is shown"
             options={[
@@ -110,8 +111,8 @@ export function Page(heading: Heading) {
         lines={lines}
         dots={[{ points: features.flat(), colour: 5, size: level > 6 ? 3 : 4.5 }]}
       />
-      <div class="fit-columns">
-        <figure class="panel">
+      <div class={layout["fit-columns"]}>
+        <figure class={layout["panel"]}>
           <Closer closer={closer} />
           <figcaption>
             <Control label="the middle, magnified" value={`${formatNumber(10 ** closer, 0)} times`}>

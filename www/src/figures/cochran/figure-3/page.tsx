@@ -4,7 +4,9 @@ import { Button } from "#ui/Button";
 import { Slider } from "#ui/Slider";
 import { Switch } from "#ui/Switch";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { arrowhead } from "../graphs/arrowhead";
+import css from "./page.module.css";
 import { type Eye, FROM_CORNER, SpaceView, STEEPEST } from "./space-curve";
 
 const VIEWS: readonly { name: string; about: string; eye: Eye }[] = [
@@ -59,18 +61,18 @@ export function Page(heading: Heading) {
         onTurn={setEye}
         label={`The space curve of ${pieces} pieces, seen from ${fixed(eye.turn, 0)} degrees round and ${fixed(eye.tilt, 0)} degrees up${view ? `: ${view.about}` : ""}`}
       />
-      <fieldset class="buttons bare-fieldset">
+      <fieldset class={`${layout["buttons"]} ${css["bare-fieldset"]}`}>
         <legend class="unseen">Where from</legend>
         {VIEWS.map(({ name, about, eye: there }) => (
           <Button key={name} description={about} pressed={view?.name === name} onClick={() => setEye(there)}>
             {name}
           </Button>
         ))}
-        <p class="view-about" role="status">
+        <p class={css["view-about"]} role="status">
           {view?.about ?? ""}
         </p>
       </fieldset>
-      <div class="controls">
+      <div class={layout["controls"]}>
         <Control label="turn" value={`${fixed(eye.turn, 0)}°`}>
           <Slider
             label="Turn"

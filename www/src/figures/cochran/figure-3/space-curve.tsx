@@ -4,6 +4,7 @@ import { palette } from "#style/palette";
 import { usePixels } from "../../kit/picture/picture";
 import { useValue } from "../../kit/workers";
 import { CORNERS, type SpacePoint } from "../graphs/arrowhead";
+import css from "./space-curve.module.css";
 
 /** From where it is looked at, in degrees: round the upright axis, and up. */
 export interface Eye {
@@ -100,7 +101,7 @@ export function SpaceView({ points, eye, shadows, label, onTurn }: SpaceViewProp
   return (
     <canvas
       ref={canvas}
-      class={onTurn ? "space-view turned" : "space-view"}
+      class={`${css["space-view"]} ${onTurn ? css["turned"] : ""} ${label === null ? css["small"] : ""}`}
       {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
       onPointerDown={(event) => {
         if (!onTurn || event.button !== 0) return;

@@ -3,11 +3,13 @@ import { fixed, formatNumber } from "#format/numbers";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { fitHref } from "../../kit/frame/studio-link";
 import { bestCopy, type Heights, heightsAlong, TOP } from "../graphs/arrowhead";
 import { rangeOf } from "../graphs/graphs";
 import { Profile } from "../graphs/profile";
 import { TABLE_3_GRAPH } from "../graphs/table-3";
+import css from "./page.module.css";
 
 const T = {
   min: 0,
@@ -72,9 +74,9 @@ export function Page(heading: Heading) {
       reconstructed="Corner heights of 0, ½ and 1 are reconstructed: with them the printed maps of Table 3 come about as near as the paper says (Figure 6). Other heights are other projections of the same curve, seen from other sides."
       studio={{ href: fitHref({ mode: "graph", graph: TABLE_3_GRAPH }), label: "Open in the Fit tool" }}
     >
-      <div class="controls">
-        <div class="choice">
-          <span class="choice-label">Lay the whole over a third</span>
+      <div class={layout["controls"]}>
+        <div class={layout["choice"]}>
+          <span class={layout["choice-label"]}>Lay the whole over a third</span>
           <Segmented label="Lay the whole over a third" options={THIRDS} value={third} onChange={setThird} />
         </div>
       </div>
@@ -89,12 +91,12 @@ export function Page(heading: Heading) {
           ...(copy ? [{ points: copy.points, colour: 5, width: 2 }] : []),
         ]}
       />
-      <p class="copy-words" role="status">
+      <p class={css["copy-words"]} role="status">
         {copy
           ? `${thirdName(third, true)} third: the best copy of the whole ${copy.reflected ? "runs backwards" : "runs forwards"} with c = ${fixed(copy.c, 3)}; ${missWords(copy.rms)}.`
           : "The graph alone."}
       </p>
-      <div class="controls">
+      <div class={layout["controls"]}>
         {(["A", "B", "C"] as const).map((corner) => (
           <Control key={corner} label={`height of corner ${corner}`} value={fixed(heights[corner])}>
             <Slider

@@ -6,6 +6,7 @@ import { Slider } from "#ui/Slider";
 import { Switch } from "#ui/Switch";
 import type { FoundCluster } from "#workers/fit/hough";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { fitHref } from "../../kit/frame/studio-link";
 import { useValue } from "../../kit/workers";
 import { cornerImages, heightsOf, TOP } from "../graphs/arrowhead";
@@ -16,6 +17,7 @@ import { TABLE_3_GRAPH } from "../graphs/table-3";
 import { KIND_COLOURS, kindWords } from "../votes/cluster-names";
 import { countWords, VoteProgress } from "../votes/vote-progress";
 import { type Election, useVotes } from "../votes/votes";
+import css from "./page.module.css";
 
 const COARSE = 3;
 const FINE = 4;
@@ -100,7 +102,7 @@ export function Page(heading: Heading) {
       studio={{ href: fitHref({ mode: "graph", graph: TABLE_3_GRAPH }), label: "Open in the Fit tool" }}
     >
       <VoteProgress voting={voting} />
-      <figure class="panel">
+      <figure class={layout["panel"]}>
         <Profile
           label={`Hits of the ${found.length} most popular clusters, from ${countWords(found[0]?.hits ?? 0)} down`}
           x={BARS}
@@ -114,13 +116,13 @@ export function Page(heading: Heading) {
         >
           {(place) => <Pick found={found} onPick={setChosen} place={(_, i) => [place(i, 0)[0], null]} />}
         </Profile>
-        <ul class="key" aria-label="Key">
+        <ul class={layout["key"]} aria-label="Key">
           <Key kind="map" about="a map of its own" />
           <Key kind="echo" about="an echo of stronger ones" />
           <Key kind="clutter" about="clutter" />
         </ul>
       </figure>
-      <div class="controls">
+      <div class={layout["controls"]}>
         <Control
           label="cluster"
           symbol="rank"
@@ -145,8 +147,8 @@ export function Page(heading: Heading) {
         </Switch>
       </div>
       <Image cluster={cluster} election={election} refined={refined} index={index} />
-      <div class="fit-columns">
-        <figure class="panel">
+      <div class={layout["fit-columns"]}>
+        <figure class={layout["panel"]}>
           <Profile
             label={`The clusters over a and c, from −0.8 to 0.8; cluster ${index + 1} is marked`}
             x={{ min: -REACH, max: REACH, ticks: [-0.8, -0.4, 0, 0.4, 0.8], name: "a" }}
@@ -159,7 +161,7 @@ export function Page(heading: Heading) {
           </Profile>
           <figcaption>roughness c over width a; the larger the circle the more votes</figcaption>
         </figure>
-        <figure class="panel">
+        <figure class={layout["panel"]}>
           <Profile
             label={`The clusters along the two principal components; cluster ${index + 1} is marked`}
             x={{ min: -spread, max: spread, ticks: [0], name: "first direction" }}
@@ -241,7 +243,7 @@ interface PickProps {
 function Pick({ found, place, onPick }: PickProps) {
   return (
     <div
-      class="pick-reach"
+      class={css["pick-reach"]}
       onPointerDown={(event) => {
         const box = event.currentTarget.getBoundingClientRect();
         const [px, py] = [event.clientX - box.left, event.clientY - box.top];
@@ -276,7 +278,7 @@ function Image({ cluster, index, election: { sets }, refined }: ImageProps) {
     moved.push(...applied(map, [t, x]));
   }
   return (
-    <figure class="panel">
+    <figure class={layout["panel"]}>
       <Profile
         label={
           cluster
@@ -310,7 +312,7 @@ function Key({ kind, about }: { kind: keyof typeof KIND_COLOURS; about: string }
   const colours = palette(useValue(dark) ? "dark" : "light");
   return (
     <li>
-      <i class="swatch" style={{ color: colours[KIND_COLOURS[kind]] }} /> {about}
+      <i class={css["swatch"]} style={{ color: colours[KIND_COLOURS[kind]] }} /> {about}
     </li>
   );
 }

@@ -5,13 +5,16 @@ import { Slider } from "#ui/Slider";
 import type { Graph } from "#wasm/api";
 import { loadCurves, rough } from "#wasm/curve";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { fitHref } from "../../kit/frame/studio-link";
+import tableCss from "../../kit/frame/table.module.css";
 import { heightsAlong, TOP } from "../graphs/arrowhead";
 import { byPiece, rangeOfPiece } from "../graphs/graphs";
 import { MapTable } from "../graphs/map-table";
 import { FIGURE_6, TABLE_3, TABLE_3_EXACT } from "../graphs/printed-tables";
 import { type Line, Profile } from "../graphs/profile";
 import { breakpoints, fractionWords, type Misses, missesOf, TABLE_3_GRAPH } from "../graphs/table-3";
+import css from "./page.module.css";
 
 const T = { min: 0, max: 1, ticks: [0, 1 / 3, 2 / 3, 1], format: fractionWords, name: "t" };
 const HEIGHTS = { min: -0.02, max: 1.02, ticks: [0, 0.25, 0.5, 0.75, 1], name: "x" };
@@ -89,9 +92,9 @@ export function Page(heading: Heading) {
       differs="At which points the paper measured is not said, and the maximum hangs on it. From which clusters the seven maps came is said (1, 7, 8, 13, 14, 25 and 30 of the top 100); with other bins the ranks are others."
       studio={{ href: fitHref({ mode: "graph", graph }), label: "Open in the Fit tool" }}
     >
-      <div class="controls">
-        <div class="choice">
-          <span class="choice-label">Pieces</span>
+      <div class={layout["controls"]}>
+        <div class={layout["choice"]}>
+          <span class={layout["choice-label"]}>Pieces</span>
           <Segmented
             label="Pieces"
             options={[
@@ -131,7 +134,7 @@ export function Page(heading: Heading) {
       >
         {(place, size) =>
           model === "rfif" ? (
-            <svg class="knot-names" width={size.width} height={size.height} aria-hidden="true">
+            <svg class={css["knot-names"]} width={size.width} height={size.height} aria-hidden="true">
               {knots.map((t, i) => (
                 <text
                   key={t}
@@ -153,7 +156,7 @@ export function Page(heading: Heading) {
         height={150}
         lines={[{ points: exact.all, colour: 3, width: 1.25 }]}
       />
-      <div class="two-columns table-3">
+      <div class={layout["two-columns"]}>
         <MapTable
           caption={model === "rfif" ? "The same function as an RFIF" : "Table 3"}
           first="Piece"
@@ -186,7 +189,7 @@ function Errors({ exact, printed }: { exact: Misses; printed: Misses }) {
     { name: "here, fractions", ...exact },
   ];
   return (
-    <table class="measurements">
+    <table class={tableCss["measurements"]}>
       <caption>Distance from the original</caption>
       <thead>
         <tr>

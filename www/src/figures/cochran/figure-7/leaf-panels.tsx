@@ -4,6 +4,7 @@ import { fixed } from "#format/numbers";
 import { Slider } from "#ui/Slider";
 import type { Collage } from "#workers/fit/curve";
 import { Control } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { NUMBERS_A_MAP } from "./leaf-fits";
 import { type boxOfPoints, type OutlineLine, OutlineView } from "./outline-view";
 
@@ -39,14 +40,14 @@ export function CollagePanel({ maps, collage, leaf, box, tied }: CollagePanelPro
       : "no gaps"
     : "fitting …";
   return (
-    <figure class="panel">
+    <figure class={layout["panel"]}>
       <OutlineView
         box={box}
         lines={lines}
         label={`The paper’s fit with ${maps} maps${tied ? ", ends tied" : ""}: ${gapWords}`}
       />
       <figcaption>
-        <span class="side-name">
+        <span class={layout["side-name"]}>
           {maps} maps <span>{NUMBERS_A_MAP * maps} numbers</span>
         </span>
         <span class="number">{gapWords}</span>
@@ -84,7 +85,7 @@ export function Closer({ maps, collage, leaf, box }: CloserProps) {
   const wide = joint ? (100 * joint.wide) / diagonal : 0;
   const words = wide > 1e-6 ? `a gap of ${fixed(wide)}% of the diagonal` : "no gap";
   return (
-    <figure class="panel">
+    <figure class={layout["panel"]}>
       <OutlineView
         box={part}
         lines={lines}

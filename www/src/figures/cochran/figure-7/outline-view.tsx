@@ -4,6 +4,7 @@ import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import { usePixels } from "../../kit/picture/picture";
 import { useValue } from "../../kit/workers";
+import css from "./outline-view.module.css";
 
 export interface OutlineLine {
   /** x0, y0, x1, y1, .. with y up. */
@@ -77,7 +78,7 @@ export function OutlineView({ lines, box, label }: OutlineViewProps) {
   return (
     <canvas
       ref={canvas}
-      class="outline-view"
+      class={css["outline-view"]}
       {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
     />
   );

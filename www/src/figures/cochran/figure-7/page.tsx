@@ -5,7 +5,9 @@ import { Segmented } from "#ui/Segmented";
 import { Switch } from "#ui/Switch";
 import type { Collage, Figures } from "#workers/fit/curve";
 import { Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { fitHref } from "../../kit/frame/studio-link";
+import tableCss from "../../kit/frame/table.module.css";
 import {
   type CurveState,
   FEATURES,
@@ -18,6 +20,7 @@ import {
 } from "./leaf-fits";
 import { Closer, CollagePanel, OUTLINE, type PanelProps } from "./leaf-panels";
 import { boxOfPoints, type OutlineLine, OutlineView } from "./outline-view";
+import css from "./page.module.css";
 
 const SEED = 1;
 const MOST_SEED = 9999;
@@ -83,7 +86,7 @@ export function Page(heading: Heading) {
       }
       studio={{ href, label: "Open in the Fit tool" }}
     >
-      <div class="controls">
+      <div class={layout["controls"]}>
         <Switch checked={tied} onChange={setTied}>
           Tie the ends of copies
         </Switch>
@@ -95,12 +98,12 @@ export function Page(heading: Heading) {
         </Button>
       </div>
       {problem !== null && (
-        <p class="missing" role="alert">
+        <p class={layout["missing"]} role="alert">
           {problem}
         </p>
       )}
-      <div class="leaves">
-        <figure class="panel">
+      <div class={css["leaves"]}>
+        <figure class={layout["panel"]}>
           <OutlineView
             box={box}
             label={`The leaf with its ${FEATURES} feature points`}
@@ -114,7 +117,7 @@ export function Page(heading: Heading) {
             }
           />
           <figcaption>
-            <span class="side-name">
+            <span class={layout["side-name"]}>
               The leaf <span>{FEATURES} feature points</span>
             </span>
           </figcaption>
@@ -130,9 +133,9 @@ export function Page(heading: Heading) {
           />
         ))}
       </div>
-      <div class="controls">
-        <div class="choice">
-          <span class="choice-label">Compare at</span>
+      <div class={layout["controls"]}>
+        <div class={layout["choice"]}>
+          <span class={layout["choice-label"]}>Compare at</span>
           <Segmented
             label="Compare at"
             options={MAPS.map((count) => ({
@@ -144,9 +147,9 @@ export function Page(heading: Heading) {
           />
         </div>
       </div>
-      <div class="fit-columns">
+      <div class={layout["fit-columns"]}>
         <CurvePanel fit={fit} leaf={leaf?.points ?? null} box={box} numbers={numbers} />
-        <div class="leaf-side">
+        <div class={css["leaf-side"]}>
           <Errors maps={maps} collage={collage} fit={fit} />
           <Closer maps={maps} collage={collage} leaf={leaf?.points ?? null} box={box} />
         </div>
@@ -180,17 +183,17 @@ function CurvePanel({ fit, leaf, box, numbers }: CurvePanelProps) {
           ? "stopped: the best so far"
           : `${Math.round(100 * share)}%, the best so far`;
   return (
-    <figure class="panel">
+    <figure class={layout["panel"]}>
       <OutlineView
         box={box}
         lines={lines}
         label={`Frond’s closed curve of ${numbers} numbers${rms === null ? "" : `, ${fixed(rms, 3)}% off`}`}
       />
       <figcaption>
-        <span class="side-name">
+        <span class={layout["side-name"]}>
           Frond’s closed curve <span>{numbers} numbers, no gaps</span>
         </span>
-        <div class="measuring">
+        <div class={tableCss["measuring"]}>
           <progress max={1} value={share} aria-label="Fitted" />
           {fit.state === "running" ? (
             <Button onClick={fit.stop}>Stop</Button>
@@ -247,8 +250,8 @@ function Errors({ maps, collage, fit }: ErrorsProps) {
   ];
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by keys
-    <section class="wide-table" aria-label="Errors" tabIndex={0}>
-      <table class="measurements">
+    <section class={tableCss["wide-table"]} aria-label="Errors" tabIndex={0}>
+      <table class={tableCss["measurements"]} data-testid="wide-table">
         <caption>Errors in percent of the diagonal</caption>
         <thead>
           <tr>
@@ -282,7 +285,7 @@ function ErrorRow({ name, numbers, gap, figures }: RowOf) {
     <tr>
       <th scope="row">{name}</th>
       <td>{numbers ?? "…"}</td>
-      <td class="strong">{figures ? fixed(figures.rms, 3) : "…"}</td>
+      <td class={tableCss["strong"]}>{figures ? fixed(figures.rms, 3) : "…"}</td>
       <td>{figures ? fixed(figures.hausdorff) : "…"}</td>
       <td>{gap === undefined ? "…" : gap > 1e-6 ? fixed(gap) : "none"}</td>
       <td>{figures ? fixed(figures.fitSlope, 3) : "…"}</td>

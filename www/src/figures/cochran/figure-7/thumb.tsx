@@ -1,5 +1,6 @@
 import { useMemo } from "preact/hooks";
 import { loadCurves, rough } from "#wasm/curve";
+import { Small } from "../../kit/picture/small";
 import { boxOfPoints, type OutlineLine, OutlineView } from "./outline-view";
 
 /** What must be there before it is drawn. */
@@ -22,5 +23,9 @@ export function Thumb() {
     }
   }, []);
   const box = useMemo(() => boxOfPoints(lines[0]?.points ?? []), [lines]);
-  return <OutlineView lines={lines} box={box} label={null} />;
+  return (
+    <Small>
+      <OutlineView lines={lines} box={box} label={null} />
+    </Small>
+  );
 }

@@ -1,5 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { fixed } from "#format/numbers";
+import tableCss from "../../kit/frame/table.module.css";
 import type { ShearMap } from "./printed-tables";
 
 export interface MapTableProps {
@@ -34,8 +35,8 @@ export function MapTable({
 }: MapTableProps) {
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by keys
-    <section class="wide-table" aria-label={`${caption} (table)`} tabIndex={0}>
-      <table class="measurements">
+    <section class={tableCss["wide-table"]} aria-label={`${caption} (table)`} tabIndex={0}>
+      <table class={tableCss["measurements"]} data-testid="wide-table">
         <caption>{caption}</caption>
         <thead>
           <tr>
@@ -59,7 +60,7 @@ export function MapTable({
         </thead>
         <tbody>
           {rows.map(({ name, key, map, before: head = [], behind: tail = [], quiet = false }, i) => (
-            <tr key={key ?? i} class={quiet ? "quiet" : ""}>
+            <tr key={key ?? i} class={quiet ? tableCss["quiet"] : ""}>
               <th scope="row">{name}</th>
               {head.map((cell, k) => (
                 <td key={before[k]}>{cell}</td>

@@ -6,6 +6,7 @@ import { palette } from "#style/palette";
 import { along, type Scale } from "../../kit/chart/scale";
 import { usePixels } from "../../kit/picture/picture";
 import { useValue } from "../../kit/workers";
+import css from "./profile.module.css";
 
 export interface Line {
   /** t0, x0, t1, x1, .. from left to right. */
@@ -106,7 +107,10 @@ export function Profile(props: ProfileProps) {
     }
   });
   return (
-    <div class={bare ? "profile bare" : "profile"} style={bare ? {} : { height: `${height ?? HEIGHT}px` }}>
+    <div
+      class={`${css["profile"]} ${bare ? css["bare"] : ""}`}
+      style={bare ? {} : { height: `${height ?? HEIGHT}px` }}
+    >
       <canvas
         ref={canvas}
         {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
@@ -120,7 +124,7 @@ export function Profile(props: ProfileProps) {
       )}
       {pixels && children && (
         <div
-          class="profile-over"
+          class={css["profile-over"]}
           style={{
             left: `${margin.left}px`,
             top: `${margin.top}px`,
@@ -158,7 +162,7 @@ interface AxesProps {
 function Axes({ x, y, size }: AxesProps) {
   const text = (scale: Scale, value: number) => (scale.format ?? ((v: number) => formatNumber(v)))(value);
   return (
-    <g class="profile-axes">
+    <g class={css["profile-axes"]}>
       <path d={`M0 0V${size.height}H${size.width}`} />
       {y.ticks.map((tick) => (
         <g key={tick} transform={`translate(0 ${(1 - along(y, tick)) * size.height})`}>
@@ -177,12 +181,12 @@ function Axes({ x, y, size }: AxesProps) {
         </g>
       ))}
       {x.name && (
-        <text class="profile-name" x={size.width - 2} y={size.height - 6} text-anchor="end">
+        <text class={css["profile-name"]} x={size.width - 2} y={size.height - 6} text-anchor="end">
           {x.name}
         </text>
       )}
       {y.name && (
-        <text class="profile-name" x={6} y={10}>
+        <text class={css["profile-name"]} x={6} y={10}>
           {y.name}
         </text>
       )}

@@ -3,6 +3,7 @@ import { fixed } from "#format/numbers";
 import { Switch } from "#ui/Switch";
 import type { FoundCluster } from "#workers/fit/hough";
 import { Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { fitHref } from "../../kit/frame/studio-link";
 import { fixedPointImages, TABLE_1_GRAPH } from "../graphs/graphs";
 import { MapTable } from "../graphs/map-table";
@@ -61,7 +62,7 @@ export function Page(heading: Heading) {
       studio={{ href: fitHref({ mode: "graph", graph: TABLE_1_GRAPH }), label: "Open in the Fit tool" }}
     >
       <VoteProgress voting={voting} />
-      <div class="two-columns votes">
+      <div class={layout["two-columns"]}>
         <MapTable
           caption={`The ${SHOWN} most popular maps here`}
           first="Rank"
@@ -75,7 +76,7 @@ export function Page(heading: Heading) {
             quiet: cluster.kind === "clutter",
           }))}
         />
-        <figure class="panel">
+        <figure class={layout["panel"]}>
           <VotePlane
             plane={voting.plane}
             label="Votes over a, from left to right, and c, upwards; the darker the more."
@@ -83,7 +84,7 @@ export function Page(heading: Heading) {
           <figcaption>votes over a and c, the darker the more</figcaption>
         </figure>
       </div>
-      <div class="controls">
+      <div class={layout["controls"]}>
         <Switch checked={reflected} onChange={setReflected}>
           Try mirrored maps, too
         </Switch>

@@ -1,6 +1,7 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { useValue } from "../../kit/workers";
+import css from "./vote-plane.module.css";
 
 /** Bins of a and of c. */
 export const BINS = 128;
@@ -23,16 +24,16 @@ export function VotePlane({ plane, label }: VotePlaneProps) {
     if (plane) context.putImageData(new ImageData(planePixels(plane, onDark), BINS, BINS), 0, 0);
   }, [plane, onDark]);
   return (
-    <div class="vote-plane">
+    <div class={css["vote-plane"]}>
       <canvas
         ref={canvas}
         {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
       />
-      <div class="vote-axes" aria-hidden="true">
-        <span class="c high">c = 1</span>
-        <span class="c low">−1</span>
-        <span class="a low">a = −1</span>
-        <span class="a high">1</span>
+      <div class={css["vote-axes"]} aria-hidden="true">
+        <span class={`${css["c"]} ${css["high"]}`}>c = 1</span>
+        <span class={`${css["c"]} ${css["low"]}`}>−1</span>
+        <span class={`${css["a"]} ${css["low"]}`}>a = −1</span>
+        <span class={`${css["a"]} ${css["high"]}`}>1</span>
       </div>
     </div>
   );

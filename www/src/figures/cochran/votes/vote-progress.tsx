@@ -1,5 +1,6 @@
 import { fixed } from "#format/numbers";
 import { Button } from "#ui/Button";
+import tableCss from "../../kit/frame/table.module.css";
 import type { Voting } from "./votes";
 
 export function countWords(count: number): string {
@@ -17,7 +18,7 @@ export function VoteProgress({ voting }: { voting: Voting }) {
     failed: problem,
   }[state];
   return (
-    <div class="measuring voting">
+    <div class={tableCss["measuring"]}>
       <progress max={1} value={share} aria-label="Counted" />
       {state === "running" ? (
         <Button onClick={voting.stop}>Stop</Button>

@@ -5,6 +5,7 @@ import { Button } from "#ui/Button";
 import { Slider } from "#ui/Slider";
 import { loadSpace } from "#wasm/space";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { fromOrigin } from "../space/eye";
 import { triangle } from "../space/shapes";
 import { spaceHref } from "../space/tool-link";
@@ -68,7 +69,7 @@ export function Page(heading: Heading) {
         label={`The triangle ${fixed(away, 1)} units before the eye`}
       >
         <AngleSliders angles={angles} onChange={setAngles} />
-        <div class="controls">
+        <div class={layout["controls"]}>
           <Control label="carried along x" value={fixed(away, 1)}>
             <Slider
               label="Carried along x"

@@ -5,6 +5,7 @@ import { Button } from "#ui/Button";
 import type { MapRow3 } from "#wasm/api";
 import { loadSpace, solid } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { triangle } from "../space/shapes";
 import { spaceHref } from "../space/tool-link";
 import { CUT_OFF, TRIANGLE_VIEW } from "../space/triangle";
@@ -83,7 +84,7 @@ export function Page(heading: Heading) {
         onView={setView}
         label={`The triangle after ${course.times} turns`}
       >
-        <div class="buttons">
+        <div class={layout["buttons"]}>
           {[1, 100, 1000].map((times) => (
             <Button
               key={times}
@@ -101,7 +102,7 @@ export function Page(heading: Heading) {
           >
             As made
           </Button>
-          <span class="choice-label" role="status">
+          <span class={layout["choice-label"]} role="status">
             {course.times.toLocaleString("en")} {course.times === 1 ? "turn" : "turns"} so far
           </span>
         </div>

@@ -5,6 +5,7 @@ import { Button } from "#ui/Button";
 import { Slider } from "#ui/Slider";
 import { loadSpace } from "#wasm/space";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { fromOrigin } from "../space/eye";
 import { PYRAMID_ANGLE, PYRAMID_AWAY, pyramid } from "../space/shapes";
 import { spaceHref } from "../space/tool-link";
@@ -64,7 +65,7 @@ export function Page(heading: Heading) {
         onView={setView}
         label={`A fractal pyramid, ${fixed(away, 1)} units before the eye`}
       >
-        <div class="controls">
+        <div class={layout["controls"]}>
           <Control label="distance" value={fixed(away, 1)}>
             <Slider
               label="Distance from the eye"
@@ -76,7 +77,7 @@ export function Page(heading: Heading) {
               onChange={(next) => setAway(Math.round(10 * next) / 10)}
             />
           </Control>
-          <div class="buttons">
+          <div class={layout["buttons"]}>
             <Button onClick={() => setAway(PYRAMID_AWAY)} pressed={away === PYRAMID_AWAY}>
               15 units
             </Button>

@@ -5,8 +5,10 @@ import { Button } from "#ui/Button";
 import { Segmented } from "#ui/Segmented";
 import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { fromOrigin, seen } from "../space/eye";
 import { PYRAMID_ANGLE, PYRAMID_AWAY, pyramid } from "../space/shapes";
+import spaceCss from "../space/space.module.css";
 import { spaceHref } from "../space/tool-link";
 import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
@@ -62,8 +64,8 @@ export function Page(heading: Heading) {
         label: "Open in the Space tool",
       }}
     >
-      <div class="buttons">
-        <span class="choice-label">Turned about</span>
+      <div class={layout["buttons"]}>
+        <span class={layout["choice-label"]}>Turned about</span>
         <Segmented
           label="What it is turned about"
           value={about}
@@ -88,7 +90,7 @@ export function Page(heading: Heading) {
         onView={setView}
         label={`The pyramid turned by ${angles.join(", ")} degrees about ${about}`}
       >
-        <p class="space-note" role="status">
+        <p class={spaceCss["space-note"]} role="status">
           {gone
             ? behind
               ? "The pyramid is behind the eye: there is nothing to be seen."

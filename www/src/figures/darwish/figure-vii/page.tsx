@@ -4,6 +4,7 @@ import { scale3 } from "#geometry/affine3";
 import { Button } from "#ui/Button";
 import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { looksAway, Scenery, useScene } from "../space/scenery";
 import { spaceHref } from "../space/tool-link";
 
@@ -55,7 +56,7 @@ export function Page(heading: Heading) {
         onView={setView}
         label="A natural scene: hills with trees and ferns under two clouds"
       />
-      <div class="buttons">
+      <div class={layout["buttons"]}>
         <Button kind="quiet" icon="reset" disabled={!looksAway(view, home)} onClick={() => setView(home)}>
           Look along x again
         </Button>

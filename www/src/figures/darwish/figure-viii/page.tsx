@@ -5,9 +5,11 @@ import { loadSpace } from "#wasm/space";
 import "#ui/map-blocks.css";
 import { fixed, formatNumber } from "#format/numbers";
 import { Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { looksAway, MIDDLE, Scenery, useScene } from "../space/scenery";
 import { spaceHref } from "../space/tool-link";
 import { AngleSliders, type Angles, inRadians } from "../space/turning";
+import css from "./page.module.css";
 import { FIGURE_VII, FIGURE_VIII, farthest, type Matrix3, TURN, turned } from "./printed-matrices";
 
 const START: Angles = [0, 0, 50];
@@ -88,7 +90,7 @@ export function Page(heading: Heading) {
         label={`The natural scene turned by ${angles.join(", ")} degrees about x, y and z`}
       />
       <AngleSliders angles={angles} onChange={setAngles} />
-      <div class="buttons">
+      <div class={layout["buttons"]}>
         <Button kind="quiet" icon="reset" disabled={angles === NONE} onClick={() => setAngles(NONE)}>
           As in Figure vii
         </Button>
@@ -103,7 +105,7 @@ export function Page(heading: Heading) {
 /** Nine numbers as they stand in print. */
 function Printed({ label, rows }: { label: string; rows: Matrix3 }) {
   return (
-    <table class="map-block printed" style={{ "--digits": "2" }}>
+    <table class={`map-block ${css["printed"]}`} style={{ "--digits": "2" }}>
       <caption>{label}</caption>
       <tbody>
         {rows.map((row, i) => (

@@ -5,6 +5,7 @@ import type { SpaceView } from "#wasm/api";
 import { usePixels } from "../../kit/picture/picture";
 import { useValue } from "../../kit/workers";
 import { axesOf, orbited } from "../space/eye";
+import css from "./meet-view.module.css";
 
 export interface Layer {
   name: string;
@@ -67,7 +68,7 @@ export function MeetView({ layers, view, fitted, onView, label }: MeetViewProps)
   }, [layers, view, fitted, pixels, onDark]);
   return (
     <div
-      class="meet-view"
+      class={css["meet-view"]}
       role="application"
       // biome-ignore lint/a11y/noNoninteractiveTabindex: it takes keys
       tabIndex={0}

@@ -2,7 +2,9 @@ import { NumberField } from "#ui/NumberField";
 import type { Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { Control } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { sharesLinear } from "./meets";
+import css from "./own-shape.module.css";
 
 /** Two shapes of the gallery, the second in its own place. */
 export interface Own {
@@ -20,11 +22,11 @@ const FARTHEST = 100;
 /** Which two shapes, and where the second lies. */
 export function OwnShapes({ own, onChange }: { own: Own; onChange: (own: Own) => void }) {
   return (
-    <div class="meet-own">
+    <div class={css["meet-own"]}>
       <Choice name="First shape" value={own.first} onChange={(first) => onChange({ ...own, first })} />
       <Choice name="Second shape" value={own.second} onChange={(second) => onChange({ ...own, second })} />
-      <fieldset class="meet-place">
-        <legend class="choice-label">The second, scaled and moved</legend>
+      <fieldset class={css["meet-place"]}>
+        <legend class={layout["choice-label"]}>The second, scaled and moved</legend>
         <NumberField
           terse
           label="Scale of the second shape"

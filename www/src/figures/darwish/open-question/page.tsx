@@ -6,11 +6,14 @@ import { Switch } from "#ui/Switch";
 import type { MapRow3, SpaceView } from "#wasm/api";
 import { loadSpace, solid } from "#wasm/space";
 import { Head, type Heading, Parameters } from "../../kit/frame/frame";
+import frameCss from "../../kit/frame/frame.module.css";
+import layout from "../../kit/frame/layout.module.css";
 import { useValue } from "../../kit/workers";
 import { presetMaps, spaceHref } from "../space/tool-link";
 import { type Layer, MeetView } from "./meet-view";
 import { findingOf, inner, isFlat, placed } from "./meets";
 import { OWN, type Own, OwnShapes } from "./own-shape";
+import css from "./page.module.css";
 import { MeetProduct } from "./product";
 import { type Met, useMeet } from "./use-intersection";
 
@@ -71,8 +74,8 @@ export function Page(heading: Heading) {
           is done twice: once the intersection is an attractor, and once it is proved to be none.
         </p>
       </Head>
-      <section class="figure-live" aria-label="The figure">
-        <div class="choice">
+      <section class={`${frameCss["figure-live"]} ${css["live"]}`} data-testid="live" aria-label="The figure">
+        <div class={layout["choice"]}>
           <Segmented
             label="Which two shapes"
             value={which}
@@ -131,7 +134,7 @@ function Meeting({ pair, met, stale }: MeetingProps) {
   const [a, b] = pair.names;
   const colours = palette(useValue(dark) ? "dark" : "light");
   return (
-    <div class="meet-pictures">
+    <div class={css["meet-pictures"]}>
       <MeetView
         layers={layers}
         view={view}
@@ -139,21 +142,29 @@ function Meeting({ pair, met, stale }: MeetingProps) {
         onView={setTurned}
         label={`${a} and ${b}, and what they share, drawn darker and thicker.`}
       />
-      <ul class="meet-key">
+      <ul class={css["meet-key"]}>
         <li>
-          <span class="meet-swatch" style={{ background: colours[COLOURS.first] }} aria-hidden="true" />
+          <span
+            class={css["meet-swatch"]}
+            style={{ background: colours[COLOURS.first] }}
+            aria-hidden="true"
+          />
           <Switch checked={shown.first} onChange={(on) => setShown({ ...shown, first: on })}>
             {a}, {pair.first.length} maps
           </Switch>
         </li>
         <li>
-          <span class="meet-swatch" style={{ background: colours[COLOURS.second] }} aria-hidden="true" />
+          <span
+            class={css["meet-swatch"]}
+            style={{ background: colours[COLOURS.second] }}
+            aria-hidden="true"
+          />
           <Switch checked={shown.second} onChange={(on) => setShown({ ...shown, second: on })}>
             {b}, {pair.second.length} maps
           </Switch>
         </li>
         <li>
-          <span class="meet-swatch shared" aria-hidden="true" />
+          <span class={`${css["meet-swatch"]} ${css["shared"]}`} aria-hidden="true" />
           <span>What they share, thick</span>
         </li>
       </ul>
@@ -175,7 +186,7 @@ function useCloud(maps: MapRow3[], seed: number): Float32Array {
 function Verdict({ pair, met }: { pair: Pair; met: Met | null }) {
   const { title, text } = verdictWords(pair, met);
   return (
-    <div class="meet-verdict" role="status">
+    <div class={css["meet-verdict"]} role="status">
       <p>
         <strong>{title}</strong>
       </p>
@@ -235,8 +246,8 @@ function verdictWords(
 function Foot({ pair, met }: { pair: Pair; met: Met | null }) {
   const found = met?.found;
   return (
-    <div class="figure-foot">
-      <section class="figure-found" aria-labelledby="figure-found">
+    <div class={frameCss["figure-foot"]}>
+      <section class={frameCss["figure-found"]} aria-labelledby="figure-found">
         <h2 id="figure-found">What is known</h2>
         <p>
           Where all maps share one matrix and only finitely many shifts matter, the intersection is drawn by a

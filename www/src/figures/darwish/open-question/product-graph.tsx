@@ -1,5 +1,6 @@
 import type { Intersection3 } from "#wasm/api";
 import { columnsOf, graphWords, MOST_DRAWN, pairWords, ringPlace, type Ways, waysOf } from "./meets";
+import css from "./product-graph.module.css";
 
 const WIDTH = 360;
 const KNOB = 15;
@@ -17,7 +18,12 @@ export function MeetGraph({ found }: { found: Pick<Intersection3, "shifts" | "ar
   const ways = all.filter(({ from, to }) => from < count && to < count);
   const back = new Set(ways.map(({ from, to }) => `${from} ${to}`));
   return (
-    <svg class="meet-graph" viewBox={`0 0 ${WIDTH} ${height}`} role="img" aria-label={graphWords(found)}>
+    <svg
+      class={css["meet-graph"]}
+      viewBox={`0 0 ${WIDTH} ${height}`}
+      role="img"
+      aria-label={graphWords(found)}
+    >
       <defs>
         <marker
           id="meet-tip"
@@ -42,7 +48,11 @@ export function MeetGraph({ found }: { found: Pick<Intersection3, "shifts" | "ar
         />
       ))}
       {places.map(([x, y], i) => (
-        <g key={`${i}`} class={i === 0 ? "meet-knob first" : "meet-knob"} transform={`translate(${x} ${y})`}>
+        <g
+          key={`${i}`}
+          class={`${css["meet-knob"]} ${i === 0 ? css["first"] : ""}`}
+          transform={`translate(${x} ${y})`}
+        >
           <circle r={KNOB} />
           <text dy="0.35em" text-anchor="middle">
             {i}
@@ -98,7 +108,7 @@ function Way({ ways: { from, to, pairs }, places, bent, middle, labelled }: WayP
   if (!p || !q) return null;
   const { d, label } = from === to ? looped(p, middle) : led(p, q, bent ? 26 : 0);
   return (
-    <g class="meet-way">
+    <g class={css["meet-way"]}>
       <path d={d} marker-end="url(#meet-tip)" />
       {labelled && (
         <text x={label[0]} y={label[1]} dy="0.35em" text-anchor="middle">

@@ -1,5 +1,8 @@
 import type { Intersection3 } from "#wasm/api";
+import layout from "../../kit/frame/layout.module.css";
+import tableCss from "../../kit/frame/table.module.css";
 import { MOST_DRAWN, shiftWords, waysOf } from "./meets";
+import css from "./product.module.css";
 import { MeetGraph } from "./product-graph";
 
 /** Rows of the table of shifts. */
@@ -11,14 +14,14 @@ export function MeetProduct({ found, stale }: { found: Intersection3 | null; sta
   const ways = waysOf(found);
   const hidden = found.shifts.length - MOST_DRAWN;
   return (
-    <div class="meet-product" data-stale={stale ? "" : undefined}>
+    <div class={css["meet-product"]} data-stale={stale ? "" : undefined}>
       <div>
         <h2>Shifts, and the ways between them</h2>
         <MeetGraph found={found} />
-        {hidden > 0 && <p class="hint">{hidden} more shifts are not drawn.</p>}
+        {hidden > 0 && <p class={layout["hint"]}>{hidden} more shifts are not drawn.</p>}
       </div>
       <div>
-        <p class="hint">
+        <p class={layout["hint"]}>
           Write <span class="symbol">X</span>
           <sub>d</sub> for what the first shape shares with the second moved by <span class="symbol">d</span>.
           A piece <span class="symbol">a</span> of the first and a piece <span class="symbol">b</span> of the
@@ -26,7 +29,7 @@ export function MeetProduct({ found, stale }: { found: Intersection3 | null; sta
           <span class="symbol">d′ = M⁻¹(d + b − a)</span>. Knot 0 is the intersection itself; an arrow says
           which pairs of maps, first · second, lead where.
         </p>
-        <table class="measurements">
+        <table class={tableCss["measurements"]}>
           <thead>
             <tr>
               <th scope="col">Knot</th>
@@ -50,7 +53,7 @@ export function MeetProduct({ found, stale }: { found: Intersection3 | null; sta
           </tbody>
         </table>
         {found.shifts.length > MOST_ROWS && (
-          <p class="hint">
+          <p class={layout["hint"]}>
             The first {MOST_ROWS} of {found.shifts.length}. In brackets: how many pairs of maps.
           </p>
         )}

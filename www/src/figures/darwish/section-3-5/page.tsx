@@ -10,6 +10,8 @@ import { Slider } from "#ui/Slider";
 import type { EpsilonProjection, MapRow3, Point3, SpaceView } from "#wasm/api";
 import { loadSpace, solid } from "#wasm/space";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
+import spaceCss from "../space/space.module.css";
 import { SpaceDots } from "../space/space-dots";
 import { presetMaps, spaceHref } from "../space/tool-link";
 
@@ -127,8 +129,8 @@ export function Page(heading: Heading) {
         label: "Open in the Space tool",
       }}
     >
-      <div class="controls">
-        <div class="buttons">
+      <div class={layout["controls"]}>
+        <div class={layout["buttons"]}>
           <Segmented
             label="Shape"
             value={shape}
@@ -138,7 +140,7 @@ export function Page(heading: Heading) {
               setTurned(null);
             }}
           />
-          <span class="choice-label">seen along</span>
+          <span class={layout["choice-label"]}>seen along</span>
           <Segmented
             label="Line of sight"
             value={way}
@@ -150,8 +152,8 @@ export function Page(heading: Heading) {
           />
         </div>
       </div>
-      <div class="two-columns even">
-        <figure class="panel">
+      <div class={`${layout["two-columns"]} ${layout["even"]}`}>
+        <figure class={layout["panel"]}>
           {view && shown && (
             <SpaceDots
               maps={shown}
@@ -162,15 +164,15 @@ export function Page(heading: Heading) {
             />
           )}
           <figcaption>
-            <span class="side-name">
+            <span class={layout["side-name"]}>
               Flattened <span>from the side</span>
             </span>
           </figcaption>
         </figure>
-        <figure class="panel">
+        <figure class={layout["panel"]}>
           <ShadowPicture maps={maps} direction={direction} points={150_000} />
           <figcaption>
-            <span class="side-name">
+            <span class={layout["side-name"]}>
               Its shadow <span>points, projected</span>
             </span>
           </figcaption>
@@ -188,13 +190,13 @@ export function Page(heading: Heading) {
         />
       </Control>
       {"why" in flat ? (
-        <p class="space-note" role="status">
+        <p class={spaceCss["space-note"]} role="status">
           {flat.why}
         </p>
       ) : (
-        <div class="space-table">
+        <div class={spaceCss["space-table"]}>
           <h2>Parameters of the flattened shape</h2>
-          <p class="space-note" role="status">
+          <p class={spaceCss["space-note"]} role="status">
             The largest number is <strong class="number">{formatNumber(flat.largest, 3)}</strong>.{" "}
             {divergingWords(flat.diverging)}
           </p>
@@ -208,7 +210,7 @@ export function Page(heading: Heading) {
             }
           />
           {flat.maps.length > FEW && (
-            <p class="choice-label">
+            <p class={layout["choice-label"]}>
               The first {FEW} of {flat.maps.length} maps. x to the right, y up, z along the line of sight.
             </p>
           )}

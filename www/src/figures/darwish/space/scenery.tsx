@@ -4,6 +4,8 @@ import { Button } from "#ui/Button";
 import { MapBlocks } from "#ui/MapBlocks";
 import type { MapRow3, SpaceObject, SpaceView } from "#wasm/api";
 import { solid } from "#wasm/space";
+import layout from "../../kit/frame/layout.module.css";
+import spaceCss from "./space.module.css";
 import { SpacePicture } from "./space-picture";
 
 /** The middle of the natural scene: it lies along x before the eye. */
@@ -49,12 +51,12 @@ export function Scenery({ made, by, view, onView, label }: SceneryProps) {
   const changed = (map: number, place: number) =>
     Math.abs((now[map]?.[place] ?? 0) - (object?.maps[map]?.[place] ?? 0)) > 0.005;
   return (
-    <div class="space-figure wide">
+    <div class={`${spaceCss["space-figure"]} ${spaceCss["wide"]}`}>
       <SpacePicture objects={objects} view={view} onView={onView} label={label} />
-      <div class="space-table">
+      <div class={spaceCss["space-table"]}>
         <h2>Transform parameters of the {object?.name.toLowerCase()}</h2>
         {/* biome-ignore lint/a11y/useSemanticElements: a fieldset is for forms */}
-        <div class="buttons" role="group" aria-label="Whose parameters">
+        <div class={layout["buttons"]} role="group" aria-label="Whose parameters">
           {made.map(({ name }, i) => (
             <Button key={name} pressed={i === chosen} onClick={() => setChosen(i)}>
               {name}
@@ -68,7 +70,7 @@ export function Scenery({ made, by, view, onView, label }: SceneryProps) {
           marked={changed}
           mark="not as made"
         />
-        <p class="space-note" role="status">
+        <p class={spaceCss["space-note"]} role="status">
           <strong>Conjugated parameters, or moved points?</strong> Of {made.length} objects the worst.{" "}
           {apartWords(apart)}
         </p>

@@ -3,9 +3,11 @@ import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import type { MapRow3, SpaceView } from "#wasm/api";
 import { usePixels } from "../../kit/picture/picture";
+import pictureCss from "../../kit/picture/picture.module.css";
 import { useValue } from "../../kit/workers";
 import { dotsOf, seen } from "./eye";
 import { orbitLabel, useOrbit } from "./orbit";
+import css from "./space.module.css";
 
 const POINTS = 9000;
 
@@ -50,7 +52,7 @@ export function SpaceDots({ maps, view, onView, label, points = POINTS }: SpaceD
   return (
     <canvas
       ref={canvas}
-      class={`figure-picture ${onView ? "space-picture turned" : ""}`}
+      class={`${pictureCss["figure-picture"]} ${onView ? `${css["space-picture"]} ${css["turned"]}` : ""}`}
       {...(label === undefined ? {} : orbitLabel(label, onView !== undefined))}
       {...orbit}
     />

@@ -6,9 +6,11 @@ import type { SpaceLight, SpaceView } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { type PictureRequest, pictureOf, type Shown } from "#workers/space/complete-picture";
 import { usePixels } from "../../kit/picture/picture";
+import pictureCss from "../../kit/picture/picture.module.css";
 import { useValue } from "../../kit/workers";
 import { Carving } from "./carving";
 import { orbitLabel, useOrbit } from "./orbit";
+import css from "./space.module.css";
 
 export interface SpacePictureProps {
   /** The parameters now. */
@@ -60,16 +62,16 @@ export function SpacePicture({ objects, view, onView, light, label }: SpacePictu
 
   const orbit = useOrbit(view, onView);
   return (
-    <div class="space-picture-box">
+    <div class={css["space-picture-box"]}>
       <canvas
         ref={canvas}
-        class={`figure-picture space-picture ${onView ? "turned" : ""}`}
+        class={`${pictureCss["figure-picture"]} ${css["space-picture"]} ${onView ? css["turned"] : ""}`}
         data-complete={complete ? "" : undefined}
         {...orbitLabel(label, onView !== undefined)}
         {...orbit}
       />
       {problem !== null && (
-        <p class="space-problem" role="status">
+        <p class={css["space-problem"]} role="status">
           {problem}
         </p>
       )}

@@ -2,6 +2,7 @@
 
 import { Segmented } from "#ui/Segmented";
 import type { SpaceView } from "#wasm/api";
+import layout from "../../kit/frame/layout.module.css";
 import type { Form } from "./shapes";
 
 export const TRIANGLE_VIEW: SpaceView = {
@@ -17,8 +18,8 @@ export const CUT_OFF =
 
 export function FormChoice({ form, onChange }: { form: Form; onChange: (form: Form) => void }) {
   return (
-    <div class="buttons">
-      <span class="choice-label">Maps that</span>
+    <div class={layout["buttons"]}>
+      <span class={layout["choice-label"]}>Maps that</span>
       <Segmented
         label="Which maps make the triangle"
         value={form}

@@ -7,6 +7,8 @@ import { Slider } from "#ui/Slider";
 import type { MapRow3, Point3, SpaceView } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { Control } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
+import spaceCss from "./space.module.css";
 import { SpacePicture } from "./space-picture";
 
 /** Degrees about x, then y, then z. */
@@ -19,7 +21,7 @@ export const inRadians = (angles: Angles) => angles.map((x) => (x * Math.PI) / 1
 /** The three turns of the paper, by sliders. */
 export function AngleSliders({ angles, onChange }: { angles: Angles; onChange: (angles: Angles) => void }) {
   return (
-    <div class="controls">
+    <div class={layout["controls"]}>
       {AXES.map((axis, k) => (
         <Control key={axis} label={`turned about ${axis}`} value={`${fixed(angles[k] ?? 0, 0)}°`}>
           <Slider
@@ -61,12 +63,12 @@ export function Conjugated(props: ConjugatedProps) {
   const changed = (map: number, place: number) =>
     Math.abs((now[map]?.[place] ?? 0) - (made[map]?.[place] ?? 0)) > seen;
   return (
-    <div class={`space-figure ${wide ? "wide" : ""}`}>
-      <div class="space-hand">
+    <div class={`${spaceCss["space-figure"]} ${wide ? spaceCss["wide"] : ""}`}>
+      <div class={spaceCss["space-hand"]}>
         <SpacePicture objects={objects} view={view} onView={onView} label={label} />
         {props.children}
       </div>
-      <div class="space-table">
+      <div class={spaceCss["space-table"]}>
         <h2>Transform parameters</h2>
         <MapBlocks
           label="Transform parameters now"
@@ -75,7 +77,7 @@ export function Conjugated(props: ConjugatedProps) {
           marked={changed}
           mark="not as made"
         />
-        <p class="space-note" role="status">
+        <p class={spaceCss["space-note"]} role="status">
           <strong>Conjugated parameters, or moved points?</strong> {apartWords(apart)}
         </p>
       </div>

@@ -1,3 +1,4 @@
+import css from "./code-row.module.css";
 /** Codes written out letter by letter. */
 
 export interface CodeRowProps {
@@ -13,16 +14,19 @@ export interface CodeRowProps {
 /** A code as a row of letters, from 1. */
 export function CodeRow({ code, strong = code.length, block, more = false }: CodeRowProps) {
   return (
-    <span class="code-row number">
+    <span class={`${css["code-row"]} number`}>
       {code.map((letter, place) => {
         const within = block !== undefined && place >= block.from && place < block.to;
         return (
-          <span key={place} class={`code-letter ${place < strong ? "" : "pale"} ${within ? "within" : ""}`}>
+          <span
+            key={place}
+            class={`${css["code-letter"]} ${place < strong ? "" : css["pale"]} ${within ? css["within"] : ""}`}
+          >
             {letter + 1}
           </span>
         );
       })}
-      {more && <span class="code-letter pale">…</span>}
+      {more && <span class={`${css["code-letter"]} ${css["pale"]}`}>…</span>}
     </span>
   );
 }

@@ -3,9 +3,11 @@ import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import type { Bend, Colouring, MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
+import layout from "../../kit/frame/layout.module.css";
 import type { Point } from "../../kit/maps/pieces";
 import type { Place } from "../../kit/picture/annotated";
 import { Bent } from "../../kit/picture/deformed";
+import css from "./magnified.module.css";
 
 /** A part that is shown larger. */
 export interface Lens {
@@ -48,7 +50,7 @@ function useMiddles({ maps, bend, lenses }: Pick<MagnifiedProps, "maps" | "bend"
 export function WithFrames({ name, aspect, lenses, ...picture }: MagnifiedProps) {
   const middles = useMiddles({ ...picture, lenses });
   return (
-    <figure class="panel">
+    <figure class={layout["panel"]}>
       <Bent
         {...picture}
         aspect={aspect}
@@ -62,7 +64,7 @@ export function WithFrames({ name, aspect, lenses, ...picture }: MagnifiedProps)
         }
       </Bent>
       <figcaption>
-        <span class="side-name">
+        <span class={layout["side-name"]}>
           {name} <span>with {lenses.length} parts framed</span>
         </span>
       </figcaption>
@@ -74,7 +76,7 @@ export function WithFrames({ name, aspect, lenses, ...picture }: MagnifiedProps)
 export function Magnified({ lenses, ...rest }: Omit<MagnifiedProps, "aspect">) {
   const middles = useMiddles({ ...rest, lenses });
   return (
-    <div class="magnified">
+    <div class={css["magnified"]}>
       {lenses.map((lens, i) => (
         <Part key={lens.number} lens={lens} middle={middles[i] ?? [0, 0]} {...rest} />
       ))}
@@ -93,9 +95,9 @@ function Framed({ lens, middle: [x, y], place }: { lens: Lens; middle: Point; pl
   const places = corners.map(place);
   const [, , [right = 0, top = 0] = []] = places;
   return (
-    <g class={`frame-${lens.kind}`}>
-      <path class="part-frame" d={`M${places.map((at) => at.join(" ")).join("L")}Z`} />
-      <text class="part-name" x={right + 5} y={top} dy="0.8em">
+    <g class={css[`frame-${lens.kind}`]}>
+      <path class={css["part-frame"]} d={`M${places.map((at) => at.join(" ")).join("L")}Z`} />
+      <text class={css["part-name"]} x={right + 5} y={top} dy="0.8em">
         {lens.number}
       </text>
     </g>
@@ -115,8 +117,8 @@ function Part({ lens, middle: [x, y], name, maps, bend, box, colouring = "map" }
   }, [x, y, width]);
   const times = fixed((box.x1 - box.x0) / width, 1);
   return (
-    <figure class="panel">
-      <div class={`part frame-${kind}`}>
+    <figure class={layout["panel"]}>
+      <div class={`${css["part"]} ${css[`frame-${kind}`]}`}>
         <Bent
           maps={maps}
           bend={bend}
@@ -128,7 +130,7 @@ function Part({ lens, middle: [x, y], name, maps, bend, box, colouring = "map" }
         />
       </div>
       <figcaption>
-        <span class="side-name">
+        <span class={layout["side-name"]}>
           {name}-{number} <span>{about}</span>
         </span>
       </figcaption>

@@ -3,8 +3,10 @@ import { useMemo } from "preact/hooks";
 import { bendAt } from "#document/deform/bend";
 import type { Box } from "#document/framing";
 import type { Bend, Colouring, Deformation, MapRow } from "#wasm/api";
+import layout from "../../kit/frame/layout.module.css";
 import { Bent } from "../../kit/picture/deformed";
 import { numbersOf, type Panel } from "./deformations";
+import css from "./panels.module.css";
 
 export interface PanelsProps {
   panels: readonly Panel[];
@@ -26,7 +28,7 @@ export interface PanelsProps {
 /** The panels of a figure, all at the same moment. */
 export function Panels({ panels, columns, children, ...rest }: PanelsProps) {
   return (
-    <div class="bent-panels" style={{ "--columns": String(columns) }}>
+    <div class={css["bent-panels"]} style={{ "--columns": String(columns) }}>
       {panels.map((panel) => (
         <Single key={panel.letter} panel={panel} {...rest} />
       ))}
@@ -45,10 +47,10 @@ function Single({
   const deformation = useMemo(() => deformationOf(panel.settings), [panel, deformationOf]);
   const bend = useMemo<Bend>(() => bendAt(deformation, t), [deformation, t]);
   return (
-    <figure class="panel">
+    <figure class={layout["panel"]}>
       <Bent {...picture} bend={bend} label={words(panel)} />
       <figcaption>
-        <span class="side-name">
+        <span class={layout["side-name"]}>
           {panel.letter} <span>{panel.words}</span>
         </span>
         <span class="number">{numbersOf(panel)}</span>

@@ -1,5 +1,6 @@
 import { allCodes, type Cube, cellOf, codeOf, codeWords, lettersOf } from "../codes/codes";
 import { picking } from "../codes/picking";
+import cubeCss from "./cube.module.css";
 
 export interface CubePartProps {
   cube: Cube;
@@ -28,7 +29,7 @@ export function CubeLine({
   const x = Math.min(1, Math.max(0, point[0] ?? 0)) * WIDTH;
   return (
     <svg
-      class={`cube ${onPick ? "pressed" : ""}`}
+      class={`${cubeCss["cube"]} ${onPick ? cubeCss["pressed"] : ""}`}
       viewBox={`-1 -1 ${WIDTH + 2} ${height + 2}`}
       role="img"
       aria-hidden={label === null}
@@ -38,7 +39,7 @@ export function CubeLine({
       {rows.map((depth) => (
         <Row key={depth} cube={cube} depth={depth} code={codeOf(cube, point, depth)} />
       ))}
-      <path class="cube-point" d={`M${x} -1V${height + 1}`} />
+      <path class={cubeCss["cube-point"]} d={`M${x} -1V${height + 1}`} />
     </svg>
   );
 }
@@ -52,9 +53,9 @@ function Row({ cube, depth, code }: { cube: Cube; depth: number; code: number[] 
   const labelled = side > GLYPH * depth + 2;
   return (
     <g>
-      <rect class="cube-here" x={here * WIDTH} y={top} width={side} height={ROW} />
+      <rect class={cubeCss["cube-here"]} x={here * WIDTH} y={top} width={side} height={ROW} />
       <path
-        class="cube-lines"
+        class={cubeCss["cube-lines"]}
         d={`M0 ${top}h${WIDTH}v${ROW}h-${WIDTH}z${side > 2.5 ? lines.join("") : ""}`}
       />
       {labelled &&

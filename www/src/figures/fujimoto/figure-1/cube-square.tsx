@@ -1,6 +1,7 @@
 import type { Point } from "../../kit/maps/pieces";
 import { allCodes, cellOf, codeOf, codeWords, lettersOf } from "../codes/codes";
 import { picking } from "../codes/picking";
+import cubeCss from "./cube.module.css";
 import type { CubePartProps } from "./cube-line";
 
 const SIDE = 400;
@@ -23,7 +24,7 @@ export function CubeSquare({
   const size = Math.min(cell / 2.2, (0.8 * cell) / (0.62 * named), 26);
   return (
     <svg
-      class={`cube ${onPick ? "pressed" : ""}`}
+      class={`${cubeCss["cube"]} ${onPick ? cubeCss["pressed"] : ""}`}
       viewBox={`-1 -1 ${SIDE + 2} ${SIDE + 2}`}
       role="img"
       aria-hidden={label === null}
@@ -36,7 +37,7 @@ export function CubeSquare({
         return (
           <rect
             key={depth}
-            class="cube-here"
+            class={cubeCss["cube-here"]}
             x={left * SIDE}
             y={(1 - low - side) * SIDE}
             width={side * SIDE}
@@ -55,7 +56,7 @@ export function CubeSquare({
         return (
           <path
             key={depth}
-            class={`cube-lines ${depth === 1 ? "first" : depth > named ? "deep" : ""}`}
+            class={`${cubeCss["cube-lines"]} ${depth === 1 ? cubeCss["first"] : depth > named ? cubeCss["deep"] : ""}`}
             d={lines.join("")}
           />
         );
@@ -66,7 +67,7 @@ export function CubeSquare({
         return (
           <text
             key={codeWords(code)}
-            class={named < letters ? "over" : ""}
+            class={named < letters ? cubeCss["over"] : ""}
             x={(left + side / 2) * SIDE}
             y={(1 - low - side / 2) * SIDE}
             dy="0.35em"
@@ -77,7 +78,7 @@ export function CubeSquare({
           </text>
         );
       })}
-      <circle class="cube-dot" cx={x} cy={y} r={5} />
+      <circle class={cubeCss["cube-dot"]} cx={x} cy={y} r={5} />
     </svg>
   );
 }

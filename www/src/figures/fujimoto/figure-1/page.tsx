@@ -2,6 +2,7 @@ import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Slider } from "#ui/Slider";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";
 import { CodeRow } from "../codes/code-row";
@@ -11,6 +12,7 @@ import { deformationBy } from "../deformations/deformations";
 import { LIFT } from "../deformations/meshes";
 import { CubeLine } from "./cube-line";
 import { CubeSquare } from "./cube-square";
+import css from "./page.module.css";
 
 const PANELS: readonly { letter: string; cube: Cube }[] = [
   { letter: "a", cube: { dimensions: 1, parts: 2 } },
@@ -71,7 +73,7 @@ export function Page(heading: Heading) {
         label: "Bend the square in the studio",
       }}
     >
-      <div class="controls">
+      <div class={layout["controls"]}>
         <Control label="Letters" symbol="k" value={String(letters)}>
           <Slider
             label="Letters"
@@ -100,20 +102,20 @@ export function Page(heading: Heading) {
           />
         </Control>
       </div>
-      <div class="cubes">
+      <div class={css["cubes"]}>
         {PANELS.map(({ letter, cube }) => {
           const code = codeOf(cube, point, 8);
           const label = `(${letter}) ${cube.dimensions === 1 ? "A line" : "A square"} in ${lettersOf(cube)} parts, each again and again: the point has the code ${codeWords(code.slice(0, letters))}.`;
           const part = { cube, letters, point, label };
           return (
-            <figure key={letter} class="panel">
+            <figure key={letter} class={layout["panel"]}>
               {cube.dimensions === 1 ? (
                 <CubeLine {...part} onPick={(at) => setPoint([at, y])} />
               ) : (
                 <CubeSquare {...part} onPick={setPoint} />
               )}
               <figcaption>
-                <span class="side-name">
+                <span class={layout["side-name"]}>
                   ({letter}) <span>L = {lettersOf(cube)}</span>
                 </span>
                 <CodeRow code={code} strong={letters} more />

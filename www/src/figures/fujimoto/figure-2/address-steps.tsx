@@ -2,11 +2,13 @@ import { useMemo } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import type { Point } from "../../kit/maps/pieces";
+import annotatedCss from "../../kit/picture/annotated.module.css";
 import { Picture } from "../../kit/picture/picture";
 import { useValue } from "../../kit/workers";
 import { pieceOf, rightGasket, type Triangle } from "../codes/addresses";
 import { allCodes, codeWords } from "../codes/codes";
 import { picking } from "../codes/picking";
+import css from "./address-steps.module.css";
 
 const SIDE = 400;
 const BOX = { x0: 0, y0: 0, x1: 1, y1: 1 };
@@ -50,7 +52,7 @@ export function Steps({ r, depth, point, here, label, onPick }: StepsProps) {
     onPick &&
     picking(([u, v]) => onPick([u, v].map((at) => within((at - MARGIN) / (1 - 2 * MARGIN))) as Point));
   return (
-    <div class={`drawn steps ${onPick ? "pressed" : ""}`} {...pick}>
+    <div class={`${annotatedCss["drawn"]} ${css["steps"]} ${onPick ? css["pressed"] : ""}`} {...pick}>
       {depth === null && <Picture maps={maps} box={BOX} label={label} margin={MARGIN} />}
       <svg
         viewBox={`0 0 ${SIDE} ${SIDE}`}
@@ -61,13 +63,13 @@ export function Steps({ r, depth, point, here, label, onPick }: StepsProps) {
         {pieces.map(({ code, corners }) => (
           <path
             key={codeWords(code)}
-            class="step-piece"
+            class={css["step-piece"]}
             style={{ color: colours[code[0] ?? 0] }}
             d={path(corners)}
           />
         ))}
         {depth !== null &&
-          here.map((corners, i) => <path key={`${i + 1}`} class="step-here" d={path(corners)} />)}
+          here.map((corners, i) => <path key={`${i + 1}`} class={css["step-here"]} d={path(corners)} />)}
         {depth !== null &&
           depth <= NAMED &&
           pieces.map(({ code, corners }) => {
@@ -87,8 +89,8 @@ export function Steps({ r, depth, point, here, label, onPick }: StepsProps) {
               </text>
             );
           })}
-        <circle class="lens halo" cx={x} cy={y} r={10} />
-        <circle class="lens" cx={x} cy={y} r={10} />
+        <circle class={`${annotatedCss["lens"]} ${annotatedCss["halo"]}`} cx={x} cy={y} r={10} />
+        <circle class={annotatedCss["lens"]} cx={x} cy={y} r={10} />
       </svg>
     </div>
   );

@@ -2,6 +2,7 @@ import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Slider } from "#ui/Slider";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";
 import { addresses, onGasket, pieceOf, rightGasket } from "../codes/addresses";
@@ -9,6 +10,7 @@ import { codeWords } from "../codes/codes";
 import { deformationBy } from "../deformations/deformations";
 import { LIFT } from "../deformations/meshes";
 import { Steps } from "./address-steps";
+import css from "./page.module.css";
 
 const GASKETS = [
   { letter: "a", r: 0.5, words: "pieces of ½, which touch" },
@@ -74,7 +76,7 @@ export function Page(heading: Heading) {
         label: "Bend the gasket in the studio",
       }}
     >
-      <div class="controls">
+      <div class={layout["controls"]}>
         <Control label="Steps in the middle" value={String(steps)}>
           <Slider
             label="Steps in the middle"
@@ -107,13 +109,13 @@ export function Page(heading: Heading) {
         const { at, words: codes } = found[i] ?? { at: [0, 0] as Point, words: [] };
         const here = (depth: number) => [...new Set(codes.map((code) => codeWords(code.slice(0, depth))))];
         return (
-          <div key={letter} class="film-row">
+          <div key={letter} class={layout["film-row"]}>
             <h2>
               ({letter}) {words}
             </h2>
-            <div class="triple stages">
+            <div class={`${layout["triple"]} ${layout["stages"]}`}>
               {[1, steps, null].map((depth, column) => (
-                <figure key={column === 2 ? "whole" : column} class="panel">
+                <figure key={column === 2 ? "whole" : column} class={layout["panel"]}>
                   <Steps
                     r={r}
                     depth={depth}
@@ -131,9 +133,9 @@ export function Page(heading: Heading) {
                 </figure>
               ))}
             </div>
-            <p class="address-list number">
+            <p class={`${css["address-list"]} number`}>
               {codes.slice(0, TOLD).map((code) => (
-                <span key={codeWords(code)} class="address">
+                <span key={codeWords(code)} class={css["address"]}>
                   {codeWords(code)}…
                 </span>
               ))}

@@ -3,6 +3,7 @@ import { fixed } from "#format/numbers";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";
 import { rightGasket } from "../codes/addresses";
@@ -72,12 +73,12 @@ export function Page(heading: Heading) {
         }),
       }}
     >
-      <div class="controls">
+      <div class={layout["controls"]}>
         <Segmented label="Shape" options={SUBJECTS} value={subject} onChange={setSubject} />
       </div>
       <Matrix subject={subject} chosen={chosen} onChoose={setChosen} />
-      <div class="two-columns even">
-        <figure class="panel">
+      <div class={`${layout["two-columns"]} ${layout["even"]}`}>
+        <figure class={layout["panel"]}>
           <Cell
             subject={subject}
             chosen={chosen}
@@ -86,14 +87,14 @@ export function Page(heading: Heading) {
             label={`${cellWords(chosen)}, with the chosen cell ${codeWords(code)}.`}
           />
           <figcaption>
-            <span class="side-name">{cellWords(chosen)}</span>
+            <span class={layout["side-name"]}>{cellWords(chosen)}</span>
             Press a place in it.
           </figcaption>
         </figure>
         <Source subject={subject} chosen={chosen} point={at} />
       </div>
       <Letters chosen={chosen} point={at} />
-      <div class="controls">
+      <div class={layout["controls"]}>
         <Control label="The place, across" symbol="x" value={fixed(at[0], 3)}>
           <Slider
             label="The place, across"

@@ -2,6 +2,7 @@ import { useLayoutEffect, useMemo, useRef } from "preact/hooks";
 import type { Point } from "../../kit/maps/pieces";
 import { cellOf, codeOf } from "../codes/codes";
 import { picking } from "../codes/picking";
+import css from "./shuffle-matrix.module.css";
 import { type Subject, shuffledImage } from "./shuffled-image";
 
 /** The largest ke, and with it the number of letters that are shuffled. */
@@ -46,19 +47,19 @@ export function Matrix({ subject, chosen, onChoose }: MatrixProps) {
   };
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: the keys are those of the buttons inside
-    <div class="matrix" ref={host} onKeyDown={walk}>
-      <span class="matrix-head" />
+    <div class={css["matrix"]} ref={host} onKeyDown={walk}>
+      <span class={css["matrix-head"]} />
       {[...Array(COLUMNS + 1).keys()].map((ke) => (
-        <span key={ke} class="matrix-head number" aria-hidden="true">
+        <span key={ke} class={`${css["matrix-head"]} number`} aria-hidden="true">
           ke {ke}
         </span>
       ))}
-      <span class="matrix-head" aria-hidden="true">
+      <span class={css["matrix-head"]} aria-hidden="true">
         super­posed
       </span>
       {rows.map((row, kb) => (
         <>
-          <span key={`row ${kb + 1}`} class="matrix-side number" aria-hidden="true">
+          <span key={`row ${kb + 1}`} class={`${css["matrix-side"]} number`} aria-hidden="true">
             kb {kb}
           </span>
           {row.map((one) => {
@@ -67,7 +68,7 @@ export function Matrix({ subject, chosen, onChoose }: MatrixProps) {
               <button
                 key={`${kb} ${columnOf(one)}`}
                 type="button"
-                class="matrix-cell"
+                class={css["matrix-cell"]}
                 style={{ "--column": String(columnOf(one) + 1) }}
                 data-at={`${kb} ${columnOf(one)}`}
                 aria-pressed={here}
@@ -113,7 +114,7 @@ export function Cell({ subject, chosen, label, point, framed = false, onPick }: 
   }, [image]);
   const frame = point ? codeOf(SQUARE, point, kb) : new Array<number>(kb).fill(0);
   return (
-    <span class={`shuffled ${onPick ? "pressed" : ""}`} {...(onPick ? picking(onPick) : {})}>
+    <span class={`${css["shuffled"]} ${onPick ? css["pressed"] : ""}`} {...(onPick ? picking(onPick) : {})}>
       <canvas
         ref={canvas}
         {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
@@ -142,8 +143,8 @@ export function Outline({
   const d =
     subject === "square" ? `M${x} ${y}v${-size}h${size}v${size}z` : `M${x} ${y}v${-size}L${x + size} ${y}z`;
   return (
-    <g class={`outline ${kind}`}>
-      <path class="halo" d={d} />
+    <g class={`${css["outline"]} ${css[kind]}`}>
+      <path class={css["halo"]} d={d} />
       <path d={d} />
     </g>
   );

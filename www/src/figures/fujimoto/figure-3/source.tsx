@@ -1,8 +1,11 @@
+import layout from "../../kit/frame/layout.module.css";
 import type { Point } from "../../kit/maps/pieces";
 import { CodeRow } from "../codes/code-row";
 import { codeOf, codeWords, shuffled } from "../codes/codes";
 import { Cell, type Chosen, COLUMNS, Outline } from "./shuffle-matrix";
+import shuffleMatrixCss from "./shuffle-matrix.module.css";
 import type { Subject } from "./shuffled-image";
+import css from "./source.module.css";
 
 const SQUARE = { dimensions: 2, parts: 2 } as const;
 
@@ -19,8 +22,8 @@ export function Source({ subject, chosen, point }: SourceProps) {
   const from = depthsOf(kb, ke, superposed).map((depth) => ({ depth, code: shuffled(code, kb, depth) }));
   const words = [...new Set(from.map((one) => codeWords(one.code)))];
   return (
-    <figure class="panel">
-      <span class="shuffled">
+    <figure class={layout["panel"]}>
+      <span class={shuffleMatrixCss["shuffled"]}>
         <Cell
           subject={subject}
           chosen={{ kb, ke: kb, superposed: false }}
@@ -34,7 +37,7 @@ export function Source({ subject, chosen, point }: SourceProps) {
         </svg>
       </span>
       <figcaption>
-        <span class="side-name">Before the shuffle</span>
+        <span class={layout["side-name"]}>Before the shuffle</span>
         The colour came from {from.length > 1 ? `these ${words.length} cells, mixed` : "here"}.
       </figcaption>
     </figure>
@@ -45,7 +48,7 @@ export function Source({ subject, chosen, point }: SourceProps) {
 export function Letters({ chosen: { kb, ke, superposed }, point }: Omit<SourceProps, "subject">) {
   const code = codeOf(SQUARE, point, COLUMNS);
   return (
-    <dl class="code-steps">
+    <dl class={css["code-steps"]}>
       <div>
         <dt>the cell</dt>
         <dd>

@@ -7,12 +7,14 @@ import { Slider } from "#ui/Slider";
 import type { Bend, Deformation } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import { Bent } from "../../kit/picture/deformed";
 import { Time, useTime } from "../../kit/time/time";
 import { numbersOf, type Panel } from "../deformations/deformations";
 import { GASKET, KE, LIFT_BOX, liftOf } from "../deformations/lifted-gasket";
 import { Panels } from "../deformations/panels";
+import css from "./page.module.css";
 
 const VARIED: [number, number, number, number] = [0.5, 0.67, 0.75, 0.92];
 
@@ -72,9 +74,9 @@ export function Page(heading: Heading) {
       studio={{ href: hrefOf(liftOf({ kb, phase: t })) }}
     >
       <Time time={time} words={t === 0 ? "at rest" : `${Math.round(100 * t)}% lifted`} />
-      <div class="controls">
-        <div class="choice">
-          <span class="choice-label">As printed</span>
+      <div class={layout["controls"]}>
+        <div class={layout["choice"]}>
+          <span class={layout["choice-label"]}>As printed</span>
           <Segmented
             label="Moments that are printed"
             options={MOMENTS}
@@ -108,7 +110,7 @@ function hrefOf(deform: Deformation): string {
 function Slide({ t, kb, onSlide }: { t: number; kb: number; onSlide: (kb: number) => void }) {
   const bend = useMemo(() => bendAt(liftOf({ kb, ke: KE }), t), [kb, t]);
   return (
-    <div class="slide">
+    <div class={css["slide"]}>
       <h2>From B to F by one slider</h2>
       <Bent
         maps={GASKET}
@@ -127,12 +129,12 @@ function Slide({ t, kb, onSlide }: { t: number; kb: number; onSlide: (kb: number
           valueText={`kb* = ${fixed(kb)}${kb === 0 ? ", as in B" : kb === KE ? ", as in F: plain" : ""}`}
           onChange={onSlide}
         />
-        <p class="slide-ends" aria-hidden="true">
+        <p class={css["slide-ends"]} aria-hidden="true">
           <span>B, fractal</span>
           <span>F, plain</span>
         </p>
       </Control>
-      <p class="why">
+      <p class={layout["why"]}>
         Between whole numbers it is a blend of the two next to it (section 5.4, eq 19), so nothing jumps. The
         paper keeps this one for its animations.
       </p>

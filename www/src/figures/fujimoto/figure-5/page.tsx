@@ -5,12 +5,14 @@ import { fixed } from "#format/numbers";
 import { Segmented } from "#ui/Segmented";
 import type { Deformation, Spin } from "#wasm/api";
 import { Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";
 import { PieceNames } from "../../kit/picture/annotated";
 import { Bent } from "../../kit/picture/deformed";
 import { numbersOf, type Panel } from "../deformations/deformations";
 import { type Lens, Magnified, WithFrames } from "../deformations/magnified";
+import magnifiedCss from "../deformations/magnified.module.css";
 import { Panels } from "../deformations/panels";
 import { FERN, KE, SPIN, swayOf } from "./fern";
 import { Sway, useSway } from "./sway";
@@ -105,9 +107,9 @@ export function Page(heading: Heading) {
       studio={{ href: hrefOf(swayOf({ ...B, spin, phase: sway.t })) }}
     >
       <Sway sway={sway} />
-      <div class="controls">
-        <div class="choice">
-          <span class="choice-label">Rotation</span>
+      <div class={layout["controls"]}>
+        <div class={layout["choice"]}>
+          <span class={layout["choice-label"]}>Rotation</span>
           <Segmented<Spin> label="Rotation" options={SPINS} value={spin} onChange={setSpin} />
         </div>
       </div>
@@ -126,7 +128,7 @@ export function Page(heading: Heading) {
         <WithFrames {...framed} aspect={ASPECT} />
       </Panels>
       <Magnified {...framed} />
-      <div class="magnified">
+      <div class={magnifiedCss["magnified"]}>
         <Addresses />
       </div>
     </Frame>
@@ -137,7 +139,7 @@ export function Page(heading: Heading) {
 function Addresses() {
   const rest = useMemo(() => bendAt(swayOf({ kb: KE }), 0), []);
   return (
-    <figure class="panel">
+    <figure class={layout["panel"]}>
       <Bent
         maps={FERN}
         bend={rest}
@@ -149,7 +151,7 @@ function Addresses() {
         {(place) => <PieceNames at={NAMES.map(place)} />}
       </Bent>
       <figcaption>
-        <span class="side-name">
+        <span class={layout["side-name"]}>
           X <span>the letters of the codes</span>
         </span>
       </figcaption>

@@ -2,6 +2,7 @@ import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Slider } from "#ui/Slider";
 import { PlayButton, usePlay } from "../../kit/time/play";
+import timeCss from "../../kit/time/time.module.css";
 
 const SECONDS = 6;
 
@@ -22,7 +23,7 @@ export function useSway(start: number) {
 /** Play, and a slider over one time round. */
 export function Sway({ sway }: { sway: ReturnType<typeof useSway> }) {
   return (
-    <div class="figure-time">
+    <div class={timeCss["figure-time"]}>
       <PlayButton playing={sway.playing} toggle={sway.toggle} />
       <Slider
         label="Time t"

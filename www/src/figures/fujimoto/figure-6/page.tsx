@@ -4,12 +4,14 @@ import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import type { Deformation } from "#wasm/api";
 import { Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import { middles, PieceNames } from "../../kit/picture/annotated";
 import { Bent } from "../../kit/picture/deformed";
 import { Time, useTime } from "../../kit/time/time";
 import { numbersOf, type Panel } from "../deformations/deformations";
 import { type Lens, Magnified, WithFrames } from "../deformations/magnified";
+import magnifiedCss from "../deformations/magnified.module.css";
 import { Panels } from "../deformations/panels";
 import { drawnOf, KE, PLAIN_TINT, TWIN } from "./drawn-dragon";
 
@@ -95,8 +97,8 @@ export function Page(heading: Heading) {
         <WithFrames {...framed} aspect={ASPECT} />
       </Panels>
       <Magnified {...framed} />
-      <div class="magnified">
-        <figure class="panel">
+      <div class={magnifiedCss["magnified"]}>
+        <figure class={layout["panel"]}>
           <Bent
             maps={TWIN}
             bend={colours}
@@ -108,12 +110,12 @@ export function Page(heading: Heading) {
             {(place) => <PieceNames at={middles(TWIN, REST).map(place)} />}
           </Bent>
           <figcaption>
-            <span class="side-name">
+            <span class={layout["side-name"]}>
               X <span>the letters of the codes</span>
             </span>
           </figcaption>
         </figure>
-        <figure class="panel">
+        <figure class={layout["panel"]}>
           <Bent
             maps={TWIN}
             bend={colours}
@@ -123,7 +125,7 @@ export function Page(heading: Heading) {
             label="The colour function on the dragon at rest, before it is shuffled"
           />
           <figcaption>
-            <span class="side-name">
+            <span class={layout["side-name"]}>
               Y <span>the colours before the shuffle</span>
             </span>
           </figcaption>

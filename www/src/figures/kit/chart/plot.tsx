@@ -3,6 +3,7 @@ import { dark } from "#document/preferences";
 import { formatNumber } from "#format/numbers";
 import { palette } from "#style/palette";
 import { usePixels } from "../picture/picture";
+import css from "./plot.module.css";
 import { along, linePath, type Scale } from "./scale";
 
 export interface Series {
@@ -52,22 +53,22 @@ export function Plot({ label, x, y, series, now, level, marks = [], height = HEI
   const left = (value: number) => along(x, value) * size.width;
   const top = (value: number) => (1 - along(y, value)) * size.height;
   return (
-    <div class="plot" ref={host} style={{ height: `${height}px` }}>
+    <div class={css["plot"]} ref={host} style={{ height: `${height}px` }}>
       {size.width > 0 && (
         <svg width={width} height={height} role="img" aria-label={label}>
           <g transform={`translate(${MARGIN.left} ${MARGIN.top})`}>
             <Axes x={x} y={y} size={size} />
             {level && (
-              <g class="plot-level">
+              <g class={css["plot-level"]}>
                 <path d={`M0 ${top(level.at)}H${size.width}`} />
                 <text x={size.width} y={top(level.at) - 5} text-anchor="end">
                   {level.name}
                 </text>
               </g>
             )}
-            {now !== undefined && <path class="plot-now" d={`M${left(now)} 0V${size.height}`} />}
+            {now !== undefined && <path class={css["plot-now"]} d={`M${left(now)} 0V${size.height}`} />}
             {marks.map(({ at, name, guess }, i) => (
-              <g key={name} class={guess ? "plot-mark guess" : "plot-mark"}>
+              <g key={name} class={`${css["plot-mark"]} ${guess ? css["guess"] : ""}`}>
                 <path d={`M${left(at)} 0V${size.height}`} />
                 <text
                   x={left(at) + (left(at) > 0.7 * size.width ? -5 : 5)}
@@ -96,7 +97,7 @@ interface Size {
 function Axes({ x, y, size }: { x: PlotProps["x"]; y: PlotProps["y"]; size: Size }) {
   const text = (scale: Scale, value: number) => (scale.format ?? ((v: number) => formatNumber(v)))(value);
   return (
-    <g class="plot-axes">
+    <g class={css["plot-axes"]}>
       {y.ticks.map((tick) => (
         <g key={tick} transform={`translate(0 ${(1 - along(y, tick)) * size.height})`}>
           <path d={`M0 0H${size.width}`} />
@@ -113,10 +114,10 @@ function Axes({ x, y, size }: { x: PlotProps["x"]; y: PlotProps["y"]; size: Size
           </text>
         </g>
       ))}
-      <text class="plot-name" x={size.width} y={size.height + 31} text-anchor="end">
+      <text x={size.width} y={size.height + 31} text-anchor="end">
         {x.name}
       </text>
-      <text class="plot-name" x={-MARGIN.left + 2} y={-14}>
+      <text x={-MARGIN.left + 2} y={-14}>
         {y.name}
       </text>
     </g>
@@ -138,7 +139,7 @@ function Curve({ series, x, y, size, colour }: CurveProps) {
     [along(x, px) * size.width, (1 - along(y, py)) * size.height] as const;
   const [nameX, nameY] = at ? place(at) : [0, 0];
   return (
-    <g class="plot-curve" style={{ color: colour }}>
+    <g class={css["plot-curve"]} style={{ color: colour }}>
       <path d={linePath(points, x, y, size)} stroke-dasharray={dashed ? "5 4" : undefined} />
       {dots &&
         points.map((point) => {

@@ -4,6 +4,7 @@ import { fixed } from "#format/numbers";
 import { palette } from "#style/palette";
 import { usePixels } from "../picture/picture";
 import { common, cover, type Round } from "./barnsley";
+import css from "./barnsley-rows.module.css";
 
 /** The part of the line that is drawn: all of [0, 1], and so much of what reaches beyond. */
 const LEFT = -0.57;
@@ -27,7 +28,7 @@ export function Rows({ rounds, r, bare = false }: RowsProps) {
   const row = bare ? 22 : ROW;
   const height = row * rounds.length + (bare ? 0 : ROW + 18);
   return (
-    <div class="rows" ref={host} style={{ minHeight: `${height}px` }}>
+    <div class={css["rows"]} ref={host} style={{ minHeight: `${height}px` }}>
       {width > 0 && (
         <svg width={width} height={height} role="img" aria-hidden={bare} aria-label={words(rounds, r)}>
           <Patterns />
@@ -62,7 +63,7 @@ function Patterns() {
         patternUnits="userSpaceOnUse"
         patternTransform="rotate(45)"
       >
-        <path d="M0 3H6" class="stripe" />
+        <path d="M0 3H6" class={css["stripe"]} />
       </pattern>
     </defs>
   );
@@ -76,19 +77,19 @@ function Limit({ r, y, width }: { r: number; y: number; width: number }) {
     <g>
       {[0, 1].map((at) => (
         <g key={at}>
-          <path class="row-guide" d={`M${x(at)} 24V${y + 30 + BAR}`} />
-          <text class="row-text" x={x(at)} y={y + 44 + BAR} text-anchor="middle">
+          <path class={css["row-guide"]} d={`M${x(at)} 24V${y + 30 + BAR}`} />
+          <text class={css["row-text"]} x={x(at)} y={y + 44 + BAR} text-anchor="middle">
             {at}
           </text>
         </g>
       ))}
-      <text class="row-text strong" x={0} y={y + 18}>
+      <text class={`${css["row-text"]} ${css["strong"]}`} x={0} y={y + 18}>
         the dust itself
       </text>
       {[0, 1].map((piece) => (
         <path
           key={piece}
-          class="row-dust"
+          class={css["row-dust"]}
           style={{ color: colours[piece] }}
           d={intervals(r, piece, width)
             .map(
@@ -129,10 +130,15 @@ function Row({ round, y, width, bare }: { round: Round; y: number; width: number
     <g transform={`translate(0 ${y})`}>
       {!bare && (
         <>
-          <text class="row-text strong" x={0} y={18}>
+          <text class={`${css["row-text"]} ${css["strong"]}`} x={0} y={18}>
             n = {round.n}
           </text>
-          <text class={`row-text ${round.apart ? "apart" : ""}`} x={width} y={18} text-anchor="end">
+          <text
+            class={`${css["row-text"]} ${round.apart ? css["apart"] : ""}`}
+            x={width}
+            y={18}
+            text-anchor="end"
+          >
             d {fixed(round.distance, 4)} {round.apart ? ">" : "≤"} {fixed(round.bound, 4)}
             {round.apart ? ", apart" : ""}
           </text>
@@ -140,13 +146,13 @@ function Row({ round, y, width, bare }: { round: Round; y: number; width: number
       )}
       {round.pieces.map((points, i) => (
         <g key={points[0]} style={{ color: colours[i] }}>
-          <path class="row-reach" d={(bars[i] ?? []).map((bar) => box(bar)).join("")} />
-          <path class="row-points" d={ticks(points, x, top)} />
+          <path class={css["row-reach"]} d={(bars[i] ?? []).map((bar) => box(bar)).join("")} />
+          <path class={css["row-points"]} d={ticks(points, x, top)} />
         </g>
       ))}
-      <path class="row-both" d={both.map((bar) => box(bar)).join("")} />
+      <path class={css["row-both"]} d={both.map((bar) => box(bar)).join("")} />
       {round.apart && !bare && (
-        <path class="row-gap" d={`M${x(round.nearest[0])} ${top + BAR / 2}H${x(round.nearest[1])}`} />
+        <path class={css["row-gap"]} d={`M${x(round.nearest[0])} ${top + BAR / 2}H${x(round.nearest[1])}`} />
       )}
     </g>
   );

@@ -4,6 +4,7 @@ import { palette } from "#style/palette";
 import { usePixels } from "../picture/picture";
 import { useValue } from "../workers";
 import type { Collisions } from "./collisions";
+import css from "./index-buffer.module.css";
 
 export interface BufferProps {
   run: Collisions;
@@ -27,7 +28,7 @@ export function Buffer({ run, count, label, marked = true }: BufferProps) {
   return (
     <canvas
       ref={canvas}
-      class="buffer"
+      class={css["buffer"]}
       {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
     />
   );

@@ -1,6 +1,7 @@
 import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import { type Edge, groups } from "./collisions";
+import css from "./overlap-graph.module.css";
 
 export interface GraphProps {
   /** A vertex for each map. */
@@ -31,16 +32,16 @@ export function Graph({ count, angles, edges, expected = [], still = false }: Gr
   };
   return (
     <svg
-      class="graph"
+      class={css["graph"]}
       viewBox={`0 0 ${SIDE} ${SIDE}`}
       role="img"
       aria-label={graphWords(count, edges, expected)}
     >
       {edges.map((edge) => (
-        <path key={edge.between.join()} class={edge === newest ? "newest" : ""} d={line(edge.between)} />
+        <path key={edge.between.join()} class={edge === newest ? css["newest"] : ""} d={line(edge.between)} />
       ))}
       {expected.map((pair) => (
-        <path key={`expected ${pair.join()}`} class="expected" d={line(pair)} />
+        <path key={`expected ${pair.join()}`} class={css["expected"]} d={line(pair)} />
       ))}
       {places.map(([x, y], i) => (
         <g key={`${i + 1}`} transform={`translate(${x} ${y})`} style={{ color: colours[i % colours.length] }}>

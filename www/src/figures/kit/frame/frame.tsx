@@ -1,5 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { Icon } from "#ui/Icon";
+import css from "./frame.module.css";
 
 export interface Heading {
   number: string;
@@ -43,12 +44,12 @@ export function Frame(props: FrameProps) {
       >
         {props.lead}
       </Head>
-      <section class="figure-live" aria-label="The figure">
+      <section class={css["figure-live"]} data-testid="live" aria-label="The figure">
         {props.children}
       </section>
-      <div class="figure-foot">
+      <div class={css["figure-foot"]}>
         {props.found !== undefined && (
-          <section class="figure-found" aria-labelledby="figure-found">
+          <section class={css["figure-found"]} aria-labelledby="figure-found">
             <h2 id="figure-found">What Frond finds</h2>
             {props.found}
           </section>
@@ -89,27 +90,30 @@ export interface HeadProps extends Heading {
 /** The name of a page, its way into the studio, and its text. */
 export function Head({ number, title, badge, studio, children }: HeadProps) {
   return (
-    <header class="figure-head">
+    <header class={css["figure-head"]}>
       <div>
-        <p class="figure-number">
-          {number} <span class="badge">{badge}</span>
+        <p class={css["figure-number"]}>
+          {number}{" "}
+          <span class={css["badge"]} data-testid="badge">
+            {badge}
+          </span>
         </p>
         <h1 tabIndex={-1}>{title}</h1>
       </div>
       {studio && (
-        <a class="button figure-studio" href={studio.href}>
+        <a class={`button ${css["figure-studio"]}`} data-testid="studio-link" href={studio.href}>
           {studio.label ?? "Open in the studio"}
           <Icon name="arrow" />
         </a>
       )}
-      <div class="figure-lead">{children}</div>
+      <div class={css["figure-lead"]}>{children}</div>
     </header>
   );
 }
 
 export function Parameters({ of }: { of: readonly Parameter[] }) {
   return (
-    <dl class="parameters">
+    <dl class={css["parameters"]}>
       {of.map(({ name, symbol, value }) => (
         <div key={name}>
           <dt>
@@ -132,8 +136,8 @@ export interface ControlProps {
 /** A slider with its name and its number above it. The slider names itself to those who hear it. */
 export function Control({ label, symbol, value, children }: ControlProps) {
   return (
-    <div class="control">
-      <div class="control-head" aria-hidden="true">
+    <div class={css["control"]}>
+      <div class={css["control-head"]} aria-hidden="true">
         <span>
           {label} {symbol !== undefined && <span class="symbol">{symbol}</span>}
         </span>

@@ -1,6 +1,8 @@
 import { reasonWords } from "#format/reason";
 import { RESOLUTION, type VerdictWords, verdictWords } from "#format/verdict";
 import type { Connectedness } from "#wasm/api";
+import layout from "./layout.module.css";
+import css from "./verdict.module.css";
 
 /** Whether it is proved to be in pieces, or has no attractor. */
 export function isBrokenVerdict(answer: Connectedness | null): boolean {
@@ -25,7 +27,7 @@ export function VerdictChip({ answer, epsilon = RESOLUTION, stale = false }: Ver
 /** The reason of a proof that a shape is in one piece, where there is one. */
 export function Why({ answer }: { answer: Connectedness | undefined }) {
   const reason = answer?.verdict === "connected" ? answer.reason : undefined;
-  return reason ? <p class="why">{reasonWords(reason.text)}</p> : null;
+  return reason ? <p class={layout["why"]}>{reasonWords(reason.text)}</p> : null;
 }
 
 export interface ChipProps {
@@ -37,10 +39,10 @@ export interface ChipProps {
 
 export function Chip({ tone, text, aside = "", stale = false }: ChipProps) {
   return (
-    <p class={`verdict ${tone}`} data-stale={stale ? "" : undefined}>
+    <p class={css["verdict"]} data-stale={stale ? "" : undefined}>
       <Sign tone={tone} />
-      <span class="verdict-text">{text}</span>
-      {aside !== "" && <span class="verdict-aside">{aside}</span>}
+      <span>{text}</span>
+      {aside !== "" && <span class={css["verdict-aside"]}>{aside}</span>}
     </p>
   );
 }
@@ -48,7 +50,13 @@ export function Chip({ tone, text, aside = "", stale = false }: ChipProps) {
 /** A shape for each state beside its colour: one disc, two that touch, one cut in two, a ring. */
 export function Sign({ tone }: { tone: VerdictWords["tone"] }) {
   return (
-    <svg class={`verdict-sign ${tone}`} width={16} height={16} viewBox="0 0 16 16" aria-hidden="true">
+    <svg
+      class={`${css["verdict-sign"]} ${css[tone] ?? ""}`}
+      width={16}
+      height={16}
+      viewBox="0 0 16 16"
+      aria-hidden="true"
+    >
       {tone === "whole" && <circle cx={8} cy={8} r={5} />}
       {tone === "close" && (
         <>
@@ -62,7 +70,7 @@ export function Sign({ tone }: { tone: VerdictWords["tone"] }) {
           <path d="M10 3a5 5 0 0 1 0 10z" />
         </>
       )}
-      {tone === "unknown" && <circle cx={8} cy={8} r={4.25} class="hollow" />}
+      {tone === "unknown" && <circle cx={8} cy={8} r={4.25} class={css["hollow"]} />}
     </svg>
   );
 }

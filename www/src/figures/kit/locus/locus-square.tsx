@@ -5,6 +5,7 @@ import type { LocusResult } from "#compute/results";
 import type { Uv } from "#geometry/path";
 import type { Bounds } from "#wasm/api";
 import { fieldPixels } from "./locus-colours";
+import css from "./locus-square.module.css";
 
 export interface SquareProps {
   field: LocusResult | null;
@@ -25,6 +26,8 @@ export interface PlaneProps {
   children?: (place: (point: Uv) => [left: number, top: number]) => ComponentChildren;
   point?: Uv;
   onMove?: (point: Uv) => void;
+  /** On the ground of the page, until there is a field. */
+  plain?: boolean;
 }
 
 const UNITS = 300;
@@ -44,8 +47,8 @@ export function Square({ lines, ...plane }: SquareProps) {
       {() => (
         <>
           {lines.map((line) => (
-            <g key={line.name} class={line.dashed ? "way dashed" : "way"}>
-              <path class="halo" d={wayPath(line.points)} />
+            <g key={line.name} class={`${css["way"]} ${line.dashed ? css["dashed"] : ""}`}>
+              <path class={css["halo"]} d={wayPath(line.points)} />
               <path d={wayPath(line.points)} />
             </g>
           ))}
@@ -58,9 +61,9 @@ export function Square({ lines, ...plane }: SquareProps) {
 }
 
 /** A part of a plane of parameters, with a point on it that can be moved. */
-export function Plane({ field, label, bounds, children, point, onMove }: PlaneProps) {
+export function Plane({ field, label, bounds, children, point, onMove, plain = false }: PlaneProps) {
   return (
-    <div class="square">
+    <div class={`${css["square"]} ${plain ? css["plain"] : ""}`}>
       <FieldCanvas field={field} label={label} />
       <svg viewBox={`0 0 ${UNITS} ${UNITS}`} aria-hidden="true">
         {children?.(placeIn(bounds))}
@@ -82,7 +85,7 @@ function wayPath(points: readonly Uv[]): string {
 
 function End({ at, name }: { at: Uv; name: string }) {
   return (
-    <g class="way-end" transform={`translate(${place(at).join(" ")})`}>
+    <g class={css["way-end"]} transform={`translate(${place(at).join(" ")})`}>
       <circle r={8} />
       <text dy="0.35em" text-anchor="middle">
         {name}
@@ -103,7 +106,7 @@ function FieldCanvas({ field, label }: { field: LocusResult | null; label: strin
   return (
     <canvas
       ref={canvas}
-      class="field"
+      class={css["field"]}
       {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
     />
   );
@@ -127,7 +130,7 @@ function Handle({ point, bounds, onMove }: { point: Uv; bounds: Bounds; onMove: 
   return (
     <div
       ref={host}
-      class="square-reach"
+      class={css["square-reach"]}
       onPointerDown={(event) => {
         if (event.button !== 0) return;
         event.currentTarget.setPointerCapture(event.pointerId);
@@ -145,5 +148,5 @@ function Handle({ point, bounds, onMove }: { point: Uv; bounds: Bounds; onMove: 
 function Ring({ point, bounds }: { point: Uv; bounds: Bounds }) {
   const [x, y] = placeIn(bounds)(point);
   const style = { left: `${(100 * x) / UNITS}%`, top: `${(100 * y) / UNITS}%` };
-  return <span class="square-handle" style={style} />;
+  return <span class={css["square-handle"]} style={style} />;
 }

@@ -2,6 +2,7 @@ import type { ComponentChildren } from "preact";
 import { type Box, fitFor } from "#document/framing";
 import type { MapRow } from "#wasm/api";
 import { apply, type Point } from "../maps/pieces";
+import css from "./annotated.module.css";
 import { Picture, type PictureProps } from "./picture";
 
 /** Pictures are 4 to 3, flat ones 2 to 1; what is drawn over them has these units. */
@@ -25,7 +26,7 @@ export function Drawn({ children, margin = MARGIN, flat = false, ...picture }: D
     height / 2 - (y - view.y) * view.scale,
   ];
   return (
-    <div class={flat ? "drawn flat" : "drawn"}>
+    <div class={`${css["drawn"]} ${flat ? css["flat"] : ""}`}>
       <Picture {...picture} margin={margin} />
       <svg viewBox={`0 0 ${UNITS.width} ${height}`} aria-hidden="true">
         {children?.(place, view.scale)}
@@ -37,10 +38,10 @@ export function Drawn({ children, margin = MARGIN, flat = false, ...picture }: D
 /** The number of each piece, in its middle or where it is said. */
 export function PieceNames({ at }: { at: readonly Point[] }) {
   return (
-    <g class="piece-names">
+    <g class={css["piece-names"]}>
       {at.map(([x, y], i) => (
         <g key={`${i + 1}`} transform={`translate(${x.toFixed(1)} ${y.toFixed(1)})`}>
-          <circle r={11} />
+          <circle />
           <text dy="0.35em" text-anchor="middle">
             {i + 1}
           </text>
@@ -68,8 +69,8 @@ export function Span({ from, to, name = "", kind = "", awayFrom }: SpanProps) {
   const bar = ([x, y]: Point) => `M${x - nx} ${y - ny}L${x + nx} ${y + ny}`;
   const path = `M${from.join(" ")}L${to.join(" ")}${bar(from)}${bar(to)}`;
   return (
-    <g class={`span ${kind}`}>
-      <path class="halo" d={path} />
+    <g class={`${css["span"]} ${css[kind] ?? ""}`}>
+      <path class={css["halo"]} d={path} />
       <path d={path} />
       {name !== "" && (
         <text

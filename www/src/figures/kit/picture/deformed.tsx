@@ -5,6 +5,8 @@ import { bentAt } from "#geometry/bezier";
 import type { Bend } from "#wasm/api";
 import type { Point } from "../maps/pieces";
 import type { Place } from "./annotated";
+import annotatedCss from "./annotated.module.css";
+import css from "./deformed.module.css";
 import { Picture, type PictureProps } from "./picture";
 
 /** What is drawn over a picture has these units across. */
@@ -30,10 +32,10 @@ export function Bent({ bend, aspect = 1, grid = 11, children, margin = MARGIN, .
   ];
   const points = useMemo(() => (grid > 1 ? gridPoints(bend, grid) : []), [bend, grid]);
   return (
-    <div class="drawn bent" style={{ "--aspect": String(aspect) }}>
+    <div class={`${annotatedCss["drawn"]} ${css["bent"]}`} style={{ "--aspect": String(aspect) }}>
       <Picture {...picture} bend={bend} margin={margin} />
       <svg viewBox={`0 0 ${WIDTH} ${height}`} aria-hidden="true">
-        {points.length > 0 && <path class="bent-grid" d={gridPath(points.map(place), grid)} />}
+        {points.length > 0 && <path class={css["bent-grid"]} d={gridPath(points.map(place), grid)} />}
         {children?.(place)}
       </svg>
     </div>

@@ -5,6 +5,7 @@ import { palette } from "#style/palette";
 import type { Bend, Colouring, MapRow } from "#wasm/api";
 import type { Task } from "#workers/pool/protocol";
 import { useAsk, useValue } from "../workers";
+import css from "./picture.module.css";
 
 export interface PictureProps {
   maps: MapRow[];
@@ -62,7 +63,7 @@ export function Picture({
   return (
     <canvas
       ref={canvas}
-      class="figure-picture"
+      class={css["figure-picture"]}
       data-complete={task !== null && shown === task && !coarse ? "" : undefined}
       {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
     />

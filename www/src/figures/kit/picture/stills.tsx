@@ -6,6 +6,7 @@ import type { MapRow, Verdict } from "#wasm/api";
 import { isBrokenVerdict } from "../frame/verdict";
 import { useVerdict } from "../workers";
 import { Picture } from "./picture";
+import css from "./stills.module.css";
 
 export interface StripFrame {
   t: number;
@@ -39,7 +40,7 @@ export function Strip({ label, frames, box, t, onPick }: StripProps) {
   };
   return (
     <ol
-      class="stills"
+      class={css["stills"]}
       ref={list}
       aria-label={label}
       style={{ "--frames": String(frames.length) }}
@@ -75,7 +76,7 @@ function Still({ frame, box, current, onPick }: StillProps) {
     <li>
       <button
         type="button"
-        class={`still ${broken ? "broken" : ""}`}
+        class={`${css["still"]} ${broken ? css["broken"] : ""}`}
         tabIndex={current ? 0 : -1}
         aria-current={current ? "true" : undefined}
         aria-label={`t = ${fixed(frame.t)}: ${verdictPhrase(answer)}`}
@@ -83,7 +84,7 @@ function Still({ frame, box, current, onPick }: StillProps) {
         onClick={() => onPick(frame.t)}
       >
         <Picture maps={frame.maps} box={box} label={null} margin={0.04} priority={40} />
-        <span class="still-mark" aria-hidden="true">
+        <span class={css["still-mark"]} aria-hidden="true">
           {answer === null ? "…" : MARKS[answer.verdict]}
         </span>
       </button>

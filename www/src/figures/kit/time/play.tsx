@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { IconButton } from "#ui/Button";
+import timeCss from "./time.module.css";
 
 /** Calls `step` at every frame while it plays, with the seconds since the last; stops when that returns false. */
 export function usePlay(step: (seconds: number) => boolean): {
@@ -33,7 +34,7 @@ export function usePlay(step: (seconds: number) => boolean): {
 export function PlayButton({ playing, toggle }: { playing: boolean; toggle: () => void }) {
   return (
     <IconButton
-      class="play"
+      class={timeCss["play"] ?? ""}
       icon={playing ? "pause" : "play"}
       label={playing ? "Pause" : "Play"}
       onClick={toggle}

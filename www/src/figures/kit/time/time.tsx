@@ -3,6 +3,7 @@ import { fixed } from "#format/numbers";
 import type { Stretch } from "#geometry/states";
 import { Slider } from "#ui/Slider";
 import { PlayButton, usePlay } from "./play";
+import css from "./time.module.css";
 
 const SECONDS = 8;
 
@@ -35,7 +36,7 @@ export interface TimeProps {
 /** Play, and a slider over the whole morph with its broken stretches marked. */
 export function Time({ time, words, breaks = [] }: TimeProps) {
   return (
-    <div class="figure-time">
+    <div class={css["figure-time"]}>
       <PlayButton playing={time.playing} toggle={time.toggle} />
       <Slider
         label="Time t"
@@ -47,7 +48,7 @@ export function Time({ time, words, breaks = [] }: TimeProps) {
         {breaks.map(({ t0, t1 }) => (
           <span
             key={`${t0}-${t1}`}
-            class="time-break"
+            class={css["time-break"]}
             style={{ left: `${100 * t0}%`, width: `max(2px, ${100 * (t1 - t0)}%)` }}
           />
         ))}

@@ -2,6 +2,7 @@ import type { ComponentChildren } from "preact";
 import { useOwnId } from "#ui/id";
 import { Slider } from "#ui/Slider";
 import { Control } from "../../kit/frame/frame";
+import css from "./choices.module.css";
 import type { Prediction } from "./prediction";
 
 export interface Choice<T extends string> {
@@ -24,7 +25,7 @@ export function Choices<T extends string>({ ask, options, prediction, truth }: C
   const name = useOwnId("guess");
   const { guess, shown } = prediction;
   return (
-    <fieldset class="choices">
+    <fieldset class={css["choices"]}>
       <legend>{ask}</legend>
       {options.map(({ value, label }) => {
         const so = shown && value === truth;
@@ -32,7 +33,7 @@ export function Choices<T extends string>({ ask, options, prediction, truth }: C
           .filter(Boolean)
           .join(", ");
         return (
-          <label key={value} class={`option ${so ? "so" : ""}`}>
+          <label key={value} class={`${css["option"]} ${so ? css["so"] : ""}`}>
             <input
               type="radio"
               name={name}
@@ -41,9 +42,9 @@ export function Choices<T extends string>({ ask, options, prediction, truth }: C
               disabled={shown && value !== guess}
               onChange={() => prediction.say(value)}
             />
-            <span class="option-text">{label}</span>
+            <span>{label}</span>
             {/* Its room is kept, so that nothing moves when it comes. */}
-            <span class="option-mark" aria-hidden={!shown} data-kept={shown ? undefined : ""}>
+            <span class={css["option-mark"]} aria-hidden={!shown} data-kept={shown ? undefined : ""}>
               {shown ? marks : LONGEST}
             </span>
           </label>
@@ -73,7 +74,7 @@ export function Guess({ ask, label, symbol, min, max, step, format, prediction, 
   const at = truth === null ? null : Math.min(1, Math.max(0, (truth - min) / (max - min)));
   const told = shown && truth !== null;
   return (
-    <fieldset class="choices guess" disabled={shown}>
+    <fieldset class={`${css["choices"]} ${css["guess"]}`} disabled={shown}>
       <legend>{ask}</legend>
       <Control
         label={shown ? "Your guess" : label}
@@ -89,9 +90,9 @@ export function Guess({ ask, label, symbol, min, max, step, format, prediction, 
           valueText={`${format(value)}${told ? `; it is ${format(truth)}` : ""}`}
           onChange={(next) => prediction.say(step === 1 ? Math.round(next) : next)}
         >
-          {told && at !== null && <span class="truth-mark" style={{ left: `${100 * at}%` }} />}
+          {told && at !== null && <span class={css["truth-mark"]} style={{ left: `${100 * at}%` }} />}
         </Slider>
-        <p class="truth-name" aria-hidden="true">
+        <p class={css["truth-name"]} aria-hidden="true">
           {told && at !== null && (
             <span style={{ left: `${100 * at}%` }} data-end={at > 0.85 ? "" : undefined}>
               {format(truth)}

@@ -1,6 +1,9 @@
 import type { ComponentChildren } from "preact";
 import { Button } from "#ui/Button";
 import { Head, type Heading, type Parameter, Parameters } from "../../kit/frame/frame";
+import frameCss from "../../kit/frame/frame.module.css";
+import layout from "../../kit/frame/layout.module.css";
+import css from "./lesson.module.css";
 import type { Prediction } from "./prediction";
 
 export interface LessonProps extends Heading {
@@ -23,11 +26,11 @@ export function Lesson(props: LessonProps) {
       <Head number={props.number} title={props.title} badge="by Frond" studio={props.studio}>
         {props.text}
       </Head>
-      <section class="figure-live" aria-label="The picture">
+      <section class={frameCss["figure-live"]} data-testid="live" aria-label="The picture">
         {props.children}
       </section>
       {props.question}
-      <div class="figure-foot">
+      <div class={frameCss["figure-foot"]}>
         <section aria-labelledby="figure-parameters">
           <h2 id="figure-parameters">Parameters</h2>
           <Parameters of={props.parameters} />
@@ -57,13 +60,23 @@ export interface QuestionProps {
 export function Question({ prediction, beside, children, answer, after }: QuestionProps) {
   const { guess, shown, show, again } = prediction;
   return (
-    <section class="figure-live question" aria-labelledby="question">
+    <section
+      class={`${frameCss["figure-live"]} ${css["question"]}`}
+      data-testid="live"
+      aria-labelledby="question"
+    >
       <h2 id="question">What do you think?</h2>
-      <div class={beside === undefined ? "question-alone" : "two-columns even"}>
-        {beside !== undefined && <div class="panel">{beside}</div>}
-        <div class="ask">
+      <div
+        class={
+          beside === undefined
+            ? css["question-alone"]
+            : `${layout["two-columns"]} ${layout["even"]} ${css["beside"]}`
+        }
+      >
+        {beside !== undefined && <div class={layout["panel"]}>{beside}</div>}
+        <div class={css["ask"]}>
           {children}
-          <div class="buttons">
+          <div class={layout["buttons"]}>
             <Button
               kind={shown ? "plain" : "primary"}
               disabled={guess === null}
@@ -71,9 +84,9 @@ export function Question({ prediction, beside, children, answer, after }: Questi
             >
               {shown ? "Think again" : "Show me"}
             </Button>
-            {guess === null && <p class="hint">Choose first, then look.</p>}
+            {guess === null && <p class={layout["hint"]}>Choose first, then look.</p>}
           </div>
-          <div class="answer" aria-live="polite">
+          <div class={css["answer"]} aria-live="polite">
             {shown && answer}
           </div>
         </div>
@@ -87,7 +100,9 @@ export function Question({ prediction, beside, children, answer, after }: Questi
 export function Truth({ line, children }: { line: ComponentChildren; children: ComponentChildren }) {
   return (
     <>
-      <p class="truth">{line}</p>
+      <p class={css["truth"]} data-testid="truth">
+        {line}
+      </p>
       {children}
     </>
   );

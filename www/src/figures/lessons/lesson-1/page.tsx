@@ -4,15 +4,18 @@ import { fixed } from "#format/numbers";
 import { lengthWords } from "#format/verdict";
 import { Slider } from "#ui/Slider";
 import { Control, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import { EXACT, VerdictChip, Why } from "../../kit/frame/verdict";
 import { gasket, HEIGHT } from "../../kit/maps/families";
 import { Drawn, Span } from "../../kit/picture/annotated";
+import annotatedCss from "../../kit/picture/annotated.module.css";
 import { Picture } from "../../kit/picture/picture";
 import { useVerdict } from "../../kit/workers";
 import { Guess } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { nearWords, usePrediction } from "../frame/prediction";
+import css from "./page.module.css";
 
 const WHOLE: Box = { x0: 0, y0: 0, x1: 1, y1: HEIGHT };
 /** Where pieces 1 and 2 meet. */
@@ -74,8 +77,8 @@ function Meeting() {
   const times = Math.round(2 ** power);
   return (
     <>
-      <div class="two-columns even">
-        <figure class="panel">
+      <div class={`${layout["two-columns"]} ${layout["even"]}`}>
+        <figure class={layout["panel"]}>
           <Drawn
             maps={maps}
             box={WHOLE}
@@ -83,12 +86,12 @@ function Meeting() {
           >
             {(place) => {
               const [x, y] = place([MEET, 0]);
-              return <circle class="lens" cx={x} cy={y} r={9} />;
+              return <circle class={annotatedCss["lens"]} cx={x} cy={y} r={9} />;
             }}
           </Drawn>
           <figcaption>The ring marks where pieces 1 and 2 meet.</figcaption>
         </figure>
-        <figure class="panel">
+        <figure class={layout["panel"]}>
           <Picture
             maps={maps}
             box={lens}
@@ -100,7 +103,7 @@ function Meeting() {
           </figcaption>
         </figure>
       </div>
-      <div class="controls">
+      <div class={layout["controls"]}>
         <Control label="Strength of the lens" value={`${times} ×`}>
           <Slider
             label="Strength of the lens"
@@ -172,7 +175,7 @@ function Closer({ r, gap }: { r: number; gap: number }) {
   const half = Math.min(0.5, Math.max(2e-3, 2 * Math.abs(gap)));
   const box = useMemo(() => lensAt(half), [half]);
   return (
-    <figure class="panel closer">
+    <figure class={`${layout["panel"]} ${css["closer"]}`}>
       <Drawn
         maps={maps}
         box={box}

@@ -6,6 +6,7 @@ import type { PathPlan } from "#wasm/api";
 import { frond } from "#wasm/core";
 import type { Task } from "#workers/pool/protocol";
 import type { Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";
 import { Square } from "../../kit/locus/locus-square";
@@ -17,6 +18,7 @@ import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
 import { Matching, matchingWords } from "./matching";
+import css from "./page.module.css";
 
 const EPSILON = 1 / 600;
 const SIZE = 85;
@@ -108,9 +110,9 @@ function Between() {
     { maps: to, words: "B, the last shape", named: true },
   ];
   return (
-    <div class="quadruple">
+    <div class={css["quadruple"]}>
       {shapes.map(({ maps, words, named }) => (
-        <figure key={words} class="panel">
+        <figure key={words} class={layout["panel"]}>
           <Drawn maps={maps} box={boxAround([maps])} label={words}>
             {(place) => named && <PieceNames at={middles(maps, boxAround([maps])).map(place)} />}
           </Drawn>
@@ -157,10 +159,10 @@ function Pairing({ prediction }: { prediction: Prediction<Name> }) {
         options={NAMES.map((name) => ({
           value: name,
           label: (
-            <span class="pairing">
+            <span class={css["pairing"]}>
               {LETTERS[name]}
               <Matching matching={MATCHINGS[name]} />
-              <span class="pairing-words">{matchingWords(MATCHINGS[name])}</span>
+              <span class={css["pairing-words"]}>{matchingWords(MATCHINGS[name])}</span>
             </span>
           ),
         }))}
@@ -177,13 +179,13 @@ function Maps() {
   const ends = useMemo(() => endsOf(first), [first]);
   return (
     <>
-      <div class="controls">
-        <div class="choice">
-          <span class="choice-label">From</span>
+      <div class={layout["controls"]}>
+        <div class={layout["choice"]}>
+          <span class={layout["choice-label"]}>From</span>
           <Segmented label="First shape" options={FIRST} value={first} onChange={setFirst} />
         </div>
       </div>
-      <div class="triple">
+      <div class={layout["triple"]}>
         {NAMES.map((name) => (
           <Chart key={`${first} ${name}`} ends={ends} name={name} />
         ))}
@@ -205,14 +207,14 @@ function Chart({ ends, name }: { ends: Ends; name: Name }) {
   const holds = plan?.holds ?? false;
   const state = plan === null ? "being looked for" : meritWords(plan);
   return (
-    <figure class="panel">
+    <figure class={layout["panel"]}>
       <Square
         field={field}
         label={`The map of shapes of pairing ${LETTERS[name]}, with the best way from A to B: ${state}.`}
         lines={plan ? [{ name: "way", points: plan.points }] : []}
       />
       <figcaption>
-        <span class="side-name">
+        <span class={layout["side-name"]}>
           {LETTERS[name]} <span>{matchingWords(MATCHINGS[name])}</span>
         </span>
         <Chip

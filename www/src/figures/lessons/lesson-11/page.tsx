@@ -4,6 +4,7 @@ import { fixed } from "#format/numbers";
 import { Slider } from "#ui/Slider";
 import { FAR_CORNER, GASKET, KE, LIFT_BOX, liftOf } from "../../fujimoto/deformations/lifted-gasket";
 import { Control, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import { Bent } from "../../kit/picture/deformed";
 import { Choices } from "../frame/choices";
@@ -59,12 +60,12 @@ const useBend = (kb: number, t: number) => useMemo(() => bendAt(liftOf({ kb }), 
 function Plain() {
   const [rest, plain] = [useBend(KE, 0), useBend(KE, 1)];
   return (
-    <div class="two-columns even">
-      <figure class="panel">
+    <div class={`${layout["two-columns"]} ${layout["even"]}`}>
+      <figure class={layout["panel"]}>
         <Bent maps={GASKET} box={LIFT_BOX} bend={rest} label="The gasket at rest, with its grid" />
         <figcaption>at rest, with its grid</figcaption>
       </figure>
-      <figure class="panel">
+      <figure class={layout["panel"]}>
         <Bent
           maps={GASKET}
           box={LIFT_BOX}
@@ -125,12 +126,12 @@ function After() {
   const bend = useBend(kb, 1);
   return (
     <>
-      <div class="two-columns even">
-        <figure class="panel">
+      <div class={`${layout["two-columns"]} ${layout["even"]}`}>
+        <figure class={layout["panel"]}>
           <Bent maps={GASKET} box={LIFT_BOX} bend={bend} label={`The gasket at locality ${fixed(kb)} of 9`} />
           <figcaption>the whole</figcaption>
         </figure>
-        <figure class="panel">
+        <figure class={layout["panel"]}>
           <Bent
             maps={GASKET}
             box={FAR_CORNER}
@@ -141,7 +142,7 @@ function After() {
           <figcaption>the far corner, nearly fifteen times larger</figcaption>
         </figure>
       </div>
-      <div class="controls">
+      <div class={layout["controls"]}>
         <Control label="Locality" symbol="kb" value={fixed(kb)}>
           <Slider
             label="Locality"

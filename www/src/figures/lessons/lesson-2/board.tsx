@@ -4,6 +4,7 @@ import { palette } from "#style/palette";
 import type { Point } from "../../kit/maps/pieces";
 import { usePixels } from "../../kit/picture/picture";
 import { useValue } from "../../kit/workers";
+import css from "./board.module.css";
 import { CORNERS, type Throws } from "./throws";
 
 export interface BoardProps {
@@ -43,32 +44,36 @@ export function Board({ game, count, label, holes = [], onThrow }: BoardProps) {
     onThrow?.(far.indexOf(Math.min(...far)));
   };
   return (
-    <div class="board">
+    <div class={css["board"]}>
       <canvas
         ref={canvas}
         {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
       />
       <svg
         viewBox={`0 0 ${UNITS.width} ${UNITS.height}`}
-        class={onThrow ? "pressed" : ""}
+        class={onThrow ? css["pressed"] : ""}
         aria-hidden="true"
         onPointerDown={onThrow && press}
       >
-        <path class="throw-frame" d={`M${CORNERS.map((p) => place(p).join(" ")).join("L")}Z`} />
+        <path class={css["throw-frame"]} d={`M${CORNERS.map((p) => place(p).join(" ")).join("L")}Z`} />
         {holes.map((hole) => (
-          <path key={hole.join()} class="hole" d={`M${hole.map((p) => place(p).join(" ")).join("L")}Z`} />
+          <path
+            key={hole.join()}
+            class={css["hole"]}
+            d={`M${hole.map((p) => place(p).join(" ")).join("L")}Z`}
+          />
         ))}
         {count < 400 && ways.length > 1 && (
-          <path class="throw-way" d={`M${ways.map((p) => place(p).join(" ")).join("L")}`} />
+          <path class={css["throw-way"]} d={`M${ways.map((p) => place(p).join(" ")).join("L")}`} />
         )}
-        {count < 400 && <circle class="throw-here" r={6} {...at(place(game.here))} />}
+        {count < 400 && <circle class={css["throw-here"]} r={6} {...at(place(game.here))} />}
         {CORNERS.map((corner, i) => (
           <g
             key={corner.join()}
             style={{ color: colours[i] }}
             transform={`translate(${place(corner).join(" ")})`}
           >
-            <circle class="corner" r={13} />
+            <circle class={css["corner"]} r={13} />
             <text dy="0.35em" text-anchor="middle">
               {i + 1}
             </text>

@@ -1,12 +1,15 @@
 import { useMemo, useState } from "preact/hooks";
 import { Button } from "#ui/Button";
 import type { Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { gasket } from "../../kit/maps/families";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
+import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, usePrediction } from "../frame/prediction";
 import { Board } from "./board";
+import css from "./page.module.css";
 import { holes, Throws } from "./throws";
 
 const FIRST = 5;
@@ -73,7 +76,7 @@ function ByHand() {
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: the keys are those of the buttons within
     <div
-      class="two-columns even"
+      class={`${layout["two-columns"]} ${layout["even"]}`}
       onKeyDown={(event) => {
         const corner = ["1", "2", "3"].indexOf(event.key);
         if (corner < 0 || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -87,10 +90,10 @@ function ByHand() {
         label={`The board after ${game.count} throws.`}
         onThrow={(corner) => play((now) => now.throwTo(corner))}
       />
-      <div class="ask">
-        <div class="throwing">
+      <div class={lessonCss["ask"]}>
+        <div class={css["throwing"]}>
           <h2>Throw towards</h2>
-          <div class="buttons">
+          <div class={layout["buttons"]}>
             {NAMES.map((name, i) => (
               <Button key={name} description={name} onClick={() => play((now) => now.throwTo(i))}>
                 {i + 1}, {name}
@@ -98,7 +101,7 @@ function ByHand() {
             ))}
           </div>
           <h2>Throw the die</h2>
-          <div class="buttons">
+          <div class={layout["buttons"]}>
             {[1, 10, 100].map((count) => (
               <Button
                 key={count}
@@ -153,7 +156,7 @@ function Empty({ prediction }: { prediction: Prediction<Where> }) {
             The point begins in the middle, and leaves it for good with the first throw. After that it is in a
             hole of half the size each time: it never quite reaches the gasket, but soon nobody can tell.
           </p>
-          <div class="buttons">
+          <div class={layout["buttons"]}>
             {[10, 100, 1000, MANY].map((many) => (
               <Button key={many} pressed={many === count} onClick={() => setCount(many)}>
                 {groups(many)}

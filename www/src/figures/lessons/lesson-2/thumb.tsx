@@ -1,4 +1,5 @@
 import { useMemo } from "preact/hooks";
+import { Small } from "../../kit/picture/small";
 import { Board } from "./board";
 import { Throws } from "./throws";
 
@@ -8,5 +9,9 @@ export function Thumb() {
     thrown.roll(700);
     return thrown;
   }, []);
-  return <Board game={game} count={game.count} label={null} />;
+  return (
+    <Small shape={400 / 360}>
+      <Board game={game} count={game.count} label={null} />
+    </Small>
+  );
 }

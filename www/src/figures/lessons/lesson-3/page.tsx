@@ -5,13 +5,16 @@ import type { MapRow } from "#wasm/api";
 import { type Edge, groups } from "../../kit/connectedness/collisions";
 import { Graph } from "../../kit/connectedness/overlap-graph";
 import type { Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { cutKoch, PEAK } from "../../kit/maps/families";
 import { apply, type Point } from "../../kit/maps/pieces";
 import { Drawn, PieceNames, Span } from "../../kit/picture/annotated";
 import { useVerdict } from "../../kit/workers";
+import choicesCss from "../frame/choices.module.css";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
+import css from "./page.module.css";
 
 type Pair = readonly [i: number, j: number];
 
@@ -80,7 +83,7 @@ export function Page(heading: Heading) {
 function Chain() {
   const maps = useMemo(() => cutKoch(0), []);
   return (
-    <div class="two-columns">
+    <div class={layout["two-columns"]}>
       <Pieces maps={maps} label="Koch’s curve and its four copies, numbered from left to right." />
       <Graph count={COUNT} angles={ANGLES} still edges={[edge([0, 1]), edge([1, 2]), edge([2, 3])]} />
     </div>
@@ -125,18 +128,18 @@ function Edges({ prediction }: { prediction: Prediction<readonly string[]> }) {
             label="A curve like Koch’s whose peak is cut open: pieces 2 and 3 do not meet on top."
           />
           <Graph count={COUNT} angles={ANGLES} still edges={shown ? found.map(edge) : []} expected={drawn} />
-          <p class="hint graph-key">
+          <p class={`${layout["hint"]} ${css["graph-key"]}`}>
             {shown ? "Solid: these touch. Dotted: your lines." : "Dotted: your lines."}
           </p>
         </>
       }
       answer={judged && <Answer found={found} drawn={drawn} count={judged.answer.count} />}
     >
-      <fieldset class="choices">
+      <fieldset class={choicesCss["choices"]}>
         <legend>
           Somebody has cut the peak open. Which pieces touch now? And is the curve still in one piece?
         </legend>
-        <div class="pairs">
+        <div class={css["pairs"]}>
           {PAIRS.map((pair) => (
             <EdgeChoice
               key={key(pair)}
@@ -147,7 +150,7 @@ function Edges({ prediction }: { prediction: Prediction<readonly string[]> }) {
           ))}
         </div>
       </fieldset>
-      <p class="hint" aria-live="polite">
+      <p class={layout["hint"]} aria-live="polite">
         {guess === null
           ? "Tick the pairs that you think touch."
           : `You drew ${count(drawn.length, "line")}. With ${drawn.length === 1 ? "it" : "them"} the curve would be in ${yours === 1 ? "one piece" : `${yours} groups`}.`}
@@ -168,17 +171,17 @@ function EdgeChoice({ pair, prediction, truth }: EdgeChoiceProps) {
   const name = key(pair);
   const ticked = guess?.includes(name) ?? false;
   return (
-    <label class={`option ${truth ? "so" : ""}`}>
+    <label class={`${choicesCss["option"]} ${truth ? choicesCss["so"] : ""}`}>
       <input
         type="checkbox"
         checked={ticked}
         disabled={truth !== null}
         onChange={() => say(ticked ? (guess ?? []).filter((one) => one !== name) : [...(guess ?? []), name])}
       />
-      <span class="option-text">
+      <span>
         {pair[0] + 1} and {pair[1] + 1}
       </span>
-      {truth !== null && <span class="option-mark">{truth ? "touch" : "apart"}</span>}
+      {truth !== null && <span class={choicesCss["option-mark"]}>{truth ? "touch" : "apart"}</span>}
     </label>
   );
 }

@@ -7,11 +7,13 @@ import { Plot } from "../../kit/chart/plot";
 import { barnsley, type Round } from "../../kit/connectedness/barnsley";
 import { Rows } from "../../kit/connectedness/barnsley-rows";
 import type { Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";
 import { dust } from "../../kit/maps/families";
 import { Guess } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
+import lessonCss from "../frame/lesson.module.css";
 import { nearWords, type Prediction, usePrediction } from "../frame/prediction";
 
 /** The dust of the finished picture, and the one that is asked about. */
@@ -72,7 +74,7 @@ export function Page(heading: Heading) {
         }),
       }}
     >
-      <div class="two-columns wide-first">
+      <div class={layout["two-columns"]}>
         <Rows rounds={rounds} r={SHOWN} />
         <Closing rounds={rounds} r={SHOWN} to={4} />
       </div>
@@ -178,9 +180,9 @@ function Never() {
   const apart = rounds.at(-1)?.apart === true;
   const proof = useMemo(() => prover().connectedness({ maps: dust(0.5) }, { epsilon: 1e-6 }).reason, []);
   return (
-    <div class="two-columns even">
+    <div class={`${layout["two-columns"]} ${layout["even"]}`}>
       <Closing rounds={rounds} r={r} />
-      <div class="ask">
+      <div class={lessonCss["ask"]}>
         <Segmented label="Scale r" options={SCALES} value={scale} onChange={setScale} />
         <Chip
           tone={apart ? "broken" : "unknown"}

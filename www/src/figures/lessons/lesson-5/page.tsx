@@ -7,7 +7,9 @@ import { Collisions, groups, windowOf } from "../../kit/connectedness/collisions
 import { exactJob, measureJob, PAPER, SIZES, searches } from "../../kit/connectedness/critical-scale";
 import { Buffer } from "../../kit/connectedness/index-buffer";
 import type { Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
+import tableCss from "../../kit/frame/table.module.css";
 import { Chip } from "../../kit/frame/verdict";
 import { gasket } from "../../kit/maps/families";
 import { useChannel, useValue } from "../../kit/workers";
@@ -68,7 +70,7 @@ export function Page(heading: Heading) {
         }),
       }}
     >
-      <div class="triple">
+      <div class={layout["triple"]}>
         {PIXELS.map((size) => (
           <Pixels key={size} size={size} />
         ))}
@@ -93,7 +95,7 @@ function Pixels({ size }: { size: number }) {
     run.edges.map((edge) => edge.between),
   ).count;
   return (
-    <figure class="panel">
+    <figure class={layout["panel"]}>
       <Buffer
         run={run}
         count={run.count}
@@ -164,7 +166,7 @@ function Seeing({ prediction, r }: { prediction: Prediction<number>; r: number }
 function Lies({ found, exact }: { found: readonly number[]; exact: number | null }) {
   const here = found.length > 0 ? fixed(median(found), 4) : "…";
   return (
-    <table class="measurements">
+    <table class={tableCss["measurements"]}>
       <caption>
         Least scale <span class="symbol">r</span> that is called connected
       </caption>
@@ -180,13 +182,13 @@ function Lies({ found, exact }: { found: readonly number[]; exact: number | null
           <tr key={size}>
             <th scope="row">{size} pixels a side</th>
             <td>{fixed(PAPER[i] ?? Number.NaN, 5)}</td>
-            <td class="strong">{size === ASKED ? here : ""}</td>
+            <td class={tableCss["strong"]}>{size === ASKED ? here : ""}</td>
           </tr>
         ))}
         <tr>
           <th scope="row">pair subdivision</th>
           <td>–</td>
-          <td class="strong">{exact === null ? "…" : fixed(exact, 7)}</td>
+          <td class={tableCss["strong"]}>{exact === null ? "…" : fixed(exact, 7)}</td>
         </tr>
         <tr>
           <th scope="row">in theory</th>

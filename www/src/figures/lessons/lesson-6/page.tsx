@@ -3,6 +3,7 @@ import { fixed } from "#format/numbers";
 import type { MapRow, Mode } from "#wasm/api";
 import { Plot } from "../../kit/chart/plot";
 import type { Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { determinant, gasket, turnedGasket } from "../../kit/maps/families";
 import { boxAround, determinants, type Ends, mapsAt } from "../../kit/maps/morphs";
@@ -12,6 +13,7 @@ import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
 import { flagPath, turned } from "./flag";
+import flagCss from "./flag.module.css";
 
 const FRAMES = 7;
 const SCALE = 0.5;
@@ -82,18 +84,18 @@ function Flags({ mode, name }: { mode: Mode; name: string }) {
   );
   const middle = Math.sqrt(determinant(maps[(FRAMES - 1) / 2] ?? [0, 0, 0, 0, 0, 0]));
   return (
-    <div class="film-row">
+    <div class={layout["film-row"]}>
       <h2>{name[0]?.toUpperCase() + name.slice(1)}</h2>
       <svg
-        class="flags"
+        class={flagCss["flags"]}
         viewBox={`0 0 ${70 * FRAMES} 70`}
         role="img"
         aria-label={`A letter F turned back by a quarter in ${FRAMES} frames, ${name}: its scale is 0.5 at both ends and ${fixed(middle, 3)} half-way.`}
       >
         {maps.map((map, i) => (
           <g key={`${i + 1}`} transform={`translate(${70 * i + 35} 35)`}>
-            <circle r={33} class="flag-ring" />
-            <path class="flag" d={flagPath(map, 52)} />
+            <circle r={33} class={flagCss["flag-ring"]} />
+            <path class={flagCss["flag"]} d={flagPath(map, 52)} />
           </g>
         ))}
       </svg>
@@ -147,7 +149,7 @@ function Ask({ shown }: { shown: boolean }) {
   const half = { from: [turned(Math.PI, SCALE)], to: [turned(0, SCALE)] };
   return (
     <svg
-      class="flags"
+      class={flagCss["flags"]}
       viewBox="0 0 230 80"
       role="img"
       aria-label={
@@ -158,11 +160,11 @@ function Ask({ shown }: { shown: boolean }) {
     >
       {[0, 0.5, 1].map((t, i) => (
         <g key={t} transform={`translate(${75 * i + 40} 40)`}>
-          <circle r={33} class="flag-ring" />
-          {t !== 0.5 && <path class="flag" d={flagPath(at(half, t, "linear"), 52)} />}
-          {t === 0.5 && shown && <circle class="flag" r={2} />}
+          <circle r={33} class={flagCss["flag-ring"]} />
+          {t !== 0.5 && <path class={flagCss["flag"]} d={flagPath(at(half, t, "linear"), 52)} />}
+          {t === 0.5 && shown && <circle class={flagCss["flag"]} r={2} />}
           {t === 0.5 && !shown && (
-            <text class="flag-ask" dy="0.35em" text-anchor="middle">
+            <text class={flagCss["flag-ask"]} dy="0.35em" text-anchor="middle">
               ?
             </text>
           )}
@@ -181,9 +183,9 @@ function Shapes({ time }: { time: ReturnType<typeof useTime> }) {
   return (
     <>
       <p>The same in a shape: its lower left piece (1) is turned by a half turn.</p>
-      <div class="two-columns even">
+      <div class={`${layout["two-columns"]} ${layout["even"]}`}>
         {MODES.map(({ mode, name }, i) => (
-          <figure key={mode} class="panel">
+          <figure key={mode} class={layout["panel"]}>
             <Picture
               maps={all[i] ?? []}
               box={box}

@@ -6,6 +6,7 @@ import { STATE } from "#geometry/states";
 import { Slider } from "#ui/Slider";
 import { loadProof, prover } from "#wasm/proof";
 import { Control, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { drawn, preset, studioHref } from "../../kit/frame/studio-link";
 import { Chip, VerdictChip } from "../../kit/frame/verdict";
 import { Square } from "../../kit/locus/locus-square";
@@ -14,9 +15,11 @@ import { breakage, stretchWords } from "../../kit/maps/breakage";
 import { boxAround, type Ends, framesAlong, mapsAt, STRAIGHT } from "../../kit/maps/morphs";
 import { Drawn } from "../../kit/picture/annotated";
 import { Picture } from "../../kit/picture/picture";
+import stillsCss from "../../kit/picture/stills.module.css";
 import { useStates, useVerdict } from "../../kit/workers";
 import { Guess } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
+import lessonCss from "../frame/lesson.module.css";
 import { nearWords, type Prediction, usePrediction } from "../frame/prediction";
 
 const FROM = "dragon-3";
@@ -96,7 +99,7 @@ function Stills() {
   const frames = useMemo(() => framesAlong(ends(), STRAIGHT, STILLS), []);
   const box = useMemo(() => boxAround(frames.map((frame) => frame.maps)), [frames]);
   return (
-    <ol class="stills" aria-label="The straight morph" style={{ "--frames": String(STILLS) }}>
+    <ol class={stillsCss["stills"]} aria-label="The straight morph" style={{ "--frames": String(STILLS) }}>
       {frames.map(({ t, maps }) => (
         <li key={t}>
           <Picture
@@ -105,7 +108,7 @@ function Stills() {
             margin={0.03}
             label={`The shape at t = ${fixed(t)} of the straight way`}
           />
-          <span class="still-mark number" aria-hidden="true">
+          <span class={`${stillsCss["still-mark"]} number`} aria-hidden="true">
             {fixed(t)}
           </span>
         </li>
@@ -176,7 +179,7 @@ function Leading({ way, onWay }: { way: Uv; onWay: (way: Uv) => void }) {
     [wish, points],
   );
   return (
-    <div class="two-columns even leading">
+    <div class={`${layout["two-columns"]} ${layout["even"]}`}>
       <Square
         field={field}
         label={`The map of shapes with the path from A over (${fixed(way[0])}, ${fixed(way[1])}) to B. Light: in one piece.`}
@@ -187,7 +190,7 @@ function Leading({ way, onWay }: { way: Uv; onWay: (way: Uv) => void }) {
         point={way}
         onMove={onWay}
       />
-      <div class="ask">
+      <div class={lessonCss["ask"]}>
         <p>
           This is the map of shapes: where it is light the shape is in one piece, and the darker, the wider
           the gap. Now lead the morph. Drag the ring, or the two sliders, until the solid line stays in the

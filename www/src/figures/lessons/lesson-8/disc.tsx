@@ -3,8 +3,10 @@ import { fixed } from "#format/numbers";
 import type { Uv } from "#geometry/path";
 import { Slider } from "#ui/Slider";
 import { Control } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { Plane } from "../../kit/locus/locus-square";
 import { BOUNDS, type Complex, DUST, WHOLE } from "../../kit/locus/set-m";
+import css from "./disc.module.css";
 
 /** "0.400 + 0.500i" */
 export function complexWords([re, im]: Complex): string {
@@ -26,6 +28,7 @@ export function Disc({ field, s, shown, onMove }: DiscProps) {
       bounds={BOUNDS}
       point={s}
       onMove={onMove}
+      plain
       label={
         shown
           ? `The set M, symmetric on four sides, ragged between the circles of size one half and 0.7071, with spikes along the real line; s is at ${complexWords(s)}.`
@@ -35,8 +38,8 @@ export function Disc({ field, s, shown, onMove }: DiscProps) {
       {(place) => {
         const [x, y] = place([0, 0]);
         return (
-          <g class={shown ? "disc shown" : "disc"}>
-            {!shown && <path class="disc-axis" d={`M0 ${y}H300M${x} 0V300`} />}
+          <g class={`${css["disc"]} ${shown ? css["shown"] : ""}`}>
+            {!shown && <path class={css["disc-axis"]} d={`M0 ${y}H300M${x} 0V300`} />}
             {[DUST, WHOLE].map((size) => (
               <g key={size}>
                 <circle cx={x} cy={y} r={place([size, 0])[0] - x} />
@@ -62,7 +65,7 @@ export function Disc({ field, s, shown, onMove }: DiscProps) {
 /** Both parts of s, for keys and for those who would rather not aim. */
 export function Sliders({ s: [re, im], onMove }: { s: Complex; onMove: (s: Uv) => void }) {
   return (
-    <div class="controls">
+    <div class={layout["controls"]}>
       <Control label="real part of" symbol="s" value={fixed(re, 3)}>
         <Slider
           label="Real part of s"

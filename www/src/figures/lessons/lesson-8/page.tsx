@@ -7,6 +7,7 @@ import { Button } from "#ui/Button";
 import type { Connectedness } from "#wasm/api";
 import { epoch, submit } from "#workers/pool/engine";
 import type { Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import { EXACT, VerdictChip, Why } from "../../kit/frame/verdict";
 import { type Complex, mapsOf, quarterJob, unfolded } from "../../kit/locus/set-m";
@@ -15,6 +16,7 @@ import { Picture } from "../../kit/picture/picture";
 import { useChannel, useValue, useVerdict } from "../../kit/workers";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
+import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, usePrediction } from "../frame/prediction";
 import { complexWords, Disc, Sliders } from "./disc";
 
@@ -85,7 +87,7 @@ export function Page(heading: Heading) {
         }),
       }}
     >
-      <div class="triple">
+      <div class={layout["triple"]}>
         {SHOWN.map(({ s: at, text }) => (
           <Shape key={text} s={at} text={text} />
         ))}
@@ -115,7 +117,7 @@ function Shape({ s, text }: { s: Complex; text: string }) {
   const box = useMemo(() => boxAround([maps]), [maps]);
   const judged = useVerdict(maps, EXACT);
   return (
-    <figure class="panel">
+    <figure class={layout["panel"]}>
       <Picture
         maps={maps}
         box={box}
@@ -227,17 +229,17 @@ function Here({ s, onMove }: { s: Complex; onMove: (s: Uv) => void }) {
   const judged = useVerdict(maps, EXACT);
   const landmark = LANDMARKS.find(({ s: at }) => at[0] === s[0] && at[1] === s[1]);
   return (
-    <div class="two-columns even">
+    <div class={`${layout["two-columns"]} ${layout["even"]}`}>
       <Picture
         maps={maps}
         box={box}
         label={`The shape of s = ${complexWords(s)}: ${verdictPhrase(judged?.answer ?? null, EXACT)}.`}
       />
-      <div class="ask">
+      <div class={lessonCss["ask"]}>
         <p>Move the ring on, or go to a landmark.</p>
         <VerdictChip epsilon={EXACT} answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
         <Why answer={judged?.answer} />
-        <div class="buttons">
+        <div class={layout["buttons"]}>
           {LANDMARKS.map(({ s: at, name }) => (
             <Button key={name} pressed={landmark?.name === name} onClick={() => onMove(at)}>
               {name}

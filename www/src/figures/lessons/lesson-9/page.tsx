@@ -5,6 +5,7 @@ import { lengthWords, shareOf, shareWords } from "#format/verdict";
 import { Slider } from "#ui/Slider";
 import type { MapRow } from "#wasm/api";
 import { Control, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import { EXACT, VerdictChip } from "../../kit/frame/verdict";
 import { mapsOf } from "../../kit/locus/set-m";
@@ -15,6 +16,7 @@ import { Drawn, middles, PieceNames, type Place, Span } from "../../kit/picture/
 import { useVerdict } from "../../kit/workers";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
+import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, usePrediction } from "../frame/prediction";
 
 /** Scales of the three pieces: two that meet and one alone, and three apart by three different gaps. */
@@ -63,7 +65,7 @@ export function Page(heading: Heading) {
         }),
       }}
     >
-      <div class="two-columns even">
+      <div class={`${layout["two-columns"]} ${layout["even"]}`}>
         <TwoPieces />
         <Alone />
       </div>
@@ -85,7 +87,7 @@ function Alone() {
 function Judged({ maps, box, words }: { maps: MapRow[]; box: Box; words: string }) {
   const judged = useVerdict(maps, EXACT);
   return (
-    <figure class="panel">
+    <figure class={layout["panel"]}>
       <Drawn maps={maps} box={box} label={words}>
         {(place) => <PieceNames at={middles(maps, box).map(place)} />}
       </Drawn>
@@ -178,9 +180,9 @@ function Explore() {
   const { edges } = useMemo(() => spanningTree(3, all), [all]);
   const judged = useVerdict(maps, EXACT);
   return (
-    <div class="two-columns even">
+    <div class={`${layout["two-columns"]} ${layout["even"]}`}>
       <Measured maps={maps} all={all} tree={edges} />
-      <div class="ask">
+      <div class={lessonCss["ask"]}>
         <p>Now change the pieces. Which distances matter, and which may grow without harm?</p>
         {scales.map((scale, i) => (
           <Control key={`${i + 1}`} label={`scale of piece ${i + 1}`} value={fixed(scale)}>
