@@ -4,6 +4,7 @@ import { fixed } from "#format/numbers";
 import { verdictPhrase } from "#format/verdict";
 import type { Uv } from "#geometry/path";
 import { uvAt } from "#geometry/path";
+import { Formula } from "../../kit/frame/formula";
 import layout from "../../kit/frame/layout.module.css";
 import { VerdictChip } from "../../kit/frame/verdict";
 import { type Breakage, breakage } from "../../kit/maps/breakage";
@@ -49,7 +50,7 @@ export function Film({ name, points, time, broken, beside }: FilmProps) {
         <div class={css["film-foot"]}>
           <VerdictChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
           <span class="number">
-            <span class="symbol">u</span> {fixed(at[0])} <span class="symbol">v</span> {fixed(at[1])}
+            <Formula>u</Formula> {fixed(at[0])} <Formula>v</Formula> {fixed(at[1])}
           </span>
         </div>
       </div>

@@ -6,6 +6,7 @@ import { loadProof, prover } from "#wasm/proof";
 import { Plot } from "../../kit/chart/plot";
 import { barnsley, type Round } from "../../kit/connectedness/barnsley";
 import { Rows } from "../../kit/connectedness/barnsley-rows";
+import { Formula } from "../../kit/frame/formula";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
@@ -33,11 +34,10 @@ export function Page(heading: Heading) {
       {...heading}
       lead={
         <p>
-          Two maps shrink the line by <span class="symbol">r</span>, one towards 0 and one towards 1. Each
-          iteration stands a few points in for the two pieces; no part of a piece is farther from them than
-          the coloured bars reach. Once the bars of the two colours part, the pieces cannot meet: that is a
-          proof. Bars that still overlap prove nothing, and from <span class="symbol">r</span> = ½ on they
-          always do.
+          Two maps shrink the line by <Formula>r</Formula>, one towards 0 and one towards 1. Each iteration
+          stands a few points in for the two pieces; no part of a piece is farther from them than the coloured
+          bars reach. Once the bars of the two colours part, the pieces cannot meet: that is a proof. Bars
+          that still overlap prove nothing, and from <Formula>r</Formula> = ½ on they always do.
         </p>
       }
       found={<Found r={r} />}
@@ -146,9 +146,9 @@ function Found({ r }: { r: number }) {
   return (
     <p>
       How soon the test sees a gap depends on where it starts. From the origin, as printed, the disc that
-      holds the dust must have <span class="symbol">R</span> = 1. Frond’s own test starts in the middle, where
-      half of that will do, and {middle} at <span class="symbol">r</span> = {fixed(r, 3)}. Its search through
-      pairs of pieces {search}.
+      holds the dust must have <Formula>R</Formula> = 1. Frond’s own test starts in the middle, where half of
+      that will do, and {middle} at <Formula>r</Formula> = {fixed(r, 3)}. Its search through pairs of pieces{" "}
+      {search}.
     </p>
   );
 }

@@ -2,6 +2,7 @@ import { useEffect } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { shareWords as gapWords } from "#format/verdict";
 import type { PathPlan } from "#wasm/api";
+import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { drawn, preset, studioHref } from "../../kit/frame/studio-link";
@@ -28,10 +29,10 @@ export function Page(heading: Heading) {
       {...heading}
       lead={
         <p>
-          The same two shapes. Turning and moving need not go in step: <span class="symbol">u</span> turns and
-          stretches the maps, <span class="symbol">v</span> moves them, and a path on the map of Figure 7 says
-          how far each has come. Frond looks for one on which no gap is seen, or else for the one whose widest
-          gap is least.
+          The same two shapes. Turning and moving need not go in step: <Formula>u</Formula> turns and
+          stretches the maps, <Formula>v</Formula> moves them, and a path on the map of Figure 7 says how far
+          each has come. Frond looks for one on which no gap is seen, or else for the one whose widest gap is
+          least.
         </p>
       }
       found={<Found plan={plan} straight={straight} led={led} />}

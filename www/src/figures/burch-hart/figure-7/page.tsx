@@ -6,6 +6,7 @@ import type { Uv } from "#geometry/path";
 import { isBroken } from "#geometry/states";
 import { Slider } from "#ui/Slider";
 import type { MapRow, PathPlan } from "#wasm/api";
+import { Formula } from "../../kit/frame/formula";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { drawn, preset, studioHref } from "../../kit/frame/studio-link";
@@ -38,10 +39,10 @@ export function Page(heading: Heading) {
       {...heading}
       lead={
         <p>
-          Every point of the square is one shape: <span class="symbol">u</span> says how far its maps have
-          turned and stretched from the dragon’s (A) to the gasket’s (B), <span class="symbol">v</span> how
-          far they have moved. White means that no gap is seen at 1/600. A morph is a way from A to B: the
-          straight one crosses the dark, the other goes round. Drag the ring to see the shapes.
+          Every point of the square is one shape: <Formula>u</Formula> says how far its maps have turned and
+          stretched from the dragon’s (A) to the gasket’s (B), <Formula>v</Formula> how far they have moved.
+          White means that no gap is seen at 1/600. A morph is a way from A to B: the straight one crosses the
+          dark, the other goes round. Drag the ring to see the shapes.
         </p>
       }
       found={<Found field={field} plan={plan} />}

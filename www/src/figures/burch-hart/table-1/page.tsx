@@ -16,6 +16,7 @@ import {
   searches,
   WINDOWS,
 } from "../../kit/connectedness/critical-scale";
+import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
@@ -121,7 +122,7 @@ function Measurements({ rows, exact }: { rows: readonly Row[]; exact: number | n
   return (
     <table class={tableCss["measurements"]}>
       <caption>
-        Least scale <span class="symbol">r</span> that is called connected
+        Least scale <Formula>r</Formula> that is called connected
       </caption>
       <thead>
         <tr>

@@ -4,7 +4,7 @@ import { NumberField } from "#ui/NumberField";
 import { Slider } from "#ui/Slider";
 import { Switch } from "#ui/Switch";
 import { loadCurves, rough } from "#wasm/curve";
-
+import { Formula } from "../../kit/frame/formula";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
@@ -46,8 +46,8 @@ export function Page(heading: Heading) {
         <p>
           Three points, and a curve through them that is not smooth anywhere: its left half is the whole
           curve, squeezed and sheared, and so is its right half. How much of the whole’s height a half keeps
-          is its roughness, <span class="symbol">c</span>. Take hold of the points, and turn the roughness
-          down to 0: what is left is the straight lines. Below 0 the copies hang upside down.
+          is its roughness, <Formula>c</Formula>. Take hold of the points, and turn the roughness down to 0:
+          what is left is the straight lines. Below 0 the copies hang upside down.
         </p>
       }
       found={

@@ -3,6 +3,7 @@ import { fixed } from "#format/numbers";
 import { Button } from "#ui/Button";
 import { Slider } from "#ui/Slider";
 import { Switch } from "#ui/Switch";
+import { Formula } from "../../kit/frame/formula";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { arrowhead } from "../graphs/arrowhead";
@@ -31,10 +32,10 @@ export function Page(heading: Heading) {
       {...heading}
       lead={
         <p>
-          A curve runs through a Sierpinski gasket from corner to corner, while <span class="symbol">t</span>{" "}
-          carries it forward, and each third of it is a copy of the whole. From the side you see the gasket,
-          since nothing of the way forward shows. From above you see a function of t that looks rough in a way
-          no formula of Figure 1 gives: part of what its copies need is hidden in the height. Drag to turn it.
+          A curve runs through a Sierpinski gasket from corner to corner, while <Formula>t</Formula> carries
+          it forward, and each third of it is a copy of the whole. From the side you see the gasket, since
+          nothing of the way forward shows. From above you see a function of t that looks rough in a way no
+          formula of Figure 1 gives: part of what its copies need is hidden in the height. Drag to turn it.
         </p>
       }
       found={

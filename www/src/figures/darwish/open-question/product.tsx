@@ -1,4 +1,5 @@
 import type { Intersection3 } from "#wasm/api";
+import { Formula } from "../../kit/frame/formula";
 import layout from "../../kit/frame/layout.module.css";
 import tableCss from "../../kit/frame/table.module.css";
 import { MOST_DRAWN, shiftWords, waysOf } from "./meets";
@@ -22,12 +23,11 @@ export function MeetProduct({ found, stale }: { found: Intersection3 | null; sta
       </div>
       <div>
         <p class={layout["hint"]}>
-          Write <span class="symbol">X</span>
-          <sub>d</sub> for what the first shape shares with the second moved by <span class="symbol">d</span>.
-          A piece <span class="symbol">a</span> of the first and a piece <span class="symbol">b</span> of the
-          second share a smaller copy of such a set again, for the shift{" "}
-          <span class="symbol">d′ = M⁻¹(d + b − a)</span>. Knot 0 is the intersection itself; an arrow says
-          which pairs of maps, first · second, lead where.
+          Write <Formula>X</Formula>
+          <sub>d</sub> for what the first shape shares with the second moved by <Formula>d</Formula>. A piece{" "}
+          <Formula>a</Formula> of the first and a piece <Formula>b</Formula> of the second share a smaller
+          copy of such a set again, for the shift <Formula>d′ = M⁻¹(d + b − a)</Formula>. Knot 0 is the
+          intersection itself; an arrow says which pairs of maps, first · second, lead where.
         </p>
         <table class={tableCss["measurements"]}>
           <thead>

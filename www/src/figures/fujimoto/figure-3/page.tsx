@@ -2,6 +2,7 @@ import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
+import { Formula } from "../../kit/frame/formula";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
@@ -34,10 +35,10 @@ export function Page(heading: Heading) {
       lead={
         <p>
           A picture whose colours run smoothly, red above left, blue below right, is cut up by the shuffle:
-          each cell takes its colour from the cell whose code has the letters{" "}
-          <span class="symbol">kb + 1</span> to <span class="symbol">ke</span> in reverse order. To the right
-          the detail grows; downwards the shuffle is kept within ever smaller cells (the white line). Choose
-          an image, then press a place in it to see where its colour came from.
+          each cell takes its colour from the cell whose code has the letters <Formula>kb + 1</Formula> to{" "}
+          <Formula>ke</Formula> in reverse order. To the right the detail grows; downwards the shuffle is kept
+          within ever smaller cells (the white line). Choose an image, then press a place in it to see where
+          its colour came from.
         </p>
       }
       found={<Found />}
@@ -142,10 +143,10 @@ function Found() {
   return (
     <p>
       The paper says that the upper left stays redder than the lower right, however large{" "}
-      <span class="symbol">ke</span> is. So it does, but hardly: the part of red in these two quarters of the
-      square is {red(plain)} before any shuffle, and {red(last)} after the one of 0 to 5. The superposition
-      remembers more, {red(mean)}, since its first terms leave things where they are. That is what makes a
-      deformation both fractal and local.
+      <Formula>ke</Formula> is. So it does, but hardly: the part of red in these two quarters of the square is{" "}
+      {red(plain)} before any shuffle, and {red(last)} after the one of 0 to 5. The superposition remembers
+      more, {red(mean)}, since its first terms leave things where they are. That is what makes a deformation
+      both fractal and local.
     </p>
   );
 }

@@ -6,6 +6,7 @@ import { Segmented } from "#ui/Segmented";
 import { Slider } from "#ui/Slider";
 import type { Bend, Deformation } from "#wasm/api";
 import { frond } from "#wasm/core";
+import { Formula } from "../../kit/frame/formula";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
@@ -170,15 +171,15 @@ function Found() {
   return (
     <>
       <p>
-        F is A, as the paper says: with <span class="symbol">kb = ke</span> nothing is shuffled. And no crack
-        opens at any <span class="symbol">kb</span>, though the formula as it stands tears the shape: here
-        every term is taken at the corners that triangles share, and is exactly the same on both sides.
+        F is A, as the paper says: with <Formula>kb = ke</Formula> nothing is shuffled. And no crack opens at
+        any <Formula>kb</Formula>, though the formula as it stands tears the shape: here every term is taken
+        at the corners that triangles share, and is exactly the same on both sides.
       </p>
       <p>
         H needs care. If each of the three parts had one roughness for all of it, as the text reads, the two
         sides of a joint would disagree: {worst.name} would be {lengthWords(worst.gap)} of the side apart at{" "}
-        <span class="symbol">t₂</span>. Here the roughness itself changes evenly across the shape, from 0.50
-        at the lower left corner to 0.67 and 0.75 at the others, and nothing tears.
+        <Formula>t₂</Formula>. Here the roughness itself changes evenly across the shape, from 0.50 at the
+        lower left corner to 0.67 and 0.75 at the others, and nothing tears.
       </p>
     </>
   );

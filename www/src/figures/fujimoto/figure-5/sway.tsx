@@ -1,6 +1,7 @@
 import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Slider } from "#ui/Slider";
+import { Formula } from "../../kit/frame/formula";
 import { PlayButton, usePlay } from "../../kit/time/play";
 import timeCss from "../../kit/time/time.module.css";
 
@@ -33,7 +34,7 @@ export function Sway({ sway }: { sway: ReturnType<typeof useSway> }) {
         onChange={sway.go}
       />
       <output class="number">
-        <span class="symbol">t</span> {fixed(sway.t)}
+        <Formula>t</Formula> {fixed(sway.t)}
       </output>
     </div>
   );

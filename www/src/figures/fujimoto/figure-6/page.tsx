@@ -3,6 +3,7 @@ import { bendAt } from "#document/deform/bend";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import type { Deformation } from "#wasm/api";
+import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
@@ -58,8 +59,8 @@ export function Page(heading: Heading) {
         <p>
           Twin-dragons tile the plane, and their pieces have no corners to hold on to. Here each term is
           spread over a small grid of the plane and read off between its points, so that both sides of a
-          border get the same, and no crack opens at any <span class="symbol">kb</span>. With{" "}
-          <span class="symbol">δ = 1</span> all {KE + 1} terms of B count alike.
+          border get the same, and no crack opens at any <Formula>kb</Formula>. With <Formula>δ = 1</Formula>{" "}
+          all {KE + 1} terms of B count alike.
         </p>
       }
       parameters={[

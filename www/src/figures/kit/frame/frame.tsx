@@ -1,5 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { Icon } from "#ui/Icon";
+import { Formula } from "./formula";
 import css from "./frame.module.css";
 
 export interface Heading {
@@ -117,7 +118,7 @@ export function Parameters({ of }: { of: readonly Parameter[] }) {
       {of.map(({ name, symbol, value }) => (
         <div key={name}>
           <dt>
-            {name} {symbol !== undefined && <span class="symbol">{symbol}</span>}
+            {name} {symbol !== undefined && <Formula>{symbol}</Formula>}
           </dt>
           <dd class="number">{value}</dd>
         </div>
@@ -139,7 +140,7 @@ export function Control({ label, symbol, value, children }: ControlProps) {
     <div class={css["control"]}>
       <div class={css["control-head"]} aria-hidden="true">
         <span>
-          {label} {symbol !== undefined && <span class="symbol">{symbol}</span>}
+          {label} {symbol !== undefined && <Formula>{symbol}</Formula>}
         </span>
         <span class="number">{value}</span>
       </div>

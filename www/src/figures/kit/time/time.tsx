@@ -2,6 +2,7 @@ import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import type { Stretch } from "#geometry/states";
 import { Slider } from "#ui/Slider";
+import { Formula } from "../frame/formula";
 import { PlayButton, usePlay } from "./play";
 import css from "./time.module.css";
 
@@ -54,7 +55,7 @@ export function Time({ time, words, breaks = [] }: TimeProps) {
         ))}
       </Slider>
       <output class="number">
-        <span class="symbol">t</span> {fixed(time.t)}
+        <Formula>t</Formula> {fixed(time.t)}
       </output>
     </div>
   );

@@ -6,6 +6,7 @@ import { loadProof, prover } from "#wasm/proof";
 import { Plot } from "../../kit/chart/plot";
 import { barnsley, type Round } from "../../kit/connectedness/barnsley";
 import { Rows } from "../../kit/connectedness/barnsley-rows";
+import { Formula } from "../../kit/frame/formula";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
@@ -39,16 +40,16 @@ export function Page(heading: Heading) {
       text={
         <>
           <p>
-            Two maps shrink a line by <span class="symbol">r</span>, one towards 0 and one towards 1. Are the
-            two pieces apart? No computer can look at all of their points. So let a few points stand for each:
-            step <span class="symbol">n</span> has 2ⁿ of them, and no part of a piece is farther from its own
-            than the bars reach, <span class="symbol">rⁿ⁺¹</span>.
+            Two maps shrink a line by <Formula>r</Formula>, one towards 0 and one towards 1. Are the two
+            pieces apart? No computer can look at all of their points. So let a few points stand for each:
+            step <Formula>n</Formula> has 2ⁿ of them, and no part of a piece is farther from its own than the
+            bars reach, <Formula>rⁿ⁺¹</Formula>.
           </p>
           <p>
-            Measure the least distance <span class="symbol">d</span> between points of different colours. As
-            long as it is below 2rⁿ⁺¹, the bars overlap and nothing is known. Once it is above, no point of
-            one piece can be in the other: they are <em>proved</em> apart. For r = {SHOWN} this takes until n
-            = {rounds.at(-1)?.n}.
+            Measure the least distance <Formula>d</Formula> between points of different colours. As long as it
+            is below 2rⁿ⁺¹, the bars overlap and nothing is known. Once it is above, no point of one piece can
+            be in the other: they are <em>proved</em> apart. For r = {SHOWN} this takes until n ={" "}
+            {rounds.at(-1)?.n}.
           </p>
         </>
       }

@@ -6,6 +6,7 @@ import { median } from "../../kit/connectedness/bisection";
 import { Collisions, groups, windowOf } from "../../kit/connectedness/collisions";
 import { exactJob, measureJob, PAPER, SIZES, searches } from "../../kit/connectedness/critical-scale";
 import { Buffer } from "../../kit/connectedness/index-buffer";
+import { Formula } from "../../kit/frame/formula";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
@@ -168,7 +169,7 @@ function Lies({ found, exact }: { found: readonly number[]; exact: number | null
   return (
     <table class={tableCss["measurements"]}>
       <caption>
-        Least scale <span class="symbol">r</span> that is called connected
+        Least scale <Formula>r</Formula> that is called connected
       </caption>
       <thead>
         <tr>

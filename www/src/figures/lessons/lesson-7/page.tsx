@@ -5,6 +5,7 @@ import { type Uv, uvAt } from "#geometry/path";
 import { STATE } from "#geometry/states";
 import { Slider } from "#ui/Slider";
 import { loadProof, prover } from "#wasm/proof";
+import { Formula } from "../../kit/frame/formula";
 import { Control, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { drawn, preset, studioHref } from "../../kit/frame/studio-link";
@@ -52,9 +53,8 @@ export function Page(heading: Heading) {
         <>
           <p>
             One dragon becomes another. Each has three maps; each map turns and stretches by{" "}
-            <span class="symbol">u</span> and moves by <span class="symbol">v</span>, both from 0 to 1. On the
-            straight way they go in step. Both ends are in one piece. Nobody has promised that of the shapes
-            between.
+            <Formula>u</Formula> and moves by <Formula>v</Formula>, both from 0 to 1. On the straight way they
+            go in step. Both ends are in one piece. Nobody has promised that of the shapes between.
           </p>
           <p>
             But turning and moving need not go in step. Every pair (u, v) is a shape, so all pairs together

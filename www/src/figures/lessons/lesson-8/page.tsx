@@ -6,6 +6,7 @@ import type { Uv } from "#geometry/path";
 import { Button } from "#ui/Button";
 import type { Connectedness } from "#wasm/api";
 import { epoch, submit } from "#workers/pool/engine";
+import { Formula } from "../../kit/frame/formula";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
@@ -60,8 +61,8 @@ export function Page(heading: Heading) {
         <>
           <p>
             Take two maps that differ only by where they put things: both turn and shrink by the same complex
-            number <span class="symbol">s</span>, and one then moves to the left, the other to the right. One
-            number, one shape. Its size |s| says how much the maps shrink, its angle how far they turn.
+            number <Formula>s</Formula>, and one then moves to the left, the other to the right. One number,
+            one shape. Its size |s| says how much the maps shrink, its angle how far they turn.
           </p>
           <p>
             A shape of two pieces has only two ways to be: the pieces meet, and it is in one piece; or they do
