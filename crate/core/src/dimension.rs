@@ -17,7 +17,7 @@ pub struct Dim2;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dim3;
 
-/// The plane ([`Dim2`]) or space ([`Dim3`]): what maps, systems, chaos games and morphs need to know of it.
+/// The plane ([`Dim2`]) or space ([`Dim3`]): what maps, systems and morphs need to know of it.
 ///
 /// What is the same in both is written once, over this trait. Polar factors, hulls and ellipsoids are not the same, and
 /// stay apart. Nobody else can implement it.
@@ -47,10 +47,6 @@ pub trait Dimension: sealed::Sealed + Copy + Debug + PartialEq + 'static {
     type Scales: Copy + AsRef<[f64]>;
     /// How a map turns on its way in a morph.
     type Turn: Copy + Debug + PartialEq;
-    /// A map as the chaos game applies it.
-    type Step: Copy + Debug + Default;
-    /// A point as the chaos game moves it: its coordinates, perhaps filled up.
-    type Orbit: Copy + Debug + AsRef<[f32]>;
 
     /// The number of coordinates.
     const COORDINATES: usize;
@@ -83,13 +79,6 @@ pub trait Dimension: sealed::Sealed + Copy + Debug + PartialEq + 'static {
     fn rounding(linear: &[Self::Matrix], plain: f64, least: f64) -> [Self::Matrix; 2];
     /// Probabilities in proportion to how large the pieces of maps of these linear parts are.
     fn probabilities(linear: &[Self::Matrix]) -> Vec<f64>;
-
-    /// A map as the chaos game applies it.
-    fn step(linear: Self::Matrix, translation: Self::Vector) -> Self::Step;
-    /// A point as the chaos game moves it.
-    fn orbit(point: Self::Vector) -> Self::Orbit;
-    /// Its image.
-    fn stepped(step: &Self::Step, point: Self::Orbit) -> Self::Orbit;
 
     /// How a matrix turns into another, with so many extra whole turns, and how each stretches.
     fn turning(from: Self::Matrix, to: Self::Matrix, extra: i32) -> (Kind, Self::Turn, [Self::Matrix; 2]);

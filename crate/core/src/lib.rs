@@ -66,6 +66,7 @@ pub use morph::turn3::Turn3;
 pub use projection::epsilon::{EpsilonProjection, epsilon_projection};
 pub use projection::parallel::{Plane, ProjectError, exact_projection, invariant_directions};
 pub use sample::box_dimension::{BoxCount, box_dimension};
-pub use sample::chaos_game::{ChaosGame, ChaosGame3};
+pub use sample::chaos_game2::ChaosGame;
+pub use sample::chaos_game3::ChaosGame3;
 pub use sample::cut2::{CutOutcome, adaptive_cut};
 pub use sample::cut3::adaptive_cut3;

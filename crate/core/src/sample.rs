@@ -1,6 +1,7 @@
 //! Points of an attractor: at random, or one for each piece of a size; and what is counted from them.
 
 pub(crate) mod box_dimension;
-pub(crate) mod chaos_game;
+pub(crate) mod chaos_game2;
+pub(crate) mod chaos_game3;
 pub(crate) mod cut2;
 pub(crate) mod cut3;

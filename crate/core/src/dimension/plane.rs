@@ -14,8 +14,6 @@ impl Dimension for Dim2 {
     type Row = [f64; 6];
     type Scales = [f64; 2];
     type Turn = (f64, f64);
-    type Step = [f32; 6];
-    type Orbit = [f32; 2];
 
     const COORDINATES: usize = 2;
     const ZERO: DVec2 = DVec2::ZERO;
@@ -65,19 +63,6 @@ impl Dimension for Dim2 {
 
     fn probabilities(linear: &[DMat2]) -> Vec<f64> {
         probabilities::by_area(linear)
-    }
-
-    fn step(linear: DMat2, translation: DVec2) -> [f32; 6] {
-        Self::row(linear, translation).map(|x| x as f32)
-    }
-
-    fn orbit(point: DVec2) -> [f32; 2] {
-        point.as_vec2().to_array()
-    }
-
-    #[inline(always)]
-    fn stepped(&[a, b, c, d, e, f]: &[f32; 6], [x, y]: [f32; 2]) -> [f32; 2] {
-        [a * x + (b * y + e), c * x + (d * y + f)]
     }
 
     fn turning(from: DMat2, to: DMat2, extra: i32) -> (Kind, (f64, f64), [DMat2; 2]) {

@@ -16,8 +16,6 @@ impl Dimension for Dim3 {
     type Turn = Turn3;
     /// Columns of the matrix, then the translation, each filled up to four numbers, so that one step is a few operations
     /// on four lanes.
-    type Step = [[f32; 4]; 4];
-    type Orbit = [f32; 4];
 
     const COORDINATES: usize = 3;
     const ZERO: DVec3 = DVec3::ZERO;
@@ -68,19 +66,6 @@ impl Dimension for Dim3 {
 
     fn probabilities(linear: &[DMat3]) -> Vec<f64> {
         probabilities::by_volume(linear)
-    }
-
-    fn step(m: DMat3, translation: DVec3) -> [[f32; 4]; 4] {
-        [m.x_axis, m.y_axis, m.z_axis, translation].map(Self::orbit)
-    }
-
-    fn orbit(point: DVec3) -> [f32; 4] {
-        point.as_vec3().extend(0.0).to_array()
-    }
-
-    #[inline(always)]
-    fn stepped([a, b, c, t]: &[[f32; 4]; 4], [x, y, z, _]: [f32; 4]) -> [f32; 4] {
-        std::array::from_fn(|k| (a[k] * x + b[k] * y) + (c[k] * z + t[k]))
     }
 
     fn turning(from: DMat3, to: DMat3, extra: i32) -> (Kind, Turn3, [DMat3; 2]) {
