@@ -51,6 +51,7 @@ impl<D: Dimension> Contraction<D> {
     /// [`IfsError::NoMaps`], [`IfsError::TooManyMaps`] and [`IfsError::NotFinite`] for lists that are
     /// none; [`IfsError::NoAttractor`] when some word does not contract; [`IfsError::Unproved`] when
     /// neither could be shown.
+    #[inline(never)]
     pub fn find(maps: &[Affine<D>]) -> Result<Self, IfsError> {
         check(maps)?;
         let plain = [D::IDENTITY; 2];
@@ -84,6 +85,7 @@ impl<D: Dimension> Contraction<D> {
     }
 
     /// Gripenberg's search: a word is prolonged until its norm is below 1.
+    #[inline(never)]
     fn search(maps: &[Affine<D>], [to, from]: [D::Matrix; 2]) -> Result<Self, IfsError> {
         let mut open = VecDeque::from([(Affine::IDENTITY, Vec::new())]);
         let mut blocks = Vec::new();
@@ -119,6 +121,7 @@ impl<D: Dimension> Contraction<D> {
     ///
     /// Its centre is the mean of the fixed points, or one of them where that makes it much smaller: a map that turns
     /// and hardly shrinks swings everything but its own fixed point far about.
+    #[inline(never)]
     fn enclose(&mut self, blocks: &[Affine<D>]) {
         let fixed: Vec<D::Vector> = blocks.iter().filter_map(|block| block.fixed_point()).collect();
         let norms: Vec<f64> =

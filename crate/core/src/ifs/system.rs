@@ -40,6 +40,8 @@ impl<D: Dimension> Ifs<D> {
     ///
     /// # Errors
     /// Those of [`Contraction::find`].
+    // Generic code is compiled in each crate that calls it: once there, not at every call.
+    #[inline(never)]
     pub fn new(maps: Vec<Affine<D>>) -> Result<Self, IfsError> {
         let contraction = Contraction::find(&maps)?;
         let linear: Vec<D::Matrix> = maps.iter().map(|map| map.linear).collect();
@@ -52,6 +54,7 @@ impl<D: Dimension> Ifs<D> {
     /// # Errors
     /// [`IfsError::Probabilities`] if they are not one for each map, or one is negative or not finite,
     /// or all are zero.
+    #[inline(never)]
     pub fn with_probabilities(mut self, probabilities: &[f64]) -> Result<Self, IfsError> {
         let sum: f64 = probabilities.iter().sum();
         let fits = probabilities.len() == self.len()
@@ -95,6 +98,7 @@ impl<D: Dimension> Ifs<D> {
     ///
     /// # Errors
     /// [`TransformError`] where `by` is singular, nearly so, not finite or out of range, or the new numbers are too large.
+    #[inline(never)]
     pub fn conjugate(&self, by: Affine<D>) -> Result<Self, TransformError> {
         let back = by.undo()?;
         let maps = self.maps.iter().map(|&map| by * map * back).collect();

@@ -38,6 +38,7 @@ impl<D: Dimension> Morph<D> {
     ///
     /// # Errors
     /// [`MorphError`] if the counts differ or the options do not fit them.
+    #[inline(never)]
     pub fn new(from: &[Affine<D>], to: &[Affine<D>], options: &MorphOptions) -> Result<Self, MorphError> {
         let order = options.order(from.len(), to.len())?;
         let turn = |i: usize| options.turns.get(i).copied().unwrap_or(0);
