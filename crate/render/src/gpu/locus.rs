@@ -308,7 +308,8 @@ impl Future for Arrival {
 }
 
 fn pipeline(device: &wgpu::Device) -> (wgpu::ComputePipeline, wgpu::BindGroupLayout) {
-    let source = wgpu::ShaderSource::Wgsl(Cow::Borrowed(include_str!("../../shader/locus.wgsl")));
+    let source =
+        wgpu::ShaderSource::Wgsl(Cow::Borrowed(include_str!(concat!(env!("OUT_DIR"), "/shader/locus.wgsl"))));
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("locus"), source });
     let kinds = [
         wgpu::BufferBindingType::Uniform,

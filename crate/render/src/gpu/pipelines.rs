@@ -37,13 +37,15 @@ pub(super) const CODES: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 /// What decides which piece is on top.
 pub(super) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
 
-const POINTS: &str =
-    concat!(include_str!("../../shader/colour.wgsl"), include_str!("../../shader/points.wgsl"));
+const POINTS: &str = concat!(
+    include_str!(concat!(env!("OUT_DIR"), "/shader/colour.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/shader/points.wgsl"))
+);
 const RESOLVE: &str = concat!(
-    include_str!("../../shader/colour.wgsl"),
-    include_str!("../../shader/tone.wgsl"),
-    include_str!("../../shader/screen.wgsl"),
-    include_str!("../../shader/resolve.wgsl")
+    include_str!(concat!(env!("OUT_DIR"), "/shader/colour.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/shader/tone.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/shader/screen.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/shader/resolve.wgsl"))
 );
 
 impl Pipelines {

@@ -57,7 +57,8 @@ struct Drawn {
 impl SheetGpu {
     pub fn new(gpu: &Gpu, photo: &Photo) -> Self {
         let device = &gpu.device;
-        let source = wgpu::ShaderSource::Wgsl(include_str!("../../shader/sheet.wgsl").into());
+        let source =
+            wgpu::ShaderSource::Wgsl(include_str!(concat!(env!("OUT_DIR"), "/shader/sheet.wgsl")).into());
         let module =
             device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("sheet"), source });
         let layout = |entries: &[wgpu::BindGroupLayoutEntry]| {
