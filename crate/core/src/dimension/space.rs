@@ -14,8 +14,6 @@ impl Dimension for Dim3 {
     type Row = [f64; 12];
     type Scales = [f64; 3];
     type Turn = Turn3;
-    /// Columns of the matrix, then the translation, each filled up to four numbers, so that one step is a few operations
-    /// on four lanes.
 
     const COORDINATES: usize = 3;
     const ZERO: DVec3 = DVec3::ZERO;
