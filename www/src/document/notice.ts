@@ -5,13 +5,15 @@ export interface Notice {
   kind: "info" | "error";
   text: string;
   action?: { label: string; run: () => void };
+  /** It tells of work that goes on, and stays until the work has ended: `dismiss` it then. */
+  stays?: boolean;
 }
 
 const shown = signal<Notice[]>([]);
 const spoken = signal("");
 let next = 1;
 
-/** What the page has to say, oldest first. Infos leave by themselves, errors stay until dismissed. */
+/** What the page has to say, oldest first. Infos leave by themselves unless they stay, errors stay until dismissed. */
 export const notices: ReadonlySignal<Notice[]> = shown;
 
 /** The text of the polite live region. */
@@ -25,7 +27,8 @@ export function notify(notice: Omit<Notice, "id">): number {
   if (same) return same.id;
   const id = next++;
   shown.value = [...shown.peek(), { ...notice, id }].slice(-MOST);
-  if (notice.kind === "info") setTimeout(() => dismiss(id), notice.action ? 2 * INFO_MS : INFO_MS);
+  if (notice.kind === "info" && !notice.stays)
+    setTimeout(() => dismiss(id), notice.action ? 2 * INFO_MS : INFO_MS);
   return id;
 }
 

@@ -1,6 +1,5 @@
 /** The picture of space as a file. */
-import { signal } from "@preact/signals";
-import { announce, notify, wordsOf } from "#document/notice";
+import { dismiss, notify, wordsOf } from "#document/notice";
 import { space, spaceView } from "#document/space/space";
 import { download, plainName, pngOf } from "#ui/download";
 import { layOn } from "#workers/film/opaque";
@@ -10,38 +9,51 @@ import { colours, ground, sight } from "./stage/sight";
 import { stageSize } from "./stage/state";
 
 const LONG_SIDE = 2400;
+/** The lane that neither the stage nor what is short waits for. */
+const LONG_WORK = 3;
 
 /** Whether one is being made. */
-export const savingPng = signal(false);
+let saving = false;
 
 /** What is on the stage, complete and larger, on the background of the document; clear where that is the page's. */
 export async function savePng(): Promise<void> {
   const now = sight.peek();
   const view = spaceView.peek();
   const light = space.peek()?.light;
-  if (!now || !view || !light || savingPng.peek()) return;
-  savingPng.value = true;
-  announce("The picture is being made.");
+  if (!now || !view || !light || saving) return;
+  saving = true;
+  const calledOff = new AbortController();
+  const notice = notify({
+    kind: "info",
+    text: "Drawing the picture to save …",
+    action: { label: "Cancel", run: () => calledOff.abort() },
+    stays: true,
+  });
   try {
     const stage = stageSize.peek();
     const larger = LONG_SIDE / Math.max(1, stage.width, stage.height);
-    const image = await pictureOf({
-      objects: now.objects,
-      view,
-      light,
-      width: Math.max(1, Math.round(stage.width * larger)),
-      height: Math.max(1, Math.round(stage.height * larger)),
-      palette: colours.peek(),
-      ground: ground.peek(),
-      factor: 2,
-    });
+    const image = await pictureOf(
+      {
+        objects: now.objects,
+        view,
+        light,
+        width: Math.max(1, Math.round(stage.width * larger)),
+        height: Math.max(1, Math.round(stage.height * larger)),
+        palette: colours.peek(),
+        ground: ground.peek(),
+        factor: 2,
+      },
+      { signal: calledOff.signal, lane: LONG_WORK },
+    );
     const background = space.peek()?.background;
     if (background !== undefined && background !== PAGE) layOn(image.data, background);
     download(await pngOf(canvasOf(image)), fileName());
   } catch (problem) {
+    if (calledOff.signal.aborted) return;
     notify({ kind: "error", text: `The picture could not be saved: ${wordsOf(problem)}` });
   } finally {
-    savingPng.value = false;
+    dismiss(notice);
+    saving = false;
   }
 }
 
