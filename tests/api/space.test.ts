@@ -1,6 +1,6 @@
 import { readFile } from "node:fs/promises";
 import { beforeAll, beforeEach, describe, expect, it, vi } from "vitest";
-import type { MapRow3, SpaceView } from "../../www/src/wasm/api";
+import type { MapRow3, Point3, SpaceView } from "../../www/src/wasm/api";
 import { solid, startSpace } from "../../www/src/wasm/space";
 
 vi.mock("../../www/src/wasm/module", () => ({
@@ -12,6 +12,8 @@ vi.mock("../../www/src/wasm/module", () => ({
 const { redo, scene, start, undo } = await import("../../www/src/document/scene");
 const state = await import("../../www/src/document/space/space");
 const edits = await import("../../www/src/document/space/edits");
+const { standFor } = await import("../../www/src/tools/space/stage/samples");
+const { showsAll, wholeView } = await import("../../www/src/tools/space/stage/camera");
 
 const first = { ...scene.peek() };
 const moved = (x: number): MapRow3 => [1, 0, 0, 0, 1, 0, 0, 0, 1, x, 0, 0];
@@ -136,5 +138,22 @@ describe("a view", () => {
     const before = state.spaceView.value;
     edits.moveObject(moved(3));
     expect(state.spaceView.value).toEqual(before);
+  });
+});
+
+describe("the whole view", () => {
+  it("misses no corner of a shape, in a picture of any form", () => {
+    const cube = solid.unpackSpace("o:sponge").objects[0];
+    const points = standFor(cube?.maps ?? []);
+    // The sponge has the corners of the unit cube.
+    const corners = [0, 1].flatMap((x) => [0, 1].flatMap((y) => [0, 1].map((z): Point3 => [x, y, z])));
+    for (const aspect of [0.3, 0.7, 1, 2]) {
+      const from = (turn: number): SpaceView => ({ ...view, turn, target: [0.5, 0.5, 0.5] });
+      for (const turn of [0, 0.4, 0.8, 1.2]) {
+        expect(showsAll(wholeView(from(turn), points, aspect), corners, aspect)).toBe(true);
+        const near: SpaceView = { ...from(turn), distance: 2.2 };
+        expect(showsAll(near, points, aspect)).toBe(showsAll(near, corners, aspect));
+      }
+    }
   });
 });

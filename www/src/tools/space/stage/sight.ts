@@ -10,6 +10,7 @@ import { type SpacePictureHandle, solid } from "#wasm/space";
 import type { Shown } from "#workers/space/complete-picture";
 import { groundOf, isDark } from "../light/background";
 import type { Ball } from "./camera";
+import { standFor } from "./samples";
 
 export interface Sight {
   objects: Shown[];
@@ -55,19 +56,8 @@ function ballOf({ centre: [x = 0, y = 0, z = 0], radius }: SpacePictureHandle): 
   return { centre: [x, y, z], radius };
 }
 
-/** So many points of each object stand for all of it. */
-const SAMPLES = 400;
-
 /** Points of all that is to be seen: the ball around it says little of what is flat or far apart. */
-export function samples(): Point3[] {
-  return (sight.peek()?.objects ?? []).flatMap(({ maps }) => {
-    const { positions } = solid.attractor3(maps, { points: SAMPLES, seed: 1 });
-    return Array.from(
-      { length: positions.length / 3 },
-      (_, i): Point3 => [positions[3 * i] ?? 0, positions[3 * i + 1] ?? 0, positions[3 * i + 2] ?? 0],
-    );
-  });
-}
+export const samples = (): Point3[] => (sight.peek()?.objects ?? []).flatMap(({ maps }) => standFor(maps));
 
 let known: { key: string; ball: Ball } | null = null;
 
