@@ -1,10 +1,10 @@
 import { readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { afterEach, beforeAll, beforeEach, describe, expect, it } from "vitest";
-import { type Codec, Link, route } from "#document/link";
-import { dismiss, notices } from "#document/notice";
-import { canUndo, scene } from "#document/scene";
 import init, * as frond from "../../www/pkg/index.js";
+import { type Codec, Link, route } from "../../www/src/document/link";
+import { dismiss, notices } from "../../www/src/document/notice";
+import { canUndo, scene } from "../../www/src/document/scene";
 
 const read = (name: string) => readFile(new URL(`../../www/pkg/${name}`, import.meta.url));
 

@@ -1,7 +1,7 @@
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
-import { sameMaps } from "#geometry/same-maps";
+import { sameMaps } from "#geometry/maps/same-maps";
 import type { MapRow, Route } from "#wasm/api";
 import { cancel, epoch, submit } from "#workers/pool/engine";
 import { single } from "#workers/pool/protocol";

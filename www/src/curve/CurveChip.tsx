@@ -4,7 +4,7 @@ import { useEffect } from "preact/hooks";
 import { sameCurves } from "#document/curve/changes";
 import { curves } from "#document/curve/curve";
 import { evidenceOpen } from "#stage/marks";
-import { IconButton } from "#ui/Button";
+import { IconButton } from "#ui/controls/Button";
 import { factsNow, watchFacts } from "./facts";
 import { crossingWords, whyWords } from "./words";
 

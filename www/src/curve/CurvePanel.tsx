@@ -1,4 +1,4 @@
-import "#ui/ends.css";
+import "#ui/shapes/ends.css";
 import "./curve.css";
 import { computed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
@@ -8,9 +8,9 @@ import { backToSystems } from "#document/curve/edits";
 import { announce } from "#document/notice";
 import { edit, scene } from "#document/scene";
 import { CurveThumb } from "#stage/curve/CurveThumb";
-import { Button, IconButton } from "#ui/Button";
-import { Menu } from "#ui/Menu";
-import { Segmented } from "#ui/Segmented";
+import { Button, IconButton } from "#ui/controls/Button";
+import { Segmented } from "#ui/controls/Segmented";
+import { Menu } from "#ui/overlay/Menu";
 import type { Colouring } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { Along } from "./Along";

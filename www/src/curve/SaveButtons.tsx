@@ -1,4 +1,4 @@
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import { KINDS, save } from "./save";
 
 /** The curve of this moment as a file. */

@@ -6,7 +6,7 @@ import { announce, notify } from "#document/notice";
 import { curveThumb } from "#stage/curve/thumb";
 import { stageStyle } from "#stage/look";
 import { useOwnId } from "#ui/id";
-import { ShapeGrid, type ShapeItem } from "#ui/ShapeGrid";
+import { ShapeGrid, type ShapeItem } from "#ui/shapes/ShapeGrid";
 import type { Curve, CurveShape } from "#wasm/api";
 import { rough } from "#wasm/curve";
 

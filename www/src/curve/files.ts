@@ -1,5 +1,5 @@
 /** Closed curves as the text of files. */
-import { plainName } from "#ui/download";
+import { plainName } from "#ui/files/download";
 import type { Bend, CurveShape } from "#wasm/api";
 import type { CurveMap } from "#wasm/curve";
 

@@ -8,7 +8,7 @@ import { lookOf, paintCurve } from "#stage/curve/paint";
 import { moved, TOLERANCE } from "#stage/curve/painter";
 import { stageStyle } from "#stage/look";
 import { effectiveView, stageSize } from "#stage/view";
-import { download } from "#ui/download";
+import { download } from "#ui/files/download";
 import { rough } from "#wasm/curve";
 import { csvOf, jsonOf, nameOf, svgOf } from "./files";
 

@@ -1,7 +1,7 @@
 import type { ComponentType } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { wordsOf } from "#document/notice";
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import figuresCss from "./figures.module.css";
 import type { Heading } from "./kit/frame/frame";
 import { type Figure, find, type Row } from "./list";

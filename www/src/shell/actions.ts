@@ -12,7 +12,7 @@ import { stageStyle } from "#stage/look";
 import { bentPicture, type SheetRequest } from "#stage/surface/sheet";
 import { effectiveView, stageSize } from "#stage/view";
 import { adoptPath } from "#tools/morph/locus/automatic";
-import { download, plainName, pngOf } from "#ui/download";
+import { download, plainName, pngOf } from "#ui/files/download";
 import type { Tool } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { submit } from "#workers/pool/engine";

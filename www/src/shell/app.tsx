@@ -7,7 +7,7 @@ import { Stage as SharedStage } from "#stage/stage";
 import type { PainterBackend } from "#stage/surface/painter";
 import { type Command, help, listenForCommands } from "#ui/commands";
 import { lazily } from "#ui/lazy";
-import { Toasts } from "#ui/Toasts";
+import { Toasts } from "#ui/overlay/Toasts";
 import { curvesFetched } from "#wasm/curve";
 import { Header } from "./header";
 import { Readout } from "./Readout";
@@ -78,7 +78,7 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
   );
 }
 
-const shortcuts = () => import("#ui/ShortcutsDialog").then((module) => module.ShortcutsDialog);
+const shortcuts = () => import("#ui/overlay/ShortcutsDialog").then((module) => module.ShortcutsDialog);
 const ShortcutsDialog = lazily(shortcuts);
 
 const NOTHING: readonly Command[] = [];

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { type Command, commandOf, everywhere, groupsOf } from "./commands";
 import type { Focus, KeyPress } from "./focus";
-import { timeCommands } from "./timeline";
+import { timeCommands } from "./strip/timeline";
 
 const press = (key: string, held: Partial<KeyPress> = {}): KeyPress => ({
   key,

@@ -1,6 +1,6 @@
 /** The samples of the window that is looked at: a coarse picture first, then tile by tile from the middle outwards. */
 
-import { fills } from "#geometry/polygon-family";
+import { fills } from "#geometry/maps/polygon-family";
 import { atResolution, STATE } from "#geometry/states";
 import type { Bounds, FrondError, LocusView } from "#wasm/api";
 import type { Job, Result, Task } from "#workers/pool/protocol";

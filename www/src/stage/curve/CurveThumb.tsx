@@ -1,6 +1,6 @@
 import { useMemo } from "preact/hooks";
 import { type CurveMorph, curveBoxAt } from "#document/curve/curve";
-import { Thumbnail } from "#ui/Thumbnail";
+import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { stageStyle } from "../look";
 import { curveThumb } from "./thumb";
 

@@ -10,7 +10,7 @@ import {
 import { announce } from "#document/notice";
 import { edit, scene } from "#document/scene";
 import { sizeOf } from "#geometry/mesh";
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import { frond } from "#wasm/core";
 import { isAtRest } from "./changes";
 import { presentPhase } from "./clock";

@@ -3,7 +3,7 @@ import { deformation, phasePlaying } from "#document/deform/bend";
 import { edit } from "#document/scene";
 import { fitCommand } from "#stage/commands";
 import { type Command, everywhere } from "#ui/commands";
-import { type Timeline, timeCommands } from "#ui/timeline";
+import { type Timeline, timeCommands } from "#ui/strip/timeline";
 import type { Colouring } from "#wasm/api";
 import { pausePhase, playPhase, scrubPhase } from "./clock";
 import { gallery } from "./dialogs";

@@ -1,5 +1,5 @@
 /** The deformation tool: its side panel, its time strip, and what it lays over the picture. Loaded when it is first opened. */
-import { PanelFoot } from "#ui/PanelFoot";
+import { PanelFoot } from "#ui/panel/PanelFoot";
 import { ColourPanel } from "./colour/ColourPanel";
 import { ringed } from "./facts";
 import { GridPanel } from "./mesh/GridPanel";
@@ -8,7 +8,7 @@ import { Start, StartOver } from "./Start";
 import { BendPanel } from "./settings/BendPanel";
 import { ContinuityFold, SpinFold } from "./settings/Folds";
 import { Gallery, ShapePanel } from "./shape/ShapePanel";
-import "#ui/panel.css";
+import "#ui/panel/panel.css";
 import "./deform.css";
 
 /** Everything beside the picture: what is bent, how its parts answer, how it moves, and its colours. */

@@ -2,7 +2,7 @@
 import { effect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { narrow } from "#ui/media";
-import { PanelFoot } from "#ui/PanelFoot";
+import { PanelFoot } from "#ui/panel/PanelFoot";
 import { fitTask } from "#workers/fit/client";
 import { GraphPanel, GraphStage, GraphStrip, graphOpen, ModeChoice } from "./mode";
 import { CutPanel } from "./panel/CutPanel";
@@ -21,7 +21,7 @@ import { watchFit } from "./work/fitting";
 import { watchMask } from "./work/mask";
 import { watchOutline } from "./work/outline";
 import { opened } from "./work/source";
-import "#ui/panel.css";
+import "#ui/panel/panel.css";
 import "./fit.css";
 
 /** Everything beside the picture: what is fitted, with what, how near it is, and where it goes. */

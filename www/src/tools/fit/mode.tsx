@@ -3,7 +3,7 @@ import { computed, effect, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { changeFit, fitDocument } from "#document/fit";
 import { notify, wordsOf } from "#document/notice";
-import { Segmented } from "#ui/Segmented";
+import { Segmented } from "#ui/controls/Segmented";
 
 export const graphOpen = computed(() => fitDocument.value.mode === "graph");
 

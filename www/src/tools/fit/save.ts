@@ -5,7 +5,7 @@ import { fitFor } from "#document/framing";
 import { notify, wordsOf } from "#document/notice";
 import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
-import { download, plainName, pngOf } from "#ui/download";
+import { download, plainName, pngOf } from "#ui/files/download";
 import { rough } from "#wasm/curve";
 import { collageCsv, collageJson, collageSvg, curveJson } from "./files";
 import { paint } from "./stage/draw";

@@ -1,6 +1,6 @@
 import { edit } from "#document/scene";
-import { Segmented } from "#ui/Segmented";
-import { Switch } from "#ui/Switch";
+import { Segmented } from "#ui/controls/Segmented";
+import { Switch } from "#ui/controls/Switch";
 import type { Colouring, Mode } from "#wasm/api";
 import { colouring, compare, mode } from "./parts";
 

@@ -1,6 +1,6 @@
 /** What the panel does to the document, as functions from scene to scene. */
 
-import { sameMaps } from "#geometry/same-maps";
+import { sameMaps } from "#geometry/maps/same-maps";
 import type { Candidate, MapRow, PathPoint, Preset, Route, Scene, Shape } from "#wasm/api";
 
 export type End = "a" | "b";

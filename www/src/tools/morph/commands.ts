@@ -5,7 +5,7 @@ import { pause, play, playing } from "#document/playback";
 import { edit, scene } from "#document/scene";
 import { fitCommand } from "#stage/commands";
 import { type Command, everywhere } from "#ui/commands";
-import { type Timeline, timeCommands } from "#ui/timeline";
+import { type Timeline, timeCommands } from "#ui/strip/timeline";
 import type { Colouring } from "#wasm/api";
 import { gallery } from "./dialogs";
 import { frames } from "./strip/FilmStrip";

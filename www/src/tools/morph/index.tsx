@@ -3,7 +3,7 @@ import { CurvePanel } from "#curve/parts";
 import { curved } from "#document/curve/curve";
 import { selection } from "#document/morph";
 import { narrow } from "#ui/media";
-import { PanelFoot } from "#ui/PanelFoot";
+import { PanelFoot } from "#ui/panel/PanelFoot";
 import type { End } from "./changes";
 import { gallery } from "./dialogs";
 import { Gallery, MapEditor } from "./later";
@@ -13,7 +13,7 @@ import { MotionPanel } from "./MotionPanel";
 import { PairNotes, PairsPanel } from "./pairs/PairsPanel";
 import { Ends } from "./shapes/Ends";
 import { PlaybackOptions } from "./strip/MorphStrip";
-import "#ui/panel.css";
+import "#ui/panel/panel.css";
 import "./morph.css";
 
 const choose = (end: End) => {

@@ -3,7 +3,7 @@ import { EMPTY_LINE } from "#document/space/edits";
 import { hand, moment, timeline } from "#document/space/space";
 import { fitCommand } from "#stage/commands";
 import { type Command, everywhere } from "#ui/commands";
-import { type Timeline, timeCommands } from "#ui/timeline";
+import { type Timeline, timeCommands } from "#ui/strip/timeline";
 import { goToOrigin, showWhole } from "./stage/actions";
 import { scrubSpace, togglePlay } from "./time/clock";
 import { goToKey, setKey } from "./time/keys";

@@ -1,12 +1,12 @@
 /** Space: its stage, its side panel and its strip. Loaded when it is first opened. */
-import "#ui/panel.css";
+import "#ui/panel/panel.css";
 import "./space.css";
 import { effect, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { spaceShown } from "#document/playback";
-import { listenForFiles } from "#ui/dropFiles";
-import { PanelFoot } from "#ui/PanelFoot";
-import { Segmented } from "#ui/Segmented";
+import { Segmented } from "#ui/controls/Segmented";
+import { listenForFiles } from "#ui/files/dropFiles";
+import { PanelFoot } from "#ui/panel/PanelFoot";
 import { LightPanel } from "./light/LightPanel";
 import { MorphPanel3 } from "./morph/MorphPanel3";
 import { watchMorph } from "./morph/work";

@@ -1,7 +1,7 @@
 /** The picture of space as a file. */
 import { dismiss, notify, wordsOf } from "#document/notice";
 import { space, spaceView } from "#document/space/space";
-import { download, plainName, pngOf } from "#ui/download";
+import { download, plainName, pngOf } from "#ui/files/download";
 import { layOn } from "#workers/film/opaque";
 import { pictureOf } from "#workers/space/complete-picture";
 import { PAGE } from "./light/background";

@@ -1,4 +1,4 @@
-import { answerOf } from "#geometry/polygon-family";
+import { answerOf } from "#geometry/maps/polygon-family";
 import { atResolution, STATE } from "#geometry/states";
 import type { Connectedness, Ifs } from "#wasm/api";
 import type { Frond } from "#wasm/core";

@@ -1,4 +1,4 @@
-import { Segmented } from "#ui/Segmented";
+import { Segmented } from "#ui/controls/Segmented";
 import type { Parameter } from "../../kit/frame/frame";
 import { aboutDragon, DRAGONS, dragon } from "./dragon";
 import css from "./dragon-choice.module.css";

@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { Button } from "#ui/Button";
-import { Slider } from "#ui/Slider";
+import { Button } from "#ui/controls/Button";
+import { Slider } from "#ui/controls/Slider";
 import { loadProof, prover } from "#wasm/proof";
 import { Plot } from "../../kit/chart/plot";
 import { barnsley, type Round } from "../../kit/connectedness/barnsley";

@@ -1,9 +1,9 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { verdictPhrase } from "#format/verdict";
-import { Button } from "#ui/Button";
-import { Segmented } from "#ui/Segmented";
-import { Slider } from "#ui/Slider";
+import { Button } from "#ui/controls/Button";
+import { Segmented } from "#ui/controls/Segmented";
+import { Slider } from "#ui/controls/Slider";
 import type { MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { MARGIN, MOST_POINTS, SEED, startRun } from "../../kit/connectedness/buffer-run";

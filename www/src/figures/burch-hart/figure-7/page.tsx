@@ -4,7 +4,7 @@ import { fixed } from "#format/numbers";
 import { verdictPhrase } from "#format/verdict";
 import type { Uv } from "#geometry/path";
 import { isBroken } from "#geometry/states";
-import { Slider } from "#ui/Slider";
+import { Slider } from "#ui/controls/Slider";
 import type { MapRow, PathPlan } from "#wasm/api";
 import { Formula } from "../../kit/frame/formula";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";

@@ -1,7 +1,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { fixed, formatNumber } from "#format/numbers";
-import { Button } from "#ui/Button";
-import { Segmented } from "#ui/Segmented";
+import { Button } from "#ui/controls/Button";
+import { Segmented } from "#ui/controls/Segmented";
 import { cancel, epoch, submit } from "#workers/pool/engine";
 import { Plot } from "../../kit/chart/plot";
 import { median } from "../../kit/connectedness/bisection";

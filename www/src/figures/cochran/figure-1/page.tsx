@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed, formatNumber } from "#format/numbers";
-import { NumberField } from "#ui/NumberField";
-import { Slider } from "#ui/Slider";
-import { Switch } from "#ui/Switch";
+import { NumberField } from "#ui/controls/NumberField";
+import { Slider } from "#ui/controls/Slider";
+import { Switch } from "#ui/controls/Switch";
 import { loadCurves, rough } from "#wasm/curve";
 import { Formula } from "../../kit/frame/formula";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";

@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { Button } from "#ui/Button";
-import { Slider } from "#ui/Slider";
-import { Switch } from "#ui/Switch";
+import { Button } from "#ui/controls/Button";
+import { Slider } from "#ui/controls/Slider";
+import { Switch } from "#ui/controls/Switch";
 import { Formula } from "../../kit/frame/formula";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";

@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { Segmented } from "#ui/Segmented";
-import { Slider } from "#ui/Slider";
+import { Segmented } from "#ui/controls/Segmented";
+import { Slider } from "#ui/controls/Slider";
 import type { Graph } from "#wasm/api";
 import { loadCurves, rough } from "#wasm/curve";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";

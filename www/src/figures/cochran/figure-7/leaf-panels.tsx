@@ -1,7 +1,7 @@
 /** The paper's fits of the leaf: all of each, and where its copies should meet. */
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { Slider } from "#ui/Slider";
+import { Slider } from "#ui/controls/Slider";
 import type { Collage } from "#workers/fit/curve";
 import { Control } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";

@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { Button } from "#ui/Button";
-import { Segmented } from "#ui/Segmented";
-import { Switch } from "#ui/Switch";
+import { Button } from "#ui/controls/Button";
+import { Segmented } from "#ui/controls/Segmented";
+import { Switch } from "#ui/controls/Switch";
 import type { Collage, Figures } from "#workers/fit/curve";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";

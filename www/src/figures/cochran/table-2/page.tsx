@@ -1,6 +1,6 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { Switch } from "#ui/Switch";
+import { Switch } from "#ui/controls/Switch";
 import type { FoundCluster } from "#workers/fit/hough";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";

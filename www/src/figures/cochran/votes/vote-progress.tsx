@@ -1,5 +1,5 @@
 import { fixed } from "#format/numbers";
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import tableCss from "../../kit/frame/table.module.css";
 import type { Voting } from "./votes";
 

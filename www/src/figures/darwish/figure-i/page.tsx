@@ -1,5 +1,5 @@
 import { useMemo, useState } from "preact/hooks";
-import { turns3 } from "#geometry/affine3";
+import { turns3 } from "#geometry/maps/affine3";
 import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { type Form, triangle } from "../space/shapes";

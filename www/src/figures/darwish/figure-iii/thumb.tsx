@@ -1,4 +1,4 @@
-import { turns3 } from "#geometry/affine3";
+import { turns3 } from "#geometry/maps/affine3";
 import { triangle } from "../space/shapes";
 import { FRONT, turnedHalves } from "../space/small";
 import { SpaceDots } from "../space/space-dots";

@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { after3, scale3, turns3 } from "#geometry/affine3";
-import { Button } from "#ui/Button";
+import { after3, scale3, turns3 } from "#geometry/maps/affine3";
+import { Button } from "#ui/controls/Button";
 import type { MapRow3 } from "#wasm/api";
 import { loadSpace, solid } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";

@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { scale3, shift3 } from "#geometry/affine3";
-import { Button } from "#ui/Button";
-import { Slider } from "#ui/Slider";
+import { scale3, shift3 } from "#geometry/maps/affine3";
+import { Button } from "#ui/controls/Button";
+import { Slider } from "#ui/controls/Slider";
 import { loadSpace } from "#wasm/space";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";

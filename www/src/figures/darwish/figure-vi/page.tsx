@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { about3, apply3, turns3 } from "#geometry/affine3";
-import { Button } from "#ui/Button";
-import { Segmented } from "#ui/Segmented";
+import { about3, apply3, turns3 } from "#geometry/maps/affine3";
+import { Button } from "#ui/controls/Button";
+import { Segmented } from "#ui/controls/Segmented";
 import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";

@@ -1,4 +1,4 @@
-import { about3, turns3 } from "#geometry/affine3";
+import { about3, turns3 } from "#geometry/maps/affine3";
 import { PYRAMID_AWAY, pyramid } from "../space/shapes";
 import { FAR, turnedHalves } from "../space/small";
 import { SpaceDots } from "../space/space-dots";

@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
 import { formatNumber } from "#format/numbers";
-import { scale3 } from "#geometry/affine3";
-import { Button } from "#ui/Button";
+import { scale3 } from "#geometry/maps/affine3";
+import { Button } from "#ui/controls/Button";
 import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";

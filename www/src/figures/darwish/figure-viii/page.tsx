@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
-import { about3, turns3 } from "#geometry/affine3";
-import { Button } from "#ui/Button";
+import { about3, turns3 } from "#geometry/maps/affine3";
+import { Button } from "#ui/controls/Button";
 import { loadSpace } from "#wasm/space";
-import "#ui/map-blocks.css";
+import "#ui/shapes/map-blocks.css";
 import { fixed, formatNumber } from "#format/numbers";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { apply3 } from "#geometry/affine3";
+import { apply3 } from "#geometry/maps/affine3";
 import type { MapRow3, Point3 } from "#wasm/api";
 import {
   columnsOf,

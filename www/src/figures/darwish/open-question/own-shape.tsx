@@ -1,4 +1,4 @@
-import { NumberField } from "#ui/NumberField";
+import { NumberField } from "#ui/controls/NumberField";
 import type { Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { Control } from "../../kit/frame/frame";

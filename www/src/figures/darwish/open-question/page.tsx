@@ -1,8 +1,8 @@
 import { useMemo, useState } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
-import { Segmented } from "#ui/Segmented";
-import { Switch } from "#ui/Switch";
+import { Segmented } from "#ui/controls/Segmented";
+import { Switch } from "#ui/controls/Switch";
 import type { MapRow3, SpaceView } from "#wasm/api";
 import { loadSpace, solid } from "#wasm/space";
 import { Head, type Heading, Parameters } from "../../kit/frame/frame";

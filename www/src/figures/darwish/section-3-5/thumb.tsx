@@ -1,4 +1,4 @@
-import { about3, scale3 } from "#geometry/affine3";
+import { about3, scale3 } from "#geometry/maps/affine3";
 import type { SpaceView } from "#wasm/api";
 import { SpaceDots } from "../space/space-dots";
 

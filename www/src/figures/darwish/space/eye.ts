@@ -1,6 +1,6 @@
 /** Where a picture of space is seen from. */
 
-import { apply3, determinant3 } from "#geometry/affine3";
+import { apply3, determinant3 } from "#geometry/maps/affine3";
 import type { MapRow3, Point3, SpaceView } from "#wasm/api";
 
 interface Axes {

@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
-import { type Apart, apartBy, apartWords } from "#geometry/apart";
-import { Button } from "#ui/Button";
-import { MapBlocks } from "#ui/MapBlocks";
+import { type Apart, apartBy, apartWords } from "#geometry/maps/apart";
+import { Button } from "#ui/controls/Button";
+import { MapBlocks } from "#ui/shapes/MapBlocks";
 import type { MapRow3, SpaceObject, SpaceView } from "#wasm/api";
 import { solid } from "#wasm/space";
 import layout from "../../kit/frame/layout.module.css";

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { apply3, same3, scale3, turns3 } from "#geometry/affine3";
-import { apartBy } from "#geometry/apart";
+import { apply3, same3, scale3, turns3 } from "#geometry/maps/affine3";
+import { apartBy } from "#geometry/maps/apart";
 import { dotsOf } from "./eye";
 import { pyramid, triangle } from "./shapes";
 

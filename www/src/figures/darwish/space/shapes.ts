@@ -1,6 +1,6 @@
 /** The shapes of Darwish & Abd-El-Wahab's figures, as far as they can be told from a print that is cut off. */
 
-import { about3, scale3 } from "#geometry/affine3";
+import { about3, scale3 } from "#geometry/maps/affine3";
 import type { MapRow3, Point3 } from "#wasm/api";
 
 const HEIGHT = Math.sqrt(3) / 2;

@@ -1,6 +1,6 @@
 /** A small tree of the natural scene. */
 
-import { after3, scale3, shift3, turns3 } from "#geometry/affine3";
+import { after3, scale3, shift3, turns3 } from "#geometry/maps/affine3";
 import type { SpaceView } from "#wasm/api";
 
 /** A trunk, and three boughs that lean out around it. */

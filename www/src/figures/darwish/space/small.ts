@@ -1,6 +1,6 @@
 /** Small pictures of the shapes of Figures i to vi, in points, and where they are seen from. */
 
-import { about3, after3, scale3, shift3 } from "#geometry/affine3";
+import { about3, after3, scale3, shift3 } from "#geometry/maps/affine3";
 import type { MapRow3, SpaceView } from "#wasm/api";
 
 export const FRONT: SpaceView = { target: [0, 0, 0], distance: 3, turn: 0.35, tilt: 0.2, angle: 0.46 };

@@ -1,6 +1,6 @@
 /** What the figures of the triangle share: where it is seen from, which maps make it, and what was not printed. */
 
-import { Segmented } from "#ui/Segmented";
+import { Segmented } from "#ui/controls/Segmented";
 import type { SpaceView } from "#wasm/api";
 import layout from "../../kit/frame/layout.module.css";
 import type { Form } from "./shapes";

@@ -1,9 +1,9 @@
 import type { ComponentChildren } from "preact";
 import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { apartBy, apartWords } from "#geometry/apart";
-import { MapBlocks } from "#ui/MapBlocks";
-import { Slider } from "#ui/Slider";
+import { apartBy, apartWords } from "#geometry/maps/apart";
+import { Slider } from "#ui/controls/Slider";
+import { MapBlocks } from "#ui/shapes/MapBlocks";
 import type { MapRow3, Point3, SpaceView } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { Control } from "../../kit/frame/frame";

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { Slider } from "#ui/Slider";
+import { Slider } from "#ui/controls/Slider";
 import { Control, Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";

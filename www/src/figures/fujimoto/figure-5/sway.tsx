@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { Slider } from "#ui/Slider";
+import { Slider } from "#ui/controls/Slider";
 import { Formula } from "../../kit/frame/formula";
 import { PlayButton, usePlay } from "../../kit/time/play";
 import timeCss from "../../kit/time/time.module.css";

@@ -1,5 +1,5 @@
 import type { ComponentChildren } from "preact";
-import { Icon } from "#ui/Icon";
+import { Icon } from "#ui/controls/Icon";
 import { Formula } from "./formula";
 import css from "./frame.module.css";
 

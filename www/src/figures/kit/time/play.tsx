@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { IconButton } from "#ui/Button";
+import { IconButton } from "#ui/controls/Button";
 import timeCss from "./time.module.css";
 
 /** Calls `step` at every frame while it plays, with the seconds since the last; stops when that returns false. */

@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import type { Stretch } from "#geometry/states";
-import { Slider } from "#ui/Slider";
+import { Slider } from "#ui/controls/Slider";
 import { Formula } from "../frame/formula";
 import { PlayButton, usePlay } from "./play";
 import css from "./time.module.css";

@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
+import { Slider } from "#ui/controls/Slider";
 import { useOwnId } from "#ui/id";
-import { Slider } from "#ui/Slider";
 import { Control } from "../../kit/frame/frame";
 import css from "./choices.module.css";
 import type { Prediction } from "./prediction";

@@ -1,5 +1,5 @@
 import type { ComponentChildren } from "preact";
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import { Head, type Heading, type Parameter, Parameters } from "../../kit/frame/frame";
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";

@@ -2,7 +2,7 @@ import { useMemo, useState } from "preact/hooks";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import { lengthWords } from "#format/verdict";
-import { Slider } from "#ui/Slider";
+import { Slider } from "#ui/controls/Slider";
 import { Control, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";

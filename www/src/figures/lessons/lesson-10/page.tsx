@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
 import { meritWords } from "#format/path-words";
 import { shareWords } from "#format/verdict";
-import { Segmented } from "#ui/Segmented";
+import { Segmented } from "#ui/controls/Segmented";
 import type { PathPlan } from "#wasm/api";
 import { frond } from "#wasm/core";
 import type { Task } from "#workers/pool/protocol";

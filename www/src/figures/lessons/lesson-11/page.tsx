@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
 import { bendAt } from "#document/deform/bend";
 import { fixed } from "#format/numbers";
-import { Slider } from "#ui/Slider";
+import { Slider } from "#ui/controls/Slider";
 import { FAR_CORNER, GASKET, KE, LIFT_BOX, liftOf } from "../../fujimoto/deformations/lifted-gasket";
 import { Control, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";

@@ -1,5 +1,5 @@
 import { useMemo, useState } from "preact/hooks";
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";

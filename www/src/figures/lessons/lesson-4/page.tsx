@@ -1,7 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { reasonWords } from "#format/reason";
-import { Segmented } from "#ui/Segmented";
+import { Segmented } from "#ui/controls/Segmented";
 import { loadProof, prover } from "#wasm/proof";
 import { Plot } from "../../kit/chart/plot";
 import { barnsley, type Round } from "../../kit/connectedness/barnsley";

@@ -3,7 +3,7 @@ import { fixed } from "#format/numbers";
 import { shareWords, toldOf, verdictWords } from "#format/verdict";
 import { type Uv, uvAt } from "#geometry/path";
 import { STATE } from "#geometry/states";
-import { Slider } from "#ui/Slider";
+import { Slider } from "#ui/controls/Slider";
 import { loadProof, prover } from "#wasm/proof";
 import { Formula } from "../../kit/frame/formula";
 import { Control, type Heading } from "../../kit/frame/frame";

@@ -1,7 +1,7 @@
 import type { LocusResult } from "#compute/results";
 import { fixed } from "#format/numbers";
 import type { Uv } from "#geometry/path";
-import { Slider } from "#ui/Slider";
+import { Slider } from "#ui/controls/Slider";
 import { Control } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { Plane } from "../../kit/locus/locus-square";

@@ -3,7 +3,7 @@ import type { LocusResult } from "#compute/results";
 import { fixed } from "#format/numbers";
 import { verdictPhrase } from "#format/verdict";
 import type { Uv } from "#geometry/path";
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import type { Connectedness } from "#wasm/api";
 import { epoch, submit } from "#workers/pool/engine";
 import { Formula } from "../../kit/frame/formula";

@@ -2,7 +2,7 @@ import { useMemo, useState } from "preact/hooks";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import { lengthWords, shareOf, shareWords } from "#format/verdict";
-import { Slider } from "#ui/Slider";
+import { Slider } from "#ui/controls/Slider";
 import type { MapRow } from "#wasm/api";
 import { Control, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";

@@ -1,11 +1,11 @@
 import { computed } from "@preact/signals";
 import { changeDeformation, deformation } from "#document/deform/bend";
 import { edit, endGesture, scene } from "#document/scene";
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
+import { Segmented } from "#ui/controls/Segmented";
+import { SliderField } from "#ui/controls/SliderField";
+import { Switch } from "#ui/controls/Switch";
 import { useOwnId } from "#ui/id";
-import { Segmented } from "#ui/Segmented";
-import { SliderField } from "#ui/SliderField";
-import { Switch } from "#ui/Switch";
 import type { Colouring, Tint } from "#wasm/api";
 import { MOST_ROUGHNESS } from "../changes";
 import { deepest, ringed, rough } from "../facts";

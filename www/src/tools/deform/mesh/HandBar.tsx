@@ -1,5 +1,5 @@
-import { IconButton } from "#ui/Button";
-import { Segmented } from "#ui/Segmented";
+import { IconButton } from "#ui/controls/Button";
+import { Segmented } from "#ui/controls/Segmented";
 import { chosen } from "./chosen";
 import { resetChosen } from "./edit";
 import { type Hand, hand } from "./hand";

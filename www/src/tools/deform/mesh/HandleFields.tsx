@@ -1,5 +1,5 @@
 import { endGesture } from "#document/scene";
-import { NumberField } from "#ui/NumberField";
+import { NumberField } from "#ui/controls/NumberField";
 import { chosen, lead } from "./chosen";
 import { farthest, mesh } from "./document";
 import { nudge } from "./edit";

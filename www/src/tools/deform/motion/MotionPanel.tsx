@@ -2,7 +2,7 @@ import { computed } from "@preact/signals";
 import { changeDeformation, deformation, phasePlaying } from "#document/deform/bend";
 import { announce } from "#document/notice";
 import { reducedMotion } from "#document/preferences";
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import { narrow } from "#ui/media";
 import { pausePhase, playPhase, presentPhase } from "../clock";
 import { MOTIONS, type Motion, motionOf, withMotion } from "../motions";

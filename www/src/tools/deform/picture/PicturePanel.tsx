@@ -1,8 +1,8 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { ownPicture, type Photograph, photograph } from "#document/deform/picture";
-import { Button } from "#ui/Button";
-import { listenForFiles } from "#ui/dropFiles";
-import { Thumbnail } from "#ui/Thumbnail";
+import { Button } from "#ui/controls/Button";
+import { listenForFiles } from "#ui/files/dropFiles";
+import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { takeFile, takeSample } from "./take";
 import "./picture.css";
 

@@ -1,10 +1,10 @@
-import "#ui/strip.css";
+import "#ui/strip/strip.css";
 import "./strip.css";
 import { useEffect } from "preact/hooks";
 import { deformation, phasePlaying } from "#document/deform/bend";
-import { IconButton } from "#ui/Button";
+import { IconButton } from "#ui/controls/Button";
+import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
-import { Slider } from "#ui/Slider";
 import { pausePhase, playPhase, scrubPhase } from "../clock";
 import { Keys } from "./Keys";
 import { TimeOptions } from "./TimeOptions";

@@ -1,7 +1,7 @@
 import { computed } from "@preact/signals";
 import { changeDeformation, deformation, movesAt } from "#document/deform/bend";
 import { keyNear } from "#document/deform/keys";
-import { KeyTrack } from "#ui/KeyTrack";
+import { KeyTrack } from "#ui/strip/KeyTrack";
 import { withKey, withKeyAt } from "../changes";
 import { pausePhase, scrubPhase } from "../clock";
 import { MeshIcon } from "./MeshIcon";

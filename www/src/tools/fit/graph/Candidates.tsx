@@ -1,6 +1,6 @@
 import { signal } from "@preact/signals";
-import { Button } from "#ui/Button";
-import { NumberField } from "#ui/NumberField";
+import { Button } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
 import type { FoundCluster } from "#workers/fit/hough";
 import { choose, chosen, found, isPicked, mapOf, picks, search, setDomain, togglePick } from "./search";
 import { aboutOf, countWords, errorWords, mapWords, nameOf } from "./words";

@@ -1,9 +1,9 @@
 import { useRef } from "preact/hooks";
 import { formatNumber } from "#format/numbers";
-import { Button } from "#ui/Button";
-import { Segmented } from "#ui/Segmented";
-import { Slider } from "#ui/Slider";
-import { Switch } from "#ui/Switch";
+import { Button } from "#ui/controls/Button";
+import { Segmented } from "#ui/controls/Segmented";
+import { Slider } from "#ui/controls/Slider";
+import { Switch } from "#ui/controls/Switch";
 import { EXAMPLES } from "./examples";
 import { cancel, featuresChanged, find, problem, reflected, running } from "./search";
 import {

@@ -1,8 +1,8 @@
 import { signal } from "@preact/signals";
 import { formatNumber } from "#format/numbers";
-import { Button } from "#ui/Button";
-import { Segmented } from "#ui/Segmented";
-import { Switch } from "#ui/Switch";
+import { Button } from "#ui/controls/Button";
+import { Segmented } from "#ui/controls/Segmented";
+import { Switch } from "#ui/controls/Switch";
 import { CandidateList } from "./Candidates";
 import { type AxesId, ClusterPlot } from "./ClusterPlot";
 import { graph } from "./document";

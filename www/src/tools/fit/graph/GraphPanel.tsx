@@ -1,7 +1,7 @@
 import "./graph.css";
 import { useEffect } from "preact/hooks";
 import { changeFit } from "#document/fit";
-import { listenForFiles } from "#ui/dropFiles";
+import { listenForFiles } from "#ui/files/dropFiles";
 import { takeSeries } from "../series";
 import { takeFile as takeOutlineFile } from "../work/source";
 import { FindSection } from "./Find";

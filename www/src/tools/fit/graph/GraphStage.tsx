@@ -4,7 +4,7 @@ import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { formatNumber } from "#format/numbers";
 import { palette } from "#style/palette";
-import { IconButton } from "#ui/Button";
+import { IconButton } from "#ui/controls/Button";
 import { copyShown } from "./copy";
 import { chosenPiece, graph, isFirst, problem } from "./document";
 import { errors } from "./errors";

@@ -3,11 +3,11 @@ import { dark } from "#document/preferences";
 import { endGesture } from "#document/scene";
 import { formatNumber } from "#format/numbers";
 import { palette } from "#style/palette";
-import { Button } from "#ui/Button";
-import { NumberField } from "#ui/NumberField";
-import { Segmented } from "#ui/Segmented";
-import { Slider } from "#ui/Slider";
-import { Switch } from "#ui/Switch";
+import { Button } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
+import { Segmented } from "#ui/controls/Segmented";
+import { Slider } from "#ui/controls/Slider";
+import { Switch } from "#ui/controls/Switch";
 import {
   changeModel,
   chooseKind,

@@ -1,7 +1,7 @@
-import { Button } from "#ui/Button";
-import { Segmented } from "#ui/Segmented";
-import { SliderField } from "#ui/SliderField";
-import { Switch } from "#ui/Switch";
+import { Button } from "#ui/controls/Button";
+import { Segmented } from "#ui/controls/Segmented";
+import { SliderField } from "#ui/controls/SliderField";
+import { Switch } from "#ui/controls/Switch";
 import type { Component } from "#workers/fit/trace-types";
 import { brushSize, type Hand, hand } from "../stage/brush";
 import { step } from "../stage/layers";

@@ -1,7 +1,7 @@
 import { computed } from "@preact/signals";
 import { fitDocument } from "#document/fit";
 import { fixed } from "#format/numbers";
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import type { Figures, Rival } from "#workers/fit/curve";
 import { cutting } from "../stage/layers";
 import { compareWords, METHODS, percent, roughWords, signed } from "../words";

@@ -1,8 +1,8 @@
 import { changeFit, fitDocument } from "#document/fit";
-import { Button } from "#ui/Button";
-import { NumberField } from "#ui/NumberField";
-import { Segmented } from "#ui/Segmented";
-import { Switch } from "#ui/Switch";
+import { Button } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
+import { Segmented } from "#ui/controls/Segmented";
+import { Switch } from "#ui/controls/Switch";
 import type { CollageOptions } from "#workers/fit/curve";
 import { cutting } from "../stage/layers";
 import { percent } from "../words";

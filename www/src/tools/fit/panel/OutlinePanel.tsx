@@ -1,6 +1,6 @@
 import { changeFit, fitDocument } from "#document/fit";
 import { endGesture } from "#document/scene";
-import { SliderField } from "#ui/SliderField";
+import { SliderField } from "#ui/controls/SliderField";
 import { cutting } from "../stage/layers";
 import { prepared } from "../work/outline";
 import { chooseOutline, source } from "../work/source";

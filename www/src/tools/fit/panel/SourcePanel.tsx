@@ -1,6 +1,6 @@
 import { useEffect, useRef } from "preact/hooks";
-import { Button } from "#ui/Button";
-import { listenForFiles } from "#ui/dropFiles";
+import { Button } from "#ui/controls/Button";
+import { listenForFiles } from "#ui/files/dropFiles";
 import type { Grown } from "#workers/fit/curve";
 import { takeSeries } from "../series";
 import { prepared, SEEDS } from "../work/outline";

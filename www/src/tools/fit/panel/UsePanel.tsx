@@ -1,5 +1,5 @@
 import { fitDocument } from "#document/fit";
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import { saveCsv, saveJson, savePng, saveSvg } from "../save";
 import { cutting } from "../stage/layers";
 import { use } from "../use";

@@ -3,7 +3,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { dark, theme } from "#document/preferences";
 import { watchSize } from "#stage/picture";
 import { palette } from "#style/palette";
-import { IconButton } from "#ui/Button";
+import { IconButton } from "#ui/controls/Button";
 import { statusWords } from "../words";
 import { brushKey, brushKeyUp, endStroke, painting } from "./brush";
 import { effectiveView, fitStage, stageSize, view, watchCamera, zoom } from "./camera";

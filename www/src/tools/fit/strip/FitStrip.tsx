@@ -1,9 +1,9 @@
-import "#ui/strip.css";
+import "#ui/strip/strip.css";
 import { changeFit, fitDocument } from "#document/fit";
 import { endGesture } from "#document/scene";
+import { NumberField } from "#ui/controls/NumberField";
+import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
-import { NumberField } from "#ui/NumberField";
-import { Slider } from "#ui/Slider";
 import { even, HIGH, LOW, numbersAt, placeOf } from "../numbers";
 import { collageOptions, LEAST_NUMBERS, MOST_NUMBERS } from "../work/fitting";
 import { CompareButton } from "./CompareButton";

@@ -1,5 +1,5 @@
 import { fitDocument } from "#document/fit";
-import { Switch } from "#ui/Switch";
+import { Switch } from "#ui/controls/Switch";
 import { knotsShown, outlineShown, photoShown } from "../stage/layers";
 import { opened } from "../work/source";
 

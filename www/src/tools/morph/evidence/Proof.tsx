@@ -1,7 +1,7 @@
 import { type Proof as Proved, proof, prove } from "#compute/proof";
 import { notify, wordsOf } from "#document/notice";
-import { Button } from "#ui/Button";
-import { download } from "#ui/download";
+import { Button } from "#ui/controls/Button";
+import { download } from "#ui/files/download";
 import type { Certificate } from "#wasm/api";
 import { checkWords } from "./words";
 

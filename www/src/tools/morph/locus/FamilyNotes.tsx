@@ -1,7 +1,7 @@
 import { MOST_ZOOM } from "#compute/locus/window";
 import { lowered } from "#format/parameters";
 import { powerWords } from "#format/verdict";
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import { critical, criticalScale } from "./critical";
 import { landmarksOf, symmetryWords, theoremWords } from "./families";
 import { fly, pickPoint, sides } from "./view";

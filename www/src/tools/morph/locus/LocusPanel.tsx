@@ -4,7 +4,7 @@ import { computed, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { Legend } from "#stage/locus/Legend";
 import type { LocusStyle } from "#stage/locus/paint";
-import { Segmented } from "#ui/Segmented";
+import { Segmented } from "#ui/controls/Segmented";
 import { followCritical } from "./critical";
 import { FamilyNotes } from "./FamilyNotes";
 import { LocusSquare } from "./LocusSquare";

@@ -5,7 +5,7 @@ import { edit } from "#document/scene";
 import { fixed } from "#format/numbers";
 import { complexWords } from "#format/parameters";
 import { verdictPhrase } from "#format/verdict";
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import { type End, nameOf } from "../changes";
 import { digitsOf } from "./geometry";
 import { familyMaps } from "./hover";

@@ -1,5 +1,5 @@
-import { NumberField } from "#ui/NumberField";
-import { Segmented } from "#ui/Segmented";
+import { NumberField } from "#ui/controls/NumberField";
+import { Segmented } from "#ui/controls/Segmented";
 import { family, setPlane, sides } from "./view";
 
 type Plane = "morph" | "m" | "polygon";

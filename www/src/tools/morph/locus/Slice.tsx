@@ -1,9 +1,9 @@
 import { useState } from "preact/hooks";
 import { uv } from "#document/morph";
 import { fixed } from "#format/numbers";
-import { Button } from "#ui/Button";
-import { NumberField } from "#ui/NumberField";
-import { Slider } from "#ui/Slider";
+import { Button } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
+import { Slider } from "#ui/controls/Slider";
 import { mode } from "../parts";
 import { THICKNESS } from "./Handles";
 import { offSlice, picked, setView, view } from "./view";

@@ -2,7 +2,7 @@ import { LEAST_EPSILON, MOST_ZOOM } from "#compute/locus/window";
 import { endGesture } from "#document/scene";
 import { zoomWords } from "#format/parameters";
 import { resolutionWords } from "#format/verdict";
-import { NumberField } from "#ui/NumberField";
+import { NumberField } from "#ui/controls/NumberField";
 import { digitsOf } from "./geometry";
 import { epsilon, family, inDigits, picked, pickPoint, setView, shownWindow, view } from "./view";
 

@@ -1,5 +1,5 @@
 import { MOST_ZOOM } from "#compute/locus/window";
-import { IconButton } from "#ui/Button";
+import { IconButton } from "#ui/controls/Button";
 import { goHome, view, zoomBy } from "./view";
 
 const STEP = 2;

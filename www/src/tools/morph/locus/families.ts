@@ -1,8 +1,8 @@
 /** What is known by proof of the polygon families {s z + exp(2 pi i k / n)}, and places worth seeing. */
 
 import { lowered } from "#format/parameters";
+import { isPrime } from "#geometry/maps/polygon-family";
 import type { Uv } from "#geometry/path";
-import { isPrime } from "#geometry/polygon-family";
 
 /** Circles about 0 that tell something. */
 export function circlesOf(sides: number): { radius: number; name: string; kind: "one" | "area" | "line" }[] {

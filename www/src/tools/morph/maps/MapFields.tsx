@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
-import { compose, decompose, type Parts } from "#geometry/affine2";
+import { compose, decompose, type Parts } from "#geometry/maps/affine2";
+import { NumberField } from "#ui/controls/NumberField";
 import { useOwnId } from "#ui/id";
-import { NumberField } from "#ui/NumberField";
 import type { MapRow } from "#wasm/api";
 
 export interface MapFieldsProps {

@@ -8,7 +8,7 @@ import { edit } from "#document/scene";
 import { matchWords, meritWords } from "#format/path-words";
 import { paint } from "#stage/locus/paint";
 import { palette } from "#style/palette";
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import { useOwnId } from "#ui/id";
 import type { RatedCandidate } from "#wasm/api";
 import { isMatched, takeMatching } from "../changes";

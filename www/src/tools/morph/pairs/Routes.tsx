@@ -1,8 +1,8 @@
 import { lookForRoutes, routes } from "#compute/routes";
 import { announce } from "#document/notice";
 import { edit } from "#document/scene";
-import { sameMaps } from "#geometry/same-maps";
-import { Button } from "#ui/Button";
+import { sameMaps } from "#geometry/maps/same-maps";
+import { Button } from "#ui/controls/Button";
 import { useOwnId } from "#ui/id";
 import type { Route, RouteKind } from "#wasm/api";
 import { isMatched, takeRoute } from "../changes";

@@ -1,11 +1,11 @@
-import "#ui/ends.css";
+import "#ui/shapes/ends.css";
 import { thumbnails } from "#compute/results";
 import { selection } from "#document/morph";
 import { announce } from "#document/notice";
 import { edit, scene } from "#document/scene";
-import { IconButton } from "#ui/Button";
-import { Menu } from "#ui/Menu";
-import { Thumbnail } from "#ui/Thumbnail";
+import { IconButton } from "#ui/controls/Button";
+import { Menu } from "#ui/overlay/Menu";
+import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { asBoth, type End, nameOf, other, swap } from "../changes";
 import { gallery } from "../dialogs";
 import { shapes } from "../parts";

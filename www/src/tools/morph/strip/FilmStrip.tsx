@@ -7,7 +7,7 @@ import { percent } from "#format/path-words";
 import { stateOf, verdictPhrase } from "#format/verdict";
 import { isBroken } from "#geometry/states";
 import { media } from "#ui/media";
-import { Thumbnail } from "#ui/Thumbnail";
+import { Thumbnail } from "#ui/shapes/Thumbnail";
 import type { Verdict } from "#wasm/api";
 import { evenly } from "./evenly";
 import { scrubTo } from "./scrub";

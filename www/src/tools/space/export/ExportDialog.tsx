@@ -1,7 +1,7 @@
 import "./export.css";
 import { space, timeline } from "#document/space/space";
-import { Button } from "#ui/Button";
-import { Dialog } from "#ui/Dialog";
+import { Button } from "#ui/controls/Button";
+import { Dialog } from "#ui/overlay/Dialog";
 import { exportOpen } from "../time/exporting";
 import { fly } from "../time/fly";
 import { Finished } from "./Finished";

@@ -1,4 +1,4 @@
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import { forget, type Made, save } from "./job";
 import { bytesWords, grouped } from "./plan";
 

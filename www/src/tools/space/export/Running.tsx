@@ -1,4 +1,4 @@
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import { cancel, type Job } from "./job";
 import { Picture } from "./Picture";
 import { grouped, isFilm, timeWords } from "./plan";

@@ -1,9 +1,9 @@
 import { useEffect, useMemo } from "preact/hooks";
 import { timeline } from "#document/space/space";
-import { Button } from "#ui/Button";
-import { NumberField } from "#ui/NumberField";
-import { Segmented } from "#ui/Segmented";
-import { Switch } from "#ui/Switch";
+import { Button } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
+import { Segmented } from "#ui/controls/Segmented";
+import { Switch } from "#ui/controls/Switch";
 import type { Repeat } from "#wasm/api";
 import { MOST_BYTES } from "../time/saved";
 import { loopOf, secondsWords } from "../time/words";

@@ -3,7 +3,7 @@
 import { type ReadonlySignal, signal } from "@preact/signals";
 import { notify, wordsOf } from "#document/notice";
 import { space, spacePart, spaceView } from "#document/space/space";
-import { downloadFrom } from "#ui/download";
+import { downloadFrom } from "#ui/files/download";
 import { type Film, makeFilm } from "#workers/film/make";
 import { spaceTask } from "#workers/space/client";
 import { colours, ground } from "../stage/sight";

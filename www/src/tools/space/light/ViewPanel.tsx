@@ -1,10 +1,10 @@
 import { computed } from "@preact/signals";
 import { useState } from "preact/hooks";
 import { setView, spaceView } from "#document/space/space";
-import { Button } from "#ui/Button";
-import { NumberField } from "#ui/NumberField";
-import { SliderField } from "#ui/SliderField";
-import { Switch } from "#ui/Switch";
+import { Button } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
+import { SliderField } from "#ui/controls/SliderField";
+import { Switch } from "#ui/controls/Switch";
 import type { Point3, SpaceView } from "#wasm/api";
 import { changeView, holdEye } from "../stage/actions";
 import { eyeOf, LEAST_ANGLE, MOST_ANGLE, withAngle, wrapped } from "../stage/camera";

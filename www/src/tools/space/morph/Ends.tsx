@@ -1,12 +1,12 @@
-import "#ui/ends.css";
+import "#ui/shapes/ends.css";
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { announce, notify, wordsOf } from "#document/notice";
 import { changeSpace } from "#document/space/edits";
 import { choose, editSpace, space } from "#document/space/space";
-import { IconButton } from "#ui/Button";
-import { Dialog } from "#ui/Dialog";
-import { mapsNote, ShapeGrid } from "#ui/ShapeGrid";
-import { Thumbnail } from "#ui/Thumbnail";
+import { IconButton } from "#ui/controls/Button";
+import { Dialog } from "#ui/overlay/Dialog";
+import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
+import { Thumbnail } from "#ui/shapes/Thumbnail";
 import type { Shape3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { Gallery } from "../shape/Gallery";

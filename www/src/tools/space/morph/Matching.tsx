@@ -1,7 +1,7 @@
 import { changeSpace } from "#document/space/edits";
 import { space } from "#document/space/space";
 import { matchWords } from "#format/path-words";
-import { Segmented } from "#ui/Segmented";
+import { Segmented } from "#ui/controls/Segmented";
 import type { Mode } from "#wasm/api";
 import { Fold } from "../shape/Fold";
 import { exchanged, flatPairs, inOrder, orderNow, withMode, withOrder } from "./changes";

@@ -1,6 +1,6 @@
 /** What the first object can become. */
 
-import { sameMaps } from "#geometry/same-maps";
+import { sameMaps } from "#geometry/maps/same-maps";
 import type { Preset3, Shape3, SpaceObject } from "#wasm/api";
 
 export interface Goal {

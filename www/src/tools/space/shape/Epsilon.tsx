@@ -1,8 +1,8 @@
 import { useState } from "preact/hooks";
 import { wordsOf } from "#document/notice";
 import { divergingWords } from "#format/placement";
-import { MapBlocks } from "#ui/MapBlocks";
-import { SliderField } from "#ui/SliderField";
+import { SliderField } from "#ui/controls/SliderField";
+import { MapBlocks } from "#ui/shapes/MapBlocks";
 import type { EpsilonProjection, MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 

@@ -3,9 +3,9 @@ import { announce, notify, wordsOf } from "#document/notice";
 import { endGesture } from "#document/scene";
 import { placeObject } from "#document/space/edits";
 import { chosen, IDENTITY } from "#document/space/space";
-import { Button } from "#ui/Button";
-import { Segmented } from "#ui/Segmented";
-import { SliderField } from "#ui/SliderField";
+import { Button } from "#ui/controls/Button";
+import { Segmented } from "#ui/controls/Segmented";
+import { SliderField } from "#ui/controls/SliderField";
 import type { MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 import {

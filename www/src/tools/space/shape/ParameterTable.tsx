@@ -1,8 +1,8 @@
 import { computed, signal } from "@preact/signals";
-import { apartBy, apartWords } from "#geometry/apart";
-import { Button } from "#ui/Button";
-import { MapBlocks } from "#ui/MapBlocks";
-import { Segmented } from "#ui/Segmented";
+import { apartBy, apartWords } from "#geometry/maps/apart";
+import { Button } from "#ui/controls/Button";
+import { Segmented } from "#ui/controls/Segmented";
+import { MapBlocks } from "#ui/shapes/MapBlocks";
 import { made, moved, parameters } from "./now";
 
 /** So many maps are shown at first. */

@@ -2,7 +2,7 @@ import "./shape.css";
 import { useEffect } from "preact/hooks";
 import { chosen, spaceReady } from "#document/space/space";
 import { formatNumber } from "#format/numbers";
-import { mapsNote } from "#ui/ShapeGrid";
+import { mapsNote } from "#ui/shapes/ShapeGrid";
 import { FactsPanel } from "./FactsPanel";
 import { Fold } from "./Fold";
 import { HandPanel } from "./HandPanel";

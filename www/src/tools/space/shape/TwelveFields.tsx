@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
+import { NumberField } from "#ui/controls/NumberField";
 import { useOwnId } from "#ui/id";
-import { NumberField } from "#ui/NumberField";
 import type { MapRow3 } from "#wasm/api";
 
 export interface TwelveFieldsProps {

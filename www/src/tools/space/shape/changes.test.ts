@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { about3, apply3, scale3 } from "#geometry/affine3";
+import { about3, apply3, scale3 } from "#geometry/maps/affine3";
 import type { MapRow3, Point3, Space } from "#wasm/api";
 import { around, beside, withObject, withoutObject, withShape, withTint } from "./changes";
 

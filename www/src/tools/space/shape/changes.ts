@@ -1,6 +1,6 @@
 /** What the panel does to the objects of space, as functions from space to space. */
 
-import { about3, after3, scale3, shift3 } from "#geometry/affine3";
+import { about3, after3, scale3, shift3 } from "#geometry/maps/affine3";
 import type { MapRow3, Point3, Shape3, Space, SpaceKey, SpaceObject } from "#wasm/api";
 
 export const MOST_MAPS = 64;

@@ -2,7 +2,7 @@
 import { signal } from "@preact/signals";
 import { notify, wordsOf } from "#document/notice";
 import { space } from "#document/space/space";
-import { download, plainName } from "#ui/download";
+import { download, plainName } from "#ui/files/download";
 import { solid } from "#wasm/space";
 import { isAnimation, takeAnimation } from "../time/open";
 import { object, parameters } from "./now";

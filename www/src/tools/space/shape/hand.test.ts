@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { IDENTITY } from "#document/space/space";
-import { apply3, determinant3 } from "#geometry/affine3";
+import { apply3, determinant3 } from "#geometry/maps/affine3";
 import { AT_REST, fromSlider, type Kind, nearlySame, stepOf, toSlider, transformOf } from "./hand";
 
 test("at rest nothing is done", () => {

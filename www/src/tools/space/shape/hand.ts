@@ -1,6 +1,6 @@
 /** What the sliders of the hand come to: one transform, from how the object was when the hand was laid on it. */
 
-import { about3, scale3, shift3, turns3 } from "#geometry/affine3";
+import { about3, scale3, shift3, turns3 } from "#geometry/maps/affine3";
 import type { MapRow3, Point3 } from "#wasm/api";
 
 export type Kind = "turn" | "move" | "scale" | "shear";

@@ -1,7 +1,7 @@
 import { computed, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { lookingAround, motionProblem, space, spaceFrame, spaceView } from "#document/space/space";
-import { Button } from "#ui/Button";
+import { Button } from "#ui/controls/Button";
 import { solid } from "#wasm/space";
 import { backToFlight, showWhole } from "./actions";
 import { type Ball, eyeOf, sightOf } from "./camera";

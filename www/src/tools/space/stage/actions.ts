@@ -3,7 +3,7 @@
 import { notify, wordsOf } from "#document/notice";
 import { moveObject } from "#document/space/edits";
 import { lookingAround, setView, space, spaceFrame, spaceView } from "#document/space/space";
-import { about3, scale3, shift3 } from "#geometry/affine3";
+import { about3, scale3, shift3 } from "#geometry/maps/affine3";
 import type { MapRow3, SpaceView } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { axesOf, depthOf, eyeOf, fromOrigin, shiftByHand, showsAll, wholeView } from "./camera";

@@ -1,4 +1,4 @@
-import { apply3 } from "#geometry/affine3";
+import { apply3 } from "#geometry/maps/affine3";
 import type { MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 

@@ -3,7 +3,7 @@ import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { dark, theme } from "#document/preferences";
 import { keepBackground } from "#document/space/edits";
 import { chosen, space, spaceFrame } from "#document/space/space";
-import { apply3 } from "#geometry/affine3";
+import { apply3 } from "#geometry/maps/affine3";
 import { palette } from "#style/palette";
 import type { Point3 } from "#wasm/api";
 import { type SpacePictureHandle, solid } from "#wasm/space";

@@ -1,5 +1,5 @@
 import { changeTimeline } from "#document/space/edits";
-import { Menu } from "#ui/Menu";
+import { Menu } from "#ui/overlay/Menu";
 import type { SpaceKey } from "#wasm/api";
 import { withEase } from "./changes";
 import { attempt } from "./keys";

@@ -1,8 +1,8 @@
 import { endGesture } from "#document/scene";
 import { changeTimeline } from "#document/space/edits";
 import { lookingAround, space, timeline } from "#document/space/space";
-import { Button, IconButton } from "#ui/Button";
-import { NumberField } from "#ui/NumberField";
+import { Button, IconButton } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
 import { MOST_KEYS, withKeyAt } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";
 import { EaseMenu } from "./EaseMenu";

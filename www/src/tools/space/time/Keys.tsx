@@ -1,7 +1,7 @@
 import { computed } from "@preact/signals";
 import { changeTimeline } from "#document/space/edits";
 import { moment, timeline } from "#document/space/space";
-import { KeyTrack } from "#ui/KeyTrack";
+import { KeyTrack } from "#ui/strip/KeyTrack";
 import type { SpaceTimeline } from "#wasm/api";
 import { keyAt, withKeyAt } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";

@@ -1,7 +1,7 @@
 import { changeTimeline, EMPTY_LINE } from "#document/space/edits";
 import { space, timeline } from "#document/space/space";
-import { Menu } from "#ui/Menu";
-import { Segmented } from "#ui/Segmented";
+import { Segmented } from "#ui/controls/Segmented";
+import { Menu } from "#ui/overlay/Menu";
 import type { Repeat } from "#wasm/api";
 import { jumpsBack, withLoop } from "./changes";
 import { pauseSpace } from "./clock";

@@ -1,6 +1,6 @@
 import { changeTimeline } from "#document/space/edits";
 import { timeline } from "#document/space/space";
-import { Menu } from "#ui/Menu";
+import { Menu } from "#ui/overlay/Menu";
 import { openExport } from "./exporting";
 import { fly } from "./fly";
 import { attempt, removeAllKeys, stretch } from "./keys";

@@ -1,7 +1,7 @@
 import { endGesture } from "#document/scene";
 import { changeTimeline, EMPTY_LINE } from "#document/space/edits";
 import { moment, space, timeline } from "#document/space/space";
-import { NumberField, type NumberFieldProps } from "#ui/NumberField";
+import { NumberField, type NumberFieldProps } from "#ui/controls/NumberField";
 import { LONGEST, SHORTEST, secondsProblem, withSeconds } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";
 import { attempt } from "./keys";

@@ -1,8 +1,8 @@
 import "./time.css";
 import { changeTimeline, EMPTY_LINE } from "#document/space/edits";
 import { space, timeline } from "#document/space/space";
-import { Button, IconButton } from "#ui/Button";
-import { Segmented } from "#ui/Segmented";
+import { Button, IconButton } from "#ui/controls/Button";
+import { Segmented } from "#ui/controls/Segmented";
 import { scrubSpace } from "./clock";
 import { EaseMenu } from "./EaseMenu";
 import { fly } from "./fly";

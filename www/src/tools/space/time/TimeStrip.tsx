@@ -1,13 +1,13 @@
-import "#ui/strip.css";
+import "#ui/strip/strip.css";
 import "./time.css";
 import { useEffect, useState } from "preact/hooks";
 import { EMPTY_LINE } from "#document/space/edits";
 import { moment, space, spacePlaying, timeline } from "#document/space/space";
-import { Button, IconButton } from "#ui/Button";
+import { Button, IconButton } from "#ui/controls/Button";
+import { Slider } from "#ui/controls/Slider";
 import { useOwnId } from "#ui/id";
 import { lazily } from "#ui/lazy";
 import { narrow } from "#ui/media";
-import { Slider } from "#ui/Slider";
 import { pauseSpace, scrubSpace, togglePlay } from "./clock";
 import { exportOpen, exportProgress, openExport } from "./exporting";
 import { fly } from "./fly";

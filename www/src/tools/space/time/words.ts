@@ -1,5 +1,5 @@
 import { formatNumber } from "#format/numbers";
-import type { IconName } from "#ui/Icon";
+import type { IconName } from "#ui/controls/Icon";
 import type { Ease, Repeat, SpaceKey, SpaceTimeline } from "#wasm/api";
 import { keyAt } from "./changes";
 

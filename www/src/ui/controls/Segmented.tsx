@@ -1,6 +1,6 @@
 import "./choice.css";
 import type { ComponentChildren } from "preact";
-import { useOwnId } from "./id";
+import { useOwnId } from "../id";
 
 export interface Option<T extends string> {
   value: T;

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { MapRow3, Point3 } from "#wasm/api";
-import known from "../../../tests/known/conjugation.json";
+import known from "../../../../tests/known/conjugation.json";
 import { about3, after3, apply3, determinant3, same3, scale3, shift3, turns3 } from "./affine3";
 
 interface Case {

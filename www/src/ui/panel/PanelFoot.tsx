@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
-import { Button } from "./Button";
-import { help } from "./commands";
+import { help } from "../commands";
+import { Button } from "../controls/Button";
 
 /** The end of a tool's panel. */
 export function PanelFoot({ children }: { children?: ComponentChildren }) {

@@ -1,5 +1,5 @@
 import "./overlay.css";
-import { Button, IconButton } from "./Button";
+import { Button, IconButton } from "../controls/Button";
 
 export interface Toast {
   id: number;

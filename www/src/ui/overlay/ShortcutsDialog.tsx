@@ -1,4 +1,4 @@
-import { type Command, groupsOf, help } from "./commands";
+import { type Command, groupsOf, help } from "../commands";
 import { Dialog } from "./Dialog";
 import "./overlay.css";
 

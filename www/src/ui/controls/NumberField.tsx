@@ -1,7 +1,7 @@
 import "./field.css";
 import { useState } from "preact/hooks";
 import { addStep, formatNumber, keyStep, parseNumber, rangeProblem } from "#format/numbers";
-import { useOwnId } from "./id";
+import { useOwnId } from "../id";
 
 export interface NumberFieldProps {
   /** Name in words. */

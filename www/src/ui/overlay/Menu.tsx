@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import "./overlay.css";
-import { Button, IconButton } from "./Button";
-import type { IconName } from "./Icon";
+import { Button, IconButton } from "../controls/Button";
+import type { IconName } from "../controls/Icon";
 
 export interface MenuItem {
   label: string;

@@ -1,6 +1,6 @@
 /** What moves in time: the same to the keys of every tool. */
 import { addStep } from "#format/numbers";
-import type { Command } from "./commands";
+import type { Command } from "../commands";
 
 export interface Timeline {
   now(): number;

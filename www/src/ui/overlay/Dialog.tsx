@@ -1,8 +1,8 @@
 import "./overlay.css";
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
-import { IconButton } from "./Button";
-import { useOwnId } from "./id";
+import { IconButton } from "../controls/Button";
+import { useOwnId } from "../id";
 
 export interface DialogProps {
   title: string;
