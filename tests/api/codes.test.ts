@@ -16,12 +16,14 @@ function known<T>(name: string): T[] {
   return JSON.parse(readFileSync(`${folder}/deform/${name}.json`, "utf8")).cases;
 }
 
-const CUBES: Record<string, Cube> = {
-  line2: { dimensions: 1, parts: 2 },
-  line3: { dimensions: 1, parts: 3 },
-  square4: { dimensions: 2, parts: 2 },
-  square9: { dimensions: 2, parts: 3 },
-};
+/** A line of so many parts, or a square of so many cells, as "line3" and "square9" name them. */
+function cubeOf(name: string): Cube {
+  const [, kind, count] = /^(line|square)(\d+)$/.exec(name) ?? [];
+  if (!kind) throw new Error(`There is no cube "${name}".`);
+  return kind === "line"
+    ? { dimensions: 1, parts: Number(count) }
+    : { dimensions: 2, parts: Math.sqrt(Number(count)) };
+}
 
 describe("codes of cubes", () => {
   it("name the cells that are known", () => {
@@ -32,10 +34,9 @@ describe("codes of cubes", () => {
       cell_centre?: number[];
       point?: number[];
     }>("cube_address");
-    expect(new Set(cases.map((one) => one.cube))).toEqual(new Set(Object.keys(CUBES)));
+    expect(cases.length).toBeGreaterThan(0);
     for (const { cube: name, code, cell_lower = [], cell_centre, point } of cases) {
-      const cube = CUBES[name];
-      if (!cube) continue;
+      const cube = cubeOf(name);
       expect(codeOf(cube, point ?? cell_centre ?? [], code.length)).toEqual(code);
       const { corner, side } = cellOf(cube, code);
       for (const [axis, low] of cell_lower.entries()) {
