@@ -5,6 +5,7 @@ import { sameCurves } from "#document/curve/changes";
 import { curves } from "#document/curve/curve";
 import { evidenceOpen } from "#stage/marks";
 import { IconButton } from "#ui/controls/Button";
+import { VerdictSign } from "#ui/shapes/VerdictSign";
 import { factsNow, watchFacts } from "./facts";
 import { crossingWords, whyWords } from "./words";
 
@@ -25,7 +26,7 @@ export function CurveChip() {
     <button
       id={CHIP_ID}
       type="button"
-      class="chip whole"
+      class="chip"
       title="What is known, and why"
       aria-expanded={evidenceOpen.value}
       aria-controls={evidenceOpen.value ? PANEL_ID : undefined}
@@ -34,13 +35,13 @@ export function CurveChip() {
         evidenceOpen.value = !evidenceOpen.peek();
       }}
     >
-      <svg class="sign" width={16} height={16} viewBox="0 0 16 16" aria-hidden="true">
-        {crosses === "" ? (
-          <circle cx={8} cy={8} r={5} />
-        ) : (
+      {crosses === "" ? (
+        <VerdictSign tone="whole" />
+      ) : (
+        <svg class="sign" width={16} height={16} viewBox="0 0 16 16" aria-hidden="true">
           <path class="curve-sign" d="M8 8C11 4 14.500 5 14.500 8S11 12 8 8 1.500 11 1.500 8 5 4 8 8z" />
-        )}
-      </svg>
+        </svg>
+      )}
       <span class="chip-text">One closed curve</span>
       <span class="chip-aside">{crosses === "" ? "by construction" : crosses}</span>
     </button>

@@ -5,6 +5,7 @@ import { announce } from "#document/notice";
 import { playing } from "#document/playback";
 import { type VerdictWords, verdictLine, verdictWords } from "#format/verdict";
 import { evidenceOpen } from "#stage/marks";
+import { VerdictSign } from "#ui/shapes/VerdictSign";
 import { CHIP_ID, PANEL_ID } from "./evidence/ids";
 
 const words = computed<VerdictWords>(() =>
@@ -19,7 +20,7 @@ export function VerdictChip() {
     <button
       id={CHIP_ID}
       type="button"
-      class={`chip ${tone}`}
+      class="chip"
       title="What is known, and why"
       aria-expanded={evidenceOpen.value}
       aria-controls={evidenceOpen.value ? PANEL_ID : undefined}
@@ -29,31 +30,12 @@ export function VerdictChip() {
         evidenceOpen.value = !evidenceOpen.peek();
       }}
     >
-      <Sign tone={tone} />
+      <VerdictSign tone={tone} />
       <span class="chip-words">
         <span class="chip-text">{text}</span>
         {aside !== "" && <span class="chip-aside">{aside}</span>}
       </span>
     </button>
-  );
-}
-
-/** A shape for each state beside its colour: whole, two that touch, broken, a question. */
-function Sign({ tone }: { tone: VerdictWords["tone"] }) {
-  return (
-    <svg class="sign" width={16} height={16} viewBox="0 0 16 16" aria-hidden="true">
-      {tone === "whole" && <circle cx={8} cy={8} r={5} />}
-      {tone === "close" && (
-        <path d="M8 8a3.200 3.200 0 1 0-6.400 0 3.200 3.200 0 0 0 6.400 0zm6.400 0a3.200 3.200 0 1 0-6.400 0 3.200 3.200 0 0 0 6.400 0z" />
-      )}
-      {tone === "broken" && (
-        <>
-          <path d="M7 3a5 5 0 0 0 0 10z" />
-          <path d="M10 3a5 5 0 0 1 0 10z" />
-        </>
-      )}
-      {tone === "unknown" && <circle cx={8} cy={8} r={4.25} class="hollow" />}
-    </svg>
   );
 }
 

@@ -1,5 +1,6 @@
 import { reasonWords } from "#format/reason";
 import { RESOLUTION, type VerdictWords, verdictWords } from "#format/verdict";
+import { VerdictSign } from "#ui/shapes/VerdictSign";
 import type { Connectedness } from "#wasm/api";
 import layout from "./layout.module.css";
 import css from "./verdict.module.css";
@@ -40,37 +41,9 @@ export interface ChipProps {
 export function Chip({ tone, text, aside = "", stale = false }: ChipProps) {
   return (
     <p class={css["verdict"]} data-stale={stale ? "" : undefined}>
-      <Sign tone={tone} />
+      <VerdictSign tone={tone} />
       <span>{text}</span>
       {aside !== "" && <span class={css["verdict-aside"]}>{aside}</span>}
     </p>
-  );
-}
-
-/** A shape for each state beside its colour: one disc, two that touch, one cut in two, a ring. */
-export function Sign({ tone }: { tone: VerdictWords["tone"] }) {
-  return (
-    <svg
-      class={`${css["verdict-sign"]} ${css[tone] ?? ""}`}
-      width={16}
-      height={16}
-      viewBox="0 0 16 16"
-      aria-hidden="true"
-    >
-      {tone === "whole" && <circle cx={8} cy={8} r={5} />}
-      {tone === "close" && (
-        <>
-          <circle cx={4.8} cy={8} r={3.2} />
-          <circle cx={11.2} cy={8} r={3.2} />
-        </>
-      )}
-      {tone === "broken" && (
-        <>
-          <path d="M7 3a5 5 0 0 0 0 10z" />
-          <path d="M10 3a5 5 0 0 1 0 10z" />
-        </>
-      )}
-      {tone === "unknown" && <circle cx={8} cy={8} r={4.25} class={css["hollow"]} />}
-    </svg>
   );
 }
