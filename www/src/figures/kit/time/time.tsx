@@ -2,6 +2,7 @@ import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import type { Stretch } from "#geometry/states";
 import { Slider } from "#ui/controls/Slider";
+import { SliderBreaks } from "#ui/controls/SliderBreaks";
 import { Formula } from "../frame/formula";
 import { PlayButton, usePlay } from "./play";
 import css from "./time.module.css";
@@ -46,13 +47,7 @@ export function Time({ time, words, breaks = [] }: TimeProps) {
         valueText={`t = ${fixed(time.t)}, ${words}`}
         onChange={time.go}
       >
-        {breaks.map(({ t0, t1 }) => (
-          <span
-            key={`${t0}-${t1}`}
-            class={css["time-break"]}
-            style={{ left: `${100 * t0}%`, width: `max(2px, ${100 * (t1 - t0)}%)` }}
-          />
-        ))}
+        <SliderBreaks breaks={breaks.map(({ t0, t1 }) => [t0, t1])} />
       </Slider>
       <output class="number">
         <Formula>t</Formula> {fixed(time.t)}

@@ -5,6 +5,7 @@ import { percent } from "#format/path-words";
 import { IconButton } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Slider } from "#ui/controls/Slider";
+import { SliderBreaks } from "#ui/controls/SliderBreaks";
 import { Holds } from "./Holds";
 import { morphPlaying, pause, play } from "./play";
 import { goTo, stateNow } from "./way";
@@ -37,13 +38,7 @@ export function MomentPanel() {
           }}
           onDone={endGesture}
         >
-          {(check.value?.breaks ?? []).map(([t0, t1]) => (
-            <span
-              key={`${t0}-${t1}`}
-              class="morph3-break"
-              style={{ left: `${100 * t0}%`, width: `max(3px, ${100 * (t1 - t0)}%)` }}
-            />
-          ))}
+          <SliderBreaks breaks={check.value?.breaks ?? []} />
         </Slider>
         <NumberField
           terse
