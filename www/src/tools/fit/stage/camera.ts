@@ -2,8 +2,8 @@
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { fitFor } from "#document/framing";
 import { reducedMotion } from "#document/preferences";
+import type { Box } from "#geometry/boxes";
 import { panned, type Screen, type Size, screen, toWorld, type View, zoomed } from "#geometry/coordinates";
-import type { Box } from "../work/frame";
 import { outlineBox } from "../work/outline";
 import { opened } from "../work/source";
 import { cutting } from "./layers";

@@ -1,18 +1,13 @@
 /** Where what was opened lies in the plane: all of it in a square of side 2 about the origin, whatever its units. */
 
+import { type Box, boxOfPoints } from "#geometry/boxes";
+
 export interface Frame {
   /** Of the source. */
   x: number;
   y: number;
   /** Units of the plane a unit of the source. */
   scale: number;
-}
-
-export interface Box {
-  x0: number;
-  y0: number;
-  x1: number;
-  y1: number;
 }
 
 export const PLAIN: Frame = { x: 0, y: 0, scale: 1 };
@@ -34,20 +29,4 @@ export function framed(points: Float64Array, { x, y, scale }: Frame): Float64Arr
 }
 
 /** The box of x0, y0, x1, y1, ..; without points the square of side 2. */
-export function boxOf(points: Float64Array): Box {
-  if (points.length < 2) return { x0: -1, y0: -1, x1: 1, y1: 1 };
-  const box = {
-    x0: Number.POSITIVE_INFINITY,
-    y0: Number.POSITIVE_INFINITY,
-    x1: Number.NEGATIVE_INFINITY,
-    y1: Number.NEGATIVE_INFINITY,
-  };
-  for (let i = 0; i + 1 < points.length; i += 2) {
-    const [x, y] = [points[i] ?? 0, points[i + 1] ?? 0];
-    box.x0 = Math.min(box.x0, x);
-    box.y0 = Math.min(box.y0, y);
-    box.x1 = Math.max(box.x1, x);
-    box.y1 = Math.max(box.y1, y);
-  }
-  return box;
-}
+export const boxOf = (points: Float64Array): Box => boxOfPoints(points) ?? { x0: -1, y0: -1, x1: 1, y1: 1 };
