@@ -1,13 +1,14 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
-import { Slider } from "#ui/controls/Slider";
 import { loadProof, prover } from "#wasm/proof";
 import { Plot } from "../../kit/chart/plot";
+import { QUARTERS } from "../../kit/chart/scale";
 import { barnsley, type Round } from "../../kit/connectedness/barnsley";
 import { Rows } from "../../kit/connectedness/barnsley-rows";
+import { SliderControl } from "../../kit/frame/control";
 import { Formula } from "../../kit/frame/formula";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";
@@ -56,22 +57,22 @@ export function Page(heading: Heading) {
       studio={{ href: href(r) }}
     >
       <div class={layout["controls"]}>
-        <Control label="Scale" symbol="r" value={fixed(r, 3)}>
-          <Slider
-            label="Scale r"
-            min={LOWEST}
-            max={HIGHEST}
-            step={0.005}
-            value={r}
-            valueText={fixed(r, 3)}
-            onChange={setR}
-          >
-            <span
-              class={css["slider-mark"]}
-              style={{ left: `${(100 * (0.5 - LOWEST)) / (HIGHEST - LOWEST)}%` }}
-            />
-          </Slider>
-        </Control>
+        <SliderControl
+          label="Scale"
+          name="Scale r"
+          symbol="r"
+          range={[LOWEST, HIGHEST]}
+          step={0.005}
+          value={r}
+          text={fixed(r, 3)}
+          valueText={fixed(r, 3)}
+          onChange={setR}
+        >
+          <span
+            class={css["slider-mark"]}
+            style={{ left: `${(100 * (0.5 - LOWEST)) / (HIGHEST - LOWEST)}%` }}
+          />
+        </SliderControl>
         <div class={layout["buttons"]}>
           <Button kind="primary" onClick={step} disabled={ended || rounds.length >= MOST}>
             Next iteration
@@ -111,7 +112,7 @@ function Curves({ r, rounds }: { r: number; rounds: readonly Round[] }) {
     <Plot
       label={`Distance and bound by iteration. The distance falls towards ${fixed(Math.max(0, 1 - 2 * r), 3)}, the bound towards 0.`}
       x={{ name: "n", min: 0, max: MOST - 1, ticks: [0, 3, 6, 9] }}
-      y={{ name: "distance", min: 0, max: 1, ticks: [0, 0.25, 0.5, 0.75, 1] }}
+      y={{ name: "distance", ...QUARTERS }}
       series={[
         {
           name: "2sⁿ⁺¹R",

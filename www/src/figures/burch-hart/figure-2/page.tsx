@@ -10,7 +10,8 @@ import { MARGIN, MOST_POINTS, SEED, startRun } from "../../kit/connectedness/buf
 import { type Collisions, groups } from "../../kit/connectedness/collisions";
 import { Buffer } from "../../kit/connectedness/index-buffer";
 import { Graph } from "../../kit/connectedness/overlap-graph";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { Choice, SliderControl } from "../../kit/frame/control";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";
@@ -90,10 +91,7 @@ export function Page(heading: Heading) {
     >
       <div class={layout["controls"]}>
         <Segmented label="Shape" options={SHAPES} value={shape} onChange={setShape} />
-        <div class={layout["choice"]}>
-          <span class={layout["choice-label"]}>Points a step</span>
-          <Segmented label="Points a step" options={STEPS} value={step} onChange={setStep} />
-        </div>
+        <Choice label="Points a step" options={STEPS} value={step} onChange={setStep} />
         <div class={layout["buttons"]}>
           <Button onClick={() => player.go(count + Number(step))} disabled={count >= MOST_POINTS}>
             Plot {step} more
@@ -143,28 +141,22 @@ export function Page(heading: Heading) {
         </div>
       </div>
       <div class={layout["controls"]}>
-        <Control label="Pixels a side" value={String(size)}>
-          <Slider
-            label="Pixels a side"
-            min={8}
-            max={96}
-            step={1}
-            value={size}
-            valueText={`${size} pixels`}
-            onChange={(next) => setSize(Math.round(next))}
-          />
-        </Control>
-        <Control label="Scale of the maps" value={fixed(scale, 3)}>
-          <Slider
-            label="Scale of the maps"
-            min={0.8}
-            max={1}
-            step={0.01}
-            value={scale}
-            valueText={fixed(scale, 3)}
-            onChange={setScale}
-          />
-        </Control>
+        <SliderControl
+          label="Pixels a side"
+          range={[8, 96]}
+          whole
+          value={size}
+          valueText={`${size} pixels`}
+          onChange={setSize}
+        />
+        <SliderControl
+          label="Scale of the maps"
+          range={[0.8, 1]}
+          step={0.01}
+          value={scale}
+          text={fixed(scale, 3)}
+          onChange={setScale}
+        />
       </div>
     </Frame>
   );

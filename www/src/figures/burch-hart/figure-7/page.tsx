@@ -4,11 +4,11 @@ import { fixed } from "#format/numbers";
 import { verdictPhrase } from "#format/verdict";
 import type { Uv } from "#geometry/path";
 import { isBroken } from "#geometry/states";
-import { Slider } from "#ui/controls/Slider";
 import type { MapRow, PathPlan } from "#wasm/api";
 import { Formula } from "../../kit/frame/formula";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { PointControls } from "../../kit/frame/point-controls";
 import { drawn, preset, studioHref } from "../../kit/frame/studio-link";
 import { VerdictChip } from "../../kit/frame/verdict";
 import { Square } from "../../kit/locus/locus-square";
@@ -88,6 +88,11 @@ export function Page(heading: Heading) {
   );
 }
 
+const AXES = [
+  { label: "turn and stretch", symbol: "u", name: "u, turn and stretch" },
+  { label: "move", symbol: "v", name: "v, move" },
+] as const;
+
 interface HereProps {
   maps: MapRow[];
   box: ReturnType<typeof boxAround>;
@@ -108,26 +113,13 @@ function Here({ maps, box, point, judged, onMove }: HereProps) {
         label={`The shape at u = ${fixed(u)}, v = ${fixed(v)}: ${verdictPhrase(answer)}`}
       />
       <VerdictChip answer={answer} stale={judged?.maps !== maps} />
-      <Control label="turn and stretch" symbol="u" value={fixed(u, 3)}>
-        <Slider
-          label="u, turn and stretch"
-          min={-1}
-          max={2}
-          value={u}
-          valueText={`u = ${fixed(u)}: ${verdictPhrase(answer)}`}
-          onChange={(next) => onMove([next, v])}
-        />
-      </Control>
-      <Control label="move" symbol="v" value={fixed(v, 3)}>
-        <Slider
-          label="v, move"
-          min={-1}
-          max={2}
-          value={v}
-          valueText={`v = ${fixed(v)}: ${verdictPhrase(answer)}`}
-          onChange={(next) => onMove([u, next])}
-        />
-      </Control>
+      <PointControls
+        axes={AXES}
+        range={[-1, 2]}
+        point={point}
+        said={(name, value) => `${name} = ${fixed(value)}: ${verdictPhrase(answer)}`}
+        onMove={onMove}
+      />
     </div>
   );
 }

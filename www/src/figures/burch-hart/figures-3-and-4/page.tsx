@@ -4,8 +4,10 @@ import { fixed } from "#format/numbers";
 import { verdictPhrase } from "#format/verdict";
 import type { MapRow, Mode } from "#wasm/api";
 import { Plot } from "../../kit/chart/plot";
+import { QUARTERS } from "../../kit/chart/scale";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { VerdictChip } from "../../kit/frame/verdict";
 import { type Breakage, breakage, shareWords, stretchWords } from "../../kit/maps/breakage";
@@ -117,22 +119,24 @@ function Side({ mode, number, short, t, box }: SideProps) {
   const judged = useVerdict(maps);
   const det = maps[0] ? determinant(maps[0]) : 0;
   return (
-    <figure class={layout["panel"]}>
+    <Panel
+      name={number}
+      words={short}
+      caption={
+        <>
+          <VerdictChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
+          <span class="number">
+            determinant of map 1: <strong>{fixed(det, 3)}</strong>
+          </span>
+        </>
+      }
+    >
       <Picture
         maps={maps}
         box={box}
         label={`${number} at t = ${fixed(t)}: ${verdictPhrase(judged?.answer ?? null)}`}
       />
-      <figcaption>
-        <span class={layout["side-name"]}>
-          {number} <span>{short}</span>
-        </span>
-        <VerdictChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
-        <span class="number">
-          determinant of map 1: <strong>{fixed(det, 3)}</strong>
-        </span>
-      </figcaption>
-    </figure>
+    </Panel>
   );
 }
 
@@ -141,7 +145,7 @@ function Determinants({ t }: { t: number }) {
   return (
     <Plot
       label="The determinant of map 1 over the morph: in Figure 3 it falls from 0.25 to 0 at t = 0.5 and rises again, in Figure 4 it stays at 0.25."
-      x={{ name: "t", min: 0, max: 1, ticks: [0, 0.25, 0.5, 0.75, 1] }}
+      x={{ name: "t", ...QUARTERS }}
       y={{ name: "determinant of map 1", min: 0, max: 0.3, ticks: [0, 0.1, 0.2, 0.3] }}
       now={t}
       series={[

@@ -1,7 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
 import { fixed, formatNumber } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
-import { Segmented } from "#ui/controls/Segmented";
 import { cancel, epoch, submit } from "#workers/pool/engine";
 import { Plot } from "../../kit/chart/plot";
 import { median } from "../../kit/connectedness/bisection";
@@ -16,10 +15,12 @@ import {
   searches,
   WINDOWS,
 } from "../../kit/connectedness/critical-scale";
+import { Choice } from "../../kit/frame/control";
 import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
+import { Table } from "../../kit/frame/table";
 import tableCss from "../../kit/frame/table.module.css";
 import { gasket } from "../../kit/maps/families";
 import { useChannel, useValue } from "../../kit/workers";
@@ -71,10 +72,13 @@ export function Page(heading: Heading) {
       }}
     >
       <div class={layout["controls"]}>
-        <div class={layout["choice"]}>
-          <span class={layout["choice-label"]}>Points</span>
-          <Segmented label="Points of each buffer" options={POINTS} value={points} onChange={setPoints} />
-        </div>
+        <Choice
+          label="Points"
+          name="Points of each buffer"
+          options={POINTS}
+          value={points}
+          onChange={setPoints}
+        />
         <div class={layout["buttons"]}>
           {measured.state === "running" ? (
             <Button onClick={measured.stop}>Stop</Button>
@@ -120,18 +124,14 @@ function Measurements({ rows, exact }: { rows: readonly Row[]; exact: number | n
   const part = (row: Row, text: (found: number[]) => string) =>
     row.found.length > 0 ? text(row.found) : "…";
   return (
-    <table class={tableCss["measurements"]}>
-      <caption>
-        Least scale <Formula>r</Formula> that is called connected
-      </caption>
-      <thead>
-        <tr>
-          <th scope="col">Resolution</th>
-          <th scope="col">Paper</th>
-          <th scope="col">Here, middle of {WINDOWS}</th>
-          <th scope="col">from … to</th>
-        </tr>
-      </thead>
+    <Table
+      caption={
+        <>
+          Least scale <Formula>r</Formula> that is called connected
+        </>
+      }
+      columns={["Resolution", "Paper", `Here, middle of ${WINDOWS}`, "from … to"]}
+    >
       <tbody>
         {rows.map((row) => (
           <tr key={row.size}>
@@ -160,7 +160,7 @@ function Measurements({ rows, exact }: { rows: readonly Row[]; exact: number | n
           <td />
         </tr>
       </tbody>
-    </table>
+    </Table>
   );
 }
 

@@ -1,12 +1,12 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed, formatNumber } from "#format/numbers";
 import { NumberField } from "#ui/controls/NumberField";
-import { Slider } from "#ui/controls/Slider";
 import { Switch } from "#ui/controls/Switch";
 import { loadCurves, rough } from "#wasm/curve";
+import { QUARTERS } from "../../kit/chart/scale";
+import { SliderControl } from "../../kit/frame/control";
 import { Formula } from "../../kit/frame/formula";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
-import frameCss from "../../kit/frame/frame.module.css";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { fitHref } from "../../kit/frame/studio-link";
 import { byPiece, rangeOf } from "../graphs/graphs";
@@ -20,7 +20,14 @@ const MOST_C = 0.95;
 const LOW = -1;
 const HIGH = 2;
 const NEAR = 0.02;
-const T = { min: 0, max: 1, ticks: [0, 0.25, 0.5, 0.75, 1], name: "t" };
+const T = { ...QUARTERS, name: "t" };
+/** What of the points has a field: the first and the last keep their t. */
+const FIELDS = [
+  { label: "First point", symbol: "x₀", of: [0, "x"] },
+  { label: "Middle, across", symbol: "t₁", of: [1, "t"] },
+  { label: "Middle, up", symbol: "x₁", of: [1, "x"] },
+  { label: "Last point", symbol: "x₂", of: [2, "x"] },
+] as const;
 const POINT_NAMES = ["First point", "Middle point", "Last point"];
 
 /** What must be there before it is shown. */
@@ -111,63 +118,41 @@ export function Page(heading: Heading) {
       </Profile>
       <div class={layout["controls"]}>
         {c.map((value, i) => (
-          <div key={POINT_NAMES[i]} class={frameCss["control"]}>
-            <Control
-              label={i === 0 ? "roughness, left" : "roughness, right"}
-              symbol={`c${sub(i + 1)}`}
-              value={fixed(value)}
-            >
-              <Slider
-                label={i === 0 ? "Roughness of the left piece" : "Roughness of the right piece"}
-                min={-MOST_C}
-                max={MOST_C}
-                value={value}
-                valueText={`c = ${fixed(value)}`}
-                onChange={(next) => setFactor(i, next)}
-              />
-            </Control>
-            <Switch
-              checked={reflected[i] ?? false}
-              onChange={(next) => setReflected(reflected.map((old, k) => (k === i ? next : old)))}
-            >
-              {i === 0 ? "Left copy runs backwards" : "Right copy runs backwards"}
-            </Switch>
-          </div>
+          <SliderControl
+            key={POINT_NAMES[i]}
+            label={i === 0 ? "roughness, left" : "roughness, right"}
+            name={i === 0 ? "Roughness of the left piece" : "Roughness of the right piece"}
+            symbol={`c${sub(i + 1)}`}
+            range={[-MOST_C, MOST_C]}
+            value={value}
+            valueText={`c = ${fixed(value)}`}
+            onChange={(next) => setFactor(i, next)}
+            below={
+              <Switch
+                checked={reflected[i] ?? false}
+                onChange={(next) => setReflected(reflected.map((old, k) => (k === i ? next : old)))}
+              >
+                {i === 0 ? "Left copy runs backwards" : "Right copy runs backwards"}
+              </Switch>
+            }
+          />
         ))}
       </div>
       <div class={css["point-fields"]}>
-        <NumberField
-          label="First point"
-          symbol="x₀"
-          value={points[0]?.[1] ?? 0}
-          min={LOW}
-          max={HIGH}
-          onChange={(x) => move(0, 0, x)}
-        />
-        <NumberField
-          label="Middle, across"
-          symbol="t₁"
-          value={points[1]?.[0] ?? 0}
-          min={NEAR}
-          max={1 - NEAR}
-          onChange={(t) => move(1, t, points[1]?.[1] ?? 0)}
-        />
-        <NumberField
-          label="Middle, up"
-          symbol="x₁"
-          value={points[1]?.[1] ?? 0}
-          min={LOW}
-          max={HIGH}
-          onChange={(x) => move(1, points[1]?.[0] ?? 0.5, x)}
-        />
-        <NumberField
-          label="Last point"
-          symbol="x₂"
-          value={points[2]?.[1] ?? 0}
-          min={LOW}
-          max={HIGH}
-          onChange={(x) => move(2, 1, x)}
-        />
+        {FIELDS.map(({ label, symbol, of: [index, axis] }) => {
+          const [t = 0, x = 0] = points[index] ?? [];
+          return (
+            <NumberField
+              key={symbol}
+              label={label}
+              symbol={symbol}
+              value={axis === "t" ? t : x}
+              min={axis === "t" ? NEAR : LOW}
+              max={axis === "t" ? 1 - NEAR : HIGH}
+              onChange={(value) => (axis === "t" ? move(index, value, x) : move(index, t, value))}
+            />
+          );
+        })}
       </div>
     </Frame>
   );

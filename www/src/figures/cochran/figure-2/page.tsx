@@ -1,12 +1,13 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed, formatNumber } from "#format/numbers";
-import { Segmented } from "#ui/controls/Segmented";
-import { Slider } from "#ui/controls/Slider";
+import { TABLE_1 as TABLE_1_GRAPH } from "#tools/fit/graph/printed";
 import { loadCurves, rough } from "#wasm/curve";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { Choice, SliderControl } from "../../kit/frame/control";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
 import { fitHref } from "../../kit/frame/studio-link";
-import { byPiece, fixedPointImages, rangeOf, TABLE_1_GRAPH } from "../graphs/graphs";
+import { byPiece, fixedPointImages, rangeOf } from "../graphs/graphs";
 import { MapTable } from "../graphs/map-table";
 import { applied, TABLE_1 } from "../graphs/printed-tables";
 import { type Line, Profile } from "../graphs/profile";
@@ -79,29 +80,26 @@ export function Page(heading: Heading) {
       studio={{ href: fitHref({ mode: "graph", graph: TABLE_1_GRAPH }), label: "Open in the Fit tool" }}
     >
       <div class={layout["controls"]}>
-        <div class={layout["choice"]}>
-          <span class={layout["choice-label"]}>Show</span>
-          <Segmented
-            label="What is shown"
-            options={[
-              { value: "whole", label: "The graph" },
-              { value: "copies", label: "Its two copies" },
-            ]}
-            value={shown}
-            onChange={setShown}
-          />
-        </div>
-        <Control label="feature points" symbol="2ᵏ + 1" value={String(features.length)}>
-          <Slider
-            label="Feature points"
-            min={0}
-            max={MOST_LEVEL}
-            step={1}
-            value={level}
-            valueText={`${features.length} points`}
-            onChange={(next) => setLevel(Math.round(next))}
-          />
-        </Control>
+        <Choice
+          label="Show"
+          name="What is shown"
+          options={[
+            { value: "whole", label: "The graph" },
+            { value: "copies", label: "Its two copies" },
+          ]}
+          value={shown}
+          onChange={setShown}
+        />
+        <SliderControl
+          label="feature points"
+          symbol="2ᵏ + 1"
+          range={[0, MOST_LEVEL]}
+          whole
+          value={level}
+          text={String(features.length)}
+          valueText={`${features.length} points`}
+          onChange={setLevel}
+        />
       </div>
       <Profile
         label={`The function of Table 1 over −1 to 1 with ${features.length} feature points`}
@@ -112,22 +110,20 @@ export function Page(heading: Heading) {
         dots={[{ points: features.flat(), colour: 5, size: level > 6 ? 3 : 4.5 }]}
       />
       <div class={layout["fit-columns"]}>
-        <figure class={layout["panel"]}>
+        <Panel
+          caption={
+            <SliderControl
+              label="the middle, magnified"
+              range={[0, CLOSEST]}
+              step={0.1}
+              value={closer}
+              text={`${formatNumber(10 ** closer, 0)} times`}
+              onChange={setCloser}
+            />
+          }
+        >
           <Closer closer={closer} />
-          <figcaption>
-            <Control label="the middle, magnified" value={`${formatNumber(10 ** closer, 0)} times`}>
-              <Slider
-                label="The middle, magnified"
-                min={0}
-                max={CLOSEST}
-                step={0.1}
-                value={closer}
-                valueText={`${formatNumber(10 ** closer, 0)} times`}
-                onChange={setCloser}
-              />
-            </Control>
-          </figcaption>
-        </figure>
+        </Panel>
         <MapTable
           caption="Table 1: the two maps"
           rows={TABLE_1.map(({ map }, i) => ({ name: `T${String.fromCharCode(0x2081 + i)}`, map }))}

@@ -1,6 +1,6 @@
 import { useMemo } from "preact/hooks";
+import { TABLE_1 as TABLE_1_GRAPH } from "#tools/fit/graph/printed";
 import { loadCurves, rough } from "#wasm/curve";
-import { TABLE_1_GRAPH } from "../graphs/graphs";
 import type { Line } from "../graphs/profile";
 import { Still } from "../graphs/still";
 

@@ -1,10 +1,10 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
-import { Slider } from "#ui/controls/Slider";
 import { Switch } from "#ui/controls/Switch";
+import { SliderControl } from "../../kit/frame/control";
 import { Formula } from "../../kit/frame/formula";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { arrowhead } from "../graphs/arrowhead";
 import css from "./page.module.css";
@@ -74,39 +74,35 @@ export function Page(heading: Heading) {
         </p>
       </fieldset>
       <div class={layout["controls"]}>
-        <Control label="turn" value={`${fixed(eye.turn, 0)}°`}>
-          <Slider
-            label="Turn"
-            min={-180}
-            max={180}
-            step={5}
-            value={eye.turn}
-            valueText={`${fixed(eye.turn, 0)} degrees`}
-            onChange={(turn) => setEye({ ...eye, turn })}
-          />
-        </Control>
-        <Control label="tilt" value={`${fixed(eye.tilt, 0)}°`}>
-          <Slider
-            label="Tilt"
-            min={-STEEPEST}
-            max={STEEPEST}
-            step={5}
-            value={eye.tilt}
-            valueText={`${fixed(eye.tilt, 0)} degrees`}
-            onChange={(tilt) => setEye({ ...eye, tilt })}
-          />
-        </Control>
-        <Control label="pieces" symbol={`3${raised(depth)}`} value={String(pieces)}>
-          <Slider
-            label="Levels"
-            min={1}
-            max={MOST_DEPTH}
-            step={1}
-            value={depth}
-            valueText={`${pieces} pieces`}
-            onChange={(next) => setDepth(Math.round(next))}
-          />
-        </Control>
+        <SliderControl
+          label="turn"
+          range={[-180, 180]}
+          step={5}
+          value={eye.turn}
+          text={`${fixed(eye.turn, 0)}°`}
+          valueText={`${fixed(eye.turn, 0)} degrees`}
+          onChange={(turn) => setEye({ ...eye, turn })}
+        />
+        <SliderControl
+          label="tilt"
+          range={[-STEEPEST, STEEPEST]}
+          step={5}
+          value={eye.tilt}
+          text={`${fixed(eye.tilt, 0)}°`}
+          valueText={`${fixed(eye.tilt, 0)} degrees`}
+          onChange={(tilt) => setEye({ ...eye, tilt })}
+        />
+        <SliderControl
+          label="pieces"
+          name="Levels"
+          symbol={`3${raised(depth)}`}
+          range={[1, MOST_DEPTH]}
+          whole
+          value={depth}
+          text={String(pieces)}
+          valueText={`${pieces} pieces`}
+          onChange={setDepth}
+        />
         <Switch checked={shadows} onChange={setShadows}>
           Shadows on the walls
         </Switch>

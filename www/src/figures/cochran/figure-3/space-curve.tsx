@@ -1,8 +1,6 @@
-import { useLayoutEffect, useRef } from "preact/hooks";
-import { dark } from "#document/preferences";
-import { palette } from "#style/palette";
-import { usePixels } from "../../kit/picture/picture";
-import { useValue } from "../../kit/workers";
+import { useCallback } from "preact/hooks";
+import { pictured, type Sheet, useDrawing } from "../../kit/picture/canvas";
+import { useDrag } from "../../kit/picture/drag";
 import { CORNERS, type SpacePoint } from "../graphs/arrowhead";
 import css from "./space-curve.module.css";
 
@@ -53,67 +51,53 @@ export function wallsBehind({ turn, tilt }: Eye): Space {
 
 /** The space curve in its box. Dragging turns it; what is done with keys, sliders beside it do. */
 export function SpaceView({ points, eye, shadows, label, onTurn }: SpaceViewProps) {
-  const canvas = useRef<HTMLCanvasElement>(null);
-  const pixels = usePixels(canvas);
-  const onDark = useValue(dark);
   const named = label !== null;
-  const last = useRef<{ x: number; y: number } | null>(null);
-  useLayoutEffect(() => {
-    const element = canvas.current;
-    const context = element?.getContext("2d");
-    if (!element || !context || !pixels) return;
-    element.width = pixels.width;
-    element.height = pixels.height;
-    const side = Math.min(pixels.width, 1.15 * pixels.height);
-    context.translate((pixels.width - side) / 2, (pixels.height - side) / 2);
-    const style = getComputedStyle(element);
-    const project = projector(eye);
-    const place = (p: Space): Flat => {
-      const [left, top] = project(p);
-      return [left * side, top * side];
-    };
-    const stroke = (line: readonly Space[], colour: string, width: number) => {
-      context.beginPath();
-      for (const [i, p] of line.entries()) context[i === 0 ? "moveTo" : "lineTo"](...place(p));
-      context.strokeStyle = colour;
-      context.lineWidth = width * Math.max(side / 420, 0.6);
-      context.stroke();
-    };
-    context.lineJoin = "round";
-    box(eye, (line) => stroke(line, style.getPropertyValue("--line"), 1));
-    if (shadows) {
-      for (const shadow of shadowsOf(points, wallsBehind(eye))) {
-        stroke(shadow, style.getPropertyValue("--ink-3"), 0.8);
+  const draw = useCallback(
+    ({ context, width, height, colours, token }: Sheet) => {
+      const side = Math.min(width, 1.15 * height);
+      context.translate((width - side) / 2, (height - side) / 2);
+      const project = projector(eye);
+      const place = (p: Space): Flat => {
+        const [left, top] = project(p);
+        return [left * side, top * side];
+      };
+      const stroke = (line: readonly Space[], colour: string, thick: number) => {
+        context.beginPath();
+        for (const [i, p] of line.entries()) context[i === 0 ? "moveTo" : "lineTo"](...place(p));
+        context.strokeStyle = colour;
+        context.lineWidth = thick * Math.max(side / 420, 0.6);
+        context.stroke();
+      };
+      context.lineJoin = "round";
+      box(eye, (line) => stroke(line, token("--line"), 1));
+      if (shadows) {
+        for (const shadow of shadowsOf(points, wallsBehind(eye))) {
+          stroke(shadow, token("--ink-3"), 0.8);
+        }
       }
-    }
-    const colours = palette(onDark ? "dark" : "light");
-    const third = Math.floor(points.length / 3);
-    for (const [i, colour] of [0, 1, 2].entries()) {
-      const part = points.slice(i * third, i === 2 ? points.length : (i + 1) * third + 1);
-      stroke(
-        part.map(({ t, x, y }): Space => [t, x, y]),
-        colours[colour] ?? "",
-        2,
-      );
-    }
-    if (named) names(context, place, style.getPropertyValue("--ink-2"), side);
-  }, [points, eye, shadows, pixels, onDark, named]);
+      const third = Math.floor(points.length / 3);
+      for (const [i, colour] of [0, 1, 2].entries()) {
+        const part = points.slice(i * third, i === 2 ? points.length : (i + 1) * third + 1);
+        stroke(
+          part.map(({ t, x, y }): Space => [t, x, y]),
+          colours[colour] ?? "",
+          2,
+        );
+      }
+      if (named) names(context, place, token("--ink-2"), side);
+    },
+    [points, eye, shadows, named],
+  );
+  const { canvas } = useDrawing(draw);
+  const drag = useDrag((dx, dy) =>
+    onTurn?.({ turn: wrapped(eye.turn + PER_PIXEL * dx), tilt: steep(eye.tilt + PER_PIXEL * dy) }),
+  );
   return (
     <canvas
       ref={canvas}
       class={`${css["space-view"]} ${onTurn ? css["turned"] : ""} ${label === null ? css["small"] : ""}`}
-      {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
-      onPointerDown={(event) => {
-        if (!onTurn || event.button !== 0) return;
-        event.currentTarget.setPointerCapture(event.pointerId);
-        last.current = { x: event.clientX, y: event.clientY };
-      }}
-      onPointerMove={(event) => {
-        if (!onTurn || !last.current || !event.currentTarget.hasPointerCapture(event.pointerId)) return;
-        const [dx, dy] = [event.clientX - last.current.x, event.clientY - last.current.y];
-        last.current = { x: event.clientX, y: event.clientY };
-        onTurn({ turn: wrapped(eye.turn + PER_PIXEL * dx), tilt: steep(eye.tilt + PER_PIXEL * dy) });
-      }}
+      {...pictured(label)}
+      {...(onTurn ? drag : {})}
     />
   );
 }

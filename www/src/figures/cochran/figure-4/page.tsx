@@ -1,14 +1,13 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed, formatNumber } from "#format/numbers";
-import { Segmented } from "#ui/controls/Segmented";
-import { Slider } from "#ui/controls/Slider";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { TABLE_3 as TABLE_3_GRAPH } from "#tools/fit/graph/printed";
+import { Choice, SliderControl } from "../../kit/frame/control";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { fitHref } from "../../kit/frame/studio-link";
 import { bestCopy, type Heights, heightsAlong, TOP } from "../graphs/arrowhead";
 import { rangeOf } from "../graphs/graphs";
 import { Profile } from "../graphs/profile";
-import { TABLE_3_GRAPH } from "../graphs/table-3";
 import css from "./page.module.css";
 
 const T = {
@@ -75,10 +74,7 @@ export function Page(heading: Heading) {
       studio={{ href: fitHref({ mode: "graph", graph: TABLE_3_GRAPH }), label: "Open in the Fit tool" }}
     >
       <div class={layout["controls"]}>
-        <div class={layout["choice"]}>
-          <span class={layout["choice-label"]}>Lay the whole over a third</span>
-          <Segmented label="Lay the whole over a third" options={THIRDS} value={third} onChange={setThird} />
-        </div>
+        <Choice label="Lay the whole over a third" options={THIRDS} value={third} onChange={setThird} />
       </div>
       <Profile
         label={`The height of the curve over t${copy ? `, and over its ${thirdName(third)} third the whole, squeezed: ${missWords(copy.rms)}` : ""}`}
@@ -98,14 +94,12 @@ export function Page(heading: Heading) {
       </p>
       <div class={layout["controls"]}>
         {(["A", "B", "C"] as const).map((corner) => (
-          <Control key={corner} label={`height of corner ${corner}`} value={fixed(heights[corner])}>
-            <Slider
-              label={`Height of corner ${corner}`}
-              value={heights[corner]}
-              valueText={fixed(heights[corner])}
-              onChange={setHeight(corner)}
-            />
-          </Control>
+          <SliderControl
+            key={corner}
+            label={`height of corner ${corner}`}
+            value={heights[corner]}
+            onChange={setHeight(corner)}
+          />
         ))}
       </div>
     </Frame>

@@ -2,18 +2,20 @@ import { useMemo, useState } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { fixed } from "#format/numbers";
 import { palette } from "#style/palette";
-import { Slider } from "#ui/controls/Slider";
+import { TABLE_3 as TABLE_3_GRAPH } from "#tools/fit/graph/printed";
 import { Switch } from "#ui/controls/Switch";
 import type { FoundCluster } from "#workers/fit/hough";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { QUARTERS } from "../../kit/chart/scale";
+import { SliderControl } from "../../kit/frame/control";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
 import { fitHref } from "../../kit/frame/studio-link";
 import { useValue } from "../../kit/workers";
 import { cornerImages, heightsOf, TOP } from "../graphs/arrowhead";
 import { stepFor } from "../graphs/graphs";
 import { applied, COUNTED, type ShearMap } from "../graphs/printed-tables";
 import { type Dots, Profile } from "../graphs/profile";
-import { TABLE_3_GRAPH } from "../graphs/table-3";
 import { KIND_COLOURS, kindWords } from "../votes/cluster-names";
 import { countWords, VoteProgress } from "../votes/vote-progress";
 import { type Election, useVotes } from "../votes/votes";
@@ -102,7 +104,7 @@ export function Page(heading: Heading) {
       studio={{ href: fitHref({ mode: "graph", graph: TABLE_3_GRAPH }), label: "Open in the Fit tool" }}
     >
       <VoteProgress voting={voting} />
-      <figure class={layout["panel"]}>
+      <Panel>
         <Profile
           label={`Hits of the ${found.length} most popular clusters, from ${countWords(found[0]?.hits ?? 0)} down`}
           x={BARS}
@@ -121,34 +123,29 @@ export function Page(heading: Heading) {
           <Key kind="echo" about="an echo of stronger ones" />
           <Key kind="clutter" about="clutter" />
         </ul>
-      </figure>
+      </Panel>
       <div class={layout["controls"]}>
-        <Control
+        <SliderControl
           label="cluster"
           symbol="rank"
-          value={cluster ? `${index + 1}, ${countWords(cluster.hits)} hits` : "–"}
-        >
-          <Slider
-            label="Cluster"
-            min={1}
-            max={Math.max(2, found.length)}
-            step={1}
-            value={index + 1}
-            valueText={
-              cluster
-                ? `cluster ${index + 1}, ${kindWords(cluster, index)}, ${countWords(cluster.hits)} hits`
-                : "none yet"
-            }
-            onChange={(next) => setChosen(Math.round(next) - 1)}
-          />
-        </Control>
+          range={[1, Math.max(2, found.length)]}
+          whole
+          value={index + 1}
+          text={cluster ? `${index + 1}, ${countWords(cluster.hits)} hits` : "–"}
+          valueText={
+            cluster
+              ? `cluster ${index + 1}, ${kindWords(cluster, index)}, ${countWords(cluster.hits)} hits`
+              : "none yet"
+          }
+          onChange={(next) => setChosen(next - 1)}
+        />
         <Switch checked={refined} onChange={setRefined}>
           Refine it by least squares
         </Switch>
       </div>
       <Image cluster={cluster} election={election} refined={refined} index={index} />
       <div class={layout["fit-columns"]}>
-        <figure class={layout["panel"]}>
+        <Panel caption="roughness c over width a; the larger the circle the more votes">
           <Profile
             label={`The clusters over a and c, from −0.8 to 0.8; cluster ${index + 1} is marked`}
             x={{ min: -REACH, max: REACH, ticks: [-0.8, -0.4, 0, 0.4, 0.8], name: "a" }}
@@ -159,9 +156,8 @@ export function Page(heading: Heading) {
           >
             {(place) => <Pick found={found} onPick={setChosen} place={({ map }) => place(map[0], map[2])} />}
           </Profile>
-          <figcaption>roughness c over width a; the larger the circle the more votes</figcaption>
-        </figure>
-        <figure class={layout["panel"]}>
+        </Panel>
+        <Panel caption="the two directions in which the five numbers spread most">
           <Profile
             label={`The clusters along the two principal components; cluster ${index + 1} is marked`}
             x={{ min: -spread, max: spread, ticks: [0], name: "first direction" }}
@@ -174,8 +170,7 @@ export function Page(heading: Heading) {
               <Pick found={found} onPick={setChosen} place={(one) => place(one.place[0], one.place[1])} />
             )}
           </Profile>
-          <figcaption>the two directions in which the five numbers spread most</figcaption>
-        </figure>
+        </Panel>
       </div>
     </Frame>
   );
@@ -278,14 +273,24 @@ function Image({ cluster, index, election: { sets }, refined }: ImageProps) {
     moved.push(...applied(map, [t, x]));
   }
   return (
-    <figure class={layout["panel"]}>
+    <Panel
+      caption={
+        cluster
+          ? `Cluster ${index + 1}, ${kindWords(cluster, index)}: the blue points go to the rings.${
+              refined
+                ? ""
+                : " That rings miss the graph a little is due to the bins, which are as wide as that."
+            }`
+          : "The feature points."
+      }
+    >
       <Profile
         label={
           cluster
             ? `The feature points, and ${moved.length / 2} of them moved by the map of cluster ${index + 1}`
             : "The feature points"
         }
-        x={{ min: 0, max: 1, ticks: [0, 0.25, 0.5, 0.75, 1], name: "t" }}
+        x={{ ...QUARTERS, name: "t" }}
         y={{ min: -0.05, max: 1.05, ticks: [0, 0.5, 1], name: "x" }}
         height={260}
         lines={[{ points: sets.fine, colour: "quiet", width: 0.75 }]}
@@ -295,16 +300,7 @@ function Image({ cluster, index, election: { sets }, refined }: ImageProps) {
           { points: moved, colour: 5, size: 7, hollow: true },
         ]}
       />
-      <figcaption>
-        {cluster
-          ? `Cluster ${index + 1}, ${kindWords(cluster, index)}: the blue points go to the rings.${
-              refined
-                ? ""
-                : " That rings miss the graph a little is due to the bins, which are as wide as that."
-            }`
-          : "The feature points."}
-      </figcaption>
-    </figure>
+    </Panel>
   );
 }
 

@@ -1,19 +1,19 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { Segmented } from "#ui/controls/Segmented";
-import { Slider } from "#ui/controls/Slider";
+import { TABLE_3 as TABLE_3_GRAPH } from "#tools/fit/graph/printed";
 import type { Graph } from "#wasm/api";
 import { loadCurves, rough } from "#wasm/curve";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { Choice, SliderControl } from "../../kit/frame/control";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { fitHref } from "../../kit/frame/studio-link";
-import tableCss from "../../kit/frame/table.module.css";
+import { Table } from "../../kit/frame/table";
 import { heightsAlong, TOP } from "../graphs/arrowhead";
 import { byPiece, rangeOfPiece } from "../graphs/graphs";
 import { MapTable } from "../graphs/map-table";
 import { FIGURE_6, TABLE_3, TABLE_3_EXACT } from "../graphs/printed-tables";
 import { type Line, Profile } from "../graphs/profile";
-import { breakpoints, fractionWords, type Misses, missesOf, TABLE_3_GRAPH } from "../graphs/table-3";
+import { breakpoints, fractionWords, type Misses, missesOf } from "../graphs/table-3";
 import css from "./page.module.css";
 
 const T = { min: 0, max: 1, ticks: [0, 1 / 3, 2 / 3, 1], format: fractionWords, name: "t" };
@@ -93,36 +93,31 @@ export function Page(heading: Heading) {
       studio={{ href: fitHref({ mode: "graph", graph }), label: "Open in the Fit tool" }}
     >
       <div class={layout["controls"]}>
-        <div class={layout["choice"]}>
-          <span class={layout["choice-label"]}>Pieces</span>
-          <Segmented
-            label="Pieces"
-            options={[
-              { value: "pfif", label: "7, a PFIF", description: "Pieces copy any parts" },
-              {
-                value: "rfif",
-                label: `${recurrent?.pieces.length ?? 11}, an RFIF`,
-                description: "Pieces copy what lies between breakpoints",
-                disabled: recurrent === null,
-              },
-            ]}
-            value={model}
-            onChange={setModel}
-          />
-        </div>
-        <Control label="piece" value={`${index + 1} of ${order.length}`}>
-          <Slider
-            label="Piece"
-            min={1}
-            max={order.length}
-            step={1}
-            value={index + 1}
-            valueText={
-              piece ? `piece ${index + 1} of ${order.length}, a copy of ${intervalWords(piece.domain)}` : ""
-            }
-            onChange={(next) => setChosen(Math.round(next) - 1)}
-          />
-        </Control>
+        <Choice
+          label="Pieces"
+          options={[
+            { value: "pfif", label: "7, a PFIF", description: "Pieces copy any parts" },
+            {
+              value: "rfif",
+              label: `${recurrent?.pieces.length ?? 11}, an RFIF`,
+              description: "Pieces copy what lies between breakpoints",
+              disabled: recurrent === null,
+            },
+          ]}
+          value={model}
+          onChange={setModel}
+        />
+        <SliderControl
+          label="piece"
+          range={[1, order.length]}
+          whole
+          value={index + 1}
+          text={`${index + 1} of ${order.length}`}
+          valueText={
+            piece ? `piece ${index + 1} of ${order.length}, a copy of ${intervalWords(piece.domain)}` : ""
+          }
+          onChange={(next) => setChosen(next - 1)}
+        />
       </div>
       <Profile
         label={`The function of ${graph.pieces.length} maps over the original, with breakpoints at ${knots.map(fractionWords).join(", ")}`}
@@ -189,15 +184,7 @@ function Errors({ exact, printed }: { exact: Misses; printed: Misses }) {
     { name: "here, fractions", ...exact },
   ];
   return (
-    <table class={tableCss["measurements"]}>
-      <caption>Distance from the original</caption>
-      <thead>
-        <tr>
-          <th scope="col">Table 3</th>
-          <th scope="col">maximum</th>
-          <th scope="col">mean square</th>
-        </tr>
-      </thead>
+    <Table caption="Distance from the original" columns={["Table 3", "maximum", "mean square"]}>
       <tbody>
         {rows.map(({ name, worst, meanSquare }) => (
           <tr key={name}>
@@ -207,7 +194,7 @@ function Errors({ exact, printed }: { exact: Misses; printed: Misses }) {
           </tr>
         ))}
       </tbody>
-    </table>
+    </Table>
   );
 }
 

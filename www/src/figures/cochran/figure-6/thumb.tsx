@@ -1,10 +1,10 @@
 import { useMemo } from "preact/hooks";
+import { TABLE_3 as TABLE_3_GRAPH } from "#tools/fit/graph/printed";
 import { loadCurves, rough } from "#wasm/curve";
 import { heightsAlong, TOP } from "../graphs/arrowhead";
 import { byPiece } from "../graphs/graphs";
 import type { Line } from "../graphs/profile";
 import { Still } from "../graphs/still";
-import { TABLE_3_GRAPH } from "../graphs/table-3";
 
 /** What must be there before it is drawn. */
 export const needs = [loadCurves];

@@ -1,19 +1,19 @@
 /** The paper's fits of the leaf: all of each, and where its copies should meet. */
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { Slider } from "#ui/controls/Slider";
+import type { Box } from "#geometry/boxes";
 import type { Collage } from "#workers/fit/curve";
-import { Control } from "../../kit/frame/frame";
-import layout from "../../kit/frame/layout.module.css";
+import { SliderControl } from "../../kit/frame/control";
+import { Panel } from "../../kit/frame/panel";
 import { NUMBERS_A_MAP } from "./leaf-fits";
-import { type boxOfPoints, type OutlineLine, OutlineView } from "./outline-view";
+import { type OutlineLine, OutlineView } from "./outline-view";
 
 /** The leaf, thin. */
 export const OUTLINE = { colour: "quiet", width: 1, closed: true } as const;
 
 export interface PanelProps {
   leaf: Float64Array | null;
-  box: ReturnType<typeof boxOfPoints>;
+  box: Box;
 }
 
 interface CollagePanelProps extends PanelProps {
@@ -40,19 +40,17 @@ export function CollagePanel({ maps, collage, leaf, box, tied }: CollagePanelPro
       : "no gaps"
     : "fitting …";
   return (
-    <figure class={layout["panel"]}>
+    <Panel
+      name={`${maps} maps`}
+      words={`${NUMBERS_A_MAP * maps} numbers`}
+      caption={<span class="number">{gapWords}</span>}
+    >
       <OutlineView
         box={box}
         lines={lines}
         label={`The paper’s fit with ${maps} maps${tied ? ", ends tied" : ""}: ${gapWords}`}
       />
-      <figcaption>
-        <span class={layout["side-name"]}>
-          {maps} maps <span>{NUMBERS_A_MAP * maps} numbers</span>
-        </span>
-        <span class="number">{gapWords}</span>
-      </figcaption>
-    </figure>
+    </Panel>
   );
 }
 
@@ -85,26 +83,26 @@ export function Closer({ maps, collage, leaf, box }: CloserProps) {
   const wide = joint ? (100 * joint.wide) / diagonal : 0;
   const words = wide > 1e-6 ? `a gap of ${fixed(wide)}% of the diagonal` : "no gap";
   return (
-    <figure class={layout["panel"]}>
+    <Panel
+      caption={
+        <SliderControl
+          label="where copies should meet"
+          name="Gap"
+          range={[1, Math.max(2, joints.length)]}
+          whole
+          value={Math.min(rank, Math.max(0, joints.length - 1)) + 1}
+          text={joint ? words.replace(" of the diagonal", "") : "…"}
+          valueText={`gap ${rank + 1} of ${joints.length}, the widest first: ${words}`}
+          onChange={(next) => setRank(next - 1)}
+        />
+      }
+    >
       <OutlineView
         box={part}
         lines={lines}
         label={`Where two of ${maps} copies should meet, magnified: ${words}`}
       />
-      <figcaption>
-        <Control label="where copies should meet" value={joint ? words.replace(" of the diagonal", "") : "…"}>
-          <Slider
-            label="Gap"
-            min={1}
-            max={Math.max(2, joints.length)}
-            step={1}
-            value={Math.min(rank, Math.max(0, joints.length - 1)) + 1}
-            valueText={`gap ${rank + 1} of ${joints.length}, the widest first: ${words}`}
-            onChange={(next) => setRank(Math.round(next) - 1)}
-          />
-        </Control>
-      </figcaption>
-    </figure>
+    </Panel>
   );
 }
 

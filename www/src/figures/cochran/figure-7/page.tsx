@@ -1,12 +1,15 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
+import { boxOfPoints, UNIT } from "#geometry/boxes";
 import { Button } from "#ui/controls/Button";
-import { Segmented } from "#ui/controls/Segmented";
 import { Switch } from "#ui/controls/Switch";
 import type { Collage, Figures } from "#workers/fit/curve";
+import { Choice } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
 import { fitHref } from "../../kit/frame/studio-link";
+import { Table } from "../../kit/frame/table";
 import tableCss from "../../kit/frame/table.module.css";
 import {
   type CurveState,
@@ -19,7 +22,7 @@ import {
   useLeaf,
 } from "./leaf-fits";
 import { Closer, CollagePanel, OUTLINE, type PanelProps } from "./leaf-panels";
-import { boxOfPoints, type OutlineLine, OutlineView } from "./outline-view";
+import { type OutlineLine, OutlineView } from "./outline-view";
 import css from "./page.module.css";
 
 const SEED = 1;
@@ -35,7 +38,7 @@ export function Page(heading: Heading) {
   const { leaf, problem } = useLeaf(seed);
   const collages = useCollages(leaf, tied, separable);
   const fit = useCurveFit(leaf, numbers);
-  const box = useMemo(() => boxOfPoints(leaf?.points ?? []), [leaf]);
+  const box = useMemo(() => boxOfPoints(leaf?.points ?? []) ?? UNIT, [leaf]);
   const collage = collages?.[MAPS.indexOf(maps)] ?? null;
   // Written when it comes to rest: it takes a while.
   const curve = fit.done?.curve ?? (fit.state === "stopped" ? fit.reached?.curve : undefined);
@@ -103,7 +106,7 @@ export function Page(heading: Heading) {
         </p>
       )}
       <div class={css["leaves"]}>
-        <figure class={layout["panel"]}>
+        <Panel name="The leaf" words={`${FEATURES} feature points`}>
           <OutlineView
             box={box}
             label={`The leaf with its ${FEATURES} feature points`}
@@ -116,12 +119,7 @@ export function Page(heading: Heading) {
                 : []
             }
           />
-          <figcaption>
-            <span class={layout["side-name"]}>
-              The leaf <span>{FEATURES} feature points</span>
-            </span>
-          </figcaption>
-        </figure>
+        </Panel>
         {MAPS.map((count, i) => (
           <CollagePanel
             key={count}
@@ -134,18 +132,15 @@ export function Page(heading: Heading) {
         ))}
       </div>
       <div class={layout["controls"]}>
-        <div class={layout["choice"]}>
-          <span class={layout["choice-label"]}>Compare at</span>
-          <Segmented
-            label="Compare at"
-            options={MAPS.map((count) => ({
-              value: String(count),
-              label: `${NUMBERS_A_MAP * count} numbers`,
-            }))}
-            value={String(maps)}
-            onChange={(value) => setMaps(value === "52" ? 52 : 29)}
-          />
-        </div>
+        <Choice
+          label="Compare at"
+          options={MAPS.map((count) => ({
+            value: String(count),
+            label: `${NUMBERS_A_MAP * count} numbers`,
+          }))}
+          value={String(maps)}
+          onChange={(value) => setMaps(value === "52" ? 52 : 29)}
+        />
       </div>
       <div class={layout["fit-columns"]}>
         <CurvePanel fit={fit} leaf={leaf?.points ?? null} box={box} numbers={numbers} />
@@ -183,32 +178,34 @@ function CurvePanel({ fit, leaf, box, numbers }: CurvePanelProps) {
           ? "stopped: the best so far"
           : `${Math.round(100 * share)}%, the best so far`;
   return (
-    <figure class={layout["panel"]}>
+    <Panel
+      name="Frond’s closed curve"
+      words={`${numbers} numbers, no gaps`}
+      caption={
+        <>
+          <div class={tableCss["measuring"]}>
+            <progress max={1} value={share} aria-label="Fitted" />
+            {fit.state === "running" ? (
+              <Button onClick={fit.stop}>Stop</Button>
+            ) : (
+              <Button icon="reset" onClick={fit.again}>
+                Fit again
+              </Button>
+            )}
+          </div>
+          <p class="number">{words}</p>
+          <p class="unseen" role="status">
+            {fit.state === "running" ? "Fitting" : words}
+          </p>
+        </>
+      }
+    >
       <OutlineView
         box={box}
         lines={lines}
         label={`Frond’s closed curve of ${numbers} numbers${rms === null ? "" : `, ${fixed(rms, 3)}% off`}`}
       />
-      <figcaption>
-        <span class={layout["side-name"]}>
-          Frond’s closed curve <span>{numbers} numbers, no gaps</span>
-        </span>
-        <div class={tableCss["measuring"]}>
-          <progress max={1} value={share} aria-label="Fitted" />
-          {fit.state === "running" ? (
-            <Button onClick={fit.stop}>Stop</Button>
-          ) : (
-            <Button icon="reset" onClick={fit.again}>
-              Fit again
-            </Button>
-          )}
-        </div>
-        <p class="number">{words}</p>
-        <p class="unseen" role="status">
-          {fit.state === "running" ? "Fitting" : words}
-        </p>
-      </figcaption>
-    </figure>
+    </Panel>
   );
 }
 
@@ -249,27 +246,17 @@ function Errors({ maps, collage, fit }: ErrorsProps) {
     },
   ];
   return (
-    // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by keys
-    <section class={tableCss["wide-table"]} aria-label="Errors" tabIndex={0}>
-      <table class={tableCss["measurements"]} data-testid="wide-table">
-        <caption>Errors in percent of the diagonal</caption>
-        <thead>
-          <tr>
-            <th scope="col">Fit</th>
-            <th scope="col">numbers</th>
-            <th scope="col">RMS</th>
-            <th scope="col">farthest</th>
-            <th scope="col">widest gap</th>
-            <th scope="col">roughness</th>
-          </tr>
-        </thead>
-        <tbody>
-          {rows.map(({ key, ...row }) => (
-            <ErrorRow key={key} {...row} />
-          ))}
-        </tbody>
-      </table>
-    </section>
+    <Table
+      caption="Errors in percent of the diagonal"
+      wide="Errors"
+      columns={["Fit", "numbers", "RMS", "farthest", "widest gap", "roughness"]}
+    >
+      <tbody>
+        {rows.map(({ key, ...row }) => (
+          <ErrorRow key={key} {...row} />
+        ))}
+      </tbody>
+    </Table>
   );
 }
 

@@ -1,7 +1,8 @@
 import { useMemo } from "preact/hooks";
+import { boxOfPoints, UNIT } from "#geometry/boxes";
 import { loadCurves, rough } from "#wasm/curve";
 import { Small } from "../../kit/picture/small";
-import { boxOfPoints, type OutlineLine, OutlineView } from "./outline-view";
+import { type OutlineLine, OutlineView } from "./outline-view";
 
 /** What must be there before it is drawn. */
 export const needs = [loadCurves];
@@ -22,7 +23,7 @@ export function Thumb() {
       morph.free();
     }
   }, []);
-  const box = useMemo(() => boxOfPoints(lines[0]?.points ?? []), [lines]);
+  const box = useMemo(() => boxOfPoints(lines[0]?.points ?? []) ?? UNIT, [lines]);
   return (
     <Small>
       <OutlineView lines={lines} box={box} label={null} />

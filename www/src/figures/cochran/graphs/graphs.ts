@@ -1,6 +1,6 @@
 /** Graphs of fractal functions as the figures show them. */
 import type { Graph } from "#wasm/api";
-import { applied, type Piece, type ShearMap, TABLE_1 } from "./printed-tables";
+import { applied, type Piece, type ShearMap } from "./printed-tables";
 
 /** Maps with their domains as a graph. */
 export function graphOf(kind: Graph["kind"], pieces: readonly Piece[]): Graph {
@@ -9,9 +9,6 @@ export function graphOf(kind: Graph["kind"], pieces: readonly Piece[]): Graph {
     pieces: pieces.map(({ map, domain }) => ({ map: [...map] as ShearMap, domain: [...domain] })),
   };
 }
-
-/** Figure 2, by the numbers of Table 1. */
-export const TABLE_1_GRAPH: Graph = graphOf("fif", TABLE_1);
 
 /** The part of t that a piece covers. */
 export function rangeOfPiece({ map: [a, , , d], domain: [alpha, beta] }: Graph["pieces"][number]) {

@@ -1,5 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { fixed } from "#format/numbers";
+import { Formula } from "../../kit/frame/formula";
+import { Table } from "../../kit/frame/table";
 import tableCss from "../../kit/frame/table.module.css";
 import type { ShearMap } from "./printed-tables";
 
@@ -34,47 +36,32 @@ export function MapTable({
   digits = 3,
 }: MapTableProps) {
   return (
-    // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by keys
-    <section class={tableCss["wide-table"]} aria-label={`${caption} (table)`} tabIndex={0}>
-      <table class={tableCss["measurements"]} data-testid="wide-table">
-        <caption>{caption}</caption>
-        <thead>
-          <tr>
-            <th scope="col">{first}</th>
-            {before.map((name) => (
-              <th key={name} scope="col">
-                {name}
-              </th>
+    <Table
+      caption={caption}
+      columns={[
+        first,
+        ...before,
+        ...[..."abcde"].map((name) => <Formula key={name}>{name}</Formula>),
+        ...behind,
+      ]}
+      wide={`${caption} (table)`}
+    >
+      <tbody>
+        {rows.map(({ name, key, map, before: head = [], behind: tail = [], quiet = false }, i) => (
+          <tr key={key ?? i} class={quiet ? tableCss["quiet"] : ""}>
+            <th scope="row">{name}</th>
+            {head.map((cell, k) => (
+              <td key={before[k]}>{cell}</td>
             ))}
-            {["a", "b", "c", "d", "e"].map((name) => (
-              <th key={name} scope="col" class="symbol">
-                {name}
-              </th>
+            {map.map((value, k) => (
+              <td key={"abcde"[k]}>{fixed(value, digits)}</td>
             ))}
-            {behind.map((name) => (
-              <th key={name} scope="col">
-                {name}
-              </th>
+            {tail.map((cell, k) => (
+              <td key={behind[k]}>{cell}</td>
             ))}
           </tr>
-        </thead>
-        <tbody>
-          {rows.map(({ name, key, map, before: head = [], behind: tail = [], quiet = false }, i) => (
-            <tr key={key ?? i} class={quiet ? tableCss["quiet"] : ""}>
-              <th scope="row">{name}</th>
-              {head.map((cell, k) => (
-                <td key={before[k]}>{cell}</td>
-              ))}
-              {map.map((value, k) => (
-                <td key={"abcde"[k]}>{fixed(value, digits)}</td>
-              ))}
-              {tail.map((cell, k) => (
-                <td key={behind[k]}>{cell}</td>
-              ))}
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </section>
+        ))}
+      </tbody>
+    </Table>
   );
 }

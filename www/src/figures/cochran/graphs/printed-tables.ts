@@ -1,5 +1,7 @@
 /** What Cochran, Hart & Flynn print in their tables. A map is [a, b, c, d, e]: t' = a t + d, x' = b t + c x + e (eq 1). */
 
+import { TABLE_1 as TABLE_1_GRAPH, TABLE_3 as TABLE_3_GRAPH } from "#tools/fit/graph/printed";
+
 export type ShearMap = [a: number, b: number, c: number, d: number, e: number];
 
 export interface Piece {
@@ -8,10 +10,7 @@ export interface Piece {
 }
 
 /** Table 1, on [-1, 1]. */
-export const TABLE_1: readonly Piece[] = [
-  { map: [0.5, 0.746, 0.5, -0.5, 0.246], domain: [-1, 1] },
-  { map: [0.5, -0.199, -0.6, 0.5, 0.189], domain: [-1, 1] },
-];
+export const TABLE_1: readonly Piece[] = TABLE_1_GRAPH.pieces;
 
 /** Table 2. */
 export const TABLE_2: readonly { hits: number; map: ShearMap }[] = [
@@ -37,15 +36,7 @@ export const TABLE_3: readonly Piece[] = [
 ];
 
 /** The fractions that Table 3 rounds. */
-export const TABLE_3_EXACT: readonly Piece[] = [
-  { map: [-1 / 3, 0, -1 / 2, 2 / 9, 3 / 8], domain: [5 / 18, 2 / 3] },
-  { map: [1 / 3, 0, -1 / 2, 2 / 27, 9 / 16], domain: [1 / 6, 1 / 2] },
-  { map: [1 / 3, 0, 1 / 2, 5 / 27, 1 / 16], domain: [1 / 6, 4 / 9] },
-  { map: [1 / 3, 0, 1 / 2, 1 / 3, 1 / 4], domain: [0, 1] },
-  { map: [-1 / 3, 0, -1 / 2, 22 / 27, 15 / 16], domain: [1 / 6, 4 / 9] },
-  { map: [-1 / 3, 0, 1 / 2, 25 / 27, 7 / 16], domain: [1 / 6, 1 / 2] },
-  { map: [1 / 3, 0, 1 / 2, 7 / 9, 5 / 8], domain: [5 / 18, 2 / 3] },
-];
+export const TABLE_3_EXACT: readonly Piece[] = TABLE_3_GRAPH.pieces;
 
 /** Figure 6. */
 export const FIGURE_6 = { worst: 0.0858, meanSquare: 0.00018 };

@@ -1,11 +1,8 @@
 import type { ComponentChildren } from "preact";
-import { useLayoutEffect, useRef } from "preact/hooks";
-import { dark } from "#document/preferences";
-import { formatNumber } from "#format/numbers";
-import { palette } from "#style/palette";
+import type { Size } from "#geometry/coordinates";
 import { along, type Scale } from "../../kit/chart/scale";
-import { usePixels } from "../../kit/picture/picture";
-import { useValue } from "../../kit/workers";
+import { Ticks } from "../../kit/chart/ticks";
+import { pictured, pixelRatio, type Sheet, useDrawing } from "../../kit/picture/canvas";
 import css from "./profile.module.css";
 
 export interface Line {
@@ -43,7 +40,7 @@ export interface ProfileProps {
   /** Without axes: as large as its place. */
   bare?: boolean;
   /** What is drawn over it. */
-  children?: (place: PlaceOf, size: { width: number; height: number }) => ComponentChildren;
+  children?: (place: PlaceOf, size: Size) => ComponentChildren;
 }
 
 const HEIGHT = 300;
@@ -53,36 +50,30 @@ const NONE = { left: 2, right: 2, top: 2, bottom: 2 };
 /** Graphs of functions of t, on a canvas; axes and what can be moved lie over it. */
 export function Profile(props: ProfileProps) {
   const { label, x, y, lines, dots = [], rules = [], height, bare = false, children } = props;
-  const canvas = useRef<HTMLCanvasElement>(null);
-  const pixels = usePixels(canvas);
-  const onDark = useValue(dark);
-  const ratio = Math.min(2, globalThis.devicePixelRatio || 1);
+  const ratio = pixelRatio();
   const margin = bare ? NONE : MARGIN;
-  const width = pixels === null ? 0 : pixels.width / ratio;
-  const tall = pixels === null ? 0 : pixels.height / ratio;
-  const size = {
-    width: Math.max(1, width - margin.left - margin.right),
-    height: Math.max(1, tall - margin.top - margin.bottom),
+  /** The plot on a canvas of so many device pixels. */
+  const placed = (all: Size) => {
+    const [width, tall] = [all.width / ratio, all.height / ratio];
+    const size = {
+      width: Math.max(1, width - margin.left - margin.right),
+      height: Math.max(1, tall - margin.top - margin.bottom),
+    };
+    const place: PlaceOf = (t, value) => [along(x, t) * size.width, (1 - along(y, value)) * size.height];
+    return { size, place, width, tall };
   };
-  const place: PlaceOf = (t, value) => [along(x, t) * size.width, (1 - along(y, value)) * size.height];
-  useLayoutEffect(() => {
-    const element = canvas.current;
-    const context = element?.getContext("2d");
-    if (!element || !context || !pixels) return;
-    element.width = pixels.width;
-    element.height = pixels.height;
+  const draw = ({ context, colours, token, ...all }: Sheet) => {
+    const { size, place } = placed(all);
     context.setTransform(ratio, 0, 0, ratio, margin.left * ratio, margin.top * ratio);
     context.beginPath();
     context.rect(-1, -1, size.width + 2, size.height + 2);
     context.clip();
-    const style = getComputedStyle(element);
-    const colours = palette(onDark ? "dark" : "light");
     const colourOf = (colour: Line["colour"]) =>
       typeof colour === "number"
         ? (colours[colour % colours.length] ?? "")
-        : style.getPropertyValue(colour === "ink" ? "--ink" : "--ink-3");
+        : token(colour === "ink" ? "--ink" : "--ink-3");
     context.lineJoin = "round";
-    context.strokeStyle = style.getPropertyValue("--line-strong");
+    context.strokeStyle = token("--line-strong");
     context.lineWidth = 1;
     context.setLineDash([1, 3]);
     for (const t of rules) trace(context, [t, y.min, t, y.max], place);
@@ -105,16 +96,15 @@ export function Profile(props: ProfileProps) {
         else context.fill();
       }
     }
-  });
+  };
+  const { canvas, pixels } = useDrawing(draw);
+  const { size, place, width, tall } = placed(pixels ?? { width: 0, height: 0 });
   return (
     <div
       class={`${css["profile"]} ${bare ? css["bare"] : ""}`}
       style={bare ? {} : { height: `${height ?? HEIGHT}px` }}
     >
-      <canvas
-        ref={canvas}
-        {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
-      />
+      <canvas ref={canvas} {...pictured(label)} />
       {pixels && !bare && (
         <svg width={width} height={tall} aria-hidden="true">
           <g transform={`translate(${margin.left} ${margin.top})`}>
@@ -156,30 +146,14 @@ function trace(
 interface AxesProps {
   x: ProfileProps["x"];
   y: ProfileProps["y"];
-  size: { width: number; height: number };
+  size: Size;
 }
 
 function Axes({ x, y, size }: AxesProps) {
-  const text = (scale: Scale, value: number) => (scale.format ?? ((v: number) => formatNumber(v)))(value);
   return (
     <g class={css["profile-axes"]}>
       <path d={`M0 0V${size.height}H${size.width}`} />
-      {y.ticks.map((tick) => (
-        <g key={tick} transform={`translate(0 ${(1 - along(y, tick)) * size.height})`}>
-          <path d="M-4 0H0" />
-          <text x={-8} dy="0.32em" text-anchor="end">
-            {text(y, tick)}
-          </text>
-        </g>
-      ))}
-      {x.ticks.map((tick) => (
-        <g key={tick} transform={`translate(${along(x, tick) * size.width} ${size.height})`}>
-          <path d="M0 0V4" />
-          <text y={17} text-anchor="middle">
-            {text(x, tick)}
-          </text>
-        </g>
-      ))}
+      <Ticks x={x} y={y} size={size} mark="M-4 0H0" gap={8} />
       {x.name && (
         <text class={css["profile-name"]} x={size.width - 2} y={size.height - 6} text-anchor="end">
           {x.name}

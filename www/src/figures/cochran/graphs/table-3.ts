@@ -1,11 +1,8 @@
 /** The seven maps of Table 3, and how far the function they make is from the one they were found for. */
 import type { Graph } from "#wasm/api";
 import { heightsAlong, TOP } from "./arrowhead";
-import { graphOf, rangeOfPiece } from "./graphs";
-import { type Piece, TABLE_3_EXACT } from "./printed-tables";
-
-/** With the fractions that the table rounds: three digits leave slits between the pieces. */
-export const TABLE_3_GRAPH: Graph = graphOf("pfif", TABLE_3_EXACT);
+import { rangeOfPiece } from "./graphs";
+import type { Piece } from "./printed-tables";
 
 /** Levels of the function of Figure 4 at whose steps it is measured: 2187 steps. */
 export const MEASURED_DEPTH = 7;

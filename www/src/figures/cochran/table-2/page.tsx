@@ -1,11 +1,13 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
+import { TABLE_1 as TABLE_1_GRAPH } from "#tools/fit/graph/printed";
 import { Switch } from "#ui/controls/Switch";
 import type { FoundCluster } from "#workers/fit/hough";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
 import { fitHref } from "../../kit/frame/studio-link";
-import { fixedPointImages, TABLE_1_GRAPH } from "../graphs/graphs";
+import { fixedPointImages } from "../graphs/graphs";
 import { MapTable } from "../graphs/map-table";
 import { COUNTED, TABLE_1, TABLE_2 } from "../graphs/printed-tables";
 import { kindWords, letterOf, nearestOf } from "../votes/cluster-names";
@@ -76,13 +78,12 @@ export function Page(heading: Heading) {
             quiet: cluster.kind === "clutter",
           }))}
         />
-        <figure class={layout["panel"]}>
+        <Panel caption="votes over a and c, the darker the more">
           <VotePlane
             plane={voting.plane}
             label="Votes over a, from left to right, and c, upwards; the darker the more."
           />
-          <figcaption>votes over a and c, the darker the more</figcaption>
-        </figure>
+        </Panel>
       </div>
       <div class={layout["controls"]}>
         <Switch checked={reflected} onChange={setReflected}>

@@ -1,5 +1,6 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
+import { pictured } from "../../kit/picture/canvas";
 import { useValue } from "../../kit/workers";
 import css from "./vote-plane.module.css";
 
@@ -25,10 +26,7 @@ export function VotePlane({ plane, label }: VotePlaneProps) {
   }, [plane, onDark]);
   return (
     <div class={css["vote-plane"]}>
-      <canvas
-        ref={canvas}
-        {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
-      />
+      <canvas ref={canvas} {...pictured(label)} />
       <div class={css["vote-axes"]} aria-hidden="true">
         <span class={`${css["c"]} ${css["high"]}`}>c = 1</span>
         <span class={`${css["c"]} ${css["low"]}`}>−1</span>

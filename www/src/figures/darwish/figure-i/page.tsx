@@ -1,22 +1,13 @@
-import { useMemo, useState } from "preact/hooks";
-import { turns3 } from "#geometry/maps/affine3";
 import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
-import { type Form, triangle } from "../space/shapes";
-import { spaceHref } from "../space/tool-link";
-import { CUT_OFF, FormChoice, TRIANGLE_VIEW } from "../space/triangle";
-import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
+import { CUT_OFF, MATRICES, TurnedTriangle, turnedInTool, useTurnedTriangle } from "../space/triangle";
 
 /** What must be there before it is shown. */
 export const needs = [loadSpace];
 
 /** Sierpinski's triangle in space, as it was made. */
 export function Page(heading: Heading) {
-  const [form, setForm] = useState<Form>("halves");
-  const [angles, setAngles] = useState<Angles>([0, 0, 0]);
-  const [view, setView] = useState(TRIANGLE_VIEW);
-  const made = useMemo(() => triangle(form), [form]);
-  const by = useMemo(() => turns3(inRadians(angles)), [angles]);
+  const turned = useTurnedTriangle("halves", [0, 0, 0]);
   return (
     <Frame
       {...heading}
@@ -37,31 +28,15 @@ export function Page(heading: Heading) {
       }
       parameters={[
         { name: "Maps", symbol: "N", value: "3" },
-        {
-          name: "Matrix of each",
-          symbol: "A",
-          value: form === "halves" ? "diag(0.5, 0.5, 0.5)" : "diag(0.5, 0, 0.5)",
-        },
+        { name: "Matrix of each", symbol: "A", value: MATRICES[turned.form] },
         { name: "Corners", value: "(±0.5, 0, −0.289) and (0, 0, 0.577)" },
         { name: "Dimension", value: "ln 3 / ln 2 = 1.585" },
       ]}
       captions={["Fig i Sierpinski Triangle"]}
       reconstructed={CUT_OFF}
-      studio={{
-        href: spaceHref([{ name: "Triangle", maps: made, moved: by }], view),
-        label: "Open in the Space tool",
-      }}
+      studio={turnedInTool(turned)}
     >
-      <FormChoice form={form} onChange={setForm} />
-      <Conjugated
-        made={made}
-        by={by}
-        view={view}
-        onView={setView}
-        label="Sierpinski’s triangle, drawn from the parameters beside it"
-      >
-        <AngleSliders angles={angles} onChange={setAngles} />
-      </Conjugated>
+      <TurnedTriangle of={turned} label="Sierpinski’s triangle, drawn from the parameters beside it" />
     </Frame>
   );
 }

@@ -1,12 +1,8 @@
-import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { turns3 } from "#geometry/maps/affine3";
 import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
-import { type Form, triangle } from "../space/shapes";
-import { spaceHref } from "../space/tool-link";
-import { CUT_OFF, FormChoice, TRIANGLE_VIEW } from "../space/triangle";
-import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
+import { CUT_OFF, MATRICES, TurnedTriangle, turnedInTool, useTurnedTriangle } from "../space/triangle";
+import type { Angles } from "../space/turning";
 
 export const TURNED: Angles = [25, -35, 40];
 
@@ -15,11 +11,8 @@ export const needs = [loadSpace];
 
 /** The triangle turned about x, y and z. */
 export function Page(heading: Heading) {
-  const [form, setForm] = useState<Form>("sheet");
-  const [angles, setAngles] = useState(TURNED);
-  const [view, setView] = useState(TRIANGLE_VIEW);
-  const made = useMemo(() => triangle(form), [form]);
-  const by = useMemo(() => turns3(inRadians(angles)), [angles]);
+  const turned = useTurnedTriangle("sheet", TURNED);
+  const { angles } = turned;
   return (
     <Frame
       {...heading}
@@ -43,31 +36,18 @@ export function Page(heading: Heading) {
           name: `Turned about ${axis}`,
           value: `${fixed(angles[k] ?? 0, 0)}°`,
         })),
-        {
-          name: "Matrix of each map as made",
-          symbol: "A",
-          value: form === "halves" ? "diag(0.5, 0.5, 0.5)" : "diag(0.5, 0, 0.5)",
-        },
+        { name: "Matrix of each map as made", symbol: "A", value: MATRICES[turned.form] },
         { name: "Eq 1", value: "A′ = T A T⁻¹, b′ = T b + t − A′ t" },
       ]}
       captions={["Fig ii After rotation about x,y,z"]}
       reconstructed={`${CUT_OFF} The angles are not printed.`}
       differs="Eq 1 is conjugation, w′ = T w T⁻¹: it holds in any dimension and for every T that can be undone, turns or not."
-      studio={{
-        href: spaceHref([{ name: "Triangle", maps: made, moved: by }], view),
-        label: "Open in the Space tool",
-      }}
+      studio={turnedInTool(turned)}
     >
-      <FormChoice form={form} onChange={setForm} />
-      <Conjugated
-        made={made}
-        by={by}
-        view={view}
-        onView={setView}
+      <TurnedTriangle
+        of={turned}
         label={`The triangle turned by ${angles.join(", ")} degrees about x, y and z`}
-      >
-        <AngleSliders angles={angles} onChange={setAngles} />
-      </Conjugated>
+      />
     </Frame>
   );
 }

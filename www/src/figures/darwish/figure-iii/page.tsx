@@ -1,14 +1,14 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { after3, shift3, turns3 } from "#geometry/maps/affine3";
-import { Button } from "#ui/controls/Button";
-import { Slider } from "#ui/controls/Slider";
 import { loadSpace } from "#wasm/space";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { SliderControl } from "../../kit/frame/control";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { fromOrigin } from "../space/eye";
+import { LookAgain } from "../space/look-again";
 import { triangle } from "../space/shapes";
-import { spaceHref } from "../space/tool-link";
+import { inSpaceTool } from "../space/tool-link";
 import { CUT_OFF } from "../space/triangle";
 import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
@@ -27,7 +27,6 @@ export function Page(heading: Heading) {
   const made = useMemo(() => triangle("halves"), []);
   const by = useMemo(() => after3(shift3([away, 0, 0]), turns3(inRadians(angles))), [angles, away]);
   const home = fromOrigin([away, 0, 0], ANGLE);
-  const turned = Math.abs(view.turn - home.turn) + Math.abs(view.tilt - home.tilt) > 1e-9;
   return (
     <Frame
       {...heading}
@@ -56,10 +55,7 @@ export function Page(heading: Heading) {
       ]}
       captions={["Fig iii (After more rotations)"]}
       reconstructed={CUT_OFF}
-      studio={{
-        href: spaceHref([{ name: "Triangle", maps: made, moved: by }], view),
-        label: "Open in the Space tool",
-      }}
+      studio={inSpaceTool([{ name: "Triangle", maps: made, moved: by }], view)}
     >
       <Conjugated
         made={made}
@@ -70,20 +66,16 @@ export function Page(heading: Heading) {
       >
         <AngleSliders angles={angles} onChange={setAngles} />
         <div class={layout["controls"]}>
-          <Control label="carried along x" value={fixed(away, 1)}>
-            <Slider
-              label="Carried along x"
-              min={20}
-              max={90}
-              step={1}
-              value={away}
-              valueText={`${fixed(away, 1)} units before the eye`}
-              onChange={(next) => setAway(Math.round(10 * next) / 10)}
-            />
-          </Control>
-          <Button kind="quiet" icon="reset" disabled={!turned} onClick={() => setView(home)}>
-            Look along x again
-          </Button>
+          <SliderControl
+            label="carried along x"
+            range={[20, 90]}
+            step={1}
+            value={away}
+            text={fixed(away, 1)}
+            valueText={`${fixed(away, 1)} units before the eye`}
+            onChange={(next) => setAway(Math.round(10 * next) / 10)}
+          />
+          <LookAgain view={view} home={home} onView={setView} />
         </div>
       </Conjugated>
     </Frame>

@@ -7,7 +7,7 @@ import { loadSpace, solid } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { triangle } from "../space/shapes";
-import { spaceHref } from "../space/tool-link";
+import { inSpaceTool } from "../space/tool-link";
 import { CUT_OFF, TRIANGLE_VIEW } from "../space/triangle";
 import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
@@ -71,10 +71,7 @@ export function Page(heading: Heading) {
       ]}
       captions={["Fig iv (After more rotations)"]}
       reconstructed={CUT_OFF}
-      studio={{
-        href: spaceHref([{ name: "Triangle", maps: made, moved: course.by }], view),
-        label: "Open in the Space tool",
-      }}
+      studio={inSpaceTool([{ name: "Triangle", maps: made, moved: course.by }], view)}
     >
       <Conjugated
         made={made}

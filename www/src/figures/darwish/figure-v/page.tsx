@@ -2,13 +2,14 @@ import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { scale3, shift3 } from "#geometry/maps/affine3";
 import { Button } from "#ui/controls/Button";
-import { Slider } from "#ui/controls/Slider";
 import { loadSpace } from "#wasm/space";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { SliderControl } from "../../kit/frame/control";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { fromOrigin } from "../space/eye";
+import { LookAgain } from "../space/look-again";
 import { PYRAMID_ANGLE, PYRAMID_AWAY, pyramid } from "../space/shapes";
-import { spaceHref } from "../space/tool-link";
+import { inSpaceTool } from "../space/tool-link";
 import { Conjugated } from "../space/turning";
 
 const STILL = scale3([1, 1, 1]);
@@ -23,7 +24,6 @@ export function Page(heading: Heading) {
   const made = useMemo(() => pyramid([PYRAMID_AWAY, 0, 0]), []);
   const by = useMemo(() => (away === PYRAMID_AWAY ? STILL : shift3([away - PYRAMID_AWAY, 0, 0])), [away]);
   const home = fromOrigin([away, 0, 0], PYRAMID_ANGLE);
-  const turned = Math.abs(view.turn - home.turn) + Math.abs(view.tilt - home.tilt) > 1e-9;
   return (
     <Frame
       {...heading}
@@ -52,10 +52,7 @@ export function Page(heading: Heading) {
       ]}
       captions={["Fig v a Fractal pyramid"]}
       reconstructed="The scan of the paper cuts the parameters off, and prints the rest to one decimal. That they are five halves at some distance before the eye can be read; the corners are Frond’s own."
-      studio={{
-        href: spaceHref([{ name: "Pyramid", maps: made, moved: by }], view),
-        label: "Open in the Space tool",
-      }}
+      studio={inSpaceTool([{ name: "Pyramid", maps: made, moved: by }], view)}
     >
       <Conjugated
         wide
@@ -66,17 +63,16 @@ export function Page(heading: Heading) {
         label={`A fractal pyramid, ${fixed(away, 1)} units before the eye`}
       >
         <div class={layout["controls"]}>
-          <Control label="distance" value={fixed(away, 1)}>
-            <Slider
-              label="Distance from the eye"
-              min={12}
-              max={40}
-              step={0.5}
-              value={away}
-              valueText={`${fixed(away, 1)} units`}
-              onChange={(next) => setAway(Math.round(10 * next) / 10)}
-            />
-          </Control>
+          <SliderControl
+            label="distance"
+            name="Distance from the eye"
+            range={[12, 40]}
+            step={0.5}
+            value={away}
+            text={fixed(away, 1)}
+            valueText={`${fixed(away, 1)} units`}
+            onChange={(next) => setAway(Math.round(10 * next) / 10)}
+          />
           <div class={layout["buttons"]}>
             <Button onClick={() => setAway(PYRAMID_AWAY)} pressed={away === PYRAMID_AWAY}>
               15 units
@@ -84,9 +80,7 @@ export function Page(heading: Heading) {
             <Button onClick={() => setAway(30)} pressed={away === 30}>
               As the print has it: 30
             </Button>
-            <Button kind="quiet" icon="reset" disabled={!turned} onClick={() => setView(home)}>
-              Look along x again
-            </Button>
+            <LookAgain view={view} home={home} onView={setView} />
           </div>
         </div>
       </Conjugated>

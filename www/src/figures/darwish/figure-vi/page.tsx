@@ -2,14 +2,15 @@ import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { about3, apply3, turns3 } from "#geometry/maps/affine3";
 import { Button } from "#ui/controls/Button";
-import { Segmented } from "#ui/controls/Segmented";
 import { loadSpace } from "#wasm/space";
+import { Choice } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { fromOrigin, seen } from "../space/eye";
+import { LookAgain } from "../space/look-again";
 import { PYRAMID_ANGLE, PYRAMID_AWAY, pyramid } from "../space/shapes";
 import spaceCss from "../space/space.module.css";
-import { spaceHref } from "../space/tool-link";
+import { inSpaceTool } from "../space/tool-link";
 import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
 const MIDDLE = [PYRAMID_AWAY, 0, 0] as const;
@@ -32,7 +33,6 @@ export function Page(heading: Heading) {
   const [x, y, depth] = seen(view)(apply3(by, [...MIDDLE]));
   const behind = depth < 0;
   const gone = behind || Math.abs(x) > 2.5 || Math.abs(y) > 1.6;
-  const turned = Math.abs(view.turn - HOME.turn) + Math.abs(view.tilt - HOME.tilt) > 1e-9;
   return (
     <Frame
       {...heading}
@@ -59,15 +59,12 @@ export function Page(heading: Heading) {
       ]}
       captions={["Fig vi Rotation of v"]}
       reconstructed="The angles are not printed, and of the parameters only a part is left. The first translations, 15.1 to 15.5 after the turn, say that it was turned about itself."
-      studio={{
-        href: spaceHref([{ name: "Pyramid", maps: made, moved: by }], view),
-        label: "Open in the Space tool",
-      }}
+      studio={inSpaceTool([{ name: "Pyramid", maps: made, moved: by }], view)}
     >
       <div class={layout["buttons"]}>
-        <span class={layout["choice-label"]}>Turned about</span>
-        <Segmented
-          label="What it is turned about"
+        <Choice
+          label="Turned about"
+          name="What it is turned about"
           value={about}
           options={[
             { value: "itself", label: "itself" },
@@ -78,9 +75,7 @@ export function Page(heading: Heading) {
         <Button kind="quiet" icon="reset" onClick={() => setAngles([0, 0, 0])}>
           As in Figure v
         </Button>
-        <Button kind="quiet" icon="reset" disabled={!turned} onClick={() => setView(HOME)}>
-          Look along x again
-        </Button>
+        <LookAgain view={view} home={HOME} onView={setView} />
       </div>
       <Conjugated
         wide

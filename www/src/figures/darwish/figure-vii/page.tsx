@@ -1,12 +1,12 @@
 import { useState } from "preact/hooks";
 import { formatNumber } from "#format/numbers";
 import { scale3 } from "#geometry/maps/affine3";
-import { Button } from "#ui/controls/Button";
 import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
-import { looksAway, Scenery, useScene } from "../space/scenery";
-import { spaceHref } from "../space/tool-link";
+import { LookAgain } from "../space/look-again";
+import { Scenery, useScene } from "../space/scenery";
+import { inSpaceTool } from "../space/tool-link";
 
 const STILL = scale3([1, 1, 1]);
 
@@ -15,9 +15,8 @@ export const needs = [loadSpace];
 
 /** Ground, trees, ferns and clouds from the origin. */
 export function Page(heading: Heading) {
-  const { made, home } = useScene();
+  const { made, count: maps, home } = useScene();
   const [view, setView] = useState(home);
-  const maps = made.reduce((sum, object) => sum + object.maps.length, 0);
   return (
     <Frame
       {...heading}
@@ -47,7 +46,7 @@ export function Page(heading: Heading) {
       captions={["Fig vii a natural scene"]}
       own
       reconstructed="The maps of this scene were made here: of the paper’s, the print shows nine numbers that look like the matrix of one map, the last digit of one cut off, and pieces of another; its picture is hard to make out. That a scene has several objects and is seen from the origin is the paper’s. Figure viii shows what can be read."
-      studio={{ href: spaceHref(made, home), label: "Open in the Space tool" }}
+      studio={inSpaceTool(made, home)}
     >
       <Scenery
         made={made}
@@ -57,9 +56,7 @@ export function Page(heading: Heading) {
         label="A natural scene: hills with trees and ferns under two clouds"
       />
       <div class={layout["buttons"]}>
-        <Button kind="quiet" icon="reset" disabled={!looksAway(view, home)} onClick={() => setView(home)}>
-          Look along x again
-        </Button>
+        <LookAgain view={view} home={home} onView={setView} />
       </div>
     </Frame>
   );

@@ -6,8 +6,9 @@ import "#ui/shapes/map-blocks.css";
 import { fixed, formatNumber } from "#format/numbers";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
-import { looksAway, MIDDLE, Scenery, useScene } from "../space/scenery";
-import { spaceHref } from "../space/tool-link";
+import { LookAgain } from "../space/look-again";
+import { MIDDLE, Scenery, useScene } from "../space/scenery";
+import { inSpaceTool } from "../space/tool-link";
 import { AngleSliders, type Angles, inRadians } from "../space/turning";
 import css from "./page.module.css";
 import { FIGURE_VII, FIGURE_VIII, farthest, type Matrix3, TURN, turned } from "./printed-matrices";
@@ -20,11 +21,10 @@ export const needs = [loadSpace];
 
 /** The scene of Figure vii turned, by the parameters of every object in it. */
 export function Page(heading: Heading) {
-  const { made, home } = useScene();
+  const { made, count: maps, home } = useScene();
   const [angles, setAngles] = useState(START);
   const [view, setView] = useState(home);
   const by = useMemo(() => about3(turns3(inRadians(angles)), [...MIDDLE]), [angles]);
-  const maps = made.reduce((sum, object) => sum + object.maps.length, 0);
   return (
     <Frame
       {...heading}
@@ -74,13 +74,10 @@ export function Page(heading: Heading) {
       captions={["Fig viii Rotation of vii"]}
       own
       reconstructed="The scene and its maps were made here, as in Figure vii, and the angles are chosen here: the paper prints none. The one matrix that it prints whole is shown on this page; no shape here is drawn with it."
-      studio={{
-        href: spaceHref(
-          made.map((object) => ({ ...object, moved: by })),
-          home,
-        ),
-        label: "Open in the Space tool",
-      }}
+      studio={inSpaceTool(
+        made.map((object) => ({ ...object, moved: by })),
+        home,
+      )}
     >
       <Scenery
         made={made}
@@ -94,9 +91,7 @@ export function Page(heading: Heading) {
         <Button kind="quiet" icon="reset" disabled={angles === NONE} onClick={() => setAngles(NONE)}>
           As in Figure vii
         </Button>
-        <Button kind="quiet" icon="reset" disabled={!looksAway(view, home)} onClick={() => setView(home)}>
-          Look along x again
-        </Button>
+        <LookAgain view={view} home={home} onView={setView} />
       </div>
     </Frame>
   );

@@ -1,7 +1,7 @@
 import { NumberField } from "#ui/controls/NumberField";
 import type { Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
-import { Control } from "../../kit/frame/frame";
+import { Control } from "../../kit/frame/control";
 import layout from "../../kit/frame/layout.module.css";
 import { sharesLinear } from "./meets";
 import css from "./own-shape.module.css";

@@ -1,7 +1,7 @@
 import type { Intersection3 } from "#wasm/api";
 import { Formula } from "../../kit/frame/formula";
 import layout from "../../kit/frame/layout.module.css";
-import tableCss from "../../kit/frame/table.module.css";
+import { Table } from "../../kit/frame/table";
 import { MOST_DRAWN, shiftWords, waysOf } from "./meets";
 import css from "./product.module.css";
 import { MeetGraph } from "./product-graph";
@@ -29,14 +29,7 @@ export function MeetProduct({ found, stale }: { found: Intersection3 | null; sta
           copy of such a set again, for the shift <Formula>d′ = M⁻¹(d + b − a)</Formula>. Knot 0 is the
           intersection itself; an arrow says which pairs of maps, first · second, lead where.
         </p>
-        <table class={tableCss["measurements"]}>
-          <thead>
-            <tr>
-              <th scope="col">Knot</th>
-              <th scope="col">Shift</th>
-              <th scope="col">Leads to</th>
-            </tr>
-          </thead>
+        <Table columns={["Knot", "Shift", "Leads to"]}>
           <tbody>
             {found.shifts.slice(0, MOST_ROWS).map((shift, i) => (
               <tr key={`${i}`}>
@@ -51,7 +44,7 @@ export function MeetProduct({ found, stale }: { found: Intersection3 | null; sta
               </tr>
             ))}
           </tbody>
-        </table>
+        </Table>
         {found.shifts.length > MOST_ROWS && (
           <p class={layout["hint"]}>
             The first {MOST_ROWS} of {found.shifts.length}. In brackets: how many pairs of maps.

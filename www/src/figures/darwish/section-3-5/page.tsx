@@ -5,15 +5,16 @@ import { axisWords, divergingWords, unit } from "#format/placement";
 import { turns3 } from "#geometry/maps/affine3";
 import { ShadowPicture } from "#stage/ShadowPicture";
 import { Segmented } from "#ui/controls/Segmented";
-import { Slider } from "#ui/controls/Slider";
 import { MapBlocks } from "#ui/shapes/MapBlocks";
 import type { EpsilonProjection, MapRow3, Point3, SpaceView } from "#wasm/api";
 import { loadSpace, solid } from "#wasm/space";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { SliderControl } from "../../kit/frame/control";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
 import spaceCss from "../space/space.module.css";
 import { SpaceDots } from "../space/space-dots";
-import { presetMaps, spaceHref } from "../space/tool-link";
+import { inSpaceTool, presetMaps } from "../space/tool-link";
 
 const SHAPES = [
   { value: "fern", label: "Fern" },
@@ -122,12 +123,9 @@ export function Page(heading: Heading) {
       own
       reconstructed="The section has no figure: this one is made here, on shapes of Frond’s gallery."
       differs="The paper concludes that projections of IFS fractals are IFS fractals. That is so where the line of sight is kept by every map, and in the limit not elsewhere."
-      studio={{
-        href: spaceHref([
-          { preset: shape, name: SHAPES.find(({ value }) => value === shape)?.label ?? "", maps },
-        ]),
-        label: "Open in the Space tool",
-      }}
+      studio={inSpaceTool([
+        { preset: shape, name: SHAPES.find(({ value }) => value === shape)?.label ?? "", maps },
+      ])}
     >
       <div class={layout["controls"]}>
         <div class={layout["buttons"]}>
@@ -153,7 +151,7 @@ export function Page(heading: Heading) {
         </div>
       </div>
       <div class={`${layout["two-columns"]} ${layout["even"]}`}>
-        <figure class={layout["panel"]}>
+        <Panel name="Flattened" words="from the side">
           {view && shown && (
             <SpaceDots
               maps={shown}
@@ -163,32 +161,22 @@ export function Page(heading: Heading) {
               label={`The shape flattened to ${formatNumber(epsilon, 6)} of its depth, seen from the side`}
             />
           )}
-          <figcaption>
-            <span class={layout["side-name"]}>
-              Flattened <span>from the side</span>
-            </span>
-          </figcaption>
-        </figure>
-        <figure class={layout["panel"]}>
+        </Panel>
+        <Panel name="Its shadow" words="points, projected">
           <ShadowPicture maps={maps} direction={direction} points={150_000} />
-          <figcaption>
-            <span class={layout["side-name"]}>
-              Its shadow <span>points, projected</span>
-            </span>
-          </figcaption>
-        </figure>
+        </Panel>
       </div>
-      <Control label="thickness left" symbol="ε" value={formatNumber(epsilon, 6)}>
-        <Slider
-          label="Thickness left, ε"
-          min={LEAST}
-          max={0}
-          step={0.1}
-          value={power}
-          valueText={formatNumber(epsilon, 6)}
-          onChange={setPower}
-        />
-      </Control>
+      <SliderControl
+        label="thickness left"
+        name="Thickness left, ε"
+        symbol="ε"
+        range={[LEAST, 0]}
+        step={0.1}
+        value={power}
+        text={formatNumber(epsilon, 6)}
+        valueText={formatNumber(epsilon, 6)}
+        onChange={setPower}
+      />
       {"why" in flat ? (
         <p class={spaceCss["space-note"]} role="status">
           {flat.why}

@@ -11,16 +11,14 @@ import { SpacePicture } from "./space-picture";
 /** The middle of the natural scene: it lies along x before the eye. */
 export const MIDDLE = [14, 0, -1] as const;
 
-/** The natural scene, and where the eye of the paper is. */
+/** The natural scene, how many maps it has, and where the eye of the paper is. */
 export function useScene() {
   return useMemo(() => {
     const made = solid.naturalScene();
-    return { made, home: solid.defaultView({ objects: made, light: solid.defaultSpace().light }) };
+    const count = made.reduce((sum, object) => sum + object.maps.length, 0);
+    return { made, count, home: solid.defaultView({ objects: made, light: solid.defaultSpace().light }) };
   }, []);
 }
-
-export const looksAway = (view: SpaceView, home: SpaceView): boolean =>
-  Math.abs(view.turn - home.turn) + Math.abs(view.tilt - home.tilt) > 1e-9;
 
 export interface SceneryProps {
   made: readonly SpaceObject[];

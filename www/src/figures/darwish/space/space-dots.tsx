@@ -1,10 +1,7 @@
-import { useLayoutEffect, useMemo, useRef } from "preact/hooks";
-import { dark } from "#document/preferences";
-import { palette } from "#style/palette";
+import { useCallback, useMemo } from "preact/hooks";
 import type { MapRow3, SpaceView } from "#wasm/api";
-import { usePixels } from "../../kit/picture/picture";
+import { type Sheet, useDrawing } from "../../kit/picture/canvas";
 import pictureCss from "../../kit/picture/picture.module.css";
-import { useValue } from "../../kit/workers";
 import { dotsOf, seen } from "./eye";
 import { orbitLabel, useOrbit } from "./orbit";
 import css from "./space.module.css";
@@ -23,31 +20,26 @@ export interface SpaceDotsProps {
 
 /** A picture of space in points, which needs nothing to be fetched. What is far is fainter. */
 export function SpaceDots({ maps, view, onView, label, points = POINTS }: SpaceDotsProps) {
-  const canvas = useRef<HTMLCanvasElement>(null);
-  const pixels = usePixels(canvas);
-  const onDark = useValue(dark);
   const dots = useMemo(() => dotsOf(maps, points), [maps, points]);
-  useLayoutEffect(() => {
-    const element = canvas.current;
-    const context = element?.getContext("2d");
-    if (!element || !context || !pixels) return;
-    element.width = pixels.width;
-    element.height = pixels.height;
-    const place = seen(view);
-    const places = dots.map(({ point, map }) => ({ at: place(point), map })).filter(({ at }) => at[2] > 0);
-    const depths = places.map(({ at }) => at[2]);
-    const [near, far] = [Math.min(...depths), Math.max(...depths)];
-    const colours = palette(onDark ? "dark" : "light");
-    const half = pixels.height / 2;
-    const size = Math.max(1, pixels.height / 320);
-    // The far ones first: what is near covers them.
-    for (const { at, map } of places.toSorted((a, b) => b.at[2] - a.at[2])) {
-      const [x, y, depth] = at;
-      context.globalAlpha = 1 - 0.65 * ((depth - near) / (far - near || 1));
-      context.fillStyle = colours[map % colours.length] ?? "gray";
-      context.fillRect(pixels.width / 2 + x * half - size / 2, half - y * half - size / 2, size, size);
-    }
-  }, [dots, view, pixels, onDark]);
+  const draw = useCallback(
+    ({ context, width, height, colours }: Sheet) => {
+      const place = seen(view);
+      const places = dots.map(({ point, map }) => ({ at: place(point), map })).filter(({ at }) => at[2] > 0);
+      const depths = places.map(({ at }) => at[2]);
+      const [near, far] = [Math.min(...depths), Math.max(...depths)];
+      const half = height / 2;
+      const size = Math.max(1, height / 320);
+      // The far ones first: what is near covers them.
+      for (const { at, map } of places.toSorted((a, b) => b.at[2] - a.at[2])) {
+        const [x, y, depth] = at;
+        context.globalAlpha = 1 - 0.65 * ((depth - near) / (far - near || 1));
+        context.fillStyle = colours[map % colours.length] ?? "gray";
+        context.fillRect(width / 2 + x * half - size / 2, half - y * half - size / 2, size, size);
+      }
+    },
+    [dots, view],
+  );
+  const { canvas } = useDrawing(draw);
   const orbit = useOrbit(view, onView);
   return (
     <canvas

@@ -5,7 +5,7 @@ import { palette } from "#style/palette";
 import type { SpaceLight, SpaceView } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { type PictureRequest, pictureOf, type Shown } from "#workers/space/complete-picture";
-import { usePixels } from "../../kit/picture/picture";
+import { usePixels } from "../../kit/picture/canvas";
 import pictureCss from "../../kit/picture/picture.module.css";
 import { useValue } from "../../kit/workers";
 import { Carving } from "./carving";

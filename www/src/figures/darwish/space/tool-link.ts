@@ -11,6 +11,11 @@ export function spaceHref(objects: SpaceObject[], view?: SpaceView): string {
   return `#${frond.encodeScene({ ...frond.defaultScene(), tool: "space", space })}`;
 }
 
+/** The link to the tool of a figure with these objects. */
+export function inSpaceTool(objects: SpaceObject[], view?: SpaceView) {
+  return { href: spaceHref(objects, view), label: "Open in the Space tool" };
+}
+
 /** The maps of a shape of the gallery. */
 export function presetMaps(id: string): MapRow3[] {
   const found = solid.presets3().find((one) => one.id === id);

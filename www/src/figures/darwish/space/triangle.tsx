@@ -1,9 +1,12 @@
 /** What the figures of the triangle share: where it is seen from, which maps make it, and what was not printed. */
 
-import { Segmented } from "#ui/controls/Segmented";
+import { useMemo, useState } from "preact/hooks";
+import { turns3 } from "#geometry/maps/affine3";
 import type { SpaceView } from "#wasm/api";
-import layout from "../../kit/frame/layout.module.css";
-import type { Form } from "./shapes";
+import { Choice } from "../../kit/frame/control";
+import { type Form, triangle } from "./shapes";
+import { inSpaceTool } from "./tool-link";
+import { AngleSliders, type Angles, Conjugated, inRadians } from "./turning";
 
 export const TRIANGLE_VIEW: SpaceView = {
   target: [0, 0, 0],
@@ -16,19 +19,45 @@ export const TRIANGLE_VIEW: SpaceView = {
 export const CUT_OFF =
   "The scan of the paper cuts the parameters off: of each map only some numbers can be read. The corners of this triangle are Frond’s own.";
 
-export function FormChoice({ form, onChange }: { form: Form; onChange: (form: Form) => void }) {
+/** Of each map, as it is made. */
+export const MATRICES: Readonly<Record<Form, string>> = {
+  halves: "diag(0.5, 0.5, 0.5)",
+  sheet: "diag(0.5, 0, 0.5)",
+};
+
+/** The triangle turned by three angles: what its figures keep, and what follows. */
+export function useTurnedTriangle(firstForm: Form, firstAngles: Angles) {
+  const [form, setForm] = useState(firstForm);
+  const [angles, setAngles] = useState(firstAngles);
+  const [view, setView] = useState(TRIANGLE_VIEW);
+  const made = useMemo(() => triangle(form), [form]);
+  const by = useMemo(() => turns3(inRadians(angles)), [angles]);
+  return { form, setForm, angles, setAngles, view, setView, made, by };
+}
+
+type Turned = ReturnType<typeof useTurnedTriangle>;
+
+export const turnedInTool = ({ made, by, view }: Turned) =>
+  inSpaceTool([{ name: "Triangle", maps: made, moved: by }], view);
+
+/** Its picture and parameters, with what changes them. */
+export function TurnedTriangle({ of, label }: { of: Turned; label: string }) {
+  const { form, setForm, angles, setAngles, view, setView, made, by } = of;
   return (
-    <div class={layout["buttons"]}>
-      <span class={layout["choice-label"]}>Maps that</span>
-      <Segmented
-        label="Which maps make the triangle"
+    <>
+      <Choice
+        label="Maps that"
+        name="Which maps make the triangle"
         value={form}
         options={[
           { value: "halves", label: "halve everything" },
           { value: "sheet", label: "also flatten" },
         ]}
-        onChange={onChange}
+        onChange={setForm}
       />
-    </div>
+      <Conjugated made={made} by={by} view={view} onView={setView} label={label}>
+        <AngleSliders angles={angles} onChange={setAngles} />
+      </Conjugated>
+    </>
   );
 }

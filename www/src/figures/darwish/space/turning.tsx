@@ -2,11 +2,10 @@ import type { ComponentChildren } from "preact";
 import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { apartBy, apartWords } from "#geometry/maps/apart";
-import { Slider } from "#ui/controls/Slider";
 import { MapBlocks } from "#ui/shapes/MapBlocks";
 import type { MapRow3, Point3, SpaceView } from "#wasm/api";
 import { solid } from "#wasm/space";
-import { Control } from "../../kit/frame/frame";
+import { SliderControl } from "../../kit/frame/control";
 import layout from "../../kit/frame/layout.module.css";
 import spaceCss from "./space.module.css";
 import { SpacePicture } from "./space-picture";
@@ -23,17 +22,16 @@ export function AngleSliders({ angles, onChange }: { angles: Angles; onChange: (
   return (
     <div class={layout["controls"]}>
       {AXES.map((axis, k) => (
-        <Control key={axis} label={`turned about ${axis}`} value={`${fixed(angles[k] ?? 0, 0)}°`}>
-          <Slider
-            label={`Turned about ${axis}`}
-            min={-180}
-            max={180}
-            step={1}
-            value={angles[k] ?? 0}
-            valueText={`${fixed(angles[k] ?? 0, 0)} degrees`}
-            onChange={(next) => onChange(angles.with(k, Math.round(next)) as Angles)}
-          />
-        </Control>
+        <SliderControl
+          key={axis}
+          label={`turned about ${axis}`}
+          range={[-180, 180]}
+          whole
+          value={angles[k] ?? 0}
+          text={`${fixed(angles[k] ?? 0, 0)}°`}
+          valueText={`${fixed(angles[k] ?? 0, 0)} degrees`}
+          onChange={(next) => onChange(angles.with(k, next) as Angles)}
+        />
       ))}
     </div>
   );

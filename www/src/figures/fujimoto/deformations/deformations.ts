@@ -2,7 +2,8 @@
 
 import { AT_REST } from "#document/deform/bend";
 import { fixed } from "#format/numbers";
-import type { Deformation, DeformKey } from "#wasm/api";
+import type { Deformation, DeformKey, MapRow } from "#wasm/api";
+import { studioHref } from "../../kit/frame/studio-link";
 import { movesOf, type NamedMesh } from "./meshes";
 
 /** What a deformation by a mesh is, where nothing else is said. */
@@ -23,8 +24,14 @@ export function toAndFro(mesh: NamedMesh): DeformKey[] {
   return [0, 1, 0, -1].map((part, i) => ({ at: i / 4, moves: movesOf(mesh, part) }));
 }
 
+/** The link to the studio with a shape bent so. */
+export function bentHref(name: string, maps: MapRow[], deform: Deformation): string {
+  const shape = { name, maps };
+  return studioHref({ a: shape, b: shape, deform });
+}
+
 /** A panel of a figure: its letter, and what its deformation has of its own. */
-export interface Panel {
+export interface BentPanel {
   letter: string;
   /** A word or two. */
   words: string;
@@ -32,7 +39,7 @@ export interface Panel {
 }
 
 /** Its numbers in a line. */
-export function numbersOf({ settings: { kb, delta } }: Panel): string {
+export function numbersOf({ settings: { kb, delta } }: BentPanel): string {
   const rough = Array.isArray(delta)
     ? delta.slice(0, 3).map((one) => fixed(one))
     : delta === undefined

@@ -3,7 +3,7 @@ import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import type { Bend, Colouring, MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
-import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
 import type { Point } from "../../kit/maps/pieces";
 import type { Place } from "../../kit/picture/annotated";
 import { Bent } from "../../kit/picture/deformed";
@@ -50,7 +50,7 @@ function useMiddles({ maps, bend, lenses }: Pick<MagnifiedProps, "maps" | "bend"
 export function WithFrames({ name, aspect, lenses, ...picture }: MagnifiedProps) {
   const middles = useMiddles({ ...picture, lenses });
   return (
-    <figure class={layout["panel"]}>
+    <Panel name={name} words={`with ${lenses.length} parts framed`}>
       <Bent
         {...picture}
         aspect={aspect}
@@ -63,12 +63,7 @@ export function WithFrames({ name, aspect, lenses, ...picture }: MagnifiedProps)
           ))
         }
       </Bent>
-      <figcaption>
-        <span class={layout["side-name"]}>
-          {name} <span>with {lenses.length} parts framed</span>
-        </span>
-      </figcaption>
-    </figure>
+    </Panel>
   );
 }
 
@@ -117,7 +112,7 @@ function Part({ lens, middle: [x, y], name, maps, bend, box, colouring = "map" }
   }, [x, y, width]);
   const times = fixed((box.x1 - box.x0) / width, 1);
   return (
-    <figure class={layout["panel"]}>
+    <Panel name={`${name}-${number}`} words={about}>
       <div class={`${css["part"]} ${css[`frame-${kind}`]}`}>
         <Bent
           maps={maps}
@@ -129,11 +124,6 @@ function Part({ lens, middle: [x, y], name, maps, bend, box, colouring = "map" }
           label={`${name}-${number}: ${about}, ${times} times larger`}
         />
       </div>
-      <figcaption>
-        <span class={layout["side-name"]}>
-          {name}-{number} <span>{about}</span>
-        </span>
-      </figcaption>
-    </figure>
+    </Panel>
   );
 }

@@ -3,20 +3,21 @@ import { useMemo } from "preact/hooks";
 import { bendAt } from "#document/deform/bend";
 import type { Box } from "#document/framing";
 import type { Bend, Colouring, Deformation, MapRow } from "#wasm/api";
-import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
 import { Bent } from "../../kit/picture/deformed";
-import { numbersOf, type Panel } from "./deformations";
+import { type BentPanel, numbersOf } from "./deformations";
 import css from "./panels.module.css";
 
 export interface PanelsProps {
-  panels: readonly Panel[];
+  panels: readonly BentPanel[];
   maps: MapRow[];
   box: Box;
   t: number;
   /** The whole of a panel's deformation. */
   deformationOf: (settings: Partial<Deformation>) => Deformation;
-  /** What is seen in a panel, in words. */
-  words: (panel: Panel) => string;
+  /** What is bent, and how it stands at the moment, in words. */
+  name: string;
+  moment: string;
   aspect?: number;
   colouring?: Colouring;
   /** How many side by side, where there is room. */
@@ -41,20 +42,19 @@ function Single({
   panel,
   t,
   deformationOf,
-  words,
+  name,
+  moment,
   ...picture
-}: Omit<PanelsProps, "panels" | "columns" | "children"> & { panel: Panel }) {
+}: Omit<PanelsProps, "panels" | "columns" | "children"> & { panel: BentPanel }) {
   const deformation = useMemo(() => deformationOf(panel.settings), [panel, deformationOf]);
   const bend = useMemo<Bend>(() => bendAt(deformation, t), [deformation, t]);
   return (
-    <figure class={layout["panel"]}>
-      <Bent {...picture} bend={bend} label={words(panel)} />
-      <figcaption>
-        <span class={layout["side-name"]}>
-          {panel.letter} <span>{panel.words}</span>
-        </span>
-        <span class="number">{numbersOf(panel)}</span>
-      </figcaption>
-    </figure>
+    <Panel name={panel.letter} words={panel.words} caption={<span class="number">{numbersOf(panel)}</span>}>
+      <Bent
+        {...picture}
+        bend={bend}
+        label={`${name} ${panel.words === "" ? "in between" : panel.words}, ${numbersOf(panel)}, ${moment}`}
+      />
+    </Panel>
   );
 }

@@ -1,5 +1,5 @@
 import { allCodes, type Cube, cellOf, codeOf, codeWords, lettersOf } from "../codes/codes";
-import { picking } from "../codes/picking";
+import { pickedClass, picking } from "../codes/picking";
 import cubeCss from "./cube.module.css";
 
 export interface CubePartProps {
@@ -29,7 +29,7 @@ export function CubeLine({
   const x = Math.min(1, Math.max(0, point[0] ?? 0)) * WIDTH;
   return (
     <svg
-      class={`${cubeCss["cube"]} ${onPick ? cubeCss["pressed"] : ""}`}
+      class={`${cubeCss["cube"]} ${onPick ? pickedClass : ""}`}
       viewBox={`-1 -1 ${WIDTH + 2} ${height + 2}`}
       role="img"
       aria-hidden={label === null}

@@ -1,6 +1,6 @@
 import type { Point } from "../../kit/maps/pieces";
 import { allCodes, cellOf, codeOf, codeWords, lettersOf } from "../codes/codes";
-import { picking } from "../codes/picking";
+import { pickedClass, picking } from "../codes/picking";
 import cubeCss from "./cube.module.css";
 import type { CubePartProps } from "./cube-line";
 
@@ -24,7 +24,7 @@ export function CubeSquare({
   const size = Math.min(cell / 2.2, (0.8 * cell) / (0.62 * named), 26);
   return (
     <svg
-      class={`${cubeCss["cube"]} ${onPick ? cubeCss["pressed"] : ""}`}
+      class={`${cubeCss["cube"]} ${onPick ? pickedClass : ""}`}
       viewBox={`-1 -1 ${SIDE + 2} ${SIDE + 2}`}
       role="img"
       aria-hidden={label === null}

@@ -1,8 +1,10 @@
 import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { Slider } from "#ui/controls/Slider";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { SliderControl } from "../../kit/frame/control";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
+import { acrossAndUp, PointControls } from "../../kit/frame/point-controls";
 import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";
 import { CodeRow } from "../codes/code-row";
@@ -74,33 +76,16 @@ export function Page(heading: Heading) {
       }}
     >
       <div class={layout["controls"]}>
-        <Control label="Letters" symbol="k" value={String(letters)}>
-          <Slider
-            label="Letters"
-            min={1}
-            max={MOST_LETTERS}
-            step={1}
-            value={letters}
-            valueText={`${letters} letters`}
-            onChange={(next) => setLetters(Math.round(next))}
-          />
-        </Control>
-        <Control label="The point, across" symbol="x" value={fixed(x, 3)}>
-          <Slider
-            label="The point, across"
-            value={x}
-            valueText={`x = ${fixed(x, 3)}`}
-            onChange={(next) => setPoint([next, y])}
-          />
-        </Control>
-        <Control label="The point, up" symbol="y" value={fixed(y, 3)}>
-          <Slider
-            label="The point, up"
-            value={y}
-            valueText={`y = ${fixed(y, 3)}`}
-            onChange={(next) => setPoint([x, next])}
-          />
-        </Control>
+        <SliderControl
+          label="Letters"
+          symbol="k"
+          range={[1, MOST_LETTERS]}
+          whole
+          value={letters}
+          valueText={`${letters} letters`}
+          onChange={setLetters}
+        />
+        <PointControls axes={acrossAndUp("The point")} point={point} onMove={setPoint} />
       </div>
       <div class={css["cubes"]}>
         {PANELS.map(({ letter, cube }) => {
@@ -108,19 +93,18 @@ export function Page(heading: Heading) {
           const label = `(${letter}) ${cube.dimensions === 1 ? "A line" : "A square"} in ${lettersOf(cube)} parts, each again and again: the point has the code ${codeWords(code.slice(0, letters))}.`;
           const part = { cube, letters, point, label };
           return (
-            <figure key={letter} class={layout["panel"]}>
+            <Panel
+              key={letter}
+              name={`(${letter})`}
+              words={`L = ${lettersOf(cube)}`}
+              caption={<CodeRow code={code} strong={letters} more />}
+            >
               {cube.dimensions === 1 ? (
                 <CubeLine {...part} onPick={(at) => setPoint([at, y])} />
               ) : (
                 <CubeSquare {...part} onPick={setPoint} />
               )}
-              <figcaption>
-                <span class={layout["side-name"]}>
-                  ({letter}) <span>L = {lettersOf(cube)}</span>
-                </span>
-                <CodeRow code={code} strong={letters} more />
-              </figcaption>
-            </figure>
+            </Panel>
           );
         })}
       </div>

@@ -7,7 +7,7 @@ import { Picture } from "../../kit/picture/picture";
 import { useValue } from "../../kit/workers";
 import { pieceOf, rightGasket, type Triangle } from "../codes/addresses";
 import { allCodes, codeWords } from "../codes/codes";
-import { picking } from "../codes/picking";
+import { pickedClass, picking } from "../codes/picking";
 import css from "./address-steps.module.css";
 
 const SIDE = 400;
@@ -52,7 +52,7 @@ export function Steps({ r, depth, point, here, label, onPick }: StepsProps) {
     onPick &&
     picking(([u, v]) => onPick([u, v].map((at) => within((at - MARGIN) / (1 - 2 * MARGIN))) as Point));
   return (
-    <div class={`${annotatedCss["drawn"]} ${css["steps"]} ${onPick ? css["pressed"] : ""}`} {...pick}>
+    <div class={`${annotatedCss["drawn"]} ${css["steps"]} ${onPick ? pickedClass : ""}`} {...pick}>
       {depth === null && <Picture maps={maps} box={BOX} label={label} margin={MARGIN} />}
       <svg
         viewBox={`0 0 ${SIDE} ${SIDE}`}

@@ -1,8 +1,10 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { Slider } from "#ui/controls/Slider";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { SliderControl } from "../../kit/frame/control";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
+import { acrossAndUp, PointControls } from "../../kit/frame/point-controls";
 import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";
 import { addresses, onGasket, pieceOf, rightGasket } from "../codes/addresses";
@@ -77,33 +79,15 @@ export function Page(heading: Heading) {
       }}
     >
       <div class={layout["controls"]}>
-        <Control label="Steps in the middle" value={String(steps)}>
-          <Slider
-            label="Steps in the middle"
-            min={2}
-            max={MOST_STEPS}
-            step={1}
-            value={steps}
-            valueText={`${steps} steps`}
-            onChange={(next) => setSteps(Math.round(next))}
-          />
-        </Control>
-        <Control label="The ring, across" symbol="x" value={fixed(point[0], 3)}>
-          <Slider
-            label="The ring, across"
-            value={point[0]}
-            valueText={`x = ${fixed(point[0], 3)}`}
-            onChange={(x) => setPoint([x, point[1]])}
-          />
-        </Control>
-        <Control label="The ring, up" symbol="y" value={fixed(point[1], 3)}>
-          <Slider
-            label="The ring, up"
-            value={point[1]}
-            valueText={`y = ${fixed(point[1], 3)}`}
-            onChange={(y) => setPoint([point[0], y])}
-          />
-        </Control>
+        <SliderControl
+          label="Steps in the middle"
+          range={[2, MOST_STEPS]}
+          whole
+          value={steps}
+          valueText={`${steps} steps`}
+          onChange={setSteps}
+        />
+        <PointControls axes={acrossAndUp("The ring")} point={point} onMove={setPoint} />
       </div>
       {GASKETS.map(({ letter, r, words }, i) => {
         const { at, words: codes } = found[i] ?? { at: [0, 0] as Point, words: [] };
@@ -115,7 +99,17 @@ export function Page(heading: Heading) {
             </h2>
             <div class={`${layout["triple"]} ${layout["stages"]}`}>
               {[1, steps, null].map((depth, column) => (
-                <figure key={column === 2 ? "whole" : column} class={layout["panel"]}>
+                <Panel
+                  key={column === 2 ? "whole" : column}
+                  caption={
+                    <>
+                      {depth === null ? "the attractor" : depth === 1 ? "step 1" : `step ${depth}`}
+                      {depth !== null && (
+                        <span class="number"> in {here(depth).slice(0, TOLD).join(", ")}</span>
+                      )}
+                    </>
+                  }
+                >
                   <Steps
                     r={r}
                     depth={depth}
@@ -124,13 +118,7 @@ export function Page(heading: Heading) {
                     here={codes.map((code) => pieceOf(rightGasket(r), code.slice(0, depth ?? 0)))}
                     label={`(${letter}) ${depth === null ? "The attractor" : `Step ${depth}`}, with the ring at (${at.map((x) => fixed(x)).join(", ")})${depth === null ? "" : ` in ${here(depth).join(" and ")}`}.`}
                   />
-                  <figcaption>
-                    {depth === null ? "the attractor" : depth === 1 ? "step 1" : `step ${depth}`}
-                    {depth !== null && (
-                      <span class="number"> in {here(depth).slice(0, TOLD).join(", ")}</span>
-                    )}
-                  </figcaption>
-                </figure>
+                </Panel>
               ))}
             </div>
             <p class={`${css["address-list"]} number`}>

@@ -1,10 +1,11 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Segmented } from "#ui/controls/Segmented";
-import { Slider } from "#ui/controls/Slider";
 import { Formula } from "../../kit/frame/formula";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
+import { acrossAndUp, PointControls } from "../../kit/frame/point-controls";
 import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";
 import { rightGasket } from "../codes/addresses";
@@ -79,7 +80,7 @@ export function Page(heading: Heading) {
       </div>
       <Matrix subject={subject} chosen={chosen} onChoose={setChosen} />
       <div class={`${layout["two-columns"]} ${layout["even"]}`}>
-        <figure class={layout["panel"]}>
+        <Panel name={cellWords(chosen)} caption="Press a place in it.">
           <Cell
             subject={subject}
             chosen={chosen}
@@ -87,33 +88,18 @@ export function Page(heading: Heading) {
             onPick={setPoint}
             label={`${cellWords(chosen)}, with the chosen cell ${codeWords(code)}.`}
           />
-          <figcaption>
-            <span class={layout["side-name"]}>{cellWords(chosen)}</span>
-            Press a place in it.
-          </figcaption>
-        </figure>
+        </Panel>
         <Source subject={subject} chosen={chosen} point={at} />
       </div>
       <Letters chosen={chosen} point={at} />
       <div class={layout["controls"]}>
-        <Control label="The place, across" symbol="x" value={fixed(at[0], 3)}>
-          <Slider
-            label="The place, across"
-            value={at[0]}
-            step={1 / 32}
-            valueText={`x = ${fixed(at[0], 3)}, cell ${codeWords(code)}`}
-            onChange={(x) => setPoint([x, at[1]])}
-          />
-        </Control>
-        <Control label="The place, up" symbol="y" value={fixed(at[1], 3)}>
-          <Slider
-            label="The place, up"
-            value={at[1]}
-            step={1 / 32}
-            valueText={`y = ${fixed(at[1], 3)}, cell ${codeWords(code)}`}
-            onChange={(y) => setPoint([at[0], y])}
-          />
-        </Control>
+        <PointControls
+          axes={acrossAndUp("The place")}
+          step={1 / 32}
+          point={at}
+          said={(symbol, value) => `${symbol} = ${fixed(value, 3)}, cell ${codeWords(code)}`}
+          onMove={setPoint}
+        />
       </div>
     </Frame>
   );

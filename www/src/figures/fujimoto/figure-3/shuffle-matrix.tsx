@@ -1,7 +1,8 @@
 import { useLayoutEffect, useMemo, useRef } from "preact/hooks";
 import type { Point } from "../../kit/maps/pieces";
+import { pictured } from "../../kit/picture/canvas";
 import { cellOf, codeOf } from "../codes/codes";
-import { picking } from "../codes/picking";
+import { pickedClass, picking } from "../codes/picking";
 import css from "./shuffle-matrix.module.css";
 import { type Subject, shuffledImage } from "./shuffled-image";
 
@@ -114,11 +115,8 @@ export function Cell({ subject, chosen, label, point, framed = false, onPick }: 
   }, [image]);
   const frame = point ? codeOf(SQUARE, point, kb) : new Array<number>(kb).fill(0);
   return (
-    <span class={`${css["shuffled"]} ${onPick ? css["pressed"] : ""}`} {...(onPick ? picking(onPick) : {})}>
-      <canvas
-        ref={canvas}
-        {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
-      />
+    <span class={`${css["shuffled"]} ${onPick ? pickedClass : ""}`} {...(onPick ? picking(onPick) : {})}>
+      <canvas ref={canvas} {...pictured(label)} />
       <svg viewBox={`0 0 ${SIDE} ${SIDE}`} aria-hidden="true">
         {(framed || point) && <Outline subject={subject} code={frame} kind="frame" />}
         {point && <Outline subject={subject} code={codeOf(SQUARE, point, COLUMNS)} kind="mark" />}

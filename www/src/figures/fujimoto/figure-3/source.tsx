@@ -1,4 +1,4 @@
-import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
 import type { Point } from "../../kit/maps/pieces";
 import { CodeRow } from "../codes/code-row";
 import { codeOf, codeWords, shuffled } from "../codes/codes";
@@ -22,7 +22,10 @@ export function Source({ subject, chosen, point }: SourceProps) {
   const from = depthsOf(kb, ke, superposed).map((depth) => ({ depth, code: shuffled(code, kb, depth) }));
   const words = [...new Set(from.map((one) => codeWords(one.code)))];
   return (
-    <figure class={layout["panel"]}>
+    <Panel
+      name="Before the shuffle"
+      caption={<>The colour came from {from.length > 1 ? `these ${words.length} cells, mixed` : "here"}.</>}
+    >
       <span class={shuffleMatrixCss["shuffled"]}>
         <Cell
           subject={subject}
@@ -36,11 +39,7 @@ export function Source({ subject, chosen, point }: SourceProps) {
           ))}
         </svg>
       </span>
-      <figcaption>
-        <span class={layout["side-name"]}>Before the shuffle</span>
-        The colour came from {from.length > 1 ? `these ${words.length} cells, mixed` : "here"}.
-      </figcaption>
-    </figure>
+    </Panel>
   );
 }
 

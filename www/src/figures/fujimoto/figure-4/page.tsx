@@ -2,24 +2,22 @@ import { useMemo, useState } from "preact/hooks";
 import { bendAt } from "#document/deform/bend";
 import { fixed } from "#format/numbers";
 import { lengthWords } from "#format/verdict";
-import { Segmented } from "#ui/controls/Segmented";
-import { Slider } from "#ui/controls/Slider";
-import type { Bend, Deformation } from "#wasm/api";
+import type { Bend } from "#wasm/api";
 import { frond } from "#wasm/core";
+import { Choice, SliderControl } from "../../kit/frame/control";
 import { Formula } from "../../kit/frame/formula";
-import { Control, Frame, type Heading } from "../../kit/frame/frame";
+import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
-import { studioHref } from "../../kit/frame/studio-link";
 import { Bent } from "../../kit/picture/deformed";
 import { Time, useTime } from "../../kit/time/time";
-import { numbersOf, type Panel } from "../deformations/deformations";
+import { type BentPanel, bentHref } from "../deformations/deformations";
 import { GASKET, KE, LIFT_BOX, liftOf } from "../deformations/lifted-gasket";
 import { Panels } from "../deformations/panels";
 import css from "./page.module.css";
 
 const VARIED: [number, number, number, number] = [0.5, 0.67, 0.75, 0.92];
 
-const PANELS: readonly Panel[] = [
+const PANELS: readonly BentPanel[] = [
   { letter: "A", words: "plain", settings: { kb: KE, delta: 0.75 } },
   { letter: "B", words: "fractal", settings: { kb: 0, delta: 0.75 } },
   { letter: "C", words: "", settings: { kb: 1, delta: 0.75 } },
@@ -72,19 +70,17 @@ export function Page(heading: Heading) {
       ]}
       captions={["Figure 4: Fractal deformations of a Sierpinski gasket. ke = 9."]}
       reconstructed="The maps, ke, the kb of B and F and all values of δ are printed (section 5.3, example 1, eq 18). The kb of C to E, the mesh and the moments are not: they are made from the text, which has the midpoint of the hypotenuse lifted. Neighbouring triangles are kept together at the corners they share, instead of by averages and a triangulation."
-      studio={{ href: hrefOf(liftOf({ kb, phase: t })) }}
+      studio={{ href: bentHref("Right gasket", GASKET, liftOf({ kb, phase: t })) }}
     >
       <Time time={time} words={t === 0 ? "at rest" : `${Math.round(100 * t)}% lifted`} />
       <div class={layout["controls"]}>
-        <div class={layout["choice"]}>
-          <span class={layout["choice-label"]}>As printed</span>
-          <Segmented
-            label="Moments that are printed"
-            options={MOMENTS}
-            value={MOMENTS.find(({ value }) => Number(value) === t)?.value ?? ("" as "0")}
-            onChange={(value) => time.go(Number(value))}
-          />
-        </div>
+        <Choice
+          label="As printed"
+          name="Moments that are printed"
+          options={MOMENTS}
+          value={MOMENTS.find(({ value }) => Number(value) === t)?.value ?? ("" as "0")}
+          onChange={(value) => time.go(Number(value))}
+        />
       </div>
       <Panels
         panels={PANELS}
@@ -93,18 +89,12 @@ export function Page(heading: Heading) {
         t={t}
         columns={4}
         deformationOf={liftOf}
-        words={(panel) =>
-          `The gasket ${panel.words === "" ? "in between" : panel.words}, ${numbersOf(panel)}, ${Math.round(100 * t)}% lifted`
-        }
+        name="The gasket"
+        moment={`${Math.round(100 * t)}% lifted`}
       />
       <Slide t={t} kb={kb} onSlide={setKb} />
     </Frame>
   );
-}
-
-function hrefOf(deform: Deformation): string {
-  const gasket = { name: "Right gasket", maps: GASKET };
-  return studioHref({ a: gasket, b: gasket, deform });
 }
 
 /** Section 5.4: locality between whole numbers. */
@@ -120,21 +110,21 @@ function Slide({ t, kb, onSlide }: { t: number; kb: number; onSlide: (kb: number
         label={`The gasket at locality ${fixed(kb)} of 9, ${Math.round(100 * t)}% lifted`}
         priority={46}
       />
-      <Control label="Locality" symbol="kb*" value={fixed(kb)}>
-        <Slider
-          label="Locality"
-          min={0}
-          max={KE}
-          step={0.1}
-          value={kb}
-          valueText={`kb* = ${fixed(kb)}${kb === 0 ? ", as in B" : kb === KE ? ", as in F: plain" : ""}`}
-          onChange={onSlide}
-        />
-        <p class={css["slide-ends"]} aria-hidden="true">
-          <span>B, fractal</span>
-          <span>F, plain</span>
-        </p>
-      </Control>
+      <SliderControl
+        label="Locality"
+        symbol="kb*"
+        range={[0, KE]}
+        step={0.1}
+        value={kb}
+        valueText={`kb* = ${fixed(kb)}${kb === 0 ? ", as in B" : kb === KE ? ", as in F: plain" : ""}`}
+        onChange={onSlide}
+        below={
+          <p class={css["slide-ends"]} aria-hidden="true">
+            <span>B, fractal</span>
+            <span>F, plain</span>
+          </p>
+        }
+      />
       <p class={layout["why"]}>
         Between whole numbers it is a blend of the two next to it (section 5.4, eq 19), so nothing jumps. The
         paper keeps this one for its animations.

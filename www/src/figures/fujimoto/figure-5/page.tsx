@@ -2,15 +2,13 @@ import { useCallback, useMemo, useState } from "preact/hooks";
 import { bendAt } from "#document/deform/bend";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
-import { Segmented } from "#ui/controls/Segmented";
 import type { Deformation, Spin } from "#wasm/api";
+import { Choice } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
-import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";
-import { PieceNames } from "../../kit/picture/annotated";
-import { Bent } from "../../kit/picture/deformed";
-import { numbersOf, type Panel } from "../deformations/deformations";
+import { type BentPanel, bentHref } from "../deformations/deformations";
+import { LettersPanel } from "../deformations/letters-panel";
 import { type Lens, Magnified, WithFrames } from "../deformations/magnified";
 import magnifiedCss from "../deformations/magnified.module.css";
 import { Panels } from "../deformations/panels";
@@ -28,7 +26,7 @@ const NAMES: readonly Point[] = [
   [0, 0.6],
 ];
 
-const PANELS: readonly Panel[] = [
+const PANELS: readonly BentPanel[] = [
   { letter: "A", words: "plain", settings: { kb: KE, delta: 0.75 } },
   { letter: "B", words: "fractal", settings: { kb: 0, delta: 0.75 } },
   { letter: "C", words: "", settings: { kb: 1, delta: 0.65 } },
@@ -104,14 +102,11 @@ export function Page(heading: Heading) {
       ]}
       captions={["Figure 5: Fractal deformations of a Black Spleenwort fern. ke = 6."]}
       reconstructed="The maps, ke and the kb of B are printed (section 5.3, example 2, eq 18), and that δ falls as kb grows. The mesh, the other kb, all values of δ and the magnified parts, whose frames go with what they show, are made from the text. Of (X), the addressing rule, only the order of the maps is known."
-      studio={{ href: hrefOf(swayOf({ ...B, spin, phase: sway.t })) }}
+      studio={{ href: bentHref("Black spleenwort fern", FERN, swayOf({ ...B, spin, phase: sway.t })) }}
     >
       <Sway sway={sway} />
       <div class={layout["controls"]}>
-        <div class={layout["choice"]}>
-          <span class={layout["choice-label"]}>Rotation</span>
-          <Segmented<Spin> label="Rotation" options={SPINS} value={spin} onChange={setSpin} />
-        </div>
+        <Choice<Spin> label="Rotation" options={SPINS} value={spin} onChange={setSpin} />
       </div>
       <Panels
         panels={PANELS}
@@ -121,9 +116,8 @@ export function Page(heading: Heading) {
         aspect={ASPECT}
         columns={3}
         deformationOf={deformationOf}
-        words={(panel) =>
-          `The fern ${panel.words === "" ? "in between" : panel.words}, ${numbersOf(panel)}, at ${fixed(sway.t)} of one sway`
-        }
+        name="The fern"
+        moment={`at ${fixed(sway.t)} of one sway`}
       >
         <WithFrames {...framed} aspect={ASPECT} />
       </Panels>
@@ -139,27 +133,13 @@ export function Page(heading: Heading) {
 function Addresses() {
   const rest = useMemo(() => bendAt(swayOf({ kb: KE }), 0), []);
   return (
-    <figure class={layout["panel"]}>
-      <Bent
-        maps={FERN}
-        bend={rest}
-        box={REST}
-        aspect={ASPECT}
-        grid={0}
-        label="The fern at rest: the part of map 1 is all but the lowest leaves, map 2 has the left one of them, map 3 the right one, and map 4 the stem"
-      >
-        {(place) => <PieceNames at={NAMES.map(place)} />}
-      </Bent>
-      <figcaption>
-        <span class={layout["side-name"]}>
-          X <span>the letters of the codes</span>
-        </span>
-      </figcaption>
-    </figure>
+    <LettersPanel
+      maps={FERN}
+      rest={rest}
+      box={REST}
+      aspect={ASPECT}
+      names={NAMES}
+      label="The fern at rest: the part of map 1 is all but the lowest leaves, map 2 has the left one of them, map 3 the right one, and map 4 the stem"
+    />
   );
-}
-
-function hrefOf(deform: Deformation): string {
-  const fern = { name: "Black spleenwort fern", maps: FERN };
-  return studioHref({ a: fern, b: fern, deform });
 }

@@ -2,15 +2,14 @@ import { useMemo } from "preact/hooks";
 import { bendAt } from "#document/deform/bend";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
-import type { Deformation } from "#wasm/api";
 import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
-import layout from "../../kit/frame/layout.module.css";
-import { studioHref } from "../../kit/frame/studio-link";
-import { middles, PieceNames } from "../../kit/picture/annotated";
+import { Panel } from "../../kit/frame/panel";
+import { middles } from "../../kit/picture/annotated";
 import { Bent } from "../../kit/picture/deformed";
 import { Time, useTime } from "../../kit/time/time";
-import { numbersOf, type Panel } from "../deformations/deformations";
+import { type BentPanel, bentHref } from "../deformations/deformations";
+import { LettersPanel } from "../deformations/letters-panel";
 import { type Lens, Magnified, WithFrames } from "../deformations/magnified";
 import magnifiedCss from "../deformations/magnified.module.css";
 import { Panels } from "../deformations/panels";
@@ -21,7 +20,7 @@ const BOX: Box = { x0: -1.05, y0: -1.42, x1: 2.9, y1: 1.75 };
 const REST: Box = { x0: -0.77, y0: -0.42, x1: 1.77, y1: 1.42 };
 const ASPECT = (BOX.x1 - BOX.x0) / (BOX.y1 - BOX.y0);
 
-const PANELS: readonly Panel[] = [
+const PANELS: readonly BentPanel[] = [
   { letter: "A", words: "plain", settings: { kb: KE } },
   { letter: "B", words: "fractal", settings: { kb: 0 } },
   { letter: "C", words: "", settings: { kb: 2 } },
@@ -79,7 +78,7 @@ export function Page(heading: Heading) {
       ]}
       captions={["Figure 6: Fractal deformations of a Twin-Dragon. ke = 8. δv(s) = 1."]}
       reconstructed="The maps, ke, δ and the numbers of the colouring are printed (section 5.3, example 3, eqs 12 and 18). The mesh, the colour function (Y), the kb of the panels and the magnified parts are made from the text. Of (X), the addressing rule, only the order of the maps is known."
-      studio={{ href: hrefOf(drawnOf({ ...B, phase: t })) }}
+      studio={{ href: bentHref("Twin-dragon of the paper", TWIN, drawnOf({ ...B, phase: t })) }}
     >
       <Time time={time} words={t === 0 ? "at rest" : `${Math.round(100 * t)}% drawn`} />
       <Panels
@@ -91,32 +90,22 @@ export function Page(heading: Heading) {
         columns={3}
         colouring="grid"
         deformationOf={drawnOf}
-        words={(panel) =>
-          `The twin-dragon ${panel.words === "" ? "in between" : panel.words}, ${numbersOf(panel)}, ${Math.round(100 * t)}% drawn`
-        }
+        name="The twin-dragon"
+        moment={`${Math.round(100 * t)}% drawn`}
       >
         <WithFrames {...framed} aspect={ASPECT} />
       </Panels>
       <Magnified {...framed} />
       <div class={magnifiedCss["magnified"]}>
-        <figure class={layout["panel"]}>
-          <Bent
-            maps={TWIN}
-            bend={colours}
-            box={BOX}
-            aspect={ASPECT}
-            grid={0}
-            label="The dragon at rest: the part of map 1 on the left, that of map 2 on the right"
-          >
-            {(place) => <PieceNames at={middles(TWIN, REST).map(place)} />}
-          </Bent>
-          <figcaption>
-            <span class={layout["side-name"]}>
-              X <span>the letters of the codes</span>
-            </span>
-          </figcaption>
-        </figure>
-        <figure class={layout["panel"]}>
+        <LettersPanel
+          maps={TWIN}
+          rest={colours}
+          box={BOX}
+          aspect={ASPECT}
+          names={middles(TWIN, REST)}
+          label="The dragon at rest: the part of map 1 on the left, that of map 2 on the right"
+        />
+        <Panel name="Y" words="the colours before the shuffle">
           <Bent
             maps={TWIN}
             bend={colours}
@@ -125,18 +114,8 @@ export function Page(heading: Heading) {
             colouring="grid"
             label="The colour function on the dragon at rest, before it is shuffled"
           />
-          <figcaption>
-            <span class={layout["side-name"]}>
-              Y <span>the colours before the shuffle</span>
-            </span>
-          </figcaption>
-        </figure>
+        </Panel>
       </div>
     </Frame>
   );
-}
-
-function hrefOf(deform: Deformation): string {
-  const dragon = { name: "Twin-dragon of the paper", maps: TWIN };
-  return studioHref({ a: dragon, b: dragon, deform });
 }

@@ -1,10 +1,11 @@
 import { useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
-import { formatNumber } from "#format/numbers";
+import type { Size } from "#geometry/coordinates";
 import { palette } from "#style/palette";
-import { usePixels } from "../picture/picture";
+import { useWidth } from "../picture/canvas";
 import css from "./plot.module.css";
 import { along, linePath, type Scale } from "./scale";
+import { Ticks } from "./ticks";
 
 export interface Series {
   name: string;
@@ -42,9 +43,7 @@ const MARGIN = { left: 50, right: 14, top: 28, bottom: 36 };
 /** A few curves over one axis. */
 export function Plot({ label, x, y, series, now, level, marks = [], height = HEIGHT }: PlotProps) {
   const host = useRef<HTMLDivElement>(null);
-  const pixels = usePixels(host);
-  const ratio = Math.min(2, globalThis.devicePixelRatio || 1);
-  const width = pixels === null ? 0 : pixels.width / ratio;
+  const width = useWidth(host);
   const size = {
     width: Math.max(0, width - MARGIN.left - MARGIN.right),
     height: height - MARGIN.top - MARGIN.bottom,
@@ -89,31 +88,10 @@ export function Plot({ label, x, y, series, now, level, marks = [], height = HEI
   );
 }
 
-interface Size {
-  width: number;
-  height: number;
-}
-
 function Axes({ x, y, size }: { x: PlotProps["x"]; y: PlotProps["y"]; size: Size }) {
-  const text = (scale: Scale, value: number) => (scale.format ?? ((v: number) => formatNumber(v)))(value);
   return (
     <g class={css["plot-axes"]}>
-      {y.ticks.map((tick) => (
-        <g key={tick} transform={`translate(0 ${(1 - along(y, tick)) * size.height})`}>
-          <path d={`M0 0H${size.width}`} />
-          <text x={-7} dy="0.32em" text-anchor="end">
-            {text(y, tick)}
-          </text>
-        </g>
-      ))}
-      {x.ticks.map((tick) => (
-        <g key={tick} transform={`translate(${along(x, tick) * size.width} ${size.height})`}>
-          <path d="M0 0V4" />
-          <text y={16} text-anchor="middle">
-            {text(x, tick)}
-          </text>
-        </g>
-      ))}
+      <Ticks x={x} y={y} size={size} mark={`M0 0H${size.width}`} gap={7} />
       <text x={size.width} y={size.height + 31} text-anchor="end">
         {x.name}
       </text>

@@ -7,6 +7,9 @@ export interface Scale {
   format?: (value: number) => string;
 }
 
+/** From 0 to 1 in quarters: the moments of a morph. */
+export const QUARTERS: Scale = { min: 0, max: 1, ticks: [0, 0.25, 0.5, 0.75, 1] };
+
 /** 0 at `min`, 1 at `max`; values beyond lie beyond. */
 export function along({ min, max, log = false }: Scale, value: number): number {
   if (log) return (Math.log(value) - Math.log(min)) / (Math.log(max) - Math.log(min));

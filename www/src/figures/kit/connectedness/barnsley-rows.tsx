@@ -2,7 +2,7 @@ import { useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { fixed } from "#format/numbers";
 import { palette } from "#style/palette";
-import { usePixels } from "../picture/picture";
+import { useWidth } from "../picture/canvas";
 import { common, cover, type Round } from "./barnsley";
 import css from "./barnsley-rows.module.css";
 
@@ -22,9 +22,7 @@ export interface RowsProps {
 /** One line for each iteration: the points of both pieces, and how far the pieces may reach from them. */
 export function Rows({ rounds, r, bare = false }: RowsProps) {
   const host = useRef<HTMLDivElement>(null);
-  const pixels = usePixels(host);
-  const ratio = Math.min(2, globalThis.devicePixelRatio || 1);
-  const width = pixels === null ? 0 : pixels.width / ratio;
+  const width = useWidth(host);
   const row = bare ? 22 : ROW;
   const height = row * rounds.length + (bare ? 0 : ROW + 18);
   return (

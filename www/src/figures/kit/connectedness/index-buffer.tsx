@@ -1,7 +1,7 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
-import { usePixels } from "../picture/picture";
+import { pictured, usePixels } from "../picture/canvas";
 import { useValue } from "../workers";
 import type { Collisions } from "./collisions";
 import css from "./index-buffer.module.css";
@@ -25,13 +25,7 @@ export function Buffer({ run, count, label, marked = true }: BufferProps) {
     if (canvas.current && pixels)
       paint(canvas.current, run, Math.min(pixels.width, pixels.height), onDark, marked);
   }, [run, count, pixels, onDark, marked]);
-  return (
-    <canvas
-      ref={canvas}
-      class={css["buffer"]}
-      {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
-    />
-  );
+  return <canvas ref={canvas} class={css["buffer"]} {...pictured(label)} />;
 }
 
 function paint(

@@ -126,25 +126,3 @@ export function Parameters({ of }: { of: readonly Parameter[] }) {
     </dl>
   );
 }
-
-export interface ControlProps {
-  label: string;
-  symbol?: string;
-  value: string;
-  children: ComponentChildren;
-}
-
-/** A slider with its name and its number above it. The slider names itself to those who hear it. */
-export function Control({ label, symbol, value, children }: ControlProps) {
-  return (
-    <div class={css["control"]}>
-      <div class={css["control-head"]} aria-hidden="true">
-        <span>
-          {label} {symbol !== undefined && <Formula>{symbol}</Formula>}
-        </span>
-        <span class="number">{value}</span>
-      </div>
-      {children}
-    </div>
-  );
-}

@@ -4,6 +4,7 @@ import { BOUNDS } from "#compute/locus/job";
 import type { LocusResult } from "#compute/results";
 import type { Uv } from "#geometry/path";
 import type { Bounds } from "#wasm/api";
+import { pictured } from "../picture/canvas";
 import { fieldPixels } from "./locus-colours";
 import css from "./locus-square.module.css";
 
@@ -103,13 +104,7 @@ function FieldCanvas({ field, label }: { field: LocusResult | null; label: strin
     canvas.current.height = field.height;
     context.putImageData(new ImageData(fieldPixels(field), field.width, field.height), 0, 0);
   }, [field]);
-  return (
-    <canvas
-      ref={canvas}
-      class={css["field"]}
-      {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
-    />
-  );
+  return <canvas ref={canvas} class={css["field"]} {...pictured(label)} />;
 }
 
 /**

@@ -1,10 +1,12 @@
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { type Box, fitFor } from "#document/framing";
 import { dark } from "#document/preferences";
+import type { Size } from "#geometry/coordinates";
 import { palette } from "#style/palette";
 import type { Bend, Colouring, MapRow } from "#wasm/api";
 import type { Task } from "#workers/pool/protocol";
 import { useAsk, useValue } from "../workers";
+import { pictured, usePixels } from "./canvas";
 import css from "./picture.module.css";
 
 export interface PictureProps {
@@ -20,7 +22,6 @@ export interface PictureProps {
   bend?: Bend;
 }
 
-const MOST_RATIO = 2;
 /** So long after the last change, in milliseconds, the picture is drawn in full. */
 const REST = 150;
 /** How much coarser it is until then. */
@@ -65,7 +66,7 @@ export function Picture({
       ref={canvas}
       class={css["figure-picture"]}
       data-complete={task !== null && shown === task && !coarse ? "" : undefined}
-      {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
+      {...pictured(label)}
     />
   );
 }
@@ -76,7 +77,7 @@ function paint(canvas: HTMLCanvasElement, bitmap: ImageBitmap): void {
   canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
 }
 
-function coarser({ width, height }: { width: number; height: number }) {
+function coarser({ width, height }: Size) {
   return { width: Math.max(1, Math.round(width / COARSE)), height: Math.max(1, Math.round(height / COARSE)) };
 }
 
@@ -88,23 +89,4 @@ function useRest(value: unknown): boolean {
     return () => clearTimeout(timer);
   }, [value]);
   return rested === value;
-}
-
-/** The size of an element in device pixels, or null while it has none. */
-export function usePixels(ref: { current: Element | null }): { width: number; height: number } | null {
-  const [size, setSize] = useState<{ width: number; height: number } | null>(null);
-  useEffect(() => {
-    const element = ref.current;
-    if (!element) return;
-    const observer = new ResizeObserver((entries) => {
-      const box = entries.at(-1)?.contentRect;
-      if (!box || box.width < 1 || box.height < 1) return;
-      const ratio = Math.min(MOST_RATIO, globalThis.devicePixelRatio || 1);
-      const next = { width: Math.round(box.width * ratio), height: Math.round(box.height * ratio) };
-      setSize((now) => (now?.width === next.width && now.height === next.height ? now : next));
-    });
-    observer.observe(element);
-    return () => observer.disconnect();
-  }, [ref]);
-  return size;
 }

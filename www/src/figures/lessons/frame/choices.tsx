@@ -1,7 +1,6 @@
 import type { ComponentChildren } from "preact";
-import { Slider } from "#ui/controls/Slider";
 import { useOwnId } from "#ui/id";
-import { Control } from "../../kit/frame/frame";
+import { SliderControl } from "../../kit/frame/control";
 import css from "./choices.module.css";
 import type { Prediction } from "./prediction";
 
@@ -76,30 +75,29 @@ export function Guess({ ask, label, symbol, min, max, step, format, prediction, 
   return (
     <fieldset class={`${css["choices"]} ${css["guess"]}`} disabled={shown}>
       <legend>{ask}</legend>
-      <Control
+      <SliderControl
         label={shown ? "Your guess" : label}
-        {...(symbol === undefined ? {} : { symbol })}
-        value={format(value)}
+        name={label}
+        symbol={symbol}
+        range={[min, max]}
+        step={step}
+        whole={step === 1}
+        value={value}
+        text={format(value)}
+        valueText={`${format(value)}${told ? `; it is ${format(truth)}` : ""}`}
+        onChange={prediction.say}
+        below={
+          <p class={css["truth-name"]} aria-hidden="true">
+            {told && at !== null && (
+              <span style={{ left: `${100 * at}%` }} data-end={at > 0.85 ? "" : undefined}>
+                {format(truth)}
+              </span>
+            )}
+          </p>
+        }
       >
-        <Slider
-          label={label}
-          min={min}
-          max={max}
-          step={step}
-          value={value}
-          valueText={`${format(value)}${told ? `; it is ${format(truth)}` : ""}`}
-          onChange={(next) => prediction.say(step === 1 ? Math.round(next) : next)}
-        >
-          {told && at !== null && <span class={css["truth-mark"]} style={{ left: `${100 * at}%` }} />}
-        </Slider>
-        <p class={css["truth-name"]} aria-hidden="true">
-          {told && at !== null && (
-            <span style={{ left: `${100 * at}%` }} data-end={at > 0.85 ? "" : undefined}>
-              {format(truth)}
-            </span>
-          )}
-        </p>
-      </Control>
+        {told && at !== null && <span class={css["truth-mark"]} style={{ left: `${100 * at}%` }} />}
+      </SliderControl>
     </fieldset>
   );
 }

@@ -2,9 +2,10 @@ import { useMemo, useState } from "preact/hooks";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import { lengthWords } from "#format/verdict";
-import { Slider } from "#ui/controls/Slider";
-import { Control, type Heading } from "../../kit/frame/frame";
+import { SliderControl } from "../../kit/frame/control";
+import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
 import { studioHref } from "../../kit/frame/studio-link";
 import { EXACT, VerdictChip, Why } from "../../kit/frame/verdict";
 import { gasket, HEIGHT } from "../../kit/maps/families";
@@ -78,7 +79,7 @@ function Meeting() {
   return (
     <>
       <div class={`${layout["two-columns"]} ${layout["even"]}`}>
-        <figure class={layout["panel"]}>
+        <Panel caption="The ring marks where pieces 1 and 2 meet.">
           <Drawn
             maps={maps}
             box={WHOLE}
@@ -89,32 +90,30 @@ function Meeting() {
               return <circle class={annotatedCss["lens"]} cx={x} cy={y} r={9} />;
             }}
           </Drawn>
-          <figcaption>The ring marks where pieces 1 and 2 meet.</figcaption>
-        </figure>
-        <figure class={layout["panel"]}>
+        </Panel>
+        <Panel
+          caption={
+            <span class="number">The same place, {times === 1 ? "as it is" : `${times} times larger`}</span>
+          }
+        >
           <Picture
             maps={maps}
             box={lens}
             margin={0}
             label={`The meeting point ${times} times larger: two tips that share a point.`}
           />
-          <figcaption class="number">
-            The same place, {times === 1 ? "as it is" : `${times} times larger`}
-          </figcaption>
-        </figure>
+        </Panel>
       </div>
       <div class={layout["controls"]}>
-        <Control label="Strength of the lens" value={`${times} ×`}>
-          <Slider
-            label="Strength of the lens"
-            min={0}
-            max={16}
-            step={1}
-            value={power}
-            valueText={`${times} times`}
-            onChange={setPower}
-          />
-        </Control>
+        <SliderControl
+          label="Strength of the lens"
+          range={[0, 16]}
+          step={1}
+          value={power}
+          text={`${times} ×`}
+          valueText={`${times} times`}
+          onChange={setPower}
+        />
       </div>
     </>
   );

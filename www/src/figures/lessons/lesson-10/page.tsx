@@ -1,12 +1,13 @@
 import { useMemo, useState } from "preact/hooks";
 import { meritWords } from "#format/path-words";
 import { shareWords } from "#format/verdict";
-import { Segmented } from "#ui/controls/Segmented";
 import type { PathPlan } from "#wasm/api";
 import { frond } from "#wasm/core";
 import type { Task } from "#workers/pool/protocol";
+import { Choice } from "../../kit/frame/control";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";
 import { Square } from "../../kit/locus/locus-square";
@@ -112,12 +113,11 @@ function Between() {
   return (
     <div class={css["quadruple"]}>
       {shapes.map(({ maps, words, named }) => (
-        <figure key={words} class={layout["panel"]}>
+        <Panel key={words} caption={words}>
           <Drawn maps={maps} box={boxAround([maps])} label={words}>
             {(place) => named && <PieceNames at={middles(maps, boxAround([maps])).map(place)} />}
           </Drawn>
-          <figcaption>{words}</figcaption>
-        </figure>
+        </Panel>
       ))}
     </div>
   );
@@ -180,10 +180,7 @@ function Maps() {
   return (
     <>
       <div class={layout["controls"]}>
-        <div class={layout["choice"]}>
-          <span class={layout["choice-label"]}>From</span>
-          <Segmented label="First shape" options={FIRST} value={first} onChange={setFirst} />
-        </div>
+        <Choice label="From" name="First shape" options={FIRST} value={first} onChange={setFirst} />
       </div>
       <div class={layout["triple"]}>
         {NAMES.map((name) => (
@@ -207,23 +204,23 @@ function Chart({ ends, name }: { ends: Ends; name: Name }) {
   const holds = plan?.holds ?? false;
   const state = plan === null ? "being looked for" : meritWords(plan);
   return (
-    <figure class={layout["panel"]}>
-      <Square
-        field={field}
-        label={`The map of shapes of pairing ${LETTERS[name]}, with the best way from A to B: ${state}.`}
-        lines={plan ? [{ name: "way", points: plan.points }] : []}
-      />
-      <figcaption>
-        <span class={layout["side-name"]}>
-          {LETTERS[name]} <span>{matchingWords(MATCHINGS[name])}</span>
-        </span>
+    <Panel
+      name={LETTERS[name]}
+      words={matchingWords(MATCHINGS[name])}
+      caption={
         <Chip
           tone={plan === null ? "unknown" : holds ? "close" : "broken"}
           text={plan === null ? "Looking …" : holds ? "Looks whole" : "In pieces"}
           aside={plan === null ? "" : holds ? "all the way" : `gap ${shareWords(plan.gap)}`}
         />
-      </figcaption>
-    </figure>
+      }
+    >
+      <Square
+        field={field}
+        label={`The map of shapes of pairing ${LETTERS[name]}, with the best way from A to B: ${state}.`}
+        lines={plan ? [{ name: "way", points: plan.points }] : []}
+      />
+    </Panel>
   );
 }
 

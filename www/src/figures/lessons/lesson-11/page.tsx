@@ -1,11 +1,12 @@
 import { useMemo, useState } from "preact/hooks";
 import { bendAt } from "#document/deform/bend";
 import { fixed } from "#format/numbers";
-import { Slider } from "#ui/controls/Slider";
+import { bentHref } from "../../fujimoto/deformations/deformations";
 import { FAR_CORNER, GASKET, KE, LIFT_BOX, liftOf } from "../../fujimoto/deformations/lifted-gasket";
-import { Control, type Heading } from "../../kit/frame/frame";
+import { SliderControl } from "../../kit/frame/control";
+import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
-import { studioHref } from "../../kit/frame/studio-link";
+import { Panel } from "../../kit/frame/panel";
 import { Bent } from "../../kit/picture/deformed";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
@@ -47,7 +48,7 @@ export function Page(heading: Heading) {
           The question is Frond’s.
         </p>
       }
-      studio={{ href: hrefOf() }}
+      studio={{ href: bentHref("Right gasket", GASKET, liftOf({ kb: 0, phase: 1 })) }}
     >
       <Plain />
     </Lesson>
@@ -61,19 +62,17 @@ function Plain() {
   const [rest, plain] = [useBend(KE, 0), useBend(KE, 1)];
   return (
     <div class={`${layout["two-columns"]} ${layout["even"]}`}>
-      <figure class={layout["panel"]}>
+      <Panel caption="at rest, with its grid">
         <Bent maps={GASKET} box={LIFT_BOX} bend={rest} label="The gasket at rest, with its grid" />
-        <figcaption>at rest, with its grid</figcaption>
-      </figure>
-      <figure class={layout["panel"]}>
+      </Panel>
+      <Panel caption="plain: the middle of the long side is lifted">
         <Bent
           maps={GASKET}
           box={LIFT_BOX}
           bend={plain}
           label="The gasket, plainly bent: its middle is lifted"
         />
-        <figcaption>plain: the middle of the long side is lifted</figcaption>
-      </figure>
+      </Panel>
     </div>
   );
 }
@@ -127,11 +126,10 @@ function After() {
   return (
     <>
       <div class={`${layout["two-columns"]} ${layout["even"]}`}>
-        <figure class={layout["panel"]}>
+        <Panel caption="the whole">
           <Bent maps={GASKET} box={LIFT_BOX} bend={bend} label={`The gasket at locality ${fixed(kb)} of 9`} />
-          <figcaption>the whole</figcaption>
-        </figure>
-        <figure class={layout["panel"]}>
+        </Panel>
+        <Panel caption="the far corner, nearly fifteen times larger">
           <Bent
             maps={GASKET}
             box={FAR_CORNER}
@@ -139,21 +137,10 @@ function After() {
             grid={0}
             label={`The lower left corner at locality ${fixed(kb)} of 9`}
           />
-          <figcaption>the far corner, nearly fifteen times larger</figcaption>
-        </figure>
+        </Panel>
       </div>
       <div class={layout["controls"]}>
-        <Control label="Locality" symbol="kb" value={fixed(kb)}>
-          <Slider
-            label="Locality"
-            min={0}
-            max={KE}
-            step={0.1}
-            value={kb}
-            valueText={`kb = ${fixed(kb)}`}
-            onChange={setKb}
-          />
-        </Control>
+        <SliderControl label="Locality" symbol="kb" range={[0, KE]} step={0.1} value={kb} onChange={setKb} />
       </div>
       <p>
         Locality says how many letters of the code stay as they are: at 1 a point trades only within its own
@@ -161,9 +148,4 @@ function After() {
       </p>
     </>
   );
-}
-
-function hrefOf(): string {
-  const gasket = { name: "Right gasket", maps: GASKET };
-  return studioHref({ a: gasket, b: gasket, deform: liftOf({ kb: 0, phase: 1 }) });
 }

@@ -2,7 +2,7 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import type { Point } from "../../kit/maps/pieces";
-import { usePixels } from "../../kit/picture/picture";
+import { pictured, usePixels } from "../../kit/picture/canvas";
 import { useValue } from "../../kit/workers";
 import css from "./board.module.css";
 import { CORNERS, type Throws } from "./throws";
@@ -45,10 +45,7 @@ export function Board({ game, count, label, holes = [], onThrow }: BoardProps) {
   };
   return (
     <div class={css["board"]}>
-      <canvas
-        ref={canvas}
-        {...(label === null ? { "aria-hidden": "true" } : { role: "img", "aria-label": label })}
-      />
+      <canvas ref={canvas} {...pictured(label)} />
       <svg
         viewBox={`0 0 ${UNITS.width} ${UNITS.height}`}
         class={onThrow ? css["pressed"] : ""}

@@ -9,7 +9,9 @@ import { Buffer } from "../../kit/connectedness/index-buffer";
 import { Formula } from "../../kit/frame/formula";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
 import { preset, studioHref } from "../../kit/frame/studio-link";
+import { Table } from "../../kit/frame/table";
 import tableCss from "../../kit/frame/table.module.css";
 import { Chip } from "../../kit/frame/verdict";
 import { gasket } from "../../kit/maps/families";
@@ -96,23 +98,26 @@ function Pixels({ size }: { size: number }) {
     run.edges.map((edge) => edge.between),
   ).count;
   return (
-    <figure class={layout["panel"]}>
+    <Panel
+      caption={
+        <>
+          <span class="number">
+            {size} × {size} pixels
+          </span>
+          <Chip
+            tone={count === 1 ? "close" : "broken"}
+            text={count === 1 ? "Connected" : "In pieces"}
+            aside={count === 1 ? "it seems" : "seen apart"}
+          />
+        </>
+      }
+    >
       <Buffer
         run={run}
         count={run.count}
         label={`The shape in ${size} by ${size} pixels: ${count === 1 ? "pieces share pixels" : "no pixel is shared"}.`}
       />
-      <figcaption>
-        <span class="number">
-          {size} × {size} pixels
-        </span>
-        <Chip
-          tone={count === 1 ? "close" : "broken"}
-          text={count === 1 ? "Connected" : "In pieces"}
-          aside={count === 1 ? "it seems" : "seen apart"}
-        />
-      </figcaption>
-    </figure>
+    </Panel>
   );
 }
 
@@ -167,17 +172,14 @@ function Seeing({ prediction, r }: { prediction: Prediction<number>; r: number }
 function Lies({ found, exact }: { found: readonly number[]; exact: number | null }) {
   const here = found.length > 0 ? fixed(median(found), 4) : "…";
   return (
-    <table class={tableCss["measurements"]}>
-      <caption>
-        Least scale <Formula>r</Formula> that is called connected
-      </caption>
-      <thead>
-        <tr>
-          <th scope="col">Judged by</th>
-          <th scope="col">Paper</th>
-          <th scope="col">Here</th>
-        </tr>
-      </thead>
+    <Table
+      caption={
+        <>
+          Least scale <Formula>r</Formula> that is called connected
+        </>
+      }
+      columns={["Judged by", "Paper", "Here"]}
+    >
       <tbody>
         {SIZES.map((size, i) => (
           <tr key={size}>
@@ -197,7 +199,7 @@ function Lies({ found, exact }: { found: readonly number[]; exact: number | null
           <td>0.5</td>
         </tr>
       </tbody>
-    </table>
+    </Table>
   );
 }
 

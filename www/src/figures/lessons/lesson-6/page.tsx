@@ -2,8 +2,10 @@ import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import type { MapRow, Mode } from "#wasm/api";
 import { Plot } from "../../kit/chart/plot";
+import { QUARTERS } from "../../kit/chart/scale";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { determinant, gasket, turnedGasket } from "../../kit/maps/families";
 import { boxAround, determinants, type Ends, mapsAt } from "../../kit/maps/morphs";
@@ -185,20 +187,19 @@ function Shapes({ time }: { time: ReturnType<typeof useTime> }) {
       <p>The same in a shape: its lower left piece (1) is turned by a half turn.</p>
       <div class={`${layout["two-columns"]} ${layout["even"]}`}>
         {MODES.map(({ mode, name }, i) => (
-          <figure key={mode} class={layout["panel"]}>
+          <Panel key={mode} caption={name}>
             <Picture
               maps={all[i] ?? []}
               box={box}
               label={`The shape at t = ${fixed(t)}, ${name}: map 1 has determinant ${fixed(determinant(all[i]?.[0] ?? [0, 0, 0, 0, 0, 0]), 3)}.`}
             />
-            <figcaption>{name}</figcaption>
-          </figure>
+          </Panel>
         ))}
       </div>
       <Time time={time} words={`determinant ${fixed((t - 0.5) ** 2, 3)} against 0.25`} />
       <Plot
         label="The determinant of map 1: number by number it falls from 0.25 to 0 at t = 0.5 and rises again, by turning it stays at 0.25."
-        x={{ name: "t", min: 0, max: 1, ticks: [0, 0.25, 0.5, 0.75, 1] }}
+        x={{ name: "t", ...QUARTERS }}
         y={{ name: "determinant of map 1", min: 0, max: 0.3, ticks: [0, 0.1, 0.2, 0.3] }}
         now={t}
         series={[

@@ -3,10 +3,10 @@ import { fixed } from "#format/numbers";
 import { shareWords, toldOf, verdictWords } from "#format/verdict";
 import { type Uv, uvAt } from "#geometry/path";
 import { STATE } from "#geometry/states";
-import { Slider } from "#ui/controls/Slider";
 import { loadProof, prover } from "#wasm/proof";
+import { SliderControl } from "../../kit/frame/control";
 import { Formula } from "../../kit/frame/formula";
-import { Control, type Heading } from "../../kit/frame/frame";
+import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { drawn, preset, studioHref } from "../../kit/frame/studio-link";
 import { Chip, VerdictChip } from "../../kit/frame/verdict";
@@ -221,17 +221,15 @@ interface CoordinateProps {
 
 function Coordinate({ name, about, value, onChange }: CoordinateProps) {
   return (
-    <Control label={`way point, ${about}`} symbol={name} value={fixed(value)}>
-      <Slider
-        label={`Way point ${name}, ${about}`}
-        min={-1}
-        max={2}
-        step={0.05}
-        value={value}
-        valueText={`${name} = ${fixed(value)}`}
-        onChange={onChange}
-      />
-    </Control>
+    <SliderControl
+      label={`way point, ${about}`}
+      name={`Way point ${name}, ${about}`}
+      symbol={name}
+      range={[-1, 2]}
+      step={0.05}
+      value={value}
+      onChange={onChange}
+    />
   );
 }
 
@@ -245,15 +243,7 @@ function Halfway({ points }: { points: readonly Uv[] }) {
     <>
       <Drawn flat maps={maps} box={box} label={`The shape at t = ${fixed(t)} of your way.`} />
       <VerdictChip answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
-      <Control label="moment on your way" symbol="t" value={fixed(t)}>
-        <Slider
-          label="Moment on your way"
-          value={t}
-          step={0.01}
-          valueText={`t = ${fixed(t)}`}
-          onChange={setT}
-        />
-      </Control>
+      <SliderControl label="moment on your way" symbol="t" step={0.01} value={t} onChange={setT} />
     </>
   );
 }

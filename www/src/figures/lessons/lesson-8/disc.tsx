@@ -1,9 +1,8 @@
 import type { LocusResult } from "#compute/results";
 import { fixed } from "#format/numbers";
 import type { Uv } from "#geometry/path";
-import { Slider } from "#ui/controls/Slider";
-import { Control } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { PointControls } from "../../kit/frame/point-controls";
 import { Plane } from "../../kit/locus/locus-square";
 import { BOUNDS, type Complex, DUST, WHOLE } from "../../kit/locus/set-m";
 import css from "./disc.module.css";
@@ -62,32 +61,22 @@ export function Disc({ field, s, shown, onMove }: DiscProps) {
   );
 }
 
+const PARTS = [
+  { label: "real part of", symbol: "s", name: "Real part of s" },
+  { label: "imaginary part of", symbol: "s", name: "Imaginary part of s" },
+] as const;
+
 /** Both parts of s, for keys and for those who would rather not aim. */
-export function Sliders({ s: [re, im], onMove }: { s: Complex; onMove: (s: Uv) => void }) {
+export function Sliders({ s, onMove }: { s: Complex; onMove: (s: Uv) => void }) {
   return (
     <div class={layout["controls"]}>
-      <Control label="real part of" symbol="s" value={fixed(re, 3)}>
-        <Slider
-          label="Real part of s"
-          min={-0.74}
-          max={0.74}
-          step={0.01}
-          value={re}
-          valueText={complexWords([re, im])}
-          onChange={(next) => onMove([next, im])}
-        />
-      </Control>
-      <Control label="imaginary part of" symbol="s" value={fixed(im, 3)}>
-        <Slider
-          label="Imaginary part of s"
-          min={-0.74}
-          max={0.74}
-          step={0.01}
-          value={im}
-          valueText={complexWords([re, im])}
-          onChange={(next) => onMove([re, next])}
-        />
-      </Control>
+      <PointControls
+        axes={PARTS}
+        range={[-0.74, 0.74]}
+        point={s}
+        said={() => complexWords(s)}
+        onMove={onMove}
+      />
     </div>
   );
 }

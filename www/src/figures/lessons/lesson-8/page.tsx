@@ -9,6 +9,7 @@ import { epoch, submit } from "#workers/pool/engine";
 import { Formula } from "../../kit/frame/formula";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
 import { studioHref } from "../../kit/frame/studio-link";
 import { EXACT, VerdictChip, Why } from "../../kit/frame/verdict";
 import { type Complex, mapsOf, quarterJob, unfolded } from "../../kit/locus/set-m";
@@ -118,17 +119,20 @@ function Shape({ s, text }: { s: Complex; text: string }) {
   const box = useMemo(() => boxAround([maps]), [maps]);
   const judged = useVerdict(maps, EXACT);
   return (
-    <figure class={layout["panel"]}>
+    <Panel
+      caption={
+        <>
+          <span class="number">{text}</span>
+          <VerdictChip epsilon={EXACT} answer={judged?.answer ?? null} />
+        </>
+      }
+    >
       <Picture
         maps={maps}
         box={box}
         label={`The shape of ${text}: ${verdictPhrase(judged?.answer ?? null, EXACT)}.`}
       />
-      <figcaption>
-        <span class="number">{text}</span>
-        <VerdictChip epsilon={EXACT} answer={judged?.answer ?? null} />
-      </figcaption>
-    </figure>
+    </Panel>
   );
 }
 

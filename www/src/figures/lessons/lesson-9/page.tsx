@@ -2,10 +2,11 @@ import { useMemo, useState } from "preact/hooks";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import { lengthWords, shareOf, shareWords } from "#format/verdict";
-import { Slider } from "#ui/controls/Slider";
 import type { MapRow } from "#wasm/api";
-import { Control, type Heading } from "../../kit/frame/frame";
+import { SliderControl } from "../../kit/frame/control";
+import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { Panel } from "../../kit/frame/panel";
 import { studioHref } from "../../kit/frame/studio-link";
 import { EXACT, VerdictChip } from "../../kit/frame/verdict";
 import { mapsOf } from "../../kit/locus/set-m";
@@ -87,15 +88,18 @@ function Alone() {
 function Judged({ maps, box, words }: { maps: MapRow[]; box: Box; words: string }) {
   const judged = useVerdict(maps, EXACT);
   return (
-    <figure class={layout["panel"]}>
+    <Panel
+      caption={
+        <>
+          <span>{words}</span>
+          <VerdictChip epsilon={EXACT} answer={judged?.answer ?? null} />
+        </>
+      }
+    >
       <Drawn maps={maps} box={box} label={words}>
         {(place) => <PieceNames at={middles(maps, box).map(place)} />}
       </Drawn>
-      <figcaption>
-        <span>{words}</span>
-        <VerdictChip epsilon={EXACT} answer={judged?.answer ?? null} />
-      </figcaption>
-    </figure>
+    </Panel>
   );
 }
 
@@ -185,21 +189,18 @@ function Explore() {
       <div class={lessonCss["ask"]}>
         <p>Now change the pieces. Which distances matter, and which may grow without harm?</p>
         {scales.map((scale, i) => (
-          <Control key={`${i + 1}`} label={`scale of piece ${i + 1}`} value={fixed(scale)}>
-            <Slider
-              label={`Scale of piece ${i + 1}`}
-              min={0.2}
-              max={0.6}
-              step={0.01}
-              value={scale}
-              valueText={fixed(scale)}
-              onChange={(next) => {
-                const changed: [number, number, number] = [...scales];
-                changed[i] = next;
-                setScales(changed);
-              }}
-            />
-          </Control>
+          <SliderControl
+            key={`${i + 1}`}
+            label={`scale of piece ${i + 1}`}
+            range={[0.2, 0.6]}
+            step={0.01}
+            value={scale}
+            onChange={(next) => {
+              const changed: [number, number, number] = [...scales];
+              changed[i] = next;
+              setScales(changed);
+            }}
+          />
         ))}
         <VerdictChip epsilon={EXACT} answer={judged?.answer ?? null} stale={judged?.maps !== maps} />
       </div>

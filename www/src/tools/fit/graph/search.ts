@@ -11,8 +11,8 @@ import type {
   HoughOptions,
 } from "#workers/fit/hough";
 import { take } from "./document";
-import { TABLE_3 } from "./examples";
 import { short } from "./model";
+import { TABLE_3 } from "./printed";
 import { isStopped, type Series, series, takeFeatures } from "./series";
 
 const LANES = [0, 1] as const;

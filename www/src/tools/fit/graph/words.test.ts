@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { FoundCluster } from "#workers/fit/hough";
-import { TABLE_3 } from "./examples";
+import { TABLE_3 } from "./printed";
 import { tableThree } from "./search";
 import { aboutOf, axisWords, errorWords, nameOf } from "./words";
 
