@@ -1,4 +1,5 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
+import { ground } from "../stage/sight";
 
 export interface PictureProps {
   image: ImageData | ImageBitmap | null;
@@ -7,7 +8,7 @@ export interface PictureProps {
   ratio: number;
 }
 
-/** A frame, small. */
+/** A frame, small, on the ground that it is filmed on. */
 export function Picture({ image, label, ratio }: PictureProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   useLayoutEffect(() => {
@@ -25,7 +26,7 @@ export function Picture({ image, label, ratio }: PictureProps) {
       class="export-picture"
       role="img"
       aria-label={label}
-      style={{ aspectRatio: String(ratio), "--ratio": String(ratio) }}
+      style={{ aspectRatio: String(ratio), "--ratio": String(ratio), background: ground.value }}
     />
   );
 }
