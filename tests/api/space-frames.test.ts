@@ -15,7 +15,7 @@ const state = await import("../../www/src/document/space/space");
 const edits = await import("../../www/src/document/space/edits");
 const { exportTasks } = await import("../../www/src/workers/space/export");
 const { timesOf } = await import("../../www/src/tools/space/export/plan");
-const { takeAnimation } = await import("../../www/src/tools/space/time/open");
+const { takeAnimation } = await import("../../www/src/tools/space/time/saved/open");
 
 const first = { ...scene.peek() };
 const context = { progress: () => {}, breathe: async () => {}, transfer: () => {}, keep: new Map() };

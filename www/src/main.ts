@@ -11,7 +11,7 @@ import { installHook } from "./shell/hook";
 import { readParameters } from "./shell/parameters";
 import { reportTrouble, showFailure } from "./shell/trouble";
 import { whenFirstPicture } from "./stage/first";
-import { adoptPath, watchAutomaticPath } from "./tools/morph/locus/automatic";
+import { adoptPath, watchAutomaticPath } from "./tools/morph/locus/path/automatic";
 import { load } from "./wasm/core";
 import { compileProof } from "./wasm/proof";
 import { startEngine } from "./workers/pool/engine";

@@ -11,7 +11,7 @@ import { scene } from "#document/scene";
 import { stageStyle } from "#stage/look";
 import { bentPicture, type SheetRequest } from "#stage/surface/sheet";
 import { effectiveView, stageSize } from "#stage/view";
-import { adoptPath } from "#tools/morph/locus/automatic";
+import { adoptPath } from "#tools/morph/locus/path/automatic";
 import { download, plainName, pngOf } from "#ui/files/download";
 import type { Tool } from "#wasm/api";
 import { frond } from "#wasm/core";

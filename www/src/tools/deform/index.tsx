@@ -4,10 +4,10 @@ import { ColourPanel } from "./colour/ColourPanel";
 import { ringed } from "./facts";
 import { GridPanel } from "./mesh/GridPanel";
 import { MotionPanel } from "./motion/MotionPanel";
-import { Start, StartOver } from "./Start";
 import { BendPanel } from "./settings/BendPanel";
 import { ContinuityFold, SpinFold } from "./settings/Folds";
 import { Gallery, ShapePanel } from "./shape/ShapePanel";
+import { Start, StartOver } from "./start/Start";
 import "#ui/panel/panel.css";
 import "./deform.css";
 

@@ -5,7 +5,7 @@ import { notify, wordsOf } from "#document/notice";
 import type { OpenedSeries } from "#workers/fit/trace-types";
 
 export function takeSeries(series: OpenedSeries): void {
-  import("./graph/series").then(
+  import("./graph/model/series").then(
     (graph) => {
       changeFit((now) => (now.mode === "graph" ? now : { ...now, mode: "graph" }));
       graph.takeSeries(series);

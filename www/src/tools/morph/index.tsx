@@ -8,7 +8,7 @@ import type { End } from "./changes";
 import { gallery } from "./dialogs";
 import { Gallery, MapEditor } from "./later";
 import { LocusBeside, LocusPanel } from "./locus/LocusPanel";
-import { PathPanel } from "./locus/PathPanel";
+import { PathPanel } from "./locus/path/PathPanel";
 import { MotionPanel } from "./MotionPanel";
 import { PairNotes, PairsPanel } from "./pairs/PairsPanel";
 import { Ends } from "./shapes/Ends";

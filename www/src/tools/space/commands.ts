@@ -6,7 +6,7 @@ import { type Command, everywhere } from "#ui/commands";
 import { type Timeline, timeCommands } from "#ui/strip/timeline";
 import { goToOrigin, showWhole } from "./stage/actions";
 import { scrubSpace, togglePlay } from "./time/clock";
-import { goToKey, setKey } from "./time/keys";
+import { goToKey, setKey } from "./time/keys/keys";
 
 const TIME: Timeline = {
   now: () => moment.peek(),

@@ -10,7 +10,7 @@ import { PanelFoot } from "#ui/panel/PanelFoot";
 import { LightPanel } from "./light/LightPanel";
 import { MorphPanel3 } from "./morph/MorphPanel3";
 import { watchMorph } from "./morph/work";
-import { openFile } from "./shape/files";
+import { openFile } from "./shape/object/files";
 import { ShapePanel } from "./shape/ShapePanel";
 import { spaceDrawn } from "./stage/state";
 import { TimePanel } from "./time/TimePanel";

@@ -9,7 +9,7 @@ import { useOwnId } from "#ui/id";
 import type { Colouring, Tint } from "#wasm/api";
 import { MOST_ROUGHNESS } from "../changes";
 import { deepest, ringed, rough } from "../facts";
-import { chosen } from "../mesh/chosen";
+import { chosen } from "../mesh/handles/chosen";
 import { blended, cornersOf, firstTint, isBlended, withColouring, withCorner } from "../tint";
 import { detailWords, localityWords, roughnessWords } from "../words";
 

@@ -8,7 +8,7 @@ import { type Option, Segmented } from "#ui/controls/Segmented";
 import { Switch } from "#ui/controls/Switch";
 import { mesh } from "./document";
 import { resetAll } from "./edit";
-import { HandleFields } from "./HandleFields";
+import { HandleFields } from "./handles/HandleFields";
 import { gridShown } from "./shown";
 import { type Symmetry, symmetry } from "./symmetry";
 

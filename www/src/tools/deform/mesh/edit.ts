@@ -2,8 +2,8 @@
 
 import { announce } from "#document/notice";
 import type { Point } from "#geometry/mesh";
-import { chosen, lead } from "./chosen";
 import { mesh, setMoves } from "./document";
+import { chosen, lead } from "./handles/chosen";
 import { pullMoves } from "./pull";
 import { partner, spread, symmetry } from "./symmetry";
 

@@ -5,7 +5,7 @@ import { reducedMotion } from "#document/preferences";
 import { Button } from "#ui/controls/Button";
 import { narrow } from "#ui/media";
 import { pausePhase, playPhase, presentPhase } from "../clock";
-import { MOTIONS, type Motion, motionOf, withMotion } from "../motions";
+import { MOTIONS, type Motion, motionOf, withMotion } from "../start/motions";
 import { TimeOptions } from "../strip/TimeOptions";
 
 // The moment is no part of it.

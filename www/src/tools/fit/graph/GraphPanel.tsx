@@ -4,10 +4,10 @@ import { changeFit } from "#document/fit";
 import { listenForFiles } from "#ui/files/dropFiles";
 import { takeSeries } from "../series";
 import { takeFile as takeOutlineFile } from "../work/source";
-import { FindSection } from "./Find";
-import { FoundSection } from "./Found";
+import { FindSection } from "./find/Find";
+import { FoundSection } from "./find/Found";
+import { isTable, takeFile } from "./model/series";
 import { FunctionSection } from "./Pieces";
-import { isTable, takeFile } from "./series";
 
 /** The function by hand, and how one is found in what is measured. */
 export function GraphPanel() {

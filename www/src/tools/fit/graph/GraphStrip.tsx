@@ -1,7 +1,7 @@
 import "./graph.css";
-import { choose, chosen, current, found, isPicked, running } from "./search";
-import { series } from "./series";
-import { countWords, nameOf } from "./words";
+import { choose, chosen, current, found, isPicked, running } from "./find/search";
+import { series } from "./model/series";
+import { countWords, nameOf } from "./model/words";
 
 const WIDTH = 1000;
 const HEIGHT = 100;

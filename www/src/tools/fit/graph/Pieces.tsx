@@ -20,7 +20,7 @@ import {
   problem,
   take,
   value,
-} from "./document";
+} from "./model/document";
 import {
   interval,
   type Kind,
@@ -31,8 +31,8 @@ import {
   withKnotIn,
   withoutKnot,
   withPart,
-} from "./model";
-import { KINDS } from "./words";
+} from "./model/model";
+import { KINDS } from "./model/words";
 
 /** Up to here all pieces have a slider; beyond, the chosen one has. */
 const ALL = 12;

@@ -5,16 +5,16 @@ import { useEffect } from "preact/hooks";
 import { Legend } from "#stage/locus/Legend";
 import type { LocusStyle } from "#stage/locus/paint";
 import { Segmented } from "#ui/controls/Segmented";
-import { followCritical } from "./critical";
-import { FamilyNotes } from "./FamilyNotes";
+import { followCritical } from "./families/critical";
+import { FamilyNotes } from "./families/FamilyNotes";
 import { LocusSquare } from "./LocusSquare";
-import { Now } from "./Now";
-import { Planes } from "./Planes";
-import { Slice } from "./Slice";
-import { shownField } from "./shown";
-import { Ticks } from "./Ticks";
-import { epsilon, family } from "./view";
-import { WindowNumbers } from "./WindowNumbers";
+import { Now } from "./pointer/Now";
+import { Planes } from "./view/Planes";
+import { Slice } from "./view/Slice";
+import { shownField } from "./view/shown";
+import { Ticks } from "./view/Ticks";
+import { epsilon, family } from "./view/view";
+import { WindowNumbers } from "./view/WindowNumbers";
 
 /** How the field is shown: a way of looking, no part of the document. */
 const style = signal<LocusStyle>("gap");

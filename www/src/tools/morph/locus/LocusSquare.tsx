@@ -3,18 +3,18 @@ import { locusWindow } from "#compute/results";
 import { Field } from "#stage/locus/Field";
 import type { LocusStyle } from "#stage/locus/paint";
 import { pathKind } from "../parts";
-import { CROSS_HINT, Cross, crossKey, useCross } from "./cross";
-import { FamilyLines } from "./FamilyLines";
-import { useGestures } from "./gestures";
-import { CurrentHandle, WayHandle } from "./Handles";
-import { followPointer } from "./hover";
+import { FamilyLines } from "./families/FamilyLines";
 import { End, PathLines, PickedMark } from "./marks";
-import { Preview } from "./Preview";
-import { shownField } from "./shown";
-import { family, shownWindow, view } from "./view";
-import { WorstMark } from "./WorstMark";
-import { chosen, place, way } from "./way";
-import { ZoomButtons } from "./ZoomButtons";
+import { CurrentHandle, WayHandle } from "./path/Handles";
+import { WorstMark } from "./path/WorstMark";
+import { chosen, place, way } from "./path/way";
+import { CROSS_HINT, Cross, crossKey, useCross } from "./pointer/cross";
+import { useGestures } from "./pointer/gestures";
+import { followPointer } from "./pointer/hover";
+import { Preview } from "./pointer/Preview";
+import { shownField } from "./view/shown";
+import { family, shownWindow, view } from "./view/view";
+import { ZoomButtons } from "./view/ZoomButtons";
 
 const LABELS = {
   morph:

@@ -3,10 +3,10 @@ import { pathBreaks } from "#compute/results";
 import { pathPoints } from "#document/morph";
 import type { Uv } from "#geometry/path";
 import { piecesIn, slice, sliced } from "#geometry/polyline";
-import { twins } from "./families";
-import { isOff, isOutside } from "./Handles";
-import { family, picked, shownWindow, sides, view } from "./view";
-import { place } from "./way";
+import { twins } from "./families/families";
+import { isOff, isOutside } from "./path/Handles";
+import { place } from "./path/way";
+import { family, picked, shownWindow, sides, view } from "./view/view";
 
 export function End({ letter, at: [x, y] }: { letter: string; at: [number, number] }) {
   if (isOutside([x, y])) return null;

@@ -13,7 +13,7 @@ import { useOwnId } from "#ui/id";
 import type { RatedCandidate } from "#wasm/api";
 import { isMatched, takeMatching } from "../changes";
 import { matchingOpen } from "../dialogs";
-import { place } from "../locus/way";
+import { place } from "../locus/path/way";
 import { correspondence, turns } from "../parts";
 
 /** Other ways to match the maps, each with its own map of where it holds. */

@@ -9,7 +9,7 @@ import { Dialog } from "#ui/overlay/Dialog";
 import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
 import { choose, nameOf } from "../changes";
 import { gallery } from "../dialogs";
-import { pick } from "../locus/way";
+import { pick } from "../locus/path/way";
 import { shapes } from "../parts";
 
 /** Every preset, to be the shape of one end, and the closed curves. */

@@ -13,7 +13,7 @@ import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
 import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
-import { stateNow } from "../locus/way";
+import { stateNow } from "../locus/path/way";
 import { FilmStrip, frames } from "./FilmStrip";
 import { scrubTo } from "./scrub";
 

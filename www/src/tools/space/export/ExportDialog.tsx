@@ -3,7 +3,7 @@ import { space, timeline } from "#document/space/space";
 import { Button } from "#ui/controls/Button";
 import { Dialog } from "#ui/overlay/Dialog";
 import { exportOpen } from "../time/exporting";
-import { fly } from "../time/fly";
+import { fly } from "../time/flight/fly";
 import { Finished } from "./Finished";
 import { job, made } from "./job";
 import { isFilm } from "./plan";

@@ -5,7 +5,7 @@ import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
 import { Switch } from "#ui/controls/Switch";
 import type { Repeat } from "#wasm/api";
-import { MOST_BYTES } from "../time/saved";
+import { MOST_BYTES } from "../time/saved/saved";
 import { loopOf, secondsWords } from "../time/words";
 import { parametersBytes, secondsFor, usePreview } from "./estimate";
 import { make } from "./job";

@@ -8,7 +8,7 @@ import { type Film, makeFilm } from "#workers/film/make";
 import { spaceTask } from "#workers/space/client";
 import { colours, ground } from "../stage/sight";
 import { exportOpen, exportProgress, openExport } from "../time/exporting";
-import { savedText } from "../time/saved";
+import { savedText } from "../time/saved/saved";
 import { bitrateOf, bytesWords, fileName, isFilm, type Plan, secondsLeft, timesOf } from "./plan";
 import { framesGo, loop } from "./settings";
 

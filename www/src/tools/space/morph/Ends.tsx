@@ -9,9 +9,9 @@ import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import type { Shape3 } from "#wasm/api";
 import { solid } from "#wasm/space";
-import { Gallery } from "../shape/Gallery";
-import { presets } from "../shape/presets";
-import { makePictures, pictures } from "../shape/thumbs";
+import { Gallery } from "../shape/object/Gallery";
+import { presets } from "../shape/object/presets";
+import { makePictures, pictures } from "../shape/object/thumbs";
 import { leadingTo, swapped } from "./changes";
 import { type Goal, goalsOf, missingWords } from "./goals";
 

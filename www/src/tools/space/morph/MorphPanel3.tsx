@@ -10,7 +10,7 @@ import { Button } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { solid } from "#wasm/space";
 import { EPSILON } from "#workers/space/locus-fill";
-import { presets } from "../shape/presets";
+import { presets } from "../shape/object/presets";
 import { startingWith, withoutMorph } from "./changes";
 import { Ends } from "./Ends";
 import { Matching, othersWords } from "./Matching";

@@ -5,12 +5,12 @@ import { formatNumber } from "#format/numbers";
 import { mapsNote } from "#ui/shapes/ShapeGrid";
 import { FactsPanel } from "./FactsPanel";
 import { Fold } from "./Fold";
-import { HandPanel } from "./HandPanel";
-import { MapEditor } from "./MapEditor";
+import { HandPanel } from "./maps/HandPanel";
+import { MapEditor } from "./maps/MapEditor";
+import { ParameterTable } from "./maps/ParameterTable";
 import { facts, object, watchRest } from "./now";
-import { ObjectPanel } from "./ObjectPanel";
-import { ParameterTable } from "./ParameterTable";
-import { ProjectionPanel } from "./ProjectionPanel";
+import { ObjectPanel } from "./object/ObjectPanel";
+import { ProjectionPanel } from "./projection/ProjectionPanel";
 
 /** The objects of space: what they are, what is done to them, and what that does to their parameters. */
 export function ShapePanel() {

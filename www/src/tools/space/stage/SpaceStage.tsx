@@ -8,9 +8,9 @@ import type { PainterBackend } from "#stage/surface/painter";
 import { attachGestures } from "./gestures";
 import { stageKey, stageKeyUp } from "./keys";
 import { Messages } from "./Messages";
-import { SpacePainter } from "./painter";
 import { colours, ground, sight, watchGround } from "./sight";
 import { painted, setPainter, spaceDrawn, stageSize } from "./state";
+import { SpacePainter } from "./surface/painter";
 import { Toolbar } from "./Toolbar";
 import { countsWords, handWords, statusWords } from "./words";
 

@@ -4,7 +4,7 @@ import { spaceFrame, spaceView } from "#document/space/space";
 import type { Size } from "#geometry/coordinates";
 import type { PainterBackend } from "#stage/surface/painter";
 import type { Pixels } from "#stage/surface/surface";
-import { type Painted, type SpacePainter, NOTHING as UNPAINTED } from "./painter";
+import { type Painted, type SpacePainter, NOTHING as UNPAINTED } from "./surface/painter";
 
 /** In CSS pixels. */
 export const stageSize = signal<Size>({ width: 0, height: 0 });

@@ -1,6 +1,6 @@
 /** What the stage of space says. Pure. */
 import { countWords } from "#format/verdict";
-import type { Painted } from "./painter";
+import type { Painted } from "./surface/painter";
 
 /** How much of the picture is there. */
 export function statusWords(painted: Pick<Painted, "backend" | "complete" | "settled" | "points">): string {

@@ -5,7 +5,7 @@ import { Menu } from "#ui/overlay/Menu";
 import type { Repeat } from "#wasm/api";
 import { jumpsBack, withLoop } from "./changes";
 import { pauseSpace } from "./clock";
-import { attempt } from "./keys";
+import { attempt } from "./keys/keys";
 import { LOOPS, loopOf } from "./words";
 
 const lineNow = () => timeline.value ?? space.value?.timeline ?? EMPTY_LINE;

@@ -2,9 +2,9 @@ import { changeTimeline } from "#document/space/edits";
 import { timeline } from "#document/space/space";
 import { Menu } from "#ui/overlay/Menu";
 import { openExport } from "./exporting";
-import { fly } from "./fly";
-import { attempt, removeAllKeys, stretch } from "./keys";
-import { openAnimation } from "./open";
+import { fly } from "./flight/fly";
+import { attempt, removeAllKeys, stretch } from "./keys/keys";
+import { openAnimation } from "./saved/open";
 
 /** What else can be done with time. `all` also has what stands beside it where there is room. */
 export function TimeMenu({ all = false }: { all?: boolean }) {

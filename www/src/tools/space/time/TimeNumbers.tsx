@@ -4,7 +4,7 @@ import { moment, space, timeline } from "#document/space/space";
 import { NumberField, type NumberFieldProps } from "#ui/controls/NumberField";
 import { LONGEST, SHORTEST, secondsProblem, withSeconds } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";
-import { attempt } from "./keys";
+import { attempt } from "./keys/keys";
 
 /** Where there is no room at a field, what takes the words about what was wrong. */
 export interface Problems {

@@ -1,0 +1,103 @@
+import { signal } from "@preact/signals";
+import { Button } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
+import type { FoundCluster } from "#workers/fit/hough";
+import { aboutOf, countWords, errorWords, mapWords, nameOf } from "../model/words";
+import { choose, chosen, found, isPicked, mapOf, picks, search, setDomain, togglePick } from "./search";
+
+/** As many are seen at first. */
+const FEW = 8;
+const all = signal(false);
+
+/** The clusters by hits, with their names, how well they hold, and whether they are picked. */
+export function CandidateList() {
+  const list = found.value;
+  if (list.length === 0) return null;
+  const shown = list
+    .map((cluster, index) => ({ cluster, index }))
+    .filter(({ index }) => all.value || index < FEW || isPicked(index) || index === chosen.value);
+  return (
+    <div class="graph-candidates">
+      <ul aria-label="Candidates, the most hits first">
+        {shown.map(({ cluster, index }) => (
+          <Row key={index} cluster={cluster} index={index} />
+        ))}
+      </ul>
+      {list.length > FEW && (
+        <Button
+          kind="quiet"
+          onClick={() => {
+            all.value = !all.peek();
+          }}
+        >
+          {all.value ? "Fewer" : `All ${list.length}`}
+        </Button>
+      )}
+    </div>
+  );
+}
+
+function Row({ cluster, index }: { cluster: FoundCluster; index: number }) {
+  const open = chosen.value === index;
+  const name = nameOf(cluster, index);
+  return (
+    <li class={`candidate ${open ? "open" : ""}`}>
+      <input
+        type="checkbox"
+        aria-label={`Pick ${name}`}
+        checked={isPicked(index)}
+        onChange={() => togglePick(index)}
+      />
+      <button
+        type="button"
+        class="candidate-name"
+        aria-expanded={open}
+        title={aboutOf(cluster)}
+        onClick={() => choose(index)}
+      >
+        <span>{name}</span>
+        <span class="dim number">{errorWords(cluster)}</span>
+        <span class="dim number">{countWords(cluster.hits)}</span>
+      </button>
+      {open && (
+        <div class="candidate-more">
+          <p class="hint">{aboutOf(cluster)}</p>
+          <p class="number">
+            {mapWords(picks.value.find((one) => one.cluster === index)?.map ?? mapOf(cluster))}
+          </p>
+          {isPicked(index) && <Domain index={index} />}
+        </div>
+      )}
+    </li>
+  );
+}
+
+/** The part that a picked map copies. */
+function Domain({ index }: { index: number }) {
+  const pick = picks.value.find((one) => one.cluster === index);
+  const fine = search.value?.sets.fine;
+  if (!pick || !fine) return null;
+  const [from, to] = [fine[0] ?? 0, fine[fine.length - 2] ?? 1];
+  return (
+    <div class="piece-domain">
+      {([0, 1] as const).map((end) => (
+        <NumberField
+          key={end}
+          label={end === 0 ? "copies from" : "to"}
+          symbol={end === 0 ? "α" : "β"}
+          value={pick.domain[end]}
+          min={from}
+          max={to}
+          step={0.01 * (to - from)}
+          onChange={(t) => {
+            const domain: [number, number] = [...pick.domain];
+            domain[end] = t;
+            if (domain[0] >= domain[1]) return "The part must begin before it ends.";
+            setDomain(index, domain);
+            return undefined;
+          }}
+        />
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,147 @@
+import { signal } from "@preact/signals";
+import { formatNumber } from "#format/numbers";
+import { Button } from "#ui/controls/Button";
+import { Segmented } from "#ui/controls/Segmented";
+import { Switch } from "#ui/controls/Switch";
+import { graph } from "../model/document";
+import { axisWords, countWords, spreadWords } from "../model/words";
+import { CandidateList } from "./Candidates";
+import { type AxesId, ClusterPlot } from "./ClusterPlot";
+import {
+  assemble,
+  assembled,
+  assembling,
+  copying,
+  current,
+  found,
+  live,
+  picks,
+  running,
+  search,
+  tableThree,
+  tied,
+} from "./search";
+
+const axes = signal<AxesId>("ac");
+
+/** What the votes say, and what is made of it. */
+export function FoundSection() {
+  const now = search.value;
+  const counting = live.value;
+  if (!counting && (!now || !current.value)) return null;
+  return (
+    <section class="graph-found">
+      <div class="section-head">
+        <h2>Clusters of votes</h2>
+        {now && !running.value && (
+          <span class="hint number" data-part="took" data-ms={Math.round(now.took)}>
+            {countWords(now.votes)} votes, {formatNumber(now.took / 1000, 1)} s
+          </span>
+        )}
+      </div>
+      <Segmented<AxesId>
+        label="What the picture shows"
+        options={[
+          {
+            value: "ac",
+            label: "Scales a and c",
+            description: "How much copies shrink sideways and upwards",
+          },
+          {
+            value: "principal",
+            label: "Main directions",
+            description: "The two directions in which clusters spread most, of all five",
+          },
+        ]}
+        value={axes.value}
+        onChange={(next) => {
+          axes.value = next;
+        }}
+      />
+      <ClusterPlot axes={counting ? "ac" : axes.value} />
+      {now && current.value && !running.value && (
+        <>
+          <Directions />
+          <CandidateList />
+          <Assembly />
+        </>
+      )}
+    </section>
+  );
+}
+
+function Directions() {
+  const space = search.value?.clusters.space;
+  if (!space)
+    return <p class="hint">No map got more than a few votes. Try other feature points, or smoothing.</p>;
+  return (
+    <p class="hint">
+      {spreadWords(space)}{" "}
+      {axes.value === "principal" && (
+        <>
+          Across: {axisWords(space.axes[0] ?? [])}; up: {axisWords(space.axes[1] ?? [])}.
+        </>
+      )}
+    </p>
+  );
+}
+
+/** From candidates to a whole function. */
+function Assembly() {
+  const seven = search.value?.of.example === "hidden" ? tableThree(found.value) : [];
+  const done = assembled.value;
+  const picked = picks.value.length;
+  return (
+    <div class="graph-assembly">
+      <Switch
+        checked={copying.value}
+        onChange={(on) => {
+          copying.value = on;
+        }}
+        description="The feature points of the copied part, and where the map takes them"
+      >
+        Show the chosen map on the graph
+      </Switch>
+      <div class="row">
+        <Button
+          kind="primary"
+          disabled={assembling.value || found.value.length === 0}
+          onClick={() => void assemble("itself")}
+        >
+          Assemble
+        </Button>
+        <Button disabled={assembling.value || picked === 0} onClick={() => void assemble("hand")}>
+          {picked === 0 ? "Assemble picks" : `Assemble ${picked} ${picked === 1 ? "pick" : "picks"}`}
+        </Button>
+      </div>
+      {picked > 0 && (
+        <Switch
+          checked={tied.value}
+          onChange={(on) => {
+            tied.value = on;
+          }}
+          description="Off: maps stay as they are, as in the paper, and pieces may leave gaps."
+        >
+          Let pieces meet
+        </Switch>
+      )}
+      {seven.length > 0 && (
+        <Button
+          kind="quiet"
+          description="The maps that the authors picked by hand, refined as they did, with their domains"
+          onClick={() => {
+            picks.value = seven;
+          }}
+        >
+          {`Pick those of Table 3 (${seven.length} of 7 found)`}
+        </Button>
+      )}
+      {done && done.graph === graph.value && (
+        <p class="hint" data-part="assembled">
+          {done.graph.kind.toUpperCase()} of {done.graph.pieces.length} pieces: off by{" "}
+          {formatNumber(done.worst, 4)} at most, {done.meanSquare.toExponential(2)} mean squared.
+        </p>
+      )}
+    </div>
+  );
+}

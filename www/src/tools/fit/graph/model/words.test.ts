@@ -1,0 +1,45 @@
+import { expect, it } from "vitest";
+import type { FoundCluster } from "#workers/fit/hough";
+import { tableThree } from "../find/search";
+import { TABLE_3 } from "../printed";
+import { aboutOf, axisWords, errorWords, nameOf } from "./words";
+
+const cluster = (over: Partial<FoundCluster>): FoundCluster => ({
+  hits: 9,
+  map: [0.5, 0, 0.5, 0, 0],
+  at: [0, 0, 0, 0, 0],
+  place: [0, 0, 0, 0, 0],
+  kind: "map",
+  echo: [],
+  candidate: null,
+  ...over,
+});
+
+it("names clusters by what they are", () => {
+  expect(nameOf(cluster({}), 0)).toBe("Map 1");
+  expect(nameOf(cluster({ kind: "clutter" }), 4)).toBe("Clutter 5");
+  const echo = cluster({
+    kind: "echo",
+    echo: [
+      { cluster: 0, inverse: false },
+      { cluster: 1, inverse: true },
+    ],
+  });
+  expect(nameOf(echo, 2)).toBe("Echo 1 2⁻¹");
+  // The last letter is done first.
+  expect(aboutOf(echo)).toContain("undo map 2, then do map 1");
+  expect(errorWords(cluster({}))).toBe("holds nowhere");
+});
+
+it("says a direction in its largest parts", () => {
+  expect(axisWords([0.1, 0.9, -0.4, 0, 0.1])).toBe("0.9 b − 0.4 c");
+});
+
+it("finds the seven maps of the paper among clusters, and nothing that is none of them", () => {
+  const seven = TABLE_3.pieces.map(({ map }) => cluster({ map }));
+  const other = cluster({ map: [0.7, 0.2, 0.1, 0, 0] });
+  const picks = tableThree([other, ...seven]);
+  expect(picks.map((pick) => pick.cluster)).toEqual([1, 2, 3, 4, 5, 6, 7]);
+  expect(picks[3]?.domain).toEqual([0, 1]);
+  expect(tableThree([other])).toEqual([]);
+});

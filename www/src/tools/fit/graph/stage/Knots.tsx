@@ -1,0 +1,183 @@
+import { useEffect, useRef } from "preact/hooks";
+import { announce } from "#document/notice";
+import { endGesture } from "#document/scene";
+import { formatNumber } from "#format/numbers";
+import { changeModel, chosenKnot, model } from "../model/document";
+import type { Knot } from "../model/model";
+import { withKnot, withoutKnot } from "../model/model";
+import { type Frame, leftOf, rounded, tAt, topOf, xAt } from "./frame";
+import { isShown } from "./gestures";
+import { frame } from "./shown";
+
+/** More handles than this would be a wall: then only the chosen one is there. */
+const MOST = 80;
+/** Up to here every knot has its numbers beside it. */
+const LABELLED = 9;
+const STEP = 10;
+
+/** The points that the graph goes through, to be dragged. */
+export function Knots({ faint }: { faint: boolean }) {
+  const { knots } = model.value;
+  const view = frame.value;
+  const chosen = chosenKnot.value;
+  const seen = knots.map((knot, index) => ({ knot, index })).filter(({ knot }) => isShown(knot[0]));
+  const shown = seen.length > MOST ? seen.filter(({ index }) => index === chosen) : seen;
+  const width = view.left + view.width + 40;
+  return (
+    <svg class="overlay graph-knots" width={width} height={view.top + view.height + 90}>
+      <title>Points that the graph goes through</title>
+      {shown.map(({ knot, index }) => (
+        <Handle
+          key={index}
+          index={index}
+          knot={knot}
+          view={view}
+          labelled={!faint && (shown.length <= LABELLED || index === chosen)}
+        />
+      ))}
+    </svg>
+  );
+}
+
+function Handle({
+  index,
+  knot,
+  view,
+  labelled,
+}: {
+  index: number;
+  knot: Knot;
+  view: Frame;
+  labelled: boolean;
+}) {
+  const [left, top] = [leftOf(view, knot[0]), topOf(view, knot[1])];
+  const words = numbers(knot, view);
+  const room = view.left + view.width - left;
+  return (
+    // biome-ignore lint/a11y/useSemanticElements: there are no buttons in SVG
+    <g
+      class={index === chosenKnot.value ? "grip knot chosen" : "grip knot"}
+      data-handle=""
+      role="button"
+      tabindex={0}
+      aria-label={`Point ${index + 1} at t = ${words[0]}, x = ${words[1]}: arrow keys move it, with Shift finer`}
+      transform={`translate(${left.toFixed(2)} ${top.toFixed(2)})`}
+      ref={useGrip(index)}
+    >
+      <circle class="reach" r={22} />
+      <circle class="knob" r={6.5} />
+      {labelled && (
+        <text class="knot-label" x={room < 90 ? -11 : 11} y={-11} text-anchor={room < 90 ? "end" : "start"}>
+          {`${words[0]}, ${words[1]}`}
+        </text>
+      )}
+    </g>
+  );
+}
+
+/** As many digits as a pixel tells apart. */
+function numbers([t, x]: Knot, view: Frame): [string, string] {
+  const digits = (perPixel: number) => Math.min(12, Math.max(2, Math.ceil(-Math.log10(perPixel))));
+  return [
+    formatNumber(t, digits((view.t[1] - view.t[0]) / view.width)),
+    formatNumber(x, digits((view.x[1] - view.x[0]) / view.height)),
+  ];
+}
+
+/** Moves a knot to a place of the stage. */
+function moveTo(index: number, left: number, top: number, gesture: string): void {
+  const view = frame.peek();
+  const to: Knot = [
+    rounded(tAt(view, left), (view.t[1] - view.t[0]) / view.width),
+    rounded(xAt(view, top), (view.x[1] - view.x[0]) / view.height),
+  ];
+  changeModel((now) => withKnot(now, index, to), gesture);
+}
+
+const ARROWS: Record<string, readonly [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+/** Moves a knot by pixels of the stage, only in the direction asked for: the other number stays to the last digit. */
+function nudge(index: number, [across, down]: readonly [number, number], pixels: number): void {
+  const knot = model.peek().knots[index];
+  if (!knot) return;
+  const view = frame.peek();
+  const perPixel = [(view.t[1] - view.t[0]) / view.width, (view.x[1] - view.x[0]) / view.height] as const;
+  const to: Knot = [
+    across === 0 ? knot[0] : rounded(knot[0] + across * pixels * perPixel[0], perPixel[0]),
+    down === 0 ? knot[1] : rounded(knot[1] - down * pixels * perPixel[1], perPixel[1]),
+  ];
+  changeModel((now) => withKnot(now, index, to), `keys knot ${index}`);
+  const moved = model.peek().knots[index];
+  if (moved) announce(`Point ${index + 1}: ${numbers(moved, view).join(", ")}`);
+}
+
+function useGrip(index: number) {
+  const element = useRef<SVGElement | null>(null);
+  useEffect(() => {
+    const node = element.current;
+    if (!node) return;
+    let offset: readonly [number, number] | null = null;
+    const pointer = (event: PointerEvent): [number, number] => {
+      const box = (node.ownerSVGElement ?? node).getBoundingClientRect();
+      return [event.clientX - box.left, event.clientY - box.top];
+    };
+    const down = (event: PointerEvent) => {
+      const knot = model.peek().knots[index];
+      if (event.button !== 0 || !knot) return;
+      chosenKnot.value = index;
+      const [left, top] = pointer(event);
+      const view = frame.peek();
+      offset = [leftOf(view, knot[0]) - left, topOf(view, knot[1]) - top];
+      node.setPointerCapture(event.pointerId);
+    };
+    const move = (event: PointerEvent) => {
+      if (!offset) return;
+      const [left, top] = pointer(event);
+      moveTo(index, left + offset[0], top + offset[1], `drag knot ${index}`);
+    };
+    const up = () => {
+      if (!offset) return;
+      offset = null;
+      endGesture();
+    };
+    const key = (event: KeyboardEvent) => {
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      const arrow = ARROWS[event.key];
+      if (arrow) nudge(index, arrow, event.shiftKey ? 1 : STEP);
+      else if (event.key === "Delete" || event.key === "Backspace")
+        changeModel((now) => withoutKnot(now, index));
+      else return;
+      event.preventDefault();
+      event.stopPropagation();
+    };
+    const focus = () => {
+      chosenKnot.value = index;
+    };
+    node.addEventListener("pointerdown", down);
+    node.addEventListener("pointermove", move);
+    node.addEventListener("pointerup", up);
+    node.addEventListener("pointercancel", up);
+    node.addEventListener("keydown", key);
+    node.addEventListener("keyup", endGesture);
+    node.addEventListener("blur", endGesture);
+    node.addEventListener("focus", focus);
+    return () => {
+      node.removeEventListener("pointerdown", down);
+      node.removeEventListener("pointermove", move);
+      node.removeEventListener("pointerup", up);
+      node.removeEventListener("pointercancel", up);
+      node.removeEventListener("keydown", key);
+      node.removeEventListener("keyup", endGesture);
+      node.removeEventListener("blur", endGesture);
+      node.removeEventListener("focus", focus);
+    };
+  }, [index]);
+  return (node: SVGElement | null) => {
+    element.current = node;
+  };
+}

@@ -1,0 +1,62 @@
+import { MOST_ZOOM } from "#compute/locus/window";
+import { lowered } from "#format/parameters";
+import { powerWords } from "#format/verdict";
+import { Button } from "#ui/controls/Button";
+import { fly, pickPoint, sides } from "../view/view";
+import { critical, criticalScale } from "./critical";
+import { landmarksOf, symmetryWords, theoremWords } from "./families";
+
+/** What others proved of a family, beside what Frond computes, and places to go to. */
+export function FamilyNotes() {
+  const n = sides.value;
+  return (
+    <div class="family-notes">
+      <ul class="landmarks" aria-label="Places to see">
+        {landmarksOf(n, criticalScale(n)).map(({ name, about, s, zoom }) => (
+          <li key={name}>
+            <Button
+              class="chip-button"
+              description={about}
+              onClick={() => {
+                pickPoint(s, undefined, MOST_ZOOM);
+                fly({ x: s[0], y: s[1], zoom });
+              }}
+            >
+              {name}
+            </Button>
+          </li>
+        ))}
+      </ul>
+      <dl class="critical">
+        <div>
+          <dt>
+            On the real line it closes at <span class="symbol">r{lowered(n)}</span>
+          </dt>
+          <dd class="number">{criticalScale(n).toFixed(9)}</dd>
+          <dd class="hint">proved by others</dd>
+        </div>
+        <div>
+          <dt>Frond’s own answer</dt>
+          <Computed />
+        </div>
+      </dl>
+      <ul class="notes">
+        {theoremWords(n).map((words) => (
+          <li key={words}>{words}</li>
+        ))}
+        <li>{symmetryWords(n)}</li>
+      </ul>
+    </div>
+  );
+}
+
+function Computed() {
+  const found = critical.value;
+  if (found?.sides !== sides.value) return <dd class="hint">looking …</dd>;
+  return (
+    <>
+      <dd class="number">{((found.broken + found.holds) / 2).toFixed(9)}</dd>
+      <dd class="hint">{found.done ? `to ${powerWords(found.holds - found.broken)}` : "closing in …"}</dd>
+    </>
+  );
+}

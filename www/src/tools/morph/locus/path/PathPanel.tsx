@@ -1,0 +1,272 @@
+import "#stage/locus/path.css";
+import { computed, useComputed } from "@preact/signals";
+import { certified, certify, stopCertifying } from "#compute/certify";
+import { leavesPlane, plan3, wayOf } from "#compute/plan";
+import { along, locus, pathStates, plan } from "#compute/results";
+import { locusView, pathPoints } from "#document/morph";
+import { edit, endGesture } from "#document/scene";
+import { bestWords, certifiedWords, pathWords, roomWords } from "#format/path-words";
+import { widestAlong } from "#geometry/polyline";
+import { clearanceOf, isBroken, STATE } from "#geometry/states";
+import { Button, IconButton } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
+import { Segmented } from "#ui/controls/Segmented";
+import { Switch } from "#ui/controls/Switch";
+import type { PathKind } from "#wasm/api";
+import { workers } from "#workers/pool/engine";
+import { MOST_POINTS } from "../../changes";
+import { openMatching, openRoutes } from "../../dialogs";
+import { mode, pathKind } from "../../parts";
+import { setThird, third } from "./automatic";
+import { focusHandle } from "./Handles";
+import {
+  addAfter,
+  addHere,
+  bounds,
+  chosen,
+  MOST_W,
+  moveTo,
+  removeAt,
+  showW,
+  thirdShown,
+  way,
+  wayWords,
+} from "./way";
+
+const KINDS: readonly { value: PathKind; label: string; description: string }[] = [
+  { value: "auto", label: "Auto", description: "The way with the narrowest gap, found for you" },
+  { value: "straight", label: "Straight", description: "Turn, stretch and move together, at one pace" },
+  { value: "drawn", label: "Drawn", description: "Through your own way points" },
+];
+
+function setKind(kind: PathKind): void {
+  edit((before) => {
+    if (kind === before.path.kind) return before;
+    // The planned points come with the choice, so that undo and a link hold the path that is seen.
+    const planned = plan.peek();
+    if (kind === "auto") return { ...before, path: { kind, points: planned ? wayOf(planned) : [] } };
+    if (kind === "straight") return { ...before, path: { kind, points: [] } };
+    return { ...before, path: { ...before.path, kind } };
+  });
+}
+
+/** What the path is, whether it holds, and its way points by numbers. */
+export function PathPanel() {
+  return (
+    <section class="path" aria-labelledby="path-title">
+      <header class="section-head">
+        <h2 id="path-title">Path</h2>
+        <Segmented label="Kind of path" value={pathKind.value} options={KINDS} onChange={setKind} />
+      </header>
+      <PathVerdict />
+      <NoWay />
+      {chosen.value === null ? <WayNone /> : <WayPoint index={chosen.value} />}
+      <Certificate />
+    </section>
+  );
+}
+
+/** Whether it holds all the way, how wide its widest gap is, how much room it has. */
+function PathVerdict() {
+  const widest = useComputed(() => {
+    const exact = along.value;
+    if (exact) return exact.worst?.gap ?? 0;
+    const field = locus.value;
+    return field === null ? null : widestAlong(field, pathPoints.value);
+  });
+  const room = useComputed(() => {
+    const field = locus.value;
+    const points = pathPoints.value;
+    if (leavesPlane(points)) return plan3.value?.plan?.clearance ?? null;
+    return field && field.progress === 1 ? clearanceOf(field, points) : null;
+  });
+  const proof = certified.value;
+  const words = pathWords({
+    states: pathStates.value,
+    widest: widest.value ?? 0,
+    proved: proof?.holds === true && proof.done === proof.parts && proof.gap === 0,
+    progress: along.value ? 1 : (locus.value?.progress ?? 0),
+  });
+  const breaks = breaksSeen.value || breaksHidden.value;
+  return (
+    <p class={`path-verdict ${breaks ? "broken" : "whole"}`}>
+      <span class="mark" aria-hidden="true" />
+      <span>
+        {words} {!breaks && roomWords(room.value)}
+      </span>
+    </p>
+  );
+}
+
+/** Whether the path is known to break: for all to see, or by a gap that only a proof shows. */
+const breaksSeen = computed(() => pathStates.value.some(isBroken));
+const breaksHidden = computed(() => pathStates.value.includes(STATE.hidden));
+
+/** Where the automatic path cannot hold: says so, and what else there is. */
+function NoWay() {
+  const found = plan.value;
+  const exact = along.value;
+  const looking = plan3.value !== null && plan3.value.plan === null;
+  const auto = pathKind.value === "auto";
+  const settled = auto && found !== null && exact !== null && locus.value?.progress === 1;
+  const stuck = settled && exact.breaks.length > 0 && !found.holds;
+  // Who has met the third parameter may choose it; nobody else has to know of it while the plane has a path.
+  const met = locusView.value.w !== 0 || thirdShown.value;
+  if (!(third.value || looking || stuck || met)) return null;
+  const best = plan3.value?.plan ?? found;
+  const inVain = plan3.value?.plan != null && !third.value;
+  return (
+    <div class="path-else">
+      {stuck && !looking && <p class="hint">{bestWords(best?.apart === true, plan3.value?.plan != null)}</p>}
+      {mode.value === "polar" && (
+        <Switch
+          checked={third.value}
+          onChange={setThird}
+          description="The stretch may run ahead of the turn, or behind it: a path through three parameters"
+        >
+          {looking ? "With a third parameter: looking …" : "With a third parameter, w"}
+        </Switch>
+      )}
+      {inVain && <p class="hint">The third parameter does not help here.</p>}
+      {stuck && (
+        <div class="path-offers">
+          <Button kind="quiet" onClick={openMatching}>
+            Other ways to match
+          </Button>
+          <Button kind="quiet" onClick={openRoutes}>
+            Other ways across
+          </Button>
+        </div>
+      )}
+    </div>
+  );
+}
+
+function WayNone() {
+  return (
+    <div class="way-none">
+      <Button
+        icon="add"
+        disabled={way.value.length >= MOST_POINTS}
+        description="Add a way point where the picture is now"
+        onClick={() => focusHandle(addHere())}
+      >
+        Add way point
+      </Button>
+      <span class="hint">or press twice on the path</span>
+    </div>
+  );
+}
+
+/** One way point by its numbers, and whether the path breaks there. */
+function WayPoint({ index }: { index: number }) {
+  const point = way.value[index];
+  if (point === undefined) return null;
+  const [u, v, w = 0] = point;
+  const withW = thirdShown.value;
+  return (
+    <fieldset class={`way-point ${withW ? "with-w" : ""}`}>
+      <legend>
+        Way point {index + 1} of {way.value.length} <span class="dim">{wayWords(index)}</span>
+      </legend>
+      <NumberField
+        terse
+        label="turn and stretch, u"
+        symbol="u"
+        value={u}
+        min={bounds.value.u0}
+        max={bounds.value.u1}
+        digits={3}
+        onChange={(next) => moveTo(index, [next, v, w], `way-u-${index}`)}
+        onDone={endGesture}
+      />
+      <NumberField
+        terse
+        label="move, v"
+        symbol="v"
+        value={v}
+        min={bounds.value.v0}
+        max={bounds.value.v1}
+        digits={3}
+        onChange={(next) => moveTo(index, [u, next, w], `way-v-${index}`)}
+        onDone={endGesture}
+      />
+      {withW && (
+        <NumberField
+          terse
+          label="stretch ahead, w"
+          symbol="w"
+          value={w}
+          min={-MOST_W}
+          max={MOST_W}
+          digits={3}
+          onChange={(next) => moveTo(index, [u, v, next], `way-w-${index}`)}
+          onDone={endGesture}
+        />
+      )}
+      <div class="way-tools">
+        {!withW && mode.value === "polar" && (
+          <Button
+            kind="quiet"
+            description="A third number, w: how far the stretch is ahead of the turn"
+            onClick={showW}
+          >
+            <span class="symbol">w</span>
+          </Button>
+        )}
+        <IconButton
+          icon="add"
+          label="Add a way point after this one"
+          kind="quiet"
+          disabled={way.value.length >= MOST_POINTS}
+          onClick={() => focusHandle(addAfter(index))}
+        />
+        <IconButton
+          icon="bin"
+          label="Remove this way point"
+          kind="quiet"
+          onClick={() => {
+            removeAt(index);
+            focusHandle(null);
+          }}
+        />
+      </div>
+    </fieldset>
+  );
+}
+
+/** What can be proved of all of the path, not only of the moments that were looked at. */
+function Certificate() {
+  const now = certified.value;
+  // What is known to break has no proof that it does not.
+  if (now === null && breaksSeen.value) return null;
+  const running = now !== null && now.problem === null && now.done < now.parts;
+  return (
+    <div class="path-proof">
+      {running ? (
+        <>
+          <div class="path-proof-bar">
+            <progress aria-label="The path, being proved" max={1} value={now.done / now.parts} />
+            <Button kind="quiet" onClick={stopCertifying}>
+              Cancel
+            </Button>
+          </div>
+          <p class="hint">{certifiedWords(now)}</p>
+        </>
+      ) : now === null ? (
+        <Button
+          kind="quiet"
+          description="Bound the gap everywhere on the path, not only at the moments that were looked at"
+          disabled={!workers.value.available && along.value === null}
+          onClick={certify}
+        >
+          {breaksHidden.value ? "Bound its gap, end to end" : "Prove it, end to end"}
+        </Button>
+      ) : (
+        <p class="path-proved" role="status">
+          {certifiedWords(now)}
+        </p>
+      )}
+    </div>
+  );
+}

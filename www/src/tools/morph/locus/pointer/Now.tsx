@@ -1,0 +1,107 @@
+import { verdict } from "#compute/results";
+import { FIRST_S, uv } from "#document/morph";
+import { announce, notify } from "#document/notice";
+import { edit } from "#document/scene";
+import { fixed } from "#format/numbers";
+import { complexWords } from "#format/parameters";
+import { verdictPhrase } from "#format/verdict";
+import { Button } from "#ui/controls/Button";
+import { type End, nameOf } from "../../changes";
+import { addAt } from "../path/way";
+import { digitsOf } from "../view/geometry";
+import { backToPath, family, picked, setPlane, sides, view } from "../view/view";
+import { familyMaps } from "./hover";
+
+/** Where the picture is now, in numbers, and what can be done with a point that was taken off the path. */
+export function Now() {
+  return family.value === "morph" ? <OfMorph /> : <OfFamily />;
+}
+
+function OfMorph() {
+  const at = picked.value;
+  const [u, v, w = 0] = at ?? uv.value;
+  // A point on the path moves with the picture: two decimals, so that they do not dance.
+  const digits = at ? Math.max(2, digitsOf(view.value.zoom)) : 2;
+  const third = w !== 0 || view.value.w !== 0;
+  return (
+    <div class="locus-now">
+      <dl>
+        <Value name="turn and stretch" symbol="u" value={fixed(u, digits)} />
+        <Value name="move" symbol="v" value={fixed(v, digits)} />
+        {third && <Value name="stretch ahead" symbol="w" value={fixed(w, 2)} />}
+      </dl>
+      {at && <There />}
+      {at && (
+        <div class="locus-act">
+          <Button onClick={backToPath}>Back to the path</Button>
+          <Button
+            onClick={() => {
+              const [x, y, z = 0] = at;
+              backToPath();
+              addAt([x, y, z]);
+            }}
+          >
+            Add as way point
+          </Button>
+        </div>
+      )}
+    </div>
+  );
+}
+
+/** What is known of the point that was picked: what the stage says of it, since one sample of the map may say less. */
+function There() {
+  const known = verdict.value;
+  if (!known || known.stale) return null;
+  return <p class="hint">At this point: {verdictPhrase(known.connectedness, known.epsilon)}.</p>;
+}
+
+function Value({ name, symbol, value }: { name: string; symbol: string; value: string }) {
+  return (
+    <div>
+      <dt>{name}</dt>
+      <dd>
+        <span class="symbol">{symbol}</span> <output>{value}</output>
+      </dd>
+    </div>
+  );
+}
+
+function OfFamily() {
+  const s = picked.value ?? FIRST_S;
+  const n = sides.value;
+  const words = complexWords(s, Math.max(3, digitsOf(view.value.zoom)));
+  return (
+    <div class="locus-now">
+      <dl>
+        <Value name="turn and shrink by" symbol="s" value={words} />
+      </dl>
+      <There />
+      <div class="locus-act">
+        <Button onClick={() => use("a", n, s)} description="This shape is where the morph starts">
+          Use as A
+        </Button>
+        <Button onClick={() => use("b", n, s)} description="This shape is where the morph ends">
+          Use as B
+        </Button>
+      </div>
+    </div>
+  );
+}
+
+/** Puts a shape of a family at one end of the morph. */
+function use(end: End, n: number, s: [number, number, number?]): void {
+  const maps = familyMaps(n, s);
+  if (!maps) {
+    notify({ kind: "error", text: "This shape could not be made." });
+    return;
+  }
+  const name = `${n === 2 ? "M" : `${n}-gon`} at ${complexWords(s, 3)}`;
+  edit((before) => ({ ...before, [end]: { name, maps }, correspondence: [], turns: [] }));
+  announce(`Shape ${nameOf(end)} is now ${name}.`);
+  notify({
+    kind: "info",
+    text: `Shape ${nameOf(end)} is now ${name}.`,
+    action: { label: "See the morph", run: () => setPlane("morph", 2) },
+  });
+}

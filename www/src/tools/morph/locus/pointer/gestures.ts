@@ -1,0 +1,295 @@
+/** What pointers do on the square: they drag what lies on the path, move and enlarge the view, look, and pick. */
+import type { RefObject } from "preact";
+import { useRef } from "preact/hooks";
+import { pathPoints, selection, uv } from "#document/morph";
+import { endGesture } from "#document/scene";
+import type { Uv } from "#geometry/path";
+import { hitHandle, nearestOn, pointOf } from "#geometry/polyline";
+import { scrubTo } from "../../strip/scrub";
+import { CURRENT_ID, handleId } from "../path/Handles";
+import { addAt, moveTo, pick, removeAt, way } from "../path/way";
+import { zoomed } from "../view/geometry";
+import { backToPath, panBy, pickPoint, setView, shownWindow, stopFlying, view, zoomBy } from "../view/view";
+import { pointed } from "./hover";
+
+/** A hand must travel this far, in CSS pixels, before it drags: a tap stays a tap. */
+const SLACK = 4;
+/** Holding a finger still for so long looks at what is under it, or takes a way point away. */
+const LONG_PRESS_MS = 500;
+/** How near to the path a press counts as on it, in CSS pixels. */
+const LINE = 7;
+/** A wheel that was turning before it came here goes on doing what it did. */
+const WHEEL_REST_MS = 350;
+/** Two presses within this time are one that goes nearer, by so much. */
+const DOUBLE_MS = 400;
+const DOUBLE = 2.5;
+
+type Place = readonly [x: number, y: number];
+
+interface Drag {
+  pointer: number;
+  /** A way point by number, the place on the path, or the ground. */
+  what: number | "moment" | "ground";
+  /** From the handle to where it was taken hold of, so that it does not jump. */
+  offset: readonly [number, number];
+  start: Place;
+  last: Place;
+  moved: boolean;
+  /** A finger that was held still: it looks around. */
+  probing: boolean;
+  timer: ReturnType<typeof setTimeout> | null;
+}
+
+/** When a wheel was last turned elsewhere on the page. */
+let wheeledAt = Number.NEGATIVE_INFINITY;
+if (typeof document !== "undefined") {
+  document.addEventListener(
+    "wheel",
+    (event) => {
+      if (!(event.target instanceof Element && event.target.closest(".locus-square")))
+        wheeledAt = event.timeStamp;
+    },
+    { passive: true, capture: true },
+  );
+}
+
+export function useGestures(square: RefObject<HTMLElement | null>) {
+  const drag = useRef<Drag | null>(null);
+  const tap = useRef<{ at: Place; time: number } | null>(null);
+  const down = useRef(new Map<number, Place>());
+
+  const boxOf = () => square.current?.getBoundingClientRect() ?? new DOMRect(0, 0, 1, 1);
+  /** Parts of the square from its left and from its bottom. */
+  const partsOf = ([x, y]: Place): [number, number] => {
+    const box = boxOf();
+    return [(x - box.left) / (box.width || 1), 1 - (y - box.top) / (box.height || 1)];
+  };
+  const toUv = (place: Place): Uv => {
+    const { u0, v0, u1, v1 } = shownWindow.peek();
+    const [x, y] = partsOf(place);
+    const { family, w } = view.peek();
+    return pointOf(u0 + x * (u1 - u0), v0 + y * (v1 - v0), family === "morph" ? w : 0);
+  };
+  const perPixel = () => {
+    const { u0, u1 } = shownWindow.peek();
+    return (u1 - u0) / (boxOf().width || 1);
+  };
+  const placeOf = (event: MouseEvent): Place => [event.clientX, event.clientY];
+  const isMorph = () => view.peek().family === "morph";
+
+  /** The way point under a press, else the place on the path, else the ground. */
+  const hit = (point: Uv, reach: number): Drag["what"] => {
+    if (!isMorph()) return "ground";
+    const points = way.peek();
+    const index = hitHandle([...points, uv.peek()], point, reach);
+    if (index < 0) return "ground";
+    return index < points.length ? index : "moment";
+  };
+  const onLine = (point: Uv) => {
+    if (!isMorph()) return null;
+    const nearest = nearestOn(pathPoints.peek(), point);
+    return nearest.distance < LINE * perPixel() ? nearest : null;
+  };
+  const finish = (cancel: boolean) => {
+    const done = drag.current;
+    if (done === null) return;
+    if (done.timer !== null) clearTimeout(done.timer);
+    drag.current = null;
+    if (done.what !== "ground" && (cancel || done.moved)) endGesture();
+    if (done.probing) pointed.value = null;
+  };
+  const pinch = (event: PointerEvent, before: Place) => {
+    const other = [...down.current].find(([id]) => id !== event.pointerId)?.[1];
+    if (!other) return;
+    const now = placeOf(event);
+    const apart = (p: Place) => Math.max(8, Math.hypot(p[0] - other[0], p[1] - other[1]));
+    const middle = (p: Place): Place => [(p[0] + other[0]) / 2, (p[1] + other[1]) / 2];
+    const [from, to] = [partsOf(middle(before)), partsOf(middle(now))];
+    panBy(from[0] - to[0], from[1] - to[1]);
+    zoomBy(apart(now) / apart(before), to);
+  };
+
+  return {
+    onPointerDown(event: PointerEvent) {
+      if (event.button !== 0) return;
+      if (event.target instanceof Element && event.target.closest("button")) return;
+      const place = placeOf(event);
+      down.current.set(event.pointerId, place);
+      if (down.current.size > 1) {
+        // A second finger: it was no drag, it is a pinch.
+        finish(true);
+        square.current?.setPointerCapture(event.pointerId);
+        return;
+      }
+      stopFlying();
+      const point = toUv(place);
+      const coarse = event.pointerType !== "mouse";
+      const what = hit(point, perPixel() * (coarse ? 24 : 12));
+      const handle =
+        what === "moment" ? uv.peek() : typeof what === "number" ? (way.peek()[what] ?? point) : point;
+      const held: Drag = {
+        pointer: event.pointerId,
+        what,
+        offset: [handle[0] - point[0], handle[1] - point[1]],
+        start: place,
+        last: place,
+        moved: false,
+        probing: false,
+        timer: null,
+      };
+      if (coarse && what !== "moment") held.timer = setTimeout(() => hold(held), LONG_PRESS_MS);
+      drag.current = held;
+      if (what === "ground") {
+        pick(null);
+        if (coarse && view.peek().zoom > 1) square.current?.setPointerCapture(event.pointerId);
+      } else {
+        event.preventDefault();
+        pointed.value = null;
+        document
+          .getElementById(what === "moment" ? CURRENT_ID : handleId(what))
+          ?.focus({ preventScroll: true });
+        square.current?.setPointerCapture(event.pointerId);
+      }
+    },
+    onPointerMove(event: PointerEvent) {
+      const place = placeOf(event);
+      const before = down.current.get(event.pointerId);
+      if (before && down.current.size > 1) {
+        pinch(event, before);
+        down.current.set(event.pointerId, place);
+        return;
+      }
+      if (before) down.current.set(event.pointerId, place);
+      const now = drag.current;
+      if (now === null) {
+        if (event.pointerType === "mouse" && event.buttons === 0) hover(place);
+        return;
+      }
+      if (event.pointerId !== now.pointer) return;
+      if (now.probing) {
+        pointed.value = { at: toUv(place), by: "touch" };
+        return;
+      }
+      if (!now.moved) {
+        if (Math.hypot(place[0] - now.start[0], place[1] - now.start[1]) < SLACK) return;
+        now.moved = true;
+        if (now.timer !== null) clearTimeout(now.timer);
+        if (now.what === "ground") {
+          pointed.value = null;
+          square.current?.setPointerCapture(event.pointerId);
+        }
+      }
+      if (now.what === "ground") {
+        const [from, to] = [partsOf(now.last), partsOf(place)];
+        if (view.peek().zoom > 1) panBy(from[0] - to[0], from[1] - to[1]);
+        now.last = place;
+        return;
+      }
+      const point = toUv(place);
+      const target: Uv = [point[0] + now.offset[0], point[1] + now.offset[1]];
+      if (now.what === "moment") scrubTo(nearestOn(pathPoints.peek(), target).t);
+      else {
+        const [, , w = 0] = way.peek()[now.what] ?? point;
+        moveTo(now.what, pointOf(target[0], target[1], w), `way-drag-${now.what}`);
+      }
+    },
+    onPointerUp(event: PointerEvent) {
+      down.current.delete(event.pointerId);
+      const now = drag.current;
+      if (now?.pointer !== event.pointerId) return;
+      const tapped = !now.moved && !now.probing;
+      finish(false);
+      if (tapped) press(placeOf(event), now.what, event);
+    },
+    onPointerCancel(event: PointerEvent) {
+      down.current.delete(event.pointerId);
+      finish(true);
+    },
+    onPointerLeave(event: PointerEvent) {
+      if (event.pointerType === "mouse" && drag.current === null) unhover();
+    },
+    // Two presses are told apart from one above, for fingers too; the browser is to select nothing.
+    onDblClick: (event: MouseEvent) => event.preventDefault(),
+    onWheel(event: WheelEvent) {
+      if (event.timeStamp - wheeledAt < WHEEL_REST_MS && !event.ctrlKey) {
+        wheeledAt = event.timeStamp;
+        return;
+      }
+      // At home there is no farther: the panel scrolls.
+      if (view.peek().zoom === 1 && event.deltaY > 0) return;
+      event.preventDefault();
+      const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1);
+      // A pinch on a touch pad arrives as a wheel with Ctrl held, in smaller steps.
+      zoomBy(Math.exp(-pixels * (event.ctrlKey ? 0.01 : 0.0022)), partsOf(placeOf(event)));
+      if (pointed.peek()?.by === "mouse") pointed.value = null;
+    },
+    // At home one finger scrolls the sheet; two, or one that looks around, must not.
+    onTouchStart(event: TouchEvent) {
+      if (event.touches.length > 1 && event.cancelable) event.preventDefault();
+    },
+    onTouchMove(event: TouchEvent) {
+      if ((event.touches.length > 1 || drag.current?.probing) && event.cancelable) event.preventDefault();
+    },
+    onContextMenu(event: MouseEvent) {
+      // What a long press brings up on a phone.
+      if (drag.current !== null || pointed.peek()?.by === "touch") event.preventDefault();
+    },
+  };
+
+  function hold(held: Drag): void {
+    if (drag.current !== held) return;
+    held.timer = null;
+    if (typeof held.what === "number") {
+      const index = held.what;
+      finish(true);
+      removeAt(index);
+    } else if (held.what === "ground") {
+      held.probing = true;
+      square.current?.setPointerCapture(held.pointer);
+      pointed.value = { at: toUv(held.start), by: "touch" };
+    }
+  }
+
+  function hover(place: Place): void {
+    const point = toUv(place);
+    const busy = hit(point, perPixel() * 12) !== "ground";
+    pointed.value = busy ? null : { at: point, by: "mouse" };
+  }
+
+  function unhover(): void {
+    if (pointed.peek()?.by === "mouse") pointed.value = null;
+  }
+
+  /**
+   * A press on the path goes there; elsewhere it takes the point. The second of two takes a way point away, adds one on
+   * the path, and goes nearer anywhere else.
+   */
+  function press(at: Place, what: Drag["what"], { timeStamp: time, pointerType }: PointerEvent): void {
+    const last = tap.current;
+    const near = pointerType === "mouse" ? SLACK : 24;
+    const twice =
+      last && time - last.time < DOUBLE_MS && Math.hypot(at[0] - last.at[0], at[1] - last.at[1]) < near;
+    tap.current = twice ? null : { at, time };
+    const point = toUv(at);
+    const line = what === "ground" ? onLine(point) : null;
+    if (typeof what === "number") {
+      if (twice) removeAt(what);
+    } else if (twice && (line || what === "moment")) addAt(line?.at ?? uv.peek());
+    else if (twice) zoomBy(DOUBLE, partsOf(at));
+    else if (line) {
+      if (view.peek().at) backToPath();
+      scrubTo(line.t);
+    } else if (what === "ground") {
+      pickPoint(point);
+      // Whoever points at a shape wants to see it, not the one that is being edited.
+      selection.value = null;
+    }
+  }
+}
+
+/** Enlarges about a parameter, which stays where it is. */
+export function zoomAbout(factor: number, [u, v]: Uv): void {
+  const { u0, v0, u1, v1 } = shownWindow.peek();
+  const { x, y, zoom } = zoomed(view.peek(), factor, [(u - u0) / (u1 - u0), (v - v0) / (v1 - v0)]);
+  setView({ x, y, zoom });
+}

@@ -1,0 +1,159 @@
+import { useState } from "preact/hooks";
+import { announce, wordsOf } from "#document/notice";
+import { endGesture } from "#document/scene";
+import { changeMaps, hasKeyedMaps, reshapeSpace, tellOfMorph } from "#document/space/edits";
+import { chosen, editSpace, space, spaceFrame, timeline } from "#document/space/space";
+import { formatNumber } from "#format/numbers";
+import { about3, determinant3, scale3 } from "#geometry/maps/affine3";
+import { Button, IconButton } from "#ui/controls/Button";
+import type { MapRow3, Point3 } from "#wasm/api";
+import { solid } from "#wasm/space";
+import { MOST_MAPS, withShape } from "../changes";
+import { factsOf, object } from "../now";
+import { presets } from "../object/presets";
+import { Swatch } from "../object/Swatch";
+import { TwelveFields } from "./TwelveFields";
+
+/** Takes maps that are a shape; of others it says what is wrong, and the last good ones stay. */
+function offer(maps: MapRow3[], gesture?: string): string | undefined {
+  const before = object.peek();
+  if (!before) return undefined;
+  try {
+    solid.validate3(maps);
+    const index = chosen.peek();
+    const options = gesture === undefined ? {} : { gesture };
+    // Maps come and go for all time; their numbers may be those of a moment.
+    if (timeline.peek() && maps.length === before.maps.length) changeMaps(maps, options);
+    else {
+      const morphed = space.peek()?.morph !== undefined;
+      editSpace((now) => withShape(now, index, { name: before.name, maps }), options);
+      tellOfMorph(morphed);
+    }
+    return undefined;
+  } catch (problem) {
+    return wordsOf(problem);
+  }
+}
+
+/** A half about the middle of the shape: what a new map begins as. */
+function half(maps: MapRow3[]): MapRow3 {
+  const centre: Point3 = factsOf(maps)?.centre ?? [0, 0, 0];
+  return about3(scale3([0.5, 0.5, 0.5]), centre);
+}
+
+/** The maps that the chosen object is made with, number by number. */
+export function MapEditor() {
+  const [open, setOpen] = useState<number | null>(0);
+  const [problem, setProblem] = useState<string | null>(null);
+  const { maps: made = [], name = "", preset } = object.value ?? {};
+  const keyed = hasKeyedMaps(timeline.value, chosen.value) && !(chosen.value === 0 && space.value?.morph);
+  const maps = (keyed && spaceFrame.value?.objects[chosen.value]?.maps) || made;
+  const origin = presets().find((one) => one.name === name);
+  /** For a button, whose refusal is told under the list. */
+  const press = (next: MapRow3[], then: number, said: string) => {
+    const refusal = offer(next);
+    if (refusal !== undefined) return setProblem(`${refusal} The maps stay as they were.`);
+    setProblem(null);
+    setOpen(then);
+    announce(said);
+  };
+  return (
+    <div class="solid-part">
+      <p class="hint">
+        As made, before it was moved. Fractions and roots are read too: 1/3, √3/2.
+        {timeline.value && " With a time line, numbers that you change are kept at this moment."}
+      </p>
+      <ol class="solid-maps">
+        {maps.map((map, index) => (
+          // Maps have no name but their number: it is their key.
+          <li key={index} class={`solid-map ${open === index ? "open" : ""}`}>
+            <button
+              type="button"
+              class="solid-map-head"
+              aria-expanded={open === index}
+              onClick={() => setOpen(open === index ? null : index)}
+            >
+              <Swatch map={index} />
+              <span>Map {index + 1}</span>
+              <span class="solid-map-words">{mapWords(map)}</span>
+            </button>
+            {open === index && (
+              <div class="solid-map-body">
+                <TwelveFields
+                  map={map}
+                  onChange={(next, place) => offer(maps.with(index, next), `map ${index} ${place}`)}
+                  onDone={endGesture}
+                />
+                <div class="solid-map-tools">
+                  <IconButton
+                    icon="copy"
+                    label="Duplicate this map"
+                    kind="quiet"
+                    disabled={maps.length >= MOST_MAPS}
+                    onClick={() =>
+                      press(
+                        [...maps, map],
+                        maps.length,
+                        `Map ${maps.length + 1} is a copy of map ${index + 1}.`,
+                      )
+                    }
+                  />
+                  <IconButton
+                    icon="bin"
+                    label="Remove this map"
+                    kind="quiet"
+                    disabled={maps.length < 2}
+                    onClick={() =>
+                      press(
+                        maps.filter((_, i) => i !== index),
+                        Math.max(0, index - 1),
+                        `Map ${index + 1} is removed.`,
+                      )
+                    }
+                  />
+                </div>
+              </div>
+            )}
+          </li>
+        ))}
+      </ol>
+      {problem !== null && (
+        <p class="solid-problem" role="alert">
+          {problem}
+        </p>
+      )}
+      <div class="solid-buttons">
+        <Button
+          icon="add"
+          disabled={maps.length >= MOST_MAPS}
+          onClick={() => press([...maps, half(maps)], maps.length, `Map ${maps.length + 1} is new.`)}
+        >
+          Add a map
+        </Button>
+        {origin && preset === undefined && (
+          <Button
+            kind="quiet"
+            icon="reset"
+            onClick={() => {
+              const { id, maps: first } = origin;
+              const back = { preset: id, name, maps: first };
+              if (!reshapeSpace((now) => withShape(now, chosen.peek(), back))) return;
+              setProblem(null);
+              announce(`Back to ${name}.`);
+            }}
+          >
+            Back to {name}
+          </Button>
+        )}
+      </div>
+      {maps.length >= MOST_MAPS && <p class="hint">{MOST_MAPS} maps is the most there may be.</p>}
+    </div>
+  );
+}
+
+/** A map at a glance: how large what it makes is, and whether it is mirrored or flat. */
+function mapWords(map: MapRow3): string {
+  const volume = determinant3(map);
+  if (Math.abs(volume) < 1e-12) return "flat";
+  return `× ${formatNumber(Math.cbrt(Math.abs(volume)), 3)}${volume < 0 ? ", mirrored" : ""}`;
+}

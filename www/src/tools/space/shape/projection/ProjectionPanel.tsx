@@ -1,0 +1,146 @@
+import { computed, signal } from "@preact/signals";
+import { wordsOf } from "#document/notice";
+import { spaceView } from "#document/space/space";
+import { formatNumber } from "#format/numbers";
+import { axisWords, unit } from "#format/placement";
+import { ShadowPicture } from "#stage/ShadowPicture";
+import { Button } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
+import type { MapRow, MapRow3, Point3 } from "#wasm/api";
+import { solid } from "#wasm/space";
+import { object, rested } from "../now";
+import { Epsilon } from "./Epsilon";
+import { different, takeShadow, tidy } from "./use";
+
+/** The direction of the light that throws the shadow. */
+const direction = signal<Point3>([0, 0, 1]);
+
+const AXES: readonly Point3[] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+/** Directions that every map keeps. */
+const kept = computed((): Point3[] => {
+  try {
+    return rested.value.length > 0 ? solid.invariantDirections(rested.value) : [];
+  } catch {
+    return [];
+  }
+});
+
+/** The system of the plane whose attractor is the shadow; else why there is none. */
+const exact = computed(() => exactly(rested.value, direction.value));
+
+function exactly(maps: MapRow3[], along: Point3): { maps: MapRow[] } | { why: string } {
+  try {
+    return { maps: solid.projectExactly(maps, along) };
+  } catch (problem) {
+    return { why: wordsOf(problem) };
+  }
+}
+
+function towards(next: Point3): string | undefined {
+  const along = unit(next);
+  if (!along) return "A direction needs some length.";
+  direction.value = along;
+  return undefined;
+}
+
+const near = (p: Point3, q: Point3) => Math.abs(Math.abs(p[0] * q[0] + p[1] * q[1] + p[2] * q[2]) - 1) < 1e-9;
+
+/** The shadow on a plane: where it is a system of the plane by itself, and what becomes of one that is not. */
+export function ProjectionPanel() {
+  const now = direction.value;
+  const others = kept.value.filter((one) => !AXES.some((axis) => near(axis, one))).slice(0, 6);
+  return (
+    <div class="solid-part">
+      <p class="hint">Light from far away, along {axisWords(now)}: what falls on the wall behind?</p>
+      <fieldset class="solid-buttons" aria-label="Direction of the light">
+        {AXES.map((axis) => (
+          <Button key={axisWords(axis)} pressed={near(axis, now)} onClick={() => towards(axis)}>
+            {axisWords(axis)}
+            {kept.value.some((one) => near(axis, one)) && <span class="dim"> kept</span>}
+          </Button>
+        ))}
+        {others.map((one) => (
+          <Button key={axisWords(one)} pressed={near(one, now)} onClick={() => towards(one)}>
+            {axisWords(one)}
+            <span class="dim"> kept</span>
+          </Button>
+        ))}
+        <Button kind="quiet" onClick={fromEye}>
+          As the eye looks
+        </Button>
+      </fieldset>
+      <div class="solid-three">
+        {(["x", "y", "z"] as const).map((axis, k) => (
+          <NumberField
+            key={axis}
+            label={`Direction, ${axis}`}
+            symbol={axis}
+            terse
+            value={now[k] ?? 0}
+            step={0.05}
+            onChange={(value) => towards(now.with(k, value) as Point3)}
+          />
+        ))}
+      </div>
+      <ShadowPicture maps={rested.value} direction={now} />
+      <Exact />
+    </div>
+  );
+}
+
+function fromEye(): void {
+  const view = spaceView.peek();
+  if (!view) return;
+  const { turn, tilt } = view;
+  towards([-Math.sin(turn) * Math.cos(tilt), Math.cos(turn) * Math.cos(tilt), -Math.sin(tilt)]);
+}
+
+function Exact() {
+  const found = exact.value;
+  const name = object.value?.name ?? "a shape";
+  if ("maps" in found) {
+    const count = found.maps.length;
+    const others = different(tidy(found.maps)).length;
+    return (
+      <>
+        <p class="notes" role="status">
+          <strong>
+            This shadow is an IFS of the plane: {count} {count === 1 ? "map" : "maps"}
+            {others < count ? `, of which ${others} differ` : ""}.
+          </strong>
+          <span>
+            Every map keeps the direction, so that what it does to the shadow hangs on the shadow alone.
+          </span>
+        </p>
+        <div class="solid-buttons">
+          <Button icon="arrow" onClick={() => void takeShadow(name, found.maps, "morph")}>
+            Morph it
+          </Button>
+          <Button icon="arrow" onClick={() => void takeShadow(name, found.maps, "deform")}>
+            Bend it
+          </Button>
+        </div>
+      </>
+    );
+  }
+  const few = kept.value.length === 0;
+  return (
+    <>
+      <p class="notes" role="status">
+        <strong>This shadow is not an IFS of the plane that comes of these maps.</strong>
+        <span>{found.why}</span>
+        <span>
+          {few
+            ? "No direction is kept by all of its maps."
+            : `Kept are: ${kept.value.slice(0, 6).map(axisWords).join("; ")}.`}
+        </span>
+      </p>
+      <Epsilon maps={rested.value} direction={direction.value} format={(x) => formatNumber(x, 3)} />
+    </>
+  );
+}

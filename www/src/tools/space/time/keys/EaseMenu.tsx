@@ -1,0 +1,23 @@
+import { changeTimeline } from "#document/space/edits";
+import { Menu } from "#ui/overlay/Menu";
+import type { SpaceKey } from "#wasm/api";
+import { withEase } from "../changes";
+import { EASES, easeWords } from "../words";
+import { attempt } from "./keys";
+
+/** How it goes on from a key to the next one. */
+export function EaseMenu({ of, index }: { of: SpaceKey; index: number }) {
+  return (
+    <div class="ease" title={`From key ${index + 1} on: ${easeWords(of.ease)}`}>
+      <Menu
+        label={`Pace after key ${index + 1}: ${easeWords(of.ease)}`}
+        icon="arrow"
+        items={EASES.map(({ value, label }) => ({
+          label,
+          ...(value === of.ease ? { icon: "check" as const } : {}),
+          onSelect: () => attempt(() => changeTimeline((line) => withEase(line, index, value))),
+        }))}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,61 @@
+import { computed } from "@preact/signals";
+import { changeTimeline } from "#document/space/edits";
+import { moment, timeline } from "#document/space/space";
+import { KeyTrack } from "#ui/strip/KeyTrack";
+import type { SpaceTimeline } from "#wasm/api";
+import { keyAt, withKeyAt } from "../changes";
+import { pauseSpace, scrubSpace } from "../clock";
+import { easeWords, keyWords, secondsWords } from "../words";
+import { KeyPicture } from "./KeyPicture";
+import { attempt, removeKey } from "./keys";
+
+/** The key at the present moment, or -1. */
+export const keyHere = computed(() => (timeline.value ? keyAt(timeline.value, moment.value) : -1));
+/** That of the moment, or the last before it. */
+const reach = computed(() => {
+  const keys = timeline.value?.keys ?? [];
+  return Math.max(
+    0,
+    keyHere.value >= 0 ? keyHere.value : keys.findLastIndex((key) => key.at <= moment.value),
+  );
+});
+
+function go(index: number): void {
+  const key = timeline.peek()?.keys[index];
+  if (key) scrubSpace(key.at);
+}
+
+function move(index: number, to: number): void {
+  pauseSpace();
+  attempt(() => changeTimeline((now) => withKeyAt(now, index, to), { gesture: `space key ${index}` }));
+  go(index);
+}
+
+/** The keys of the time line, each with what is seen then. */
+export function Keys({ line }: { line: SpaceTimeline }) {
+  const here = keyHere.value;
+  return (
+    <KeyTrack
+      label="Keys"
+      keys={line.keys}
+      length={line.seconds}
+      here={here}
+      reach={reach.value}
+      step={0.1}
+      about={(index) => {
+        const key = line.keys[index];
+        if (!key) return {};
+        const words = `${secondsWords(key.at)}: ${keyWords(key)}; then ${easeWords(key.ease)}`;
+        return {
+          "aria-label": `Key ${index + 1} of ${line.keys.length}, at ${words}`,
+          title: `Key ${index + 1} at ${words}. Arrows move it, Delete removes it.`,
+          ...(index === here ? { "aria-current": "true" as const } : {}),
+        };
+      }}
+      go={go}
+      move={move}
+      remove={removeKey}
+      Picture={KeyPicture}
+    />
+  );
+}
