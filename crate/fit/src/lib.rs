@@ -74,13 +74,12 @@ pub use hough::{
     assemble, assemble_picked, gather, in_range, name_clusters, refine_map, share_cells,
 };
 pub use outline::{
-    Fidelity, Near, Nearest, Outline, OutlineError, box_count, box_slope, box_slope_of, crossings, features,
-    fidelity,
+    Fidelity, MAX_OUTLINE, Near, Nearest, Outline, OutlineError, box_count, box_slope, box_slope_of,
+    crossings, features, fidelity,
 };
 pub use preset::{CurvePreset, curve_presets};
 pub use read::{FileContent, FileKind, NamedOutline, ReadAs, ReadError, Remark, read_file, sniff};
 pub use segment::{
-    Channel, Component, MAX_OUTLINE, MAX_PIXELS, Mask, MaskOptions, Notice, Stroke, TraceError, Traced,
-    Tracer,
+    Channel, Component, MAX_PIXELS, Mask, MaskOptions, Notice, Stroke, TraceError, Traced, Tracer,
 };
 pub use series::Series;

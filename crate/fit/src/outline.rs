@@ -5,12 +5,15 @@ mod crossing;
 mod features;
 mod fidelity;
 mod near;
+mod thin;
 
 pub use boxes::{box_count, box_slope, box_slope_of};
 pub use crossing::crossings;
 pub use features::features;
 pub use fidelity::{Fidelity, fidelity};
 pub use near::{Near, Nearest};
+pub use thin::MAX_OUTLINE;
+pub(crate) use thin::thinned;
 
 use glam::DVec2;
 use thiserror::Error;

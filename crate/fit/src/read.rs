@@ -1,5 +1,7 @@
 //! From a text file to outlines or a series: drawings, tables and GeoJSON.
 
+mod content;
+mod file;
 mod gather;
 mod geo;
 mod problem;
@@ -8,131 +10,7 @@ mod svg;
 mod table;
 mod text;
 
+pub use content::{FileContent, NamedOutline};
+pub use file::{ReadAs, read_file};
 pub use problem::{ReadError, Remark};
 pub use sniff::{FileKind, sniff};
-
-use glam::DVec2;
-
-use self::gather::{About, FEWEST_POINTS, Gathered, fewer};
-use crate::outline::Outline;
-use crate::segment::{MAX_OUTLINE, thinned};
-
-/// The most bytes of a text.
-const MAX_BYTES: usize = 64 << 20;
-
-/// What a table is to be taken for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ReadAs {
-    /// A series if its first column grows or falls all the way, or is the only one; an outline otherwise.
-    #[default]
-    Guess,
-    /// Outlines.
-    Outlines,
-    /// A series: it is sorted by its first column.
-    Series,
-}
-
-/// An outline in a file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct NamedOutline {
-    /// As the file calls it, or what it was there.
-    pub name: String,
-    /// With y up; at most [`MAX_OUTLINE`] points.
-    pub outline: Outline,
-    /// How often it crosses itself, up to 100; None where that was too much to find out.
-    pub crossings: Option<usize>,
-}
-
-/// What was in a file.
-#[derive(Clone, Debug, PartialEq)]
-pub enum FileContent {
-    /// Outlines, the largest first; never none.
-    Outlines {
-        /// `svg`, `csv` or `geojson`.
-        format: &'static str,
-        /// At most 100.
-        outlines: Vec<NamedOutline>,
-        /// What is to be said of it.
-        remarks: Vec<Remark>,
-    },
-    /// Values x of a function of t: three points (t, x) or more, t growing.
-    Series {
-        /// At most [`MAX_OUTLINE`].
-        points: Vec<DVec2>,
-        /// What is to be said of it.
-        remarks: Vec<Remark>,
-        /// Whether the same numbers make an outline, too.
-        or_outline: bool,
-    },
-}
-
-/// Reads a text file: SVG, a table of numbers, or GeoJSON, whichever it is.
-///
-/// ```
-/// use frond_fit::{FileContent, ReadAs, read_file};
-///
-/// let svg = b"<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0 H4 V3 H0 Z'/></svg>";
-/// let FileContent::Outlines { outlines, .. } = read_file(svg, ReadAs::Guess)? else { return Ok(()) };
-/// assert_eq!(outlines[0].outline.area(), 12.0);
-/// # Ok::<(), frond_fit::ReadError>(())
-/// ```
-///
-/// # Errors
-/// Where the file is something else, too large, or has no outline and no numbers.
-pub fn read_file(bytes: &[u8], read_as: ReadAs) -> Result<FileContent, ReadError> {
-    let kind = sniff(bytes);
-    match kind {
-        FileKind::Empty => return Err(ReadError::Empty),
-        FileKind::Picture(format) => return Err(ReadError::Picture { format }),
-        FileKind::Other(what) => return Err(ReadError::Unknown { what }),
-        FileKind::Svg | FileKind::Json | FileKind::Text => {}
-    }
-    if bytes.len() > MAX_BYTES {
-        return Err(ReadError::TooLarge { megabytes: bytes.len() >> 20 });
-    }
-    let text = text::decode(bytes);
-    match kind {
-        FileKind::Svg => svg::read_svg(&text),
-        FileKind::Json => geo::read_geo(&text),
-        _ => table_content(&text, read_as),
-    }
-}
-
-fn table_content(text: &str, read_as: ReadAs) -> Result<FileContent, ReadError> {
-    let table = table::read_table(text)?;
-    let points = table.line.points();
-    let way = |sign: f64| points.windows(2).all(|pair| sign * (pair[1].x - pair[0].x) >= 0.0);
-    let differ = points.windows(2).filter(|pair| pair[0].x != pair[1].x).count();
-    let one_way = (way(1.0) || way(-1.0)) && 2 * differ >= points.len().saturating_sub(1) && differ > 1;
-    let series = match read_as {
-        ReadAs::Guess => !table.two || one_way,
-        ReadAs::Outlines if !table.two => return Err(ReadError::OneColumn),
-        ReadAs::Outlines => false,
-        ReadAs::Series => true,
-    };
-    if !series {
-        let mut gathered = Gathered::default();
-        gathered.take(&table.line, About { label: (), closed: true, ground: false });
-        return gathered.finish("csv", table.remarks, |()| "table".into());
-    }
-    let or_outline = table.two && points.len() >= FEWEST_POINTS;
-    let (rows, mut remarks) = (table.line.count, table.remarks);
-    let mut points = table.line.into_points();
-    points.sort_by(|a, b| a.x.total_cmp(&b.x));
-    let before = points.len();
-    points.dedup_by(|later, earlier| later.x == earlier.x);
-    if points.len() < before {
-        let message =
-            format!("At {} places there was more than one value: the first is kept.", before - points.len());
-        remarks.push(Remark::new("gaps", message));
-    }
-    if points.len() + 1 < FEWEST_POINTS {
-        return Err(ReadError::TooFew { count: points.len(), series: true });
-    }
-    if points.len() > MAX_OUTLINE {
-        remarks.retain(|remark| remark.code != "thinned");
-        remarks.push(fewer(rows));
-        points = thinned(&points, MAX_OUTLINE);
-    }
-    Ok(FileContent::Series { points, remarks, or_outline })
-}

@@ -24,11 +24,10 @@ use morphology::{close_slits, drop_thin, remove_stalks};
 use otsu::{histogram, quantile};
 use threshold::{Choice, choose};
 
+use crate::outline::{MAX_OUTLINE, thinned};
+
 /// The most pixels that are worked on: some 100 MiB are needed meanwhile.
 pub const MAX_PIXELS: usize = 1 << 22;
-
-/// The most points of an outline.
-pub const MAX_OUTLINE: usize = 100_000;
 
 /// The most pieces of a mask.
 const MAX_PIECES: usize = 64;
@@ -293,15 +292,6 @@ impl Tracer {
             (false, true) => -0.5,
         }
     }
-}
-
-/// Every so many-th of a closed line's points, `most` at the most.
-pub(crate) fn thinned(points: &[DVec2], most: usize) -> Vec<DVec2> {
-    let count = points.len();
-    if count <= most {
-        return points.to_vec();
-    }
-    (0..most).map(|k| points[(k as u128 * count as u128 / most as u128) as usize]).collect()
 }
 
 /// Each value averaged with its neighbours: 1, 2, 1 across and down.

@@ -199,15 +199,6 @@ impl MorphedCurve {
         (0..count).map(|i| self.value(place(i), 1e-6 * self.size, FUEL)).collect()
     }
 
-    /// The box around the curve, a millionth of it too large at most: lowest x and y, highest x and y.
-    #[must_use]
-    pub fn bounds(&self) -> [f64; 4] {
-        let points = self.trace(1e-3 * self.size, None, 1 << 16);
-        let start = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-        let (low, high) = points.iter().fold(start, |(low, high), (_, p)| (low.min(*p), high.max(*p)));
-        [low.x, low.y, high.x, high.y]
-    }
-
     /// How many copies there are.
     #[must_use]
     pub fn copies(&self) -> usize {

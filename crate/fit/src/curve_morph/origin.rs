@@ -1,7 +1,8 @@
 //! What the parts of a morph come from: which edge a place is on, and what each edge copies.
 
-use super::{CurveMorph, MorphedCurve};
-use crate::curve_morph::knot_ring::Ring;
+use super::CurveMorph;
+use super::knot_ring::Ring;
+use super::morphed_curve::MorphedCurve;
 
 impl CurveMorph {
     /// For each edge the arc that it copies at A and the one at B, by the knot it begins at and its number of edges;

@@ -2,7 +2,7 @@
 
 use glam::{DMat2, DVec2};
 
-use super::MorphedCurve;
+use super::morphed_curve::MorphedCurve;
 
 /// The finest tolerance, in parts of the box.
 const FINEST: f64 = 1e-13;
@@ -100,6 +100,15 @@ impl MorphedCurve {
         let count = self.knots.len();
         let many = most.min(count);
         (0..many).map(|i| i * count / many).map(|knot| (self.places[knot], self.knots[knot])).collect()
+    }
+
+    /// The box around the curve, a millionth of it too large at most: lowest x and y, highest x and y.
+    #[must_use]
+    pub fn bounds(&self) -> [f64; 4] {
+        let points = self.trace(1e-3 * self.size, None, 1 << 16);
+        let start = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        let (low, high) = points.iter().fold(start, |(low, high), (_, p)| (low.min(*p), high.max(*p)));
+        [low.x, low.y, high.x, high.y]
     }
 
     /// None where that takes more corners.

@@ -2,9 +2,11 @@
 
 use glam::{DMat2, DVec2};
 
+use super::features::Features;
+use super::options::HoughOptions;
 use super::pairing::Pairing;
 use super::polish::polish;
-use super::{Candidate, Features, HoughOptions};
+use super::refine::Candidate;
 use crate::error::FunctionError;
 use crate::fractal::function::FractalFunction;
 use crate::fractal::piece::Piece;

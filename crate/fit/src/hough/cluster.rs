@@ -1,9 +1,10 @@
 //! Clusters of votes, and what they are.
 
 use super::echo::{Letter, Words};
+use super::features::Features;
+use super::options::{BINS, HoughOptions, PLANE};
 use super::pairing::Pairing;
 use super::refine::{Candidate, refine};
-use super::{BINS, Features, HoughOptions, PLANE};
 
 /// Peaks of one plane that are followed.
 const PEAKS: usize = 32;

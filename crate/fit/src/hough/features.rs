@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::HoughError;
+use super::error::HoughError;
 use crate::fractal::function::FractalFunction;
 
 /// The most feature points that are taken.

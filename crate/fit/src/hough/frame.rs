@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::Features;
+use super::features::Features;
 
 /// From the features' own units to an interval and heights from -1 to 1, and back.
 #[derive(Clone, Copy, Debug, PartialEq)]

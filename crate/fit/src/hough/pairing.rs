@@ -2,8 +2,9 @@
 
 use glam::DVec2;
 
+use super::features::Features;
 use super::frame::Frame;
-use super::{BINS, Features, HoughOptions, PLANE};
+use super::options::{BINS, HoughOptions, MAX_CELLS, PLANE};
 
 /// Cells of (a, b, c).
 pub(crate) const CELLS: usize = BINS * BINS * BINS;
@@ -78,7 +79,7 @@ impl Pairing {
         options.most_b = positive(options.most_b, HoughOptions::default().most_b);
         options.least_a = positive(options.least_a, 0.0);
         options.least_c = positive(options.least_c, 0.0);
-        options.cells = options.cells.clamp(1, super::MAX_CELLS);
+        options.cells = options.cells.clamp(1, MAX_CELLS);
         let frame = Frame::of(fine);
         let framed = |features: &Features| {
             let points: Vec<_> = features.points().iter().map(|&p| frame.inside(p)).collect();

@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use super::cluster::{Cluster, peaks};
+use super::features::Features;
+use super::options::{BINS, HoughOptions, MAX_CELLS, PLANE};
 use super::pairing::{Buffers, CELLS, Listener, Pairing, Row};
 use super::share::gather;
-use super::{BINS, Features, HoughOptions, PLANE};
 
 /// A step ends after so many votes.
 const STEP: u64 = 1 << 21;
@@ -211,8 +212,7 @@ impl SecondPass {
 
     pub(crate) fn of(pairing: Arc<Pairing>, cells: &[u32], part: (usize, usize)) -> Self {
         let cursor = Cursor::new(&pairing, part);
-        let cells: Vec<_> =
-            cells.iter().copied().filter(|&c| (c as usize) < CELLS).take(super::MAX_CELLS).collect();
+        let cells: Vec<_> = cells.iter().copied().filter(|&c| (c as usize) < CELLS).take(MAX_CELLS).collect();
         let mut slabs = vec![false; BINS];
         let mut table = vec![0; CELLS + 1];
         for (place, &cell) in cells.iter().enumerate() {

@@ -3,8 +3,10 @@
 use glam::{DMat2, DVec2};
 
 use super::assemble::{Assembly, Stretch, measured, model_of, piece, whole};
+use super::features::Features;
+use super::options::HoughOptions;
 use super::pairing::Pairing;
-use super::{Candidate, Features, HoughOptions};
+use super::refine::Candidate;
 use crate::error::FunctionError;
 use crate::fractal::function::FractalFunction;
 use crate::fractal::piece::Piece;

@@ -1,6 +1,6 @@
 //! The last refinement: heights of knots and factors, by what the attractor then is.
 
-use super::Features;
+use super::features::Features;
 use crate::fractal::recurrent::Recurrent;
 
 /// First and last step of a factor; of heights in half heights.

@@ -1,7 +1,9 @@
 //! The second pass in parts, for workers that share it.
 
+use super::cluster::Cluster;
+use super::features::Features;
+use super::options::{BINS, HoughOptions};
 use super::pairing::{CELLS, Pairing};
-use super::{BINS, Cluster, Features, HoughOptions};
 
 impl Pairing {
     /// Votes in a pass for each bin of a.

@@ -1,6 +1,7 @@
 //! The space of clusters: most of what votes tell lies in two or three of its five dimensions (section 5.1).
 
-use super::{BINS, Cluster, PLANE};
+use super::cluster::Cluster;
+use super::options::{BINS, PLANE};
 
 /// Rounds of Jacobi's method; five dimensions take six or seven.
 const JACOBI_ROUNDS: usize = 40;

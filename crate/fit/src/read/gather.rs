@@ -3,10 +3,9 @@
 
 use glam::DVec2;
 
+use super::content::{FileContent, NamedOutline};
 use super::problem::{ReadError, Remark};
-use super::{FileContent, NamedOutline};
-use crate::outline::{Outline, crossings};
-use crate::segment::{MAX_OUTLINE, thinned};
+use crate::outline::{MAX_OUTLINE, Outline, crossings, thinned};
 
 /// Points of one line are kept up to so many; of more, every second one, and so on.
 pub const KEPT: usize = 1 << 20;

@@ -6,7 +6,7 @@ use glam::DVec2;
 use serde::de::DeserializeSeed;
 
 use self::visit::{Found, Label, Nest, Object};
-use super::FileContent;
+use super::content::FileContent;
 use super::problem::ReadError;
 use super::text::short;
 use crate::outline::Outline;

@@ -11,10 +11,10 @@ use std::collections::BTreeMap;
 use kurbo::{Affine, PathEl, Rect};
 
 use self::flatten::flatten;
-use self::shape::{Drawn, draw, is_shape};
+use self::shape::{Drawn, MAX_POINTS, Shape, draw, is_shape};
 use self::transform::transform;
 use self::tree::{Tag, Tree};
-use super::FileContent;
+use super::content::FileContent;
 use super::problem::{ReadError, Remark};
 use super::text::short;
 
@@ -24,8 +24,6 @@ const MAX_DRAWN: usize = 20_000;
 const MAX_AGAIN: usize = 16 << 20;
 /// Things used within things used.
 const MAX_USES: usize = 16;
-/// Elements of all paths, and points of all lines once their curves are flattened.
-const MAX_POINTS: usize = 1 << 23;
 /// A shape that all is drawn on has no more elements.
 const MAX_GROUND: usize = 10;
 
@@ -61,16 +59,6 @@ pub fn read_svg(text: &str) -> Result<FileContent, ReadError> {
         1 => names[&shape].clone(),
         count => format!("{}, part {} of {count}", names[&shape], part + 1),
     })
-}
-
-/// A shape that is drawn.
-struct Shape<'a> {
-    tag: Tag<'a>,
-    place: Affine,
-    /// How many shapes were drawn up to it.
-    number: usize,
-    /// Whether it has few elements, as what all is drawn on has.
-    simple: bool,
 }
 
 /// Elements that are still to be drawn: a span of the tree.

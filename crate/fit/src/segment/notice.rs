@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::outline::MAX_OUTLINE;
+
 /// Something that may be amiss with a mask or an outline, though there is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Notice {
@@ -62,7 +64,7 @@ impl Notice {
                     .into()
             }
             Self::Thinned(count) => {
-                format!("The outline had {count} points; {} of them are kept.", super::MAX_OUTLINE)
+                format!("The outline had {count} points; {} of them are kept.", MAX_OUTLINE)
             }
         }
     }

@@ -5,8 +5,7 @@ use kurbo::{PathEl, Point, Rect};
 
 use super::super::gather::{About, Gathered, Line};
 use super::super::problem::ReadError;
-use super::shape::draw;
-use super::{MAX_POINTS, Shape};
+use super::shape::{MAX_POINTS, Shape, draw};
 use crate::outline::bounds;
 
 /// Curves are flattened to this part of the diagonal of all.

@@ -2,10 +2,23 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use kurbo::{PathEl, Point, Rect, Vec2};
+use kurbo::{Affine, PathEl, Point, Rect, Vec2};
 
 use super::path::{Sink, arc, corners, path};
 use super::tree::Tag;
+
+/// Elements of all paths, and points of all lines once their curves are flattened.
+pub const MAX_POINTS: usize = 1 << 23;
+
+/// A shape that is drawn.
+pub struct Shape<'a> {
+    pub tag: Tag<'a>,
+    pub place: Affine,
+    /// How many shapes were drawn up to it.
+    pub number: usize,
+    /// Whether it has few elements, as what all is drawn on has.
+    pub simple: bool,
+}
 
 /// What came of a shape.
 #[derive(Clone, Copy)]
