@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::LinkError;
+use super::error::LinkError;
 use super::words::{damaged, number, numbers, read_some, within};
 use crate::scene::{FamilyName, LocusView, MAX_WAY_POINTS, WayPoint};
 

@@ -9,7 +9,7 @@
 
 use std::fmt::Write as _;
 
-use super::LinkError;
+use super::error::LinkError;
 use super::words::{damaged, number, numbers, read_numbers, within};
 use crate::space::{Held, MAX_PACKED, SpacePart, view_numbers, view_of};
 
