@@ -10,8 +10,8 @@ use std::fmt::Write as _;
 
 use frond_deform::{Continuity, Roughness, Spin};
 
-use super::LinkError;
-use super::words::{choice, damaged, number, numbers, read_numbers, read_some, within};
+use super::error::LinkError;
+use super::words::{choice, damaged, name_of, number, numbers, read_numbers, read_some, within};
 use crate::deformation::{Deformation, Key, MAX_KEYS, MAX_SIDE, Subject, Tint};
 
 /// Lengths beyond are a mistake.
@@ -36,10 +36,6 @@ const JOINS: [(&str, Continuity); 5] = [
     ("average", Continuity::Average),
 ];
 const TERMS: [(&str, bool); 2] = [("all", true), ("last", false)];
-
-fn name_of<T: PartialEq>(choices: &[(&'static str, T)], value: &T) -> &'static str {
-    choices.iter().find_map(|(name, choice)| (choice == value).then_some(*name)).unwrap_or("")
-}
 
 pub(super) fn write_deform(link: &mut String, deform: &Deformation) {
     let plain = Deformation::at_rest(deform.bounds);

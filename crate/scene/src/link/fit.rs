@@ -11,8 +11,10 @@ use std::fmt::Write as _;
 
 use frond_fit::ClosedCurve;
 
-use super::LinkError;
-use super::words::{choice, damaged, escape, number, numbers, read_list, read_numbers, tidy, unescape};
+use super::error::LinkError;
+use super::words::{
+    choice, damaged, escape, name_of, number, numbers, read_list, read_numbers, tidy, unescape,
+};
 use crate::curve::{Curve, CurveShape, Curves};
 use crate::fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS};
 
@@ -25,10 +27,6 @@ type Keys = [&'static str; 3];
 const A: Keys = ["curve-a", "curve-a-name", "The first curve"];
 const B: Keys = ["curve-b", "curve-b-name", "The second curve"];
 const FITTED: Keys = ["fitted", "fitted-name", "The fitted curve"];
-
-fn name_of<T: PartialEq>(choices: &[(&'static str, T)], value: &T) -> &'static str {
-    choices.iter().find_map(|(name, choice)| (choice == value).then_some(*name)).unwrap_or("")
-}
 
 /// What a value cannot be, and why: the full stop comes after it.
 fn as_a(what: &str, why: &impl std::fmt::Display) -> String {

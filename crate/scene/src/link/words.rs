@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::LinkError;
+use super::error::LinkError;
 
 /// The longest name of a shape, in characters.
 const MAX_NAME: usize = 60;
@@ -20,6 +20,11 @@ pub(crate) fn choice<T: Copy>(
             .find_map(|(name, value)| (*name == text).then_some(*value))
             .ok_or_else(|| damaged(key, text)),
     }
+}
+
+/// The name of a value among `choices`.
+pub(crate) fn name_of<T: PartialEq>(choices: &[(&'static str, T)], value: &T) -> &'static str {
+    choices.iter().find_map(|(name, choice)| (choice == value).then_some(*name)).unwrap_or("")
 }
 
 pub(crate) fn read_list<const N: usize>(

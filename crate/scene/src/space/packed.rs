@@ -14,7 +14,7 @@ use std::fmt::Write as _;
 use frond_core::Mode;
 use thiserror::Error;
 
-use crate::link::words::{escape, number, numbers, tidy, unescape};
+use crate::link::words::{escape, name_of, number, numbers, tidy, unescape};
 use crate::scene::{MAX_WAY_POINTS, Path, PathKind, WayPoint};
 use crate::space::document::{
     CourseName, EaseName, MAX_KEYS3, MAX_OBJECTS3, PAGE, PaintName, Repeat, Shape3, Space, SpaceKey,
@@ -101,10 +101,6 @@ impl PackedError {
             Self::Shape { .. } => "space-shape",
         }
     }
-}
-
-fn name_of<T: PartialEq>(choices: &[(&'static str, T)], value: &T) -> &'static str {
-    choices.iter().find_map(|(name, choice)| (choice == value).then_some(*name)).unwrap_or("")
 }
 
 /// A space as a word.
