@@ -1,7 +1,8 @@
 import type { Photograph } from "#document/deform/photograph";
 import type { View } from "#geometry/coordinates";
 import type { Bend, MapRow } from "#wasm/api";
-import type { Renderer, RenderStyle } from "#wasm/core";
+import type { RenderStyle } from "#wasm/core";
+import type { Renderer } from "#wasm/renderer";
 import type { Drawn, Pixels, Surface } from "./surface";
 
 /** The renderer of the Rust side, in the page's units. */

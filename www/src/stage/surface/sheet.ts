@@ -62,7 +62,7 @@ export class SheetPainter {
     });
     canvas.width = width;
     canvas.height = height;
-    canvas.getContext("2d")?.putImageData(new ImageData(pixels, width, height), 0, 0);
+    canvas.getContext("2d")?.putImageData(image(pixels, width, height), 0, 0);
     if (coarse === 1) return;
     const took = performance.now() - began;
     if (took > MOST_MS) this.#coarse = Math.min(COARSEST, this.#coarse + 1);
@@ -79,10 +79,15 @@ export function bentPicture(photograph: Photograph, request: SheetRequest): Imag
   const sheet = new frond.Sheet(photograph.pixels, photograph.width, photograph.height);
   try {
     const { bend, parts, view, width, height } = request;
-    return new ImageData(sheet.draw(bend, parts, { width, height, view }), width, height);
+    return image(sheet.draw(bend, parts, { width, height, view }), width, height);
   } finally {
     sheet.free();
   }
+}
+
+/** What the module gives never lies in shared memory, which its declarations cannot say. */
+function image(pixels: Uint8ClampedArray, width: number, height: number): ImageData {
+  return new ImageData(pixels as Uint8ClampedArray<ArrayBuffer>, width, height);
 }
 
 /** The parts each way of the maps of a picture. */

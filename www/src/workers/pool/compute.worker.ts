@@ -1,6 +1,5 @@
 import { adopt, frond } from "#wasm/core";
 import { toError } from "#wasm/error";
-import type { Proof } from "#wasm/proof";
 import init, * as bindings from "../../../pkg/frond-proof.js";
 import { executor } from "./execute";
 import type { Request, Response } from "./protocol";
@@ -16,7 +15,7 @@ async function breathe(): Promise<void> {
   if (stopped) throw { code: "stopped", message: "Something else was asked for." };
 }
 
-const execute = executor({ ...frond, ...(bindings as unknown as Proof) }, breathe);
+const execute = executor({ ...frond, ...bindings }, breathe);
 
 function reply(response: Response, transfer: Transferable[] = []): void {
   self.postMessage(response, { transfer });

@@ -18,7 +18,7 @@ const pause: Breathe = () => new Promise((resolve) => setTimeout(resolve));
  * each slice does not prepare it again.
  */
 export function executor(
-  frond: Frond & Proof,
+  frond: Omit<Frond, keyof Proof> & Proof,
   breathe: Breathe = pause,
 ): (task: Task) => Promise<{ result: Result; transfer: Transferable[] }> {
   let tiles: { key: number; locus: LocusTiles } | null = null;
@@ -106,7 +106,8 @@ export function executor(
         search.free();
       }
     },
-    certify: (task) => frond.certifyPath({ maps: task.from }, { maps: task.to }, task.points, task.options),
+    certify: ({ from, to, points, options }) =>
+      frond.certifyPath({ maps: from }, { maps: to }, [...points], options),
     certificate({ maps, epsilon }) {
       const certificate = frond.certificate({ maps }, { epsilon });
       return certificate && { certificate, check: frond.checkCertificate(certificate) };
