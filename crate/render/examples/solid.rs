@@ -4,7 +4,7 @@
 use std::time::Instant;
 
 use frond_core::{Affine3, Ifs3};
-use frond_render::solid::{Camera, Carve, Lamp, Lighting, light};
+use frond_render::solid::{Camera, Lamp, Lighting, Traversal, light};
 use frond_render::{Colouring, Look};
 use glam::{DQuat, DVec3};
 
@@ -30,18 +30,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let ifs = Ifs3::new(maps)?;
         let camera = Camera::around(DVec3::ZERO, 5.0, 0.6, 0.45, 0.75)?;
         let start = Instant::now();
-        let mut carve = Carve::new(std::slice::from_ref(&ifs), &camera, side, side);
+        let mut traversal = Traversal::new(std::slice::from_ref(&ifs), &camera, side, side);
         let mut visited = 0;
-        while !carve.run(10_000) {
+        while !traversal.run(10_000) {
             visited += 10_000;
         }
         let carved = start.elapsed();
         let look = Look::new(Colouring::Map, &[], ifs.len());
-        let lamp = Lamp::new(&Lighting::default(), &camera, [side, side], 1, carve.range());
-        let pixels = light(carve.relief(), &lamp, &look);
+        let lamp = Lamp::new(&Lighting::default(), &camera, [side, side], 1, traversal.range());
+        let pixels = light(traversal.depth_buffer(), &lamp, &look);
         println!(
             "{name}: {} lit, {visited} pieces, {carved:?}, light {:?}",
-            carve.relief().lit(),
+            traversal.depth_buffer().lit(),
             start.elapsed() - carved
         );
         std::fs::write(format!("{folder}/{name}-{side}.rgba"), pixels)?;

@@ -34,7 +34,7 @@
 //!    measure.
 //! 5. [`bent`] draws what a [`Bend`](frond_deform::Bend) deforms: in pieces that are even in themselves. `sheet` does
 //!    it to a photograph.
-//! 6. [`solid`] is space: a [`Carve`](solid::Carve) leaves a depth buffer, which is shaded; points are splats.
+//! 6. [`solid`] is space: a [`Traversal`](solid::Traversal) leaves a depth buffer, which is shaded; points are splats.
 //! 7. `gpu` draws on a card: a `Stage` chooses between passes, which share one `StageState`; `locus` decides the
 //!    samples of a connectedness locus.
 //!

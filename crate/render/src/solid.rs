@@ -1,12 +1,12 @@
 //! Pictures of attractors of space, on the processor: complete, for stills and as truth for the graphics card.
 //!
-//! A [`Camera`] looks at one or more systems. A [`Carve`] walks down their trees of pieces, the nearest first, passes
-//! over what is out of sight or behind what is there already, and leaves a [`Relief`]: for each pixel how far the
-//! nearest piece is, and which. [`light`] makes a picture of it: light from the lie of the surface, shade in its
-//! hollows, fog.
-
-//! A graphics card draws [`Cloud`]s of points in the time of a frame, [`Spread`]s them, [`mend`]s what holes are left
-//! and lights them alike; at rest it is given the carved relief.
+//! A [`Camera`] looks at one or more systems. A [`Traversal`] walks down their trees of pieces, the nearest first,
+//! passes over what is out of sight or behind what is there already, and leaves a [`DepthBuffer`]: for each pixel how
+//! far the nearest piece is, and which. [`light`] makes a picture of it: light from the lie of the surface, shade in
+//! its hollows, fog.
+//!
+//! A graphics card draws [`Cloud`]s of points in the time of a frame, splats them by [`SplatStep`]s, fills what holes
+//! are left ([`fill_holes`]) and lights them alike; at rest it is given the complete depth buffer.
 
 mod camera;
 mod depth_buffer;
@@ -15,13 +15,13 @@ mod lamp;
 mod points;
 mod shade;
 mod splat;
-mod traverse;
+mod traversal;
 
 pub use camera::{Camera, CameraError};
-pub use depth_buffer::Relief;
-pub use hole_fill::mend;
+pub use depth_buffer::DepthBuffer;
+pub use hole_fill::fill_holes;
 pub use lamp::{Lamp, Lighting, Paint};
 pub use points::{Cloud, Eye, Instance3, Vertex3};
 pub use shade::light;
-pub use splat::Spread;
-pub use traverse::{Carve, MAX_OBJECTS, depths};
+pub use splat::SplatStep;
+pub use traversal::{MAX_OBJECTS, Traversal, depths};

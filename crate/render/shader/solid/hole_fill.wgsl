@@ -7,7 +7,7 @@ struct Kept {
 
 // A surface of points has holes while it moves: what most of the neighbours lie before is taken for one.
 @fragment
-fn mend_fragment(@builtin(position) position: vec4<f32>) -> Kept {
+fn hole_fill_fragment(@builtin(position) position: vec4<f32>) -> Kept {
     let at = vec2<i32>(position.xy);
     let own = depth_at(at);
     let slack = 6.0 / lamp.focal;

@@ -1,6 +1,6 @@
 // Points as large as the space between them: each is offered to the pixels a step away. CPU twin: src/solid/splat.rs.
 
-struct Spread {
+struct SplatStep {
     // Width and height, in pixels.
     size: vec2<i32>,
     // Pixels a unit at depth 1.
@@ -11,7 +11,7 @@ struct Spread {
     gaps: array<vec4<f32>, 15>,
 }
 
-@group(0) @binding(0) var<uniform> spread: Spread;
+@group(0) @binding(0) var<uniform> splat: SplatStep;
 @group(0) @binding(2) var codes: texture_2d<u32>;
 @group(0) @binding(3) var depths: texture_2d<u32>;
 
@@ -26,7 +26,7 @@ struct Offer {
 
 fn offer_at(at: vec2<i32>, come: u32) -> Offer {
     var code = 0u;
-    if all(at >= vec2<i32>(0)) && all(at < spread.size) {
+    if all(at >= vec2<i32>(0)) && all(at < splat.size) {
         code = textureLoad(codes, at, 0).r;
     }
     if code == 0u {
@@ -34,8 +34,8 @@ fn offer_at(at: vec2<i32>, come: u32) -> Offer {
     }
     let depth = bitcast<f32>(textureLoad(depths, at, 0).r);
     let object = min(((code & 0xffffffu) - 1u) >> 18u, 59u);
-    let gap = spread.gaps[object / 4u][object % 4u];
-    let reach = u32(min(2.0 * gap * spread.focal / depth, 255.0));
+    let gap = splat.gaps[object / 4u][object % 4u];
+    let reach = u32(min(2.0 * gap * splat.focal / depth, 255.0));
     return Offer(code, depth, come + (code >> 24u), reach, gap);
 }
 
@@ -53,14 +53,14 @@ struct Kept {
 }
 
 @fragment
-fn spread_fragment(@builtin(position) position: vec4<f32>) -> Kept {
+fn splat_fragment(@builtin(position) position: vec4<f32>) -> Kept {
     let at = vec2<i32>(position.xy);
     var best = offer_at(at, 0u);
     for (var k = 0; k < 9; k++) {
         let off = vec2<i32>(k % 3 - 1, k / 3 - 1);
         if k != 4 {
             let far = select(2.0, 2.828427, off.x != 0 && off.y != 0);
-            let next = offer_at(at + spread.step * off, u32(round(far * f32(spread.step))));
+            let next = offer_at(at + splat.step * off, u32(round(far * f32(splat.step))));
             if next.code != 0u && next.come <= next.reach && before(next, best) {
                 best = next;
             }

@@ -1,4 +1,4 @@
-//! Drawing space: clouds of points while things move, the carved relief when they rest.
+//! Drawing space: clouds of points while things move, the complete depth buffer when they rest.
 
 mod pipelines;
 mod stage;

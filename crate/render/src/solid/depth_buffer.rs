@@ -1,8 +1,8 @@
 //! How far away the nearest piece is, pixel by pixel.
 
-/// A picture in depth: what a [`Carve`](super::Carve) leaves.
+/// A picture in depth: what a [`Traversal`](super::Traversal) leaves.
 #[derive(Clone, Debug)]
-pub struct Relief {
+pub struct DepthBuffer {
     width: u32,
     height: u32,
     /// Depths, row by row from the top; infinite where nothing is.
@@ -19,7 +19,7 @@ struct Level {
     farthest: Vec<f32>,
 }
 
-impl Relief {
+impl DepthBuffer {
     /// With nothing to be seen. Sides of 0 are taken as 1.
     #[must_use]
     pub fn new(width: u32, height: u32) -> Self {
@@ -124,11 +124,11 @@ mod tests {
             ((seed >> 33) % u64::from(most)) as u32
         };
         for (width, height) in [(1, 1), (7, 3), (16, 16), (33, 20)] {
-            let mut relief = Relief::new(width, height);
+            let mut buffer = DepthBuffer::new(width, height);
             let mut truth = vec![f32::INFINITY; (width * height) as usize];
             for step in 0..3000 {
                 let (x, y, depth) = (next(width), next(height), next(1000) as f32);
-                relief.put(x, y, depth, step + 1);
+                buffer.put(x, y, depth, step + 1);
                 let held = &mut truth[(y * width + x) as usize];
                 *held = held.min(depth);
                 let (x0, y0) = (next(width), next(height));
@@ -139,13 +139,13 @@ mod tests {
                     .fold(0.0, f32::max);
                 // Cells of a level may stick out of the box, which can only make it hide less.
                 for depth in [farthest, 0.5 * farthest] {
-                    assert!(!relief.hides([x0, y0, x1, y1], depth));
+                    assert!(!buffer.hides([x0, y0, x1, y1], depth));
                 }
             }
-            assert_eq!(relief.depth(), &truth[..]);
+            assert_eq!(buffer.depth(), &truth[..]);
             let all = truth.iter().copied().fold(0.0, f32::max);
             let whole = [0, 0, width - 1, height - 1];
-            assert!(!relief.hides(whole, all) && (all == f32::INFINITY || relief.hides(whole, all + 1.0)));
+            assert!(!buffer.hides(whole, all) && (all == f32::INFINITY || buffer.hides(whole, all + 1.0)));
         }
     }
 }

@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use frond_core::{Affine3, ChaosGame3, Ifs3, adaptive_cut3, affinity_dimension};
 
-use super::{Camera, Relief};
+use super::{Camera, DepthBuffer};
 use crate::pieces::letters::Letters;
 
 /// A camera as the shader reads it: a uniform buffer.
@@ -56,7 +56,7 @@ pub struct Cloud {
 }
 
 /// Letters count from this bit on, objects in codes.
-pub(super) const OBJECT: u32 = 18;
+pub(super) const OBJECT_BIT: u32 = 18;
 
 /// The fewest points of a cloud that is placed several times.
 const FEWEST_CLOUD_POINTS: usize = 400;
@@ -80,7 +80,7 @@ fn instances(ifs: &Ifs3, number: u32, most: usize) -> Vec<Instance3> {
         Instance3 {
             rows: rows(map),
             letters: letters.packed() | u32::from(letters.count()) << 18,
-            object: number << OBJECT,
+            object: number << OBJECT_BIT,
         }
     };
     found.iter().map(instance).collect()
@@ -109,7 +109,7 @@ impl Eye {
     }
 
     /// Puts a point of a piece where the eye sees it.
-    pub fn draw(&self, relief: &mut Relief, point: &Vertex3, piece: &Instance3) {
+    pub fn draw(&self, buffer: &mut DepthBuffer, point: &Vertex3, piece: &Instance3) {
         let dot = |row: &[f32; 4], p: [f32; 3]| row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3];
         let place = [0, 1, 2].map(|k| dot(&piece.rows[k], point.position));
         let [x, y, z] = [0, 1, 2].map(|k| dot(&self.rows[k], place));
@@ -118,13 +118,13 @@ impl Eye {
         let (column, row) = ((0.5 * width + scale * x).floor(), (0.5 * height - scale * y).floor());
         if z > self.near && column >= 0.0 && row >= 0.0 && column < width && row < height {
             let letters = piece.letters & 0x3_ffff | point.letters >> (6 * (piece.letters >> 18));
-            relief.put(column as u32, row as u32, z, (piece.object | letters) + 1);
+            buffer.put(column as u32, row as u32, z, (piece.object | letters) + 1);
         }
     }
 }
 
 /// The space that each of `count` points has to itself, if they are spread over something of the system's dimension and
-/// of the size of `vertices`. Chance leaves larger holes than that, and larger points would hide what is fine: mending
+/// of the size of `vertices`. Chance leaves larger holes than that, and larger points would hide what is fine: filling holes
 /// closes most.
 fn gap(ifs: &Ifs3, vertices: &[Vertex3], count: usize) -> f32 {
     let reach = |k: usize| {
@@ -174,7 +174,7 @@ mod tests {
     use glam::{DQuat, DVec3};
 
     use super::*;
-    use crate::solid::{Carve, mend};
+    use crate::solid::{Traversal, fill_holes};
 
     #[test]
     fn points_fall_where_the_pieces_are_and_mending_closes_the_holes() {
@@ -182,30 +182,30 @@ mod tests {
         let maps = corners.map(|c| Affine3::similitude(0.5, DQuat::IDENTITY, c * 0.5)).to_vec();
         let ifs = Ifs3::new(maps).unwrap();
         let camera = Camera::around(DVec3::splat(0.3), 3.0, 0.5, 0.4, 0.6).unwrap();
-        let mut carve = Carve::new(std::slice::from_ref(&ifs), &camera, 120, 90);
-        let range = carve.range();
-        assert!(carve.run(10_000_000));
+        let mut traversal = Traversal::new(std::slice::from_ref(&ifs), &camera, 120, 90);
+        let range = traversal.range();
+        assert!(traversal.run(10_000_000));
         let eye = Eye::new(&camera, 120, 90, range);
         let cloud = Cloud::new(&ifs, 3, 200_000, 1);
         assert!(cloud.points() > 100_000 && cloud.points() <= 200_000);
-        let mut relief = Relief::new(120, 90);
+        let mut buffer = DepthBuffer::new(120, 90);
         for piece in &cloud.instances {
             for point in &cloud.vertices {
-                eye.draw(&mut relief, point, piece);
+                eye.draw(&mut buffer, point, piece);
             }
         }
-        let off = |relief: &Relief| {
-            let pairs = relief.depth().iter().zip(carve.relief().depth());
+        let off = |buffer: &DepthBuffer| {
+            let pairs = buffer.depth().iter().zip(traversal.depth_buffer().depth());
             pairs.filter(|(a, b)| a.is_finite() != b.is_finite()).count()
         };
-        let lit = carve.relief().lit();
+        let lit = traversal.depth_buffer().lit();
         // Pixels of a piece that is smaller than one are lit by its middle: borders differ.
-        assert!(off(&relief) * 5 < lit, "{} of {lit}", off(&relief));
-        let same = relief.depth().iter().zip(carve.relief().depth());
+        assert!(off(&buffer) * 5 < lit, "{} of {lit}", off(&buffer));
+        let same = buffer.depth().iter().zip(traversal.depth_buffer().depth());
         let near = same.filter(|(a, b)| (**a - **b).abs() < 0.02).count();
         assert!(near * 4 > lit * 3, "{near} of {lit}");
-        let first = relief.codes().iter().find(|&&code| code != 0).unwrap() - 1;
-        assert_eq!(first >> OBJECT, 3);
-        assert!(mend(&relief, eye.focal).lit() + 200 > relief.lit());
+        let first = buffer.codes().iter().find(|&&code| code != 0).unwrap() - 1;
+        assert_eq!(first >> OBJECT_BIT, 3);
+        assert!(fill_holes(&buffer, eye.focal).lit() + 200 > buffer.lit());
     }
 }

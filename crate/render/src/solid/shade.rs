@@ -2,8 +2,8 @@
 
 use glam::{Vec3, Vec4};
 
-use super::points::OBJECT;
-use super::{Lamp, Relief};
+use super::points::OBJECT_BIT;
+use super::{DepthBuffer, Lamp};
 use crate::picture::colour::Look;
 
 /// Pixels to each side that the lie of the surface is taken from.
@@ -16,11 +16,11 @@ const RAYS: usize = 8;
 /// As deep as nothing is.
 pub(super) const NOTHING_DEPTH: f32 = 1e30;
 
-/// RGBA pixels of a relief, row 0 on top, as `lamp` has it: `lamp.factor` x `lamp.factor` pixels of the relief make
+/// RGBA pixels of a depth buffer, row 0 on top, as `lamp` has it: `lamp.factor` x `lamp.factor` pixels of the buffer make
 /// one.
 #[must_use]
-pub fn light(relief: &Relief, lamp: &Lamp, look: &Look) -> Vec<u8> {
-    let scene = Scene { relief, lamp, look };
+pub fn light(buffer: &DepthBuffer, lamp: &Lamp, look: &Look) -> Vec<u8> {
+    let scene = Scene { buffer, lamp, look };
     let factor = lamp.factor.max(1);
     let (width, height) = (lamp.size[0] / factor, lamp.size[1] / factor);
     let mut pixels = Vec::with_capacity(4 * (width.max(0) * height.max(0)) as usize);
@@ -42,20 +42,20 @@ fn to_linear(colour: Vec3) -> Vec3 {
 }
 
 struct Scene<'a> {
-    relief: &'a Relief,
+    buffer: &'a DepthBuffer,
     lamp: &'a Lamp,
     look: &'a Look,
 }
 
 impl Scene<'_> {
     fn inside(&self, x: i32, y: i32) -> bool {
-        x >= 0 && y >= 0 && x < self.relief.width() as i32 && y < self.relief.height() as i32
+        x >= 0 && y >= 0 && x < self.buffer.width() as i32 && y < self.buffer.height() as i32
     }
 
     /// The code at a pixel; 0 beyond the border.
     fn code(&self, x: i32, y: i32) -> u32 {
-        let at = || (y * self.relief.width() as i32 + x) as usize;
-        if self.inside(x, y) { self.relief.codes()[at()] } else { 0 }
+        let at = || (y * self.buffer.width() as i32 + x) as usize;
+        if self.inside(x, y) { self.buffer.codes()[at()] } else { 0 }
     }
 
     /// The depth at a pixel.
@@ -63,14 +63,14 @@ impl Scene<'_> {
         if self.code(x, y) == 0 {
             return NOTHING_DEPTH;
         }
-        self.relief.depth()[(y * self.relief.width() as i32 + x) as usize]
+        self.buffer.depth()[(y * self.buffer.width() as i32 + x) as usize]
     }
 
-    /// The colour of a pixel of the relief, and 1 where there is something.
+    /// The colour of a pixel of the buffer, and 1 where there is something.
     fn lit(&self, x: i32, y: i32) -> Vec4 {
         let Some(place) = self.code(x, y).checked_sub(1) else { return Vec4::ZERO };
         let (lamp, look, depth) = (self.lamp, self.look, self.depth(x, y));
-        let tint = Vec4::from(lamp.tints[((place >> OBJECT) as usize).min(lamp.tints.len() - 1)]);
+        let tint = Vec4::from(lamp.tints[((place >> OBJECT_BIT) as usize).min(lamp.tints.len() - 1)]);
         let mut colour = Vec3::from(look.colour((place & 0x3_ffff) + 1));
         if tint.w > 0.5 {
             colour = tint.truncate();
@@ -181,18 +181,18 @@ mod tests {
         Camera::looking(DVec3::Z * 10.0, DVec3::ZERO, DVec3::Y, 0.8).unwrap()
     }
 
-    /// The grey of each pixel of a relief whose depth is given.
+    /// The grey of each pixel of a buffer whose depth is given.
     fn greys(side: u32, depth: impl Fn(f32, f32) -> f32, lighting: &Lighting) -> Vec<u8> {
-        let mut relief = Relief::new(side, side);
+        let mut buffer = DepthBuffer::new(side, side);
         for (y, x) in (0..side).flat_map(|y| (0..side).map(move |x| (y, x))) {
             let depth = depth(x as f32 / side as f32 - 0.5, 0.5 - y as f32 / side as f32);
             if depth.is_finite() {
-                relief.put(x, y, depth, 1);
+                buffer.put(x, y, depth, 1);
             }
         }
         let look = Look::new(Colouring::Map, &[[200, 200, 200]], 1);
         let lamp = Lamp::new(lighting, &camera(), [side, side], 1, [10.0, 30.0]);
-        let pixels = light(&relief, &lamp, &look);
+        let pixels = light(&buffer, &lamp, &look);
         assert_eq!(pixels.len(), (side * side * 4) as usize);
         pixels.chunks(4).map(|p| if p[3] == 0 { 0 } else { p[0].max(1) }).collect()
     }
@@ -235,12 +235,12 @@ mod tests {
                 20.0 - slant * y + 1.2 * ((0.23 * x).sin() * (0.27 * y).sin() + (0.31 * x - 0.19 * y).sin())
             };
             let picture = |side: u32, from: u32| {
-                let mut relief = Relief::new(side, side);
+                let mut buffer = DepthBuffer::new(side, side);
                 for (y, x) in (0..side).flat_map(|y| (0..side).map(move |x| (y, x))) {
-                    relief.put(x, y, rough(x + from, y + from), 1);
+                    buffer.put(x, y, rough(x + from, y + from), 1);
                 }
                 let lamp = Lamp::new(&lighting, &camera(), [side, side], 1, [10.0, 30.0]);
-                light(&relief, &Lamp { focal: 200.0, ..lamp }, &look)
+                light(&buffer, &Lamp { focal: 200.0, ..lamp }, &look)
             };
             let (wide, narrow) = (picture(whole, 0), picture(part, margin));
             let (mut sum, mut count) = (0.0, 0.0);

@@ -2,7 +2,7 @@
 
 use frond_core::{Affine3, Bounds3, Ifs3, IfsError, MAX_MAPS};
 use frond_render::solid::{
-    Camera, CameraError, Carve, Cloud, Eye, Lamp, Lighting, MAX_OBJECTS, Paint, depths, light,
+    Camera, CameraError, Cloud, Eye, Lamp, Lighting, MAX_OBJECTS, Paint, Traversal, depths, light,
 };
 use frond_render::{Colouring, Look};
 use frond_scene::{PaintName, Row3, SpaceLight, SpaceView};
@@ -255,8 +255,9 @@ impl SpacePicture {
         height: f64,
     ) -> Result<SpaceCarve, JsValue> {
         let camera = camera_of(view, self.0.unit)?;
-        let carve = Carve::new(&self.0.systems, &camera, side("width", width)?, side("height", height)?);
-        Ok(SpaceCarve { carve, camera, things: self.0.clone() })
+        let traversal =
+            Traversal::new(&self.0.systems, &camera, side("width", width)?, side("height", height)?);
+        Ok(SpaceCarve { traversal, camera, things: self.0.clone() })
     }
 }
 
@@ -267,7 +268,7 @@ fn bytes(list: &[u8]) -> JsValue {
 /// A complete picture in the making.
 #[wasm_bindgen]
 pub struct SpaceCarve {
-    carve: Carve,
+    traversal: Traversal,
     camera: Camera,
     things: Things,
 }
@@ -276,17 +277,17 @@ pub struct SpaceCarve {
 impl SpaceCarve {
     /// Looks at `budget` pieces at most. Whether it is done.
     pub fn run(&mut self, budget: f64) -> bool {
-        self.carve.run(budget.clamp(1.0, 1e9) as usize)
+        self.traversal.run(budget.clamp(1.0, 1e9) as usize)
     }
 
     /// How far away the nearest piece is, row 0 on top; infinite where there is none.
     pub fn depth(&self) -> Float32Array {
-        Float32Array::from(self.carve.relief().depth())
+        Float32Array::from(self.traversal.depth_buffer().depth())
     }
 
     /// Which piece it is, 0 where there is none.
     pub fn codes(&self) -> Uint32Array {
-        Uint32Array::from(self.carve.relief().codes())
+        Uint32Array::from(self.traversal.depth_buffer().codes())
     }
 
     /// The picture: RGBA, straight alpha, row 0 on top. `look` says what was carved: width x factor across, height x factor down.
@@ -300,12 +301,12 @@ impl SpaceCarve {
     ) -> Result<Uint8ClampedArray, JsValue> {
         let look = LookOf::read(look)?;
         let size = look.size.map(|side| side * look.factor);
-        let relief = self.carve.relief();
-        if size != [relief.width(), relief.height()] {
+        let buffer = self.traversal.depth_buffer();
+        if size != [buffer.width(), buffer.height()] {
             return Err(bad_input("The look", "it is of another size than what was carved"));
         }
         let lighting = self.things.lighting(&read("The light", plain)?, look.ground);
-        let lamp = Lamp::new(&lighting, &self.camera, size, look.factor, self.carve.range());
-        Ok(Uint8ClampedArray::from(&light(relief, &lamp, &self.things.look(&look.palette))[..]))
+        let lamp = Lamp::new(&lighting, &self.camera, size, look.factor, self.traversal.range());
+        Ok(Uint8ClampedArray::from(&light(buffer, &lamp, &self.things.look(&look.palette))[..]))
     }
 }

@@ -2,7 +2,9 @@
 
 use frond_core::{Affine3, Ifs3};
 use frond_render::gpu::{Event, Stage3, Uniforms3, Wanted};
-use frond_render::solid::{Camera, Carve, Cloud, Eye, Lamp, Lighting, Paint, Relief, Spread, light, mend};
+use frond_render::solid::{
+    Camera, Cloud, DepthBuffer, Eye, Lamp, Lighting, Paint, SplatStep, Traversal, fill_holes, light,
+};
 use frond_render::{Colouring, Look};
 use glam::{DQuat, DVec3};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -48,12 +50,12 @@ fn lit(pixels: &[u8]) -> usize {
 async fn pictures(wanted: Wanted) {
     let Some(mut stage) = open(wanted).await else { return };
     let (systems, camera) = (systems(), camera());
-    // Many points lie side by side, few are spread.
+    // Many points lie side by side, few are splatted.
     for (factor, paint, count) in [(1, Paint::Map, POINTS), (2, Paint::Height, POINTS / 100)] {
         let tints = vec![None, Some([0.9, 0.3, 0.2])];
         let lighting = Lighting { paint, heights: [0.0, 1.0], tints, ..Lighting::default() };
-        let mut carve = Carve::new(&systems, &camera, SIZE[0] * factor, SIZE[1] * factor);
-        let range = carve.range();
+        let mut traversal = Traversal::new(&systems, &camera, SIZE[0] * factor, SIZE[1] * factor);
+        let range = traversal.range();
         let eye = Eye::new(&camera, SIZE[0], SIZE[1], range);
         let size = SIZE.map(|side| side * factor);
         let lamp = Lamp::new(&lighting, &camera, SIZE, 1, range);
@@ -70,28 +72,28 @@ async fn pictures(wanted: Wanted) {
         let drawn = stage.draw();
         let right = !drawn.complete && (count as u64 / 2..=count as u64).contains(&drawn.points);
         assert!(right, "{wanted:?}, {factor}: {drawn:?}");
-        let mut relief = Relief::new(SIZE[0], SIZE[1]);
+        let mut buffer = DepthBuffer::new(SIZE[0], SIZE[1]);
         for cloud in &clouds {
             for piece in &cloud.instances {
-                cloud.vertices.iter().for_each(|point| eye.draw(&mut relief, point, piece));
+                cloud.vertices.iter().for_each(|point| eye.draw(&mut buffer, point, piece));
             }
         }
         let gaps: Vec<f32> = clouds.iter().map(|cloud| cloud.gap).collect();
-        let steps = Spread::steps(lamp.size, lamp.focal, lamp.range[0], &gaps);
+        let steps = SplatStep::steps(lamp.size, lamp.focal, lamp.range[0], &gaps);
         assert_eq!(steps.is_empty(), count == POINTS, "{steps:?}");
-        let spread = steps.iter().fold(relief, |relief, spread| spread.of(&relief));
-        let twin = light(&mend(&spread, eye.focal), &lamp, &look());
+        let splat = steps.iter().fold(buffer, |buffer, splat| splat.apply(&buffer));
+        let twin = light(&fill_holes(&splat, eye.focal), &lamp, &look());
         let shown = picture_of(stage.read()).await;
         assert!(lit(&shown) > 2000 && lit(&shown) < shown.len() / 4, "{} lit", lit(&shown));
         // A point that rounding takes to the next pixel changes the light around it.
         assert!(differing(&shown, &twin) < 0.05, "{wanted:?}, points: {}", differing(&shown, &twin));
 
-        assert!(carve.run(usize::MAX));
+        assert!(traversal.run(usize::MAX));
         // One of another size is not taken.
         assert!(!stage.put_still(SIZE.map(|side| side + 1), &[], &[]));
-        assert!(stage.put_still(size, carve.relief().depth(), carve.relief().codes()));
+        assert!(stage.put_still(size, traversal.depth_buffer().depth(), traversal.depth_buffer().codes()));
         assert!(stage.draw().complete);
-        let twin = light(carve.relief(), &still_lamp, &look());
+        let twin = light(traversal.depth_buffer(), &still_lamp, &look());
         let shown = picture_of(stage.read()).await;
         assert!(differing(&shown, &twin) < 0.005, "{wanted:?}, complete: {}", differing(&shown, &twin));
         // Other light leaves it complete, another eye does not.

@@ -22,14 +22,14 @@ const SHADE: &str = concat!(
 #[derive(Debug)]
 pub(super) struct Pipelines3 {
     pub points: wgpu::RenderPipeline,
-    pub spread: wgpu::RenderPipeline,
-    pub mend: wgpu::RenderPipeline,
+    pub splat: wgpu::RenderPipeline,
+    pub fill_holes: wgpu::RenderPipeline,
     /// On the canvas.
     pub show: wgpu::RenderPipeline,
     /// The same into a texture that can be read.
     pub read: wgpu::RenderPipeline,
     pub eye_layout: wgpu::BindGroupLayout,
-    /// Lamp, look, codes and depths; what spreads points has its steps in the lamp's place.
+    /// Lamp, look, codes and depths; what splats them has its steps in the lamp's place.
     pub light_layout: wgpu::BindGroupLayout,
 }
 
@@ -40,7 +40,7 @@ impl Pipelines3 {
             device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(label), source })
         };
         let (points, light) = (module("space points", POINTS), module("space light", SHADE));
-        let spread = module("space spread", SPLAT);
+        let splat = module("space splat", SPLAT);
         let eye_layout = layout(device, "eye", &[uniform(0)]);
         let words = wgpu::TextureSampleType::Uint;
         let entries = [uniform(0), uniform(1), texture(2, words), texture(3, words)];
@@ -51,8 +51,8 @@ impl Pipelines3 {
         };
         Self {
             points: draw(device, &points, &eye_layout, &kept),
-            spread: full_screen(device, &spread, &light_layout, "spread_fragment", &kept),
-            mend: on_screen("mend_fragment", &kept),
+            splat: full_screen(device, &splat, &light_layout, "splat_fragment", &kept),
+            fill_holes: on_screen("hole_fill_fragment", &kept),
             show: on_screen("light_fragment", &[Some(canvas.into())]),
             read: on_screen("light_fragment", &[Some(READ.into())]),
             eye_layout,

@@ -7,7 +7,7 @@ use crate::gpu::device::Gpu;
 use crate::gpu::readback::ReadBack;
 use crate::picture::colour::Look;
 use crate::picture::window::Window;
-use crate::solid::{Cloud, Eye, Instance3, Lamp, MAX_OBJECTS, Spread, Vertex3};
+use crate::solid::{Cloud, Eye, Instance3, Lamp, MAX_OBJECTS, SplatStep, Vertex3};
 
 /// What [`Stage3::draw`] came to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +49,7 @@ pub struct Stage3 {
     eye: wgpu::Buffer,
     lamp: wgpu::Buffer,
     /// One for each length of a step.
-    spreads: Vec<wgpu::Buffer>,
+    splats: Vec<wgpu::Buffer>,
     look_buffer: wgpu::Buffer,
     stale: bool,
     complete: bool,
@@ -77,7 +77,7 @@ impl Stage3 {
             still: None,
             eye: uniform::<Eye>(&gpu.device, "eye"),
             lamp: uniform::<Lamp>(&gpu.device, "lamp"),
-            spreads: Vec::new(),
+            splats: Vec::new(),
             look_buffer: uniform::<Look>(&gpu.device, "look"),
             stale: true,
             complete: false,
@@ -196,17 +196,17 @@ impl Stage3 {
         }
         let gaps: Vec<f32> = self.batches.iter().map(|batch| batch.gap).collect();
         let Lamp { size, focal, range: [nearest, ..], .. } = uniforms.lamp;
-        let steps = Spread::steps(size, focal, nearest, &gaps);
-        while self.spreads.len() < steps.len() {
-            self.spreads.push(uniform::<Spread>(&self.gpu.device, "spread"));
+        let steps = SplatStep::steps(size, focal, nearest, &gaps);
+        while self.splats.len() < steps.len() {
+            self.splats.push(uniform::<SplatStep>(&self.gpu.device, "splat"));
         }
-        for (buffer, step) in self.spreads.iter().zip(&steps) {
+        for (buffer, step) in self.splats.iter().zip(&steps) {
             self.gpu.queue.write_buffer(buffer, 0, bytemuck::bytes_of(step));
         }
-        let spreads = self.spreads.iter().take(steps.len()).map(|buffer| (&self.pipelines.spread, buffer));
+        let splats = self.splats.iter().take(steps.len()).map(|buffer| (&self.pipelines.splat, buffer));
         // From one target to the other and back.
         self.shown = 0;
-        for (pipeline, buffer) in spreads.chain([(&self.pipelines.mend, &self.lamp)]) {
+        for (pipeline, buffer) in splats.chain([(&self.pipelines.fill_holes, &self.lamp)]) {
             let bindings =
                 targets[self.shown].bindings(&self.gpu, &self.pipelines, buffer, &self.look_buffer);
             self.shown = 1 - self.shown;

@@ -38,7 +38,7 @@ impl Target3 {
         Self { window, views, test: view(&texture("nearest", DEPTH, drawn)), codes, depths }
     }
 
-    /// Replaces what it holds by a relief of its size.
+    /// Replaces what it holds by a depth buffer of its size.
     pub fn write(&self, gpu: &Gpu, depth: &[f32], codes: &[u32]) {
         // Depths are bits here as they are there.
         for (texture, words) in [(&self.codes, codes), (&self.depths, bytemuck::cast_slice(depth))] {
@@ -83,7 +83,7 @@ impl Target3 {
         })
     }
 
-    /// What lights it, or mends it.
+    /// What lights it, or fills its holes.
     pub fn bindings(
         &self,
         gpu: &Gpu,

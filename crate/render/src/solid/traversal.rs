@@ -3,8 +3,8 @@
 use frond_core::{Affine3, Bounds3, Ifs3};
 use glam::{DMat3, DVec3};
 
-use super::points::OBJECT;
-use super::{Camera, Relief};
+use super::points::OBJECT_BIT;
+use super::{Camera, DepthBuffer};
 use crate::pieces::letters::Letters;
 
 /// The most systems in one picture.
@@ -21,11 +21,11 @@ const LONGEST_WORD: u32 = 400;
 /// A piece is looked into, the nearest of its parts first, until its ball is within a pixel; one that is out of sight,
 /// or behind what is there already, is passed over. So the work is that of what is seen.
 #[derive(Clone, Debug)]
-pub struct Carve {
+pub struct Traversal {
     objects: Vec<Object>,
     focal: f64,
     near: f64,
-    relief: Relief,
+    buffer: DepthBuffer,
     open: Vec<Node>,
     order: Vec<(f64, usize)>,
 }
@@ -76,13 +76,13 @@ struct Node {
 }
 
 /// What a ball takes up in the picture.
-enum Sight {
+enum Footprint {
     None,
     Pixel([u32; 2]),
     Box([u32; 4], f64),
 }
 
-impl Carve {
+impl Traversal {
     /// A picture of these systems. Those that are too many are left out.
     #[must_use]
     pub fn new(systems: &[Ifs3], camera: &Camera, width: u32, height: u32) -> Self {
@@ -115,7 +115,7 @@ impl Carve {
         Self {
             focal: camera.focal(height),
             near: near(far),
-            relief: Relief::new(width, height),
+            buffer: DepthBuffer::new(width, height),
             objects,
             open,
             order: Vec::new(),
@@ -139,25 +139,25 @@ impl Carve {
 
     /// What is seen so far.
     #[must_use]
-    pub fn relief(&self) -> &Relief {
-        &self.relief
+    pub fn depth_buffer(&self) -> &DepthBuffer {
+        &self.buffer
     }
 
     fn visit(&mut self, node: Node) {
         let Object { maps, centre, radius, .. } = &self.objects[node.object as usize];
         let middle = node.map.apply(*centre);
         let size = stretch(node.map.linear) * radius;
-        let code = || 1 + (node.letters.packed() | node.object << OBJECT);
-        match self.sight(middle, size) {
-            Sight::None => {}
-            Sight::Pixel([x, y]) => self.relief.put(x, y, middle.z as f32, code()),
-            Sight::Box(pixels, nearest) => {
-                if self.relief.hides(pixels, nearest as f32) {
+        let code = || 1 + (node.letters.packed() | node.object << OBJECT_BIT);
+        match self.footprint(middle, size) {
+            Footprint::None => {}
+            Footprint::Pixel([x, y]) => self.buffer.put(x, y, middle.z as f32, code()),
+            Footprint::Box(pixels, nearest) => {
+                if self.buffer.hides(pixels, nearest as f32) {
                     return;
                 }
                 if node.depth >= LONGEST_WORD {
                     let [x0, y0, x1, y1] = pixels;
-                    self.relief.put(u32::midpoint(x0, x1), u32::midpoint(y0, y1), middle.z as f32, code());
+                    self.buffer.put(u32::midpoint(x0, x1), u32::midpoint(y0, y1), middle.z as f32, code());
                     return;
                 }
                 self.order.clear();
@@ -177,10 +177,10 @@ impl Carve {
     }
 
     /// Where a ball is seen.
-    fn sight(&self, middle: DVec3, radius: f64) -> Sight {
-        let (width, height) = (f64::from(self.relief.width()), f64::from(self.relief.height()));
+    fn footprint(&self, middle: DVec3, radius: f64) -> Footprint {
+        let (width, height) = (f64::from(self.buffer.width()), f64::from(self.buffer.height()));
         if middle.z + radius <= self.near {
-            return Sight::None;
+            return Footprint::None;
         }
         let nearest = middle.z - radius;
         if nearest <= self.near {
@@ -188,19 +188,19 @@ impl Carve {
             let reach = 0.5 * width.hypot(height) / self.focal;
             let aside = middle.x.hypot(middle.y) - radius;
             let beyond = aside > reach * (middle.z + radius);
-            let whole = [0, 0, self.relief.width() - 1, self.relief.height() - 1];
+            let whole = [0, 0, self.buffer.width() - 1, self.buffer.height() - 1];
             // What is that near and no larger is let go: nobody holds a thing against the eye to see it.
             return if beyond || radius < 0.5 * self.near {
-                Sight::None
+                Footprint::None
             } else {
-                Sight::Box(whole, self.near)
+                Footprint::Box(whole, self.near)
             };
         }
         let scale = self.focal / middle.z;
         let (x, y) = (0.5 * width + scale * middle.x, 0.5 * height - scale * middle.y);
         if 2.0 * radius * scale <= PIXEL_SIZE {
             let inside = x >= 0.0 && y >= 0.0 && x < width && y < height;
-            return if inside { Sight::Pixel([x as u32, y as u32]) } else { Sight::None };
+            return if inside { Footprint::Pixel([x as u32, y as u32]) } else { Footprint::None };
         }
         // The ball is within the cone of this slope around its middle's, by its nearest depth.
         let reach = |along: f64| {
@@ -210,10 +210,10 @@ impl Carve {
         let (dx, dy) = (reach(middle.x), reach(middle.y));
         let (x0, x1, y0, y1) = (x - dx, x + dx, y - dy, y + dy);
         if x1 < 0.0 || y1 < 0.0 || x0 >= width || y0 >= height {
-            return Sight::None;
+            return Footprint::None;
         }
         let pixel = |v: f64, side: f64| v.clamp(0.0, side - 1.0) as u32;
-        Sight::Box([pixel(x0, width), pixel(y0, height), pixel(x1, width), pixel(y1, height)], nearest)
+        Footprint::Box([pixel(x0, width), pixel(y0, height), pixel(x1, width), pixel(y1, height)], nearest)
     }
 }
 
@@ -235,7 +235,7 @@ fn range(balls: impl Iterator<Item = (DVec3, f64)>) -> [f32; 2] {
 }
 
 /// The nearest and the farthest depth at which a camera can see anything of what has these bounds: what
-/// [`Carve::range`] says.
+/// [`Traversal::range`] says.
 #[must_use]
 pub fn depths(bounds: &[Bounds3], camera: &Camera) -> [f32; 2] {
     range(bounds.iter().take(MAX_OBJECTS).map(|bounds| (camera.seen(bounds.centre), bounds.radius)))
@@ -267,23 +267,23 @@ mod tests {
         scaled(&corners, 0.5)
     }
 
-    fn done(systems: &[Ifs3], camera: &Camera, side: u32) -> Relief {
-        let mut carve = Carve::new(systems, camera, side, side);
+    fn done(systems: &[Ifs3], camera: &Camera, side: u32) -> DepthBuffer {
+        let mut traversal = Traversal::new(systems, camera, side, side);
         let mut slices = 0;
-        while !carve.run(100_000) {
+        while !traversal.run(100_000) {
             slices += 1;
             assert!(slices < 200, "too much work");
         }
-        carve.relief().clone()
+        traversal.depth_buffer().clone()
     }
 
     #[test]
     fn a_cube_is_seen_as_a_square_at_the_depth_of_its_face() {
         let camera = Camera::looking(DVec3::Z * 11.0, DVec3::ZERO, DVec3::Y, 0.4).unwrap();
-        let relief = done(&[cube()], &camera, 200);
+        let buffer = done(&[cube()], &camera, 200);
         // The face is at depth 10, half a side is 1 / 10 / tan 0.2 of half the picture.
         let half = (100.0 / (10.0 * 0.2_f64.tan())).floor() as i32;
-        for (at, &depth) in relief.depth().iter().enumerate() {
+        for (at, &depth) in buffer.depth().iter().enumerate() {
             let (x, y) = (at as i32 % 200 - 100, at as i32 / 200 - 100);
             let inside = |v: i32| (-half + 1..half - 1).contains(&v);
             let outside = |v: i32| v < -half - 2 || v > half + 1;
@@ -304,13 +304,13 @@ mod tests {
         let flat = made.conjugate(Affine3::scaling(DVec3::new(1.0, 1.0, 0.02))).unwrap();
         let camera = Camera::looking(DVec3::new(0.4, -6.0, 3.0), DVec3::splat(0.4), DVec3::Z, 0.4).unwrap();
         let work = |ifs: &Ifs3| {
-            let mut carve = Carve::new(std::slice::from_ref(ifs), &camera, 120, 120);
+            let mut traversal = Traversal::new(std::slice::from_ref(ifs), &camera, 120, 120);
             let mut slices = 0;
-            while !carve.run(1000) {
+            while !traversal.run(1000) {
                 slices += 1;
                 assert!(slices < 3000, "too much work");
             }
-            (slices, carve.relief().lit())
+            (slices, traversal.depth_buffer().lit())
         };
         let (made, flat) = (work(&made), work(&flat));
         assert!(flat.1 > 300 && flat.0 < 10 * made.0.max(10), "{flat:?} {made:?}");
@@ -321,10 +321,10 @@ mod tests {
         let camera = Camera::looking(DVec3::Z * 11.0, DVec3::ZERO, DVec3::Y, 0.4).unwrap();
         let behind = cube().conjugate(Affine3::moving(DVec3::new(0.3, 0.0, -40.0))).unwrap();
         for systems in [[cube(), behind.clone()], [behind, cube()]] {
-            let relief = done(&systems, &camera, 100);
+            let buffer = done(&systems, &camera, 100);
             let front = u32::from(systems[0] != cube());
-            let middle = relief.codes()[50 * 100 + 50] - 1;
-            assert_eq!(middle >> OBJECT, front);
+            let middle = buffer.codes()[50 * 100 + 50] - 1;
+            assert_eq!(middle >> OBJECT_BIT, front);
         }
     }
 
