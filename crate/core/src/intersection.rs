@@ -88,9 +88,9 @@ pub struct Intersection {
 }
 
 /// Shifts that are followed at most.
-const MOST: usize = 4000;
+const MOST_SHIFTS: usize = 4000;
 /// Letters of an address when points are drawn.
-const LETTERS: u32 = 64;
+const ADDRESS_LETTERS: u32 = 64;
 
 impl Intersection {
     /// Whether the shapes do not meet, as far as floating point tells.
@@ -127,7 +127,7 @@ impl Intersection {
         let mut positions = Vec::with_capacity(3 * count);
         for k in 0..count {
             let (mut at, mut map) = (0, Affine3::IDENTITY);
-            for letter in 0..LETTERS {
+            for letter in 0..ADDRESS_LETTERS {
                 let bits = hash::counter(seed ^ hash::pcg(k as u32), letter);
                 let arrow = from[at][bits as usize % from[at].len()];
                 map = map * self.maps[arrow.first];
@@ -186,7 +186,9 @@ pub fn intersection(first: &[Affine3], second: &[Affine3]) -> Result<Intersectio
                 let found = around.filter_map(|cell| known.get(&cell).copied()).next();
                 let to = match found {
                     Some(to) => to,
-                    None if shifts.len() >= MOST => return Err(MeetError::TooMany { most: MOST }),
+                    None if shifts.len() >= MOST_SHIFTS => {
+                        return Err(MeetError::TooMany { most: MOST_SHIFTS });
+                    }
                     None => {
                         shifts.push(d);
                         known.insert(near, shifts.len() - 1);

@@ -6,7 +6,7 @@ use glam::DVec2;
 use crate::continuity::support::Shape;
 
 /// The most words that are looked at.
-const WORDS: usize = 1024;
+const MOST_WORDS: usize = 1024;
 
 /// A box that holds the shape and the images of the anchors under all words.
 ///
@@ -32,7 +32,7 @@ pub(crate) fn region(ifs: &Ifs, shape: &Shape, anchors: &[DVec2]) -> (DVec2, DVe
         high = high.max(point + room);
     };
     let mut words = vec![Affine2::IDENTITY];
-    while words.len() * ifs.len() <= WORDS && ifs.len() > 1 {
+    while words.len() * ifs.len() <= MOST_WORDS && ifs.len() > 1 {
         for word in &words {
             anchors.iter().for_each(|&anchor| hold(word.apply(anchor), DVec2::ZERO));
         }

@@ -12,7 +12,7 @@ use crate::closed::{ClosedCurve, Refiner, Ties, partition};
 use crate::outline::{Outline, features};
 
 /// The most steps of least squares.
-const STEPS: usize = 40;
+const MOST_STEPS: usize = 40;
 
 /// A polyline through feature points: 2 numbers each.
 #[must_use]
@@ -33,7 +33,7 @@ pub fn least_squares_polyline(outline: &Outline, numbers: usize) -> Vec<DVec2> {
         // Nothing but the distance from the outline counts: that is what is measured.
         refiner.set_ties(Ties { back: 0.0, beyond: 0.0, far: 0.0, reach: 0.0 });
         let mut error = refiner.error(&line);
-        for _ in 0..STEPS {
+        for _ in 0..MOST_STEPS {
             let (next, moved) = refiner.step(&mut line, error);
             if !moved {
                 break;

@@ -26,7 +26,7 @@ pub const MAX_SPAN: usize = 8;
 pub const CONTRACTION: f64 = 0.9;
 
 /// While fitting, copies stretch by no more than this part of it.
-pub(crate) const SPARE: f64 = 0.95;
+pub(crate) const FITTING_SHARE: f64 = 0.95;
 
 /// What an edge copies: the arc over `span` edges from knot `from` on.
 ///
@@ -123,7 +123,7 @@ impl ClosedCurve {
     /// Whether it is sound with something to spare: rounded a little, it still is.
     pub(crate) fn is_safe(&self) -> bool {
         let count = self.knots.len();
-        self.is_sound() && (0..count).all(|i| self.shrinks_by(i, SPARE * CONTRACTION))
+        self.is_sound() && (0..count).all(|i| self.shrinks_by(i, FITTING_SHARE * CONTRACTION))
     }
 
     /// Whether an edge is straight, or copies an arc that exists and shrinks it enough.

@@ -15,7 +15,7 @@ use crate::outline::bounds;
 const MAX_PAIRS: usize = 1 << 24;
 
 /// How much smaller the bound is made where ends cannot be tied.
-const SHRINK: f64 = 0.9;
+const BOUND_STEP: f64 = 0.9;
 
 /// Which parts of the outline may be copied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -164,7 +164,7 @@ pub fn fit_collage(points: &[DVec2], options: &CollageOptions) -> Result<Collage
     let mut options = *options;
     let mut fit = nearest(ring, intervals, &options);
     while options.tied && options.domains == Domains::Partitioned && !tie(&mut fit, ring) {
-        options.bound *= SHRINK;
+        options.bound *= BOUND_STEP;
         fit = nearest(ring, intervals, &options);
     }
     Ok(fit)

@@ -33,7 +33,7 @@ pub const MAX_PIXELS: usize = 1 << 22;
 const MAX_PIECES: usize = 64;
 
 /// Classes nearer than this to each other are taken for one colour, in grey values.
-const CONTRAST: f64 = 14.0;
+const LEAST_CONTRAST: f64 = 14.0;
 
 /// How a mask is to be drawn.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -117,7 +117,7 @@ impl Tracer {
 
     /// Whether anything stands out.
     fn stands_out(&self) -> Option<&Choice> {
-        self.choice.as_ref().filter(|choice| choice.contrast >= CONTRAST)
+        self.choice.as_ref().filter(|choice| choice.contrast >= LEAST_CONTRAST)
     }
 
     /// The mask for a threshold, with its pieces.
@@ -206,7 +206,7 @@ impl Tracer {
     fn notices(&self, all: &[Component]) -> Vec<Notice> {
         let mut notices = Vec::new();
         match &self.choice {
-            Some(choice) if choice.contrast >= CONTRAST => {
+            Some(choice) if choice.contrast >= LEAST_CONTRAST => {
                 let speck = all.first().is_some_and(|first| 2000 * first.area < self.width * self.height);
                 if choice.is_noise() || (all.len() > 1 && speck) {
                     notices.push(Notice::Noise);

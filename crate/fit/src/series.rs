@@ -6,10 +6,10 @@ use crate::error::MAX_POINTS;
 use crate::hough::{Features, HoughError};
 
 /// How far the bell reaches that heights are averaged under, in its widths.
-const REACH: f64 = 3.0;
+const BELL_WIDTHS: f64 = 3.0;
 
 /// More points than this are averaged in groups before they are smoothed.
-const DENSE: usize = 1 << 13;
+const MOST_UNGROUPED: usize = 1 << 13;
 
 /// Measured heights x at moments or places t, in order, each t once.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,16 +80,16 @@ impl Series {
     }
 }
 
-/// At most [`DENSE`] points: each the mean of its group.
+/// At most [`MOST_UNGROUPED`] points: each the mean of its group.
 fn grouped(points: &[DVec2]) -> Vec<DVec2> {
-    let group = points.len().div_ceil(DENSE);
+    let group = points.len().div_ceil(MOST_UNGROUPED);
     points.chunks(group.max(1)).map(|group| group.iter().sum::<DVec2>() / group.len() as f64).collect()
 }
 
 /// The height of the line of least squares under the bell. A plain mean would pull the ends in.
 fn mean(points: &[DVec2], t: f64, width: f64, fallback: f64) -> f64 {
-    let from = points.partition_point(|p| p.x < t - REACH * width);
-    let until = points.partition_point(|p| p.x <= t + REACH * width);
+    let from = points.partition_point(|p| p.x < t - BELL_WIDTHS * width);
+    let until = points.partition_point(|p| p.x <= t + BELL_WIDTHS * width);
     let (mut s, mut x) = ([0.0; 3], [0.0; 2]);
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for (index, p) in points.iter().enumerate().take(until).skip(from) {

@@ -93,13 +93,13 @@ pub enum Verdict {
 const EVEN_SIZE: f64 = 1.5;
 const ONE_PROBE_SIZE: f64 = 12.0;
 /// How much a piece may be twisted that is to be placed by an affine map, in pixels.
-const TWIST: f64 = 0.25;
+const MOST_TWIST: f64 = 0.25;
 /// How many tips of a large piece are looked at, and of its parts.
-const PROBES: (usize, usize) = (4, 12);
+const TIPS_PROBED: (usize, usize) = (4, 12);
 /// How much farther off a point may be than those that are looked at.
-const DOUBT: f64 = 3.0;
+const UNSEEN_FACTOR: f64 = 3.0;
 /// The same for a piece that still has uneven parts: it goes with its anchors if all of it is within this.
-const SPECK: f64 = 0.5;
+const SPECK_SIZE: f64 = 0.5;
 
 impl<'a> Bent<'a> {
     /// A bent attractor in a view of `window`, drawn with `factor` times as many pixels each way as `target` has.
@@ -116,7 +116,8 @@ impl<'a> Bent<'a> {
         let sides = Sides::of(bend.anchors(), frame.to_world);
         // Tips may be anchors, which are never off.
         let inner = frame.maps.iter().flat_map(|map| frame.tips.iter().map(|tip| map.apply(*tip)));
-        let probes = frame.tips.iter().copied().take(PROBES.0).chain(inner.take(PROBES.1)).collect();
+        let probes =
+            frame.tips.iter().copied().take(TIPS_PROBED.0).chain(inner.take(TIPS_PROBED.1)).collect();
         let reach = bend.reach() * eye.scale();
         // What is read off a grid or a triangulation has folds.
         let folds = matches!(bend.continuity(), Continuity::Splat | Continuity::Average);
@@ -151,7 +152,7 @@ impl<'a> Bent<'a> {
         let even = self.bend.even(cursor);
         let (smooth, off) = if even {
             let miss = self.miss(cursor, &placed, size);
-            (miss <= fineness.tolerance, DOUBT * miss)
+            (miss <= fineness.tolerance, UNSEEN_FACTOR * miss)
         } else {
             (fineness.margin.is_none() && slack <= fineness.tolerance, slack)
         };
@@ -159,10 +160,10 @@ impl<'a> Bent<'a> {
         if near.is_none() {
             return (Verdict::Outside, None);
         }
-        let straight = !fineness.affine || wobble <= TWIST;
+        let straight = !fineness.affine || wobble <= MOST_TWIST;
         let large = size.max(2.0 * rest.norm());
         let fits = smooth && straight && size <= fineness.size && mass <= fineness.mass;
-        let speck = !even && large + slack <= SPECK;
+        let speck = !even && large + slack <= SPECK_SIZE;
         // Each piece needs a colour, so that the whole shape has to be taken apart at least once.
         let verdict = if letters == 0 {
             Verdict::Split

@@ -22,9 +22,9 @@ pub struct Density {
 }
 
 /// The mean is taken over blocks of so many pixels each way: it need not be exact, only steady.
-const BLOCK: u32 = 8;
+const BLOCK_SIDE: u32 = 8;
 /// Visits for counting the lit blocks.
-const COUNTING: u64 = 150_000;
+const COUNTING_VISITS: u64 = 150_000;
 
 impl Density {
     /// The density of the attractor in a view, from about `pieces` pieces of `samples` samples each.
@@ -37,11 +37,12 @@ impl Density {
             .filter(|piece| window.pixel(piece.map.apply(frame.anchor)).is_some())
             .map(|piece| piece.mass)
             .sum();
-        let blocks = Window { width: window.width.div_ceil(BLOCK), height: window.height.div_ceil(BLOCK) };
-        let coarse = view.onto_target(frame.to_world, window, 1.0 / f64::from(BLOCK));
+        let blocks =
+            Window { width: window.width.div_ceil(BLOCK_SIDE), height: window.height.div_ceil(BLOCK_SIDE) };
+        let coarse = view.onto_target(frame.to_world, window, 1.0 / f64::from(BLOCK_SIDE));
         let mut lit = 0_usize;
-        Sweep::new(frame, coarse, blocks, 0.5).run(COUNTING, |_| lit += 1);
-        let lit = lit.max(1) * (BLOCK * BLOCK) as usize;
+        Sweep::new(frame, coarse, blocks, 0.5).run(COUNTING_VISITS, |_| lit += 1);
+        let lit = lit.max(1) * (BLOCK_SIDE * BLOCK_SIDE) as usize;
         let gain = if seen > 0.0 { (lit as f64 / seen) as f32 } else { 0.0 };
         Self { pieces, sampler: Sampler::new(frame, samples), gain, lit }
     }

@@ -81,17 +81,17 @@ pub struct Plan {
 }
 
 /// The most pieces of a plan.
-const PIECES: usize = 20_000;
+const MOST_PIECES: usize = 20_000;
 /// The largest pieces, in pixels, that the usual size is doubled to where there are too many.
-const LARGEST: f64 = 256.0;
+const LARGEST_PIECE: f64 = 256.0;
 /// The number of clouds: each is for pieces of half the size of those before.
-const OCTAVES: i32 = 7;
+const CLOUD_COUNT: i32 = 7;
 /// Visits for a cloud.
-const VISITS: u64 = 1_000_000;
+const VISITS_A_CLOUD: u64 = 1_000_000;
 /// Pieces taken by chance where there are too many.
 const SOME_PIECES: usize = 48;
 /// The finest grid for the cloud of those.
-const GRID: f64 = 1024.0;
+const FINEST_GRID: f64 = 1024.0;
 
 impl Plan {
     /// Plans a picture.
@@ -128,10 +128,10 @@ impl Plan {
         }
         loop {
             let size = usual * f64::from(1_u32 << self.doublings);
-            if cut(frame, to_screen, window, size, PIECES, &mut self.pieces) {
+            if cut(frame, to_screen, window, size, MOST_PIECES, &mut self.pieces) {
                 return Some(size);
             }
-            if 2.0 * size > LARGEST {
+            if 2.0 * size > LARGEST_PIECE {
                 return None;
             }
             self.doublings += 1;
@@ -140,9 +140,9 @@ impl Plan {
 
     /// Gives each piece the coarsest cloud that is fine enough for it.
     fn compose(&mut self, frame: &Frame, size: f64, detail: Detail) {
-        for octave in 0..OCTAVES {
+        for octave in 0..CLOUD_COUNT {
             let upper = size * 0.5_f64.powi(octave);
-            let lower = if octave + 1 == OCTAVES { -1.0 } else { 0.5 * upper };
+            let lower = if octave + 1 == CLOUD_COUNT { -1.0 } else { 0.5 * upper };
             let first = self.instances.len() as u32;
             let fits = |piece: &&Piece| piece.size <= upper && piece.size > lower;
             let pieces = self.pieces.iter().filter(fits);
@@ -164,7 +164,7 @@ impl Plan {
         let window = Window { width: side as u32, height: side as u32 };
         let mut sweep = Sweep::new(frame, to_grid, window, detail.leaf / detail.cell);
         let vertices = &mut self.vertices;
-        let walk = sweep.walk(VISITS, |hit| {
+        let walk = sweep.walk(VISITS_A_CLOUD, |hit| {
             let unit = (hit.point - half) / half;
             vertices.push(Vertex::new([unit.x as f32, unit.y as f32], hit.letters, 0.0));
         });
@@ -201,8 +201,8 @@ impl Plan {
 
     /// Adds a cloud that does not depend on words.
     fn flood(&mut self, frame: &Frame, cells: f64) {
-        let mut flood = Flood::new(frame, cells.min(GRID) as u32);
-        flood.run(VISITS);
+        let mut flood = Flood::new(frame, cells.min(FINEST_GRID) as u32);
+        flood.run(VISITS_A_CLOUD);
         let points = flood.points().iter();
         self.vertices.extend(points.map(|point| Vertex::new(point.position, point.letters, 0.0)));
     }
@@ -325,7 +325,7 @@ mod tests {
                 let fit = View::fit(&hull, WINDOW.width, WINDOW.height, 0.05);
                 let view = View { scale: fit.scale * scale, ..fit };
                 let (plan, found) = compare(name, Some(view), Detail::LADDER[0]);
-                assert!(plan.vertices.len() < 1 << 20 && plan.instances.len() <= PIECES, "{name}");
+                assert!(plan.vertices.len() < 1 << 20 && plan.instances.len() <= MOST_PIECES, "{name}");
                 if name.starts_with("overlap") && scale == 1.0 {
                     assert!(!plan.exact, "{name}");
                     assert!(found.missed * 10 < found.lit, "{name}: {} of {}", found.missed, found.lit);

@@ -41,7 +41,7 @@ pub struct Instance {
 pub type Sides = [f32; 4];
 
 /// Where the count of letters begins in [`Instance::letters`].
-const COUNT: u32 = 18;
+const COUNT_BIT: u32 = 18;
 
 impl Vertex {
     /// A point of a cloud.
@@ -56,7 +56,7 @@ impl Instance {
     #[must_use]
     pub fn new(map: &Affine2, letters: Letters, mass: f32) -> Self {
         let [a, b, c, d, e, f] = map.to_row().map(|x| x as f32);
-        let count = u32::from(letters.count()) << COUNT;
+        let count = u32::from(letters.count()) << COUNT_BIT;
         Self {
             linear: [a, b, c, d],
             translation: [e, f],
@@ -88,8 +88,8 @@ impl Instance {
     /// The code of such a point: the letters of the piece, then those of the point.
     #[must_use]
     pub fn code(&self, vertex: &Vertex) -> u32 {
-        let count = self.letters >> COUNT;
-        let packed = self.letters & ((1 << COUNT) - 1);
+        let count = self.letters >> COUNT_BIT;
+        let packed = self.letters & ((1 << COUNT_BIT) - 1);
         (packed | (vertex.letters >> (6 * count))) + 1
     }
 
@@ -100,7 +100,7 @@ impl Instance {
     }
 }
 
-const _: () = assert!(KEPT as u32 * 6 == COUNT, "three letters of six bits lie below the count");
+const _: () = assert!(KEPT as u32 * 6 == COUNT_BIT, "three letters of six bits lie below the count");
 
 #[cfg(test)]
 mod tests {

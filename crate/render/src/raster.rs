@@ -107,7 +107,7 @@ pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, Rend
         let density = match &bent {
             Some((bend, slack)) => {
                 let bent = Bent::new(&frame, bend, slack, (view, window), (window, 1.0));
-                Density::bent(&bent, BENT.0, BENT.1, BENT.2)
+                Density::bent(&bent, BENT_DENSITY.0, BENT_DENSITY.1, BENT_DENSITY.2)
             }
             None => Density::new(&frame, view, window, 128, 512),
         };
@@ -118,7 +118,7 @@ pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, Rend
     } else {
         let factor = if options.smooth { 2 } else { 1 };
         let fine = Window { width: width * factor, height: height * factor };
-        let (scale, detail) = (f64::from(factor), DETAIL * f64::from(factor));
+        let (scale, detail) = (f64::from(factor), CERTAIN_REACH * f64::from(factor));
         let codes = if let Some((bend, slack)) = &bent {
             let bent = Bent::new(&frame, bend, slack, (view, window), (fine, scale));
             let coloured = options.colouring == Colouring::Grid && bent.has_colours();
@@ -137,9 +137,9 @@ pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, Rend
 }
 
 /// How far, in pixels, the attractor must reach into a pixel to light it for certain.
-const DETAIL: f64 = 0.0625;
+const CERTAIN_REACH: f64 = 0.0625;
 /// The density of a bent attractor: the size of its pieces, their number at most, and points in a pass.
-const BENT: (f64, usize, usize) = (16.0, 60_000, 65_536);
+const BENT_DENSITY: (f64, usize, usize) = (16.0, 60_000, 65_536);
 
 /// The codes of the pixels of a window (see [`crate::Letters`]), 0 where nothing is, and whether they are
 /// known to be all. `to_screen` takes unit coordinates to pixels.
@@ -156,13 +156,13 @@ pub fn codes(frame: &Frame, to_screen: Affine2, window: Window, detail: f64) -> 
 
 /// Points a lit pixel of a density picture, and at most in all.
 const POINTS_A_PIXEL: usize = 40;
-const POINTS: usize = 40_000_000;
+const MOST_POINTS: usize = 40_000_000;
 
 /// The densities of the pixels, and what multiplied by makes their mean 1.
 fn densities(frame: &Frame, mut density: Density, window: Window, look: &Look) -> (Vec<[f32; 4]>, f32) {
     let mut sums = vec![[0.0; 4]; window.area()];
     let mut samples = Vec::new();
-    let wanted = (density.lit * POINTS_A_PIXEL).min(POINTS);
+    let wanted = (density.lit * POINTS_A_PIXEL).min(MOST_POINTS);
     let (mut points, mut passes) = (0, 0_u16);
     while points < wanted && !density.pieces.is_empty() {
         points += density.accumulate(frame, look, window, &mut samples, &mut sums);

@@ -168,9 +168,9 @@ pub struct SheetOptions {
 }
 
 /// Rows that are drawn at once: what is held in memory besides the picture.
-const ROWS: u32 = 256;
+const ROWS_AT_ONCE: u32 = 256;
 /// The most layers on the average before a sheet is drawn coarser.
-const LAYERS: f64 = 40.0;
+const MOST_LAYERS: f64 = 40.0;
 
 /// Draws a photograph on a sheet: RGBA with straight alpha, row 0 on top, on a transparent background. Where the sheet
 /// is folded over, what is lower in the picture lies on top; corners that are no numbers leave holes.
@@ -193,10 +193,10 @@ pub fn draw_sheet(photo: &Photo, sheet: &Sheet, options: &SheetOptions) -> Resul
     let view = options.view.unwrap_or_else(|| sheet.fit(width, height, 0.05));
     let factor = if options.smooth { 2 } else { 1 };
     let screen: Vec<DVec2> = on_target(sheet, view, window, f64::from(factor)).collect();
-    let step = sheet.step(&screen, Window { width: width * factor, height: height * factor }, LAYERS);
+    let step = sheet.step(&screen, Window { width: width * factor, height: height * factor }, MOST_LAYERS);
     let corners: Vec<Corner> = screen.into_iter().map(corner).collect();
-    for top in (0..height).step_by(ROWS as usize) {
-        let rows = ROWS.min(height - top);
+    for top in (0..height).step_by(ROWS_AT_ONCE as usize) {
+        let rows = ROWS_AT_ONCE.min(height - top);
         let mut band = Band::new(Window { width: width * factor, height: rows * factor }, top * factor);
         for triangle in sheet.triangles(step) {
             let [Some(a), Some(b), Some(c)] = triangle.map(|i| corners[i as usize]) else { continue };

@@ -19,9 +19,9 @@ pub struct Hull {
 }
 
 /// Directions of the fan.
-const FAN: usize = 48;
+const DIRECTIONS: usize = 48;
 /// Most rounds of lowering.
-const ROUNDS: usize = 400;
+const MOST_ROUNDS: usize = 400;
 
 impl Hull {
     /// The polygon around the attractor of `ifs`.
@@ -118,19 +118,19 @@ fn counter_clockwise(mut polygon: Vec<DVec2>) -> Vec<DVec2> {
 
 /// Unit vectors at equal angles.
 struct Fan {
-    directions: [DVec2; FAN],
+    directions: [DVec2; DIRECTIONS],
     step: f64,
 }
 
 impl Fan {
     fn new() -> Self {
-        let step = std::f64::consts::TAU / FAN as f64;
+        let step = std::f64::consts::TAU / DIRECTIONS as f64;
         Self { directions: std::array::from_fn(|k| DVec2::from_angle(step * k as f64)), step }
     }
 
     /// Support values of the attractor of `maps` in the directions of the fan; the attractor is known
     /// to lie in the unit disc.
-    fn settle(&self, maps: &[Affine2], factor: f64) -> [f64; FAN] {
+    fn settle(&self, maps: &[Affine2], factor: f64) -> [f64; DIRECTIONS] {
         // Where each direction of each map goes does not change from round to round.
         let links: Vec<Link> = maps
             .iter()
@@ -139,9 +139,9 @@ impl Fan {
                 self.directions.map(|d| self.link(transposed, d, map.translation))
             })
             .collect();
-        let mut support = [1.0; FAN];
+        let mut support = [1.0; DIRECTIONS];
         let mut change = f64::INFINITY;
-        for _ in 0..ROUNDS {
+        for _ in 0..MOST_ROUNDS {
             change = 0.0;
             let next = image(&links, &support);
             for (old, (new, _)) in support.iter_mut().zip(next) {
@@ -172,7 +172,7 @@ impl Fan {
         let pulled = transposed * d;
         let length = pulled.length();
         let turn = pulled.y.atan2(pulled.x).rem_euclid(std::f64::consts::TAU) / self.step;
-        let low = (turn.floor() as usize).min(FAN - 1);
+        let low = (turn.floor() as usize).min(DIRECTIONS - 1);
         let angle = (turn - low as f64).clamp(0.0, 1.0) * self.step;
         let scale = length / self.step.sin();
         Link {
@@ -184,10 +184,10 @@ impl Fan {
     }
 
     /// The polygon of all points within the support values.
-    fn polygon(&self, support: &[f64; FAN]) -> Vec<DVec2> {
+    fn polygon(&self, support: &[f64; DIRECTIONS]) -> Vec<DVec2> {
         let mut polygon =
             vec![DVec2::new(-2.0, -2.0), DVec2::new(2.0, -2.0), DVec2::new(2.0, 2.0), DVec2::new(-2.0, 2.0)];
-        let mut clipped = Vec::with_capacity(FAN + 4);
+        let mut clipped = Vec::with_capacity(DIRECTIONS + 4);
         for (direction, &most) in self.directions.iter().zip(support) {
             clipped.clear();
             for i in 0..polygon.len() {
@@ -212,9 +212,9 @@ impl Fan {
 
 /// The support values of the union of the images of a set with these support values, and which map each
 /// is from.
-fn image(links: &[Link], support: &[f64; FAN]) -> [(f64, usize); FAN] {
-    let mut next = [(f64::NEG_INFINITY, 0); FAN];
-    for (map, round) in links.chunks_exact(FAN).enumerate() {
+fn image(links: &[Link], support: &[f64; DIRECTIONS]) -> [(f64, usize); DIRECTIONS] {
+    let mut next = [(f64::NEG_INFINITY, 0); DIRECTIONS];
+    for (map, round) in links.chunks_exact(DIRECTIONS).enumerate() {
         for (value, link) in next.iter_mut().zip(round) {
             let bound = link.bound(support);
             if bound > value.0 {
@@ -228,7 +228,7 @@ fn image(links: &[Link], support: &[f64; FAN]) -> [(f64, usize); FAN] {
 /// The support values that the images reproduce, at one stroke: with the map of each direction chosen they solve
 /// linear equations, and maps are chosen anew until none does better (Howard's policy iteration). `None` where that
 /// leads nowhere, as it does when the fan is too coarse for how little the maps shrink.
-fn solve(links: &[Link], start: &[f64; FAN]) -> Option<[f64; FAN]> {
+fn solve(links: &[Link], start: &[f64; DIRECTIONS]) -> Option<[f64; DIRECTIONS]> {
     let mut support = *start;
     for _ in 0..64 {
         let chosen = image(links, &support).map(|(_, map)| map);
@@ -242,17 +242,17 @@ fn solve(links: &[Link], start: &[f64; FAN]) -> Option<[f64; FAN]> {
 }
 
 /// Solves `support = bound of the chosen map from support` by elimination.
-fn evaluate(links: &[Link], chosen: &[usize; FAN]) -> Option<[f64; FAN]> {
-    let mut rows = Box::new([[0.0; FAN + 1]; FAN]);
+fn evaluate(links: &[Link], chosen: &[usize; DIRECTIONS]) -> Option<[f64; DIRECTIONS]> {
+    let mut rows = Box::new([[0.0; DIRECTIONS + 1]; DIRECTIONS]);
     for (k, (row, &map)) in rows.iter_mut().zip(chosen).enumerate() {
-        let link = &links[map * FAN + k];
+        let link = &links[map * DIRECTIONS + k];
         row[k] += 1.0;
         row[link.low] -= link.from_low;
-        row[(link.low + 1) % FAN] -= link.from_high;
-        row[FAN] = link.shift;
+        row[(link.low + 1) % DIRECTIONS] -= link.from_high;
+        row[DIRECTIONS] = link.shift;
     }
-    for k in 0..FAN {
-        let pivot = (k..FAN).max_by(|&i, &j| rows[i][k].abs().total_cmp(&rows[j][k].abs()))?;
+    for k in 0..DIRECTIONS {
+        let pivot = (k..DIRECTIONS).max_by(|&i, &j| rows[i][k].abs().total_cmp(&rows[j][k].abs()))?;
         rows.swap(k, pivot);
         let top = rows[k];
         if top[k].abs() < 1e-14 {
@@ -267,10 +267,10 @@ fn evaluate(links: &[Link], chosen: &[usize; FAN]) -> Option<[f64; FAN]> {
             }
         }
     }
-    let mut support = [0.0; FAN];
-    for k in (0..FAN).rev() {
-        let known: f64 = (k + 1..FAN).map(|i| rows[k][i] * support[i]).sum();
-        support[k] = (rows[k][FAN] - known) / rows[k][k];
+    let mut support = [0.0; DIRECTIONS];
+    for k in (0..DIRECTIONS).rev() {
+        let known: f64 = (k + 1..DIRECTIONS).map(|i| rows[k][i] * support[i]).sum();
+        support[k] = (rows[k][DIRECTIONS] - known) / rows[k][k];
     }
     // Within the unit disc, or the equations have no solution that means something.
     support.iter().all(|value| value.abs() <= 1.0 + 1e-6).then_some(support)
@@ -285,8 +285,8 @@ struct Link {
 
 impl Link {
     #[inline]
-    fn bound(&self, support: &[f64; FAN]) -> f64 {
-        let high = if self.low + 1 == FAN { 0 } else { self.low + 1 };
+    fn bound(&self, support: &[f64; DIRECTIONS]) -> f64 {
+        let high = if self.low + 1 == DIRECTIONS { 0 } else { self.low + 1 };
         self.from_low * support[self.low] + self.from_high * support[high] + self.shift
     }
 }

@@ -36,7 +36,7 @@ struct Link {
 /// A few times the error of one rounding.
 const ULPS: f64 = 8.0 * f64::EPSILON;
 /// Most rounds of lowering.
-const ROUNDS: usize = 400;
+const MOST_ROUNDS: usize = 400;
 
 impl Fan3 {
     /// Bounds the attractor of maps that are given in coordinates where it lies in the unit ball around 0, and where
@@ -53,7 +53,7 @@ impl Fan3 {
         self.support.clear();
         self.support.extend(self.directions.iter().map(|d| d.length() * (1.0 + ULPS)));
         let settled = within * (1.0 - factor).max(1e-3);
-        for _ in 0..ROUNDS {
+        for _ in 0..MOST_ROUNDS {
             let mut next = std::mem::take(&mut self.next);
             next.clear();
             next.resize(count, f64::NEG_INFINITY);
@@ -82,7 +82,7 @@ impl Fan3 {
         let start = maps.first().and_then(|map| map.fixed_point()).unwrap_or(DVec3::ZERO);
         self.points.clear();
         self.points.resize(count, start);
-        for _ in 0..ROUNDS {
+        for _ in 0..MOST_ROUNDS {
             self.moved.clone_from(&self.points);
             let mut change = 0.0_f64;
             for (d, moved) in self.directions.iter().zip(&mut self.moved).enumerate() {

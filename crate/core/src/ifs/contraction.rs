@@ -33,14 +33,14 @@ pub struct Contraction<D: Dimension = Dim2> {
 pub type Contraction3 = Contraction<Dim3>;
 
 /// Numbers beyond this make products of maps overflow.
-const LARGEST: f64 = 1e100;
+const LARGEST_NUMBER: f64 = 1e100;
 /// A word of this spectral radius or more is said not to contract.
-const NEUTRAL: f64 = 1.0 - 1e-10;
+const NEUTRAL_RADIUS: f64 = 1.0 - 1e-10;
 /// Maps that shrink at least so much in some coordinates are their own blocks.
-const SHRINKING: f64 = 1.0 - 1e-9;
+const SHRINKING_NORM: f64 = 1.0 - 1e-9;
 /// How many words may be looked at before giving up, and how long they may be.
-const WORDS: usize = 20_000;
-const LETTERS: usize = 48;
+const MOST_WORDS: usize = 20_000;
+const MOST_LETTERS: usize = 48;
 /// Fixed points that are tried as the centre of the disc.
 const MOST_CENTRES: usize = 64;
 
@@ -61,13 +61,13 @@ impl<D: Dimension> Contraction<D> {
         }
         // Single maps first: they settle most bad cases at once.
         let radii: Vec<f64> = maps.iter().map(|map| map.spectral_radius()).collect();
-        if let Some(map) = radii.iter().position(|&radius| radius >= NEUTRAL) {
+        if let Some(map) = radii.iter().position(|&radius| radius >= NEUTRAL_RADIUS) {
             return Err(no_attractor(&[map], radii[map]));
         }
         let linear: Vec<D::Matrix> = maps.iter().map(|map| map.linear).collect();
         let round = D::rounding(&linear, factor, radii.into_iter().fold(0.0, f64::max));
         let factor = worst_norm(maps, round);
-        if factor < SHRINKING {
+        if factor < SHRINKING_NORM {
             return Ok(Self::with_blocks(maps, round, factor, 1));
         }
         Self::search(maps, round)
@@ -94,7 +94,7 @@ impl<D: Dimension> Contraction<D> {
         while let Some((prefix, word)) = open.pop_front() {
             for (i, &map) in maps.iter().enumerate() {
                 seen += 1;
-                if seen > WORDS || word.len() >= LETTERS {
+                if seen > MOST_WORDS || word.len() >= MOST_LETTERS {
                     return Err(IfsError::Unproved);
                 }
                 let block = prefix * map;
@@ -108,7 +108,7 @@ impl<D: Dimension> Contraction<D> {
                     continue;
                 }
                 let radius = block.spectral_radius();
-                if radius >= NEUTRAL {
+                if radius >= NEUTRAL_RADIUS {
                     return Err(no_attractor(&letters, radius));
                 }
                 open.push_back((block, letters));
@@ -153,7 +153,7 @@ fn check<D: Dimension>(maps: &[Affine<D>]) -> Result<(), IfsError> {
     if maps.len() > MAX_MAPS {
         return Err(IfsError::TooManyMaps { count: maps.len() });
     }
-    let fits = |map: &Affine<D>| map.to_row().as_ref().iter().all(|x| x.abs() < LARGEST);
+    let fits = |map: &Affine<D>| map.to_row().as_ref().iter().all(|x| x.abs() < LARGEST_NUMBER);
     match maps.iter().position(|map| !fits(map)) {
         Some(map) => Err(IfsError::NotFinite { map }),
         None => Ok(()),

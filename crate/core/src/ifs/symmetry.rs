@@ -7,7 +7,7 @@ use crate::linear::affine::Affine2;
 use crate::linear::polar2::orthogonal;
 
 /// How far numbers of conjugate maps may differ, in proportion to the shape.
-const SAME: f64 = 1e-9;
+const SAME_NUMBER: f64 = 1e-9;
 
 /// The rotations and reflections of the plane that map the attractor of `ifs` onto itself, as far as its maps show:
 /// those with which conjugation permutes the maps. The identity comes first, then the other rotations by their
@@ -32,7 +32,7 @@ pub fn symmetries(ifs: &Ifs) -> Vec<Affine2> {
     for reflects in [false, true] {
         let mut angles: Vec<f64> = fixed
             .iter()
-            .filter(|p| (away(p) - size).abs() <= SAME * size)
+            .filter(|p| (away(p) - size).abs() <= SAME_NUMBER * size)
             .map(|p| {
                 let (start, end) = ((far - centre).to_angle(), (p - centre).to_angle());
                 // The reflection R(angle) diag(1, -1) takes the direction `start` to `angle - start`.
@@ -62,7 +62,8 @@ fn permutes(sigma: Affine2, maps: &[Affine2], size: f64) -> bool {
         let same = |other: &Affine2| {
             let linear: DMat2 = other.linear - moved.linear;
             let moved = (other.translation - moved.translation).length();
-            linear.x_axis.length() + linear.y_axis.length() <= SAME && moved <= SAME * size * 10.0
+            linear.x_axis.length() + linear.y_axis.length() <= SAME_NUMBER
+                && moved <= SAME_NUMBER * size * 10.0
         };
         left.iter().position(same).map(|k| left.swap_remove(k)).is_some()
     })

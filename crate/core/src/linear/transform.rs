@@ -57,9 +57,9 @@ impl TransformError {
 }
 
 /// Scales beyond these are refused.
-const SCALES: std::ops::Range<f64> = 1e-100..1e100;
+const SCALE_RANGE: std::ops::Range<f64> = 1e-100..1e100;
 /// So are transforms whose scales are farther apart than this.
-const CONDITION: f64 = 1e12;
+const MOST_CONDITION: f64 = 1e12;
 
 pub(crate) fn check(finite: bool, largest: f64, least: f64) -> Result<(), TransformError> {
     if !finite {
@@ -68,15 +68,15 @@ pub(crate) fn check(finite: bool, largest: f64, least: f64) -> Result<(), Transf
     if least == 0.0 || largest == 0.0 {
         return Err(TransformError::Singular);
     }
-    if let Some(&scale) = [largest, least].iter().find(|scale| !SCALES.contains(scale)) {
+    if let Some(&scale) = [largest, least].iter().find(|scale| !SCALE_RANGE.contains(scale)) {
         // One axis flat, the others not: that is nearer to what went wrong.
-        return Err(if largest > least * CONDITION && SCALES.contains(&largest) {
+        return Err(if largest > least * MOST_CONDITION && SCALE_RANGE.contains(&largest) {
             TransformError::NearlySingular { least, largest }
         } else {
             TransformError::Scale { scale }
         });
     }
-    if largest > least * CONDITION {
+    if largest > least * MOST_CONDITION {
         return Err(TransformError::NearlySingular { least, largest });
     }
     Ok(())

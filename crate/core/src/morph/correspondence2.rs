@@ -23,7 +23,7 @@ pub struct Candidate {
 }
 
 /// Up to so many maps, every matching is looked at.
-const FEW: usize = 5;
+const MOST_MATCHED_ALL_WAYS: usize = 5;
 /// The extra turns that are tried.
 const WINDINGS: [i32; 3] = [0, 1, -1];
 
@@ -44,7 +44,7 @@ pub fn candidates(from: &Ifs, to: &Ifs, limit: usize) -> Result<Vec<Candidate>, 
     }
     let costs = Costs::of(from.maps(), to.maps(), [Frame::of(from), Frame::of(to)]);
     let count = from.len();
-    let mut found = if count <= FEW { costs.all(limit) } else { costs.near(limit) };
+    let mut found = if count <= MOST_MATCHED_ALL_WAYS { costs.all(limit) } else { costs.near(limit) };
     let identity = costs.candidate((0..count).collect(), vec![0; count]);
     let order = |candidate: &Candidate| {
         // Fewer extra turns first where the cost is the same to rounding.

@@ -48,9 +48,9 @@ pub struct Route {
 }
 
 /// At most so many ways of one kind.
-const OF_A_KIND: usize = 3;
+const MOST_OF_A_KIND: usize = 3;
 /// A way must be so much cheaper than the first to be offered where that is as good in kind.
-const CHEAPER: f64 = 0.8;
+const CHEAPER_SHARE: f64 = 0.8;
 
 /// The ways there are to bring two shapes to a morph: first what happens if nothing is chosen, then the others, the
 /// plainest first.
@@ -63,13 +63,14 @@ pub fn routes(from: &Ifs, to: &Ifs) -> Vec<Route> {
     let turned = base.overturned(&maker.frames).len();
     let matched = maker.rematched(&base);
     if matched.correspondence != base.correspondence
-        && (fewer(&matched, turned) || matched.cost < CHEAPER * base.cost)
+        && (fewer(&matched, turned) || matched.cost < CHEAPER_SHARE * base.cost)
     {
         others.push(matched);
     }
     for last in [true, false] {
         let symmetric = maker.symmetric(&base, &symmetries(if last { to } else { from }), last);
-        others.extend(symmetric.filter(|route| fewer(route, turned) || route.cost < CHEAPER * base.cost));
+        others
+            .extend(symmetric.filter(|route| fewer(route, turned) || route.cost < CHEAPER_SHARE * base.cost));
     }
     others.extend(maker.mirrored(&base, to));
     others.retain(|other| !base.is_like(other));
@@ -77,7 +78,7 @@ pub fn routes(from: &Ifs, to: &Ifs) -> Vec<Route> {
     let mut all = vec![base];
     for other in others {
         let like = all.iter().any(|route| route.is_like(&other));
-        if !like && all.iter().filter(|route| route.kind == other.kind).count() < OF_A_KIND {
+        if !like && all.iter().filter(|route| route.kind == other.kind).count() < MOST_OF_A_KIND {
             all.push(other);
         }
     }
@@ -243,7 +244,7 @@ impl Maker {
         let plain = self.route(RouteKind::Mirror, about.to_owned(), base.from.clone(), maps?);
         // The mirror exchanges left and right, so the order that suited the shape may not suit its image.
         let matched = self.rematched(&plain);
-        let mut route = if matched.cost < CHEAPER * plain.cost { matched } else { plain };
+        let mut route = if matched.cost < CHEAPER_SHARE * plain.cost { matched } else { plain };
         route.kind = RouteKind::Mirror;
         route.about = format!("{about}{}", self.collapse(&route));
         Some(route)

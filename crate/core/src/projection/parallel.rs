@@ -85,7 +85,7 @@ impl Plane {
 }
 
 /// How far a direction may be turned and still be called kept, in radians.
-const KEPT: f64 = 1e-9;
+const KEPT_ANGLE: f64 = 1e-9;
 
 /// The maps of the plane whose attractor is the shadow of that of `maps`, exactly, where the direction of view is kept by
 /// every map: points of one shadow then go to points of one shadow, and the shadow of the image is the image of the shadow.
@@ -96,7 +96,7 @@ pub fn exact_projection(maps: &[Affine3], plane: &Plane) -> Result<Vec<Affine2>,
     let along = plane.direction();
     let shadow = |(map, affine): (usize, &Affine3)| {
         let image = affine.linear * along;
-        if plane.shadow(image).length() > KEPT * affine.norm() {
+        if plane.shadow(image).length() > KEPT_ANGLE * affine.norm() {
             return Err(ProjectError::NotKept { map });
         }
         let linear = DMat2::from_cols(

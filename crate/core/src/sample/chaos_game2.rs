@@ -12,7 +12,7 @@ const LANES: usize = 8;
 const SLOTS: usize = 4096;
 /// Steps of each orbit before the first point is given out: they part the orbits, which all begin at
 /// one point of the attractor.
-const APART: usize = 24;
+const STEPS_APART: usize = 24;
 
 /// Points of the attractor, by Barnsley's chaos game: from a fixed point on, apply a map chosen at random
 /// again and again.
@@ -46,7 +46,7 @@ impl ChaosGame {
             left: 0,
             pieces: [0; LANES],
         };
-        for _ in 0..APART {
+        for _ in 0..STEPS_APART {
             game.advance();
         }
         game

@@ -11,7 +11,7 @@ const LANES: usize = 8;
 /// Slots of the table that turns random bits into a map.
 const SLOTS: usize = 4096;
 /// Steps of each orbit before the first point is given out.
-const APART: usize = 24;
+const STEPS_APART: usize = 24;
 
 /// Points of an attractor of space, by Barnsley's chaos game: the twin of [`ChaosGame`](crate::ChaosGame).
 ///
@@ -48,7 +48,7 @@ impl ChaosGame3 {
             left: 0,
             pieces: [0; LANES],
         };
-        for _ in 0..APART {
+        for _ in 0..STEPS_APART {
             game.advance();
         }
         game

@@ -54,7 +54,7 @@ impl HasPosition for Vertex {
 /// The most words of ke letters: a triangulation of as many points takes a tenth of a second.
 const MOST_CELLS: usize = 1 << 16;
 /// Middles are rounded to this part of the shape's size: no rounding error makes a triangle of its own.
-const STEP: f64 = 1.0 / (1_u64 << 30) as f64;
+const ROUNDING_STEP: f64 = 1.0 / (1_u64 << 30) as f64;
 /// How far out the outer four points lie.
 const OUTER_POINTS: [(f64, f64); 4] = [(-1.0, -1.0), (2.0, -1.0), (-1.0, 2.0), (2.0, 2.0)];
 
@@ -84,10 +84,10 @@ impl Average {
         let mut known: HashMap<(i64, i64), u32> = HashMap::with_capacity(middles.len());
         let (mut points, mut shared, mut vertices) = (Vec::new(), Vec::<u32>::new(), Vec::new());
         for &middle in &middles {
-            let cell = ((middle - low) * scale / STEP).round();
+            let cell = ((middle - low) * scale / ROUNDING_STEP).round();
             let number = *known.entry((cell.x as i64, cell.y as i64)).or_insert(points.len() as u32);
             if number as usize == points.len() {
-                points.push(cell * STEP);
+                points.push(cell * ROUNDING_STEP);
                 shared.push(0);
             }
             shared[number as usize] += 1;

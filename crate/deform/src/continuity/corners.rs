@@ -20,9 +20,9 @@ pub struct Corners {
 }
 
 /// Distances below this share of the shape's size are none.
-const TOLERANCE: f64 = 1e-9;
+const CORNER_TOLERANCE: f64 = 1e-9;
 /// Where cells touch along a side, their parts are looked at, down to about as many of each.
-const PARTS: usize = 256;
+const PARTS_A_SIDE: usize = 256;
 
 impl Corners {
     /// The most corners that are looked for.
@@ -34,19 +34,20 @@ impl Corners {
     pub fn find(maps: &[Affine2]) -> Option<Self> {
         let fixed = maps.iter().map(|map| map.fixed_point()).collect::<Option<Vec<DVec2>>>()?;
         let size = fixed.iter().map(|p| p.distance(fixed[0])).fold(0.0, f64::max);
-        let letters = hull(&fixed, TOLERANCE * size);
+        let letters = hull(&fixed, CORNER_TOLERANCE * size);
         if !(3..=Self::MOST_CORNERS).contains(&letters.len()) {
             return None;
         }
         let points: Vec<DVec2> = letters.iter().map(|&letter| fixed[letter]).collect();
         let last = points.len() - 1;
         let (along, up) = (points[1] - points[0], points[last] - points[0]);
-        let square = last == 3 && points[0].distance(points[1] + points[3] - points[2]) <= TOLERANCE * size;
+        let square =
+            last == 3 && points[0].distance(points[1] + points[3] - points[2]) <= CORNER_TOLERANCE * size;
         let to_sides = (last == 2 || square).then(|| DMat2::from_cols(along, up).inverse());
         let this = Self { points, letters, to_sides };
         // Slivers have no inside worth the name.
         let sound = (0..=last).all(|i| this.bulge(i) > 1e-6 * size * size);
-        (sound && this.fit(maps, TOLERANCE * size)).then_some(this)
+        (sound && this.fit(maps, CORNER_TOLERANCE * size)).then_some(this)
     }
 
     /// The corners, in cyclic order, counter-clockwise.
@@ -136,7 +137,7 @@ impl Corners {
             return false;
         }
         let cells: Vec<Cell> = maps.iter().map(|map| self.cell(*map)).collect();
-        let levels = PARTS.ilog(maps.len().clamp(2, PARTS)) as usize;
+        let levels = PARTS_A_SIDE.ilog(maps.len().clamp(2, PARTS_A_SIDE)) as usize;
         (0..cells.len()).all(|i| (0..i).all(|j| self.meet(&cells[i], &cells[j], maps, tolerance, levels)))
     }
 

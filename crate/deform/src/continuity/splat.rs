@@ -39,7 +39,7 @@ struct Layer {
 }
 
 /// The most squares along a side of the finest grid.
-const FINEST: f64 = 512.0;
+const FINEST_GRID: f64 = 512.0;
 /// The most nodes for each cell: a shape that is almost nothing needs no more.
 const MOST_NODES: f64 = 256.0;
 /// The most cells of a level.
@@ -134,8 +134,9 @@ impl Layer {
         }
         let share = filled.iter().filter(|filled| **filled).count() as f64 / filled.len() as f64;
         let area = size.x * size.y / count;
-        let wanted =
-            (0.9 * (area * share).sqrt()).max((area / MOST_NODES).sqrt()).max(size.max_element() / FINEST);
+        let wanted = (0.9 * (area * share).sqrt())
+            .max((area / MOST_NODES).sqrt())
+            .max(size.max_element() / FINEST_GRID);
         let (mut grid, mut halvings) = (coarsest, 0);
         while grid.spacing() > 1.4 * wanted {
             grid = grid.halved();

@@ -8,13 +8,13 @@ use super::RingBend;
 const FEWEST_PARTS: usize = 256;
 
 /// How often such a part is halved where the mesh bends it more than can be seen.
-const HALVINGS: u32 = 8;
+const MOST_HALVINGS: u32 = 8;
 
 /// No more corners than this come of it.
 const MOST_FINE: usize = 1 << 16;
 
 /// How coarse it may be where it is not seen, in parts of the polyline's box.
-const OUTSIDE: f64 = 1.0 / 128.0;
+const OUTSIDE_TOLERANCE: f64 = 1.0 / 128.0;
 
 impl RingBend {
     /// A closed polyline, the first corner not repeated, bent: `line` holds the corners of the curve at rest with their
@@ -59,7 +59,7 @@ impl RingBend {
                     (fine[(i + fine.len() - 1) % fine.len()].1, fine[i].1, fine[(i + 1) % fine.len()].1);
                 // As long as no side at the corner comes into the window.
                 let away = beside(window, p) - before.distance(p).max(p.distance(after));
-                tolerance.max((0.5 * away).min(OUTSIDE * size))
+                tolerance.max((0.5 * away).min(OUTSIDE_TOLERANCE * size))
             };
             let found = simplified(&fine, room);
             if found.len() <= most {
@@ -94,7 +94,7 @@ impl RingBend {
                 let p = if t < t1 { p0.lerp(p1, ((t - t0) / long).clamp(0.0, 1.0)) } else { p1 };
                 let to = (t, p, self.displaced(t, p));
                 if !flat(from.1, p) && found.len() < enough {
-                    self.halve(from, to, tolerance, HALVINGS, found);
+                    self.halve(from, to, tolerance, MOST_HALVINGS, found);
                 }
                 if t < t1 {
                     found.push((to.0, to.2));

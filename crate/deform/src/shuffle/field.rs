@@ -76,12 +76,12 @@ impl<'a> Field<'a> {
 }
 
 /// The deepest letter that is asked for; what is beyond, NaN or negative is taken to the nearest that is not.
-const DEEPEST: f64 = 64.0;
+const DEEPEST_LETTER: f64 = 64.0;
 
 /// Equation 19. Where `ke` falls below `kb` it is raised to it, which is the identity.
 fn between(kb: f64, ke: f64, value: impl Fn(usize, usize) -> DVec2) -> DVec2 {
     let split = |x: f64| {
-        let x = if x.is_nan() { 0.0 } else { x.clamp(0.0, DEEPEST) };
+        let x = if x.is_nan() { 0.0 } else { x.clamp(0.0, DEEPEST_LETTER) };
         (x.floor() as usize, x.fract())
     };
     let ((b, rb), (e, re)) = (split(kb), split(ke));

@@ -8,7 +8,7 @@ use crate::outline::{Outline, features};
 const PROJECTION_ROUNDS: usize = 12;
 
 /// Numbers of a segment: two handles, and one of its ends.
-const NUMBERS: usize = 6;
+const NUMBERS_A_SEGMENT: usize = 6;
 
 /// The outline's points from `from` over `many` of them, as one segment.
 #[derive(Clone, Debug)]
@@ -98,7 +98,7 @@ fn nearer(handles: [DVec2; 4], t: f64, p: DVec2) -> f64 {
 pub fn bezier(outline: &Outline, numbers: usize, count: usize) -> Vec<DVec2> {
     let points = outline.points();
     let total = points.len();
-    let many = (numbers / NUMBERS).clamp(3, total);
+    let many = (numbers / NUMBERS_A_SEGMENT).clamp(3, total);
     let marks = features(outline, many.min(6));
     let mut segments: Vec<Segment> = (0..marks.len())
         .map(|i| {

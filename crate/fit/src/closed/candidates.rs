@@ -9,21 +9,21 @@ use glam::DVec2;
 use super::{ArcCopy, CONTRACTION, ClosedCurve, MAX_SPAN, over};
 
 /// Places on a chord.
-const GRID: usize = 28;
+const CHORD_PLACES: usize = 28;
 
 /// The largest factor that is proposed.
 const MAX_FACTOR: f64 = 1.5;
 
-type Heights = [f64; GRID];
+type Heights = [f64; CHORD_PLACES];
 
 /// Heights over the chord in parts of its length, averaged where there are several; none where the arc leaves its chord
 /// too far behind or ahead.
 fn heights(points: impl Iterator<Item = DVec2>, from: DVec2, to: DVec2) -> Option<Heights> {
     let chord = to - from;
-    let mut sums = [0.0; GRID];
-    let mut counts = [0_u32; GRID];
+    let mut sums = [0.0; CHORD_PLACES];
+    let mut counts = [0_u32; CHORD_PLACES];
     let mut last: Option<DVec2> = None;
-    let place = |g: usize| (g as f64 + 0.5) / GRID as f64;
+    let place = |g: usize| (g as f64 + 0.5) / CHORD_PLACES as f64;
     for p in points {
         let w = over(p - from, chord);
         if !(w.x.abs() < 3.0 && w.y.abs() < 4.0) {
@@ -31,8 +31,8 @@ fn heights(points: impl Iterator<Item = DVec2>, from: DVec2, to: DVec2) -> Optio
         }
         if let Some(before) = last {
             let (a, b) = if before.x <= w.x { (before, w) } else { (w, before) };
-            let first = (a.x * GRID as f64 - 0.5).ceil().max(0.0) as usize;
-            for g in first..GRID {
+            let first = (a.x * CHORD_PLACES as f64 - 0.5).ceil().max(0.0) as usize;
+            for g in first..CHORD_PLACES {
                 let u = place(g);
                 if u > b.x {
                     break;
@@ -44,9 +44,9 @@ fn heights(points: impl Iterator<Item = DVec2>, from: DVec2, to: DVec2) -> Optio
         }
         last = Some(w);
     }
-    let mut grid = [0.0; GRID];
+    let mut grid = [0.0; CHORD_PLACES];
     let mut before = 0.0;
-    for g in 0..GRID {
+    for g in 0..CHORD_PLACES {
         if counts[g] > 0 {
             before = sums[g] / f64::from(counts[g]);
         }
@@ -57,10 +57,10 @@ fn heights(points: impl Iterator<Item = DVec2>, from: DVec2, to: DVec2) -> Optio
 
 /// Takes a line's share off, and says what is left: the sum of squares.
 fn free_of_lines(grid: &mut Heights) -> f64 {
-    let mean = grid.iter().sum::<f64>() / GRID as f64;
-    let place = |g: usize| (g as f64 + 0.5) / GRID as f64 - 0.5;
-    let slope = (0..GRID).map(|g| place(g) * grid[g]).sum::<f64>()
-        / (0..GRID).map(|g| place(g) * place(g)).sum::<f64>();
+    let mean = grid.iter().sum::<f64>() / CHORD_PLACES as f64;
+    let place = |g: usize| (g as f64 + 0.5) / CHORD_PLACES as f64 - 0.5;
+    let slope = (0..CHORD_PLACES).map(|g| place(g) * grid[g]).sum::<f64>()
+        / (0..CHORD_PLACES).map(|g| place(g) * place(g)).sum::<f64>();
     let mut rest = 0.0;
     for (g, height) in grid.iter_mut().enumerate() {
         *height -= mean + slope * place(g);
@@ -132,14 +132,14 @@ impl Library {
             }
         }
         let corner = |at: usize| {
-            let place = (at + 1) as f64 / GRID as f64;
+            let place = (at + 1) as f64 / CHORD_PLACES as f64;
             let mut shape: Heights =
-                std::array::from_fn(|g| ((g as f64 + 0.5) / GRID as f64 - place).max(0.0));
+                std::array::from_fn(|g| ((g as f64 + 0.5) / CHORD_PLACES as f64 - place).max(0.0));
             let norm = free_of_lines(&mut shape).sqrt();
             shape.iter_mut().for_each(|h| *h /= norm);
             (place, shape)
         };
-        Self { arcs, corners: (2..GRID - 3).map(corner).collect() }
+        Self { arcs, corners: (2..CHORD_PLACES - 3).map(corner).collect() }
     }
 
     /// The best copy for a stretch, among arcs for which `allowed` says so by their first and last knot and span.
@@ -199,7 +199,7 @@ impl Stretch {
         let mut rest = heights(points, ends[0], ends[1])?;
         let chord = ends[0].distance(ends[1]);
         rest.iter_mut().for_each(|h| *h *= chord);
-        let weight = many.max(1) as f64 / GRID as f64;
+        let weight = many.max(1) as f64 / CHORD_PLACES as f64;
         let straight = weight * free_of_lines(&mut rest);
         Some(Self { rest, straight, weight, chord })
     }

@@ -5,19 +5,19 @@ use crate::outline::{Fidelity, Outline, fidelity};
 
 /// What the curve pays for straying from the outline, one way to finish after the other. Little is best for the
 /// outline's distance from the curve, much for the curve's from the outline, and for how rough it is.
-const WEIGHTS: [f64; 6] = [0.003, 0.01, 0.03, 0.1, 0.3, 1.0];
+const TIE_WEIGHTS: [f64; 6] = [0.003, 0.01, 0.03, 0.1, 0.3, 1.0];
 
 /// Those for curves that are not the best found.
-const FEW: [f64; 2] = [0.01, 0.1];
+const RUNNER_UP_WEIGHTS: [f64; 2] = [0.01, 0.1];
 
 /// The most steps of each way.
-const STEPS: usize = 6;
+const MOST_STEPS: usize = 6;
 
 /// In parts of the diagonal: as fine as links hold curves.
-const PACKED: f64 = 1.5e-4;
+const LINK_PRECISION: f64 = 1.5e-4;
 
 /// Differences of box dimension below this do not count.
-const SLOPE: f64 = 0.004;
+const SLOPE_TOLERANCE: f64 = 0.004;
 
 /// What a difference of 1 beyond it counts.
 const SLOPE_WEIGHT: f64 = 15.0;
@@ -31,7 +31,7 @@ const FAR_WEIGHT: f64 = 0.08;
 /// How good a fit is, the smaller the better: the root mean square distance, raised by how much the roughness is off
 /// and by how far the farthest point is.
 pub(crate) fn score(near: &Fidelity) -> f64 {
-    let slope = (near.slope_difference().abs() - SLOPE).max(0.0);
+    let slope = (near.slope_difference().abs() - SLOPE_TOLERANCE).max(0.0);
     let far =
         if near.rms > 0.0 { (near.hausdorff / near.rms - MOST_HAUSDORFF).clamp(0.0, 100.0) } else { 0.0 };
     near.rms * (1.0 + SLOPE_WEIGHT * slope + FAR_WEIGHT * far)
@@ -57,7 +57,7 @@ impl Finisher {
         let refiner = Refiner::new(outline.points().to_vec(), tolerance, levels);
         let mut ways = Vec::new();
         for (i, curve) in curves.iter().enumerate() {
-            let weights: &[f64] = if i == 0 { &WEIGHTS } else { &FEW };
+            let weights: &[f64] = if i == 0 { &TIE_WEIGHTS } else { &RUNNER_UP_WEIGHTS };
             // Each way begins where the one before it ended.
             ways.extend(
                 weights.iter().enumerate().map(|(k, &weight)| ((k == 0).then(|| curve.clone()), weight)),
@@ -91,7 +91,7 @@ impl Finisher {
     pub fn step(&mut self) -> bool {
         let Some((mut curve, error, steps)) = self.now.take() else { return false };
         let (next, moved) = self.refiner.step(&mut curve, error);
-        if moved && next < error * (1.0 - 1e-4) && steps + 1 < STEPS {
+        if moved && next < error * (1.0 - 1e-4) && steps + 1 < MOST_STEPS {
             self.now = Some((curve, next, steps + 1));
             return true;
         }
@@ -117,7 +117,8 @@ impl Finisher {
         }
         let diagonal = self.outline.diagonal();
         let measure = |curve: &ClosedCurve| fidelity(&self.outline, &curve.polyline(2e-4 * diagonal, 12));
-        let packed = curve.to_bytes(PACKED * diagonal).and_then(|bytes| ClosedCurve::from_bytes(&bytes));
+        let packed =
+            curve.to_bytes(LINK_PRECISION * diagonal).and_then(|bytes| ClosedCurve::from_bytes(&bytes));
         let near = measure(curve);
         let both = packed.map_or(f64::INFINITY, |packed| score(&measure(&packed)));
         let total = 0.5 * (score(&near) + both);

@@ -12,7 +12,7 @@ use super::{ClosedCurve, partition};
 use crate::outline::{Outline, features};
 
 /// The least and the most numbers a fit may have.
-const NUMBERS: (usize, usize) = (12, 2000);
+const NUMBER_RANGE: (usize, usize) = (12, 2000);
 
 /// The most points of the outline that are followed while searching.
 const MAX_FOLLOWED: usize = 2400;
@@ -121,22 +121,22 @@ pub struct Fitter {
 }
 
 /// After so many rounds without a gain the search sets out anew.
-const PATIENCE: usize = 15;
+const IDLE_ROUNDS: usize = 15;
 
 /// Moves with which it does.
-const KICK: usize = 3;
+const RESTART_MOVES: usize = 3;
 
 /// How far the curve may stray from the outline, in root mean squares of the first polygon.
-const REACH: f64 = 4.0;
+const FREE_DISTANCE: f64 = 4.0;
 
 /// What the curve pays for straying.
 const TIES: Ties = Ties { back: 0.03, beyond: 2.0, far: 4.0, reach: 0.0 };
 
 /// So many curves are finished.
-const FINISHED: usize = 3;
+const CURVES_FINISHED: usize = 3;
 
 /// How deep copies are opened while fitting.
-const LEVELS: usize = 3;
+const FITTING_LEVELS: usize = 3;
 
 /// The most rounds of trade.
 const MOST_TRADE_ROUNDS: usize = 900;
@@ -147,7 +147,7 @@ impl Fitter {
     /// # Errors
     /// Where the numbers are not between 12 and 2000, or the outline has too few points for them.
     pub fn new(outline: &Outline, numbers: usize) -> Result<Self, FitError> {
-        if numbers < NUMBERS.0 || numbers > NUMBERS.1 {
+        if numbers < NUMBER_RANGE.0 || numbers > NUMBER_RANGE.1 {
             return Err(FitError::BadNumbers { numbers });
         }
         let pairs = numbers / 2;
@@ -164,7 +164,7 @@ impl Fitter {
         let marks = features(&thin, pairs);
         let curve = ClosedCurve::polygon(marks.iter().map(|&i| ring[i]).collect());
         let tolerance = 1.5e-3 * diagonal;
-        let refiner = Refiner::new(ring.clone(), tolerance, LEVELS);
+        let refiner = Refiner::new(ring.clone(), tolerance, FITTING_LEVELS);
         let error = refiner.error(&curve);
         let best = ClosedFit { curve: curve.clone(), error };
         Ok(Self {
@@ -268,7 +268,7 @@ impl Fitter {
             }
             self.refine(2);
             let forward = self.refiner.forward_error(&self.now.curve);
-            self.reach = REACH * (forward / self.ring.len() as f64).sqrt();
+            self.reach = FREE_DISTANCE * (forward / self.ring.len() as f64).sqrt();
             self.refiner.set_ties(Ties { reach: self.reach, ..TIES });
             self.error = self.refiner.error(&self.now.curve);
             self.best.error = self.refiner.error(&self.best.curve);
@@ -292,7 +292,7 @@ impl Fitter {
         self.straight = Some((self.now.clone(), self.error));
         self.begin(marks);
         self.refine(3);
-        let library = Library::new(&self.now.curve, self.tolerance, LEVELS);
+        let library = Library::new(&self.now.curve, self.tolerance, FITTING_LEVELS);
         let (_, mut using) = self.now.offers(&self.ring, &library, &[]);
         using.retain(|offer| matches!(offer.action, Move::Copy(..)) && offer.cost < 0.0);
         using.sort_by(|a, b| a.cost.total_cmp(&b.cost));
@@ -310,7 +310,7 @@ impl Fitter {
 
     /// One round: the cheapest numbers are freed and spent where they gain most; kept if it is for the better.
     fn trade(&mut self) {
-        let library = Library::new(&self.now.curve, self.tolerance, LEVELS);
+        let library = Library::new(&self.now.curve, self.tolerance, FITTING_LEVELS);
         let moves = self.choose(&library);
         self.rounds += 1;
         if self.rounds >= MOST_TRADE_ROUNDS {
@@ -353,7 +353,7 @@ impl Fitter {
             }
             self.batch = (self.batch / 2).max(1);
             self.stale += 1;
-            if self.stale >= PATIENCE {
+            if self.stale >= IDLE_ROUNDS {
                 self.set_out();
             }
         }
@@ -364,15 +364,15 @@ impl Fitter {
         self.stale = 0;
         self.found.push((self.now.curve.clone(), self.error));
         self.found.sort_by(|a, b| a.1.total_cmp(&b.1));
-        self.found.truncate(FINISHED + 1);
+        self.found.truncate(CURVES_FINISHED + 1);
         match &self.home {
             Some((marked, error)) if *error <= self.error => {
                 (self.now, self.error) = (marked.clone(), *error);
             }
             _ => self.home = Some((self.now.clone(), self.error)),
         }
-        let library = Library::new(&self.now.curve, self.tolerance, LEVELS);
-        self.batch = KICK;
+        let library = Library::new(&self.now.curve, self.tolerance, FITTING_LEVELS);
+        self.batch = RESTART_MOVES;
         let (jitter, greed) = (self.jitter, self.greed);
         (self.jitter, self.greed) = (2.0, 4.0);
         let moves = self.choose(&library);
@@ -462,10 +462,11 @@ impl Fitter {
             self.found.sort_by(|a, b| a.1.total_cmp(&b.1));
             curves
                 .extend(self.found.drain(..).map(|found| found.0).filter(|curve| *curve != self.best.curve));
-            curves.truncate(FINISHED);
+            curves.truncate(CURVES_FINISHED);
             let few = self.all.points().len() <= 16_384;
             let outline = if few { self.all.clone() } else { self.outline.clone() };
-            let mut finisher = Finisher::new(outline, &curves, self.tolerance / 3.0, LEVELS + 1, self.reach);
+            let mut finisher =
+                Finisher::new(outline, &curves, self.tolerance / 3.0, FITTING_LEVELS + 1, self.reach);
             finisher.begin(None);
             self.finisher = Some(finisher);
             return;

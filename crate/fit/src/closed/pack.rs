@@ -18,7 +18,7 @@ const FACTOR_STEP: f64 = 1.0 / 1024.0;
 const MOST_FACTOR: i64 = 1 << 20;
 
 /// The finest grid, in parts of the box's diagonal.
-const FINEST: f64 = 1e-9;
+const FINEST_GRID: f64 = 1e-9;
 
 /// No knot lies further out, and no curve is smaller unless it is a point: squares of lengths are numbers then.
 const FARTHEST_KNOT: f64 = 1e100;
@@ -165,7 +165,7 @@ impl ClosedCurve {
     /// The width of the grid for a precision: a knot moves by half a diagonal of the grid at most.
     fn step(&self, precision: f64) -> f64 {
         let (low, high) = crate::outline::bounds(&self.knots);
-        let finest = FINEST * low.distance(high);
+        let finest = FINEST_GRID * low.distance(high);
         1.4 * if precision > finest { precision.min(1e9 * finest) } else { finest }
     }
 

@@ -5,7 +5,7 @@ use glam::DVec2;
 use crate::outline::{Outline, features};
 
 /// The longest arc, in candidates.
-const WINDOW: usize = 160;
+const LONGEST_ARC: usize = 160;
 
 /// Sums over the first points, from which those of any stretch follow.
 struct Sums(Vec<[f64; 5]>);
@@ -47,7 +47,7 @@ pub fn partition(outline: &Outline, count: usize) -> Vec<usize> {
     let (low, high) = outline.bounds();
     let sums = Sums::new(points, (low + high) / 2.0);
     let total = candidates.len();
-    let window = WINDOW.min(total);
+    let window = LONGEST_ARC.min(total);
     // The costs of all arcs from candidate i over 1, 2 .. candidates.
     let place = |i: usize| candidates[i % total] + if i >= total { points.len() } else { 0 };
     let costs: Vec<f64> = (0..total)

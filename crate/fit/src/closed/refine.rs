@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::expansion::Vertex;
-use super::{CONTRACTION, ClosedCurve, SPARE};
+use super::{CONTRACTION, ClosedCurve, FITTING_SHARE};
 use crate::outline::Nearest;
 
 /// What it costs the curve to be off the outline, where the outline's points do not see it.
@@ -260,7 +260,8 @@ fn moved(curve: &ClosedCurve, change: &[f64]) -> ClosedCurve {
         copy.c += rest.next().copied().unwrap_or(0.0);
         let (first, last) = moved.arc_ends(&copy);
         let edge = moved.knots[i].distance(moved.knot(i + 1));
-        let most = 0.999 * SPARE * CONTRACTION * moved.knots[first].distance(moved.knots[last]) / edge;
+        let most =
+            0.999 * FITTING_SHARE * CONTRACTION * moved.knots[first].distance(moved.knots[last]) / edge;
         copy.c = copy.c.clamp(-most, most);
         moved.edges[i] = Some(copy);
     }

@@ -6,13 +6,13 @@ use base64::engine::general_purpose::URL_SAFE_NO_PAD;
 use super::{ClosedCurve, PackError};
 
 /// Parts of the box's diagonal: what a document keeps of a knot. A fit is a hundred times coarser.
-const FINE: f64 = 1e-5;
+const DOCUMENT_STEP: f64 = 1e-5;
 
 /// The longest word that is read, in characters.
 pub const MAX_TEXT: usize = 48 * 1024;
 
 /// How many times a grid is halved that a document keeps as it is.
-const HALVINGS: i32 = 12;
+const MOST_HALVINGS: i32 = 12;
 
 impl ClosedCurve {
     /// The curve as documents keep it: knots to a hundred-thousandth of the box's diagonal, factors to 1/2048. One on a
@@ -55,7 +55,7 @@ impl ClosedCurve {
         // finer.
         for _ in 0..8 {
             let grain = curve.grain();
-            let mut finer = (0..=HALVINGS).map(|k| grain * 0.5_f64.powi(k));
+            let mut finer = (0..=MOST_HALVINGS).map(|k| grain * 0.5_f64.powi(k));
             let bytes = curve.to_bytes(finer.find(|&fine| curve.lies_on_grid(fine)).unwrap_or(grain))?;
             let again = Self::from_bytes(&bytes)?;
             if again == curve {
@@ -71,7 +71,7 @@ impl ClosedCurve {
     /// The precision of documents: a power of two, so that it stays the same when the curve has moved a little.
     fn grain(&self) -> f64 {
         let (low, high) = crate::outline::bounds(&self.knots);
-        let fine = FINE * low.distance(high);
+        let fine = DOCUMENT_STEP * low.distance(high);
         if fine > 0.0 && fine.is_finite() { fine.log2().floor().exp2() } else { fine }
     }
 }
@@ -117,7 +117,7 @@ mod tests {
             prop_assert_eq!(&kept.to_text().unwrap(), &text);
             let (low, high) = crate::outline::bounds(&curve.knots);
             for (a, b) in curve.knots.iter().zip(&kept.knots) {
-                prop_assert!(a.distance(*b) <= 2.0 * FINE * low.distance(high));
+                prop_assert!(a.distance(*b) <= 2.0 * DOCUMENT_STEP * low.distance(high));
             }
         }
     }
@@ -169,7 +169,10 @@ mod tests {
         }
 
         #[test]
-        fn a_finer_grid_is_kept(wobble in proptest::collection::vec(-0.6..0.6_f64, 1..9), halvings in 0..=HALVINGS) {
+        fn a_finer_grid_is_kept(
+            wobble in proptest::collection::vec(-0.6..0.6_f64, 1..9),
+            halvings in 0..=MOST_HALVINGS,
+        ) {
             let curve = ring(12, 1.37, &wobble);
             prop_assume!(curve.is_sound());
             let fine = curve.grain() * 0.5_f64.powi(halvings);
@@ -207,7 +210,7 @@ mod tests {
         }
         assert!(curve.to_text().unwrap().len() < MAX_TEXT);
         // The same on the finest grid that would be kept.
-        let bytes = curve.to_bytes(curve.grain() * 0.5_f64.powi(HALVINGS)).unwrap();
+        let bytes = curve.to_bytes(curve.grain() * 0.5_f64.powi(MOST_HALVINGS)).unwrap();
         let fine = ClosedCurve::from_bytes(&bytes).unwrap();
         assert_eq!(fine.to_text(), Err(PackError::TooLong));
         assert_eq!(ClosedCurve::from_text(&URL_SAFE_NO_PAD.encode(bytes)), Err(PackError::TooLong));

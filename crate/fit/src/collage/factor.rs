@@ -11,7 +11,7 @@ use glam::{DMat2, DVec2};
 use crate::fractal::piece::spectral_norm;
 
 /// How thin points may lie along a line, squared, before they are taken to be on it.
-const THIN: f64 = 1e-24;
+const LEAST_THICKNESS: f64 = 1e-24;
 
 /// Where maxima are looked for: more closely near the thin axis of the points, where they may be sharp.
 const CELLS: u32 = 32;
@@ -35,7 +35,7 @@ pub(super) fn bounded(pairs: impl Iterator<Item = (DVec2, DVec2)> + Clone, bound
         sums.cross += outer(y, x / size);
     }
     let Sums { square, cross } = sums;
-    if square.y <= THIN {
+    if square.y <= LEAST_THICKNESS {
         return outer((cross.x_axis / square.x).clamp_length_max(bound), first);
     }
     let c = sums.bounded(bound);

@@ -3,18 +3,18 @@
 use glam::DVec2;
 
 /// Places along each curve at first, when every beginning is tried, and in the end.
-const COARSE: usize = 96;
-const FINE: usize = 4 * COARSE;
+const COARSE_PLACES: usize = 96;
+const FINE_PLACES: usize = 4 * COARSE_PLACES;
 
 /// How far the fine alignment may stray from the coarse one, in places.
-const BAND: usize = 20;
+const BAND_PLACES: usize = 20;
 
 /// What a difference of direction counts against one of place: half a turn is as bad as so much of the curve's size,
 /// squared.
-const TURN: f64 = 0.6;
+const TURN_WEIGHT: f64 = 0.6;
 
 /// What it costs to stand still on one curve.
-const STILL: f64 = 0.05;
+const STANDSTILL_COST: f64 = 0.05;
 
 /// Steps on the two curves.
 const STEPS: [(usize, usize); 5] = [(1, 1), (1, 2), (2, 1), (1, 0), (0, 1)];
@@ -57,7 +57,7 @@ fn spots(line: &[(f64, DVec2)], count: usize) -> Vec<Spot> {
     for spot in &mut found {
         spot.at = (spot.at - middle) * scale;
     }
-    let near = (count / COARSE).max(1);
+    let near = (count / COARSE_PLACES).max(1);
     for k in 0..count {
         let way = found[(k + near) % count].at - found[(k + count - near) % count].at;
         found[k].way = way.normalize_or_zero();
@@ -66,7 +66,7 @@ fn spots(line: &[(f64, DVec2)], count: usize) -> Vec<Spot> {
 }
 
 fn cost(a: &Spot, b: &Spot) -> f64 {
-    a.at.distance_squared(b.at) + TURN * 0.5 * (1.0 - a.way.dot(b.way))
+    a.at.distance_squared(b.at) + TURN_WEIGHT * 0.5 * (1.0 - a.way.dot(b.way))
 }
 
 /// The cheapest way from (0, first) once round both curves, where only places within `band` of `centre(i)` are looked
@@ -98,7 +98,7 @@ fn path(
             for (step, &(di, dj)) in STEPS.iter().enumerate() {
                 let (Some(pi), Some(pj)) = (i.checked_sub(di), j.checked_sub(dj)) else { continue };
                 let Some(pk) = column(pi, pj) else { continue };
-                let still = if di == 0 || dj == 0 { STILL } else { 0.0 };
+                let still = if di == 0 || dj == 0 { STANDSTILL_COST } else { 0.0 };
                 let total = costs[pi * wide + pk] + 0.5 * (di + dj) as f64 * here + still;
                 if total < best.0 {
                     best = (total, step as u8);
@@ -123,23 +123,25 @@ fn path(
 
 /// Pairs (t of a, t of b) in order, once round both: what belongs together. The second goes on above 1.
 pub(super) fn align(a: &[(f64, DVec2)], b: &[(f64, DVec2)]) -> Vec<(f64, f64)> {
-    let (few_a, few_b) = (spots(a, COARSE), spots(b, COARSE));
-    let rough = |first: usize| path(&few_a, &few_b, first, COARSE / 3, |i| i);
-    let best = (0..COARSE).map(|first| (first, rough(first))).min_by(|a, b| a.1.0.total_cmp(&b.1.0));
+    let (few_a, few_b) = (spots(a, COARSE_PLACES), spots(b, COARSE_PLACES));
+    let rough = |first: usize| path(&few_a, &few_b, first, COARSE_PLACES / 3, |i| i);
+    let best = (0..COARSE_PLACES).map(|first| (first, rough(first))).min_by(|a, b| a.1.0.total_cmp(&b.1.0));
     let Some((first, (_, way))) = best else { return Vec::new() };
     // Where the coarse way is at each of its places.
-    let mut centres = vec![0; COARSE + 1];
+    let mut centres = vec![0; COARSE_PLACES + 1];
     way.iter().for_each(|&(i, j)| centres[i] = j - first);
-    for i in 1..=COARSE {
+    for i in 1..=COARSE_PLACES {
         centres[i] = centres[i].max(centres[i - 1]);
     }
-    let fold = FINE / COARSE;
+    let fold = FINE_PLACES / COARSE_PLACES;
     let centre = |i: usize| {
         let (k, rest) = (i / fold, i % fold);
-        centres[k] * (fold - rest) + centres[(k + 1).min(COARSE)] * rest
+        centres[k] * (fold - rest) + centres[(k + 1).min(COARSE_PLACES)] * rest
     };
-    let (all_a, all_b) = (spots(a, FINE), spots(b, FINE));
-    let fine = |shift: usize| path(&all_a, &all_b, (first * fold + FINE + shift - fold) % FINE, BAND, centre);
+    let (all_a, all_b) = (spots(a, FINE_PLACES), spots(b, FINE_PLACES));
+    let fine = |shift: usize| {
+        path(&all_a, &all_b, (first * fold + FINE_PLACES + shift - fold) % FINE_PLACES, BAND_PLACES, centre)
+    };
     let best = (0..=2 * fold).map(fine).min_by(|a, b| a.0.total_cmp(&b.0));
     let t = |spots: &[Spot], i: usize| spots[i % spots.len()].t + (i / spots.len()) as f64;
     best.map_or(Vec::new(), |(_, way)| way.iter().map(|&(i, j)| (t(&all_a, i), t(&all_b, j))).collect())

@@ -10,7 +10,7 @@ use super::morphed_curve::MorphedCurve;
 const MOST_VERTICES: usize = 4000;
 
 /// Knots farther apart than this, in parts of the curve, are no partners.
-const APART: f64 = 0.03;
+const MOST_APART: f64 = 0.03;
 
 /// A knot of the common structure: its index on each curve where it is one there.
 #[derive(Clone, Copy, Debug, Default)]
@@ -92,7 +92,7 @@ fn partners(rings: &[Ring; 2], alone: &[MorphedCurve; 2], way: &[(f64, f64)]) ->
     for i in 0..rings[0].knots.len() {
         let there = along(way, alone[0].places[i], false);
         for j in 0..rings[1].knots.len() {
-            let far = apart(there, alone[1].places[j]) / APART;
+            let far = apart(there, alone[1].places[j]) / MOST_APART;
             let differ = turns[0][i] - turns[1][j];
             let sharp = turns[0][i].abs().min(turns[1][j].abs());
             offers.push((far * far + 4.0 * differ * differ - 0.5 * sharp, far, i, j));

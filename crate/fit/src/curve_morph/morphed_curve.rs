@@ -7,10 +7,10 @@ use crate::closed::{CONTRACTION, complex};
 use crate::fractal::piece::spectral_norm;
 
 /// The most copies that are opened for one point.
-const FUEL: u32 = 1 << 16;
+const MOST_OPENED: u32 = 1 << 16;
 
 /// What is left out of a point, in parts of the box.
-const EXACT: f64 = 1e-15;
+const POINT_ERROR: f64 = 1e-15;
 
 /// One copy that an edge is made with: the arc's residual, times a matrix.
 #[derive(Clone, Copy, Debug)]
@@ -189,14 +189,14 @@ impl MorphedCurve {
         if !t.is_finite() {
             return self.knots[0];
         }
-        self.value(t, EXACT * self.size, FUEL)
+        self.value(t, POINT_ERROR * self.size, MOST_OPENED)
     }
 
     /// The points at t = i / count, near enough for any picture: within a millionth of the box.
     #[must_use]
     pub fn grid(&self, count: usize) -> Vec<DVec2> {
         let place = |i: usize| i as f64 / count as f64;
-        (0..count).map(|i| self.value(place(i), 1e-6 * self.size, FUEL)).collect()
+        (0..count).map(|i| self.value(place(i), 1e-6 * self.size, MOST_OPENED)).collect()
     }
 
     /// How many copies there are.

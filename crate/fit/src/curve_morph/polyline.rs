@@ -5,29 +5,29 @@ use glam::{DMat2, DVec2};
 use super::morphed_curve::MorphedCurve;
 
 /// The finest tolerance, in parts of the box.
-const FINEST: f64 = 1e-13;
+const FINEST_TOLERANCE: f64 = 1e-13;
 
 /// How fine it is outside the window, in parts of the box.
-const OUTSIDE: f64 = 1.0 / 128.0;
+const OUTSIDE_TOLERANCE: f64 = 1.0 / 128.0;
 
 /// The most copies that are followed at once along a stretch. With more of them it is halved, and how far it strays is
 /// judged by its middle.
 const MOST_PIECES: usize = 6;
 
 /// When a stretch is halved so, a half strays at most so much of the whole: as for a curve of dimension 1.4 or so.
-const HALVED: f64 = 0.7;
+const HALF_STRAY: f64 = 0.7;
 
 /// It strays so much of the whole at least, and so many times what its middle is off.
-const SEEN: (f64, f64) = (0.4, 1.5);
+const SAMPLED_STRAY: (f64, f64) = (0.4, 1.5);
 
 /// For a corner two copies of two copies .. are opened so deep; where an edge has one copy only, deeper.
-const DOUBLINGS: i32 = 11;
+const CORNER_DOUBLINGS: i32 = 11;
 
 /// Places that are nearer to each other are one.
-const SAME: f64 = 1e-14;
+const SAME_PLACE: f64 = 1e-14;
 
 /// What is left out of corners, in tolerances.
-const REST: f64 = 0.04;
+const CORNER_ERROR: f64 = 0.04;
 
 /// A stretch of the curve somewhere, by a matrix: a part of what another stretch is made of.
 #[derive(Clone, Copy, Debug)]
@@ -85,7 +85,7 @@ impl MorphedCurve {
     #[must_use]
     pub fn trace(&self, tolerance: f64, window: Option<[f64; 4]>, most: usize) -> Vec<(f64, DVec2)> {
         let most = most.max(3);
-        let finest = FINEST * self.size;
+        let finest = FINEST_TOLERANCE * self.size;
         let mut tolerance = if tolerance > finest { tolerance } else { finest };
         loop {
             if let Some(points) = self.within(tolerance, window, most) {
@@ -121,7 +121,7 @@ impl MorphedCurve {
             while let Some(mut stretch) = open.pop() {
                 let stray = stretch.stray();
                 let coarse = window.is_some_and(|window| stretch.misses(window, stray));
-                let enough = if coarse { tolerance.max(OUTSIDE * self.size) } else { tolerance };
+                let enough = if coarse { tolerance.max(OUTSIDE_TOLERANCE * self.size) } else { tolerance };
                 let enough = if stretch.judged.is_some() { enough.max(self.noise(&stretch)) } else { enough };
                 if stray <= enough || !stray.is_finite() {
                     if corners.len() == most && edge + 1 < count {
@@ -133,7 +133,7 @@ impl MorphedCurve {
                 if open.len() + corners.len() > most {
                     return None;
                 }
-                let rest = REST * enough;
+                let rest = CORNER_ERROR * enough;
                 let Some(share) = self.look_into(&mut stretch, rest) else {
                     open.push(stretch);
                     continue;
@@ -150,7 +150,7 @@ impl MorphedCurve {
     /// How exact corners are where all edges are made of two copies.
     fn noise(&self, stretch: &Stretch) -> f64 {
         let norms: f64 = stretch.pieces.iter().map(|piece| piece.norm).sum();
-        2.0 * norms * self.size * self.contraction().powi(DOUBLINGS)
+        2.0 * norms * self.size * self.contraction().powi(CORNER_DOUBLINGS)
     }
 
     fn edge(&self, edge: usize) -> Stretch {
@@ -271,7 +271,7 @@ impl MorphedCurve {
     /// The knot inside a piece that is at a place, but for rounding.
     fn knot_at(&self, piece: &Piece, place: f64) -> Option<usize> {
         let inside = piece.first + 1..piece.last;
-        inside.into_iter().find(|&knot| (self.place(knot) - place).abs() <= SAME)
+        inside.into_iter().find(|&knot| (self.place(knot) - place).abs() <= SAME_PLACE)
     }
 
     /// Cuts a stretch in two, at a share at which a piece has a knot, or blindly.
@@ -291,7 +291,7 @@ impl MorphedCurve {
             let place = own.map_or_else(|| piece.at(share), |knot| self.place(knot));
             let source = match own {
                 Some(knot) => self.knot(knot),
-                None => self.value(place, rest / piece.norm, 1 << DOUBLINGS),
+                None => self.value(place, rest / piece.norm, 1 << CORNER_DOUBLINGS),
             };
             corner += piece.linear * source;
             let (mut below, mut above) = (*piece, *piece);
@@ -311,7 +311,7 @@ impl MorphedCurve {
         let judged = knot.is_none().then(|| {
             let off = corner.distance(stretch.ends[0].midpoint(stretch.ends[1]));
             let stray = stretch.stray();
-            (SEEN.0 * stray).max(SEEN.1 * off).min(HALVED * stray)
+            (SAMPLED_STRAY.0 * stray).max(SAMPLED_STRAY.1 * off).min(HALF_STRAY * stray)
         });
         let [early, late] = sides;
         let [first, last] = stretch.ends;

@@ -7,7 +7,7 @@ use crate::fractal::function::FractalFunction;
 use crate::fractal::piece::Piece;
 
 /// How often the values at the ends of the domains are taken anew. They settle like powers of the factors.
-const ROUNDS: usize = 500;
+const MOST_ROUNDS: usize = 500;
 
 impl FractalFunction {
     /// The function through points whose piece i copies what lies over `domains[i]` (Cochran, Hart & Flynn, section 2.3).
@@ -71,7 +71,7 @@ impl FractalFunction {
         };
         let mut values: Vec<[f64; 2]> = domains.iter().map(|domain| domain.map(line)).collect();
         let size = points.iter().map(|p| p.y.abs()).fold(0.0, f64::max);
-        for _ in 0..ROUNDS {
+        for _ in 0..MOST_ROUNDS {
             let function = make(&values)?;
             let next: Vec<[f64; 2]> = domains.iter().map(|domain| domain.map(|t| function.at(t))).collect();
             let change = next.iter().flatten().zip(values.iter().flatten()).map(|(a, b)| (a - b).abs());

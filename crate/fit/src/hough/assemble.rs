@@ -13,22 +13,22 @@ use crate::fractal::piece::Piece;
 
 /// What one piece costs, in sums of squares of half heights: all are tried. What is cheap by its collage may not be by
 /// its attractor.
-const PRICES: [f64; 5] = [0.005, 0.02, 0.06, 0.15, 0.4];
+const PIECE_PRICES: [f64; 5] = [0.005, 0.02, 0.06, 0.15, 0.4];
 
 /// The strongest candidates.
-const STRONGEST: usize = 32;
+const MOST_CANDIDATES: usize = 32;
 
 /// Copies that hardly shrink are nearly the graph itself, and near it whatever it is: they are also tried without.
-const WIDEST: f64 = 0.75;
+const WIDEST_COPY: f64 = 0.75;
 
 /// Of all that were tried, the best few are polished, which takes longest.
-const POLISHED: usize = 3;
+const MOST_POLISHED: usize = 3;
 
 /// What a piece counts when they are compared by their attractors, in sums of squares of half heights.
-const WORTH: f64 = 0.01;
+const PIECE_WORTH: f64 = 0.01;
 
 /// What a straight piece from one fine point to the next counts, in pieces: it tells nothing but that point.
-const STRAIGHT: f64 = 3.0;
+const STRAIGHT_PRICE: f64 = 3.0;
 
 /// The largest |c| of a piece.
 const MOST_C: f64 = 0.95;
@@ -89,14 +89,14 @@ pub fn assemble(
     let unit = pairing.frame.height(1.0);
     let score = |whole: &Assembly| {
         let straight = whole.used.iter().filter(|used| used.is_none()).count() as f64;
-        let pieces = whole.used.len() as f64 + (STRAIGHT - 1.0) * straight;
-        whole.mean_square / (unit * unit) * fine.points().len() as f64 + WORTH * pieces
+        let pieces = whole.used.len() as f64 + (STRAIGHT_PRICE - 1.0) * straight;
+        whole.mean_square / (unit * unit) * fine.points().len() as f64 + PIECE_WORTH * pieces
     };
     // Weak candidates may lead to parts that are never closed; the strongest alone are tried, too.
-    let strongest = candidates.get(..STRONGEST).unwrap_or(&candidates).to_vec();
+    let strongest = candidates.get(..MOST_CANDIDATES).unwrap_or(&candidates).to_vec();
     let shrinking = |mut pool: Vec<Candidate>| {
         // Again they keep their places.
-        for candidate in pool.iter_mut().filter(|candidate| candidate.map[0].abs() > WIDEST) {
+        for candidate in pool.iter_mut().filter(|candidate| candidate.map[0].abs() > WIDEST_COPY) {
             candidate.domain = [f64::INFINITY; 2];
         }
         pool
@@ -105,7 +105,7 @@ pub fn assemble(
     pools.dedup();
     let mut rough = Vec::new();
     for pool in &pools {
-        for price in PRICES {
+        for price in PIECE_PRICES {
             let stretches = cheapest(&pairing, fine, pool, price);
             let pieces: Vec<_> = stretches.iter().map(|stretch| piece(fine, pool, stretch)).collect();
             let used: Vec<_> = stretches.iter().map(|stretch| stretch.candidate).collect();
@@ -117,7 +117,7 @@ pub fn assemble(
     rough.sort_by(|(a, ..), (b, ..)| a.total_cmp(b));
     rough.dedup_by(|(_, a, _), (_, b, _)| a == b);
     let mut best: Option<Assembly> = None;
-    for (_, pieces, used) in rough.into_iter().take(POLISHED) {
+    for (_, pieces, used) in rough.into_iter().take(MOST_POLISHED) {
         let next = whole(&pairing, fine, &pieces, used)?;
         if best.as_ref().is_none_or(|best| score(&next) < score(best)) {
             best = Some(next);
@@ -194,7 +194,7 @@ fn cheapest(pairing: &Pairing, fine: &Features, candidates: &[Candidate], price:
     let mut best = vec![(0.0, None::<usize>, 0_usize)];
     for (at, &p) in points.iter().enumerate().skip(1) {
         let before = best[at - 1].0;
-        let mut here = (before + STRAIGHT * price, None, at - 1);
+        let mut here = (before + STRAIGHT_PRICE * price, None, at - 1);
         for (index, candidate) in candidates.iter().enumerate() {
             let turn = before + price + error(candidate, points[at - 1]);
             if turn < now[index].0 {

@@ -7,13 +7,13 @@ use super::pairing::Pairing;
 use super::refine::{Candidate, refine};
 
 /// Peaks of one plane that are followed.
-const PEAKS: usize = 32;
+const MOST_PEAKS: usize = 32;
 
 /// Maps with a smaller |a| or |c| are clutter.
-const CLUTTER: f64 = 0.15;
+const CLUTTER_FACTOR: f64 = 0.15;
 
 /// Maps with a larger a and c are, too: they hardly differ from the identity.
-const IDENTITY: f64 = 0.9;
+const IDENTITY_FACTOR: f64 = 0.9;
 
 /// The strongest maps, whose compositions are echoes.
 const MAX_BASES: usize = 7;
@@ -57,7 +57,7 @@ pub(super) fn peaks(pairing: &Pairing, cells: &[u32], counts: &[u32]) -> Vec<Clu
     for (&cell, plane) in cells.iter().zip(counts.chunks_exact(PLANE * PLANE)) {
         let mut highest: Vec<_> = (0..plane.len()).filter(|&at| is_peak(plane, at)).collect();
         highest.sort_by_key(|&at| (std::cmp::Reverse(plane[at]), at));
-        for at in highest.into_iter().take(PEAKS) {
+        for at in highest.into_iter().take(MOST_PEAKS) {
             let cell = cell as usize;
             let abc = [cell / (BINS * BINS), cell / BINS % BINS, cell % BINS];
             let bins = [abc[0], abc[1], abc[2], at / PLANE, at % PLANE].map(|bin| bin as u16);
@@ -96,8 +96,8 @@ pub fn name_clusters(
     for (index, &cluster) in clusters.iter().enumerate() {
         let map = pairing.frame.into(cluster.map);
         let refined = refine(&pairing, map);
-        let still = map[0].min(map[2]) > IDENTITY;
-        let kind = if still || map[0].abs() < CLUTTER || map[2].abs() < CLUTTER {
+        let still = map[0].min(map[2]) > IDENTITY_FACTOR;
+        let kind = if still || map[0].abs() < CLUTTER_FACTOR || map[2].abs() < CLUTTER_FACTOR {
             Kind::Clutter
         } else if let Some(word) = words.find(map, pairing.quanta()) {
             Kind::Echo(word)

@@ -11,7 +11,7 @@ pub struct Letter {
 }
 
 /// The longest compositions.
-const LETTERS: usize = 5;
+const LONGEST_COMPOSITION: usize = 5;
 
 /// The most compositions.
 const MOST_COMPOSITIONS: usize = 20_000;
@@ -45,7 +45,7 @@ impl Words {
         self.letters.push((Letter { cluster, inverse: true }, inverse(map)));
         self.words = self.letters.iter().map(|&(letter, map)| (vec![letter], map)).collect();
         let mut from = 0;
-        for _ in 1..LETTERS {
+        for _ in 1..LONGEST_COMPOSITION {
             let until = self.words.len();
             if (until - from) * self.letters.len() > MOST_COMPOSITIONS {
                 break;

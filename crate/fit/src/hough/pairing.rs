@@ -13,13 +13,13 @@ pub(crate) const CELLS: usize = BINS * BINS * BINS;
 const SLAB: usize = BINS * BINS;
 
 /// Adding it leaves the nearest whole number in the low bits.
-const MAGIC: f32 = 12_582_912.0;
+const ROUNDING_OFFSET: f32 = 12_582_912.0;
 
 /// The largest |e|, in half heights.
 const MOST_E: f64 = 4.0;
 
 /// Triples flatter than this, in half heights, tell no c.
-const FLAT: f64 = 1e-5;
+const FLATTEST_TRIPLE: f64 = 1e-5;
 
 /// Votes that share the domain triple, or at least its first point, and a.
 pub(crate) struct Row<'a> {
@@ -70,7 +70,9 @@ pub(crate) struct Buffers {
 
 /// Bin of a value that is 64 for 0; far off, a very large number.
 fn level(value: f32) -> u32 {
-    (value.clamp(-1e4, 1e4) + MAGIC).to_bits().wrapping_sub(MAGIC.to_bits() - BINS as u32 / 2)
+    (value.clamp(-1e4, 1e4) + ROUNDING_OFFSET)
+        .to_bits()
+        .wrapping_sub(ROUNDING_OFFSET.to_bits() - BINS as u32 / 2)
 }
 
 impl Pairing {
@@ -206,7 +208,7 @@ impl Pairing {
                 room.gap.extend(middle.iter().zip(chord).map(|(middle, chord)| (middle.y - chord) as f32));
                 for i in (0..domains).filter(|i| (i + w) % parts == part) {
                     let sag = self.sag(i, i + p, i + w);
-                    if sag.abs() < FLAT {
+                    if sag.abs() < FLATTEST_TRIPLE {
                         continue;
                     }
                     let points = self.coarse.points();
@@ -279,7 +281,7 @@ impl Pairing {
                     room.clear();
                     for p in 1..w {
                         let sag = self.sag(i, i + p, i + w);
-                        if sag.abs() < FLAT {
+                        if sag.abs() < FLATTEST_TRIPLE {
                             continue;
                         }
                         let image = from.x + a * (coarse[i + p].x - coarse[i].x);

@@ -9,7 +9,7 @@ use super::pairing::{Buffers, CELLS, Listener, Pairing, Row};
 use super::share::gather;
 
 /// A step ends after so many votes.
-const STEP: u64 = 1 << 21;
+const VOTES_A_STEP: u64 = 1 << 21;
 
 /// How far counting has come.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,7 +39,7 @@ impl Cursor {
     }
 
     fn step(&mut self, pairing: &Pairing, room: &mut Buffers, to: &mut impl Listener) -> HoughProgress {
-        let (until, mut units) = (self.votes + STEP, 0);
+        let (until, mut units) = (self.votes + VOTES_A_STEP, 0);
         // Units without votes cost something, too.
         while !self.is_done(pairing) && self.votes < until && units < 1 << 14 {
             self.votes += pairing.pair([self.width, self.length], self.part, room, to);

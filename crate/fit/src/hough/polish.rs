@@ -4,7 +4,7 @@ use super::features::Features;
 use crate::fractal::recurrent::Recurrent;
 
 /// First and last step of a factor; of heights in half heights.
-const STEPS: [f64; 5] = [0.06, 0.03, 0.015, 0.006, 0.0025];
+const FACTOR_STEPS: [f64; 5] = [0.06, 0.03, 0.015, 0.006, 0.0025];
 
 /// The most rounds through all numbers.
 const MOST_ROUNDS: usize = 16;
@@ -30,7 +30,7 @@ pub(super) fn polish(mut recurrent: Recurrent, fine: &Features, unit: f64) -> Re
     };
     let mut best = error(&recurrent);
     let knots = recurrent.points.len();
-    let mut rounds = STEPS.into_iter();
+    let mut rounds = FACTOR_STEPS.into_iter();
     let mut step = rounds.next();
     let mut left = MOST_ROUNDS;
     while let (Some(size), 1..) = (step, left) {

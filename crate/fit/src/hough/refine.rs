@@ -21,13 +21,13 @@ pub struct Candidate {
 const FIT_DISTANCES: [f64; 4] = [0.16, 0.1, 0.06, 0.04];
 
 /// A point this far off is worth nothing when maps are compared; a part with half of that is worth three quarters.
-const WORTH: f64 = 0.03;
+const WORTHLESS_DISTANCE: f64 = 0.03;
 
 /// The part is given with what lies around it as long as images are this near: a copy of little is cheap there, too.
 const CONTEXT_DISTANCE: f64 = 0.25;
 
 /// The ends of the range are looked for so many fine points around.
-const AROUND: isize = 3;
+const END_SEARCH_POINTS: isize = 3;
 
 /// Coarse points that a part has at least.
 const FEWEST_POINTS: usize = 5;
@@ -47,8 +47,11 @@ pub(super) fn refine(pairing: &Pairing, start: [f64; 5]) -> Option<([f64; 5], Ca
     let shifted = |index: usize, by: isize| index.checked_add_signed(by).filter(|&i| i < fine.len());
     let ends = [first, last].map(|j| pairing.fine.nearest(image(j)));
     let mut best: Option<Fit> = None;
-    for by in 0..(2 * AROUND + 1).pow(2) {
-        let (left, right) = (by / (2 * AROUND + 1) - AROUND, by % (2 * AROUND + 1) - AROUND);
+    for by in 0..(2 * END_SEARCH_POINTS + 1).pow(2) {
+        let (left, right) = (
+            by / (2 * END_SEARCH_POINTS + 1) - END_SEARCH_POINTS,
+            by % (2 * END_SEARCH_POINTS + 1) - END_SEARCH_POINTS,
+        );
         let (Some(l), Some(n)) = (shifted(ends[0], left), shifted(ends[1], right)) else { continue };
         let a = (fine[n].x - fine[l].x) / (coarse[last].x - coarse[first].x);
         let d = fine[l].x - a * coarse[first].x;
@@ -80,7 +83,7 @@ struct Fit {
 impl Fit {
     /// A long part is worth more than a short one, unless the map is sloppy there.
     fn worth(&self) -> f64 {
-        self.points as f64 * (1.0 - (self.rms / WORTH).powi(2))
+        self.points as f64 * (1.0 - (self.rms / WORTHLESS_DISTANCE).powi(2))
     }
 }
 

@@ -8,7 +8,7 @@ use super::problem::{ReadError, Remark};
 use crate::outline::{MAX_OUTLINE, Outline, crossings, thinned};
 
 /// Points of one line are kept up to so many; of more, every second one, and so on.
-pub const KEPT: usize = 1 << 20;
+pub const MAX_KEPT: usize = 1 << 20;
 /// The most outlines that are listed.
 const MAX_LISTED: usize = 100;
 /// The most points of all that are listed, but for the largest outline.
@@ -32,7 +32,7 @@ pub struct Line {
 impl Line {
     pub fn push(&mut self, point: DVec2) {
         if self.count.trailing_zeros() >= self.thin {
-            if self.kept.len() == KEPT {
+            if self.kept.len() == MAX_KEPT {
                 let mut k = 0;
                 self.kept.retain(|_| (k % 2 == 0, k += 1).0);
                 self.thin += 1;
@@ -230,11 +230,11 @@ mod tests {
 
     #[test]
     fn a_line_of_any_length_is_kept_evenly() {
-        for count in [0, 5, KEPT, KEPT + 1, 3 * KEPT + 7] {
+        for count in [0, 5, MAX_KEPT, MAX_KEPT + 1, 3 * MAX_KEPT + 7] {
             let mut line = Line::default();
             (0..count).for_each(|i| line.push(DVec2::splat(i as f64)));
             assert_eq!(line.count, count);
-            assert!(line.points().len() <= KEPT && line.points().len() >= count.min(KEPT / 2));
+            assert!(line.points().len() <= MAX_KEPT && line.points().len() >= count.min(MAX_KEPT / 2));
             let stride = line.stride() as f64;
             assert!(line.points().windows(2).all(|pair| pair[1].x - pair[0].x == stride));
         }

@@ -18,7 +18,7 @@ pub enum FileKind {
 }
 
 /// As much of a file as [`sniff`] looks at.
-const HEAD: usize = 4096;
+const HEAD_BYTES: usize = 4096;
 
 /// Says what a file is by its first bytes.
 ///
@@ -57,7 +57,7 @@ pub fn sniff(bytes: &[u8]) -> FileKind {
     if let Some((_, kind)) = known.iter().find(|(is, _)| *is) {
         return *kind;
     }
-    let head = &bytes[..bytes.len().min(HEAD)];
+    let head = &bytes[..bytes.len().min(HEAD_BYTES)];
     let wide = at(0, b"\xff\xfe") || at(0, b"\xfe\xff");
     // Text has no bytes that steer machines of old, but for tabs and ends of lines and pages.
     if !wide && head.iter().any(|&byte| byte < 32 && !matches!(byte, b'\t' | b'\n' | b'\r' | 12)) {

@@ -11,9 +11,9 @@ use super::problem::{ReadError, Remark};
 use super::text::short;
 
 /// As many lines as are looked at to find out how columns are parted.
-const SAMPLE: usize = 200;
+const SAMPLED_LINES: usize = 200;
 /// A heading may be so long, in lines.
-const HEADING: usize = 30;
+const LONGEST_HEADING: usize = 30;
 
 /// The numbers in a table.
 pub struct Table {
@@ -35,7 +35,7 @@ pub fn read_table(text: &str) -> Result<Table, ReadError> {
         })
     };
     let Some((first_line, first)) = lines().next() else { return Err(ReadError::Empty) };
-    let sample: Vec<&str> = lines().map(|(_, line)| line).take(SAMPLE).collect();
+    let sample: Vec<&str> = lines().map(|(_, line)| line).take(SAMPLED_LINES).collect();
     let Some(found) = columns(&sample) else {
         return Err(ReadError::NoNumbers { line: first_line, text: short(first, 40) });
     };
@@ -51,7 +51,7 @@ pub fn read_table(text: &str) -> Result<Table, ReadError> {
         match point(&found, line, table.line.count) {
             Some(point) => table.line.push(point),
             // Before the first numbers stands a heading.
-            None if table.line.count == 0 && number < first_line + HEADING => {}
+            None if table.line.count == 0 && number < first_line + LONGEST_HEADING => {}
             None => {
                 bad_count += 1;
                 if bad.len() < 5 {
@@ -129,7 +129,7 @@ fn single_row(columns: &Columns, sample: &[&str]) -> Option<Line> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::gather::KEPT;
+    use super::super::gather::MAX_KEPT;
     use super::*;
 
     fn points(text: &str) -> Vec<[f64; 2]> {
@@ -258,7 +258,7 @@ mod tests {
         let table = read_table(&text).expect("a table");
         assert_eq!(table.line.count, 3_000_000);
         let kept = table.line.points().len();
-        assert!(kept <= KEPT && kept > KEPT / 2);
+        assert!(kept <= MAX_KEPT && kept > MAX_KEPT / 2);
         assert_eq!(table.remarks[0].code, "thinned");
     }
 }

@@ -22,10 +22,10 @@ pub struct Choice {
 }
 
 /// What is enough to be taken for a shape.
-pub const WHOLE: f64 = 0.5;
+pub const LEAST_SCORE: f64 = 0.5;
 
 /// Rules as wide as twice this and one are found, in pixels.
-const RULES: [usize; 4] = [1, 2, 3, 5];
+const RULE_RADII: [usize; 4] = [1, 2, 3, 5];
 
 /// The best channel of a picture; None where no channel has two values.
 pub fn choose(rgba: &[u8], width: usize, height: usize) -> Option<Choice> {
@@ -63,7 +63,7 @@ pub fn choose(rgba: &[u8], width: usize, height: usize) -> Option<Choice> {
                 best = Some((score, choice));
             }
         }
-        if best.as_ref().is_none_or(|(_, choice)| choice.whole >= WHOLE) {
+        if best.as_ref().is_none_or(|(_, choice)| choice.whole >= LEAST_SCORE) {
             break;
         }
     }
@@ -109,13 +109,13 @@ fn judge(channel: Channel, mut values: Vec<u8>, width: usize, height: usize) -> 
     }
     let mut whole = wholeness(&bits);
     let mut rules = 0;
-    if whole < WHOLE {
+    if whole < LEAST_SCORE {
         let all = bits.count();
-        for radius in RULES {
+        for radius in RULE_RADII {
             let opened = bits.opened_by_square(radius);
             let now = wholeness(&opened);
             // Of speckles some are left, too, but few.
-            if now >= WHOLE && 15 * opened.count() > all {
+            if now >= LEAST_SCORE && 15 * opened.count() > all {
                 (whole, rules, at_border) = (now, radius, share(&opened));
                 break;
             }
@@ -139,7 +139,7 @@ impl Choice {
     /// Whether it is nothing but speckles: in pieces, or in one spread only once it is smoothed (0.64 of the spread of
     /// a bell lies between its halves).
     pub fn is_noise(&self) -> bool {
-        self.whole < 0.5 * WHOLE || (self.smoothed && self.level.separation < 0.7)
+        self.whole < 0.5 * LEAST_SCORE || (self.smoothed && self.level.separation < 0.7)
     }
 }
 

@@ -16,9 +16,9 @@ pub struct Moving {
 }
 
 /// Pieces that are skinned together.
-const PORTION: usize = 4096;
+const PIECES_A_SKIN: usize = 4096;
 /// How far off, in pixels, a skinned anchor may be.
-const BLUR: f64 = 0.1;
+const ANCHOR_TOLERANCE: f64 = 0.1;
 
 impl Moving {
     /// Forgets all pieces.
@@ -48,7 +48,7 @@ impl Moving {
     pub fn can_skin(bent: &Bent<'_>) -> bool {
         let to_world = bent.frame.to_world;
         let largest = to_world.translation.abs().max_element() + to_world.norm() + bent.bend.reach();
-        bent.eye.blur(largest) <= BLUR
+        bent.eye.blur(largest) <= ANCHOR_TOLERANCE
     }
 
     /// Tells for each piece where it is when the control points of the mesh are displaced so, its letters and its tint.
@@ -72,9 +72,9 @@ impl Moving {
                     .flat_map(|(cursor, ..)| anchors.iter().map(move |anchor| (cursor.clone(), *anchor)));
                 bent.bend.skin(&places.collect::<Vec<_>>())
             };
-            self.skins = self.pieces.chunks(PORTION).map(skin).collect();
+            self.skins = self.pieces.chunks(PIECES_A_SKIN).map(skin).collect();
         }
-        for (skin, pieces) in self.skins.iter().zip(self.pieces.chunks(PORTION)) {
+        for (skin, pieces) in self.skins.iter().zip(self.pieces.chunks(PIECES_A_SKIN)) {
             self.places.resize(2 * skin.len(), 0.0);
             skin.follow(displacements, &mut self.places);
             let each = self.places.chunks_exact(2 * anchors.len().max(1));

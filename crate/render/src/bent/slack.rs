@@ -18,8 +18,8 @@ pub struct Slack {
 }
 
 /// Words that are looked at, and their longest.
-const WORDS: u32 = 96;
-const LONGEST: usize = 64;
+const WORDS_SAMPLED: u32 = 96;
+const LONGEST_WORD: usize = 64;
 
 impl Slack {
     /// Looks at a bend.
@@ -27,10 +27,10 @@ impl Slack {
         let sides = Sides::of(bend.anchors(), frame.to_world);
         let mut by_letters = Vec::new();
         let maps = frame.maps.len() as u32;
-        for word in 0..WORDS {
+        for word in 0..WORDS_SAMPLED {
             let mut path = vec![(bend.whole(), 0)];
             while let Some((cursor, _)) = path.last() {
-                if path.len() > LONGEST || bend.even(cursor) {
+                if path.len() > LONGEST_WORD || bend.even(cursor) {
                     break;
                 }
                 let letter = (hash::counter(word, path.len() as u32) % maps.max(1)) as usize;

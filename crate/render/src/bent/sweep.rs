@@ -34,9 +34,9 @@ enum Node {
 }
 
 /// Visits for each pixel of the window, and on top, before there is an end in any case.
-const PATIENCE: (u64, u64) = (300, 4_000_000);
+const MOST_VISITS: (u64, u64) = (300, 4_000_000);
 /// The largest pieces of one colour, in pixels, where the bend carries colours.
-const COLOURED: f64 = 3.0;
+const COLOURED_SIZE: f64 = 3.0;
 
 impl BentSweep {
     /// Nothing yet.
@@ -68,7 +68,7 @@ impl BentSweep {
 
     /// Visits at most so many pieces of what it began with.
     pub fn run(&mut self, bent: &Bent<'_>, visits: u64) -> Progress {
-        let patience = PATIENCE.0 * self.lit.window().area() as u64 + PATIENCE.1;
+        let patience = MOST_VISITS.0 * self.lit.window().area() as u64 + MOST_VISITS.1;
         for _ in 0..visits {
             let Some(node) = self.stack.pop() else { return Progress::Complete };
             if self.visited >= patience {
@@ -85,7 +85,7 @@ impl BentSweep {
 
     /// Looks at a piece that may be bent in itself.
     fn look(&mut self, bent: &Bent<'_>, cursor: &Cursor, letters: Letters, depth: usize) {
-        let size = if self.coloured { COLOURED } else { f64::INFINITY };
+        let size = if self.coloured { COLOURED_SIZE } else { f64::INFINITY };
         let (verdict, extent) = bent.judge(cursor, depth, 1.0, &Fineness::complete(size));
         if extent.is_none_or(|extent| self.lit.all(extent.pixels)) {
             return;

@@ -33,28 +33,28 @@ pub(crate) struct Probe {
 }
 
 /// Pixels between the points of a cloud.
-const CELL: f64 = 0.5;
+const CLOUD_SPACING: f64 = 0.5;
 /// The finest grid, and the most points to be taken through steps for it.
-const FINEST: f64 = 2048.0;
-const FLOOD: f64 = 2.4e7;
+const FINEST_GRID: f64 = 2048.0;
+const MOST_FLOOD_POINTS: f64 = 2.4e7;
 /// The largest pieces, in pixels, where the shape is not seen whole.
-const PIECE: f64 = 512.0;
+const LARGEST_PIECE: f64 = 512.0;
 /// Probes that must find nothing in a pixel before it is closed.
-const BLAME: u8 = 24;
+const FAILED_PROBES: u8 = 24;
 /// Probes in a row that change nothing before there is an end.
-const IDLE: u32 = 64;
+const IDLE_PROBES: u32 = 64;
 /// Steps of one descent, at most.
-const DEPTH: u64 = 4000;
+const MOST_STEPS: u64 = 4000;
 /// Points and steps, for each pixel of the window and on top, before there is an end in any case.
-const ENOUGH: (u64, u64) = (64, 8_000_000);
+const MOST_WORK: (u64, u64) = (64, 8_000_000);
 
 impl Probe {
     pub fn new(frame: &Frame, root: Node, lit: &Bitmap) -> Self {
         let size = lit.window().extent(&root.map).map_or(1.0, |extent| extent.size);
-        let whole = size * 0.5 < FINEST * CELL * 2.0;
-        let piece = if whole { f64::INFINITY } else { PIECE };
-        let finest = FINEST.min((FLOOD / frame.steps.len() as f64).sqrt());
-        let cells = (size.min(piece) / CELL).min(finest).max(16.0);
+        let whole = size * 0.5 < FINEST_GRID * CLOUD_SPACING * 2.0;
+        let piece = if whole { f64::INFINITY } else { LARGEST_PIECE };
+        let finest = FINEST_GRID.min((MOST_FLOOD_POINTS / frame.steps.len() as f64).sqrt());
+        let cells = (size.min(piece) / CLOUD_SPACING).min(finest).max(16.0);
         let waiting = if whole { parts(frame, root).collect() } else { Vec::new() };
         Self {
             flood: Flood::new(frame, cells as u32),
@@ -66,7 +66,7 @@ impl Probe {
             drawn: 0,
             random: 0,
             idle: 0,
-            left: ENOUGH.0 * lit.window().area() as u64 + ENOUGH.1,
+            left: MOST_WORK.0 * lit.window().area() as u64 + MOST_WORK.1,
         }
     }
 
@@ -119,7 +119,7 @@ impl Probe {
             }
             return portion.max(1) as u64;
         }
-        if self.piece.is_infinite() || self.idle > IDLE {
+        if self.piece.is_infinite() || self.idle > IDLE_PROBES {
             return 0;
         }
         self.idle += 1;
@@ -137,7 +137,7 @@ impl Probe {
             if extent.size <= self.piece && node.letters.count() > 0 {
                 return (Some(node), visits);
             }
-            if visits > DEPTH {
+            if visits > MOST_STEPS {
                 return (None, visits);
             }
             let count = frame.steps.len();
@@ -170,7 +170,7 @@ impl Probe {
                 }
                 let blame = &mut self.blame[self.settled.index((x, y))];
                 *blame += 1;
-                if canvas.lit.get((x, y)) || *blame >= BLAME {
+                if canvas.lit.get((x, y)) || *blame >= FAILED_PROBES {
                     self.settled.set((x, y));
                     self.idle = 0;
                 }

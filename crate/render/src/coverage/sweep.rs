@@ -45,12 +45,12 @@ pub struct Sweep {
 
 /// Visits before overlap is suspected, for each pixel of the window and at most, and those allowed for each
 /// lit pixel: plain shapes take 5 to 100.
-const PATIENCE: (u64, u64) = (8, 100_000);
+const VISITS_BEFORE_DOUBT: (u64, u64) = (8, 100_000);
 /// Where the window shows a small part only, it takes a while to find anything in it.
 const CLOSE_PATIENCE: u64 = 2_000_000;
 const VISITS_A_PIXEL: u64 = 300;
 /// Points a probe draws before the budget is looked at again.
-const PORTION: u64 = 4096;
+const POINTS_A_PORTION: u64 = 4096;
 
 impl Sweep {
     /// A sweep over a picture of the attractor under `to_screen`, the map from the unit
@@ -110,7 +110,7 @@ impl Sweep {
         }
         let Some(probe) = &mut self.probe else { return Progress::Working };
         while self.visited < end {
-            let portion = (end - self.visited).min(PORTION);
+            let portion = (end - self.visited).min(POINTS_A_PORTION);
             let visits = probe.run(&self.frame, self.root, &mut self.canvas, portion, &mut light);
             self.visited += visits;
             if visits == 0 {
@@ -127,7 +127,7 @@ impl Sweep {
         let whole = 2.0 * f64::from(window.width.max(window.height));
         let patience = match window.extent(&self.root.map) {
             Some(extent) if extent.size > whole => CLOSE_PATIENCE,
-            _ => (PATIENCE.0 * window.area() as u64).clamp(2000, PATIENCE.1),
+            _ => (VISITS_BEFORE_DOUBT.0 * window.area() as u64).clamp(2000, VISITS_BEFORE_DOUBT.1),
         };
         while self.visited < end {
             let Some(node) = self.stack.pop() else { return Walk::Complete };

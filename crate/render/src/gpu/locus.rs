@@ -93,10 +93,10 @@ struct Job {
 }
 
 /// Samples along each side of a workgroup.
-const GROUP: u32 = 8;
+const WORKGROUP_SIDE: u32 = 8;
 /// The most samples of one command: each takes microseconds of one core of the card at most, and a card that does not
 /// answer for seconds is taken to hang.
-const BAND: u32 = 1 << 15;
+const MOST_SAMPLES_AT_ONCE: u32 = 1 << 15;
 /// The most samples of a job.
 const MOST_SAMPLES: usize = 1 << 24;
 
@@ -182,7 +182,7 @@ impl LocusGpu {
         let answers =
             self.buffer("answers", wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC, size);
         let back = self.buffer("read", wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST, size);
-        let band = (BAND / width).next_multiple_of(GROUP).max(GROUP);
+        let band = (MOST_SAMPLES_AT_ONCE / width).next_multiple_of(WORKGROUP_SIDE).max(WORKGROUP_SIDE);
         for first in (0..height).step_by(band as usize) {
             let own = Job { maps: maps as u32, epsilon, width, height, first, padding: [0; 3] };
             let uniform = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
@@ -239,7 +239,7 @@ impl LocusGpu {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
             pass.set_pipeline(&self.pipeline);
             pass.set_bind_group(0, &bindings, &[]);
-            pass.dispatch_workgroups(width.div_ceil(GROUP), rows.div_ceil(GROUP), 1);
+            pass.dispatch_workgroups(width.div_ceil(WORKGROUP_SIDE), rows.div_ceil(WORKGROUP_SIDE), 1);
         }
         self.queue.submit([encoder.finish()]);
     }

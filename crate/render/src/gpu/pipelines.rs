@@ -31,11 +31,11 @@ pub(super) struct Pipelines {
 }
 
 /// What pictures are read from.
-pub(super) const READ: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+pub(super) const PICTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// What codes are written to.
-pub(super) const CODES: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
+pub(super) const CODE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 /// What decides which piece is on top.
-pub(super) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
+pub(super) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
 
 const POINTS: &str = concat!(
     include_str!(concat!(env!("OUT_DIR"), "/shader/colour.wgsl")),
@@ -67,7 +67,8 @@ impl Pipelines {
         let draws =
             [Kind::Codes, Kind::Density].map(|kind| draw(device, &points, &points_layout, kind, sums));
         let shows = KINDS.map(|kind| show(device, &resolve, &resolve_layouts[kind as usize], kind, canvas));
-        let reads = KINDS.map(|kind| show(device, &resolve, &resolve_layouts[kind as usize], kind, READ));
+        let reads =
+            KINDS.map(|kind| show(device, &resolve, &resolve_layouts[kind as usize], kind, PICTURE_FORMAT));
         Self { points: draws, shows, reads, points_layout, resolve_layouts }
     }
 
@@ -156,7 +157,7 @@ fn draw(
         operation: wgpu::BlendOperation::Add,
     };
     let (vertex, fragment, format, blend) = match kind {
-        Kind::Codes => ("codes_vertex", "codes_fragment", CODES, None),
+        Kind::Codes => ("codes_vertex", "codes_fragment", CODE_FORMAT, None),
         Kind::Density | Kind::Picture => {
             let blend = wgpu::BlendState { color: add, alpha: add };
             ("density_vertex", "density_fragment", sums, Some(blend))
@@ -188,7 +189,7 @@ fn draw(
             ..wgpu::PrimitiveState::default()
         },
         depth_stencil: (kind == Kind::Codes).then(|| wgpu::DepthStencilState {
-            format: DEPTH,
+            format: DEPTH_FORMAT,
             depth_write_enabled: Some(true),
             // Later maps lie over earlier ones, in whatever order they are drawn.
             depth_compare: Some(wgpu::CompareFunction::GreaterEqual),

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use super::device::Gpu;
 use super::events::Loss;
-use super::pipelines::READ;
+use super::pipelines::PICTURE_FORMAT;
 use crate::picture::window::Window;
 
 /// A picture on its way back.
@@ -28,7 +28,7 @@ impl ReadBack {
             mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            format: READ,
+            format: PICTURE_FORMAT,
             usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
             view_formats: &[],
         })

@@ -5,16 +5,16 @@ use glam::DVec2;
 
 use super::buffer::uniform;
 use super::device::Gpu;
-use super::pipelines::READ;
+use super::pipelines::PICTURE_FORMAT;
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::sheet::{Photo, Sheet, SheetOptions, draw_sheet, on_target};
 
 /// Corners further away than so many pixels have too few digits on the card: such a close view is drawn on the
 /// processor, where it has few triangles.
-const FARTHEST: f64 = 1e6;
+const FARTHEST_CORNER_PIXELS: f64 = 1e6;
 /// The most layers on the average before a sheet is drawn coarser: by a card, and by the processor in its place.
-const LAYERS: (f64, f64) = (64.0, 16.0);
+const MOST_LAYERS: (f64, f64) = (64.0, 16.0);
 
 /// What `shader/sheet.wgsl` calls `Shown`.
 #[repr(C)]
@@ -71,7 +71,7 @@ impl SheetGpu {
         Self {
             draw: draw_pipeline(device, &module, &photo_layout),
             show: resolve_pipeline(device, &module, &resolve_layout, gpu.format()),
-            read: resolve_pipeline(device, &module, &resolve_layout, READ),
+            read: resolve_pipeline(device, &module, &resolve_layout, PICTURE_FORMAT),
             resolve_layout,
             photo: upload(gpu, photo, &photo_layout, &shown[0]),
             shown,
@@ -99,11 +99,11 @@ impl SheetGpu {
         let target = Window { width: window.width * factor, height: window.height * factor };
         let screen: Vec<DVec2> = on_target(sheet, view, window, f64::from(factor)).collect();
         // Not a number is not near either.
-        if !screen.iter().all(|p| p.x.abs() < FARTHEST && p.y.abs() < FARTHEST) {
+        if !screen.iter().all(|p| p.x.abs() < FARTHEST_CORNER_PIXELS && p.y.abs() < FARTHEST_CORNER_PIXELS) {
             self.draw_without(gpu, photo, sheet, view, window);
             return sheet.side().pow(2) as u64 * 2;
         }
-        let step = sheet.step(&screen, target, if gpu.software { LAYERS.1 } else { LAYERS.0 });
+        let step = sheet.step(&screen, target, if gpu.software { MOST_LAYERS.1 } else { MOST_LAYERS.0 });
         self.prepare(gpu, sheet, step);
         self.screen.clear();
         self.screen.extend(screen.iter().map(|p| p.as_vec2().to_array()));
@@ -157,7 +157,7 @@ impl SheetGpu {
             mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            format: READ,
+            format: PICTURE_FORMAT,
             usage: wgpu::TextureUsages::RENDER_ATTACHMENT
                 | wgpu::TextureUsages::TEXTURE_BINDING
                 | wgpu::TextureUsages::COPY_DST,
@@ -253,7 +253,7 @@ fn upload(gpu: &Gpu, photo: &Photo, layout: &wgpu::BindGroupLayout, shown: &wgpu
         mip_level_count: levels.len().max(1) as u32,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
-        format: READ,
+        format: PICTURE_FORMAT,
         usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
         view_formats: &[],
     });
@@ -382,7 +382,7 @@ fn draw_pipeline(
             entry_point: Some("sheet_fragment"),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             targets: &[Some(wgpu::ColorTargetState {
-                format: READ,
+                format: PICTURE_FORMAT,
                 blend,
                 write_mask: wgpu::ColorWrites::ALL,
             })],

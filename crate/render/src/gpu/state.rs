@@ -17,9 +17,9 @@ use crate::raster::MAX_SIDE;
 /// The most points of a complete picture.
 pub(super) const MOST_POINTS: u64 = 32_000_000;
 /// Visits of a sweep in each frame: some milliseconds. Twice that where nothing else is to be done.
-pub(super) const VISITS: u64 = 150_000;
+pub(super) const VISITS_A_FRAME: u64 = 150_000;
 /// How fine sweeps are, in pixels of what is drawn to: at once, and when complete.
-pub(super) const SWEEPS: (f64, f64) = (0.5, 0.125);
+pub(super) const SWEEP_SIZES: (f64, f64) = (0.5, 0.125);
 /// The most halvings of the number of pixels each way in a picture that is made at once.
 const MOST_HALVINGS: u32 = 4;
 

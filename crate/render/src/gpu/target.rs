@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 
 use super::buffer::{Buffer, uniform};
 use super::device::Gpu;
-use super::pipelines::{CODES, DEPTH, Kind, Pipelines, READ};
+use super::pipelines::{CODE_FORMAT, DEPTH_FORMAT, Kind, PICTURE_FORMAT, Pipelines};
 use crate::picture::window::Window;
 use crate::plan::Batch;
 use crate::points::{Instance, Sides, Vertex};
@@ -48,14 +48,14 @@ impl Target {
         };
         let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT;
         let format = match kind {
-            Kind::Codes => CODES,
+            Kind::Codes => CODE_FORMAT,
             Kind::Density => gpu.sums,
-            Kind::Picture => READ,
+            Kind::Picture => PICTURE_FORMAT,
         };
         let read = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
         let pixels = texture("pixels", format, drawn | read);
         let view = |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let depth = (kind == Kind::Codes).then(|| view(&texture("depth", DEPTH, drawn)));
+        let depth = (kind == Kind::Codes).then(|| view(&texture("depth", DEPTH_FORMAT, drawn)));
         let screen = uniform::<Screen>(&gpu.device, "screen");
         let points = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("points"),

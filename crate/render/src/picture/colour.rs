@@ -32,7 +32,7 @@ pub const OKABE_ITO: [[u8; 3]; 7] = [
 ];
 
 /// How far the pieces of a piece are lightened or darkened, at most.
-const CONTRAST: f32 = 0.5;
+const MOST_SHADING: f32 = 0.5;
 
 /// Everything that turns codes and densities into colours, as the shader reads it: a uniform buffer.
 #[repr(C)]
@@ -70,7 +70,7 @@ impl Look {
             source: [0, 0],
             factor: 1.0,
             maps: maps.max(1) as f32,
-            contrast: if colouring == Colouring::Address { CONTRAST } else { 0.0 },
+            contrast: if colouring == Colouring::Address { MOST_SHADING } else { 0.0 },
             gain: 0.0,
             premultiply: 0.0,
             tinted: 0.0,

@@ -9,15 +9,15 @@ pub fn cover(coverage: f32) -> f32 {
 }
 
 /// How much is made of thin mist: the slope at density 0.
-const CONTRAST: f32 = 12.0;
+const SLOPE_AT_ZERO: f32 = 12.0;
 /// The density, in multiples of the mean over the lit pixels, that is as bright as can be.
-const WHITE: f32 = 4.0;
+const WHITE_DENSITY: f32 = 4.0;
 
 /// The alpha of a pixel of a density, 1 being the mean over the lit pixels: its logarithm, since a
 /// measure of this kind varies by orders of magnitude.
 #[must_use]
 pub fn tone(density: f32) -> f32 {
-    let value = (1.0 + CONTRAST * density).log2() / (1.0 + CONTRAST * WHITE).log2();
+    let value = (1.0 + SLOPE_AT_ZERO * density).log2() / (1.0 + SLOPE_AT_ZERO * WHITE_DENSITY).log2();
     value.clamp(0.0, 1.0)
 }
 
@@ -43,7 +43,7 @@ mod tests {
 
     #[test]
     fn tones_rise_with_density_and_stay_within_bounds() {
-        let densities = [0.0, 1e-6, 1e-3, 0.1, 1.0, 3.0, WHITE, 1e9, f32::INFINITY];
+        let densities = [0.0, 1e-6, 1e-3, 0.1, 1.0, 3.0, WHITE_DENSITY, 1e9, f32::INFINITY];
         let tones = densities.map(tone);
         assert!(tones.is_sorted() && tones[0] == 0.0 && tones[8] == 1.0, "{tones:?}");
         assert!(tone(1.0) > 0.5 && tone(1.0) < 0.75, "the mean is a middle tone");

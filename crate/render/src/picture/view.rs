@@ -19,7 +19,7 @@ pub struct View {
 }
 
 /// In pixels: above the rounding errors of `f32` on a screen, and far too little to see.
-const NUDGE: f64 = 1.0 / 1024.0;
+const PIXEL_OFFSET: f64 = 1.0 / 1024.0;
 
 impl View {
     /// The view that shows all of `hull`, with `margin` of the shorter side left free all around
@@ -61,7 +61,7 @@ impl View {
     pub fn onto_screen(&self, inner: Affine2, window: Window) -> Affine2 {
         let middle = DVec2::new(f64::from(window.width), f64::from(window.height)) * 0.5;
         let linear = DMat2::from_diagonal(DVec2::new(self.scale, -self.scale));
-        let middle = middle + DVec2::splat(NUDGE);
+        let middle = middle + DVec2::splat(PIXEL_OFFSET);
         let moved = inner.translation - DVec2::new(self.x, self.y);
         Affine2::new(linear * inner.linear, middle + linear * moved)
     }

@@ -56,7 +56,7 @@ pub fn cut(
 }
 
 /// The most steps to such a piece.
-const DEPTH: u32 = 1000;
+const MOST_STEPS: u32 = 1000;
 
 /// Some pieces of at most `size` pixels that touch the window, by chance: where there are too many for
 /// all of them.
@@ -73,7 +73,7 @@ pub fn cut_at_random(
     let mut random = 0;
     for _ in 0..count {
         let mut piece = Piece::new(to_screen, Letters::NONE);
-        for _ in 0..DEPTH {
+        for _ in 0..MOST_STEPS {
             if piece.size <= size && piece.letters.count() > 0 {
                 break;
             }

@@ -33,7 +33,7 @@ pub struct Frame {
 pub const TIPS: usize = 16;
 
 /// The least ratio of the axes of the ellipse: a segment gets an ellipse as well.
-const FLATTEST: f64 = 1e-6;
+const LEAST_AXIS_RATIO: f64 = 1e-6;
 
 impl Frame {
     /// The frame of an IFS, by way of its hull.
@@ -46,7 +46,7 @@ impl Frame {
     #[must_use]
     pub fn within(ifs: &Ifs, hull: &Hull) -> Self {
         let to_world = enclosing_ellipse(hull.vertices());
-        // The ellipse is never singular, see FLATTEST.
+        // The ellipse is never singular, see LEAST_AXIS_RATIO.
         let inverse = to_world.linear.inverse();
         let maps: Vec<Affine2> = ifs
             .maps()
@@ -85,8 +85,8 @@ fn enclosing_ellipse(points: &[DVec2]) -> Affine2 {
     let centre = mean + turn * ((low + high) * 0.5);
     let half = (high - low) * 0.5;
     let least = half.max_element().max(centre.length() * 1e-15).max(1e-140);
-    let box_linear = turn * DMat2::from_diagonal(half.max(DVec2::splat(least * FLATTEST)));
-    let flat = half.min_element() <= least * FLATTEST;
+    let box_linear = turn * DMat2::from_diagonal(half.max(DVec2::splat(least * LEAST_AXIS_RATIO)));
+    let flat = half.min_element() <= least * LEAST_AXIS_RATIO;
     let inverse = box_linear.inverse();
     let boxed: Vec<DVec2> = points.iter().map(|p| inverse * (*p - centre)).collect();
     let ellipse = if flat { Affine2::IDENTITY } else { khachiyan(&boxed) };
@@ -145,24 +145,24 @@ fn khachiyan(points: &[DVec2]) -> Affine2 {
 }
 
 /// Maps that shrink to more than the first get powers, up to one that shrinks to the second.
-const SLOW: (f64, f64) = (0.95, 0.5);
+const SLOW_FACTORS: (f64, f64) = (0.95, 0.5);
 /// The most powers of each, and the most maps whose products get powers as well.
-const POWERS: usize = 16;
-const PAIRED: usize = 4;
+const MOST_POWERS: usize = 16;
+const MOST_PAIRED: usize = 4;
 
 fn steps(maps: &[Affine2]) -> Vec<(Affine2, Letters)> {
     let letter = |i| Letters::NONE.then(i);
     let mut steps: Vec<_> = maps.iter().enumerate().map(|(i, map)| (*map, letter(i))).collect();
-    let slow: Vec<_> = steps.iter().copied().filter(|(map, _)| map.norm() > SLOW.0).collect();
+    let slow: Vec<_> = steps.iter().copied().filter(|(map, _)| map.norm() > SLOW_FACTORS.0).collect();
     let mut words = slow.clone();
-    if slow.len() <= PAIRED {
+    if slow.len() <= MOST_PAIRED {
         for (i, (a, first)) in slow.iter().enumerate() {
             words.extend(slow[i + 1..].iter().map(|(b, second)| (*a * *b, first.join(*second))));
         }
     }
     for (mut power, mut letters) in words {
-        for _ in 0..POWERS {
-            if power.norm() <= SLOW.1 {
+        for _ in 0..MOST_POWERS {
+            if power.norm() <= SLOW_FACTORS.1 {
                 break;
             }
             // The fourth power each time.
@@ -179,14 +179,14 @@ fn steps(maps: &[Affine2]) -> Vec<(Affine2, Letters)> {
 
 /// A point of the attractor near the middle of the disc: of some hundred, the nearest.
 fn anchor(maps: &[Affine2]) -> DVec2 {
-    const TRIES: usize = 256;
+    const POINTS_TRIED: usize = 256;
     // Rounding must not carry it out of the disc, nor an attractor of no size make it infinite.
     let mut points: Vec<DVec2> = maps.iter().filter_map(|map| map.fixed_point()).filter(inside).collect();
     if points.is_empty() {
         points.push(DVec2::ZERO);
     }
     let mut next = 0;
-    while next < points.len() && points.len() < TRIES {
+    while next < points.len() && points.len() < POINTS_TRIED {
         let point = points[next];
         points.extend(maps.iter().map(|map| map.apply(point)));
         next += 1;

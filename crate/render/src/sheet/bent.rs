@@ -16,7 +16,7 @@ pub struct BentSheet {
 }
 
 /// Corners in a skin: what is looked up for them does not have to be held for all at once.
-const CHUNK: usize = 1 << 14;
+const CORNERS_A_SKIN: usize = 1 << 14;
 
 impl BentSheet {
     /// The sheet under a bend that was made for [`Sheet::maps`] of this `aspect` and these `parts`; with those of
@@ -26,7 +26,7 @@ impl BentSheet {
         let (side, letters) = Sheet::resolution(parts, bend.ke(), most);
         let sheet = Sheet::new(aspect, side, |place| place);
         let mut skins = Vec::new();
-        let mut places = Vec::with_capacity(CHUNK);
+        let mut places = Vec::with_capacity(CORNERS_A_SKIN);
         let pieces = parts.pow(letters as u32);
         let cells = side / pieces;
         let mut row = (usize::MAX, Vec::new());
@@ -40,7 +40,7 @@ impl BentSheet {
                 let piece = (i / cells).min(pieces - 1);
                 let x = (i - piece * cells) as f64 / cells as f64;
                 places.push((row.1[piece].clone(), DVec2::new(x * sheet.aspect(), y)));
-                if places.len() == CHUNK {
+                if places.len() == CORNERS_A_SKIN {
                     skins.push(bend.skin(&places));
                     places.clear();
                 }
@@ -63,7 +63,7 @@ impl BentSheet {
         if self.moves == displacements && !displacements.is_empty() {
             return;
         }
-        let corners = self.sheet.corners_mut().chunks_mut(CHUNK);
+        let corners = self.sheet.corners_mut().chunks_mut(CORNERS_A_SKIN);
         for (corners, skin) in corners.zip(&self.skins) {
             skin.follow(displacements, corners.as_flattened_mut());
         }

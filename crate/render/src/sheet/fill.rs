@@ -7,7 +7,7 @@ use crate::picture::window::Window;
 
 /// Corners are rounded to so many parts of a pixel, as graphics cards do: from there on everything is whole numbers,
 /// so that two triangles never both miss a pixel of the edge between them, nor both take it.
-const PARTS: f64 = 256.0;
+const SUBPIXELS: f64 = 256.0;
 /// Beyond so many parts 64 bits do not suffice for a product of two differences.
 const LARGEST_EXACT: i64 = 1 << 29;
 /// What is further away than any zoom takes it is taken to be here.
@@ -19,7 +19,7 @@ pub(super) type Corner = Option<[i64; 2]>;
 /// Where a point of the screen, in pixels, is rounded to.
 pub(super) fn corner(pixel: DVec2) -> Corner {
     pixel.is_finite().then(|| {
-        let parts = |x: f64| (x * PARTS).round().clamp(-FARTHEST_CORNER, FARTHEST_CORNER) as i64;
+        let parts = |x: f64| (x * SUBPIXELS).round().clamp(-FARTHEST_CORNER, FARTHEST_CORNER) as i64;
         [parts(pixel.x), parts(pixel.y)]
     })
 }
@@ -48,7 +48,7 @@ impl Band {
         if columns.is_empty() || rows.is_empty() {
             return;
         }
-        let [a, b, c] = corners.map(|[x, y]| DVec2::new(x as f64, y as f64) / PARTS);
+        let [a, b, c] = corners.map(|[x, y]| DVec2::new(x as f64, y as f64) / SUBPIXELS);
         let area = (b - a).perp_dot(c - a);
         if area == 0.0 {
             return;
@@ -62,7 +62,7 @@ impl Band {
         let near = corners.iter().flatten().all(|x| x.abs() < LARGEST_EXACT);
         let wide = turned.map(|corner| corner.map(i128::from));
         for row in rows {
-            let y = i64::from(self.top + row) * PARTS as i64 + PARTS as i64 / 2;
+            let y = i64::from(self.top + row) * SUBPIXELS as i64 + SUBPIXELS as i64 / 2;
             let (first, last) = if near {
                 near_span(&turned, y, columns.start, columns.end)
             } else {
@@ -84,7 +84,7 @@ impl Band {
 
 /// The pixels, of `count` from `first` on, whose middles may lie between two numbers of parts.
 fn pixels(low: i64, high: i64, first: u32, count: u32) -> std::ops::Range<u32> {
-    let pixel = |parts: i64| parts.div_euclid(PARTS as i64) - i64::from(first);
+    let pixel = |parts: i64| parts.div_euclid(SUBPIXELS as i64) - i64::from(first);
     let last = (pixel(high) + 1).clamp(0, i64::from(count)) as u32;
     (pixel(low).clamp(0, i64::from(count)) as u32)..last
 }
@@ -100,8 +100,8 @@ macro_rules! span {
                 let (dx, dy) = (bx - ax, by - ay);
                 let owned = dy < 0 || (dy == 0 && dx > 0);
                 // What the edge says of pixel x: start + x * step is at least 0 within.
-                let start = dx * (y - ay) - dy * (PARTS as $whole / 2 - ax) - <$whole>::from(!owned);
-                let step = -dy * PARTS as $whole;
+                let start = dx * (y - ay) - dy * (SUBPIXELS as $whole / 2 - ax) - <$whole>::from(!owned);
+                let step = -dy * SUBPIXELS as $whole;
                 if step == 0 {
                     if start < 0 {
                         return (0, 0);

@@ -167,14 +167,14 @@ fn a_crumpled_sheet_is_drawn_coarser_and_still_whole() {
     let window = Window { width: 100, height: 100 };
     let view = options(100, 100, false).view.unwrap();
     let screen: Vec<DVec2> = on_target(&sheet, view, window, 1.0).collect();
-    let step = sheet.step(&screen, window, LAYERS);
+    let step = sheet.step(&screen, window, MOST_LAYERS);
     assert!(step > 1 && sheet.side().is_multiple_of(step), "{step}");
     let flat = Sheet::new(1.0, 360, |p| p);
     let screen: Vec<DVec2> = on_target(&flat, view, window, 1.0).collect();
-    assert_eq!(flat.step(&screen, window, LAYERS), 1);
+    assert_eq!(flat.step(&screen, window, MOST_LAYERS), 1);
     let none = Sheet::new(1.0, 360, |_| DVec2::NAN);
     let screen: Vec<DVec2> = on_target(&none, view, window, 1.0).collect();
-    assert_eq!(none.step(&screen, window, LAYERS), 1);
+    assert_eq!(none.step(&screen, window, MOST_LAYERS), 1);
 }
 
 #[test]

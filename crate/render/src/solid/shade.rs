@@ -7,11 +7,11 @@ use super::{DepthBuffer, Lamp};
 use crate::picture::colour::Look;
 
 /// Pixels to each side that the lie of the surface is taken from.
-const REACH: i32 = 2;
+const NORMAL_REACH: i32 = 2;
 /// Rings of pixels at which hollows are looked for, and how much each counts.
-const RINGS: [(f32, f32); 4] = [(2.0, 0.2), (5.0, 0.3), (12.0, 0.3), (28.0, 0.2)];
+const HOLLOW_RINGS: [(f32, f32); 4] = [(2.0, 0.2), (5.0, 0.3), (12.0, 0.3), (28.0, 0.2)];
 /// Directions on a ring.
-const RAYS: usize = 8;
+const RING_DIRECTIONS: usize = 8;
 
 /// As deep as nothing is.
 pub(super) const NOTHING_DEPTH: f32 = 1e30;
@@ -107,8 +107,8 @@ impl Scene<'_> {
     /// depth.
     fn normal(&self, x: i32, y: i32, depth: f32) -> Vec3 {
         let (mut xx, mut xy, mut yy, mut xz, mut yz) = (0.0_f32, 0.0_f32, 0.0_f32, 0.0_f32, 0.0_f32);
-        for dy in -REACH..=REACH {
-            for dx in -REACH..=REACH {
+        for dy in -NORMAL_REACH..=NORMAL_REACH {
+            for dx in -NORMAL_REACH..=NORMAL_REACH {
                 let near = self.depth(x + dx, y + dy);
                 if near >= NOTHING_DEPTH {
                     continue;
@@ -140,11 +140,12 @@ impl Scene<'_> {
         let unit = depth / self.lamp.focal;
         let own = self.point(x, y, depth);
         let mut sum = 0.0;
-        for (ring, (radius, weight)) in RINGS.into_iter().enumerate() {
+        for (ring, (radius, weight)) in HOLLOW_RINGS.into_iter().enumerate() {
             let (mut covered, mut known) = (0.0, 0.0_f32);
-            for ray in 0..RAYS {
+            for ray in 0..RING_DIRECTIONS {
                 // Rings are turned against each other.
-                let angle = std::f32::consts::TAU * (ray as f32 + 0.25 * ring as f32) / RAYS as f32;
+                let angle =
+                    std::f32::consts::TAU * (ray as f32 + 0.25 * ring as f32) / RING_DIRECTIONS as f32;
                 let (dx, dy) = ((radius * angle.cos()).round() as i32, (radius * angle.sin()).round() as i32);
                 if !self.inside(x + dx, y + dy) {
                     continue;

@@ -15,12 +15,12 @@ use super::words::{choice, damaged, name_of, number, numbers, read_numbers, read
 use crate::deformation::{Deformation, Key, MAX_KEYS, MAX_SIDE, Subject, Tint};
 
 /// Lengths beyond are a mistake.
-const FAR: f64 = 1e100;
+const FARTHEST_LENGTH: f64 = 1e100;
 /// Letters beyond are a mistake; what is too deep for a shape is taken down when it is drawn.
-const DEEP: f64 = 64.0;
+const DEEPEST_LETTER: f64 = 64.0;
 /// Roughness beyond is a mistake.
-const ROUGH: f64 = 1e6;
-const SECONDS: std::ops::RangeInclusive<f64> = 0.5..=60.0;
+const MOST_ROUGHNESS: f64 = 1e6;
+const LOOP_SECONDS: std::ops::RangeInclusive<f64> = 0.5..=60.0;
 
 const SPINS: [(&str, Spin); 4] = [
     ("none", Spin::None),
@@ -96,7 +96,7 @@ pub(super) fn read_deform<'a>(
     let side = |text: &str| text.parse().ok().filter(|side| (2..=MAX_SIDE).contains(side)).ok_or_else(wrong);
     let bounds = read_numbers::<4>("mesh", bounds)?;
     let [x0, y0, x1, y1] = bounds;
-    if !(within(&bounds, FAR) && x1 > x0 && y1 > y0) {
+    if !(within(&bounds, FARTHEST_LENGTH) && x1 > x0 && y1 > y0) {
         return Err(wrong());
     }
     let mut deform = Deformation::at_rest(bounds);
@@ -116,7 +116,7 @@ pub(super) fn read_deform<'a>(
     for (name, looped) in [("loop", true), ("once", false)] {
         if let Some(text) = get(name) {
             let [seconds] = read_numbers::<1>(name, text)?;
-            if !SECONDS.contains(&seconds) {
+            if !LOOP_SECONDS.contains(&seconds) {
                 return Err(damaged(name, text));
             }
             (deform.seconds, deform.looped) = (seconds, looped);
@@ -141,12 +141,12 @@ fn read_bend(text: &str) -> Result<(f64, f64, Roughness), LinkError> {
         Some(&[kb, ke, a, b, c, d]) => (kb, ke, Roughness::Corners([a, b, c, d])),
         _ => return Err(damaged("bend", text)),
     };
-    let rough = |delta: &f64| (0.0..=ROUGH).contains(delta);
+    let rough = |delta: &f64| (0.0..=MOST_ROUGHNESS).contains(delta);
     let fits = match &delta {
         Roughness::Constant(delta) => rough(delta),
         Roughness::Corners(deltas) => deltas.iter().all(rough),
     };
-    let deep = (0.0..=DEEP).contains(&ke) && (0.0..=ke).contains(&kb);
+    let deep = (0.0..=DEEPEST_LETTER).contains(&ke) && (0.0..=ke).contains(&kb);
     if fits && deep { Ok((kb, ke, delta)) } else { Err(damaged("bend", text)) }
 }
 
@@ -174,7 +174,7 @@ fn read_keys(text: &str, count: usize) -> Result<Vec<Key>, LinkError> {
                 point.parse::<usize>().ok().filter(|point| (1..=count).contains(point)).ok_or_else(wrong)?;
             for (axis, word) in [x, y].into_iter().enumerate() {
                 let [x] = read_numbers::<1>("keys", word)?;
-                if !within(&[x], FAR) {
+                if !within(&[x], FARTHEST_LENGTH) {
                     return Err(wrong());
                 }
                 moves[2 * (point - 1) + axis] = x;
@@ -194,7 +194,9 @@ fn read_tint(text: &str, count: usize) -> Result<Tint, LinkError> {
     let superposed = choice("tint", Some(terms), &TERMS)?;
     let colours: Vec<String> = colours.split(',').take(count + 1).map(|text| format!("#{text}")).collect();
     let is_colour = |text: &String| text.len() == 7 && text[1..].bytes().all(|b| b.is_ascii_hexdigit());
-    let fits = (0.0..=DEEP).contains(&ke) && (0.0..=ke).contains(&kb) && (0.0..=ROUGH).contains(&delta);
+    let fits = (0.0..=DEEPEST_LETTER).contains(&ke)
+        && (0.0..=ke).contains(&kb)
+        && (0.0..=MOST_ROUGHNESS).contains(&delta);
     if fits && colours.len() == count && colours.iter().all(is_colour) {
         Ok(Tint { colours, kb, ke, delta, superposed })
     } else {

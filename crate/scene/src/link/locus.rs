@@ -7,7 +7,7 @@ use super::words::{damaged, number, numbers, read_some, within};
 use crate::scene::{FamilyName, LocusView, MAX_WAY_POINTS, WayPoint};
 
 /// Way points and views further away than this are a mistake.
-const FAR: f64 = 1e6;
+const FARTHEST_POINT: f64 = 1e6;
 
 /// `locus=m:0.0227,0.703,100&at=0.02,0.7`; the family is `morph`, `m` (two sides) or its number of sides, the slice `w`
 /// a fourth number.
@@ -34,7 +34,7 @@ pub(super) fn read_locus<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<O
         None => None,
         Some(text) => {
             let numbers = read_some("at", text)?;
-            let point = WayPoint::from_numbers(&numbers).filter(|_| within(&numbers, FAR));
+            let point = WayPoint::from_numbers(&numbers).filter(|_| within(&numbers, FARTHEST_POINT));
             Some(point.ok_or_else(|| damaged("at", text))?)
         }
     };
@@ -58,7 +58,7 @@ pub(super) fn read_locus<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<O
         [x, y, zoom, w] => view = LocusView { x, y, zoom, w, ..view },
         _ => return Err(damaged("locus", text)),
     }
-    if !(within(&[view.x, view.y, view.w], FAR) && (1e-3..=1e15).contains(&view.zoom)) {
+    if !(within(&[view.x, view.y, view.w], FARTHEST_POINT) && (1e-3..=1e15).contains(&view.zoom)) {
         return Err(damaged("locus", text));
     }
     // All of the morph's is what nothing stands for.
@@ -75,7 +75,7 @@ pub(super) fn read_way(key: &'static str, text: &str) -> Result<Vec<WayPoint>, L
             return Err(LinkError::Value { key, value: format!("a list of more than {MAX_WAY_POINTS}") });
         }
         let numbers = read_some(key, part)?;
-        let point = WayPoint::from_numbers(&numbers).filter(|_| within(&numbers, FAR));
+        let point = WayPoint::from_numbers(&numbers).filter(|_| within(&numbers, FARTHEST_POINT));
         way.push(point.ok_or_else(|| damaged(key, part))?);
     }
     Ok(way)

@@ -14,7 +14,7 @@ use super::words::{damaged, number, numbers, read_numbers, within};
 use crate::space::{Held, MAX_PACKED, SpacePart, view_numbers, view_of};
 
 /// Moments further away than this are a mistake.
-const FAR: f64 = 1e6;
+const FARTHEST_MOMENT: f64 = 1e6;
 
 /// Whether a word can stand in a link as it is.
 fn stands(packed: &str) -> bool {
@@ -35,7 +35,7 @@ pub(super) fn write_space(link: &mut String, space: &SpacePart) -> Result<(), Li
     if space.own && space.view.is_some() {
         link.push_str("&space-own=1");
     }
-    if space.at != 0.0 && within(&[space.at], FAR) {
+    if space.at != 0.0 && within(&[space.at], FARTHEST_MOMENT) {
         let _ = write!(link, "&space-at={}", number(space.at));
     }
     Ok(())
@@ -52,7 +52,7 @@ pub(super) fn read_space<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<O
         view_of(read_numbers::<7>("space-view", list).ok()?, holds)
     });
     let at = get("space-at").and_then(|text| read_numbers::<1>("space-at", text).ok());
-    let at = at.map(|[at]| at).filter(|at| within(&[*at], FAR)).unwrap_or(0.0);
+    let at = at.map(|[at]| at).filter(|at| within(&[*at], FARTHEST_MOMENT)).unwrap_or(0.0);
     let own = view.is_some() && get("space-own") == Some("1");
     Ok(Some(SpacePart { packed: packed.to_owned(), view, own, at }))
 }

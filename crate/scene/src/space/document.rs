@@ -13,7 +13,7 @@ pub const MAX_OBJECTS3: usize = 60;
 /// The most key frames.
 pub const MAX_KEYS3: usize = 100;
 /// Names of the objects of the natural scene begin so, and end with their numbers from 0.
-const NATURAL: &str = "natural-";
+const NATURAL_PREFIX: &str = "natural-";
 
 /// A shape of space.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -31,7 +31,7 @@ impl Shape3 {
     /// The shape of the gallery, or of the natural scene, with this id.
     #[must_use]
     pub fn of_preset(id: &str) -> Option<Self> {
-        let (name, maps) = match id.strip_prefix(NATURAL) {
+        let (name, maps) = match id.strip_prefix(NATURAL_PREFIX) {
             Some(number) => {
                 let number: usize = number.parse().ok()?;
                 let thing = natural_scene().get(number)?;
@@ -82,7 +82,7 @@ impl SpaceObject {
     #[must_use]
     pub fn of_preset(id: &str) -> Option<Self> {
         let shape = Shape3::of_preset(id)?;
-        let thing = id.strip_prefix(NATURAL).and_then(|number| number.parse::<usize>().ok());
+        let thing = id.strip_prefix(NATURAL_PREFIX).and_then(|number| number.parse::<usize>().ok());
         let tint = thing.and_then(|number| natural_scene().get(number)).map(|thing| {
             match thing.tint {
                 "ground" => "#8a7a52",
@@ -98,11 +98,13 @@ impl SpaceObject {
 /// The objects of the natural scene.
 #[must_use]
 pub fn natural_objects() -> Vec<SpaceObject> {
-    (0..natural_scene().len()).filter_map(|k| SpaceObject::of_preset(&format!("{NATURAL}{k}"))).collect()
+    (0..natural_scene().len())
+        .filter_map(|k| SpaceObject::of_preset(&format!("{NATURAL_PREFIX}{k}")))
+        .collect()
 }
 
 /// A background that is that of the page.
-pub const PAGE: &str = "page";
+pub const PAGE_BACKGROUND: &str = "page";
 
 /// What colours a pixel.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
@@ -323,14 +325,15 @@ impl Default for Space {
 }
 
 /// How high a picture is, in radians, unless somebody chose.
-const ANGLE: f64 = 0.7;
+const USUAL_ANGLE: f64 = 0.7;
 
 impl Space {
     /// The view that shows all of it, from a little above; that of the eye at the origin for the natural scene.
     #[must_use]
     pub fn whole_view(&self) -> SpaceView {
-        let natural =
-            |object: &SpaceObject| object.shape.preset.as_deref().is_some_and(|id| id.starts_with(NATURAL));
+        let natural = |object: &SpaceObject| {
+            object.shape.preset.as_deref().is_some_and(|id| id.starts_with(NATURAL_PREFIX))
+        };
         if self.objects.len() > 1 && self.objects.iter().all(natural) {
             // Along x, as the paper has it.
             let (target, distance) = ([12.0, 0.0, 0.0], 12.0);
@@ -340,8 +343,8 @@ impl Space {
         let (centre, radius) = self.ball();
         // A point alone is seen from near by.
         let radius = if radius > 0.0 { radius } else { 1.0 };
-        let distance = 1.08 * radius / (0.5 * ANGLE).sin();
-        SpaceView { target: centre, distance, turn: 0.5, tilt: 0.42, angle: ANGLE, holds: None }
+        let distance = 1.08 * radius / (0.5 * USUAL_ANGLE).sin();
+        SpaceView { target: centre, distance, turn: 0.5, tilt: 0.42, angle: USUAL_ANGLE, holds: None }
     }
 
     /// A ball around all objects, where they are when nothing moves.

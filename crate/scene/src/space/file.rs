@@ -123,7 +123,7 @@ impl FileError {
 }
 
 /// The longest file.
-const LONGEST: usize = 1 << 20;
+const LONGEST_FILE: usize = 1 << 20;
 
 /// Reads the systems of space of a Fractint file: `name (3D) { .. }`, with the sign `(3D)` before the brace or behind it.
 ///
@@ -133,7 +133,7 @@ const LONGEST: usize = 1 << 20;
 /// # Errors
 /// [`FileError`] with the line where it is.
 pub fn parse_ifs3(text: &str) -> Result<SpaceSystems, FileError> {
-    if text.len() > LONGEST {
+    if text.len() > LONGEST_FILE {
         return Err(FileError::TooLong { bytes: text.len() });
     }
     let mut systems = Vec::new();

@@ -120,7 +120,7 @@ fn placed(maps: &[Affine3], at: [f64; 3], spin: f64, scale: [f64; 3]) -> Vec<Row
 const CORNERS: [DVec2; 3] = [DVec2::new(0.0, -1.0), DVec2::new(0.0, 1.0), DVec2::new(-1.0, 0.0)];
 
 /// How much of the heights of the ground its parts have.
-const SHARE: f64 = 0.46;
+const HEIGHT_SHARE: f64 = 0.46;
 
 /// A right-angled triangle with two equal sides as the graph of a rough height.
 ///
@@ -144,7 +144,20 @@ fn ground() -> [Affine3; 4] {
         let across = 0.5 * (rises[1] - rises[0]);
         let level = 0.5 * (rises[0] + rises[1]);
         let [p, q] = [linear.x_axis, linear.y_axis];
-        Affine3::from_row([p.x, q.x, 0.0, p.y, q.y, 0.0, along, across, SHARE, shift.x, shift.y, level])
+        Affine3::from_row([
+            p.x,
+            q.x,
+            0.0,
+            p.y,
+            q.y,
+            0.0,
+            along,
+            across,
+            HEIGHT_SHARE,
+            shift.x,
+            shift.y,
+            level,
+        ])
     })
 }
 
@@ -161,7 +174,7 @@ fn rise(at: DVec2) -> f64 {
     // With any other height here the slopes on both sides of the axis, which runs straight away from the eye, differ on the
     // average, and a seam is seen. With s for the share, the mean slope across the long edge is the sum of those of its two
     // parts and 2s of itself; and 2s of it, with those of the parts at the axis, is to come to nothing.
-    let right = middle - left + SHARE * (first + second) + (1.0 - 2.0 * SHARE) * front;
+    let right = middle - left + HEIGHT_SHARE * (first + second) + (1.0 - 2.0 * HEIGHT_SHARE) * front;
     let known = [
         (DVec2::ZERO, middle),
         (DVec2::new(-0.5, -0.5), left),

@@ -17,8 +17,8 @@ use thiserror::Error;
 use crate::link::words::{escape, name_of, number, numbers, tidy, unescape};
 use crate::scene::{MAX_WAY_POINTS, Path, PathKind, WayPoint};
 use crate::space::document::{
-    CourseName, EaseName, MAX_KEYS3, MAX_OBJECTS3, PAGE, PaintName, Repeat, Shape3, Space, SpaceKey,
-    SpaceLight, SpaceMorph, SpaceObject, Timeline,
+    CourseName, EaseName, MAX_KEYS3, MAX_OBJECTS3, PAGE_BACKGROUND, PaintName, Repeat, Shape3, Space,
+    SpaceKey, SpaceLight, SpaceMorph, SpaceObject, Timeline,
 };
 use crate::space::part::{Held, SpaceView};
 use crate::space::preset::Row3;
@@ -26,9 +26,9 @@ use crate::space::preset::Row3;
 /// The longest word, in bytes: a link holds it, and more.
 pub const MAX_PACKED: usize = 48 * 1024;
 /// The longest time line, in seconds.
-const LONGEST: f64 = 600.0;
+const LONGEST_SECONDS: f64 = 600.0;
 /// The shortest.
-const SHORTEST: f64 = 0.1;
+const SHORTEST_SECONDS: f64 = 0.1;
 
 const PAINTS: [(&str, PaintName); 2] = [("map", PaintName::Map), ("height", PaintName::Height)];
 const EASES: [(&str, EaseName); 5] = [
@@ -242,7 +242,7 @@ pub fn unpack(word: &str) -> Result<Space, PackedError> {
             "o" => read_object(text).map(|object| space.objects.push(object)),
             "l" => read_light(text).map(|light| space.light = light),
             "b" => {
-                let page = text == PAGE;
+                let page = text == PAGE_BACKGROUND;
                 space.background = Some(if page { text.to_owned() } else { format!("#{text}") });
                 Some(())
             }
@@ -408,7 +408,7 @@ fn check(space: &Space) -> Result<(), PackedError> {
             return Err(PackedError::Number { what: "a colour", range: "#rrggbb is what one looks like" });
         }
     }
-    if space.background.as_ref().is_some_and(|colour| colour != PAGE && !is_colour(colour)) {
+    if space.background.as_ref().is_some_and(|colour| colour != PAGE_BACKGROUND && !is_colour(colour)) {
         return Err(PackedError::Number { what: "the background", range: "#rrggbb or page is what one is" });
     }
     held("the light", &space.light.numbers()[..1], "angles below 1e6 are allowed", &|x| x.abs() <= 1e6)?;
@@ -438,13 +438,13 @@ fn check(space: &Space) -> Result<(), PackedError> {
     }
     let Some(line) = &space.timeline else { return Ok(()) };
     held("the time line", &[line.seconds], "0.1 to 600 seconds are allowed", &|x| {
-        (SHORTEST..=LONGEST).contains(&x)
+        (SHORTEST_SECONDS..=LONGEST_SECONDS).contains(&x)
     })?;
     if line.keys.len() > MAX_KEYS3 {
         return Err(PackedError::Count { what: "keys", count: line.keys.len(), range: "100" });
     }
     for key in &line.keys {
-        held("a key", &[key.at], "0 to 600 seconds are allowed", &|x| (0.0..=LONGEST).contains(&x))?;
+        held("a key", &[key.at], "0 to 600 seconds are allowed", &|x| (0.0..=LONGEST_SECONDS).contains(&x))?;
         held("a key", key.t.as_slice(), "0 to 1 are allowed", &|x| (0.0..=1.0).contains(&x))?;
         if key.view.as_ref().is_some_and(|view| !view.is_one()) {
             return Err(PackedError::Number {

@@ -6,7 +6,7 @@ use glam::DVec2;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-use super::measure::{COUNTED, MOST_COUNTED, diagonal, dimension};
+use super::measure::{MOST_CORNERS, POLYLINE_TOLERANCE, diagonal, dimension};
 use super::read::{self, read_curve};
 use crate::boundary::error::failure;
 use crate::boundary::value::{Row, object, write};
@@ -81,7 +81,7 @@ pub fn curve_facts(
     let woven = read::woven(&curve)?;
     let diagonal = diagonal(&woven);
     let points: Vec<_> =
-        woven.trace(COUNTED * diagonal, None, MOST_COUNTED).into_iter().map(|(_, p)| p).collect();
+        woven.trace(POLYLINE_TOLERANCE * diagonal, None, MOST_CORNERS).into_iter().map(|(_, p)| p).collect();
     let norms = (0..curve.knots.len()).filter_map(|i| curve.map(i)).map(|(linear, _)| spectral_norm(linear));
     // Three characters of a link are four bytes of the packed curve in base 64.
     let bytes = curve.to_text().map_err(of_pack)?.len() * 3 / 4;

@@ -13,10 +13,10 @@ use crate::boundary::look::read_palette;
 use crate::boundary::value::read;
 
 /// The most corners of a file, and the most points.
-const MOST: usize = 1 << 18;
+const MOST_CORNERS: usize = 1 << 18;
 
 /// Points of a table where nothing is said.
-const POINTS: f64 = 2048.0;
+const USUAL_POINTS: f64 = 2048.0;
 
 #[derive(Deserialize)]
 struct SvgOptions {
@@ -72,7 +72,7 @@ fn svg(woven: &MorphedCurve, size: f64, tolerance: f64, fill: &str) -> String {
     };
     let mut path = String::new();
     let mut last: Option<[i64; 2]> = None;
-    for (_, p) in woven.trace(0.8 * tolerance / scale, None, MOST) {
+    for (_, p) in woven.trace(0.8 * tolerance / scale, None, MOST_CORNERS) {
         let next = place(p);
         let (letter, by) = match last {
             None => ('M', next),
@@ -111,8 +111,8 @@ pub fn curve_csv(
 ) -> Result<String, JsValue> {
     let curve = read_curve(&curve)?;
     let CsvOptions { points } = read("The options", options)?;
-    let points = points.unwrap_or(POINTS);
-    if !(3.0..=MOST as f64).contains(&points) {
+    let points = points.unwrap_or(USUAL_POINTS);
+    if !(3.0..=MOST_CORNERS as f64).contains(&points) {
         return Err(bad_input("points", "a number from 3 to 262144 is needed"));
     }
     let woven = woven(&curve)?;

@@ -14,10 +14,10 @@ const MAX_PIECES: usize = 4096;
 
 /// The most points that one call gives, and how many it gives where nothing is said.
 const MAX_SAMPLES: f64 = 1_048_576.0;
-const SAMPLES: f64 = 65_536.0;
+const USUAL_SAMPLES: f64 = 65_536.0;
 
 /// Ends of pieces that are nearer than this part of their bound count as one.
-const SAME: f64 = 1e-9;
+const SAME_END: f64 = 1e-9;
 
 #[derive(Clone, Copy, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -149,7 +149,7 @@ pub fn sample_graph(
 ) -> Result<Float64Array, JsValue> {
     let function = read_graph(&graph)?;
     let Sampling { tolerance, window, most } = read("The options", options)?;
-    let most = most.unwrap_or(SAMPLES);
+    let most = most.unwrap_or(USUAL_SAMPLES);
     if !(2.0..=MAX_SAMPLES).contains(&most) {
         return Err(bad_input("most", "a number from 2 to 1048576 is needed"));
     }
@@ -202,7 +202,7 @@ pub fn graph_facts(
         ("dimension", finite(Some(dimension))),
         ("counted", counted.into()),
         ("widestGap", gap.into()),
-        ("continuous", (gap <= SAME * curve.bound()).into()),
+        ("continuous", (gap <= SAME_END * curve.bound()).into()),
         ("integral", finite(function.integral())),
         ("interval", write(&curve.interval())?),
     ]))

@@ -7,10 +7,10 @@ use glam::DVec2;
 const BOXES: [f64; 5] = [64.0, 90.5, 128.0, 181.0, 256.0];
 
 /// The parts of the box's diagonal that a polyline is true to which is counted, measured or looked through for crossings.
-pub(super) const COUNTED: f64 = 1.0 / 2000.0;
+pub(super) const POLYLINE_TOLERANCE: f64 = 1.0 / 2000.0;
 
 /// The most points of such a polyline.
-pub(super) const MOST_COUNTED: usize = 1 << 17;
+pub(super) const MOST_CORNERS: usize = 1 << 17;
 
 /// The box dimension that a closed polyline seems to have between 1/64 and 1/256 of its box's diagonal.
 pub(super) fn dimension(points: &[DVec2], diagonal: f64) -> f64 {

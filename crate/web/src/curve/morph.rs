@@ -7,7 +7,7 @@ use js_sys::{Float64Array, Int32Array, Uint32Array};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use super::measure::{COUNTED, MOST_COUNTED, diagonal, dimension};
+use super::measure::{MOST_CORNERS, POLYLINE_TOLERANCE, diagonal, dimension};
 use super::read::{of_morph, read_curve};
 use crate::boundary::bend::{PlainBend, of_bend};
 use crate::boundary::error::bad_input;
@@ -15,10 +15,10 @@ use crate::boundary::value::{object, read, write};
 
 /// The most points that one call gives, and how many it gives where nothing is said.
 const MAX_POINTS: f64 = 1_048_576.0;
-const POINTS: f64 = 65_536.0;
+const USUAL_POINTS: f64 = 65_536.0;
 
 /// The parts of the box's diagonal that a polyline is true to which is looked through for crossings.
-const CROSSED: f64 = 1.0 / 500.0;
+const CROSSING_TOLERANCE: f64 = 1.0 / 500.0;
 
 /// The most crossings that are counted.
 const MOST_CROSSINGS: usize = 10_000;
@@ -45,7 +45,7 @@ impl View {
         {
             return Err(bad_input("window", "left, bottom, right and top are needed, the smaller first"));
         }
-        let most = view.most.unwrap_or(POINTS);
+        let most = view.most.unwrap_or(USUAL_POINTS);
         if !(3.0..=MAX_POINTS).contains(&most) {
             return Err(bad_input("most", "a number from 3 to 1048576 is needed"));
         }
@@ -223,14 +223,15 @@ impl CurveMorph {
         let woven = &self.at(s)?.woven;
         let diagonal = diagonal(woven);
         let line = |part: f64| -> Vec<DVec2> {
-            woven.trace(part * diagonal, None, MOST_COUNTED).into_iter().map(|(_, p)| p).collect()
+            woven.trace(part * diagonal, None, MOST_CORNERS).into_iter().map(|(_, p)| p).collect()
         };
         // A search that is given up has found more than anybody wants to know.
-        let crossings = crossings(&line(CROSSED), MOST_CROSSINGS).map_or(MOST_CROSSINGS, |list| list.len());
+        let crossings =
+            crossings(&line(CROSSING_TOLERANCE), MOST_CROSSINGS).map_or(MOST_CROSSINGS, |list| list.len());
         Ok(object(&[
             ("knots", knots.into()),
             ("copies", woven.copies().into()),
-            ("dimension", dimension(&line(COUNTED), diagonal).into()),
+            ("dimension", dimension(&line(POLYLINE_TOLERANCE), diagonal).into()),
             ("crossings", crossings.into()),
             ("ratio", woven.contraction().into()),
         ]))

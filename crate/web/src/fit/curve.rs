@@ -20,11 +20,11 @@ use crate::boundary::value::{object, read, write};
 const MOST_POINTS: usize = 16_384;
 
 /// How wide smoothing 1 is, in parts of the diagonal.
-const WIDEST: f64 = 0.02;
+const WIDEST_SMOOTHING: f64 = 0.02;
 
 /// The polyline of a fit leaves the curve by no more than this, in parts of the diagonal, and opens copies so deep.
-const FINE: f64 = 1e-4;
-const LEVELS: usize = 12;
+const POLYLINE_TOLERANCE: f64 = 1e-4;
+const POLYLINE_LEVELS: usize = 12;
 
 /// The outline that is fitted: thinned where it is finer than can be seen, and smoothed by 0 to 1.
 fn prepared(points: &[DVec2], smoothing: f64) -> Result<Outline, OutlineError> {
@@ -34,7 +34,7 @@ fn prepared(points: &[DVec2], smoothing: f64) -> Result<Outline, OutlineError> {
     }
     if smoothing > 0.0 {
         // Squared, since little is what is mostly wanted.
-        let width = WIDEST * smoothing.min(1.0).powi(2) * outline.diagonal();
+        let width = WIDEST_SMOOTHING * smoothing.min(1.0).powi(2) * outline.diagonal();
         outline = Outline::new(outline.smoothed(width).points())?;
     }
     Ok(outline)
@@ -152,7 +152,7 @@ fn measured(outline: &Outline, curve: &ClosedCurve) -> Result<JsValue, JsValue> 
 }
 
 fn drawn(curve: &ClosedCurve, diagonal: f64) -> Vec<DVec2> {
-    curve.polyline(FINE * diagonal, LEVELS)
+    curve.polyline(POLYLINE_TOLERANCE * diagonal, POLYLINE_LEVELS)
 }
 
 /// Fits a closed curve to an outline, for a while at a time.

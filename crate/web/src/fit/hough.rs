@@ -17,10 +17,10 @@ use crate::boundary::error::{bad_input, failure};
 use crate::boundary::value::{object, read, write};
 
 /// Numbers that a cluster crosses as.
-const CLUSTER: usize = 11;
+const NUMBERS_A_CLUSTER: usize = 11;
 
 /// Counts are taken over so many at a time: no second copy of all of them is needed.
-const CHUNK: u32 = 1 << 16;
+const COUNTS_AT_ONCE: u32 = 1 << 16;
 
 fn of_hough(error: HoughError) -> JsValue {
     failure(error.code(), &error.to_string())
@@ -116,8 +116,8 @@ impl HoughFirst {
             return Err(bad_input("The list of counts", "it is to be as long as that of `counts`"));
         }
         let mut whole = vec![0; all];
-        for from in (0..counts.length()).step_by(CHUNK as usize) {
-            let until = (from + CHUNK).min(counts.length());
+        for from in (0..counts.length()).step_by(COUNTS_AT_ONCE as usize) {
+            let until = (from + COUNTS_AT_ONCE).min(counts.length());
             counts.subarray(from, until).copy_to(&mut whole[from as usize..until as usize]);
         }
         self.pass.add(&whole);
@@ -177,7 +177,7 @@ pub(super) fn peaks(pass: &SecondPass) -> Vec<f64> {
     pass.peaks().iter().flat_map(write_cluster).collect()
 }
 
-fn write_cluster(cluster: &Cluster) -> [f64; CLUSTER] {
+fn write_cluster(cluster: &Cluster) -> [f64; NUMBERS_A_CLUSTER] {
     let [a, b, c, d, e] = cluster.map;
     let [p, q, r, s, t] = cluster.bins.map(f64::from);
     [f64::from(cluster.hits), a, b, c, d, e, p, q, r, s, t]
@@ -189,7 +189,7 @@ fn read_clusters(flat: &[f64]) -> Vec<Cluster> {
         map: std::array::from_fn(|i| row[1 + i]),
         bins: std::array::from_fn(|i| row[6 + i] as u16),
     };
-    flat.chunks_exact(CLUSTER).map(cluster).collect()
+    flat.chunks_exact(NUMBERS_A_CLUSTER).map(cluster).collect()
 }
 
 #[derive(Serialize, Deserialize)]

@@ -12,7 +12,7 @@ use crate::boundary::path::write_plan;
 use crate::boundary::value::{object, read, read_ifs, read_morph, rows, write};
 
 /// How many candidates are listed unless told.
-const CANDIDATES: f64 = 12.0;
+const USUAL_CANDIDATES: f64 = 12.0;
 /// The most candidates of one list.
 const MOST_CANDIDATES: f64 = 1000.0;
 
@@ -30,7 +30,7 @@ pub fn candidates(
 ) -> Result<JsValue, JsValue> {
     let (from, to) = (read_ifs(&from)?, read_ifs(&to)?);
     let plain: Listing = read("The options", options)?;
-    let limit = plain.limit.unwrap_or(CANDIDATES).clamp(1.0, MOST_CANDIDATES) as usize;
+    let limit = plain.limit.unwrap_or(USUAL_CANDIDATES).clamp(1.0, MOST_CANDIDATES) as usize;
     let found = frond_core::candidates(&from, &to, limit).map_err(|error| of_morph(&error))?;
     let list = Array::new();
     for candidate in &found {

@@ -98,7 +98,7 @@ struct Things {
 }
 
 /// Scenes of sizes between these are drawn as they are.
-const SIZES: std::ops::Range<f64> = 1e-6..1e6;
+const PLAIN_SIZES: std::ops::Range<f64> = 1e-6..1e6;
 
 impl Things {
     fn new(systems: Vec<Ifs3>, tints: Vec<Option<[f32; 3]>>) -> Self {
@@ -106,7 +106,7 @@ impl Things {
         let mut bounds: Vec<Bounds3> = systems.iter().map(Bounds3::coarse).collect();
         let size = bounds.iter().map(|b| b.min.abs().max(b.max.abs()).max_element()).fold(0.0, f64::max);
         let mut unit = 1.0;
-        if size > 0.0 && size.is_finite() && !SIZES.contains(&size) {
+        if size > 0.0 && size.is_finite() && !PLAIN_SIZES.contains(&size) {
             // A power of two, so that no number loses a digit.
             let two = size.log2().round().exp2();
             let by = Affine3::scaling(DVec3::splat(1.0 / two));

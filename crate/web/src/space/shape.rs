@@ -112,14 +112,14 @@ pub fn facts3(#[wasm_bindgen(unchecked_param_type = "MapRow3[]")] maps: JsValue)
 }
 
 /// Points that are thrown to count boxes.
-const COUNTED: usize = 1_000_000;
+const POINTS_COUNTED: usize = 1_000_000;
 
 /// The box dimension, counted from a million points: long work, for a worker.
 #[wasm_bindgen(unchecked_return_type = "BoxCount3")]
 pub fn boxes3(#[wasm_bindgen(unchecked_param_type = "MapRow3[]")] maps: JsValue) -> Result<JsValue, JsValue> {
     let ifs = read_ifs3(&maps)?;
-    let mut positions = vec![0.0_f32; 3 * COUNTED];
-    let made = ChaosGame3::new(&ifs, 1).fill(&mut positions, &mut vec![0_u8; COUNTED]);
+    let mut positions = vec![0.0_f32; 3 * POINTS_COUNTED];
+    let made = ChaosGame3::new(&ifs, 1).fill(&mut positions, &mut vec![0_u8; POINTS_COUNTED]);
     let found = box_dimension(&positions[..3 * made]);
     let counts: Vec<(f64, f64)> = found.counts.iter().map(|&(side, count)| (side, count as f64)).collect();
     Ok(object(&[("dimension", found.dimension.into()), ("counts", write(&counts)?)]))

@@ -8,7 +8,7 @@ use super::super::text::short;
 use super::number::{Style, may_be_parted};
 
 /// As many fields of a line are looked at to find that out.
-const FIELDS: usize = 64;
+const MAX_FIELDS: usize = 64;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Parted {
@@ -84,7 +84,7 @@ pub fn columns(sample: &[&str]) -> Option<Columns> {
     let mut best: Option<Columns> = None;
     for parted in Parted::ALL {
         let lines: Vec<Vec<&str>> =
-            sample.iter().map(|line| parted.fields(line).take(FIELDS).collect()).collect();
+            sample.iter().map(|line| parted.fields(line).take(MAX_FIELDS).collect()).collect();
         for style in Style::ALL {
             if let Some(found) = in_style(parted, style, &lines)
                 && best.as_ref().is_none_or(|best| found.rank > best.rank)
@@ -143,7 +143,7 @@ impl Columns {
     pub fn assumed(&self, sample: &[&str]) -> Option<Remark> {
         let used: Vec<&str> = sample
             .iter()
-            .flat_map(|line| self.parted.fields(line).enumerate().take(FIELDS))
+            .flat_map(|line| self.parted.fields(line).enumerate().take(MAX_FIELDS))
             .filter(|&(column, _)| column == self.first || Some(column) == self.second)
             .map(|(_, field)| field)
             .filter(|field| self.style.number(field).is_some())
@@ -187,7 +187,7 @@ impl Columns {
     fn heading(&self, sample: &[&str]) -> Option<String> {
         let count = |line: &str| self.parted.fields(line).count();
         let has_number = |line: &&str| {
-            self.parted.fields(line).take(FIELDS).any(|field| self.style.number(field).is_some())
+            self.parted.fields(line).take(MAX_FIELDS).any(|field| self.style.number(field).is_some())
         };
         let begin = sample.iter().position(has_number)?;
         let (heading, line) = (sample.get(begin.checked_sub(1)?)?, sample[begin]);

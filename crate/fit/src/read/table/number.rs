@@ -16,7 +16,7 @@ pub enum Style {
 }
 
 /// Longer words are no numbers.
-const LONGEST: usize = 1000;
+const LONGEST_WORD: usize = 1000;
 
 impl Style {
     /// All, the one that is to be taken first where several will do.
@@ -31,7 +31,7 @@ impl Style {
             Self::CommaParts => ('.', Some(',')),
             Self::Either => return Self::Point.number(field).or_else(|| Self::Comma.number(field)),
         };
-        if field.len() > LONGEST {
+        if field.len() > LONGEST_WORD {
             return None;
         }
         if (decimal == '.' || !field.contains('.'))

@@ -7,7 +7,7 @@ use crate::bent::{Bent, BentPlan, BentSweep, Cut, Fineness, Moving, Slack};
 use crate::coverage::sweep::Progress;
 use crate::density::Density;
 use crate::gpu::passes::points::PointsPass;
-use crate::gpu::state::{MOST_POINTS, SWEEPS, Shown, StageState, VISITS, Work};
+use crate::gpu::state::{MOST_POINTS, SWEEP_SIZES, Shown, StageState, VISITS_A_FRAME, Work};
 use crate::picture::colour::Colouring;
 use crate::picture::view::View;
 use crate::picture::window::Window;
@@ -82,23 +82,23 @@ struct Made {
 }
 
 /// The most pieces of a picture that is made at once, and of a complete one.
-const AT_ONCE: usize = 24_000;
-const COMPLETE: usize = 600_000;
+const PIECES_AT_ONCE: usize = 24_000;
+const PIECES_COMPLETE: usize = 600_000;
 /// Visits for planning a complete picture in each frame.
-const PLANNING: u64 = 150_000;
+const PLANNING_VISITS: u64 = 150_000;
 /// The largest pieces, in pixels: at once, and complete, and those of one colour where the bend carries colours.
-const LARGEST: (f64, f64) = (32.0, 64.0);
-const COLOURED: (f64, f64) = (6.0, 3.0);
+const LARGEST_PIECES: (f64, f64) = (32.0, 64.0);
+const COLOURED_PIECES: (f64, f64) = (6.0, 3.0);
 /// The smallest floor, in pixels, and the most times that it is doubled.
-const FLOOR: f64 = 2.0;
-const DOUBLINGS: u32 = 8;
+const SMALLEST_FLOOR: f64 = 2.0;
+const FLOOR_DOUBLINGS: u32 = 8;
 /// How far off points may be drawn in a picture that is made at once, in pixels.
-const TOLERANCE: f64 = 0.25;
+const POINT_TOLERANCE: f64 = 0.25;
 /// How far out of the window pieces are kept while the mesh moves, for its longer side.
-const MARGIN: f64 = 0.25;
+const WINDOW_MARGIN: f64 = 0.25;
 /// Densities: the largest pieces, in pixels, their number at most, at once and complete, and points in a pass.
 const DENSE_SIZE: f64 = 16.0;
-const DENSE: (usize, usize) = (8_000, 60_000);
+const DENSE_PIECES: (usize, usize) = (8_000, 60_000);
 const DENSE_POINTS: u64 = 400_000;
 
 impl DeformedPass {
@@ -252,7 +252,7 @@ impl DeformedPass {
                 let sight = sight(state, view, state.sampling);
                 let DeformedPass { quick, fine, sweeps: [_, sweep], .. } = self;
                 let Some(bent) = sight.bent(frame, fine.as_ref().unwrap_or(quick)) else { return };
-                let visits = if state.gpu.software { 2 * VISITS } else { VISITS };
+                let visits = if state.gpu.software { 2 * VISITS_A_FRAME } else { VISITS_A_FRAME };
                 let progress = sweep.run(&bent, visits);
                 if progress != Progress::Working {
                     let lit = sweep.lit();
@@ -353,7 +353,7 @@ impl DeformedPass {
         loop {
             let bent = sight(state, view, state.factor());
             let Some(bent) = bent.bent(frame, quick) else { return };
-            sweep.begin(&bent, SWEEPS.0, coloured);
+            sweep.begin(&bent, SWEEP_SIZES.0, coloured);
             if sweep.run(&bent, visits) != Progress::Working || !state.halve() {
                 break;
             }
@@ -368,7 +368,7 @@ impl DeformedPass {
         let DeformedPass { quick, fine, sweeps: [_, sweep], .. } = self;
         let sight = sight(state, view, state.sampling);
         let Some(bent) = sight.bent(frame, fine.as_ref().unwrap_or(quick)) else { return };
-        sweep.begin(&bent, SWEEPS.1, coloured);
+        sweep.begin(&bent, SWEEP_SIZES.1, coloured);
         state.work = Work::Sweep;
     }
 
@@ -376,7 +376,7 @@ impl DeformedPass {
         let settled = self.fine.as_ref().filter(|_| rest).unwrap_or(&self.quick);
         let Some(bent) = sight(state, view, 1.0).bent(frame, settled) else { return };
         let points = (budget / 2).min(DENSE_POINTS) as usize;
-        let pieces = if rest { DENSE.1 } else { DENSE.0 };
+        let pieces = if rest { DENSE_PIECES.1 } else { DENSE_PIECES.0 };
         state.density.begin(&state.gpu, Density::bent(&bent, DENSE_SIZE, pieces, points));
     }
 
@@ -385,15 +385,20 @@ impl DeformedPass {
         let DeformedPass { quick, fine, back, doublings: [_, doublings], .. } = self;
         let sight = sight(state, view, state.sampling);
         let Some(bent) = sight.bent(frame, fine.as_ref().unwrap_or(quick)) else { return Cut::TooMany };
-        let size = if coloured { COLOURED.1 } else { LARGEST.1 };
+        let size = if coloured { COLOURED_PIECES.1 } else { LARGEST_PIECES.1 };
         let floor = if *doublings == 0 { 0.0 } else { 0.5 * f64::from(1_u32 << *doublings) };
         if begin {
-            back.begin(&bent, COMPLETE, coloured);
+            back.begin(&bent, PIECES_COMPLETE, coloured);
         }
-        let cut = back.run(&bent, &Fineness { floor, ..Fineness::complete(size.max(floor)) }, PLANNING, None);
-        if cut == Cut::TooMany && *doublings < DOUBLINGS {
+        let cut = back.run(
+            &bent,
+            &Fineness { floor, ..Fineness::complete(size.max(floor)) },
+            PLANNING_VISITS,
+            None,
+        );
+        if cut == Cut::TooMany && *doublings < FLOOR_DOUBLINGS {
             *doublings += 1;
-            back.begin(&bent, COMPLETE, coloured);
+            back.begin(&bent, PIECES_COMPLETE, coloured);
             return Cut::Working;
         }
         cut
@@ -408,7 +413,7 @@ impl DeformedPass {
             back.compose(frame, detail);
             let points = back.plan.points();
             if finest.is_none() {
-                most = most.min(points.div_ceil(VISITS).saturating_mul(2 * budget));
+                most = most.min(points.div_ceil(VISITS_A_FRAME).saturating_mul(2 * budget));
             }
             if points > most {
                 break;
@@ -435,7 +440,7 @@ fn sight(state: &StageState, view: View, factor: f64) -> Sight {
 }
 
 fn margin(target: Window) -> f64 {
-    MARGIN * f64::from(target.width.max(target.height))
+    WINDOW_MARGIN * f64::from(target.width.max(target.height))
 }
 
 /// Cuts pieces that can follow the mesh, fewer and larger ones where there are too many.
@@ -443,15 +448,15 @@ fn cut_at_once(deformed: &mut DeformedPass, frame: &Frame, sight: &Sight, colour
     let DeformedPass { quick, mesh, front, moving, made, doublings: [doublings, _], .. } = deformed;
     let Some(bent) = sight.bent(frame, quick) else { return };
     loop {
-        let floor = FLOOR * f64::from(1_u32 << *doublings);
-        let size = if coloured { COLOURED.0 } else { LARGEST.0 };
+        let floor = SMALLEST_FLOOR * f64::from(1_u32 << *doublings);
+        let size = if coloured { COLOURED_PIECES.0 } else { LARGEST_PIECES.0 };
         let margin = Some(margin(sight.target));
         let fineness =
-            Fineness { floor, margin, tolerance: TOLERANCE, ..Fineness::complete(size.max(floor)) };
+            Fineness { floor, margin, tolerance: POINT_TOLERANCE, ..Fineness::complete(size.max(floor)) };
         moving.clear();
-        front.begin(&bent, AT_ONCE, coloured);
+        front.begin(&bent, PIECES_AT_ONCE, coloured);
         let cut = front.run(&bent, &fineness, u64::MAX, Some(moving));
-        if cut != Cut::TooMany || *doublings >= DOUBLINGS {
+        if cut != Cut::TooMany || *doublings >= FLOOR_DOUBLINGS {
             break;
         }
         *doublings += 1;

@@ -29,16 +29,16 @@ pub(in crate::gpu) struct DensityPass {
 }
 
 /// How many pieces there are.
-const PIECES: usize = 384;
+const PIECES_MEASURED: usize = 384;
 /// The fewest and the most samples for each of them in a pass.
-const SAMPLES: (usize, usize) = (32, 2048);
+const SAMPLE_RANGE: (usize, usize) = (32, 2048);
 /// Points for each lit pixel until a picture is complete, and at most in all.
 const POINTS_A_PIXEL: u64 = 96;
 const MOST_POINTS: u64 = 32_000_000;
 /// The same without a graphics card.
 const SOFTWARE_POINTS: u64 = 1_000_000;
 /// Weights are scaled down so that their sums stay within a half float.
-const SCALE: f32 = 1.0 / 64.0;
+const WEIGHT_SCALE: f32 = 1.0 / 64.0;
 
 impl DensityPass {
     pub fn new(gpu: &Gpu) -> Self {
@@ -56,8 +56,8 @@ impl DensityPass {
 
     /// The density of a picture, in passes of at most about half of `budget` points.
     pub fn density(frame: &Frame, view: View, window: Window, budget: u64) -> Density {
-        let samples = (budget as usize / (2 * PIECES)).clamp(SAMPLES.0, SAMPLES.1);
-        Density::new(frame, view, window, PIECES, samples)
+        let samples = (budget as usize / (2 * PIECES_MEASURED)).clamp(SAMPLE_RANGE.0, SAMPLE_RANGE.1);
+        Density::new(frame, view, window, PIECES_MEASURED, samples)
     }
 
     /// Begins a picture.
@@ -85,7 +85,7 @@ impl DensityPass {
         let Some(density) = &mut self.density else { return true };
         let wanted = (density.lit as u64 * POINTS_A_PIXEL).min(MOST_POINTS);
         let end = (self.points + budget).min(wanted);
-        target.prepare(gpu, SCALE, false, [0.0; 4]);
+        target.prepare(gpu, WEIGHT_SCALE, false, [0.0; 4]);
         loop {
             density.sampler.fill(frame, &mut self.samples);
             self.cloud.clear();
@@ -137,6 +137,6 @@ impl DensityPass {
 
     /// What sums are multiplied by to have a mean of 1.
     pub fn gain(&self) -> f32 {
-        1.0 / (f32::from(self.passes.max(1)) * SCALE)
+        1.0 / (f32::from(self.passes.max(1)) * WEIGHT_SCALE)
     }
 }

@@ -3,7 +3,7 @@
 use crate::coverage::sweep::Progress;
 use crate::gpu::passes::cpu::CpuPass;
 use crate::gpu::passes::density::DensityPass;
-use crate::gpu::state::{MOST_POINTS, SWEEPS, Shown, StageState, VISITS, Work};
+use crate::gpu::state::{MOST_POINTS, SWEEP_SIZES, Shown, StageState, VISITS_A_FRAME, Work};
 use crate::picture::colour::Colouring;
 use crate::picture::view::View;
 use crate::picture::window::Window;
@@ -51,7 +51,8 @@ impl PlainPass {
                 }
             }
             Work::Sweep => {
-                let progress = self.swept[1].go_on(if state.gpu.software { 2 * VISITS } else { VISITS });
+                let progress =
+                    self.swept[1].go_on(if state.gpu.software { 2 * VISITS_A_FRAME } else { VISITS_A_FRAME });
                 if progress != Progress::Working {
                     state.finish(Shown::SweptBack, progress == Progress::Complete, self.swept[1].lit);
                 }
@@ -92,7 +93,7 @@ impl PlainPass {
         loop {
             let factor = state.factor();
             let to_target = state.to_target(frame, view, factor);
-            self.swept[0].begin(frame, to_target, state.target_window(factor), SWEEPS.0);
+            self.swept[0].begin(frame, to_target, state.target_window(factor), SWEEP_SIZES.0);
             if self.swept[0].go_on(visits) != Progress::Working || !state.halve() {
                 break;
             }
@@ -116,7 +117,7 @@ impl PlainPass {
             self.plan.make(frame, to_target, window, detail);
             let points = self.plan.points();
             if finest.is_none() {
-                most = most.min(points.div_ceil(VISITS).saturating_mul(2 * budget));
+                most = most.min(points.div_ceil(VISITS_A_FRAME).saturating_mul(2 * budget));
             }
             if !self.plan.exact || points > most {
                 break;
@@ -134,7 +135,7 @@ impl PlainPass {
             state.back = Some(target);
             state.work = Work::Points;
         } else {
-            self.swept[1].begin(frame, to_target, window, SWEEPS.1);
+            self.swept[1].begin(frame, to_target, window, SWEEP_SIZES.1);
             state.work = Work::Sweep;
         }
     }

@@ -1,10 +1,10 @@
 //! The shaders of space and how they are fed.
 
-use crate::gpu::pipelines::{DEPTH, READ, layout, pipeline_layout, texture, uniform};
+use crate::gpu::pipelines::{DEPTH_FORMAT, PICTURE_FORMAT, layout, pipeline_layout, texture, uniform};
 use crate::solid::{Instance3, Vertex3};
 
 /// What codes and the bits of depths are written to.
-pub(super) const WORDS: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
+pub(super) const WORD_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 
 const POINTS: &str = include_str!(concat!(env!("OUT_DIR"), "/shader/solid/points.wgsl"));
 const SPLAT: &str = concat!(
@@ -45,7 +45,7 @@ impl Pipelines3 {
         let words = wgpu::TextureSampleType::Uint;
         let entries = [uniform(0), uniform(1), texture(2, words), texture(3, words)];
         let light_layout = layout(device, "light", &entries);
-        let kept = [Some(WORDS.into()), Some(WORDS.into())];
+        let kept = [Some(WORD_FORMAT.into()), Some(WORD_FORMAT.into())];
         let on_screen = |fragment, targets: &[Option<wgpu::ColorTargetState>]| {
             full_screen(device, &light, &light_layout, fragment, targets)
         };
@@ -54,7 +54,7 @@ impl Pipelines3 {
             splat: full_screen(device, &splat, &light_layout, "splat_fragment", &kept),
             fill_holes: on_screen("hole_fill_fragment", &kept),
             show: on_screen("light_fragment", &[Some(canvas.into())]),
-            read: on_screen("light_fragment", &[Some(READ.into())]),
+            read: on_screen("light_fragment", &[Some(PICTURE_FORMAT.into())]),
             eye_layout,
             light_layout,
         }
@@ -93,7 +93,7 @@ fn draw(
             ..wgpu::PrimitiveState::default()
         },
         depth_stencil: Some(wgpu::DepthStencilState {
-            format: DEPTH,
+            format: DEPTH_FORMAT,
             depth_write_enabled: Some(true),
             depth_compare: Some(wgpu::CompareFunction::Less),
             stencil: wgpu::StencilState::default(),

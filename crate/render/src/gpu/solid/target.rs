@@ -1,8 +1,8 @@
 //! What points of space are drawn into.
 
-use super::pipelines::{Pipelines3, WORDS};
+use super::pipelines::{Pipelines3, WORD_FORMAT};
 use crate::gpu::device::Gpu;
-use crate::gpu::pipelines::DEPTH;
+use crate::gpu::pipelines::DEPTH_FORMAT;
 use crate::picture::window::Window;
 
 /// Codes and depths of one picture.
@@ -32,10 +32,10 @@ impl Target3 {
         };
         let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT;
         let kept = drawn | wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
-        let (codes, depths) = (texture("codes", WORDS, kept), texture("depths", WORDS, kept));
+        let (codes, depths) = (texture("codes", WORD_FORMAT, kept), texture("depths", WORD_FORMAT, kept));
         let view = |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
         let views = [view(&codes), view(&depths)];
-        Self { window, views, test: view(&texture("nearest", DEPTH, drawn)), codes, depths }
+        Self { window, views, test: view(&texture("nearest", DEPTH_FORMAT, drawn)), codes, depths }
     }
 
     /// Replaces what it holds by a depth buffer of its size.

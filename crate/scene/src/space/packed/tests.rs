@@ -86,7 +86,8 @@ fn any_space() -> impl Strategy<Value = Space> {
                 Timeline { seconds, repeat: REPEATS[repeat].1, course, keys }
             },
         ));
-    let background = proptest::option::of(prop_oneof![Just("#0e1015".to_owned()), Just(PAGE.to_owned())]);
+    let background =
+        proptest::option::of(prop_oneof![Just("#0e1015".to_owned()), Just(PAGE_BACKGROUND.to_owned())]);
     (proptest::collection::vec(any_object(), 1..5), light, background, morph, line).prop_map(
         |(objects, light, background, morph, timeline)| Space { objects, light, background, morph, timeline },
     )
@@ -135,7 +136,7 @@ fn the_background_is_part_of_the_word_and_older_words_have_none() {
     let dark = Space { background: Some("#0e1015".to_owned()), ..Space::default() };
     assert_eq!(pack(&dark).unwrap(), "o:sponge/b:0e1015");
     assert_eq!(unpack("o:sponge/b:0e1015").unwrap(), dark);
-    assert_eq!(unpack("o:sponge/b:page").unwrap().background.as_deref(), Some(PAGE));
+    assert_eq!(unpack("o:sponge/b:page").unwrap().background.as_deref(), Some(PAGE_BACKGROUND));
     assert_eq!(unpack("o:sponge").unwrap().background, None);
 }
 
