@@ -42,7 +42,7 @@ export function client<T extends Table, L extends number>(workers: Workers<L>) {
         return;
       }
       signal?.addEventListener("abort", () => lane.stop(id), { once: true });
-      void lane.give({
+      lane.give({
         ask: { type: "run", id, name, args },
         transfer: options.transfer ?? [],
         onProgress: (value) => options.onProgress?.(value as ProgressOf<T, K>),

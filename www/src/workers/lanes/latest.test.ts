@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { InTurn, isStopped, Latest, persist } from "./latest";
+import { InTurn, isStopped, Latest } from "./latest";
 
 test("the one before is called off", () => {
   const latest = new Latest();
@@ -30,16 +30,4 @@ test("of those that wait only the last is done, and what is under way ends first
 test("what was stopped is told from what went wrong", () => {
   expect(isStopped({ code: "stopped", message: "" })).toBe(true);
   expect([isStopped(null), isStopped("stopped"), isStopped({ code: "worker-lost" })]).not.toContain(true);
-});
-
-test("what a worker took with it is asked once more, and no more often", async () => {
-  let asked = 0;
-  const lost = { code: "worker-lost", message: "" };
-  const ask = (times: number) => async () => {
-    if (++asked <= times) throw lost;
-    return asked;
-  };
-  expect(await persist(ask(1))).toBe(2);
-  asked = 0;
-  await expect(persist(ask(2))).rejects.toBe(lost);
 });

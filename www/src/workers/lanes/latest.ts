@@ -45,19 +45,5 @@ export class InTurn {
 
 /** Whether a task ended because something else was asked for. */
 export function isStopped(problem: unknown): boolean {
-  return codeOf(problem) === "stopped";
-}
-
-/** Asks once more where a worker ended with what it was asked: one that does not stop in time takes with it what waits. */
-export async function persist<T>(ask: () => Promise<T>): Promise<T> {
-  try {
-    return await ask();
-  } catch (problem) {
-    if (codeOf(problem) === "worker-lost") return ask();
-    throw problem;
-  }
-}
-
-function codeOf(problem: unknown): unknown {
-  return typeof problem === "object" && problem !== null && "code" in problem ? problem.code : null;
+  return typeof problem === "object" && problem !== null && "code" in problem && problem.code === "stopped";
 }

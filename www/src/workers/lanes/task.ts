@@ -26,8 +26,10 @@ export type Ask =
   | { type: "run"; id: number; name: string; args: unknown }
   | { type: "stop"; id: number };
 
-/** From the worker. */
+/** From the worker: that it has its module, or why not; then of the task under way. */
 export type Answer =
+  | { type: "ready" }
+  | { type: "unable"; error: { code: string; message: string } }
   | { type: "progress"; id: number; value: unknown }
   | { type: "done"; id: number; result: unknown }
   | { type: "failed"; id: number; error: { code: string; message: string }; fatal: boolean };

@@ -6,7 +6,7 @@ import type { Curve, CurveShape } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";
 import type { Collage, CollageOptions, Figures, FitStage, Method, Prepared, Rival } from "#workers/fit/curve";
-import { isStopped, Latest, persist } from "#workers/lanes/latest";
+import { isStopped, Latest } from "#workers/lanes/latest";
 import { numbersOf, polylineOf, prepared, ready, SEEDS } from "./outline";
 import { source, takeSource } from "./source";
 
@@ -149,7 +149,7 @@ async function measure(done: Best, signal: AbortSignal): Promise<void> {
     running.value = null;
   });
   try {
-    const got = await persist(() => fitTask("measure", { points: done.of.points, curve: done.curve }));
+    const got = await fitTask("measure", { points: done.of.points, curve: done.curve });
     if (signal.aborted) return;
     finish({ ...done, ...got });
     await compare(done.of, done.numbers, signal);
@@ -174,24 +174,22 @@ async function fitCurve(outline: Prepared, numbers: number, signal: AbortSignal)
   let first = 0;
   running.value = { stage: "begin", share: 0 };
   try {
-    const got = await persist(() =>
-      fitTask(
-        "fitCurve",
-        { points: outline.points, numbers },
-        {
-          signal,
-          onProgress: ({ stage, share, rms, curve, points }) => {
-            if (signal.aborted) return;
-            // What it is compared with hangs on the numbers alone.
-            if (first === 0 && numbers <= SOON) void compare(outline, numbers, signal);
-            first ||= performance.now() - began;
-            batch(() => {
-              running.value = { stage, share, rms };
-              best.value = { of: outline, numbers, curve, points };
-            });
-          },
+    const got = await fitTask(
+      "fitCurve",
+      { points: outline.points, numbers },
+      {
+        signal,
+        onProgress: ({ stage, share, rms, curve, points }) => {
+          if (signal.aborted) return;
+          // What it is compared with hangs on the numbers alone.
+          if (first === 0 && numbers <= SOON) void compare(outline, numbers, signal);
+          first ||= performance.now() - began;
+          batch(() => {
+            running.value = { stage, share, rms };
+            best.value = { of: outline, numbers, curve, points };
+          });
         },
-      ),
+      },
     );
     if (signal.aborted) return;
     const whole = performance.now() - began;
@@ -288,7 +286,7 @@ async function compare(of: Prepared, numbers: number, signal: AbortSignal): Prom
 async function fitCollage(outline: Prepared, options: CollageOptions, signal: AbortSignal): Promise<void> {
   running.value = { stage: "begin", share: 0 };
   try {
-    const fit = await persist(() => fitTask("collage", { points: outline.points, options }, { signal }));
+    const fit = await fitTask("collage", { points: outline.points, options }, { signal });
     if (signal.aborted) return;
     batch(() => {
       collage.value = { of: outline, options, fit };

@@ -6,7 +6,7 @@ import { space, spaceFrame, spacePart } from "#document/space/space";
 import { pointsOf, thinned, type Uv, uvAt } from "#geometry/path";
 import type { Connectedness3, MapRow3, PathPoint, SpaceMorph } from "#wasm/api";
 import { solid } from "#wasm/space";
-import { InTurn, isStopped, Latest, persist } from "#workers/lanes/latest";
+import { InTurn, isStopped, Latest } from "#workers/lanes/latest";
 import { spaceTask } from "#workers/space/client";
 import type { LocusSoFar, MorphInputs, PathFound, PathTold } from "#workers/space/morph";
 import { MOST_POINTS, optionsOf, withPath } from "./changes";
@@ -125,7 +125,7 @@ async function fill(now: MorphInputs, end: AbortSignal): Promise<boolean> {
     if (!end.aborted) field.value = so;
   };
   try {
-    take(await persist(() => spaceTask("morphLocus", now, { signal: end, onProgress: take, lane: 2 })));
+    take(await spaceTask("morphLocus", now, { signal: end, onProgress: take, lane: 2 }));
     return !end.aborted;
   } catch (problem) {
     if (!end.aborted && !isStopped(problem)) locusProblem.value = wordsOf(problem);
@@ -188,7 +188,7 @@ async function look(key: string): Promise<void> {
     });
   };
   try {
-    take(await persist(() => spaceTask("morphPath", now, { signal: end, onProgress: take, lane: 3 })));
+    take(await spaceTask("morphPath", now, { signal: end, onProgress: take, lane: 3 }));
   } catch (problem) {
     if (end.aborted || isStopped(problem)) return;
     search.value = null;
@@ -225,7 +225,7 @@ function watchCheck(): () => void {
       if (!now || checked.peek()?.of === of) return;
       try {
         const points = pathPoints.peek();
-        const result = await persist(() => spaceTask("morphCheck", { ...now, points }));
+        const result = await spaceTask("morphCheck", { ...now, points });
         checked.value = { of, check: result };
       } catch {
         // The map beside it says so, too.
@@ -247,7 +247,7 @@ function watchVerdict(): () => void {
       if (verdict.peek()?.of === of) return;
       try {
         const maps = JSON.parse(of) as MapRow3[];
-        verdict.value = { of, answer: await persist(() => spaceTask("holds", { maps })) };
+        verdict.value = { of, answer: await spaceTask("holds", { maps }) };
       } catch {
         verdict.value = null;
       }

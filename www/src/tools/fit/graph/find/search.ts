@@ -10,9 +10,10 @@ import type {
   FoundCluster,
   HoughOptions,
 } from "#workers/fit/hough";
+import { isStopped } from "#workers/lanes/latest";
 import { take } from "../model/document";
 import { short } from "../model/model";
-import { isStopped, type Series, series, takeFeatures } from "../model/series";
+import { type Series, series, takeFeatures } from "../model/series";
 import { TABLE_3 } from "../printed";
 
 const LANES = [0, 1] as const;

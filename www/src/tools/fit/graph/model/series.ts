@@ -5,6 +5,7 @@ import { announce, notify, wordsOf } from "#document/notice";
 import { fitTask } from "#workers/fit/client";
 import type { FeatureSets } from "#workers/fit/hough";
 import type { OpenedSeries } from "#workers/fit/trace-types";
+import { isStopped } from "#workers/lanes/latest";
 import { EXAMPLES, type Example } from "./examples";
 import { readSeries } from "./read";
 
@@ -115,8 +116,4 @@ export async function takeFile(file: File): Promise<void> {
 /** Whether a file is numbers in rows, by its name. */
 export function isTable(name: string): boolean {
   return /\.(csv|tsv|txt|dat|json|geojson)$/i.test(name);
-}
-
-export function isStopped(problem: unknown): boolean {
-  return typeof problem === "object" && problem !== null && "code" in problem && problem.code === "stopped";
 }
