@@ -42,7 +42,7 @@ test("what a finger presses is large enough", async ({ studio, page }) => {
     );
   expect(await small()).toEqual([]);
   await page.getByRole("radio", { name: "Grid" }).check();
-  for (const summary of await page.locator(".bend-fold > summary").all()) await summary.tap();
+  for (const summary of await page.locator("details.fold > summary").all()) await summary.tap();
   expect(await small()).toEqual([]);
 });
 
@@ -94,7 +94,7 @@ test("axe finds nothing in the deformation tool on a phone", async ({ studio, pa
   await studio.drawn();
   await expectClean(page);
   await page.getByRole("button", { name: "Wave" }).tap();
-  for (const summary of await page.locator(".bend-fold > summary").all()) await summary.tap();
+  for (const summary of await page.locator("details.fold > summary").all()) await summary.tap();
   await studio.drawn();
   await expectClean(page);
 });

@@ -185,7 +185,7 @@ test("axe finds nothing in the deformation tool", async ({ studio, page }) => {
   await page.getByRole("button", { name: "Wave" }).click();
   await page.getByRole("radio", { name: "Grid" }).check();
   await page.getByRole("switch", { name: "Differs from corner to corner" }).check();
-  for (const summary of await page.locator(".bend-fold > summary").all()) await summary.click();
+  for (const summary of await page.locator("details.fold > summary").all()) await summary.click();
   const field = page.getByRole("spinbutton", { name: "Seconds once through" });
   await field.fill("0");
   await field.press("Enter");

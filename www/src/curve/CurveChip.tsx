@@ -1,3 +1,4 @@
+import { EvidenceChip } from "#stage/EvidenceChip";
 import "./curve.css";
 import { computed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
@@ -23,18 +24,7 @@ export function CurveChip() {
   useEffect(watchFacts, []);
   const crosses = crossingWords(crossings.value);
   return (
-    <button
-      id={CHIP_ID}
-      type="button"
-      class="chip"
-      title="What is known, and why"
-      aria-expanded={evidenceOpen.value}
-      aria-controls={evidenceOpen.value ? PANEL_ID : undefined}
-      data-testid="verdict"
-      onClick={() => {
-        evidenceOpen.value = !evidenceOpen.peek();
-      }}
-    >
+    <EvidenceChip id={CHIP_ID} panel={PANEL_ID}>
       {crosses === "" ? (
         <VerdictSign tone="whole" />
       ) : (
@@ -44,7 +34,7 @@ export function CurveChip() {
       )}
       <span class="chip-text">One closed curve</span>
       <span class="chip-aside">{crosses === "" ? "by construction" : crosses}</span>
-    </button>
+    </EvidenceChip>
   );
 }
 

@@ -1,3 +1,5 @@
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
+import { EndCard } from "#ui/shapes/EndCard";
 import "#ui/shapes/ends.css";
 import "./curve.css";
 import { computed } from "@preact/signals";
@@ -9,7 +11,6 @@ import { announce } from "#document/notice";
 import { edit, scene } from "#document/scene";
 import { CurveThumb } from "#stage/curve/CurveThumb";
 import { Button, IconButton } from "#ui/controls/Button";
-import { Segmented } from "#ui/controls/Segmented";
 import { Menu } from "#ui/overlay/Menu";
 import type { Colouring } from "#wasm/api";
 import { rough } from "#wasm/curve";
@@ -71,41 +72,29 @@ function Card({ end, choose }: { end: End } & CurvePanelProps) {
   const [upper, other] = end === "a" ? ["A", "B"] : ["B", "A"];
   const size = sizeWords(curve);
   return (
-    <div class="card">
-      <button
-        type="button"
-        class="card-face"
-        aria-haspopup="dialog"
-        aria-label={`Shape ${upper}: ${name}, closed curve with ${size}. Choose another`}
-        title="Choose another shape"
-        onClick={() => choose(end)}
-      >
-        <CurveThumb morph={curveMorph.value} s={end === "a" ? 0 : 1} />
-        <span class="card-end" aria-hidden="true">
-          {upper}
-        </span>
-        <span class="card-name">{name}</span>
-      </button>
-      <div class="card-tools">
-        <span class="card-count" aria-hidden="true">
-          {curve.knots.length} knots
-        </span>
-        <Menu
-          label={`More for shape ${upper}`}
-          items={[
-            { label: "Choose another …", icon: "grid", onSelect: () => choose(end) },
-            {
-              label: `Use as ${other} too`,
-              icon: "copy",
-              onSelect: () => {
-                edit((before) => curveAtBoth(before, end));
-                announce(`${name} is now at both ends.`);
-              },
+    <EndCard
+      end={end}
+      name={name}
+      note={`closed curve with ${size}`}
+      count={`${curve.knots.length} knots`}
+      picture={<CurveThumb morph={curveMorph.value} s={end === "a" ? 0 : 1} />}
+      onChoose={() => choose(end)}
+    >
+      <Menu
+        label={`More for shape ${upper}`}
+        items={[
+          { label: "Choose another …", icon: "grid", onSelect: () => choose(end) },
+          {
+            label: `Use as ${other} too`,
+            icon: "copy",
+            onSelect: () => {
+              edit((before) => curveAtBoth(before, end));
+              announce(`${name} is now at both ends.`);
             },
-          ]}
-        />
-      </div>
-    </div>
+          },
+        ]}
+      />
+    </EndCard>
   );
 }
 
@@ -192,17 +181,12 @@ const COLOUR_WORDS: Partial<Record<Colouring, string>> = {
 function Colours() {
   return (
     <section class="curve-colours" aria-label="Colour">
-      <div class="row">
-        <span class="row-name" aria-hidden="true">
-          Colour by
-        </span>
-        <Segmented
-          label="Colour by"
-          value={colouring.value}
-          options={COLOURINGS}
-          onChange={(next) => edit((before) => ({ ...before, colouring: next }))}
-        />
-      </div>
+      <ChoiceRow
+        label="Colour by"
+        value={colouring.value}
+        options={COLOURINGS}
+        onChange={(next) => edit((before) => ({ ...before, colouring: next }))}
+      />
       {colouring.value !== "density" && <p class="hint">{COLOUR_WORDS[colouring.value]}</p>}
     </section>
   );

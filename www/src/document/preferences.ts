@@ -1,4 +1,5 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { media } from "#style/media";
 
 export type Theme = "auto" | "light" | "dark";
 const KEY = "frond.theme";
@@ -13,18 +14,8 @@ function read(): Theme {
   }
 }
 
-function watch(query: string): ReadonlySignal<boolean> {
-  if (typeof matchMedia === "undefined") return signal(false);
-  const list = matchMedia(query);
-  const matches = signal(list.matches);
-  list.addEventListener("change", () => {
-    matches.value = list.matches;
-  });
-  return matches;
-}
-
 const chosen = signal<Theme>(read());
-const systemDark = watch("(prefers-color-scheme: dark)");
+const systemDark = media("(prefers-color-scheme: dark)");
 
 export const theme: ReadonlySignal<Theme> = chosen;
 /** What the choice comes to now. */
@@ -32,7 +23,7 @@ export const dark: ReadonlySignal<boolean> = computed(() =>
   chosen.value === "auto" ? systemDark.value : chosen.value === "dark",
 );
 /** Nothing moves by itself, and nothing eases. */
-export const reducedMotion: ReadonlySignal<boolean> = watch("(prefers-reduced-motion: reduce)");
+export const reducedMotion: ReadonlySignal<boolean> = media("(prefers-reduced-motion: reduce)");
 
 export function setTheme(next: Theme): void {
   chosen.value = next;

@@ -1,4 +1,5 @@
 /** The control mesh of a deformation as numbers: where its points rest, and the same bend by a mesh of another size. */
+import { channelsOf, hexOf } from "#style/hex";
 import type { Bend, Deformation } from "#wasm/api";
 
 /** What of a bend places its control points. */
@@ -62,7 +63,7 @@ export function remesh(deformation: Deformation, columns: number, rows: number):
   if (!tint) return after;
   const channels = refit(tint.colours.flatMap(channelsOf), 3, from, to);
   const colours = Array.from({ length: to.columns * to.rows }, (_, i) =>
-    colourOf(channels.slice(3 * i, 3 * i + 3)),
+    hexOf(channels.slice(3 * i, 3 * i + 3)),
   );
   return { ...after, tint: { ...tint, colours } };
 }
@@ -141,17 +142,4 @@ function binomials(n: number): number[] {
   const row = [1];
   for (let i = 0; i < n; i++) row.push(((row[i] ?? 0) * (n - i)) / (i + 1));
   return row;
-}
-
-function channelsOf(colour: string): number[] {
-  const all = Number.parseInt(colour.slice(1), 16) || 0;
-  return [(all >> 16) & 255, (all >> 8) & 255, all & 255];
-}
-
-function colourOf(channels: readonly number[]): string {
-  const two = (x: number) =>
-    Math.min(255, Math.max(0, Math.round(x)))
-      .toString(16)
-      .padStart(2, "0");
-  return `#${channels.map(two).join("")}`;
 }

@@ -1,4 +1,5 @@
 /** Colours of the control points. */
+import { channelsOf, hexOf } from "#style/hex";
 import type { Colouring, Deformation, Scene, Tint } from "#wasm/api";
 
 /** Lower left, lower right, upper left, upper right. */
@@ -16,7 +17,7 @@ export function blended(four: Four, { columns, rows }: Sides): string[] {
     const u = (i % columns) / (columns - 1);
     const v = Math.floor(i / columns) / (rows - 1);
     const weights = [(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v];
-    return colourOf([0, 1, 2].map((k) => weights.reduce((sum, w, j) => sum + w * (corners[j]?.[k] ?? 0), 0)));
+    return hexOf([0, 1, 2].map((k) => weights.reduce((sum, w, j) => sum + w * (corners[j]?.[k] ?? 0), 0)));
   });
 }
 
@@ -57,19 +58,6 @@ export function firstTint(deformation: Deformation): Tint {
     delta: 0.5,
     superposed,
   };
-}
-
-function channelsOf(colour: string): number[] {
-  const all = Number.parseInt(colour.slice(1), 16) || 0;
-  return [(all >> 16) & 255, (all >> 8) & 255, all & 255];
-}
-
-function colourOf(channels: readonly number[]): string {
-  const two = (x: number) =>
-    Math.min(255, Math.max(0, Math.round(x)))
-      .toString(16)
-      .padStart(2, "0");
-  return `#${channels.map(two).join("")}`;
 }
 
 /** Coloured by something else; by the grid, it gets colours if it has none yet. */

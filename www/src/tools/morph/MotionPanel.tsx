@@ -1,6 +1,6 @@
 import { edit } from "#document/scene";
-import { Segmented } from "#ui/controls/Segmented";
 import { Switch } from "#ui/controls/Switch";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Colouring, Mode } from "#wasm/api";
 import { colouring, compare, mode } from "./parts";
 
@@ -23,17 +23,12 @@ const COLOURINGS: readonly { value: Colouring; label: string; description: strin
 export function MotionPanel() {
   return (
     <section class="motion" aria-label="Motion and colour">
-      <div class="row">
-        <span class="row-name" aria-hidden="true">
-          Motion
-        </span>
-        <Segmented
-          label="Motion"
-          value={mode.value}
-          options={MODES}
-          onChange={(next) => edit((before) => ({ ...before, mode: next }))}
-        />
-      </div>
+      <ChoiceRow
+        label="Motion"
+        value={mode.value}
+        options={MODES}
+        onChange={(next) => edit((before) => ({ ...before, mode: next }))}
+      />
       <div class="row">
         <Switch
           checked={compare.value}
@@ -43,17 +38,12 @@ export function MotionPanel() {
           Turning and linear side by side
         </Switch>
       </div>
-      <div class="row">
-        <span class="row-name" aria-hidden="true">
-          Colour by
-        </span>
-        <Segmented
-          label="Colour by"
-          value={colouring.value}
-          options={COLOURINGS}
-          onChange={(next) => edit((before) => ({ ...before, colouring: next }))}
-        />
-      </div>
+      <ChoiceRow
+        label="Colour by"
+        value={colouring.value}
+        options={COLOURINGS}
+        onChange={(next) => edit((before) => ({ ...before, colouring: next }))}
+      />
     </section>
   );
 }

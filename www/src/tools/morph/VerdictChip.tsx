@@ -4,7 +4,7 @@ import { verdict } from "#compute/results";
 import { announce } from "#document/notice";
 import { playing } from "#document/playback";
 import { type VerdictWords, verdictLine, verdictWords } from "#format/verdict";
-import { evidenceOpen } from "#stage/marks";
+import { EvidenceChip } from "#stage/EvidenceChip";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
 import { CHIP_ID, PANEL_ID } from "./evidence/ids";
 
@@ -17,25 +17,13 @@ export function VerdictChip() {
   useAnnouncement();
   const { tone, text, aside } = words.value;
   return (
-    <button
-      id={CHIP_ID}
-      type="button"
-      class="chip"
-      title="What is known, and why"
-      aria-expanded={evidenceOpen.value}
-      aria-controls={evidenceOpen.value ? PANEL_ID : undefined}
-      data-stale={verdict.value?.stale ? "" : undefined}
-      data-testid="verdict"
-      onClick={() => {
-        evidenceOpen.value = !evidenceOpen.peek();
-      }}
-    >
+    <EvidenceChip id={CHIP_ID} panel={PANEL_ID} stale={verdict.value?.stale ?? false}>
       <VerdictSign tone={tone} />
       <span class="chip-words">
         <span class="chip-text">{text}</span>
         {aside !== "" && <span class="chip-aside">{aside}</span>}
       </span>
-    </button>
+    </EvidenceChip>
   );
 }
 

@@ -4,6 +4,7 @@ import { verdictPhrase } from "#format/verdict";
 import { Button } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { Slider } from "#ui/controls/Slider";
+import { PlayButton } from "#ui/strip/PlayButton";
 import type { MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { MARGIN, MOST_POINTS, SEED, startRun } from "../../kit/connectedness/buffer-run";
@@ -16,7 +17,7 @@ import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";
 import { shrink } from "../../kit/maps/families";
-import { PlayButton, usePlay } from "../../kit/time/play";
+import { usePlay } from "../../kit/time/play";
 import timeCss from "../../kit/time/time.module.css";
 import { useVerdict } from "../../kit/workers";
 import css from "./page.module.css";
@@ -102,7 +103,7 @@ export function Page(heading: Heading) {
         </div>
       </div>
       <div class={timeCss["figure-time"]}>
-        <PlayButton playing={player.playing} toggle={player.toggle} />
+        <PlayButton playing={player.playing} onToggle={player.toggle} />
         <Slider
           label="Points plotted"
           min={0}

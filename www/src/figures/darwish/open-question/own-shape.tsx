@@ -1,4 +1,5 @@
 import { NumberField } from "#ui/controls/NumberField";
+import { Select } from "#ui/controls/Select";
 import type { Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { Control } from "../../kit/frame/control";
@@ -66,7 +67,7 @@ function Choice({ name, value, onChange }: { name: string; value: string; onChan
   const chosen = all.find(({ id }) => id === value);
   return (
     <Control label={name} value={`${chosen?.maps.length ?? 0} maps`}>
-      <select aria-label={name} value={value} onChange={(event) => onChange(event.currentTarget.value)}>
+      <Select aria-label={name} value={value} onChange={(event) => onChange(event.currentTarget.value)}>
         {groups.map(({ label, list }) => (
           <optgroup key={label} label={label}>
             {list.map((preset) => (
@@ -76,7 +77,7 @@ function Choice({ name, value, onChange }: { name: string; value: string; onChan
             ))}
           </optgroup>
         ))}
-      </select>
+      </Select>
     </Control>
   );
 }

@@ -3,6 +3,7 @@
  * of them, blended by Bezier interpolation of degree 3, and what they do; it prints no numbers. All of these are
  * reconstructed from those words.
  */
+import { hexOf } from "#style/hex";
 import type { Bend } from "#wasm/api";
 
 export interface NamedMesh {
@@ -89,11 +90,7 @@ export function shade(parts: Rgb): Rgb {
 
 /** The same without the brightening, which a blend of control points knows nothing of: "#rrggbb". */
 export function plainShade(parts: Rgb): string {
-  const hex = (part: number, i: number) =>
-    Math.round(28 + part * (STRENGTH[i] ?? 0))
-      .toString(16)
-      .padStart(2, "0");
-  return `#${parts.map(hex).join("")}`;
+  return hexOf(parts.map((part, i) => 28 + part * (STRENGTH[i] ?? 0)));
 }
 
 /** Of red, green and blue: green looks brightest. */
@@ -114,11 +111,5 @@ export const DRAGON_COLOURS: readonly string[] = Array.from({ length: SIDE * SID
   const parts = [0, 1, 2].map((part) =>
     weights.reduce((sum, weight, corner) => sum + weight * (CORNER_COLOURS[corner]?.[part] ?? 0), 0),
   );
-  return `#${parts
-    .map((part) =>
-      Math.round(255 * part)
-        .toString(16)
-        .padStart(2, "0"),
-    )
-    .join("")}`;
+  return hexOf(parts.map((part) => 255 * part));
 });

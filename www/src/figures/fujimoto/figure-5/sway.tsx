@@ -1,8 +1,9 @@
 import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Slider } from "#ui/controls/Slider";
+import { PlayButton } from "#ui/strip/PlayButton";
 import { Formula } from "../../kit/frame/formula";
-import { PlayButton, usePlay } from "../../kit/time/play";
+import { usePlay } from "../../kit/time/play";
 import timeCss from "../../kit/time/time.module.css";
 
 const SECONDS = 6;
@@ -25,7 +26,7 @@ export function useSway(start: number) {
 export function Sway({ sway }: { sway: ReturnType<typeof useSway> }) {
   return (
     <div class={timeCss["figure-time"]}>
-      <PlayButton playing={sway.playing} toggle={sway.toggle} />
+      <PlayButton playing={sway.playing} onToggle={sway.toggle} />
       <Slider
         label="Time t"
         value={sway.t}

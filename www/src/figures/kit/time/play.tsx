@@ -1,6 +1,4 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { IconButton } from "#ui/controls/Button";
-import timeCss from "./time.module.css";
 
 /** Calls `step` at every frame while it plays, with the seconds since the last; stops when that returns false. */
 export function usePlay(step: (seconds: number) => boolean): {
@@ -29,15 +27,4 @@ export function usePlay(step: (seconds: number) => boolean): {
     };
   }, [playing]);
   return { playing, toggle: () => setPlaying(!playing), stop: () => setPlaying(false) };
-}
-
-export function PlayButton({ playing, toggle }: { playing: boolean; toggle: () => void }) {
-  return (
-    <IconButton
-      class={timeCss["play"] ?? ""}
-      icon={playing ? "pause" : "play"}
-      label={playing ? "Pause" : "Play"}
-      onClick={toggle}
-    />
-  );
 }

@@ -2,9 +2,10 @@ import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import type { Stretch } from "#geometry/states";
 import { Slider } from "#ui/controls/Slider";
-import { SliderBreaks } from "#ui/controls/SliderBreaks";
+import { SliderBreaks } from "#ui/controls/SliderMarks";
+import { PlayButton } from "#ui/strip/PlayButton";
 import { Formula } from "../frame/formula";
-import { PlayButton, usePlay } from "./play";
+import { usePlay } from "./play";
 import css from "./time.module.css";
 
 const SECONDS = 8;
@@ -39,7 +40,7 @@ export interface TimeProps {
 export function Time({ time, words, breaks = [] }: TimeProps) {
   return (
     <div class={css["figure-time"]}>
-      <PlayButton playing={time.playing} toggle={time.toggle} />
+      <PlayButton playing={time.playing} onToggle={time.toggle} />
       <Slider
         label="Time t"
         value={time.t}

@@ -2,10 +2,11 @@ import { computed } from "@preact/signals";
 import { changeDeformation, deformation } from "#document/deform/bend";
 import { edit, endGesture, scene } from "#document/scene";
 import { Button } from "#ui/controls/Button";
-import { Segmented } from "#ui/controls/Segmented";
 import { SliderField } from "#ui/controls/SliderField";
 import { Switch } from "#ui/controls/Switch";
 import { useOwnId } from "#ui/id";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
+import { Fold } from "#ui/panel/Fold";
 import type { Colouring, Tint } from "#wasm/api";
 import { MOST_ROUGHNESS } from "../changes";
 import { deepest, ringed, rough } from "../facts";
@@ -38,17 +39,12 @@ export function ColourPanel() {
   if (subject.value === "picture") return null;
   return (
     <section class="colour-panel" aria-label="Colour">
-      <div class="row">
-        <span class="row-name" aria-hidden="true">
-          Colour by
-        </span>
-        <Segmented
-          label="Colour by"
-          value={ringed.value && colouring.value === "grid" ? "density" : colouring.value}
-          options={ringed.value ? CURVE_COLOURINGS : COLOURINGS}
-          onChange={(next) => edit((before) => withColouring(before, next, deformation.peek()))}
-        />
-      </div>
+      <ChoiceRow
+        label="Colour by"
+        value={ringed.value && colouring.value === "grid" ? "density" : colouring.value}
+        options={ringed.value ? CURVE_COLOURINGS : COLOURINGS}
+        onChange={(next) => edit((before) => withColouring(before, next, deformation.peek()))}
+      />
       {colouring.value === "grid" && !ringed.value && (
         <GridColours now={tint.value ?? firstTint(deformation.value)} />
       )}
@@ -118,12 +114,9 @@ function GridColours({ now }: { now: Tint }) {
           </Button>
         )}
       </div>
-      <details class="bend-fold">
-        <summary>
-          <span>How small parts take colour</span>
-        </summary>
+      <Fold title="How small parts take colour">
         <TintNumbers now={now} />
-      </details>
+      </Fold>
     </>
   );
 }

@@ -4,8 +4,9 @@ import { endGesture } from "#document/scene";
 import { LEAST_SIDE, MOST_SIDE, remesh } from "#geometry/mesh";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
-import { type Option, Segmented } from "#ui/controls/Segmented";
+import type { Option } from "#ui/controls/Segmented";
 import { Switch } from "#ui/controls/Switch";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { mesh } from "./document";
 import { resetAll } from "./edit";
 import { HandleFields } from "./handles/HandleFields";
@@ -37,19 +38,15 @@ export function GridPanel() {
         </Switch>
       </div>
       <HandleFields />
-      <div class="row">
-        <span class="row-name" aria-hidden="true">
-          Mirror
-        </span>
-        <Segmented
-          label="Mirror what is moved"
-          options={SYMMETRIES}
-          value={symmetry.value}
-          onChange={(next) => {
-            symmetry.value = next;
-          }}
-        />
-      </div>
+      <ChoiceRow
+        label="Mirror"
+        name="Mirror what is moved"
+        options={SYMMETRIES}
+        value={symmetry.value}
+        onChange={(next) => {
+          symmetry.value = next;
+        }}
+      />
       <div class="row">
         <Side of="columns" />
         <Side of="rows" />

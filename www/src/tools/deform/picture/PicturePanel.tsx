@@ -1,7 +1,9 @@
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 import { ownPicture, type Photograph, photograph } from "#document/deform/picture";
 import { Button } from "#ui/controls/Button";
 import { listenForFiles } from "#ui/files/dropFiles";
+import { FileButton } from "#ui/files/FileButton";
+import { SubjectCard } from "#ui/shapes/SubjectCard";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { takeFile, takeSample } from "./take";
 import "./picture.css";
@@ -10,37 +12,24 @@ const ACCEPT = "image/png,image/jpeg,image/webp,image/avif,image/gif,image/bmp";
 
 /** The picture that is bent, and how to take another. */
 export function PicturePanel() {
-  const input = useRef<HTMLInputElement>(null);
   useEffect(() => listenForFiles(take), []);
   const shown = photograph.value;
   return (
     <section class="picture-panel" aria-label="Your picture">
-      <div class="picture-card">
-        <Thumbnail bitmap={useThumbnail(shown)} />
-        <span class="picture-name">{shown?.name ?? "Drawing the sample …"}</span>
-        <span class="picture-about">{shown ? `${shown.width} × ${shown.height} pixels` : ""}</span>
-      </div>
+      <SubjectCard
+        picture={<Thumbnail bitmap={useThumbnail(shown)} />}
+        name={shown?.name ?? "Drawing the sample …"}
+        about={shown ? `${shown.width} × ${shown.height} pixels` : ""}
+      />
       <div class="picture-buttons">
-        <Button onClick={() => input.current?.click()}>Choose a picture</Button>
+        <FileButton label="Picture file" accept={ACCEPT} onFile={(file) => void takeFile(file, file.name)}>
+          Choose a picture
+        </FileButton>
         {ownPicture.value && (
           <Button kind="quiet" onClick={takeSample}>
             Back to the sample
           </Button>
         )}
-        <input
-          ref={input}
-          class="unseen"
-          type="file"
-          accept={ACCEPT}
-          aria-label="Picture file"
-          tabIndex={-1}
-          onChange={(event) => {
-            const [file] = event.currentTarget.files ?? [];
-            if (file) void takeFile(file, file.name);
-            // The same file once more is a choice, too.
-            event.currentTarget.value = "";
-          }}
-        />
       </div>
       <p class="hint">
         Or drop one on the stage, or paste it. It stays in this page: nothing is uploaded, and a link does not

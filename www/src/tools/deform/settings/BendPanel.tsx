@@ -4,9 +4,10 @@ import { changeDeformation, deformation } from "#document/deform/bend";
 import { endGesture } from "#document/scene";
 import { formatNumber } from "#format/numbers";
 import { NumberField } from "#ui/controls/NumberField";
-import { Segmented } from "#ui/controls/Segmented";
 import { SliderField } from "#ui/controls/SliderField";
+import { SliderMark } from "#ui/controls/SliderMarks";
 import { Switch } from "#ui/controls/Switch";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { MOST_ROUGHNESS, withCorners, withDetail, withLocality } from "../changes";
 import { deepest, problem, rough } from "../facts";
 import { detailWords, localityWords, roughnessWords } from "../words";
@@ -28,20 +29,15 @@ export function BendPanel() {
       <Locality />
       <Roughness />
       <Detail />
-      <div class="row">
-        <span class="row-name" aria-hidden="true">
-          Scales
-        </span>
-        <Segmented
-          label="Scales"
-          value={superposed.value ? "all" : "last"}
-          options={[
-            { value: "all", label: "All together", description: "The sum of all scales, kb to ke" },
-            { value: "last", label: "Smallest only", description: "Only the last shuffle, down to ke" },
-          ]}
-          onChange={(next) => changeDeformation((d) => ({ ...d, superposed: next === "all" }))}
-        />
-      </div>
+      <ChoiceRow
+        label="Scales"
+        value={superposed.value ? "all" : "last"}
+        options={[
+          { value: "all", label: "All together", description: "The sum of all scales, kb to ke" },
+          { value: "last", label: "Smallest only", description: "Only the last shuffle, down to ke" },
+        ]}
+        onChange={(next) => changeDeformation((d) => ({ ...d, superposed: next === "all" }))}
+      />
       {problem.value !== null && (
         <p class="bend-problem" role="alert">
           {problem.value} <span class="dim">What is shown is the last that worked.</span>
@@ -139,9 +135,8 @@ function Roughness() {
           onChange={(next) => changeDeformation((d) => ({ ...d, delta: next }), { gesture: "delta" })}
         >
           {rough.value < MOST_ROUGHNESS && (
-            <span
-              class="bend-mark"
-              style={{ left: `${(100 * rough.value) / MOST_ROUGHNESS}%` }}
+            <SliderMark
+              at={rough.value / MOST_ROUGHNESS}
               title={`From ${formatNumber(rough.value, 2)} on it is rough: each scale answers more than it is smaller`}
             />
           )}

@@ -1,5 +1,6 @@
 import { computed } from "@preact/signals";
 import { changeDeformation, deformation } from "#document/deform/bend";
+import { Fold } from "#ui/panel/Fold";
 import { facts } from "../facts";
 import { HOLDS, holdWords, SPINS } from "../words";
 import { Choices } from "./Choices";
@@ -11,18 +12,14 @@ const continuity = computed(() => deformation.value.continuity);
 export function SpinFold() {
   const now = SPINS.find(({ value }) => value === spin.value);
   return (
-    <details class="bend-fold">
-      <summary>
-        <span>Turning in the pieces</span>
-        <span class="fold-now">{now?.label.toLowerCase()}</span>
-      </summary>
+    <Fold title="Turning in the pieces" now={now?.label.toLowerCase()}>
       <Choices
         label="Turning in the pieces"
         options={SPINS}
         value={spin.value}
         onChange={(next) => changeDeformation((d) => ({ ...d, spin: next }))}
       />
-    </details>
+    </Fold>
   );
 }
 
@@ -30,17 +27,13 @@ export function SpinFold() {
 export function ContinuityFold() {
   const got = facts.value?.continuity ?? null;
   return (
-    <details class="bend-fold">
-      <summary>
-        <span>Kept together by</span>
-        <span class="fold-now">{holdWords(continuity.value, got)}</span>
-      </summary>
+    <Fold title="Kept together by" now={holdWords(continuity.value, got)}>
       <Choices
         label="Kept together by"
         options={HOLDS}
         value={continuity.value}
         onChange={(next) => changeDeformation((d) => ({ ...d, continuity: next }))}
       />
-    </details>
+    </Fold>
   );
 }

@@ -16,7 +16,9 @@ import { Segmented } from "#ui/controls/Segmented";
 import { Slider } from "#ui/controls/Slider";
 import { Switch } from "#ui/controls/Switch";
 import { Dialog } from "#ui/overlay/Dialog";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
+import { SubjectCard } from "#ui/shapes/SubjectCard";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { choose, inBox, onPath, sameBox, sameShapes } from "../changes";
 import { gallery } from "../dialogs";
@@ -71,20 +73,16 @@ function Picture() {
   return (
     <>
       <PicturePanel />
-      <div class="row">
-        <span class="row-name" aria-hidden="true">
-          Taken apart into
-        </span>
-        <Segmented
-          label="Parts each way"
-          value={parts.value === 2 ? "2" : "3"}
-          options={[
-            { value: "2", label: "2 × 2" },
-            { value: "3", label: "3 × 3" },
-          ]}
-          onChange={(next) => changeDeformation((d) => ({ ...d, parts: next === "2" ? 2 : 3 }))}
-        />
-      </div>
+      <ChoiceRow
+        label="Taken apart into"
+        name="Parts each way"
+        value={parts.value === 2 ? "2" : "3"}
+        options={[
+          { value: "2", label: "2 × 2" },
+          { value: "3", label: "3 × 3" },
+        ]}
+        onChange={(next) => changeDeformation((d) => ({ ...d, parts: next === "2" ? 2 : 3 }))}
+      />
     </>
   );
 }
@@ -100,30 +98,25 @@ function Shape() {
     : `${mapsNote({ maps: all })}${preset === undefined ? ", edited" : ""}`;
   return (
     <>
-      <button
-        type="button"
-        class="subject"
-        aria-haspopup="dialog"
-        aria-label={`${between ? `Between ${name} and ${last}` : name}. Choose another shape`}
-        title="Choose another shape"
-        onClick={() => {
+      <SubjectCard
+        picture={
+          ends && !between ? (
+            <CurveThumb morph={curveMorph.value} s={0} />
+          ) : (
+            <Thumbnail
+              bitmap={
+                between ? frameAt(t.value) : (thumbnails.value.get("a") ?? thumbnails.value.get(preset ?? ""))
+              }
+            />
+          )
+        }
+        name={between ? `${name} to ${last}` : name}
+        about={between ? `the morph at ${formatNumber(100 * t.value, 1)}%` : still}
+        label={`${between ? `Between ${name} and ${last}` : name}. Choose another shape`}
+        onChoose={() => {
           gallery.value = true;
         }}
-      >
-        {ends && !between ? (
-          <CurveThumb morph={curveMorph.value} s={0} />
-        ) : (
-          <Thumbnail
-            bitmap={
-              between ? frameAt(t.value) : (thumbnails.value.get("a") ?? thumbnails.value.get(preset ?? ""))
-            }
-          />
-        )}
-        <span class="subject-name">{between ? `${name} to ${last}` : name}</span>
-        <span class="subject-about">
-          {between ? `the morph at ${formatNumber(100 * t.value, 1)}%` : still}
-        </span>
-      </button>
+      />
       {morphs && (
         <>
           <div class="morph-time">

@@ -1,8 +1,8 @@
+import { PlayButton } from "#ui/strip/PlayButton";
 import "#ui/strip/strip.css";
 import "./strip.css";
 import { useEffect } from "preact/hooks";
 import { deformation, phasePlaying } from "#document/deform/bend";
-import { IconButton } from "#ui/controls/Button";
 import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
 import { pausePhase, playPhase, scrubPhase } from "../clock";
@@ -16,7 +16,7 @@ export function DeformStrip() {
   const { phase } = deformation.value;
   return (
     <section class="strip deform-strip" aria-label="Time">
-      <PlayButton />
+      <Play />
       <div class="strip-film key-film">
         <Slider
           class="key-scrub"
@@ -33,17 +33,14 @@ export function DeformStrip() {
   );
 }
 
-function PlayButton() {
+function Play() {
   const on = phasePlaying.value;
   const still = deformation.value.keys.length < 2;
   return (
-    <IconButton
-      class="play"
-      icon={on ? "pause" : "play"}
-      label={on ? "Pause" : "Play"}
-      disabled={still}
-      {...(still ? { description: "one key frame does not move: choose a motion, or add another" } : {})}
-      onClick={() => (on ? pausePhase() : playPhase())}
+    <PlayButton
+      playing={on}
+      onToggle={() => (on ? pausePhase() : playPhase())}
+      still={still ? "one key frame does not move: choose a motion, or add another" : undefined}
     />
   );
 }

@@ -6,8 +6,10 @@ import { palette } from "#style/palette";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
+import { Select } from "#ui/controls/Select";
 import { Slider } from "#ui/controls/Slider";
 import { Switch } from "#ui/controls/Switch";
+import { DomainFields } from "./DomainFields";
 import {
   changeModel,
   chooseKind,
@@ -76,9 +78,8 @@ function PieceList() {
           <label class="row-name" for="graph-piece">
             Piece of {parts.length}
           </label>
-          <select
+          <Select
             id="graph-piece"
-            class="select"
             value={chosen}
             onChange={(event) => {
               chosenPiece.value = Number(event.currentTarget.value);
@@ -89,7 +90,7 @@ function PieceList() {
                 {i + 1}
               </option>
             ))}
-          </select>
+          </Select>
         </div>
       )}
       <ol class="graph-pieces">
@@ -197,9 +198,8 @@ function Domain({ index }: { index: number }) {
       <p class="piece-domain">
         <span class="row-name">copies from point</span>
         {([0, 1] as const).map((end) => (
-          <select
+          <Select
             key={end}
-            class="select"
             aria-label={
               end === 0 ? `Piece ${index + 1} copies from point` : `Piece ${index + 1} copies up to point`
             }
@@ -211,7 +211,7 @@ function Domain({ index }: { index: number }) {
                 {i + 1}
               </option>
             ))}
-          </select>
+          </Select>
         ))}
       </p>
     );
@@ -225,23 +225,7 @@ function Domain({ index }: { index: number }) {
     }, `domain ${index} ${end}`);
     return done ? undefined : (problem.peek() ?? "");
   };
-  return (
-    <div class="piece-domain">
-      {([0, 1] as const).map((end) => (
-        <NumberField
-          key={end}
-          label={end === 0 ? "copies from" : "to"}
-          symbol={end === 0 ? "α" : "β"}
-          value={part.domain[end]}
-          min={from}
-          max={to}
-          step={0.01 * (to - from)}
-          onChange={(t) => set(end, t)}
-          onDone={endGesture}
-        />
-      ))}
-    </div>
-  );
+  return <DomainFields domain={part.domain} within={[from, to]} onChange={set} onDone={endGesture} />;
 }
 
 /** The chosen point in numbers. */
@@ -262,8 +246,7 @@ function KnotFields() {
     <fieldset class="knot-fields">
       <legend class="row-name">
         Point{" "}
-        <select
-          class="select"
+        <Select
           aria-label="Which point"
           value={index}
           onChange={(event) => {
@@ -275,7 +258,7 @@ function KnotFields() {
               {i + 1}
             </option>
           ))}
-        </select>
+        </Select>
       </legend>
       <NumberField
         label={`Place of point ${index + 1}`}

@@ -1,7 +1,9 @@
 import { Button } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { SliderField } from "#ui/controls/SliderField";
+import { SliderMark } from "#ui/controls/SliderMarks";
 import { Switch } from "#ui/controls/Switch";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Component } from "#workers/fit/trace-types";
 import { brushSize, type Hand, hand } from "../stage/brush";
 import { step } from "../stage/layers";
@@ -57,7 +59,7 @@ function Mask() {
         ends={["less", "more"]}
         onChange={(next) => changeMask((now) => ({ ...now, threshold: next }))}
       >
-        <span class="fit-mark" style={{ left: "50%" }} title="As it was found by itself" />
+        <SliderMark at={0.5} title="As it was found by itself" />
       </SliderField>
       <Switch
         checked={stalk === "remove"}
@@ -122,17 +124,15 @@ const HANDS: readonly { value: Hand; label: string; description: string }[] = [
 function Brush() {
   return (
     <div class="brush">
-      <div class="row">
-        <span class="row-name">Brush</span>
-        <Segmented
-          label="What a drag on the picture does"
-          value={hand.value}
-          options={HANDS}
-          onChange={(next) => {
-            hand.value = next;
-          }}
-        />
-      </div>
+      <ChoiceRow
+        label="Brush"
+        name="What a drag on the picture does"
+        value={hand.value}
+        options={HANDS}
+        onChange={(next) => {
+          hand.value = next;
+        }}
+      />
       {hand.value !== "move" && (
         <>
           <SliderField
@@ -181,6 +181,7 @@ function Parts() {
       {all.map((component, i) => (
         <label key={i} class="cut-part" title={`Part ${i + 1}`}>
           <input
+            class="covering"
             type="radio"
             name="fit-part"
             checked={part.value === i}

@@ -1,3 +1,4 @@
+import "#ui/panel/progress.css";
 import { computed } from "@preact/signals";
 import { fitDocument } from "#document/fit";
 import { fixed } from "#format/numbers";
@@ -52,7 +53,7 @@ function Progress() {
   if (!closed.value) return <span class="row-name">Fitting …</span>;
   return (
     <span class="fit-progress">
-      <progress aria-label="Fit" max={1} value={now.share} />
+      <progress class="progress" aria-label="Fit" max={1} value={now.share} />
       <Button kind="quiet" icon="close" onClick={cancel}>
         Cancel
       </Button>

@@ -3,6 +3,7 @@ import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
 import { Switch } from "#ui/controls/Switch";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { CollageOptions } from "#workers/fit/curve";
 import { cutting } from "../stage/layers";
 import { percent } from "../words";
@@ -92,30 +93,24 @@ function Collage() {
           ))}
         </span>
       </div>
-      <div class="row">
-        <span class="row-name">x and y</span>
-        <Segmented
-          label="x and y"
-          value={now.separable ? "apart" : "together"}
-          options={[
-            { value: "together", label: "together", description: "A matrix of four numbers each (eq 9)" },
-            { value: "apart", label: "apart", description: "Separable: a number for each coordinate (eq 8)" },
-          ]}
-          onChange={(next) => change({ separable: next === "apart" })}
-        />
-      </div>
-      <div class="row">
-        <span class="row-name">Copies begin</span>
-        <Segmented
-          label="Copies begin"
-          value={now.partitioned ? "anywhere" : "ranges"}
-          options={[
-            { value: "ranges", label: "where pieces do", description: "Recurrent: an RFIF" },
-            { value: "anywhere", label: "anywhere", description: "Partitioned: a PFIF" },
-          ]}
-          onChange={(next) => change({ partitioned: next === "anywhere" })}
-        />
-      </div>
+      <ChoiceRow
+        label="x and y"
+        value={now.separable ? "apart" : "together"}
+        options={[
+          { value: "together", label: "together", description: "A matrix of four numbers each (eq 9)" },
+          { value: "apart", label: "apart", description: "Separable: a number for each coordinate (eq 8)" },
+        ]}
+        onChange={(next) => change({ separable: next === "apart" })}
+      />
+      <ChoiceRow
+        label="Copies begin"
+        value={now.partitioned ? "anywhere" : "ranges"}
+        options={[
+          { value: "ranges", label: "where pieces do", description: "Recurrent: an RFIF" },
+          { value: "anywhere", label: "anywhere", description: "Partitioned: a PFIF" },
+        ]}
+        onChange={(next) => change({ partitioned: next === "anywhere" })}
+      />
       <Switch
         checked={now.tied}
         description="The paper's are free, and leave gaps"

@@ -1,5 +1,6 @@
 import { changeFit, fitDocument } from "#document/fit";
 import { endGesture } from "#document/scene";
+import { Select } from "#ui/controls/Select";
 import { SliderField } from "#ui/controls/SliderField";
 import { cutting } from "../stage/layers";
 import { prepared } from "../work/outline";
@@ -47,13 +48,13 @@ function Choice() {
   return (
     <label class="row outline-choice">
       <span class="row-name">Which outline</span>
-      <select value={now.chosen} onChange={(event) => chooseOutline(Number(event.currentTarget.value))}>
+      <Select value={now.chosen} onChange={(event) => chooseOutline(Number(event.currentTarget.value))}>
         {now.outlines.slice(0, MOST_LISTED).map((outline, i) => (
           <option key={i} value={i}>
             {`${i + 1}: ${outline.name}`}
           </option>
         ))}
-      </select>
+      </Select>
     </label>
   );
 }

@@ -1,6 +1,7 @@
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import { Button } from "#ui/controls/Button";
 import { listenForFiles } from "#ui/files/dropFiles";
+import { FileButton } from "#ui/files/FileButton";
 import type { Grown } from "#workers/fit/curve";
 import { takeSeries } from "../series";
 import { prepared, SEEDS } from "../work/outline";
@@ -13,7 +14,6 @@ const take = (file: File) => void takeFile(file, file.name, takeSeries);
 
 /** What is fitted, and how to take something else. */
 export function SourcePanel() {
-  const input = useRef<HTMLInputElement>(null);
   useEffect(() => listenForFiles(([file]) => take(file)), []);
   const now = source.value;
   const back = former.value;
@@ -24,28 +24,14 @@ export function SourcePanel() {
         <span class="source-about">{aboutOf(now, prepared.value?.points.length ?? null)}</span>
       </div>
       <div class="source-buttons">
-        <Button kind="primary" onClick={() => input.current?.click()}>
+        <FileButton kind="primary" label="Photograph or outline file" accept={ACCEPT} onFile={take}>
           Choose a photograph or outline
-        </Button>
+        </FileButton>
         {back && back.kind !== "grown" && (
           <Button kind="quiet" icon="back" onClick={takeFormer}>
             Back to {back.name.length > 24 ? `${back.name.slice(0, 22)}…` : back.name}
           </Button>
         )}
-        <input
-          ref={input}
-          class="unseen"
-          type="file"
-          accept={ACCEPT}
-          aria-label="Photograph or outline file"
-          tabIndex={-1}
-          onChange={(event) => {
-            const [file] = event.currentTarget.files ?? [];
-            if (file) take(file);
-            // The same file once more is a choice, too.
-            event.currentTarget.value = "";
-          }}
-        />
       </div>
       <p class="hint">
         Or drop one anywhere, or paste it: PNG, JPEG, WebP, SVG, CSV, GeoJSON. It stays in this page; a link

@@ -1,10 +1,10 @@
+import { LocusHead, statesIn } from "#stage/locus/LocusHead";
 import "#stage/locus/locus.css";
 import "./field.css";
-import { computed, signal } from "@preact/signals";
+import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { Legend } from "#stage/locus/Legend";
 import type { LocusStyle } from "#stage/locus/paint";
-import { Segmented } from "#ui/controls/Segmented";
 import { followCritical } from "./families/critical";
 import { FamilyNotes } from "./families/FamilyNotes";
 import { LocusSquare } from "./LocusSquare";
@@ -19,9 +19,7 @@ import { WindowNumbers } from "./view/WindowNumbers";
 /** How the field is shown: a way of looking, no part of the document. */
 const style = signal<LocusStyle>("gap");
 
-/** Which states there are in the window; the same as long as they stay the same. */
-const present = computed(() => [...new Set(shownField.value?.state)].sort().join());
-const states = computed(() => new Set(present.value.split(",").filter(Boolean).map(Number)));
+const states = statesIn(shownField);
 
 /** The map alone, to be watched while a shape is changed. */
 export function LocusBeside() {
@@ -45,20 +43,7 @@ export function LocusPanel() {
   useEffect(followCritical, []);
   return (
     <section class="locus" aria-labelledby="locus-title">
-      <header class="section-head">
-        <h2 id="locus-title">Where it holds together</h2>
-        <Segmented
-          label="How to show it"
-          value={style.value}
-          onChange={(next) => {
-            style.value = next;
-          }}
-          options={[
-            { value: "gap", label: "Gap", description: "How wide the widest gap between the pieces is" },
-            { value: "yesno", label: "Yes / no", description: "Only whether it holds together" },
-          ]}
-        />
-      </header>
+      <LocusHead id="locus-title" style={style} />
       <Planes />
       <div class="locus-plot">
         <Ticks axis="v" />

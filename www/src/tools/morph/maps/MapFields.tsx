@@ -1,7 +1,7 @@
-import { useState } from "preact/hooks";
+import { useProblems } from "#ui/controls/problems";
+import "#ui/shapes/equations.css";
 import { compose, decompose, type Parts } from "#geometry/maps/affine2";
 import { NumberField } from "#ui/controls/NumberField";
-import { useOwnId } from "#ui/id";
 import type { MapRow } from "#wasm/api";
 
 export interface MapFieldsProps {
@@ -9,29 +9,6 @@ export interface MapFieldsProps {
   /** Takes the map, or says why it cannot be. `field` names what was changed, so that a run of steps is one undo. */
   onChange: (map: MapRow, field: string) => string | undefined;
   onDone: () => void;
-}
-
-/** What is wrong with the fields of one map, told in one place below them. */
-function useProblems() {
-  const id = useOwnId("map-problems");
-  const [problems, setProblems] = useState<Record<string, string>>({});
-  const tellOf = (field: string) => ({
-    id,
-    tell: (words: string | null) =>
-      setProblems(({ [field]: _old, ...others }) =>
-        words === null ? others : { ...others, [field]: words },
-      ),
-  });
-  const below = (
-    <div id={id} role="alert">
-      {Object.entries(problems).map(([field, words]) => (
-        <p key={field} class="field-problem">
-          {words}
-        </p>
-      ))}
-    </div>
-  );
-  return { tellOf, below };
 }
 
 const PARTS: readonly { key: keyof Parts; label: string; step: number; digits: number; unit?: string }[] = [
@@ -93,10 +70,10 @@ export function NumberFields({ map, onChange, onDone }: MapFieldsProps) {
   const { tellOf, below } = useProblems();
   return (
     <>
-      <div class="map-equations">
+      <div class="equations">
         {ROWS.map(({ axis, cells }) => (
-          <div key={axis} class="map-equation">
-            <span class="map-axis" aria-hidden="true">
+          <div key={axis} class="equation">
+            <span class="equation-axis" aria-hidden="true">
               {axis} =
             </span>
             {cells.map(([index, symbol, label]) => (

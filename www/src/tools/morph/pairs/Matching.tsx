@@ -1,3 +1,4 @@
+import "#ui/panel/fold.css";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { BOUNDS } from "#compute/locus/job";
 import { lookForMatchings, matchings, stopMatching } from "#compute/matching";
@@ -21,7 +22,7 @@ export function Matching() {
   const found = matchings.value;
   return (
     <details
-      class="pairs-more"
+      class="fold pairs-more"
       id="matching"
       open={matchingOpen.value}
       onToggle={(event) => {
@@ -86,6 +87,7 @@ function Card({ name, candidate, chosen }: { name: string; candidate: RatedCandi
   return (
     <label class={`matching-card ${plan.holds ? "holds" : "breaks"}`} title={words}>
       <input
+        class="covering"
         type="radio"
         name={name}
         checked={chosen}

@@ -1,3 +1,5 @@
+import "#ui/panel/fold.css";
+import { Select } from "#ui/controls/Select";
 import "./pairs.css";
 import { pairing } from "#document/morph";
 import { edit, endGesture } from "#document/scene";
@@ -41,7 +43,7 @@ export function PairNotes() {
 export function PairsPanel() {
   return (
     <details
-      class="pairs"
+      class="fold pairs"
       open={pairsOpen.value}
       onToggle={(event) => {
         pairsOpen.value = event.currentTarget.open;
@@ -94,7 +96,7 @@ function Pairs() {
             <Swatch map={map} />
             <label>
               <span class="unseen">Map {map + 1} </span>becomes{" "}
-              <select
+              <Select
                 value={String(becomes[map] ?? map)}
                 onChange={(event) => match(map, Number(event.currentTarget.value))}
               >
@@ -103,7 +105,7 @@ function Pairs() {
                     {i + 1}
                   </option>
                 ))}
-              </select>
+              </Select>
             </label>
             <NumberField
               label="extra turns"

@@ -1,3 +1,4 @@
+import "#ui/panel/fold.css";
 import { lookForRoutes, routes } from "#compute/routes";
 import { announce } from "#document/notice";
 import { edit } from "#document/scene";
@@ -24,7 +25,7 @@ export function Routes() {
   const found = routes.value;
   return (
     <details
-      class="pairs-more"
+      class="fold pairs-more"
       id="routes"
       open={routesOpen.value}
       onToggle={(event) => {

@@ -1,3 +1,4 @@
+import { EndCard } from "#ui/shapes/EndCard";
 import "#ui/shapes/ends.css";
 import { thumbnails } from "#compute/results";
 import { selection } from "#document/morph";
@@ -36,62 +37,47 @@ function Card({ end }: { end: End }) {
   const count = `${maps.length} ${maps.length === 1 ? "map" : "maps"}`;
   const rest = preset === undefined ? `${count}, edited` : count;
   return (
-    <div class={`card ${editing ? "editing" : ""}`}>
-      <button
-        type="button"
-        class="card-face"
-        aria-haspopup="dialog"
-        aria-label={`Shape ${nameOf(end)}: ${name}, ${rest}. Choose another`}
-        title="Choose another shape"
+    <EndCard
+      end={end}
+      name={name}
+      note={rest}
+      count={count}
+      picture={<Thumbnail bitmap={thumbnails.value.get(end) ?? thumbnails.value.get(preset ?? "")} />}
+      edited={preset === undefined}
+      editing={editing}
+      onChoose={() => {
+        gallery.value = end;
+      }}
+    >
+      <IconButton
+        kind="quiet"
+        icon="edit"
+        label={`Edit the maps of ${nameOf(end)}`}
+        pressed={editing}
         onClick={() => {
-          gallery.value = end;
+          selection.value = editing ? null : { target: end, map: 0 };
         }}
-      >
-        <Thumbnail bitmap={thumbnails.value.get(end) ?? thumbnails.value.get(preset ?? "")} />
-        <span class="card-end" aria-hidden="true">
-          {nameOf(end)}
-        </span>
-        {preset === undefined && (
-          <span class="card-edited" aria-hidden="true">
-            edited
-          </span>
-        )}
-        <span class="card-name">{name}</span>
-      </button>
-      <div class="card-tools">
-        <span class="card-count" aria-hidden="true">
-          {count}
-        </span>
-        <IconButton
-          kind="quiet"
-          icon="edit"
-          label={`Edit the maps of ${nameOf(end)}`}
-          pressed={editing}
-          onClick={() => {
-            selection.value = editing ? null : { target: end, map: 0 };
-          }}
-        />
-        <Menu
-          label={`More for shape ${nameOf(end)}`}
-          items={[
-            {
-              label: "Choose another …",
-              icon: "grid",
-              onSelect: () => {
-                gallery.value = end;
-              },
+      />
+      <Menu
+        label={`More for shape ${nameOf(end)}`}
+        items={[
+          {
+            label: "Choose another …",
+            icon: "grid",
+            onSelect: () => {
+              gallery.value = end;
             },
-            {
-              label: `Use as ${nameOf(other(end))} too`,
-              icon: "copy",
-              onSelect: () => {
-                edit((before) => asBoth(before, end));
-                announce(`${name} is now at both ends.`);
-              },
+          },
+          {
+            label: `Use as ${nameOf(other(end))} too`,
+            icon: "copy",
+            onSelect: () => {
+              edit((before) => asBoth(before, end));
+              announce(`${name} is now at both ends.`);
             },
-          ]}
-        />
-      </div>
-    </div>
+          },
+        ]}
+      />
+    </EndCard>
   );
 }

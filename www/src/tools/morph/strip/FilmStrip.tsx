@@ -6,7 +6,7 @@ import { scene } from "#document/scene";
 import { percent } from "#format/path-words";
 import { stateOf, verdictPhrase } from "#format/verdict";
 import { isBroken } from "#geometry/states";
-import { media } from "#ui/media";
+import { media } from "#style/media";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import type { Verdict } from "#wasm/api";
 import { evenly } from "./evenly";

@@ -1,3 +1,4 @@
+import { PlayButton } from "#ui/strip/PlayButton";
 import "#ui/strip/strip.css";
 import "./strip.css";
 import { computed } from "@preact/signals";
@@ -21,7 +22,7 @@ import { scrubTo } from "./scrub";
 export function MorphStrip() {
   return (
     <section class="strip" aria-label="Time" style={{ "--frames": String(Math.max(1, frames.value.length)) }}>
-      <PlayButton />
+      <Play />
       <div class={`strip-film ${offPath.value ? "off-path" : ""}`}>
         <Scrub />
         <FilmStrip />
@@ -31,16 +32,9 @@ export function MorphStrip() {
   );
 }
 
-function PlayButton() {
+function Play() {
   const on = playing.value;
-  return (
-    <IconButton
-      class="play"
-      icon={on ? "pause" : "play"}
-      label={on ? "Pause" : "Play"}
-      onClick={() => (on ? pause() : play())}
-    />
-  );
+  return <PlayButton playing={on} onToggle={() => (on ? pause() : play())} />;
 }
 
 /** Whether the picture shows something else than the path at the present moment. */

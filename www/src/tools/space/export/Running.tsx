@@ -1,3 +1,4 @@
+import "#ui/panel/progress.css";
 import { Button } from "#ui/controls/Button";
 import { cancel, type Job } from "./job";
 import { Picture } from "./Picture";
@@ -19,7 +20,7 @@ export function Running({ job }: { job: Job }) {
           ratio={plan.width / plan.height}
         />
       )}
-      <progress max={of} value={done} aria-label="Frames made" />
+      <progress class="progress" max={of} value={done} aria-label="Frames made" />
       <footer class="export-foot">
         <p class="hint number">{words}</p>
         <Button onClick={cancel}>Cancel</Button>

@@ -3,7 +3,9 @@ import { timeline } from "#document/space/space";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
+import { Select } from "#ui/controls/Select";
 import { Switch } from "#ui/controls/Switch";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Repeat } from "#wasm/api";
 import { MOST_BYTES } from "../time/saved/saved";
 import { loopOf, secondsWords } from "../time/words";
@@ -124,7 +126,7 @@ function FilmFields({ of }: { of: Plan }) {
     <>
       <label class="export-size">
         <span class="field-label">Size</span>
-        <select
+        <Select
           value={size?.id ?? "own"}
           onChange={(event) => {
             const next = SIZES.find((one) => one.id === event.currentTarget.value);
@@ -137,7 +139,7 @@ function FilmFields({ of }: { of: Plan }) {
             </option>
           ))}
           {!size && <option value="own">Your own</option>}
-        </select>
+        </Select>
       </label>
       <div class="export-pair">
         <NumberField
@@ -169,15 +171,12 @@ function FilmFields({ of }: { of: Plan }) {
         onChange={(next) => choose({ fps: next })}
       />
       {kind !== "gif" && (
-        <div class="row">
-          <span class="row-name">Quality</span>
-          <Segmented
-            label="Quality"
-            options={QUALITIES}
-            value={quality}
-            onChange={(next) => choose({ quality: next })}
-          />
-        </div>
+        <ChoiceRow
+          label="Quality"
+          options={QUALITIES}
+          value={quality}
+          onChange={(next) => choose({ quality: next })}
+        />
       )}
       <Switch
         checked={smooth}

@@ -1,3 +1,4 @@
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import "./light.css";
 import { computed } from "@preact/signals";
 import { endGesture } from "#document/scene";
@@ -53,15 +54,13 @@ function Light() {
           Reset<span class="unseen"> light and colours</span>
         </Button>
       </div>
-      <div class="row">
-        <span class="row-name">Colour</span>
-        <Segmented
-          label="What colours the picture"
-          options={PAINTS}
-          value={now.paint}
-          onChange={(paint) => changeSpace((all) => ({ ...all, light: { ...all.light, paint } }))}
-        />
-      </div>
+      <ChoiceRow
+        label="Colour"
+        name="What colours the picture"
+        options={PAINTS}
+        value={now.paint}
+        onChange={(paint) => changeSpace((all) => ({ ...all, light: { ...all.light, paint } }))}
+      />
       <SliderField
         digits={0}
         label="Light comes from"

@@ -1,3 +1,4 @@
+import { EndCard } from "#ui/shapes/EndCard";
 import "#ui/shapes/ends.css";
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { announce, notify, wordsOf } from "#document/notice";
@@ -70,30 +71,16 @@ export function Ends() {
 }
 
 function Card({ end, shape, onOpen }: { end: "a" | "b"; shape: Shape3; onOpen: () => void }) {
-  const letter = end.toUpperCase();
   const note = `${mapsNote(shape)}${shape.preset === undefined ? ", its own" : ""}`;
   return (
-    <div class="card">
-      <button
-        type="button"
-        class="card-face"
-        aria-haspopup="dialog"
-        aria-label={`Shape ${letter}: ${shape.name}, ${note}. Choose another`}
-        title="Choose another shape"
-        onClick={onOpen}
-      >
-        <Thumbnail bitmap={pictures.value.get(`morph-${end}`)} />
-        <span class="card-end" aria-hidden="true">
-          {letter}
-        </span>
-        <span class="card-name">{shape.name}</span>
-      </button>
-      <div class="card-tools morph3-card">
-        <span class="card-count" aria-hidden="true">
-          {note}
-        </span>
-      </div>
-    </div>
+    <EndCard
+      end={end}
+      name={shape.name}
+      note={note}
+      count={note}
+      picture={<Thumbnail bitmap={pictures.value.get(`morph-${end}`)} />}
+      onChoose={onOpen}
+    />
   );
 }
 

@@ -1,9 +1,10 @@
 import { changeSpace } from "#document/space/edits";
 import { space } from "#document/space/space";
 import { matchWords } from "#format/path-words";
-import { Segmented } from "#ui/controls/Segmented";
+import { Select } from "#ui/controls/Select";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
+import { Fold } from "#ui/panel/Fold";
 import type { Mode } from "#wasm/api";
-import { Fold } from "../shape/Fold";
 import { exchanged, flatPairs, inOrder, orderNow, withMode, withOrder } from "./changes";
 import { from, morph, nearest } from "./work";
 
@@ -25,43 +26,39 @@ export function Matching() {
   const flat = now.mode === "linear" ? [] : flatPairs(maps, goal, order);
   return (
     <section class="morph3-part" aria-label="How maps become maps">
-      <div class="row">
-        <span class="row-name">Maps go</span>
-        <Segmented
-          label="How maps go"
-          value={now.mode ?? "polar"}
-          options={MODES}
-          onChange={(mode) => changeSpace((before) => withMode(before, mode))}
-        />
-      </div>
-      <div class="row">
-        <span class="row-name">Each becomes</span>
-        <Segmented
-          label="Which map each becomes"
-          value={kind}
-          options={[
-            {
-              value: "nearest",
-              label: "the nearest",
-              description: "Pieces travel, turn and stretch least in all",
-            },
-            {
-              value: "order",
-              label: "by number",
-              description: inOrder(closest)
-                ? "Here these are the nearest, too"
-                : "The first the first, and so on",
-              disabled: inOrder(closest),
-            },
-            ...(kind === "own" ? [{ value: "own", label: "as chosen" } as const] : []),
-          ]}
-          onChange={(next) => {
-            if (next === "own") return;
-            const list = next === "nearest" ? closest : closest.map((_, i) => i);
-            changeSpace((before) => withOrder(before, list));
-          }}
-        />
-      </div>
+      <ChoiceRow
+        label="Maps go"
+        name="How maps go"
+        value={now.mode ?? "polar"}
+        options={MODES}
+        onChange={(mode) => changeSpace((before) => withMode(before, mode))}
+      />
+      <ChoiceRow
+        label="Each becomes"
+        name="Which map each becomes"
+        value={kind}
+        options={[
+          {
+            value: "nearest",
+            label: "the nearest",
+            description: "Pieces travel, turn and stretch least in all",
+          },
+          {
+            value: "order",
+            label: "by number",
+            description: inOrder(closest)
+              ? "Here these are the nearest, too"
+              : "The first the first, and so on",
+            disabled: inOrder(closest),
+          },
+          ...(kind === "own" ? [{ value: "own", label: "as chosen" } as const] : []),
+        ]}
+        onChange={(next) => {
+          if (next === "own") return;
+          const list = next === "nearest" ? closest : closest.map((_, i) => i);
+          changeSpace((before) => withOrder(before, list));
+        }}
+      />
       {flat.length > 0 && (
         <p class="notes">
           {flat.length === 1 ? `Map ${flat[0]} reflects` : `Maps ${flat.join(", ")} reflect`} at one end only:
@@ -75,7 +72,7 @@ export function Matching() {
             <li key={i}>
               <label>
                 <span>Map {i + 1} becomes</span>
-                <select
+                <Select
                   value={String(to)}
                   onChange={(event) => {
                     const next = exchanged(order, i, Number(event.currentTarget.value));
@@ -87,7 +84,7 @@ export function Matching() {
                       {k + 1}
                     </option>
                   ))}
-                </select>
+                </Select>
               </label>
             </li>
           ))}

@@ -5,7 +5,7 @@ import { percent } from "#format/path-words";
 import { IconButton } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Slider } from "#ui/controls/Slider";
-import { SliderBreaks } from "#ui/controls/SliderBreaks";
+import { SliderBreaks } from "#ui/controls/SliderMarks";
 import { Holds } from "./Holds";
 import { morphPlaying, pause, play } from "./play";
 import { goTo, stateNow } from "./way";

@@ -1,5 +1,6 @@
+import { LocusHead, statesIn } from "#stage/locus/LocusHead";
 import "./morph3.css";
-import { computed, signal } from "@preact/signals";
+import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { announce } from "#document/notice";
 import { changeSpace } from "#document/space/edits";
@@ -7,7 +8,6 @@ import { choose, setMoment, setView, space, spaceReady } from "#document/space/s
 import { Legend } from "#stage/locus/Legend";
 import type { LocusStyle } from "#stage/locus/paint";
 import { Button } from "#ui/controls/Button";
-import { Segmented } from "#ui/controls/Segmented";
 import { solid } from "#wasm/space";
 import { EPSILON } from "#workers/space/locus-fill";
 import { presets } from "../shape/object/presets";
@@ -113,29 +113,14 @@ function Last() {
 
 /** How the field is shown: a way of looking, no part of the document. */
 const style = signal<LocusStyle>("gap");
-/** Which states there are; the same while they stay the same. */
-const present = computed(() => [...new Set(locus.value?.state)].sort().join());
-const states = computed(() => new Set(present.value.split(",").filter(Boolean).map(Number)));
+const states = statesIn(locus);
 
 const TICKS = [-1, 0, 1, 2];
 
 function LocusPanel() {
   return (
     <section class="locus" aria-labelledby="locus3-title">
-      <header class="section-head">
-        <h2 id="locus3-title">Where it holds together</h2>
-        <Segmented
-          label="How to show it"
-          value={style.value}
-          onChange={(next) => {
-            style.value = next;
-          }}
-          options={[
-            { value: "gap", label: "Gap", description: "How wide the widest gap between the pieces is" },
-            { value: "yesno", label: "Yes / no", description: "Only whether it holds together" },
-          ]}
-        />
-      </header>
+      <LocusHead id="locus3-title" style={style} />
       <div class="locus-plot">
         <Ticks axis="v" />
         <Square style={style.value} />

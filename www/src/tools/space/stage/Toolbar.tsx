@@ -1,8 +1,8 @@
 import { computed } from "@preact/signals";
 import { hand, space, spaceView } from "#document/space/space";
+import { media } from "#style/media";
 import { Button, IconButton } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
-import { media } from "#ui/media";
 import { atOrigin, goToOrigin, showWhole } from "./actions";
 
 const HANDS = [

@@ -1,7 +1,7 @@
 import { changeTimeline, EMPTY_LINE } from "#document/space/edits";
 import { space, timeline } from "#document/space/space";
-import { Segmented } from "#ui/controls/Segmented";
 import { Menu } from "#ui/overlay/Menu";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Repeat } from "#wasm/api";
 import { jumpsBack, withLoop } from "./changes";
 import { pauseSpace } from "./clock";
@@ -40,10 +40,7 @@ export function LoopRow() {
   const line = lineNow();
   return (
     <>
-      <div class="row">
-        <span class="row-name">After the end</span>
-        <Segmented label="After the end" options={LOOPS} value={line.loop} onChange={choose} />
-      </div>
+      <ChoiceRow label="After the end" options={LOOPS} value={line.loop} onChange={choose} />
       {jumpsBack(line) && (
         <p class="hint">
           The last key stands at the very end: unless it looks as the first, all jumps back from there. To and

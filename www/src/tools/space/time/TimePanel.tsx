@@ -1,8 +1,8 @@
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import "./time.css";
 import { changeTimeline, EMPTY_LINE } from "#document/space/edits";
 import { space, timeline } from "#document/space/space";
 import { Button, IconButton } from "#ui/controls/Button";
-import { Segmented } from "#ui/controls/Segmented";
 import { scrubSpace } from "./clock";
 import { fly } from "./flight/fly";
 import { EaseMenu } from "./keys/EaseMenu";
@@ -33,15 +33,12 @@ export function TimePanel() {
         <TimeNumbers terse={false} />
       </div>
       <LoopRow />
-      <div class="row">
-        <span class="row-name">From key to key</span>
-        <Segmented
-          label="From key to key"
-          options={COURSES}
-          value={(line ?? space.value?.timeline ?? EMPTY_LINE).course}
-          onChange={(course) => attempt(() => changeTimeline((now) => ({ ...now, course })))}
-        />
-      </div>
+      <ChoiceRow
+        label="From key to key"
+        options={COURSES}
+        value={(line ?? space.value?.timeline ?? EMPTY_LINE).course}
+        onChange={(course) => attempt(() => changeTimeline((now) => ({ ...now, course })))}
+      />
       <div class="time-ready">
         <Button onClick={() => fly("through")}>Fly through</Button>
         <Button onClick={() => fly("around")}>Fly around</Button>

@@ -1,9 +1,10 @@
+import { PlayButton } from "#ui/strip/PlayButton";
 import "#ui/strip/strip.css";
 import "./time.css";
 import { useEffect, useState } from "preact/hooks";
 import { EMPTY_LINE } from "#document/space/edits";
 import { moment, space, spacePlaying, timeline } from "#document/space/space";
-import { Button, IconButton } from "#ui/controls/Button";
+import { Button } from "#ui/controls/Button";
 import { Slider } from "#ui/controls/Slider";
 import { useOwnId } from "#ui/id";
 import { lazily } from "#ui/lazy";
@@ -32,7 +33,7 @@ export function TimeStrip() {
   }, []);
   return (
     <section class="strip space-strip" aria-label="Time">
-      <PlayButton />
+      <Play />
       <div class="space-film">
         <Scrub />
         <Track />
@@ -43,17 +44,13 @@ export function TimeStrip() {
   );
 }
 
-function PlayButton() {
-  const on = spacePlaying.value;
+function Play() {
   const still = (timeline.value?.keys.length ?? 0) < 2;
   return (
-    <IconButton
-      class="play"
-      icon={on ? "pause" : "play"}
-      label={on ? "Pause" : "Play"}
-      disabled={still}
-      {...(still ? { description: "two keys are needed: set them, or fly through" } : {})}
-      onClick={togglePlay}
+    <PlayButton
+      playing={spacePlaying.value}
+      onToggle={togglePlay}
+      still={still ? "two keys are needed: set them, or fly through" : undefined}
     />
   );
 }

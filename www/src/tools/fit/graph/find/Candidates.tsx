@@ -1,7 +1,7 @@
 import { signal } from "@preact/signals";
 import { Button } from "#ui/controls/Button";
-import { NumberField } from "#ui/controls/NumberField";
 import type { FoundCluster } from "#workers/fit/hough";
+import { DomainFields } from "../DomainFields";
 import { aboutOf, countWords, errorWords, mapWords, nameOf } from "../model/words";
 import { choose, chosen, found, isPicked, mapOf, picks, search, setDomain, togglePick } from "./search";
 
@@ -79,25 +79,16 @@ function Domain({ index }: { index: number }) {
   if (!pick || !fine) return null;
   const [from, to] = [fine[0] ?? 0, fine[fine.length - 2] ?? 1];
   return (
-    <div class="piece-domain">
-      {([0, 1] as const).map((end) => (
-        <NumberField
-          key={end}
-          label={end === 0 ? "copies from" : "to"}
-          symbol={end === 0 ? "α" : "β"}
-          value={pick.domain[end]}
-          min={from}
-          max={to}
-          step={0.01 * (to - from)}
-          onChange={(t) => {
-            const domain: [number, number] = [...pick.domain];
-            domain[end] = t;
-            if (domain[0] >= domain[1]) return "The part must begin before it ends.";
-            setDomain(index, domain);
-            return undefined;
-          }}
-        />
-      ))}
-    </div>
+    <DomainFields
+      domain={pick.domain}
+      within={[from, to]}
+      onChange={(end, t) => {
+        const domain: [number, number] = [...pick.domain];
+        domain[end] = t;
+        if (domain[0] >= domain[1]) return "The part must begin before it ends.";
+        setDomain(index, domain);
+        return undefined;
+      }}
+    />
   );
 }

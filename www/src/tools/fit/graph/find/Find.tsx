@@ -1,9 +1,10 @@
-import { useRef } from "preact/hooks";
 import { formatNumber } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
+import { Select } from "#ui/controls/Select";
 import { Slider } from "#ui/controls/Slider";
 import { Switch } from "#ui/controls/Switch";
+import { FileButton } from "#ui/files/FileButton";
 import { EXAMPLES } from "../model/examples";
 import {
   COUNTS,
@@ -51,28 +52,18 @@ export function FindSection() {
 }
 
 function FileRow() {
-  const input = useRef<HTMLInputElement>(null);
   const example = series.value?.example ?? "";
   return (
     <div class="row graph-files">
-      <Button disabled={reading.value !== null} onClick={() => input.current?.click()}>
-        {reading.value === null ? "Open a table …" : "Reading …"}
-      </Button>
-      <input
-        ref={input}
-        class="unseen"
-        type="file"
-        tabindex={-1}
-        aria-label="A table of numbers"
+      <FileButton
+        label="A table of numbers"
         accept=".csv,.tsv,.txt,.dat,.json,.geojson,text/csv,text/plain"
-        onChange={(event) => {
-          const file = event.currentTarget.files?.[0];
-          event.currentTarget.value = "";
-          if (file) void takeFile(file);
-        }}
-      />
-      <select
-        class="select"
+        disabled={reading.value !== null}
+        onFile={(file) => void takeFile(file)}
+      >
+        {reading.value === null ? "Open a table …" : "Reading …"}
+      </FileButton>
+      <Select
         aria-label="An example"
         value={example}
         onChange={(event) => takeExample(event.currentTarget.value)}
@@ -85,7 +76,7 @@ function FileRow() {
             {name}
           </option>
         ))}
-      </select>
+      </Select>
     </div>
   );
 }

@@ -1,3 +1,4 @@
+import "#ui/panel/fold.css";
 import { useState } from "preact/hooks";
 import { uv } from "#document/morph";
 import { fixed } from "#format/numbers";

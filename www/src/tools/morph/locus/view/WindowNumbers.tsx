@@ -1,3 +1,4 @@
+import "#ui/panel/fold.css";
 import { LEAST_EPSILON, MOST_ZOOM } from "#compute/locus/window";
 import { endGesture } from "#document/scene";
 import { zoomWords } from "#format/parameters";

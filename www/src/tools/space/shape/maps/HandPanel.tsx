@@ -6,6 +6,7 @@ import { chosen, IDENTITY } from "#document/space/space";
 import { Button } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { SliderField } from "#ui/controls/SliderField";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { facts, factsOf, moved, parameters } from "../now";
@@ -197,23 +198,19 @@ function Sliders({ kind: what }: { kind: Kind }) {
           />
         ))}
       {what !== "move" && (
-        <div class="row">
-          <span class="row-name" aria-hidden="true">
-            What stays
-          </span>
-          <Segmented
-            label="What stays in its place"
-            value={about.value}
-            options={[
-              { value: "middle", label: "its middle" },
-              { value: "origin", label: "the origin" },
-            ]}
-            onChange={(next) => {
-              letGo();
-              about.value = next;
-            }}
-          />
-        </div>
+        <ChoiceRow
+          label="What stays"
+          name="What stays in its place"
+          value={about.value}
+          options={[
+            { value: "middle", label: "its middle" },
+            { value: "origin", label: "the origin" },
+          ]}
+          onChange={(next) => {
+            letGo();
+            about.value = next;
+          }}
+        />
       )}
     </>
   );

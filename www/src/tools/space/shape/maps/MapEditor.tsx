@@ -118,7 +118,7 @@ export function MapEditor() {
         ))}
       </ol>
       {problem !== null && (
-        <p class="solid-problem" role="alert">
+        <p class="problem" role="alert">
           {problem}
         </p>
       )}

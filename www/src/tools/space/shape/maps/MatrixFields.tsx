@@ -66,7 +66,7 @@ export function MatrixFields() {
         </span>
       </div>
       {problem !== null && (
-        <p class="solid-problem" role="alert">
+        <p class="problem" role="alert">
           {problem}
         </p>
       )}

@@ -1,6 +1,6 @@
-import { useState } from "preact/hooks";
+import { useProblems } from "#ui/controls/problems";
+import "#ui/shapes/equations.css";
 import { NumberField } from "#ui/controls/NumberField";
-import { useOwnId } from "#ui/id";
 import type { MapRow3 } from "#wasm/api";
 
 export interface TwelveFieldsProps {
@@ -14,8 +14,7 @@ const AXES = ["x", "y", "z"] as const;
 
 /** The twelve numbers of a map of space, laid out as the three equations that they are. */
 export function TwelveFields({ map, onChange, onDone }: TwelveFieldsProps) {
-  const id = useOwnId("twelve");
-  const [problems, setProblems] = useState<Record<number, string>>({});
+  const { tellOf, below } = useProblems();
   const field = (place: number, label: string, symbol: string) => (
     <NumberField
       key={place}
@@ -29,33 +28,21 @@ export function TwelveFields({ map, onChange, onDone }: TwelveFieldsProps) {
         return onChange(next, place);
       }}
       onDone={onDone}
-      problems={{
-        id,
-        tell: (words) =>
-          setProblems(({ [place]: _, ...others }) =>
-            words === null ? others : { ...others, [place]: words },
-          ),
-      }}
+      problems={tellOf(String(place))}
     />
   );
   return (
-    <div class="solid-equations">
+    <div class="equations">
       {AXES.map((axis, row) => (
-        <div key={axis} class="solid-equation">
-          <span class="solid-axis" aria-hidden="true">
+        <div key={axis} class="equation of-space">
+          <span class="equation-axis" aria-hidden="true">
             {axis}′ =
           </span>
           {AXES.map((from, column) => field(3 * row + column, `New ${axis} from ${from}`, from))}
           {field(9 + row, `Move along ${axis}`, "+")}
         </div>
       ))}
-      <div id={id} role="alert">
-        {Object.entries(problems).map(([place, words]) => (
-          <p key={place} class="field-problem">
-            {words}
-          </p>
-        ))}
-      </div>
+      {below}
     </div>
   );
 }

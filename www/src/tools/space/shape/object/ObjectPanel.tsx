@@ -1,12 +1,14 @@
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 import { announce } from "#document/notice";
 import { endGesture } from "#document/scene";
 import { changeSpace, reshapeSpace } from "#document/space/edits";
 import { choose, chosen, space } from "#document/space/space";
 import { Button, IconButton } from "#ui/controls/Button";
+import { FileButton } from "#ui/files/FileButton";
 import { useOwnId } from "#ui/id";
 import { Dialog } from "#ui/overlay/Dialog";
 import { mapsNote } from "#ui/shapes/ShapeGrid";
+import { SubjectCard } from "#ui/shapes/SubjectCard";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { MOST_OBJECTS, withoutObject, withTint } from "../changes";
 import { object } from "../now";
@@ -19,7 +21,6 @@ import { makePictures, pictures } from "./thumbs";
 /** What there is: the objects, the one that all else is about, and where others come from. */
 export function ObjectPanel() {
   const [gallery, setGallery] = useState<How | "ask" | null>(null);
-  const input = useRef<HTMLInputElement>(null);
   const now = object.value;
   const count = space.value?.objects.length ?? 0;
   const { name = "", maps } = now ?? {};
@@ -30,21 +31,18 @@ export function ObjectPanel() {
   );
   return (
     <section class="solid-part" aria-label="Objects">
-      <button
-        type="button"
-        class="solid-subject"
-        aria-haspopup="dialog"
-        aria-label={`${now?.name}. Choose another shape`}
-        title="Choose another shape"
-        onClick={() => setGallery(count > 1 ? "ask" : "alone")}
-      >
-        <Thumbnail bitmap={pictures.value.get("chosen")} />
-        <span class="solid-subject-name">{now?.name}</span>
-        <span class="solid-subject-about">
-          {now && mapsNote(now)}
-          {now?.preset === undefined ? ", its own" : ""}
-        </span>
-      </button>
+      <SubjectCard
+        picture={<Thumbnail bitmap={pictures.value.get("chosen")} />}
+        name={now?.name}
+        about={
+          <>
+            {now && mapsNote(now)}
+            {now?.preset === undefined ? ", its own" : ""}
+          </>
+        }
+        label={`${now?.name}. Choose another shape`}
+        onChoose={() => setGallery(count > 1 ? "ask" : "alone")}
+      />
       {count > 1 && <ObjectList />}
       <div class="solid-buttons">
         <Button
@@ -56,9 +54,14 @@ export function ObjectPanel() {
         >
           Add
         </Button>
-        <Button kind="quiet" onClick={() => input.current?.click()}>
+        <FileButton
+          kind="quiet"
+          label="File of maps"
+          accept=".ifs,.txt,text/plain"
+          onFile={(file) => void openFile(file)}
+        >
           Open .ifs…
-        </Button>
+        </FileButton>
         <Button
           kind="quiet"
           icon="save"
@@ -68,18 +71,6 @@ export function ObjectPanel() {
           Save .ifs
         </Button>
       </div>
-      <input
-        ref={input}
-        type="file"
-        accept=".ifs,.txt,text/plain"
-        hidden
-        onChange={(event) => {
-          const file = event.currentTarget.files?.[0];
-          if (file) void openFile(file);
-          // The same file once more is a change, too.
-          event.currentTarget.value = "";
-        }}
-      />
       {gallery && <Gallery how={gallery} onClose={() => setGallery(null)} />}
       {opened.value && <Systems />}
     </section>

@@ -41,7 +41,7 @@ export function Epsilon({ maps, direction, format }: EpsilonProps) {
         }}
       />
       {"why" in found ? (
-        <p class="solid-problem" role="alert">
+        <p class="problem" role="alert">
           {found.why}
         </p>
       ) : (

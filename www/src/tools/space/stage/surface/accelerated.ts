@@ -1,5 +1,5 @@
 import type { Pixels } from "#stage/surface/surface";
-import { media } from "#ui/media";
+import { media } from "#style/media";
 import type { SpaceLook } from "#wasm/space";
 import type { SpaceRenderer } from "#wasm/space-renderer";
 import { spaceTask } from "#workers/space/client";

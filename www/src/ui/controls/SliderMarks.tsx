@@ -1,6 +1,11 @@
-import "./slider-breaks.css";
+import "./slider-marks.css";
 
-/** Broken stretches of time, marked on its slider. */
+/** A value that means something, `at` a part of the way. */
+export function SliderMark({ at, title }: { at: number; title: string }) {
+  return <span class="slider-mark" style={{ left: `${100 * at}%` }} title={title} />;
+}
+
+/** Broken stretches of time. */
 export function SliderBreaks({ breaks }: { breaks: readonly (readonly [from: number, to: number])[] }) {
   return breaks.map(([from, to]) => (
     <span

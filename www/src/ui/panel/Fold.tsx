@@ -1,10 +1,11 @@
+import "./fold.css";
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
 
 export interface FoldProps {
   title: string;
   /** What it comes to, while it is closed. */
-  now?: string;
+  now?: string | undefined;
   open?: boolean;
   children: ComponentChildren;
 }
@@ -13,12 +14,12 @@ export interface FoldProps {
 export function Fold({ title, now, open: first = false, children }: FoldProps) {
   const [open, setOpen] = useState(first);
   return (
-    <details class="solid-fold" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
+    <details class="fold" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>
         <span>{title}</span>
-        {now !== undefined && <span class="solid-fold-now">{now}</span>}
+        {now !== undefined && <span class="fold-now">{now}</span>}
       </summary>
-      {open && <div class="solid-fold-body">{children}</div>}
+      {open && <div class="fold-body">{children}</div>}
     </details>
   );
 }

@@ -1,0 +1,32 @@
+import type { ComponentChildren } from "preact";
+import { evidenceOpen } from "./marks";
+
+export interface EvidenceChipProps {
+  id: string;
+  /** The panel that it opens. */
+  panel: string;
+  stale?: boolean;
+  /** What is known. */
+  children: ComponentChildren;
+}
+
+/** What is known of the picture on the stage; pressed, it tells why. */
+export function EvidenceChip({ id, panel, stale = false, children }: EvidenceChipProps) {
+  return (
+    <button
+      id={id}
+      type="button"
+      class="chip"
+      title="What is known, and why"
+      aria-expanded={evidenceOpen.value}
+      aria-controls={evidenceOpen.value ? panel : undefined}
+      data-stale={stale ? "" : undefined}
+      data-testid="verdict"
+      onClick={() => {
+        evidenceOpen.value = !evidenceOpen.peek();
+      }}
+    >
+      {children}
+    </button>
+  );
+}

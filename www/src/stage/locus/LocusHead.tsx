@@ -1,0 +1,31 @@
+import { computed, type ReadonlySignal, type Signal } from "@preact/signals";
+import { Segmented } from "#ui/controls/Segmented";
+import type { LocusStyle } from "./paint";
+
+/** The head of a map of where a morph holds together, with how it is shown. */
+export function LocusHead({ id, style }: { id: string; style: Signal<LocusStyle> }) {
+  return (
+    <header class="section-head">
+      <h2 id={id}>Where it holds together</h2>
+      <Segmented
+        label="How to show it"
+        value={style.value}
+        onChange={(next) => {
+          style.value = next;
+        }}
+        options={[
+          { value: "gap", label: "Gap", description: "How wide the widest gap between the pieces is" },
+          { value: "yesno", label: "Yes / no", description: "Only whether it holds together" },
+        ]}
+      />
+    </header>
+  );
+}
+
+/** Which states a field shows; the same as long as they stay the same. */
+export function statesIn(
+  field: ReadonlySignal<{ state: ArrayLike<number> & Iterable<number> } | null>,
+): ReadonlySignal<Set<number>> {
+  const present = computed(() => [...new Set(field.value?.state)].sort().join());
+  return computed(() => new Set(present.value.split(",").filter(Boolean).map(Number)));
+}

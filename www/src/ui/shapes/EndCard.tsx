@@ -1,0 +1,51 @@
+import "./ends.css";
+import type { ComponentChildren } from "preact";
+
+export interface EndCardProps {
+  end: "a" | "b";
+  name: string;
+  /** More of it, for those who hear it, and in a word or two for the card. */
+  note: string;
+  count: string;
+  picture: ComponentChildren;
+  edited?: boolean;
+  editing?: boolean;
+  onChoose: () => void;
+  /** Buttons at its foot. */
+  children?: ComponentChildren;
+}
+
+/** A shape at one end of a morph. Pressed, it asks for another. */
+export function EndCard(props: EndCardProps) {
+  const { end, name, note, count, picture, edited = false, editing = false, onChoose, children } = props;
+  const letter = end.toUpperCase();
+  return (
+    <div class={`card ${editing ? "editing" : ""}`}>
+      <button
+        type="button"
+        class="card-face"
+        aria-haspopup="dialog"
+        aria-label={`Shape ${letter}: ${name}, ${note}. Choose another`}
+        title="Choose another shape"
+        onClick={onChoose}
+      >
+        {picture}
+        <span class="card-end" aria-hidden="true">
+          {letter}
+        </span>
+        {edited && (
+          <span class="card-edited" aria-hidden="true">
+            edited
+          </span>
+        )}
+        <span class="card-name">{name}</span>
+      </button>
+      <div class="card-tools">
+        <span class="card-count" aria-hidden="true">
+          {count}
+        </span>
+        {children}
+      </div>
+    </div>
+  );
+}

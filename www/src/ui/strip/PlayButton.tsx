@@ -1,0 +1,22 @@
+import "./play-button.css";
+import { IconButton } from "../controls/Button";
+
+export interface PlayButtonProps {
+  playing: boolean;
+  onToggle: () => void;
+  /** Why there is nothing to play. */
+  still?: string | undefined;
+}
+
+export function PlayButton({ playing, onToggle, still }: PlayButtonProps) {
+  return (
+    <IconButton
+      class="play"
+      icon={playing ? "pause" : "play"}
+      label={playing ? "Pause" : "Play"}
+      disabled={still !== undefined}
+      {...(still === undefined ? {} : { description: still })}
+      onClick={onToggle}
+    />
+  );
+}
