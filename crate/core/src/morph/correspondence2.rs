@@ -51,7 +51,7 @@ pub fn candidates(from: &Ifs, to: &Ifs, limit: usize) -> Result<Vec<Candidate>, 
         let turns = candidate.turns.iter().map(|t| t.abs()).sum::<i32>();
         ((candidate.cost * 1e9).round(), turns)
     };
-    found.sort_by(|a, b| {
+    found.sort_unstable_by(|a, b| {
         let ((x, s), (y, t)) = (order(a), order(b));
         let names = || (&a.correspondence, &a.turns).cmp(&(&b.correspondence, &b.turns));
         x.total_cmp(&y).then(s.cmp(&t)).then_with(names)

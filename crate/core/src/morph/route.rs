@@ -225,9 +225,7 @@ impl Maker {
             found.push(route);
         }
         // The better of the two.
-        found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-        found.truncate(1);
-        found.into_iter()
+        found.into_iter().min_by(|a, b| a.cost.total_cmp(&b.cost)).into_iter()
     }
 
     /// Towards the mirror image of the last shape, unless that is the shape itself.

@@ -199,7 +199,7 @@ fn taken_apart(maps: &[Affine2], corners: &Corners) -> (Vec<Slot>, Vec<Source>) 
     let count = points.len();
     let tolerance = 1e-7 * points[0].distance(points[1]);
     let of_parts: Vec<DVec2> = maps.iter().flat_map(|map| points.iter().map(|&p| map.apply(p))).collect();
-    let mut slots: Vec<(Slot, f64)> = Vec::new();
+    let mut slots: Vec<(Slot, (f64, usize))> = Vec::new();
     for &point in &of_parts {
         let near = |p: &DVec2| p.distance(point) <= tolerance;
         if points.iter().any(near) || slots.iter().any(|(slot, _)| near(&slot.point)) {
@@ -212,10 +212,15 @@ fn taken_apart(maps: &[Affine2], corners: &Corners) -> (Vec<Slot>, Vec<Source>) 
         };
         let side = (0..count).find(|&i| off(i) <= tolerance);
         let far = side.map_or(0.0, |i| point.distance(ends(i).0));
-        slots.push((Slot { point, shares: corners.weights(point), side: side.map(|side| (side, 0)) }, far));
+        slots.push((
+            Slot { point, shares: corners.weights(point), side: side.map(|side| (side, 0)) },
+            (far, slots.len()),
+        ));
     }
     let place = |slot: &Slot| slot.side.map_or(count, |(side, _)| side);
-    slots.sort_by(|(a, x), (b, y)| place(a).cmp(&place(b)).then(x.total_cmp(y)));
+    slots.sort_unstable_by(|(a, (x, i)), (b, (y, j))| {
+        place(a).cmp(&place(b)).then(x.total_cmp(y)).then(i.cmp(j))
+    });
     let mut slots: Vec<Slot> = slots.into_iter().map(|(slot, _)| slot).collect();
     for i in 1..slots.len() {
         if let (Some((before, rank)), Some((side, _))) = (slots[i - 1].side, slots[i].side)
