@@ -182,6 +182,43 @@ impl LocusGrid {
         tile
     }
 
+    /// Decides samples that are [`State::Undecided`] with a gap of NaN, which says that nobody has looked at them in
+    /// double precision: at most `most` of them. Returns how many such are left; one that this cannot tell either stays
+    /// undecided, and has a gap.
+    ///
+    /// # Errors
+    /// [`GridError::Samples`] where an array does not have one number for each sample.
+    pub fn settle<F: Family + ?Sized>(
+        &self,
+        family: &F,
+        epsilon: f64,
+        mut most: usize,
+        state: &mut [u8],
+        gap: &mut [f32],
+    ) -> Result<usize, GridError> {
+        let count = self.width * self.height;
+        if state.len() != count || gap.len() != count {
+            return Err(GridError::Samples);
+        }
+        let (mut maps, mut scratch, mut left) = (Vec::new(), Scratch::default(), 0);
+        for k in 0..count {
+            if state[k] != State::Undecided as u8 || !gap[k].is_nan() {
+                continue;
+            }
+            if most == 0 {
+                left += 1;
+                continue;
+            }
+            most -= 1;
+            family.fill(self.u(k % self.width), self.v(k / self.width), &mut maps);
+            let sample = decide(&maps, epsilon, Self::budget(maps.len()), &mut scratch);
+            state[k] = sample.state as u8;
+            // Where there is no bound of the gap at all: it is no wider than the attractor.
+            gap[k] = if sample.state == State::Undecided && sample.gap.is_nan() { 1.0 } else { sample.gap };
+        }
+        Ok(left)
+    }
+
     /// The whole locus in one pass.
     #[must_use]
     pub fn locus<F: Family + ?Sized>(&self, family: &F, epsilon: f64) -> Locus {
@@ -324,6 +361,23 @@ mod tests {
             }
         }
         assert!(visits.iter().all(|&n| n == 1), "{visits:?}");
+    }
+
+    #[test]
+    fn what_is_left_is_settled_in_slices() {
+        let grid = LocusGrid::new(Bounds::default(), 13, 10).unwrap();
+        let whole = grid.locus(&morph(), 1e-3);
+        let (mut state, mut gap) = (whole.state().to_vec(), whole.gap().to_vec());
+        // What somebody has looked at is left alone.
+        (state[1], gap[1]) = (State::Undecided as u8, 0.5);
+        for k in (2..130).step_by(3) {
+            (state[k], gap[k]) = (State::Undecided as u8, f32::NAN);
+        }
+        let mut settle = |most| grid.settle(&morph(), 1e-3, most, &mut state, &mut gap);
+        assert_eq!([settle(40), settle(usize::MAX)], [Ok(3), Ok(0)]);
+        assert_eq!((state[1], gap[1]), (State::Undecided as u8, 0.5));
+        assert_eq!(state[2..], whole.state()[2..]);
+        assert_eq!(grid.settle(&morph(), 1e-3, 9, &mut state[1..], &mut gap), Err(GridError::Samples));
     }
 
     #[test]

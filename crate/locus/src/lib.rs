@@ -98,6 +98,6 @@ pub use region::trap::{Crossing, crossings};
 pub use single::{SingleError, SingleLocus, SingleMap, unpack_single};
 pub use space::{
     Connectedness3, Reason3, Reason3Kind, Scratch3, Shared3, check_path3, connectedness3, decide3,
-    find_path3, locus3,
+    find_path3, locus3, tile3,
 };
 pub use verdict::{Bounded, Ellipse, Gap, Options, ReasonKind, Sample, State, Verdict};

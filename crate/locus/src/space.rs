@@ -15,5 +15,5 @@ mod shared_points;
 
 pub use connectedness::{Connectedness3, connectedness3};
 pub use decide::{Scratch3, decide3};
-pub use locus::{check_path3, find_path3, locus3};
+pub use locus::{check_path3, find_path3, locus3, tile3};
 pub use reason::{Reason3, Reason3Kind, Shared3};

@@ -1,9 +1,11 @@
 //! The locus of a morph in space, and the way through it.
 
+use std::ops::Range;
+
 use frond_core::{Affine3, Morph3};
 use glam::DVec3;
 
-use crate::grid::{Bounds, GridError, Locus, LocusGrid};
+use crate::grid::{Bounds, GridError, Locus, LocusGrid, Tile};
 use crate::path::check::{Parameters, PathCheck, judge};
 use crate::path::plan::{PathError, PathPlan, field_of};
 use crate::path::repair::{LEAST_CHECKS, MOST_REPAIRS, improve};
@@ -20,25 +22,38 @@ impl Parameters for Morph3 {
     }
 }
 
+/// Decides every `stride`th sample of the rows of a range that are a multiple of it, in the plane of (u, v). `epsilon` is
+/// relative to the diameter of the attractor.
+#[must_use]
+pub fn tile3(
+    grid: &LocusGrid,
+    morph: &Morph3,
+    epsilon: f64,
+    rows: Range<usize>,
+    stride: usize,
+    scratch: &mut Scratch3,
+) -> Tile {
+    let stride = stride.max(1);
+    let budget = LocusGrid::budget(morph.len());
+    let (mut state, mut gap, mut maps) = (Vec::new(), Vec::new(), Vec::new());
+    for row in (rows.start..rows.end.min(grid.height())).filter(|row| row.is_multiple_of(stride)) {
+        for column in (0..grid.width()).step_by(stride) {
+            morph.fill3(grid.u(column), grid.v(row), 0.0, &mut maps);
+            let sample = decide3(&maps, epsilon, budget, scratch);
+            state.push(sample.state as u8);
+            gap.push(sample.gap);
+        }
+    }
+    Tile { state, gap }
+}
+
 /// Samples the connectedness locus of a morph in space over a rectangle of (u, v), as [`LocusGrid::locus`] does in
 /// the plane. `epsilon` is relative to the diameter of the attractor.
 ///
 /// # Errors
 /// None but those of [`Locus::from_parts`], which do not occur.
 pub fn locus3(grid: &LocusGrid, morph: &Morph3, epsilon: f64) -> Result<Locus, GridError> {
-    let mut scratch = Scratch3::default();
-    let mut maps = Vec::new();
-    let budget = LocusGrid::budget(morph.len());
-    let (mut state, mut gap) = (Vec::new(), Vec::new());
-    for row in 0..grid.height() {
-        for column in 0..grid.width() {
-            let (u, v) = (grid.u(column), grid.v(row));
-            morph.fill3(u, v, 0.0, &mut maps);
-            let sample = decide3(&maps, epsilon, budget, &mut scratch);
-            state.push(sample.state as u8);
-            gap.push(sample.gap);
-        }
-    }
+    let Tile { state, gap } = tile3(grid, morph, epsilon, 0..grid.height(), 1, &mut Scratch3::default());
     Locus::from_parts(*grid, state, gap)
 }
 

@@ -1,8 +1,6 @@
 //! What a graphics card leaves of a locus.
 
-use frond_core::Affine2;
-use frond_locus::{GridError, LocusGrid, Scratch, State, decide};
-use glam::DVec2;
+use frond_locus::{Family, Polygons, Slice};
 use js_sys::{Float32Array, Uint8Array};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
@@ -38,7 +36,7 @@ pub fn settle_locus(
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph(&from, &to, &options)?;
     let Sampling { w, most } = read("The options", options.clone())?;
-    settle(read_grid(&options)?, most, state, gap, |u, v, maps| morph.fill3(u, v, w, maps))
+    settle(&Slice::new(&morph, w), &options, most, state, gap)
 }
 
 /// The same for `LocusCompute.runFamily`.
@@ -53,46 +51,20 @@ pub fn settle_family(
     gap: Vec<f32>,
 ) -> Result<JsValue, JsValue> {
     let Polygon { sides } = read("The family", family)?;
-    let sides = (sides as usize).clamp(1, frond_core::MAX_MAPS);
     let Sampling { most, .. } = read("The options", options.clone())?;
-    settle(read_grid(&options)?, most, state, gap, |x, y, maps| {
-        let linear = Affine2::from_row([x, -y, y, x, 0.0, 0.0]).linear;
-        let corner = |k: usize| DVec2::from_angle(std::f64::consts::TAU * k as f64 / sides as f64);
-        maps.clear();
-        maps.extend((0..sides).map(|k| Affine2::new(linear, corner(k))));
-    })
+    settle(&Polygons::new(sides as usize), &options, most, state, gap)
 }
 
 fn settle(
-    (grid, epsilon): (LocusGrid, f64),
+    family: &impl Family,
+    options: &JsValue,
     most: Option<f64>,
     mut state: Vec<u8>,
     mut gap: Vec<f32>,
-    mut fill: impl FnMut(f64, f64, &mut Vec<Affine2>),
 ) -> Result<JsValue, JsValue> {
-    let count = grid.width() * grid.height();
-    if state.len() != count || gap.len() != count {
-        return Err(of_grid(&GridError::Samples));
-    }
-    let mut most = most.map_or(usize::MAX, |most| most as usize);
-    let (mut maps, mut scratch, mut left) = (Vec::new(), Scratch::default(), 0_usize);
-    for k in 0..count {
-        // A gap that is not known marks those that nobody has looked at in double precision.
-        if state[k] != State::Undecided as u8 || !gap[k].is_nan() {
-            continue;
-        }
-        if most == 0 {
-            left += 1;
-            continue;
-        }
-        most -= 1;
-        fill(grid.u(k % grid.width()), grid.v(k / grid.width()), &mut maps);
-        let budget = LocusGrid::BUDGET.max(2_000 * maps.len());
-        let sample = decide(&maps, epsilon, budget, &mut scratch);
-        state[k] = sample.state as u8;
-        // Where there is no bound of the gap at all: it is no wider than the attractor.
-        gap[k] = if sample.state == State::Undecided && sample.gap.is_nan() { 1.0 } else { sample.gap };
-    }
+    let (grid, epsilon) = read_grid(options)?;
+    let most = most.map_or(usize::MAX, |most| most as usize);
+    let left = grid.settle(family, epsilon, most, &mut state, &mut gap).map_err(|error| of_grid(&error))?;
     Ok(object(&[
         ("state", Uint8Array::from(&state[..]).into()),
         ("gap", Float32Array::from(&gap[..]).into()),

@@ -1,13 +1,13 @@
 //! Morphs in space, and where they hold together.
 
 use frond_core::{Ifs3, IfsError, Morph3};
-use frond_locus::{LocusGrid, PathOptions, Reason3, Scratch3, decide3};
-use js_sys::{Array, Float32Array, Uint8Array};
+use frond_locus::{LocusGrid, PathOptions, Reason3, Scratch3, tile3};
+use js_sys::Array;
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::{failure, of_ifs, of_morph};
-use crate::boundary::grid::read_grid;
+use crate::boundary::grid::{read_grid, write_tile};
 use crate::boundary::path::{read_path, read_samples, write_check, write_plan};
 use crate::boundary::resolution::read_options;
 use crate::boundary::space::{read_ifs3, read_maps3, write_maps3};
@@ -114,21 +114,7 @@ impl SpaceLocus {
     /// Every `stride`th sample of the rows from r0 to before r1 that are a multiple of it: `{ state, gap }`, as in a `Locus`.
     #[wasm_bindgen(unchecked_return_type = "{ state: Uint8Array; gap: Float32Array }")]
     pub fn run(&mut self, r0: usize, r1: usize, stride: usize) -> JsValue {
-        let stride = stride.max(1);
-        let budget = LocusGrid::budget(self.morph.len());
-        let (mut state, mut gap, mut maps) = (Vec::new(), Vec::new(), Vec::new());
-        for row in (r0..r1.min(self.grid.height())).filter(|row| row.is_multiple_of(stride)) {
-            for column in (0..self.grid.width()).step_by(stride) {
-                self.morph.fill3(self.grid.u(column), self.grid.v(row), 0.0, &mut maps);
-                let sample = decide3(&maps, self.epsilon, budget, &mut self.scratch);
-                state.push(sample.state as u8);
-                gap.push(sample.gap);
-            }
-        }
-        object(&[
-            ("state", Uint8Array::from(&state[..]).into()),
-            ("gap", Float32Array::from(&gap[..]).into()),
-        ])
+        write_tile(&tile3(&self.grid, &self.morph, self.epsilon, r0..r1, stride, &mut self.scratch))
     }
 }
 
