@@ -1,5 +1,7 @@
 //! The check.
 
+use std::fmt;
+
 use num_bigint::BigInt;
 
 use crate::certificate::{Certificate, Pair};
@@ -15,6 +17,20 @@ pub struct Checked {
     pub pairs: usize,
     /// Letters of the longest word.
     pub longest: usize,
+}
+
+impl fmt::Display for Checked {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match (self.pairs, self.longest) {
+            (1, _) => {
+                write!(f, "One pair of pieces, and with it all, is apart: checked in exact arithmetic.")
+            }
+            (pairs, longest) => write!(
+                f,
+                "All {pairs} pairs of pieces, of at most {longest} letters, are apart: checked in exact arithmetic."
+            ),
+        }
+    }
 }
 
 /// Letters are bytes.
