@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec3, EulerRot};
 
-use crate::linear::affine::Affine3;
+use crate::linear::affine::{Affine2, Affine3};
 use crate::linear::sin_cos::sin_cos;
 use crate::linear::svd3::singular_values3;
 use crate::linear::transform::TransformError;
@@ -16,6 +16,14 @@ impl Affine3 {
             linear: DMat3::from_cols_array(&[a, d, g, b, e, h, c, f, i]),
             translation: DVec3::new(x, y, z),
         }
+    }
+
+    /// A map of the plane as one of space, flat at z = 0: across the plane it shrinks as it does along it on the whole.
+    #[must_use]
+    pub fn lifted(map: &Affine2) -> Self {
+        let [a, b, c, d, e, f] = map.to_row();
+        let across = map.determinant().abs().sqrt().min(0.99);
+        Self::from_row([a, b, 0.0, c, d, 0.0, 0.0, 0.0, across, e, f, 0.0])
     }
 
     /// Scales by `factors` along x, y and z, about the origin.

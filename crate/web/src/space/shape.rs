@@ -219,12 +219,8 @@ pub fn lift(#[wasm_bindgen(unchecked_param_type = "MapRow[]")] maps: JsValue) ->
     if rows.len() > frond_core::MAX_MAPS {
         return Err(of_ifs(&frond_core::IfsError::TooManyMaps { count: rows.len() }));
     }
-    let up = |row: &[f64; 6]| {
-        let [a, b, c, d, e, f] = *row;
-        let across = Affine2::from_row(*row).determinant().abs().sqrt().min(0.99);
-        [a, b, 0.0, c, d, 0.0, 0.0, 0.0, across, e, f, 0.0]
-    };
-    let lifted: Vec<Row3> = rows.iter().map(up).collect();
+    let lifted: Vec<Row3> =
+        rows.into_iter().map(|row| Affine3::lifted(&Affine2::from_row(row)).to_row()).collect();
     let maps = write(&lifted)?;
     read_maps3(&maps)?;
     Ok(maps)
