@@ -51,6 +51,18 @@ impl Default for Lighting {
     }
 }
 
+impl Lighting {
+    /// Towards a light so far round to the side, in radians, and so far in front of the scene, 0 to 1.
+    #[must_use]
+    pub fn direction(side: f64, front: f64) -> DVec3 {
+        let (sin, cos) = side.sin_cos();
+        let front = front.clamp(0.0, 1.0);
+        let grazing = (1.0 - front * front).sqrt();
+        // As the eye has it, z is away from it.
+        DVec3::new(sin * grazing, cos * grazing, -front)
+    }
+}
+
 /// What `shader/solid/shade.wgsl` calls `Lamp`: a uniform buffer.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]

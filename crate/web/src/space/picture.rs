@@ -1,10 +1,9 @@
 //! Pictures of space: what a renderer is given, and complete ones without a graphics card.
 
-use frond_core::{Affine3, Bounds3, Ifs3, IfsError, MAX_MAPS};
+use frond_core::{Affine3, Ifs3, IfsError, MAX_MAPS};
 use frond_render::solid::{
-    Camera, CameraError, Cloud, Eye, Lamp, Lighting, MAX_OBJECTS, Paint, Traversal, depths, light,
+    Camera, CameraError, Cloud, Eye, Lamp, Lighting, MAX_OBJECTS, Objects, Paint, Traversal, light,
 };
-use frond_render::{Colouring, Look};
 use frond_scene::{PaintName, Row3, SpaceLight, SpaceView};
 use glam::DVec3;
 use js_sys::{Array, Float32Array, Float64Array, Uint8Array, Uint8ClampedArray, Uint32Array};
@@ -84,76 +83,21 @@ fn camera_of(view: JsValue, unit: f64) -> Result<Camera, JsValue> {
     Camera::around(target, view.distance / unit, view.turn, view.tilt, view.angle).map_err(of_camera)
 }
 
-/// All objects of a moment, as pictures need them.
-#[derive(Clone)]
-struct Things {
-    systems: Vec<Ifs3>,
-    bounds: Vec<Bounds3>,
-    tints: Vec<Option<[f32; 3]>>,
-    heights: [f64; 2],
-    centre: DVec3,
-    radius: f64,
-    /// What lengths are divided by: a graphics card has single precision.
-    unit: f64,
-}
-
-/// Scenes of sizes between these are drawn as they are.
-const PLAIN_SIZES: std::ops::Range<f64> = 1e-6..1e6;
-
-impl Things {
-    fn new(systems: Vec<Ifs3>, tints: Vec<Option<[f32; 3]>>) -> Self {
-        let mut systems = systems;
-        let mut bounds: Vec<Bounds3> = systems.iter().map(Bounds3::coarse).collect();
-        let size = bounds.iter().map(|b| b.min.abs().max(b.max.abs()).max_element()).fold(0.0, f64::max);
-        let mut unit = 1.0;
-        if size > 0.0 && size.is_finite() && !PLAIN_SIZES.contains(&size) {
-            // A power of two, so that no number loses a digit.
-            let two = size.log2().round().exp2();
-            let by = Affine3::scaling(DVec3::splat(1.0 / two));
-            if let Ok(smaller) = systems.iter().map(|ifs| ifs.conjugate(by)).collect::<Result<Vec<_>, _>>() {
-                bounds = smaller.iter().map(Bounds3::coarse).collect();
-                (systems, unit) = (smaller, two);
-            }
-        }
-        let least = bounds.iter().map(|b| b.min).reduce(DVec3::min).unwrap_or(DVec3::ZERO);
-        let largest = bounds.iter().map(|b| b.max).reduce(DVec3::max).unwrap_or(DVec3::ZERO);
-        let (centre, radius) = match &bounds[..] {
-            [only] => (only.centre, only.radius),
-            _ => {
-                let centre = 0.5 * (least + largest);
-                let reach = |b: &Bounds3| (b.centre - centre).length() + b.radius;
-                (centre, bounds.iter().map(reach).fold(0.0, f64::max))
-            }
-        };
-        Self { systems, bounds, tints, heights: [least.z, largest.z], centre, radius, unit }
-    }
-
-    fn lighting(&self, plain: &SpaceLight, ground: [f32; 3]) -> Lighting {
-        let (sin, cos) = plain.side.sin_cos();
-        let front = plain.front.clamp(0.0, 1.0);
-        let grazing = (1.0 - front * front).sqrt();
-        Lighting {
-            // As the eye has it, z is away from it.
-            towards: DVec3::new(sin * grazing, cos * grazing, -front),
-            ambient: plain.ambient,
-            hollows: plain.hollows,
-            fog: plain.fog,
-            ground,
-            paint: if plain.paint == PaintName::Height { Paint::Height } else { Paint::Map },
-            heights: self.heights,
-            tints: self.tints.clone(),
-        }
-    }
-
-    fn look(&self, palette: &[[u8; 3]]) -> Look {
-        let maps = self.systems.iter().map(Ifs3::len).max().unwrap_or(1);
-        Look::new(Colouring::Map, palette, maps)
+fn lighting_of(plain: &SpaceLight, ground: [f32; 3]) -> Lighting {
+    Lighting {
+        towards: Lighting::direction(plain.side, plain.front),
+        ambient: plain.ambient,
+        hollows: plain.hollows,
+        fog: plain.fog,
+        ground,
+        paint: if plain.paint == PaintName::Height { Paint::Height } else { Paint::Map },
+        ..Lighting::default()
     }
 }
 
 /// The objects of one moment, ready to be drawn.
 #[wasm_bindgen]
-pub struct SpacePicture(Things);
+pub struct SpacePicture(Objects);
 
 #[wasm_bindgen]
 impl SpacePicture {
@@ -177,45 +121,32 @@ impl SpacePicture {
             let tint = plain.tint.map(|tint| read_palette(&[tint])).transpose()?;
             tints.push(tint.map(|tint| tint[0].map(|c| f32::from(c) / 255.0)));
         }
-        Ok(Self(Things::new(systems, tints)))
+        Ok(Self(Objects::new(systems, tints)))
     }
 
     /// The middle of a ball around everything.
     #[wasm_bindgen(getter)]
     pub fn centre(&self) -> Float64Array {
-        Float64Array::from(&(self.0.centre * self.0.unit).to_array()[..])
+        Float64Array::from(&self.0.centre().to_array()[..])
     }
 
     /// Its radius.
     #[wasm_bindgen(getter)]
     pub fn radius(&self) -> f64 {
-        self.0.radius * self.0.unit
+        self.0.radius()
     }
 
     /// About so many points in all, shared by the objects: bytes for `SpaceRenderer.setClouds`.
     #[wasm_bindgen(unchecked_return_type = "{ vertices: Uint8Array; instances: Uint8Array; gap: number }[]")]
     pub fn clouds(&self, points: f64) -> Array {
-        // Large objects take up more of the picture, and small ones want to be seen as well.
-        let whole: f64 = self.0.bounds.iter().map(|bounds| bounds.radius).sum();
-        let points = points.clamp(0.0, 1e8);
-        let share = |radius: f64| {
-            let part = if whole > 0.0 { radius / whole } else { 1.0 };
-            ((points * part) as usize).max(1)
+        let cloud = |cloud: Cloud| {
+            object(&[
+                ("vertices", bytes(bytemuck::cast_slice(&cloud.vertices))),
+                ("instances", bytes(bytemuck::cast_slice(&cloud.instances))),
+                ("gap", cloud.gap.into()),
+            ])
         };
-        self.0
-            .systems
-            .iter()
-            .zip(&self.0.bounds)
-            .enumerate()
-            .map(|(number, (ifs, bounds))| {
-                let cloud = Cloud::new(ifs, number as u32, share(bounds.radius), 1 + number as u32);
-                object(&[
-                    ("vertices", bytes(bytemuck::cast_slice(&cloud.vertices))),
-                    ("instances", bytes(bytemuck::cast_slice(&cloud.instances))),
-                    ("gap", cloud.gap.into()),
-                ])
-            })
-            .collect()
+        self.0.clouds(points).into_iter().map(cloud).collect()
     }
 
     /// Bytes for `SpaceRenderer.setUniforms`. Throws where there is no such view.
@@ -231,10 +162,10 @@ impl SpacePicture {
         )]
         look: JsValue,
     ) -> Result<JsValue, JsValue> {
-        let (camera, look) = (camera_of(view, self.0.unit)?, LookOf::read(look)?);
-        let lighting = self.0.lighting(&read("The light", light)?, look.ground);
+        let (camera, look) = (camera_of(view, self.0.unit())?, LookOf::read(look)?);
+        let lighting = self.0.lit(lighting_of(&read("The light", light)?, look.ground));
         let [width, height] = look.size;
-        let range = depths(&self.0.bounds, &camera);
+        let range = self.0.depths(&camera);
         let eye = Eye::new(&camera, width, height, range);
         let lamp = Lamp::new(&lighting, &camera, look.size, 1, range);
         let still = look.size.map(|side| side * look.factor);
@@ -254,10 +185,9 @@ impl SpacePicture {
         width: f64,
         height: f64,
     ) -> Result<SpaceCarve, JsValue> {
-        let camera = camera_of(view, self.0.unit)?;
-        let traversal =
-            Traversal::new(&self.0.systems, &camera, side("width", width)?, side("height", height)?);
-        Ok(SpaceCarve { traversal, camera, things: self.0.clone() })
+        let camera = camera_of(view, self.0.unit())?;
+        let traversal = self.0.traversal(&camera, side("width", width)?, side("height", height)?);
+        Ok(SpaceCarve { traversal, camera, objects: self.0.clone() })
     }
 }
 
@@ -270,7 +200,7 @@ fn bytes(list: &[u8]) -> JsValue {
 pub struct SpaceCarve {
     traversal: Traversal,
     camera: Camera,
-    things: Things,
+    objects: Objects,
 }
 
 #[wasm_bindgen]
@@ -305,8 +235,8 @@ impl SpaceCarve {
         if size != [buffer.width(), buffer.height()] {
             return Err(bad_input("The look", "it is of another size than what was carved"));
         }
-        let lighting = self.things.lighting(&read("The light", plain)?, look.ground);
+        let lighting = self.objects.lit(lighting_of(&read("The light", plain)?, look.ground));
         let lamp = Lamp::new(&lighting, &self.camera, size, look.factor, self.traversal.range());
-        Ok(Uint8ClampedArray::from(&light(buffer, &lamp, &self.things.look(&look.palette))[..]))
+        Ok(Uint8ClampedArray::from(&light(buffer, &lamp, &self.objects.look(&look.palette))[..]))
     }
 }

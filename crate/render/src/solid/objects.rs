@@ -1,0 +1,113 @@
+//! All objects of a moment, as pictures need them.
+
+use frond_core::{Affine3, Bounds3, Ifs3};
+use glam::DVec3;
+
+use super::points::Cloud;
+use super::{Camera, Lighting, Traversal, depths};
+use crate::picture::colour::{Colouring, Look};
+
+/// Systems with their colours, in units that single precision can hold.
+#[derive(Clone, Debug)]
+pub struct Objects {
+    systems: Vec<Ifs3>,
+    bounds: Vec<Bounds3>,
+    tints: Vec<Option<[f32; 3]>>,
+    heights: [f64; 2],
+    centre: DVec3,
+    radius: f64,
+    unit: f64,
+}
+
+/// Scenes of sizes between these are drawn as they are.
+const PLAIN_SIZES: std::ops::Range<f64> = 1e-6..1e6;
+
+impl Objects {
+    /// Of systems, each with a colour for all of it where it has one.
+    #[must_use]
+    pub fn new(systems: Vec<Ifs3>, tints: Vec<Option<[f32; 3]>>) -> Self {
+        let mut systems = systems;
+        let mut bounds: Vec<Bounds3> = systems.iter().map(Bounds3::coarse).collect();
+        let size = bounds.iter().map(|b| b.min.abs().max(b.max.abs()).max_element()).fold(0.0, f64::max);
+        let mut unit = 1.0;
+        if size > 0.0 && size.is_finite() && !PLAIN_SIZES.contains(&size) {
+            // A power of two, so that no number loses a digit.
+            let two = size.log2().round().exp2();
+            let by = Affine3::scaling(DVec3::splat(1.0 / two));
+            if let Ok(smaller) = systems.iter().map(|ifs| ifs.conjugate(by)).collect::<Result<Vec<_>, _>>() {
+                bounds = smaller.iter().map(Bounds3::coarse).collect();
+                (systems, unit) = (smaller, two);
+            }
+        }
+        let least = bounds.iter().map(|b| b.min).reduce(DVec3::min).unwrap_or(DVec3::ZERO);
+        let largest = bounds.iter().map(|b| b.max).reduce(DVec3::max).unwrap_or(DVec3::ZERO);
+        let (centre, radius) = match &bounds[..] {
+            [only] => (only.centre, only.radius),
+            _ => {
+                let centre = 0.5 * (least + largest);
+                let reach = |b: &Bounds3| (b.centre - centre).length() + b.radius;
+                (centre, bounds.iter().map(reach).fold(0.0, f64::max))
+            }
+        };
+        Self { systems, bounds, tints, heights: [least.z, largest.z], centre, radius, unit }
+    }
+
+    /// What lengths are divided by: a graphics card has single precision.
+    #[must_use]
+    pub fn unit(&self) -> f64 {
+        self.unit
+    }
+
+    /// The middle of a ball around everything.
+    #[must_use]
+    pub fn centre(&self) -> DVec3 {
+        self.centre * self.unit
+    }
+
+    /// Its radius.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.radius * self.unit
+    }
+
+    /// The same lighting with the heights and the colours of these objects.
+    #[must_use]
+    pub fn lit(&self, lighting: Lighting) -> Lighting {
+        Lighting { heights: self.heights, tints: self.tints.clone(), ..lighting }
+    }
+
+    /// The colours of their maps.
+    #[must_use]
+    pub fn look(&self, palette: &[[u8; 3]]) -> Look {
+        let maps = self.systems.iter().map(Ifs3::len).max().unwrap_or(1);
+        Look::new(Colouring::Map, palette, maps)
+    }
+
+    /// The nearest and the farthest depth before a camera.
+    #[must_use]
+    pub fn depths(&self, camera: &Camera) -> [f32; 2] {
+        depths(&self.bounds, camera)
+    }
+
+    /// The complete picture before a camera, not yet begun.
+    #[must_use]
+    pub fn traversal(&self, camera: &Camera, width: u32, height: u32) -> Traversal {
+        Traversal::new(&self.systems, camera, width, height)
+    }
+
+    /// About so many points in all, shared by the objects.
+    #[must_use]
+    pub fn clouds(&self, points: f64) -> Vec<Cloud> {
+        // Large objects take up more of the picture, and small ones want to be seen as well.
+        let whole: f64 = self.bounds.iter().map(|bounds| bounds.radius).sum();
+        let points = points.clamp(0.0, 1e8);
+        let share = |radius: f64| {
+            let part = if whole > 0.0 { radius / whole } else { 1.0 };
+            ((points * part) as usize).max(1)
+        };
+        let cloud = |(number, (ifs, bounds)): (usize, (&Ifs3, &Bounds3))| {
+            Cloud::new(ifs, number as u32, share(bounds.radius), 1 + number as u32)
+        };
+        self.systems.iter().zip(&self.bounds).enumerate().map(cloud).collect()
+    }
+}
