@@ -2,6 +2,7 @@
 
 mod candidates;
 mod expansion;
+mod fault;
 mod final_refine;
 mod fitter;
 mod moves;
@@ -11,6 +12,7 @@ mod refine;
 mod text;
 
 pub use expansion::Expansion;
+pub use fault::CurveFault;
 pub use fitter::{ClosedFit, FitError, Fitter, Progress, Stage};
 pub use pack::{MAX_KNOTS, PackError};
 pub use partition::partition;

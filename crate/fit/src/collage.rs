@@ -1,6 +1,7 @@
 //! The paper's fit of a closed outline: collage least squares (Cochran, Hart & Flynn, section 3.2).
 
 mod factor;
+mod pieces;
 
 use glam::{DMat2, DVec2};
 use thiserror::Error;

@@ -1,12 +1,15 @@
 //! The morph of two closed curves: one structure for both, and a fractal curve between them at every moment.
 
 mod dtw;
+mod file;
 mod knot_ring;
 mod matching;
+mod measure;
 mod morphed_curve;
 mod origin;
 mod polyline;
 
+pub use file::MAX_FILE_POINTS;
 pub use morphed_curve::MorphedCurve;
 
 use thiserror::Error;

@@ -144,6 +144,19 @@ pub fn island(seed: u32) -> Vec<DVec2> {
     coast
 }
 
+/// A leaf badly measured: every point is off by a chance of some 0.3% of the diagonal each way.
+#[must_use]
+pub fn noisy(points: &[DVec2], seed: u32) -> Vec<DVec2> {
+    let mut next = 0_u32;
+    let mut swing = || {
+        next += 1;
+        let unit = |k| f64::from(hash::unit(hash::counter(seed ^ 0x6e01, 4 * next + k)));
+        // The sum of four is near a bell.
+        (0..4_u32).map(unit).sum::<f64>() - 2.0
+    };
+    points.iter().map(|p| *p + DVec2::new(swing(), swing()) * 0.012).collect()
+}
+
 /// The Catmull-Rom curve from the second point to the third.
 fn smooth([a, b, c, d]: [DVec2; 4], t: f64) -> DVec2 {
     let turn = |p: DVec2, q: DVec2| (q - p) * 0.45;

@@ -57,25 +57,25 @@ mod series;
 
 pub use baseline::{bezier, fourier, least_squares_polyline, split_polyline};
 pub use closed::{
-    ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, Expansion, FitError, Fitter, MAX_KNOTS, MAX_SPAN, MAX_TEXT,
-    PackError, Progress, Refiner, Stage, Ties, partition, polyline_error,
+    ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, CurveFault, Expansion, FitError, Fitter, MAX_KNOTS,
+    MAX_SPAN, MAX_TEXT, PackError, Progress, Refiner, Stage, Ties, partition, polyline_error,
 };
 pub use collage::{Bounding, CollageError, CollageFit, CollageOptions, Domains, RingMap, fit_collage};
-pub use curve_morph::{CurveMorph, MorphError, MorphedCurve};
+pub use curve_morph::{CurveMorph, MAX_FILE_POINTS, MorphError, MorphedCurve};
 pub use error::{FunctionError, MAX_POINTS};
 pub use fractal::curve::{FractalCurve, Side};
 pub use fractal::function::{Dimension, FractalFunction};
 pub use fractal::piece::{Piece, spectral_norm};
 pub use fractal::recurrent::Recurrent;
-pub use grown::{island, maple_leaf, oak_leaf};
+pub use grown::{island, maple_leaf, noisy, oak_leaf};
 pub use hough::{
     Assembly, BINS, Candidate, Cluster, Components, Features, FirstPass, Found, Hough, HoughError,
     HoughOptions, HoughProgress, Kind, Letter, MAX_CELLS, MAX_FEATURES, Model, PLANE, Pick, SecondPass,
     assemble, assemble_picked, gather, in_range, name_clusters, refine_map, share_cells,
 };
 pub use outline::{
-    Fidelity, MAX_OUTLINE, Near, Nearest, Outline, OutlineError, box_count, box_slope, box_slope_of,
-    crossings, features, fidelity,
+    Fidelity, MAX_OUTLINE, MAX_PREPARED, Near, Nearest, Outline, OutlineError, box_count, box_slope,
+    box_slope_of, crossings, features, fidelity,
 };
 pub use preset::{CurvePreset, curve_presets};
 pub use read::{FileContent, FileKind, NamedOutline, ReadAs, ReadError, Remark, read_file, sniff};

@@ -5,6 +5,7 @@ mod crossing;
 mod features;
 mod fidelity;
 mod near;
+mod prepare;
 mod thin;
 
 pub use boxes::{box_count, box_slope, box_slope_of};
@@ -12,6 +13,7 @@ pub use crossing::crossings;
 pub use features::features;
 pub use fidelity::{Fidelity, fidelity};
 pub use near::{Near, Nearest};
+pub use prepare::MAX_PREPARED;
 pub use thin::MAX_OUTLINE;
 pub(crate) use thin::thinned;
 

@@ -70,6 +70,25 @@ pub struct Traced {
     pub notices: Vec<Notice>,
 }
 
+impl Traced {
+    /// The area inside, in pixels.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        let Some(&first) = self.points.first() else { return 0.0 };
+        self.sides().map(|(a, b)| (a - first).perp_dot(b - first)).sum::<f64>() / 2.0
+    }
+
+    /// The length all round, in pixels.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.sides().map(|(a, b)| a.distance(b)).sum()
+    }
+
+    fn sides(&self) -> impl Iterator<Item = (DVec2, DVec2)> {
+        self.points.iter().copied().zip(self.points.iter().copied().cycle().skip(1))
+    }
+}
+
 /// Traces one picture.
 ///
 /// Which of several channels is looked at, and where the line in it is drawn, is found once, from the picture: whether

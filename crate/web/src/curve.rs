@@ -3,7 +3,6 @@
 mod closed_curve;
 mod file;
 mod graph;
-mod measure;
 mod morph;
 mod read;
 

@@ -2,11 +2,9 @@
 
 use frond_fit::{ClosedCurve, MAX_TEXT, PackError, spectral_norm};
 use frond_scene::Curve;
-use glam::DVec2;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-use super::measure::{MOST_CORNERS, POLYLINE_TOLERANCE, diagonal, dimension};
 use super::read::{self, read_curve};
 use crate::boundary::error::failure;
 use crate::boundary::value::{Row, object, write};
@@ -61,10 +59,6 @@ pub fn quantised(#[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue)
     write_curve(&read_curve(&curve)?.quantised().map_err(of_pack)?)
 }
 
-fn length(points: &[DVec2]) -> f64 {
-    points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| a.distance(*b)).sum()
-}
-
 /// What a curve costs and what it is like.
 ///
 /// Numbers are 2 a knot and 2 a copied edge, bytes those of the packed curve. The dimension is that of boxes between 1/64
@@ -78,10 +72,7 @@ pub fn curve_facts(
     #[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue,
 ) -> Result<JsValue, JsValue> {
     let curve = read_curve(&curve)?;
-    let woven = read::woven(&curve)?;
-    let diagonal = diagonal(&woven);
-    let points: Vec<_> =
-        woven.trace(POLYLINE_TOLERANCE * diagonal, None, MOST_CORNERS).into_iter().map(|(_, p)| p).collect();
+    let (dimension, length) = read::woven(&curve)?.dimension_and_length();
     let norms = (0..curve.knots.len()).filter_map(|i| curve.map(i)).map(|(linear, _)| spectral_norm(linear));
     // Three characters of a link are four bytes of the packed curve in base 64.
     let bytes = curve.to_text().map_err(of_pack)?.len() * 3 / 4;
@@ -90,8 +81,8 @@ pub fn curve_facts(
         ("knots", curve.knots.len().into()),
         ("copies", curve.copies().into()),
         ("bytes", bytes.into()),
-        ("dimension", dimension(&points, diagonal).into()),
-        ("length", length(&points).into()),
+        ("dimension", dimension.into()),
+        ("length", length.into()),
         ("contractivity", norms.fold(0.0, f64::max).into()),
     ]))
 }

@@ -1,13 +1,12 @@
 //! The morph of closed curves, and its bend.
 
 use frond_deform::{RingBend, Settings};
-use frond_fit::{MorphedCurve, crossings};
+use frond_fit::MorphedCurve;
 use glam::DVec2;
 use js_sys::{Float64Array, Int32Array, Uint32Array};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use super::measure::{MOST_CORNERS, POLYLINE_TOLERANCE, diagonal, dimension};
 use super::read::{of_morph, read_curve};
 use crate::boundary::bend::{PlainBend, of_bend};
 use crate::boundary::error::bad_input;
@@ -16,12 +15,6 @@ use crate::boundary::value::{object, read, write};
 /// The most points that one call gives, and how many it gives where nothing is said.
 const MAX_POINTS: f64 = 1_048_576.0;
 const USUAL_POINTS: f64 = 65_536.0;
-
-/// The parts of the box's diagonal that a polyline is true to which is looked through for crossings.
-const CROSSING_TOLERANCE: f64 = 1.0 / 500.0;
-
-/// The most crossings that are counted.
-const MOST_CROSSINGS: usize = 10_000;
 
 #[derive(Deserialize)]
 struct View {
@@ -221,18 +214,11 @@ impl CurveMorph {
     pub fn facts(&mut self, s: f64) -> Result<JsValue, JsValue> {
         let knots = self.morph.knots();
         let woven = &self.at(s)?.woven;
-        let diagonal = diagonal(woven);
-        let line = |part: f64| -> Vec<DVec2> {
-            woven.trace(part * diagonal, None, MOST_CORNERS).into_iter().map(|(_, p)| p).collect()
-        };
-        // A search that is given up has found more than anybody wants to know.
-        let crossings =
-            crossings(&line(CROSSING_TOLERANCE), MOST_CROSSINGS).map_or(MOST_CROSSINGS, |list| list.len());
         Ok(object(&[
             ("knots", knots.into()),
             ("copies", woven.copies().into()),
-            ("dimension", dimension(&line(POLYLINE_TOLERANCE), diagonal).into()),
-            ("crossings", crossings.into()),
+            ("dimension", woven.dimension_and_length().0.into()),
+            ("crossings", woven.crossings().into()),
             ("ratio", woven.contraction().into()),
         ]))
     }

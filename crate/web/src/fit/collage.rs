@@ -1,6 +1,6 @@
 //! The fit of Cochran, Hart & Flynn, piece by piece.
 
-use frond_fit::{CollageFit, CollageOptions, Domains, Outline, RingMap, features, fit_collage};
+use frond_fit::{CollageError, CollageFit, CollageOptions, Domains, RingMap};
 use glam::DVec2;
 use js_sys::Float64Array;
 use serde::Deserialize;
@@ -9,9 +9,6 @@ use wasm_bindgen::prelude::*;
 use super::outline::{figures, flat, outline_of};
 use crate::boundary::error::failure;
 use crate::boundary::value::{object, read, write};
-
-/// The most points of its polyline.
-const MOST_DRAWN: usize = 1 << 17;
 
 #[derive(Deserialize)]
 struct PlainCollage {
@@ -39,8 +36,8 @@ pub fn collage_fit(points: &[f64], options: JsValue) -> Result<JsValue, JsValue>
         domains,
         ..CollageOptions::default()
     };
-    let fit = collage_of(&outline, plain.features, &options)?;
-    let pieces = pieces_of(&fit);
+    let fit = CollageFit::of(&outline, plain.features, &options).map_err(of_collage)?;
+    let pieces = fit.pieces();
     let mut starts = vec![0.0];
     for piece in &pieces {
         starts.push(starts[starts.len() - 1] + piece.len() as f64);
@@ -73,54 +70,6 @@ fn row_of(map: &RingMap) -> Vec<f64> {
     row
 }
 
-pub(super) fn collage_of(
-    outline: &Outline,
-    count: usize,
-    options: &CollageOptions,
-) -> Result<CollageFit, JsValue> {
-    let ring: Vec<_> = features(outline, count).into_iter().map(|i| outline.points()[i]).collect();
-    fit_collage(&ring, options).map_err(|error| failure(error.code(), &error.to_string()))
-}
-
-/// The attractor, piece by piece with both ends, at eight times as many points as there are feature points.
-pub(super) fn pieces_of(fit: &CollageFit) -> Vec<Vec<DVec2>> {
-    let points = fit.maps.len() * fit.intervals;
-    let finer = (MOST_DRAWN / points.max(1)).clamp(1, 8);
-    // The same maps between more points: a domain begins where it did.
-    let mut fine = fit.clone();
-    fine.intervals *= finer;
-    fine.maps.iter_mut().for_each(|map| map.start *= finer);
-    let (points, ends) = fine.attractor();
-    let piece = |(part, end): (&[DVec2], DVec2)| part.iter().copied().chain([end]).collect();
-    points.chunks(fine.intervals).zip(ends).map(piece).collect()
-}
-
-#[cfg(test)]
-#[allow(clippy::unwrap_used)]
-mod tests {
-    use super::*;
-    use frond_fit::maple_leaf;
-
-    #[test]
-    fn pieces_of_the_papers_fit_pass_its_points_and_meet_where_they_are_tied() {
-        let outline = Outline::new(&maple_leaf(2)).unwrap();
-        for tied in [false, true] {
-            let options = CollageOptions { tied, ..CollageOptions::default() };
-            let fit = collage_of(&outline, 261, &options).unwrap();
-            let pieces = pieces_of(&fit);
-            assert_eq!(pieces.len(), 29);
-            let (points, _) = fit.attractor();
-            for (k, piece) in pieces.iter().enumerate() {
-                assert_eq!(piece.len(), 8 * fit.intervals + 1);
-                for m in 0..fit.intervals {
-                    let missed = piece[8 * m].distance(points[k * fit.intervals + m]);
-                    assert!(missed < 1e-9, "{missed}");
-                }
-            }
-            let gap = |k: usize| pieces[k][pieces[k].len() - 1].distance(pieces[(k + 1) % 29][0]);
-            let widest = (0..29).map(gap).fold(0.0, f64::max);
-            assert!((widest - fit.gaps().0).abs() < 1e-9);
-            assert_eq!(widest < 1e-9, tied);
-        }
-    }
+pub(super) fn of_collage(error: CollageError) -> JsValue {
+    failure(error.code(), &error.to_string())
 }

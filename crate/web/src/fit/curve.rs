@@ -3,42 +3,23 @@
 //! Outlines cross the boundary as flat arrays x0, y0, x1, y1, .. with y pointing up; the closing point is not repeated.
 
 use frond_fit::{
-    ArcCopy, ClosedCurve, CollageOptions, Fitter, Outline, OutlineError, PackError, Stage, bezier, crossings,
-    features, fourier, island, least_squares_polyline, maple_leaf, oak_leaf, split_polyline,
+    ArcCopy, ClosedCurve, CollageFit, CollageOptions, Fitter, MAX_PREPARED, Outline, PackError, Stage,
+    bezier, crossings, features, fourier, island, least_squares_polyline, maple_leaf, noisy, oak_leaf,
+    split_polyline,
 };
 use glam::DVec2;
 use js_sys::Date;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
-use super::collage::{collage_of, pieces_of};
+use super::collage::of_collage;
 use super::outline::{self, figures, flat, of_outline, outline_of};
 use crate::boundary::error::{bad_input, failure};
 use crate::boundary::value::{object, read, write};
 
-/// Outlines of more points are thinned to so many: finer is not seen, and takes long.
-const MOST_POINTS: usize = 16_384;
-
-/// How wide smoothing 1 is, in parts of the diagonal.
-const WIDEST_SMOOTHING: f64 = 0.02;
-
 /// The polyline of a fit leaves the curve by no more than this, in parts of the diagonal, and opens copies so deep.
 const POLYLINE_TOLERANCE: f64 = 1e-4;
 const POLYLINE_LEVELS: usize = 12;
-
-/// The outline that is fitted: thinned where it is finer than can be seen, and smoothed by 0 to 1.
-fn prepared(points: &[DVec2], smoothing: f64) -> Result<Outline, OutlineError> {
-    let mut outline = Outline::new(points)?;
-    if outline.points().len() > MOST_POINTS {
-        outline = Outline::new(outline.resampled(MOST_POINTS).points())?;
-    }
-    if smoothing > 0.0 {
-        // Squared, since little is what is mostly wanted.
-        let width = WIDEST_SMOOTHING * smoothing.min(1.0).powi(2) * outline.diagonal();
-        outline = Outline::new(outline.smoothed(width).points())?;
-    }
-    Ok(outline)
-}
 
 /// An edge of a curve, as in `api.d.ts`.
 #[derive(Serialize, Deserialize)]
@@ -95,24 +76,12 @@ pub fn grown_outline(kind: &str, seed: u32) -> Result<JsValue, JsValue> {
     }
 }
 
-/// Every point is off by a chance of some 0.3% of the diagonal each way.
-fn noisy(points: &[DVec2], seed: u32) -> Vec<DVec2> {
-    let mut next = 0_u32;
-    let mut swing = || {
-        next += 1;
-        let unit =
-            |k| f64::from(frond_core::hash::unit(frond_core::hash::counter(seed ^ 0x6e01, 4 * next + k)));
-        // The sum of four is near a bell.
-        (0..4_u32).map(unit).sum::<f64>() - 2.0
-    };
-    points.iter().map(|p| *p + DVec2::new(swing(), swing()) * 0.012).collect()
-}
-
 /// What is fitted of points: `{ points, diagonal, length, crossings }`, counter-clockwise, smoothed by 0 to 1 and of 16384
 /// points at most. `crossings` counts where it crosses itself, up to 99; null where it is too tangled to tell.
 #[wasm_bindgen(js_name = prepareOutline)]
 pub fn prepare_outline(points: &[f64], smoothing: f64) -> Result<JsValue, JsValue> {
-    let outline = prepared(&outline::points(points)?, smoothing).map_err(|error| of_outline(&error))?;
+    let outline =
+        Outline::prepared(&outline::points(points)?, smoothing).map_err(|error| of_outline(&error))?;
     let crossed = crossings(outline.points(), 99).map(|found| found.len());
     Ok(object(&[
         ("points", flat(outline.points())),
@@ -222,16 +191,16 @@ pub fn rival_fit(points: &[f64], method: &str, numbers: u32) -> Result<JsValue, 
         "squares" => counted(least_squares_polyline(&outline, numbers)),
         "fourier" => {
             let terms = 2 * (numbers / 2);
-            (terms, fourier(&outline, terms, (8 * outline.points().len()).min(MOST_POINTS)))
+            (terms, fourier(&outline, terms, (8 * outline.points().len()).min(MAX_PREPARED)))
         }
         "bezier" => {
             let pieces = (numbers / 6).max(3);
-            (6 * pieces, bezier(&outline, numbers, (8 * outline.points().len()).min(MOST_POINTS)))
+            (6 * pieces, bezier(&outline, numbers, (8 * outline.points().len()).min(MAX_PREPARED)))
         }
         "collage" => {
             let options = CollageOptions { maps: (numbers / 10).max(2), ..CollageOptions::default() };
-            let fit = collage_of(&outline, 9 * options.maps, &options)?;
-            (fit.numbers(), pieces_of(&fit).concat())
+            let fit = CollageFit::of(&outline, 9 * options.maps, &options).map_err(of_collage)?;
+            (fit.numbers(), fit.pieces().concat())
         }
         _ => return Err(bad_input("The method", "split, squares, fourier, bezier and collage are there")),
     };
@@ -252,31 +221,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_million_points_are_thinned_and_nothing_else_is() {
-        let circle = |count: usize| -> Vec<DVec2> {
-            (0..count).map(|i| DVec2::from_angle(std::f64::consts::TAU * i as f64 / count as f64)).collect()
-        };
-        assert_eq!(prepared(&circle(1_000_000), 0.0).unwrap().points().len(), MOST_POINTS);
-        assert_eq!(prepared(&circle(500), 0.0).unwrap().points(), &circle(500)[..]);
-        assert!(prepared(&circle(2), 0.0).is_err());
-        for smoothing in [0.3, 1.0, 1e300, f64::NAN] {
-            let outline = prepared(&circle(500), smoothing).unwrap();
-            assert!(outline.points().iter().all(|p| p.is_finite() && p.length() > 0.9), "{smoothing}");
-        }
-    }
-
-    #[test]
-    fn smoothing_takes_noise_away() {
-        let leaf = maple_leaf(1);
-        let rough = prepared(&noisy(&leaf, 1), 0.0).unwrap();
-        let smooth = prepared(&noisy(&leaf, 1), 0.5).unwrap();
-        assert!(rough.length() > 1.5 * Outline::new(&leaf).unwrap().length());
-        assert!(smooth.length() < 0.7 * rough.length());
-    }
-
-    #[test]
     fn a_curve_comes_back_from_its_plain_form() {
-        let outline = prepared(&oak_leaf(1), 0.0).unwrap();
+        let outline = Outline::new(&oak_leaf(1)).unwrap();
         let curve = Fitter::new(&outline, 40).unwrap().best().curve.clone();
         let plain = PlainCurve::from(&curve);
         assert_eq!(plain.knots.len(), curve.knots.len());

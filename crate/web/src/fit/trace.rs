@@ -149,14 +149,10 @@ impl PictureTracer {
             return Err(failure("no-mask", "There is no mask yet. Ask for one before its outline."));
         };
         let traced = self.tracer.outline(mask, component).map_err(|error| of_trace(&error))?;
-        let points = &traced.points;
-        let sides = || points.iter().zip(points.iter().cycle().skip(1));
-        let area = sides().map(|(&a, &b)| (a - points[0]).perp_dot(b - points[0])).sum::<f64>() / 2.0;
-        let length: f64 = sides().map(|(a, b)| a.distance(*b)).sum();
         Ok(object(&[
-            ("points", flat(points)),
-            ("area", area.into()),
-            ("length", length.into()),
+            ("points", flat(&traced.points)),
+            ("area", traced.area().into()),
+            ("length", traced.length().into()),
             ("warnings", warnings(&traced.notices)?),
         ]))
     }
