@@ -14,6 +14,8 @@ mod locus;
 #[cfg(target_arch = "wasm32")]
 mod passes;
 #[cfg(target_arch = "wasm32")]
+mod pipeline;
+#[cfg(target_arch = "wasm32")]
 mod pipelines;
 #[cfg(target_arch = "wasm32")]
 mod readback;
@@ -27,6 +29,8 @@ mod stage;
 mod state;
 #[cfg(target_arch = "wasm32")]
 mod target;
+#[cfg(target_arch = "wasm32")]
+mod texture;
 
 #[cfg(target_arch = "wasm32")]
 pub use device::{Canvas, Gpu, GpuError, Wanted};

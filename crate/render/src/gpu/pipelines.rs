@@ -1,5 +1,6 @@
 //! The shaders and how they are fed.
 
+use super::pipeline::{Pipeline, full_screen, layout, module, texture, uniform};
 use crate::points::{Instance, Vertex};
 
 /// What pixels of a target hold.
@@ -34,8 +35,6 @@ pub(super) struct Pipelines {
 pub(super) const PICTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// What codes are written to.
 pub(super) const CODE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
-/// What decides which piece is on top.
-pub(super) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
 
 const POINTS: &str = concat!(
     include_str!(concat!(env!("OUT_DIR"), "/shader/colour.wgsl")),
@@ -50,12 +49,8 @@ const RESOLVE: &str = concat!(
 
 impl Pipelines {
     pub fn new(device: &wgpu::Device, canvas: wgpu::TextureFormat, sums: wgpu::TextureFormat) -> Self {
-        let module = |label, source: &'static str| {
-            let source = wgpu::ShaderSource::Wgsl(source.into());
-            device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(label), source })
-        };
-        let points = module("points", POINTS);
-        let resolve = module("resolve", RESOLVE);
+        let points = module(device, "points", POINTS);
+        let resolve = module(device, "resolve", RESOLVE);
         let points_layout = layout(device, "points", &[uniform(0), uniform(1)]);
         let resolve_layouts = KINDS.map(|kind| {
             let sample_type = match kind {
@@ -99,50 +94,6 @@ impl Pipelines {
     }
 }
 
-pub(super) fn uniform(binding: u32) -> wgpu::BindGroupLayoutEntry {
-    wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
-        ty: wgpu::BindingType::Buffer {
-            ty: wgpu::BufferBindingType::Uniform,
-            has_dynamic_offset: false,
-            min_binding_size: None,
-        },
-        count: None,
-    }
-}
-
-pub(super) fn texture(binding: u32, sample_type: wgpu::TextureSampleType) -> wgpu::BindGroupLayoutEntry {
-    wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::FRAGMENT,
-        ty: wgpu::BindingType::Texture {
-            sample_type,
-            view_dimension: wgpu::TextureViewDimension::D2,
-            multisampled: false,
-        },
-        count: None,
-    }
-}
-
-pub(super) fn layout(
-    device: &wgpu::Device,
-    label: &str,
-    entries: &[wgpu::BindGroupLayoutEntry],
-) -> wgpu::BindGroupLayout {
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
-}
-
-pub(super) fn pipeline_layout(
-    device: &wgpu::Device,
-    bindings: &wgpu::BindGroupLayout,
-) -> wgpu::PipelineLayout {
-    device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        bind_group_layouts: &[Some(bindings)],
-        ..wgpu::PipelineLayoutDescriptor::default()
-    })
-}
-
 /// A pipeline that draws points.
 fn draw(
     device: &wgpu::Device,
@@ -175,37 +126,18 @@ fn draw(
             3 => Float32x4, 4 => Float32x2, 5 => Uint32, 6 => Float32, 7 => Float32x2, 8 => Uint32
         ],
     };
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(vertex),
-        layout: Some(&pipeline_layout(device, bindings)),
-        vertex: wgpu::VertexState {
-            module,
-            entry_point: Some(vertex),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[Some(vertices), Some(instances)],
-        },
-        primitive: wgpu::PrimitiveState {
-            topology: wgpu::PrimitiveTopology::PointList,
-            ..wgpu::PrimitiveState::default()
-        },
-        depth_stencil: (kind == Kind::Codes).then(|| wgpu::DepthStencilState {
-            format: DEPTH_FORMAT,
-            depth_write_enabled: Some(true),
-            // Later maps lie over earlier ones, in whatever order they are drawn.
-            depth_compare: Some(wgpu::CompareFunction::GreaterEqual),
-            stencil: wgpu::StencilState::default(),
-            bias: wgpu::DepthBiasState::default(),
-        }),
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module,
-            entry_point: Some(fragment),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL })],
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
+    Pipeline {
+        module,
+        bindings,
+        vertex,
+        fragment,
+        buffers: &[Some(vertices), Some(instances)],
+        topology: wgpu::PrimitiveTopology::PointList,
+        // Later maps lie over earlier ones, in whatever order they are drawn.
+        depth: (kind == Kind::Codes).then_some(wgpu::CompareFunction::GreaterEqual),
+        targets: &[Some(wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL })],
+    }
+    .create(device)
 }
 
 /// A pipeline that makes a picture of a target.
@@ -221,25 +153,5 @@ fn show(
         Kind::Density => "density_resolve",
         Kind::Picture => "picture_resolve",
     };
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(fragment),
-        layout: Some(&pipeline_layout(device, bindings)),
-        vertex: wgpu::VertexState {
-            module,
-            entry_point: Some("screen_vertex"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[],
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: None,
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module,
-            entry_point: Some(fragment),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(format.into())],
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
+    full_screen(device, module, bindings, ["screen_vertex", fragment], &[Some(format.into())])
 }

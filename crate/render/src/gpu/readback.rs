@@ -6,6 +6,7 @@ use std::rc::Rc;
 use super::device::Gpu;
 use super::events::Loss;
 use super::pipelines::PICTURE_FORMAT;
+use super::texture::{extent, texture};
 use crate::picture::window::Window;
 
 /// A picture on its way back.
@@ -22,16 +23,8 @@ pub struct ReadBack {
 impl ReadBack {
     /// A texture to draw a picture into that is to be read.
     pub(super) fn texture(gpu: &Gpu, window: Window) -> wgpu::Texture {
-        gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("read"),
-            size: extent(window),
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: PICTURE_FORMAT,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        })
+        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+        texture(gpu, "read", window, PICTURE_FORMAT, usage)
     }
 
     /// Begins to read such a texture, after the commands of `encoder`.
@@ -79,8 +72,4 @@ impl ReadBack {
         let rows = mapped.chunks_exact(self.stride as usize).take(self.window.height as usize);
         Some(Some(rows.flat_map(|bytes| &bytes[..row]).copied().collect()))
     }
-}
-
-fn extent(window: Window) -> wgpu::Extent3d {
-    wgpu::Extent3d { width: window.width, height: window.height, depth_or_array_layers: 1 }
 }

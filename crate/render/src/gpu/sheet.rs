@@ -5,10 +5,15 @@ use glam::DVec2;
 
 use super::buffer::uniform;
 use super::device::Gpu;
+use super::pipeline::{
+    Pipeline, begin, draw_full_screen, full_screen, layout, module, texture as texture_entry,
+    uniform as uniform_entry,
+};
 use super::pipelines::PICTURE_FORMAT;
+use super::texture::{extent, texture, view, write};
 use crate::picture::view::View;
 use crate::picture::window::Window;
-use crate::sheet::{Photo, Sheet, SheetOptions, draw_sheet, on_target};
+use crate::sheet::{Level, Photo, Sheet, SheetOptions, draw_sheet, on_target};
 
 /// Corners further away than so many pixels have too few digits on the card: such a close view is drawn on the
 /// processor, where it has few triangles.
@@ -57,21 +62,24 @@ struct Drawn {
 impl SheetGpu {
     pub fn new(gpu: &Gpu, photo: &Photo) -> Self {
         let device = &gpu.device;
-        let source =
-            wgpu::ShaderSource::Wgsl(include_str!(concat!(env!("OUT_DIR"), "/shader/sheet.wgsl")).into());
-        let module =
-            device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("sheet"), source });
-        let layout = |entries: &[wgpu::BindGroupLayoutEntry]| {
-            device
-                .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("sheet"), entries })
-        };
-        let photo_layout = layout(&[uniform_entry(), texture_entry(1, true), sampler_entry(2)]);
-        let resolve_layout = layout(&[uniform_entry(), texture_entry(3, false)]);
+        let source = include_str!(concat!(env!("OUT_DIR"), "/shader/sheet.wgsl"));
+        let module = module(device, "sheet", source);
+        let colours = |filterable| wgpu::TextureSampleType::Float { filterable };
+        let photo_layout = layout(
+            device,
+            "photograph",
+            &[uniform_entry(0), texture_entry(1, colours(true)), sampler_entry(2)],
+        );
+        let resolve_layout = layout(device, "sheet", &[uniform_entry(0), texture_entry(3, colours(false))]);
         let shown = ["drawn sheet", "shown sheet", "read sheet"].map(|label| uniform::<Shown>(device, label));
+        let resolve = |format: wgpu::TextureFormat| {
+            let shader = ["sheet_screen", "sheet_resolve"];
+            full_screen(device, &module, &resolve_layout, shader, &[Some(format.into())])
+        };
         Self {
             draw: draw_pipeline(device, &module, &photo_layout),
-            show: resolve_pipeline(device, &module, &resolve_layout, gpu.format()),
-            read: resolve_pipeline(device, &module, &resolve_layout, PICTURE_FORMAT),
+            show: resolve(gpu.format()),
+            read: resolve(PICTURE_FORMAT),
             resolve_layout,
             photo: upload(gpu, photo, &photo_layout, &shown[0]),
             shown,
@@ -137,12 +145,7 @@ impl SheetGpu {
             *pixel = [r, g, b, 255].map(|c| ((c * a + 127) / 255) as u8);
         }
         let drawn = self.fit(gpu, window, 1);
-        gpu.queue.write_texture(
-            drawn.texture.as_image_copy(),
-            &picture,
-            rows(window.width),
-            extent(window.width, window.height),
-        );
+        write(gpu, drawn.texture.as_image_copy(), window, &picture);
         self.target = Some(drawn);
     }
 
@@ -151,19 +154,11 @@ impl SheetGpu {
         if let Some(kept) = self.target.take().filter(|kept| kept.window == window) {
             return Drawn { factor, ..kept };
         }
-        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("sheet"),
-            size: extent(window.width, window.height),
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: PICTURE_FORMAT,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
-                | wgpu::TextureUsages::TEXTURE_BINDING
-                | wgpu::TextureUsages::COPY_DST,
-            view_formats: &[],
-        });
-        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT
+            | wgpu::TextureUsages::TEXTURE_BINDING
+            | wgpu::TextureUsages::COPY_DST;
+        let texture = texture(gpu, "sheet", window, PICTURE_FORMAT, usage);
+        let view = view(&texture);
         Drawn { texture, view, window, factor }
     }
 
@@ -211,45 +206,17 @@ impl SheetGpu {
                 },
             ],
         });
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        {
-            let mut pass = begin(&mut encoder, "resolve a sheet", picture);
-            pass.set_pipeline(pipeline);
-            pass.set_bind_group(0, &bindings, &[]);
-            pass.draw(0..3, 0..1);
-        }
-        Some(encoder)
+        Some(draw_full_screen(&gpu.device, pipeline, &bindings, picture))
     }
-}
-
-/// A pass onto nothing.
-fn begin<'a>(
-    encoder: &'a mut wgpu::CommandEncoder,
-    label: &str,
-    view: &'a wgpu::TextureView,
-) -> wgpu::RenderPass<'a> {
-    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-        label: Some(label),
-        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-            view,
-            depth_slice: None,
-            resolve_target: None,
-            ops: wgpu::Operations {
-                load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
-                store: wgpu::StoreOp::Store,
-            },
-        })],
-        ..wgpu::RenderPassDescriptor::default()
-    })
 }
 
 /// The photograph with its halvings, as far as the card takes them.
 fn upload(gpu: &Gpu, photo: &Photo, layout: &wgpu::BindGroupLayout, shown: &wgpu::Buffer) -> wgpu::BindGroup {
-    let fits = |level: &&crate::sheet::Level| level.width.max(level.height) <= gpu.max_side;
+    let fits = |level: &&Level| level.width.max(level.height) <= gpu.max_side;
     let levels: Vec<_> = photo.levels().iter().filter(fits).collect();
     let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some("photograph"),
-        size: levels.first().map_or(extent(1, 1), |level| extent(level.width, level.height)),
+        size: extent(levels.first().map_or(Window { width: 1, height: 1 }, |level| window_of(level))),
         mip_level_count: levels.len().max(1) as u32,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
@@ -259,8 +226,7 @@ fn upload(gpu: &Gpu, photo: &Photo, layout: &wgpu::BindGroupLayout, shown: &wgpu
     });
     for (i, level) in levels.iter().enumerate() {
         let place = wgpu::TexelCopyTextureInfo { mip_level: i as u32, ..texture.as_image_copy() };
-        let size = extent(level.width, level.height);
-        gpu.queue.write_texture(place, level.pixels.as_flattened(), rows(level.width), size);
+        write(gpu, place, window_of(level), level.pixels.as_flattened());
     }
     let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
         label: Some("between"),
@@ -269,7 +235,7 @@ fn upload(gpu: &Gpu, photo: &Photo, layout: &wgpu::BindGroupLayout, shown: &wgpu
         mipmap_filter: wgpu::MipmapFilterMode::Linear,
         ..wgpu::SamplerDescriptor::default()
     });
-    let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+    let view = view(&texture);
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("photograph"),
         layout,
@@ -281,12 +247,8 @@ fn upload(gpu: &Gpu, photo: &Photo, layout: &wgpu::BindGroupLayout, shown: &wgpu
     })
 }
 
-fn extent(width: u32, height: u32) -> wgpu::Extent3d {
-    wgpu::Extent3d { width, height, depth_or_array_layers: 1 }
-}
-
-fn rows(width: u32) -> wgpu::TexelCopyBufferLayout {
-    wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(width * 4), rows_per_image: None }
+fn window_of(level: &Level) -> Window {
+    Window { width: level.width, height: level.height }
 }
 
 fn buffer(
@@ -303,32 +265,6 @@ fn buffer(
     })
 }
 
-fn uniform_entry() -> wgpu::BindGroupLayoutEntry {
-    wgpu::BindGroupLayoutEntry {
-        binding: 0,
-        visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
-        ty: wgpu::BindingType::Buffer {
-            ty: wgpu::BufferBindingType::Uniform,
-            has_dynamic_offset: false,
-            min_binding_size: None,
-        },
-        count: None,
-    }
-}
-
-fn texture_entry(binding: u32, filterable: bool) -> wgpu::BindGroupLayoutEntry {
-    wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::FRAGMENT,
-        ty: wgpu::BindingType::Texture {
-            sample_type: wgpu::TextureSampleType::Float { filterable },
-            view_dimension: wgpu::TextureViewDimension::D2,
-            multisampled: false,
-        },
-        count: None,
-    }
-}
-
 fn sampler_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
     wgpu::BindGroupLayoutEntry {
         binding,
@@ -336,13 +272,6 @@ fn sampler_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
         ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
         count: None,
     }
-}
-
-fn pipeline_layout(device: &wgpu::Device, bindings: &wgpu::BindGroupLayout) -> wgpu::PipelineLayout {
-    device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        bind_group_layouts: &[Some(bindings)],
-        ..wgpu::PipelineLayoutDescriptor::default()
-    })
 }
 
 fn draw_pipeline(
@@ -362,61 +291,22 @@ fn draw_pipeline(
         operation: wgpu::BlendOperation::Add,
     };
     let blend = Some(wgpu::BlendState { color: under, alpha: under });
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("sheet"),
-        layout: Some(&pipeline_layout(device, bindings)),
-        vertex: wgpu::VertexState {
-            module,
-            entry_point: Some("sheet_vertex"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[
-                Some(corner(&wgpu::vertex_attr_array![0 => Float32x2])),
-                Some(corner(&wgpu::vertex_attr_array![1 => Float32x2])),
-            ],
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: None,
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module,
-            entry_point: Some("sheet_fragment"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(wgpu::ColorTargetState {
-                format: PICTURE_FORMAT,
-                blend,
-                write_mask: wgpu::ColorWrites::ALL,
-            })],
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
-}
-
-fn resolve_pipeline(
-    device: &wgpu::Device,
-    module: &wgpu::ShaderModule,
-    bindings: &wgpu::BindGroupLayout,
-    format: wgpu::TextureFormat,
-) -> wgpu::RenderPipeline {
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("resolve a sheet"),
-        layout: Some(&pipeline_layout(device, bindings)),
-        vertex: wgpu::VertexState {
-            module,
-            entry_point: Some("sheet_screen"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[],
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: None,
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module,
-            entry_point: Some("sheet_resolve"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(format.into())],
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
+    Pipeline {
+        module,
+        bindings,
+        vertex: "sheet_vertex",
+        fragment: "sheet_fragment",
+        buffers: &[
+            Some(corner(&wgpu::vertex_attr_array![0 => Float32x2])),
+            Some(corner(&wgpu::vertex_attr_array![1 => Float32x2])),
+        ],
+        topology: wgpu::PrimitiveTopology::TriangleList,
+        depth: None,
+        targets: &[Some(wgpu::ColorTargetState {
+            format: PICTURE_FORMAT,
+            blend,
+            write_mask: wgpu::ColorWrites::ALL,
+        })],
+    }
+    .create(device)
 }

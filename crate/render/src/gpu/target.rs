@@ -4,7 +4,9 @@ use bytemuck::{Pod, Zeroable};
 
 use super::buffer::{Buffer, uniform};
 use super::device::Gpu;
-use super::pipelines::{CODE_FORMAT, DEPTH_FORMAT, Kind, PICTURE_FORMAT, Pipelines};
+use super::pipeline::{DEPTH_FORMAT, colour, draw_full_screen};
+use super::pipelines::{CODE_FORMAT, Kind, PICTURE_FORMAT, Pipelines};
+use super::texture::{texture, view, write};
 use crate::picture::window::Window;
 use crate::plan::Batch;
 use crate::points::{Instance, Sides, Vertex};
@@ -34,18 +36,6 @@ struct Screen {
 impl Target {
     /// A target with nothing on it.
     pub fn new(gpu: &Gpu, pipelines: &Pipelines, look: &wgpu::Buffer, kind: Kind, window: Window) -> Self {
-        let texture = |label, format, usage| {
-            gpu.device.create_texture(&wgpu::TextureDescriptor {
-                label: Some(label),
-                size: wgpu::Extent3d { width: window.width, height: window.height, depth_or_array_layers: 1 },
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format,
-                usage,
-                view_formats: &[],
-            })
-        };
         let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT;
         let format = match kind {
             Kind::Codes => CODE_FORMAT,
@@ -53,9 +43,8 @@ impl Target {
             Kind::Picture => PICTURE_FORMAT,
         };
         let read = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
-        let pixels = texture("pixels", format, drawn | read);
-        let view = |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let depth = (kind == Kind::Codes).then(|| view(&texture("depth", DEPTH_FORMAT, drawn)));
+        let pixels = texture(gpu, "pixels", window, format, drawn | read);
+        let depth = (kind == Kind::Codes).then(|| view(&texture(gpu, "depth", window, DEPTH_FORMAT, drawn)));
         let screen = uniform::<Screen>(&gpu.device, "screen");
         let points = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("points"),
@@ -70,13 +59,7 @@ impl Target {
 
     /// Replaces what it holds by a picture, four bytes a pixel, row after row.
     pub fn write(&self, gpu: &Gpu, bytes: &[u8]) {
-        let Window { width, height } = self.window;
-        gpu.queue.write_texture(
-            self.texture.as_image_copy(),
-            bytes,
-            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(width * 4), rows_per_image: None },
-            wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-        );
+        write(gpu, self.texture.as_image_copy(), self.window, bytes);
     }
 
     /// Sets what masses are multiplied by, whether pieces have colours of their own, and along which sides they
@@ -102,19 +85,7 @@ impl Target {
         {
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: Some("points"),
-                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                    view: &self.pixels,
-                    depth_slice: None,
-                    resolve_target: None,
-                    ops: wgpu::Operations {
-                        load: if clear {
-                            wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT)
-                        } else {
-                            wgpu::LoadOp::Load
-                        },
-                        store: wgpu::StoreOp::Store,
-                    },
-                })],
+                color_attachments: &[colour(&self.pixels, clear)],
                 depth_stencil_attachment: self.depth.as_ref().map(|view| {
                     wgpu::RenderPassDepthStencilAttachment {
                         view,
@@ -159,25 +130,6 @@ impl Target {
                 },
             ],
         });
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        {
-            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-                label: Some("resolve"),
-                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                    view: picture,
-                    depth_slice: None,
-                    resolve_target: None,
-                    ops: wgpu::Operations {
-                        load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
-                        store: wgpu::StoreOp::Store,
-                    },
-                })],
-                ..wgpu::RenderPassDescriptor::default()
-            });
-            pass.set_pipeline(pipeline);
-            pass.set_bind_group(0, &bindings, &[]);
-            pass.draw(0..3, 0..1);
-        }
-        encoder
+        draw_full_screen(&gpu.device, pipeline, &bindings, picture)
     }
 }

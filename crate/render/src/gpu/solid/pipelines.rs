@@ -1,6 +1,7 @@
 //! The shaders of space and how they are fed.
 
-use crate::gpu::pipelines::{DEPTH_FORMAT, PICTURE_FORMAT, layout, pipeline_layout, texture, uniform};
+use crate::gpu::pipeline::{Pipeline, full_screen, layout, module, texture, uniform};
+use crate::gpu::pipelines::PICTURE_FORMAT;
 use crate::solid::{Instance3, Vertex3};
 
 /// What codes and the bits of depths are written to.
@@ -35,23 +36,19 @@ pub(super) struct Pipelines3 {
 
 impl Pipelines3 {
     pub fn new(device: &wgpu::Device, canvas: wgpu::TextureFormat) -> Self {
-        let module = |label, source: &'static str| {
-            let source = wgpu::ShaderSource::Wgsl(source.into());
-            device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(label), source })
-        };
-        let (points, light) = (module("space points", POINTS), module("space light", SHADE));
-        let splat = module("space splat", SPLAT);
+        let (points, light) = (module(device, "space points", POINTS), module(device, "space light", SHADE));
+        let splat = module(device, "space splat", SPLAT);
         let eye_layout = layout(device, "eye", &[uniform(0)]);
         let words = wgpu::TextureSampleType::Uint;
         let entries = [uniform(0), uniform(1), texture(2, words), texture(3, words)];
         let light_layout = layout(device, "light", &entries);
         let kept = [Some(WORD_FORMAT.into()), Some(WORD_FORMAT.into())];
         let on_screen = |fragment, targets: &[Option<wgpu::ColorTargetState>]| {
-            full_screen(device, &light, &light_layout, fragment, targets)
+            full_screen(device, &light, &light_layout, ["screen_vertex", fragment], targets)
         };
         Self {
             points: draw(device, &points, &eye_layout, &kept),
-            splat: full_screen(device, &splat, &light_layout, "splat_fragment", &kept),
+            splat: full_screen(device, &splat, &light_layout, ["screen_vertex", "splat_fragment"], &kept),
             fill_holes: on_screen("hole_fill_fragment", &kept),
             show: on_screen("light_fragment", &[Some(canvas.into())]),
             read: on_screen("light_fragment", &[Some(PICTURE_FORMAT.into())]),
@@ -79,64 +76,15 @@ fn draw(
             2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Uint32, 6 => Uint32
         ],
     };
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("space points"),
-        layout: Some(&pipeline_layout(device, bindings)),
-        vertex: wgpu::VertexState {
-            module,
-            entry_point: Some("points_vertex"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[Some(vertices), Some(instances)],
-        },
-        primitive: wgpu::PrimitiveState {
-            topology: wgpu::PrimitiveTopology::PointList,
-            ..wgpu::PrimitiveState::default()
-        },
-        depth_stencil: Some(wgpu::DepthStencilState {
-            format: DEPTH_FORMAT,
-            depth_write_enabled: Some(true),
-            depth_compare: Some(wgpu::CompareFunction::Less),
-            stencil: wgpu::StencilState::default(),
-            bias: wgpu::DepthBiasState::default(),
-        }),
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module,
-            entry_point: Some("points_fragment"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets,
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
-}
-
-fn full_screen(
-    device: &wgpu::Device,
-    module: &wgpu::ShaderModule,
-    bindings: &wgpu::BindGroupLayout,
-    fragment: &str,
-    targets: &[Option<wgpu::ColorTargetState>],
-) -> wgpu::RenderPipeline {
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(fragment),
-        layout: Some(&pipeline_layout(device, bindings)),
-        vertex: wgpu::VertexState {
-            module,
-            entry_point: Some("screen_vertex"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[],
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: None,
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module,
-            entry_point: Some(fragment),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets,
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
+    Pipeline {
+        module,
+        bindings,
+        vertex: "points_vertex",
+        fragment: "points_fragment",
+        buffers: &[Some(vertices), Some(instances)],
+        topology: wgpu::PrimitiveTopology::PointList,
+        depth: Some(wgpu::CompareFunction::Less),
+        targets,
+    }
+    .create(device)
 }

@@ -4,6 +4,7 @@ use super::pipelines::Pipelines3;
 use super::target::Target3;
 use crate::gpu::buffer::{Buffer, uniform};
 use crate::gpu::device::Gpu;
+use crate::gpu::pipeline::draw_full_screen;
 use crate::gpu::readback::ReadBack;
 use crate::picture::colour::Look;
 use crate::picture::window::Window;
@@ -235,26 +236,7 @@ impl Stage3 {
         let look = Look { premultiply, ..uniforms.look };
         self.gpu.queue.write_buffer(&self.look_buffer, 0, bytemuck::bytes_of(&look));
         let bindings = target.bindings(&self.gpu, &self.pipelines, &self.lamp, &self.look_buffer);
-        let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        {
-            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-                label: Some("light"),
-                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                    view: picture,
-                    depth_slice: None,
-                    resolve_target: None,
-                    ops: wgpu::Operations {
-                        load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
-                        store: wgpu::StoreOp::Store,
-                    },
-                })],
-                ..wgpu::RenderPassDescriptor::default()
-            });
-            pass.set_pipeline(pipeline);
-            pass.set_bind_group(0, &bindings, &[]);
-            pass.draw(0..3, 0..1);
-        }
-        Some(encoder)
+        Some(draw_full_screen(&self.gpu.device, pipeline, &bindings, picture))
     }
 
     fn show(&mut self) {

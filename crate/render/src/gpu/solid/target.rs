@@ -2,7 +2,8 @@
 
 use super::pipelines::{Pipelines3, WORD_FORMAT};
 use crate::gpu::device::Gpu;
-use crate::gpu::pipelines::DEPTH_FORMAT;
+use crate::gpu::pipeline::{DEPTH_FORMAT, colour};
+use crate::gpu::texture::{texture, view, write};
 use crate::picture::window::Window;
 
 /// Codes and depths of one picture.
@@ -18,22 +19,10 @@ pub(super) struct Target3 {
 
 impl Target3 {
     pub fn new(gpu: &Gpu, window: Window) -> Self {
-        let texture = |label, format, usage| {
-            gpu.device.create_texture(&wgpu::TextureDescriptor {
-                label: Some(label),
-                size: extent(window),
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format,
-                usage,
-                view_formats: &[],
-            })
-        };
+        let texture = |label, format, usage| texture(gpu, label, window, format, usage);
         let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT;
         let kept = drawn | wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
         let (codes, depths) = (texture("codes", WORD_FORMAT, kept), texture("depths", WORD_FORMAT, kept));
-        let view = |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
         let views = [view(&codes), view(&depths)];
         Self { window, views, test: view(&texture("nearest", DEPTH_FORMAT, drawn)), codes, depths }
     }
@@ -42,35 +31,15 @@ impl Target3 {
     pub fn write(&self, gpu: &Gpu, depth: &[f32], codes: &[u32]) {
         // Depths are bits here as they are there.
         for (texture, words) in [(&self.codes, codes), (&self.depths, bytemuck::cast_slice(depth))] {
-            gpu.queue.write_texture(
-                texture.as_image_copy(),
-                bytemuck::cast_slice(words),
-                wgpu::TexelCopyBufferLayout {
-                    offset: 0,
-                    bytes_per_row: Some(self.window.width * 4),
-                    rows_per_image: None,
-                },
-                extent(self.window),
-            );
+            write(gpu, texture.as_image_copy(), self.window, bytemuck::cast_slice(words));
         }
     }
 
     /// A pass that draws into it, on nothing.
     pub fn pass<'a>(&self, encoder: &'a mut wgpu::CommandEncoder, nearest: bool) -> wgpu::RenderPass<'a> {
-        let colour = |view| {
-            Some(wgpu::RenderPassColorAttachment {
-                view,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
-                    store: wgpu::StoreOp::Store,
-                },
-            })
-        };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("space"),
-            color_attachments: &[colour(&self.views[0]), colour(&self.views[1])],
+            color_attachments: &[colour(&self.views[0], true), colour(&self.views[1], true)],
             depth_stencil_attachment: nearest.then_some(wgpu::RenderPassDepthStencilAttachment {
                 view: &self.test,
                 depth_ops: Some(wgpu::Operations {
@@ -103,8 +72,4 @@ impl Target3 {
             ],
         })
     }
-}
-
-fn extent(window: Window) -> wgpu::Extent3d {
-    wgpu::Extent3d { width: window.width, height: window.height, depth_or_array_layers: 1 }
 }
