@@ -176,6 +176,19 @@ impl StageState {
         may
     }
 
+    /// Whether a picture of so many points is to be made anew: of fewer pixels where they are more than the budget, else of
+    /// more where far fewer are, unless `coarser` says that more were too many.
+    pub fn resize_for(&mut self, points: u64, budget: u64, coarser: &mut bool) -> bool {
+        if points > budget && self.halve() {
+            *coarser = true;
+            return true;
+        }
+        // Twice the pixels each way take at most some four times the points.
+        let finer = !*coarser && self.halvings > 0 && points * 5 < budget;
+        self.halvings -= u32::from(finer);
+        finer
+    }
+
     /// The look of a picture: what it is made from, the pixels of that for each one shown, and what sums are
     /// multiplied by. `tinted` says whether its codes are colours.
     pub fn look(&self, frame: &Frame, tinted: bool, source: Window, factor: f64, gain: f32) -> Look {

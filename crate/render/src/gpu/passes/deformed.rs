@@ -327,12 +327,7 @@ impl DeformedPass {
             cut_at_once(self, frame, &sight, coloured);
             self.front.compose(frame, Detail::LADDER[0]);
             let points = self.front.plan.points();
-            if points > budget && state.halve() {
-                coarser = true;
-            } else if !coarser && state.halvings > 0 && points * 5 < budget {
-                // Twice the pixels each way take at most some four times the points.
-                state.halvings -= 1;
-            } else {
+            if !state.resize_for(points, budget, &mut coarser) {
                 break;
             }
         }

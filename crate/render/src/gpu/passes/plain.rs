@@ -70,12 +70,7 @@ impl PlainPass {
             let to_target = state.to_target(frame, view, factor);
             self.plan.make(frame, to_target, state.target_window(factor), Detail::LADDER[0]);
             let points = self.plan.points();
-            if points > budget && state.halve() {
-                coarser = true;
-            } else if !coarser && state.halvings > 0 && points * 5 < budget {
-                // Twice the pixels each way take at most some four times the points.
-                state.halvings -= 1;
-            } else {
+            if !state.resize_for(points, budget, &mut coarser) {
                 break;
             }
         }
