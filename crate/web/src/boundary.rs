@@ -3,7 +3,7 @@
 #[cfg(any(feature = "compute", feature = "curve", feature = "webgpu", feature = "webgl2"))]
 pub(crate) mod bend;
 pub(crate) mod error;
-#[cfg(any(feature = "proof", feature = "space"))]
+#[cfg(any(feature = "proof", feature = "space", feature = "webgpu"))]
 pub(crate) mod grid;
 pub(crate) mod look;
 #[cfg(any(feature = "proof", feature = "space"))]

@@ -5,5 +5,6 @@ mod document;
 mod raster;
 mod shape;
 mod sheet;
+mod view;
 
 pub use {deform::*, document::*, raster::*, shape::*, sheet::*};

@@ -1,6 +1,6 @@
 //! Ways through a locus.
 
-use frond_locus::{PathCheck, PathPlan};
+use frond_locus::{PathCheck, PathOptions, PathPlan};
 use glam::DVec3;
 use serde::Deserialize;
 use wasm_bindgen::JsValue;
@@ -41,6 +41,23 @@ pub(crate) fn read_path(points: JsValue) -> Result<Vec<DVec3>, JsValue> {
     let points = points.into_iter().map(|row| point(row).filter(|at| at.is_finite()));
     let points: Option<Vec<DVec3>> = points.collect();
     points.ok_or_else(|| bad_input("The path", "each point must be two or three finite numbers"))
+}
+
+#[derive(Deserialize)]
+struct Planning {
+    epsilon: Option<f64>,
+    size: Option<f64>,
+}
+
+/// How a path is planned, as far as the plane and space have it in common.
+pub(crate) fn read_planning(options: JsValue) -> Result<PathOptions, JsValue> {
+    let plain: Planning = read("The options", options)?;
+    let default = PathOptions::default();
+    Ok(PathOptions {
+        epsilon: plain.epsilon.unwrap_or(default.epsilon),
+        size: plain.size.map_or(default.size, |size| size as usize),
+        ..default
+    })
 }
 
 #[derive(Deserialize)]

@@ -105,6 +105,20 @@ pub(crate) fn read_morph(from: &JsValue, to: &JsValue, options: &JsValue) -> Res
     Morph::new(&from, &to, &read_morph_options(options)?).map_err(|error| of_morph(&error))
 }
 
+#[derive(Deserialize)]
+struct Parameters {
+    u: f64,
+    v: f64,
+    #[serde(default)]
+    w: f64,
+}
+
+/// The fields `u`, `v` and `w` of an object; the last may be absent.
+pub(crate) fn read_parameters(options: JsValue) -> Result<[f64; 3], JsValue> {
+    let Parameters { u, v, w } = read("The options", options)?;
+    Ok([u, v, w])
+}
+
 /// A list that is too long, before its entries are read.
 pub(crate) fn longer_than(value: &JsValue, most: usize) -> Option<usize> {
     value.dyn_ref::<Array>().map(|list| list.length() as usize).filter(|&length| length > most)

@@ -9,13 +9,7 @@ use crate::boundary::bend::bend_on;
 use crate::boundary::error::failure;
 use crate::boundary::look::read_palette;
 use crate::boundary::value::{read, read_ifs};
-
-#[derive(Deserialize)]
-struct PlainView {
-    x: f64,
-    y: f64,
-    scale: f64,
-}
+use crate::compute::view::PlainView;
 
 #[derive(Deserialize)]
 struct Plain {
@@ -46,7 +40,7 @@ pub fn rasterize(
         // A cast of NaN or a negative number gives 0: an empty picture.
         width: plain.width as u32,
         height: plain.height as u32,
-        view: plain.view.map(|view| View { x: view.x, y: view.y, scale: view.scale }),
+        view: plain.view.map(View::from),
         colouring: plain.colouring,
         palette: &palette,
         smooth: plain.smooth.unwrap_or(true),

@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::{bad_input, failure};
 use crate::boundary::value::{
-    Row, object, point, read, read_ifs, read_maps, read_morph, rows, write, write_maps,
+    Row, object, point, read, read_ifs, read_maps, read_morph, read_parameters, rows, write, write_maps,
 };
 
 /// The most points that one call gives.
@@ -35,14 +35,6 @@ pub fn pair(
     ]))
 }
 
-#[derive(Deserialize)]
-struct At {
-    u: f64,
-    v: f64,
-    #[serde(default)]
-    w: f64,
-}
-
 /// The maps at (u, v) between two systems of equally many maps (Burch & Hart 1997, eq 6), or at (u, v, w) with
 /// the stretch ahead of the turn by w. The result need not have an attractor.
 #[wasm_bindgen(unchecked_return_type = "Ifs")]
@@ -53,7 +45,7 @@ pub fn interpolate(
     options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph(&from, &to, &options)?;
-    let At { u, v, w } = read("The options", options)?;
+    let [u, v, w] = read_parameters(options)?;
     write_maps(&morph.at3(u, v, w))
 }
 

@@ -9,6 +9,7 @@ use crate::boundary::bend::{PlainBend, bend_on};
 use crate::boundary::error::{bad_input, failure};
 use crate::boundary::photo::read_photo;
 use crate::boundary::value::read;
+use crate::compute::view::PlainView;
 
 /// A photograph on the rectangle [0, width / height] x [0, 1], which a bend can bend: what `Renderer.setPicture` shows,
 /// drawn on the processor.
@@ -17,13 +18,6 @@ pub struct Sheet {
     photo: Photo,
     /// The last bend, its parts, and what was made of it.
     last: Option<(PlainBend, usize, usize, BentSheet)>,
-}
-
-#[derive(Deserialize)]
-struct PlainView {
-    x: f64,
-    y: f64,
-    scale: f64,
 }
 
 #[derive(Deserialize)]
@@ -68,7 +62,7 @@ impl Sheet {
             // A cast of NaN or a negative number gives 0: an empty picture.
             width: plain.width as u32,
             height: plain.height as u32,
-            view: plain.view.map(|view| View { x: view.x, y: view.y, scale: view.scale }),
+            view: plain.view.map(View::from),
             smooth: plain.smooth.unwrap_or(true),
         };
         let draw = |sheet: &Bare| {

@@ -6,13 +6,11 @@ use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::{bad_input, failure};
 use crate::boundary::grid::{EPSILON, read_locus};
-use crate::boundary::path::{read_path, read_samples, write_check, write_plan};
+use crate::boundary::path::{read_path, read_planning, read_samples, write_check, write_plan};
 use crate::boundary::value::{read, read_morph};
 
 #[derive(Deserialize)]
 struct Planning {
-    epsilon: Option<f64>,
-    size: Option<f64>,
     axes: Option<f64>,
 }
 
@@ -25,24 +23,17 @@ pub fn plan_path(
     #[wasm_bindgen(unchecked_param_type = "PathOptions | undefined")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph(&from, &to, &options)?;
-    plan(frond_locus::find_path(&morph, &read_planning(options)?))
+    plan(frond_locus::find_path(&morph, &read_options(options)?))
 }
 
-fn read_planning(options: JsValue) -> Result<PathOptions, JsValue> {
-    let plain: Planning = read("The options", options)?;
-    let mut options = PathOptions::default();
-    if let Some(epsilon) = plain.epsilon {
-        options.epsilon = epsilon;
-    }
-    if let Some(size) = plain.size {
-        options.size = size as usize;
-    }
-    options.axes = match plain.axes {
+fn read_options(options: JsValue) -> Result<PathOptions, JsValue> {
+    let Planning { axes } = read("The options", options.clone())?;
+    let axes = match axes {
         None | Some(2.0) => Axes::Two,
         Some(3.0) => Axes::Three,
         Some(_) => return Err(bad_input("axes", "2 or 3 is needed")),
     };
-    Ok(options)
+    Ok(PathOptions { axes, ..read_planning(options)? })
 }
 
 /// The search of `planPath` in parts, so that it can be given up in between.
@@ -59,7 +50,7 @@ impl PathSearch {
         #[wasm_bindgen(unchecked_param_type = "PathOptions | undefined")] options: JsValue,
     ) -> Result<Self, JsValue> {
         let morph = read_morph(&from, &to, &options)?;
-        Ok(Self(frond_locus::PathSearch::new(morph, read_planning(options)?)))
+        Ok(Self(frond_locus::PathSearch::new(morph, read_options(options)?)))
     }
 
     /// Does the next part, of about a second or less. The plan comes with the last, `null` before.

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use frond_locus::{Bounds, LocusGrid, SingleLocus, State, unpack_single};
+use frond_locus::{LocusGrid, SingleLocus, State, unpack_single};
 use frond_render::gpu::{LocusError, LocusGpu, LocusJob};
 use js_sys::{Date, Float32Array, Function, Promise, Reflect, Uint8Array, global};
 use serde::Deserialize;
@@ -11,6 +11,7 @@ use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
 
 use crate::boundary::error::failure;
+use crate::boundary::grid::read_grid;
 use crate::boundary::value::{object, read, read_morph};
 
 /// Decides loci on the graphics card, by WebGPU, on a device of its own: on the page's thread or in a worker.
@@ -23,19 +24,7 @@ pub struct LocusCompute {
 }
 
 #[derive(Deserialize)]
-struct PlainBounds {
-    u0: f64,
-    v0: f64,
-    u1: f64,
-    v1: f64,
-}
-
-#[derive(Deserialize)]
-struct Sampling {
-    bounds: Option<PlainBounds>,
-    width: f64,
-    height: f64,
-    epsilon: Option<f64>,
+struct Plane {
     #[serde(default)]
     w: f64,
 }
@@ -44,9 +33,6 @@ struct Sampling {
 struct Polygon {
     sides: f64,
 }
-
-/// What a picture of 600 pixels resolves.
-const EPSILON: f64 = 1.0 / 600.0;
 
 #[wasm_bindgen]
 impl LocusCompute {
@@ -83,9 +69,9 @@ impl LocusCompute {
         future_to_promise(async move {
             let start = now();
             let morph = read_morph(&from, &to, &options)?;
-            let (plain, grid) = read_grid(options)?;
-            let epsilon = plain.epsilon.unwrap_or(EPSILON);
-            let single = SingleLocus::of_morph(&morph, plain.w, &grid, epsilon);
+            let (grid, epsilon) = read_grid(&options)?;
+            let Plane { w } = read("The options", options)?;
+            let single = SingleLocus::of_morph(&morph, w, &grid, epsilon);
             decide(&gpu, single.map_err(|error| failure(error.code(), &error.to_string()))?, &grid, start)
                 .await
         })
@@ -102,23 +88,12 @@ impl LocusCompute {
         future_to_promise(async move {
             let start = now();
             let Polygon { sides } = read("The family", family)?;
-            let (plain, grid) = read_grid(options)?;
-            let epsilon = plain.epsilon.unwrap_or(EPSILON);
+            let (grid, epsilon) = read_grid(&options)?;
             let single = SingleLocus::of_polygons(sides as usize, &grid, epsilon);
             decide(&gpu, single.map_err(|error| failure(error.code(), &error.to_string()))?, &grid, start)
                 .await
         })
     }
-}
-
-fn read_grid(options: JsValue) -> Result<(Sampling, LocusGrid), JsValue> {
-    let plain: Sampling = read("The options", options)?;
-    let bounds = plain.bounds.as_ref();
-    let bounds = bounds.map_or_else(Bounds::default, |b| Bounds { u0: b.u0, v0: b.v0, u1: b.u1, v1: b.v1 });
-    // A cast of NaN or a negative number gives 0, which the grid refuses.
-    let grid = LocusGrid::new(bounds, plain.width as usize, plain.height as usize)
-        .map_err(|error| failure(error.code(), &error.to_string()))?;
-    Ok((plain, grid))
 }
 
 async fn decide(

@@ -1,17 +1,16 @@
 //! Morphs in space, and where they hold together.
 
 use frond_core::{Ifs3, IfsError, Morph3};
-use frond_locus::{LocusGrid, PathOptions, Reason3, Scratch3, tile3};
+use frond_locus::{LocusGrid, Reason3, Scratch3, tile3};
 use js_sys::Array;
-use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::{failure, of_ifs, of_morph};
 use crate::boundary::grid::{read_grid, write_tile};
-use crate::boundary::path::{read_path, read_samples, write_check, write_plan};
+use crate::boundary::path::{read_path, read_planning, read_samples, write_check, write_plan};
 use crate::boundary::resolution::read_options;
 use crate::boundary::space::{read_ifs3, read_maps3, write_maps3};
-use crate::boundary::value::{object, read, read_morph_options, write};
+use crate::boundary::value::{object, read_morph_options, read_parameters, write};
 
 fn read_morph3(from: &JsValue, to: &JsValue, options: &JsValue) -> Result<Morph3, JsValue> {
     let options = read_morph_options(options)?;
@@ -27,14 +26,6 @@ pub fn correspondence3(
     write(&Morph3::correspondence(&read_ifs3(&from)?, &read_ifs3(&to)?))
 }
 
-#[derive(Deserialize)]
-struct At {
-    u: f64,
-    v: f64,
-    #[serde(default)]
-    w: f64,
-}
-
 /// The maps of a morph at (u, v, w) (Burch & Hart, eq 6). There need not be an attractor.
 #[wasm_bindgen(unchecked_return_type = "MapRow3[]")]
 pub fn interpolate3(
@@ -43,7 +34,7 @@ pub fn interpolate3(
     #[wasm_bindgen(unchecked_param_type = "MorphOptions & { u: number; v: number; w?: number }")]
     options: JsValue,
 ) -> Result<JsValue, JsValue> {
-    let At { u, v, w } = read("The options", options.clone())?;
+    let [u, v, w] = read_parameters(options.clone())?;
     write_maps3(&read_morph3(&from, &to, &options)?.at3(u, v, w))
 }
 
@@ -118,12 +109,6 @@ impl SpaceLocus {
     }
 }
 
-#[derive(Deserialize)]
-struct Planning {
-    epsilon: Option<f64>,
-    size: Option<f64>,
-}
-
 /// A path from (0, 0) to (1, 1) along which the shape stays in one piece, or comes as near to that as can be: long work,
 /// for a worker.
 #[wasm_bindgen(js_name = findPath3, unchecked_return_type = "PathPlan")]
@@ -136,14 +121,7 @@ pub fn find_path(
     options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph3(&from, &to, &options)?;
-    let plain: Planning = read("The options", options)?;
-    let mut options = PathOptions::default();
-    if let Some(epsilon) = plain.epsilon {
-        options.epsilon = epsilon;
-    }
-    if let Some(size) = plain.size {
-        options.size = size as usize;
-    }
+    let options = read_planning(options)?;
     let plan = frond_locus::find_path3(&morph, &options)
         .map_err(|error| failure(error.code(), &error.to_string()))?;
     write_plan(&plan)
