@@ -3,8 +3,10 @@ import type { RefObject } from "preact";
 import { useRef } from "preact/hooks";
 import { pathPoints, selection, uv } from "#document/morph";
 import { endGesture } from "#document/scene";
+import { screen } from "#geometry/coordinates";
 import type { Uv } from "#geometry/path";
 import { hitHandle, nearestOn, pointOf } from "#geometry/polyline";
+import { pinched, wheelFactor } from "#ui/panZoom";
 import { scrubTo } from "../../strip/scrub";
 import { CURRENT_ID, handleId } from "../path/Handles";
 import { addAt, moveTo, pick, removeAt, way } from "../path/way";
@@ -101,12 +103,10 @@ export function useGestures(square: RefObject<HTMLElement | null>) {
   const pinch = (event: PointerEvent, before: Place) => {
     const other = [...down.current].find(([id]) => id !== event.pointerId)?.[1];
     if (!other) return;
-    const now = placeOf(event);
-    const apart = (p: Place) => Math.max(8, Math.hypot(p[0] - other[0], p[1] - other[1]));
-    const middle = (p: Place): Place => [(p[0] + other[0]) / 2, (p[1] + other[1]) / 2];
-    const [from, to] = [partsOf(middle(before)), partsOf(middle(now))];
+    const moved = pinched(screen(...before), screen(...placeOf(event)), screen(...other), 8);
+    const [from, to] = [partsOf([moved.from.x, moved.from.y]), partsOf([moved.to.x, moved.to.y])];
     panBy(from[0] - to[0], from[1] - to[1]);
-    zoomBy(apart(now) / apart(before), to);
+    zoomBy(moved.factor, to);
   };
 
   return {
@@ -218,9 +218,7 @@ export function useGestures(square: RefObject<HTMLElement | null>) {
       // At home there is no farther: the panel scrolls.
       if (view.peek().zoom === 1 && event.deltaY > 0) return;
       event.preventDefault();
-      const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1);
-      // A pinch on a touch pad arrives as a wheel with Ctrl held, in smaller steps.
-      zoomBy(Math.exp(-pixels * (event.ctrlKey ? 0.01 : 0.0022)), partsOf(placeOf(event)));
+      zoomBy(wheelFactor(event, 0.0022), partsOf(placeOf(event)));
       if (pointed.peek()?.by === "mouse") pointed.value = null;
     },
     // At home one finger scrolls the sheet; two, or one that looks around, must not.
