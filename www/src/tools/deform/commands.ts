@@ -1,12 +1,13 @@
 /** What keys do while the deformation tool is open. */
 import { deformation, phasePlaying } from "#document/deform/bend";
 import { edit } from "#document/scene";
-import { fitCommand } from "#stage/commands";
+import { fitCommand, handCommand } from "#stage/commands";
 import { type Command, everywhere } from "#ui/commands";
 import { type Timeline, timeCommands } from "#ui/strip/timeline";
 import type { Colouring } from "#wasm/api";
 import { pausePhase, playPhase, scrubPhase } from "./clock";
 import { gallery } from "./dialogs";
+import { hand } from "./mesh/handles/hand";
 import { gridShown } from "./mesh/shown";
 import { addKey } from "./strip/TimeOptions";
 import { withColouring } from "./tint";
@@ -61,6 +62,11 @@ export const commands: readonly Command[] = [
       gallery.value = true;
     },
   },
+  handCommand(hand, ["move", "pull", "choose"], {
+    label: "What a drag does, the next, the one before: move, pull, select",
+    group: SHAPE,
+    enabled: () => gridShown.peek(),
+  }),
   {
     id: "hide",
     label: "Hide the grid, show it",

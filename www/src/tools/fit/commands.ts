@@ -1,14 +1,13 @@
 /** What keys do while the fit is open. */
 import { fitDocument } from "#document/fit";
 import { redo, undo } from "#document/scene";
-import { fitCommand } from "#stage/commands";
+import { fitCommand, handCommand } from "#stage/commands";
 import { type Command, everywhere } from "#ui/commands";
-import { brushSize, type Hand, hand, painting } from "./stage/brush";
+import { brushSize, hand, painting } from "./stage/brush";
 import { fitStage } from "./stage/camera";
 import { comparing, cutting, knotsShown, outlineShown, photoShown } from "./stage/layers";
 import { canRedoStroke, canUndoStroke, redoStroke, undoStroke } from "./work/mask";
 
-const HANDS: readonly Hand[] = ["move", "keep", "remove"];
 const PICTURE = "Shape and picture";
 const CUTTING = "Cutting out";
 
@@ -53,16 +52,11 @@ const OUTLINE: readonly Command[] = [
     },
   },
   fitCommand(fitStage),
-  {
-    id: "hand",
-    label: "Move, keep, remove",
+  handCommand(hand, ["move", "keep", "remove"], {
+    label: "What a drag does, the next, the one before: move, keep, remove",
     group: CUTTING,
-    keys: ["1", "2", "3"],
     enabled: () => cutting.peek(),
-    run: (way) => {
-      hand.value = HANDS[way] ?? "move";
-    },
-  },
+  }),
   {
     id: "size",
     label: "A smaller brush, a larger one",

@@ -1,7 +1,7 @@
 /** What keys do while space is open. */
 import { EMPTY_LINE } from "#document/space/edits";
 import { hand, moment, timeline } from "#document/space/space";
-import { fitCommand } from "#stage/commands";
+import { fitCommand, handCommand } from "#stage/commands";
 import { type Command, everywhere } from "#ui/commands";
 import { type Timeline, timeCommands } from "#ui/strip/timeline";
 import { goToOrigin, showWhole } from "./stage/actions";
@@ -17,31 +17,16 @@ const TIME: Timeline = {
   stop: "key",
 };
 
-const HANDS = ["turn", "move", "scale"] as const;
 const DRAG = "What a drag does";
 const STAGE = "Where the picture has the focus";
 const PLACES = "Places to look from";
 const KEY = "Key, in focus";
 
 export const commands: readonly Command[] = [
-  {
-    id: "look",
-    label: "Look around",
+  handCommand(hand, ["look", "turn", "move", "scale"], {
+    label: "The next, the one before: look around; turn, move, scale the object",
     group: DRAG,
-    keys: ["1"],
-    run: () => {
-      hand.value = "look";
-    },
-  },
-  {
-    id: "hand",
-    label: "Turn, move, scale the object",
-    group: DRAG,
-    keys: ["2", "3", "4"],
-    run: (way) => {
-      hand.value = HANDS[way] ?? "turn";
-    },
-  },
+  }),
   { id: "drag-shift", label: "Held while dragging: shift what is seen", group: DRAG, keys: ["Shift"] },
   {
     id: "stage-move",
