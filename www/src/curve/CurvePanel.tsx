@@ -1,5 +1,5 @@
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
-import { EndCard } from "#ui/shapes/EndCard";
+import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
 import "#ui/shapes/ends.css";
 import "./curve.css";
 import { computed } from "@preact/signals";
@@ -10,7 +10,7 @@ import { backToSystems } from "#document/curve/edits";
 import { announce } from "#document/notice";
 import { edit, scene } from "#document/scene";
 import { CurveThumb } from "#stage/curve/CurveThumb";
-import { Button, IconButton } from "#ui/controls/Button";
+import { Button } from "#ui/controls/Button";
 import { Menu } from "#ui/overlay/Menu";
 import type { Colouring } from "#wasm/api";
 import { rough } from "#wasm/curve";
@@ -32,12 +32,8 @@ export function CurvePanel({ choose }: CurvePanelProps) {
     <>
       <section class="ends" aria-label="The two shapes">
         <Card end="a" choose={choose} />
-        <IconButton
-          icon="swap"
-          label="Swap A and B"
-          kind="quiet"
-          class="ends-swap"
-          onClick={() => {
+        <SwapEnds
+          onSwap={() => {
             edit(swapCurves);
             const now = scene.peek().curves;
             if (now) announce(`Swapped: from ${now.a.name} to ${now.b.name}.`);
@@ -120,7 +116,7 @@ function Way() {
     ["Dimension", figure(a.dimension), now ? figure(now.dimension) : "…", figure(b.dimension)],
   ];
   return (
-    <section class="curve-way" aria-labelledby="curve-way">
+    <section class="curve-way stack" aria-labelledby="curve-way">
       <header class="section-head">
         <h2 id="curve-way">Closed all the way</h2>
       </header>
@@ -180,7 +176,7 @@ const COLOUR_WORDS: Partial<Record<Colouring, string>> = {
 
 function Colours() {
   return (
-    <section class="curve-colours" aria-label="Colour">
+    <section class="stack" aria-label="Colour">
       <ChoiceRow
         label="Colour by"
         value={colouring.value}

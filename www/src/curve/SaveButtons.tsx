@@ -4,7 +4,7 @@ import { KINDS, save } from "./save";
 /** The curve of this moment as a file. */
 export function SaveButtons() {
   return (
-    <section class="curve-save" aria-label="Save this moment">
+    <section class="stack" aria-label="Save this moment">
       <span class="row-name" aria-hidden="true">
         Save this moment
       </span>

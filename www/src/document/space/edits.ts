@@ -1,14 +1,5 @@
 /** Edits of space. With a time line, what is done to an object is remembered at its moment; the view only when that is asked for. */
-import type {
-  Ease,
-  MapRow3,
-  Shape3,
-  Space,
-  SpaceFrame,
-  SpaceKey,
-  SpaceObject,
-  SpaceTimeline,
-} from "#wasm/api";
+import type { Ease, MapRow3, Space, SpaceFrame, SpaceKey, SpaceObject, SpaceTimeline } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { notify, wordsOf } from "../notice";
 import { edit, replace, scene } from "../scene";
@@ -130,21 +121,6 @@ export function changeMaps(maps: MapRow3[], options: Options = {}): void {
     (key, count) => ({ ...key, maps: withItem(key.maps, count, index, maps) }),
     options,
     (key, count) => (first ? { ...key, maps: withItem(key.maps, count, index, made) } : key),
-  );
-}
-
-/** Gives the chosen object other maps; it stays in its place. Throws where they have no attractor. */
-export function reshapeObject(shape: Shape3, options: Options = {}): void {
-  solid.validate3(shape.maps);
-  const index = chosen.peek();
-  editSpace(
-    (now) =>
-      changeObject(now, index, ({ moved, tint }) => ({
-        ...shape,
-        ...(moved ? { moved } : {}),
-        ...(tint ? { tint } : {}),
-      })),
-    options,
   );
 }
 

@@ -1,14 +1,6 @@
 /** Small sums with maps of space, where a figure or a field wants them at once. What must be exact is asked of the module. */
 import type { MapRow3, Point3 } from "#wasm/api";
 
-/** The places of a row: those of its matrix, row by row, then those of its translation. */
-export const MATRIX = [
-  [0, 1, 2],
-  [3, 4, 5],
-  [6, 7, 8],
-] as const;
-export const SHIFT = [9, 10, 11] as const;
-
 export function apply3(map: MapRow3, [x, y, z]: Point3): Point3 {
   return [
     map[0] * x + map[1] * y + map[2] * z + map[9],
@@ -77,8 +69,4 @@ export function about3(map: MapRow3, centre: Point3): MapRow3 {
   const [x, y, z] = turned(map, centre);
   const [a, b, c, d, e, f, g, h, i, mx, my, mz] = map;
   return [a, b, c, d, e, f, g, h, i, mx + centre[0] - x, my + centre[1] - y, mz + centre[2] - z];
-}
-
-export function same3(p: MapRow3, q: MapRow3): boolean {
-  return p.every((x, i) => x === q[i]);
 }

@@ -1,30 +1,34 @@
 import "./hold-button.css";
+import type { Signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
 
 export interface HoldButtonProps {
-  held: boolean;
-  onHold: (held: boolean) => void;
+  /** Whether it is. */
+  held: Signal<boolean>;
   /** What it does, and its key. */
   title: string;
   children: ComponentChildren;
 }
 
 /** Something else is seen while it is held, by a pointer or by a key. */
-export function HoldButton({ held, onHold, title, children }: HoldButtonProps) {
+export function HoldButton({ held, title, children }: HoldButtonProps) {
+  const hold = (on: boolean) => {
+    held.value = on;
+  };
+  const letGo = () => hold(false);
   // biome-ignore lint/correctness/useExhaustiveDependencies: what is held is let go when the button goes
-  useEffect(() => () => onHold(false), []);
-  const letGo = () => onHold(false);
+  useEffect(() => letGo, []);
   return (
     <button
       type="button"
       class="button hold-button"
-      aria-pressed={held}
+      aria-pressed={held.value}
       title={title}
       onPointerDown={(event) => {
         if (event.button !== 0) return;
         event.currentTarget.setPointerCapture(event.pointerId);
-        onHold(true);
+        hold(true);
       }}
       onPointerUp={letGo}
       onPointerCancel={letGo}
@@ -33,10 +37,10 @@ export function HoldButton({ held, onHold, title, children }: HoldButtonProps) {
       onKeyDown={(event) => {
         if (event.key !== " " && event.key !== "Enter") return;
         event.preventDefault();
-        onHold(true);
+        hold(true);
       }}
       onKeyUp={(event) => {
-        if (event.key === " " || event.key === "Enter") onHold(false);
+        if (event.key === " " || event.key === "Enter") hold(false);
       }}
       onBlur={letGo}
     >

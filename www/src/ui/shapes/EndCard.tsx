@@ -1,5 +1,6 @@
 import "./ends.css";
 import type { ComponentChildren } from "preact";
+import { IconButton } from "../controls/Button";
 
 export interface EndCardProps {
   end: "a" | "b";
@@ -47,5 +48,19 @@ export function EndCard(props: EndCardProps) {
         {children}
       </div>
     </div>
+  );
+}
+
+/** Between the two ends: each becomes the other. */
+export function SwapEnds({ onSwap, disabled = false }: { onSwap: () => void; disabled?: boolean }) {
+  return (
+    <IconButton
+      icon="swap"
+      label="Swap A and B"
+      kind="quiet"
+      class="ends-swap"
+      disabled={disabled}
+      onClick={onSwap}
+    />
   );
 }

@@ -1,10 +1,11 @@
 import { describe, expect, it } from "vitest";
-import { byPiece, fixedPointImages, graphOf, rangeOf, stepFor } from "./graphs";
+import { TABLE_1 as TABLE_1_GRAPH } from "#tools/fit/graph/printed";
+import { byPiece, fixedPointImages, rangeOf, stepFor } from "./graphs";
 import { TABLE_1 } from "./printed-tables";
 
 describe("the pieces of samples", () => {
   it("share the points where they meet", () => {
-    const graph = graphOf("fif", TABLE_1);
+    const graph = TABLE_1_GRAPH;
     const pieces = byPiece(graph, new Float64Array([-1, 0, -0.5, 1, 0, 2, 0.5, 3, 1, 4]));
     expect(pieces.map((piece) => [...piece])).toEqual([
       [-1, 0, -0.5, 1, 0, 2],
@@ -13,9 +14,7 @@ describe("the pieces of samples", () => {
   });
 
   it("are empty without samples", () => {
-    expect(byPiece(graphOf("fif", TABLE_1), new Float64Array(0)).map((piece) => piece.length)).toEqual([
-      0, 0,
-    ]);
+    expect(byPiece(TABLE_1_GRAPH, new Float64Array(0)).map((piece) => piece.length)).toEqual([0, 0]);
   });
 });
 

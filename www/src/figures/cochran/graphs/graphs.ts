@@ -1,14 +1,6 @@
 /** Graphs of fractal functions as the figures show them. */
 import type { Graph } from "#wasm/api";
-import { applied, type Piece, type ShearMap } from "./printed-tables";
-
-/** Maps with their domains as a graph. */
-export function graphOf(kind: Graph["kind"], pieces: readonly Piece[]): Graph {
-  return {
-    kind,
-    pieces: pieces.map(({ map, domain }) => ({ map: [...map] as ShearMap, domain: [...domain] })),
-  };
-}
+import { applied, type Piece } from "./printed-tables";
 
 /** The part of t that a piece covers. */
 export function rangeOfPiece({ map: [a, , , d], domain: [alpha, beta] }: Graph["pieces"][number]) {

@@ -11,8 +11,9 @@ import type { Colouring, Tint } from "#wasm/api";
 import { MOST_ROUGHNESS } from "../changes";
 import { deepest, ringed, rough } from "../facts";
 import { chosen } from "../mesh/handles/chosen";
+import { DetailField, LocalityField } from "../settings/ScaleFields";
 import { blended, cornersOf, firstTint, isBlended, withColouring, withCorner } from "../tint";
-import { detailWords, localityWords, roughnessWords } from "../words";
+import { roughnessWords } from "../words";
 
 const COLOURINGS: readonly { value: Colouring; label: string; description: string }[] = [
   { value: "map", label: "Map", description: "One colour for each of the largest copies" },
@@ -38,7 +39,7 @@ const rows = computed(() => deformation.value.rows);
 export function ColourPanel() {
   if (subject.value === "picture") return null;
   return (
-    <section class="colour-panel" aria-label="Colour">
+    <section class="stack" aria-label="Colour">
       <ChoiceRow
         label="Colour by"
         value={ringed.value && colouring.value === "grid" ? "density" : colouring.value}
@@ -123,14 +124,11 @@ function GridColours({ now }: { now: Tint }) {
 
 function TintNumbers({ now }: { now: Tint }) {
   return (
-    <div class="tint-numbers">
-      <SliderField
+    <div class="stack">
+      <LocalityField
         label="Locality of colours"
-        symbol="kb"
         value={now.kb}
-        max={now.ke}
-        step={0.1}
-        words={localityWords(now.kb, now.ke)}
+        ke={now.ke}
         onChange={(kb) => changeTint((tint) => ({ ...tint, kb: Math.min(kb, tint.ke) }), "tint kb")}
       />
       <SliderField
@@ -141,13 +139,10 @@ function TintNumbers({ now }: { now: Tint }) {
         words={roughnessWords(now.delta, rough.value)}
         onChange={(delta) => changeTint((tint) => ({ ...tint, delta }), "tint delta")}
       />
-      <SliderField
+      <DetailField
         label="Detail of colours"
-        symbol="ke"
         value={now.ke}
-        max={deepest.value}
-        step={0.1}
-        words={detailWords(now.ke)}
+        deepest={deepest.value}
         onChange={(ke) => changeTint((tint) => ({ ...tint, ke, kb: Math.min(tint.kb, ke) }), "tint ke")}
       />
       <Switch

@@ -25,7 +25,7 @@ const rests = computed(() => mesh.value.moves.every((x) => x === 0));
 /** The grid itself: what is chosen in numbers, how the hand edits, how many handles there are. */
 export function GridPanel() {
   return (
-    <section class="grid-panel" aria-label="Grid">
+    <section class="grid-panel stack" aria-label="Grid">
       <div class="section-head">
         <h2>Grid</h2>
         <Switch

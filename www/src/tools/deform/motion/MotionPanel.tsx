@@ -20,7 +20,7 @@ const now = computed(() => {
 /** Motions to begin with, and, where the strip has no room for it, what belongs to time. */
 export function MotionPanel() {
   return (
-    <section class="motions" aria-label="Motion">
+    <section class="stack" aria-label="Motion">
       <div class="section-head">
         <h2>Motion</h2>
         <span class="hint">{now.value === null ? `${keys.value.length} key frames of your own` : ""}</span>

@@ -15,7 +15,7 @@ export function PicturePanel() {
   useEffect(() => listenForFiles(take), []);
   const shown = photograph.value;
   return (
-    <section class="picture-panel" aria-label="Your picture">
+    <section class="picture-panel stack" aria-label="Your picture">
       <SubjectCard
         picture={<Thumbnail bitmap={useThumbnail(shown)} />}
         name={shown?.name ?? "Drawing the sample …"}

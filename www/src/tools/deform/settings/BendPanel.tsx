@@ -10,8 +10,9 @@ import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { MOST_ROUGHNESS, withCorners, withDetail, withLocality } from "../changes";
 import { deepest, problem, rough } from "../facts";
-import { detailWords, localityWords, roughnessWords } from "../words";
+import { roughnessWords } from "../words";
 import { PlainButton } from "./PlainButton";
+import { DetailField, LocalityField } from "./ScaleFields";
 
 const kb = computed(() => deformation.value.kb);
 const ke = computed(() => deformation.value.ke);
@@ -21,7 +22,7 @@ const superposed = computed(() => deformation.value.superposed);
 /** How the displacements are handed on to the small parts. */
 export function BendPanel() {
   return (
-    <section class="bend-panel" aria-label="Bend">
+    <section class="stack" aria-label="Bend">
       <div class="section-head">
         <h2>How the parts answer</h2>
         <PlainButton />
@@ -49,13 +50,10 @@ export function BendPanel() {
 
 function Locality() {
   return (
-    <SliderField
+    <LocalityField
       label="Locality"
-      symbol="kb"
       value={kb.value}
-      max={ke.value}
-      step={0.1}
-      words={localityWords(kb.value, ke.value)}
+      ke={ke.value}
       ends={["scattered: every part answers", "plain"]}
       onChange={(next) => changeDeformation((d) => withLocality(d, next), { gesture: "kb" })}
     />
@@ -65,13 +63,10 @@ function Locality() {
 function Detail() {
   const wished = useRef<number | null>(null);
   return (
-    <SliderField
+    <DetailField
       label="Detail"
-      symbol="ke"
       value={ke.value}
-      max={deepest.value}
-      step={0.1}
-      words={detailWords(ke.value)}
+      deepest={deepest.value}
       ends={["the whole", "the smallest parts"]}
       onChange={(next) => {
         wished.current ??= kb.peek();
@@ -96,7 +91,7 @@ const CORNERS = [
 function Roughness() {
   const now = delta.value;
   return (
-    <div class="roughness">
+    <div class="stack">
       {Array.isArray(now) ? (
         <fieldset class="corners">
           <legend class="row-name">

@@ -4,13 +4,7 @@ import { HoldButton } from "#ui/controls/HoldButton";
 /** While it is held, the bend is the plain one: nothing is shuffled. */
 export function PlainButton() {
   return (
-    <HoldButton
-      held={heldPlain.value}
-      onHold={(held) => {
-        heldPlain.value = held;
-      }}
-      title="Hold to see the plain bend, in which only the whole answers"
-    >
+    <HoldButton held={heldPlain} title="Hold to see the plain bend, in which only the whole answers">
       Hold for plain
     </HoldButton>
   );

@@ -37,7 +37,7 @@ const t = computed(() => scene.value.t);
 /** What is bent: a shape, the morph as it stands, or a picture. */
 export function ShapePanel() {
   return (
-    <section class="shape-panel" aria-label="What is bent">
+    <section class="shape-panel stack" aria-label="What is bent">
       <Segmented
         label="What is bent"
         value={subject.value}

@@ -4,6 +4,7 @@ import { announce } from "#document/notice";
 import { endGesture } from "#document/scene";
 import { Button, IconButton } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
+import { PercentField } from "#ui/strip/PercentField";
 import { withKey, withKeyAt, withLoop, withoutKey } from "../changes";
 import { pausePhase, scrubPhase } from "../clock";
 import { percentWords } from "./words";
@@ -13,17 +14,7 @@ export function TimeOptions() {
   const { phase, seconds, loop } = deformation.value;
   return (
     <div class="time-options">
-      <NumberField
-        terse
-        label="Time in percent"
-        value={100 * phase}
-        min={0}
-        max={100}
-        step={1}
-        digits={1}
-        unit="%"
-        onChange={(percentage) => scrubPhase(percentage / 100)}
-      />
+      <PercentField label="Time in percent" value={phase} onChange={scrubPhase} />
       <NumberField
         terse
         label="Seconds once through"

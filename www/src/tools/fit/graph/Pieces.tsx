@@ -43,7 +43,7 @@ const ALL = 12;
 export function FunctionSection() {
   const now = model.value;
   return (
-    <section class="graph-function">
+    <section class="stack">
       <div class="section-head">
         <h2>The function</h2>
         <Button kind="quiet" icon="reset" disabled={isFirst.value} onClick={() => take(FIRST)}>

@@ -25,7 +25,7 @@ import { former, opened, takeFormer } from "../work/source";
 export function CutPanel() {
   if (!opened.value) return null;
   return (
-    <section class="cut-panel" aria-label="Cut out">
+    <section class="cut-panel stack" aria-label="Cut out">
       <Segmented
         label="Step"
         value={step.value}
@@ -123,7 +123,7 @@ const HANDS: readonly { value: Hand; label: string; description: string }[] = [
 
 function Brush() {
   return (
-    <div class="brush">
+    <div class="stack">
       <ChoiceRow
         label="Brush"
         name="What a drag on the picture does"

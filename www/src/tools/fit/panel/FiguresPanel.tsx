@@ -26,7 +26,7 @@ const closed = computed(() => fitDocument.value.model === "closed");
 export function FiguresPanel() {
   if (cutting.value) return null;
   return (
-    <section class="figures-panel" aria-label="How near it is">
+    <section class="stack" aria-label="How near it is">
       <div class="section-head">
         <h2>How near it is</h2>
         <Progress />

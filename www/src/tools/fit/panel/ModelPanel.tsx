@@ -15,7 +15,7 @@ export function ModelPanel() {
   if (cutting.value) return null;
   const { model } = fitDocument.value;
   return (
-    <section class="model-panel" aria-label="Model">
+    <section class="model-panel stack" aria-label="Model">
       <div class="section-head">
         <h2>Fitted with</h2>
       </div>
@@ -58,7 +58,7 @@ function Collage() {
   const done = collage.value;
   const fresh = done !== null && done.of === prepared.value;
   return (
-    <div class="collage-options">
+    <div class="stack">
       <div class="row">
         <span class="collage-numbers">
           <NumberField

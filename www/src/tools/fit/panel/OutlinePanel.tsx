@@ -14,7 +14,7 @@ export function OutlinePanel() {
   const { smoothing } = fitDocument.value;
   const crossings = prepared.value?.crossings;
   return (
-    <section class="outline-panel" aria-label="The outline">
+    <section class="stack" aria-label="The outline">
       <div class="section-head">
         <h2>The outline</h2>
       </div>

@@ -18,7 +18,7 @@ export function SourcePanel() {
   const now = source.value;
   const back = former.value;
   return (
-    <section class="source-panel" aria-label="What is fitted">
+    <section class="stack" aria-label="What is fitted">
       <div class="source-card">
         <span class="source-name">{now.name}</span>
         <span class="source-about">{aboutOf(now, prepared.value?.points.length ?? null)}</span>
@@ -53,7 +53,7 @@ const EXAMPLES: readonly { grown: Grown; name: string; about: string }[] = [
 function Examples() {
   const now = source.value;
   return (
-    <div class="examples">
+    <div class="examples stack">
       <span class="row-name" id="examples-name">
         Or one grown here
       </span>

@@ -11,7 +11,7 @@ export function UsePanel() {
   const closed = fitDocument.value.model === "closed";
   const ready = closed ? shownFit.value !== null : shownFigures.value !== null;
   return (
-    <section class="use-panel" aria-label="Use it">
+    <section class="stack" aria-label="Use it">
       <div class="section-head">
         <h2>Use it</h2>
       </div>

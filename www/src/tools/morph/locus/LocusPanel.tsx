@@ -28,12 +28,7 @@ export function LocusBeside() {
       <h2 id="beside-title" class="beside-title">
         Where the morph holds together
       </h2>
-      <div class="locus-plot">
-        <Ticks axis="v" />
-        <LocusSquare style={style.value} />
-        <Ticks axis="u" />
-      </div>
-      <Legend states={states.value} epsilon={epsilon.value} style={style.value} />
+      <Plot />
     </section>
   );
 }
@@ -45,15 +40,23 @@ export function LocusPanel() {
     <section class="locus" aria-labelledby="locus-title">
       <LocusHead id="locus-title" style={style} />
       <Planes />
+      <Plot />
+      <Now />
+      {family.value === "morph" ? <Slice /> : <FamilyNotes />}
+      <WindowNumbers />
+    </section>
+  );
+}
+
+function Plot() {
+  return (
+    <>
       <div class="locus-plot">
         <Ticks axis="v" />
         <LocusSquare style={style.value} />
         <Ticks axis="u" />
       </div>
       <Legend states={states.value} epsilon={epsilon.value} style={style.value} />
-      <Now />
-      {family.value === "morph" ? <Slice /> : <FamilyNotes />}
-      <WindowNumbers />
-    </section>
+    </>
   );
 }

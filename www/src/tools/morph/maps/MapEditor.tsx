@@ -1,3 +1,4 @@
+import { MapList, MapTools } from "#ui/shapes/MapList";
 import "./maps.css";
 import { useState } from "preact/hooks";
 import { selection } from "#document/morph";
@@ -66,45 +67,32 @@ export function MapEditor({ target, chosen }: { target: End; chosen: number | nu
       gesture,
     );
 
-  const tools = (index: number, map: MapRow) => (
-    <div class="map-tools">
-      <IconButton
-        icon="copy"
-        label="Duplicate this map"
-        kind="quiet"
-        disabled={maps.length >= MOST_MAPS}
-        onClick={() =>
-          press([...maps, map], maps.length, `Map ${maps.length + 1} is a copy of map ${index + 1}.`)
-        }
-      />
-      <IconButton
-        icon="reflect"
-        label="Mirror this map"
-        kind="quiet"
-        onClick={() => {
-          const mirrored = reflect(map, middle(maps)[0]);
-          press(
-            maps.map((old, i) => (i === index ? mirrored : old)),
-            index,
-            `Map ${index + 1} is mirrored.`,
-          );
-        }}
-      />
-      <IconButton
-        icon="bin"
-        label="Remove this map"
-        kind="quiet"
-        disabled={maps.length < 2}
-        onClick={() =>
-          press(
-            maps.filter((_, i) => i !== index),
-            Math.max(0, index - 1),
-            `Map ${index + 1} is removed.`,
-          )
-        }
-      />
-    </div>
-  );
+  const mirror = (index: number, map: MapRow) =>
+    press(maps.with(index, reflect(map, middle(maps)[0])), index, `Map ${index + 1} is mirrored.`);
+
+  const fields = (index: number) => {
+    const map = maps[index];
+    const Fields = form === "parts" ? PartFields : NumberFields;
+    return (
+      map && (
+        <>
+          <Fields
+            map={map}
+            onChange={(next, field) => change(index, next, `map-${target}-${index}-${field}`)}
+            onDone={endGesture}
+          />
+          <MapTools maps={maps} index={index} most={MOST_MAPS} onPress={press}>
+            <IconButton
+              icon="reflect"
+              label="Mirror this map"
+              kind="quiet"
+              onClick={() => mirror(index, map)}
+            />
+          </MapTools>
+        </>
+      )
+    );
+  };
 
   return (
     <section class="editor" aria-label={`Maps of shape ${nameOf(target)}`}>
@@ -134,37 +122,14 @@ export function MapEditor({ target, chosen }: { target: End; chosen: number | nu
           { value: "numbers", label: "Six numbers" },
         ]}
       />
-      <ol class="maps">
-        {maps.map((map, index) => {
-          const open = chosen === index;
-          const Fields = form === "parts" ? PartFields : NumberFields;
-          return (
-            // Maps have no name but their number: it is their key.
-            <li key={index} class={`map ${open ? "open" : ""}`}>
-              <button
-                type="button"
-                class="map-head"
-                aria-expanded={open}
-                onClick={() => pick(open ? null : index)}
-              >
-                <Swatch map={index} />
-                <span class="unseen">Map {index + 1}: </span>
-                <span class="map-words">{mapWords(map)}</span>
-              </button>
-              {open && (
-                <div class="map-body">
-                  <Fields
-                    map={map}
-                    onChange={(next, field) => change(index, next, `map-${target}-${index}-${field}`)}
-                    onDone={endGesture}
-                  />
-                  {tools(index, map)}
-                </div>
-              )}
-            </li>
-          );
-        })}
-      </ol>
+      <MapList
+        numbered
+        maps={maps.map(mapWords)}
+        open={chosen}
+        onOpen={pick}
+        swatch={(index) => <Swatch map={index} />}
+        fields={fields}
+      />
       {problem !== null && (
         <p class="problem" role="alert">
           {problem}

@@ -1,4 +1,4 @@
-import { EndCard } from "#ui/shapes/EndCard";
+import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
 import "#ui/shapes/ends.css";
 import { thumbnails } from "#compute/results";
 import { selection } from "#document/morph";
@@ -16,12 +16,8 @@ export function Ends() {
   return (
     <section class="ends" aria-label="The two shapes">
       <Card end="a" />
-      <IconButton
-        icon="swap"
-        label="Swap A and B"
-        kind="quiet"
-        class="ends-swap"
-        onClick={() => {
+      <SwapEnds
+        onSwap={() => {
           edit(swap);
           announce(`Swapped: from ${scene.peek().a.name} to ${scene.peek().b.name}.`);
         }}

@@ -1,3 +1,4 @@
+import { PercentField } from "#ui/strip/PercentField";
 import { PlayButton } from "#ui/strip/PlayButton";
 import "#ui/strip/strip.css";
 import "./strip.css";
@@ -10,7 +11,6 @@ import { endGesture, scene } from "#document/scene";
 import { percent } from "#format/path-words";
 import { shareWords } from "#format/verdict";
 import { IconButton } from "#ui/controls/Button";
-import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
 import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
@@ -104,18 +104,7 @@ const SPEEDS = [
 export function PlaybackOptions() {
   return (
     <div class="playback">
-      <NumberField
-        terse
-        label="Time in percent"
-        value={100 * scene.value.t}
-        min={0}
-        max={100}
-        step={1}
-        digits={1}
-        unit="%"
-        onChange={(percentage) => scrubTo(percentage / 100)}
-        onDone={endGesture}
-      />
+      <PercentField label="Time in percent" value={scene.value.t} onChange={scrubTo} onDone={endGesture} />
       <IconButton
         icon="loop"
         label="Back and forth for ever"

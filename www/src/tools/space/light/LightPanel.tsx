@@ -42,7 +42,7 @@ function Light() {
   const now = light.value;
   if (!now) return null;
   return (
-    <section class="light-panel" aria-label="Light and colour">
+    <section class="light-panel stack" aria-label="Light and colour">
       <div class="section-head">
         <h2>Light and colour</h2>
         <Button
@@ -128,7 +128,7 @@ function Background() {
   const set = (background: string, gesture?: string) =>
     changeSpace((all) => ({ ...all, background }), gesture === undefined ? {} : { gesture });
   return (
-    <section class="light-panel" aria-label="Background">
+    <section class="light-panel stack" aria-label="Background">
       <div class="section-head">
         <h2>Background</h2>
         {choice === "own" && (

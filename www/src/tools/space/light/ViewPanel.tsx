@@ -21,7 +21,7 @@ export function ViewPanel() {
   const problems = { id: "space-view-problem", tell: setProblem };
   const set = (part: Partial<SpaceView>) => changeView((now) => ({ ...now, ...part }));
   return (
-    <section class="light-panel" aria-label="View">
+    <section class="light-panel stack" aria-label="View">
       <div class="section-head">
         <h2>View</h2>
         <Button kind="quiet" icon="reset" description="The view as at first" onClick={() => setView(null)}>

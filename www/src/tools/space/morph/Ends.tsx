@@ -1,10 +1,9 @@
-import { EndCard } from "#ui/shapes/EndCard";
+import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
 import "#ui/shapes/ends.css";
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { announce, notify, wordsOf } from "#document/notice";
 import { changeSpace } from "#document/space/edits";
 import { choose, editSpace, space } from "#document/space/space";
-import { IconButton } from "#ui/controls/Button";
 import { Dialog } from "#ui/overlay/Dialog";
 import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
@@ -42,13 +41,9 @@ export function Ends() {
           setOpen("a");
         }}
       />
-      <IconButton
-        icon="swap"
-        label="Swap A and B"
-        kind="quiet"
-        class="ends-swap"
+      <SwapEnds
         disabled={!b || b.maps.length !== a.maps.length}
-        onClick={() => {
+        onSwap={() => {
           changeSpace(swapped);
           const now = space.peek();
           announce(`Swapped: from ${now?.objects[0]?.name} to ${now?.morph?.to.name}.`);

@@ -3,9 +3,9 @@ import { timeline } from "#document/space/space";
 import { fixed } from "#format/numbers";
 import { percent } from "#format/path-words";
 import { IconButton } from "#ui/controls/Button";
-import { NumberField } from "#ui/controls/NumberField";
 import { Slider } from "#ui/controls/Slider";
 import { SliderBreaks } from "#ui/controls/SliderMarks";
+import { PercentField } from "#ui/strip/PercentField";
 import { Holds } from "./Holds";
 import { morphPlaying, pause, play } from "./play";
 import { goTo, stateNow } from "./way";
@@ -40,18 +40,12 @@ export function MomentPanel() {
         >
           <SliderBreaks breaks={check.value?.breaks ?? []} />
         </Slider>
-        <NumberField
-          terse
+        <PercentField
           label="Place along the path in percent"
-          value={100 * t}
-          min={0}
-          max={100}
-          step={1}
-          digits={1}
-          unit="%"
+          value={t}
           onChange={(next) => {
             pause();
-            goTo(next / 100);
+            goTo(next);
           }}
           onDone={endGesture}
         />

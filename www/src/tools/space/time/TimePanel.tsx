@@ -24,7 +24,7 @@ const COURSES = [
 export function TimePanel() {
   const line = timeline.value;
   return (
-    <section class="time-panel" aria-label="Time and keys">
+    <section class="stack" aria-label="Time and keys">
       <div class="section-head">
         <h2>Time</h2>
         <ExportButton />

@@ -17,7 +17,7 @@ export function CandidateList() {
     .map((cluster, index) => ({ cluster, index }))
     .filter(({ index }) => all.value || index < FEW || isPicked(index) || index === chosen.value);
   return (
-    <div class="graph-candidates">
+    <div class="stack">
       <ul aria-label="Candidates, the most hits first">
         {shown.map(({ cluster, index }) => (
           <Row key={index} cluster={cluster} index={index} />

@@ -25,7 +25,7 @@ import { cancel, featuresChanged, find, problem, reflected, running } from "./se
 export function FindSection() {
   const now = series.value;
   return (
-    <section class="graph-find">
+    <section class="graph-find stack">
       <div class="section-head">
         <h2>Find the maps of a series</h2>
       </div>

@@ -30,7 +30,7 @@ export function FoundSection() {
   const counting = live.value;
   if (!counting && (!now || !current.value)) return null;
   return (
-    <section class="graph-found">
+    <section class="stack">
       <div class="section-head">
         <h2>Clusters of votes</h2>
         {now && !running.value && (

@@ -96,7 +96,7 @@ const KINDS = [
 export function HandPanel() {
   const now = kind.value;
   return (
-    <section class="solid-part" aria-label="Move its parameters">
+    <section class="stack" aria-label="Move its parameters">
       <div class="section-head">
         <h2>Move its parameters</h2>
         <Button

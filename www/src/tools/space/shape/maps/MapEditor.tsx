@@ -5,7 +5,8 @@ import { changeMaps, hasKeyedMaps, reshapeSpace, tellOfMorph } from "#document/s
 import { chosen, editSpace, space, spaceFrame, timeline } from "#document/space/space";
 import { formatNumber } from "#format/numbers";
 import { about3, determinant3, scale3 } from "#geometry/maps/affine3";
-import { Button, IconButton } from "#ui/controls/Button";
+import { Button } from "#ui/controls/Button";
+import { MapList, MapTools } from "#ui/shapes/MapList";
 import type { MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { MOST_MAPS, withShape } from "../changes";
@@ -57,66 +58,34 @@ export function MapEditor() {
     setOpen(then);
     announce(said);
   };
+  const fields = (index: number) => {
+    const map = maps[index];
+    return (
+      map && (
+        <>
+          <TwelveFields
+            map={map}
+            onChange={(next, place) => offer(maps.with(index, next), `map ${index} ${place}`)}
+            onDone={endGesture}
+          />
+          <MapTools maps={maps} index={index} most={MOST_MAPS} onPress={press} />
+        </>
+      )
+    );
+  };
   return (
-    <div class="solid-part">
+    <div class="stack">
       <p class="hint">
         As made, before it was moved. Fractions and roots are read too: 1/3, √3/2.
         {timeline.value && " With a time line, numbers that you change are kept at this moment."}
       </p>
-      <ol class="solid-maps">
-        {maps.map((map, index) => (
-          // Maps have no name but their number: it is their key.
-          <li key={index} class={`solid-map ${open === index ? "open" : ""}`}>
-            <button
-              type="button"
-              class="solid-map-head"
-              aria-expanded={open === index}
-              onClick={() => setOpen(open === index ? null : index)}
-            >
-              <Swatch map={index} />
-              <span>Map {index + 1}</span>
-              <span class="solid-map-words">{mapWords(map)}</span>
-            </button>
-            {open === index && (
-              <div class="solid-map-body">
-                <TwelveFields
-                  map={map}
-                  onChange={(next, place) => offer(maps.with(index, next), `map ${index} ${place}`)}
-                  onDone={endGesture}
-                />
-                <div class="solid-map-tools">
-                  <IconButton
-                    icon="copy"
-                    label="Duplicate this map"
-                    kind="quiet"
-                    disabled={maps.length >= MOST_MAPS}
-                    onClick={() =>
-                      press(
-                        [...maps, map],
-                        maps.length,
-                        `Map ${maps.length + 1} is a copy of map ${index + 1}.`,
-                      )
-                    }
-                  />
-                  <IconButton
-                    icon="bin"
-                    label="Remove this map"
-                    kind="quiet"
-                    disabled={maps.length < 2}
-                    onClick={() =>
-                      press(
-                        maps.filter((_, i) => i !== index),
-                        Math.max(0, index - 1),
-                        `Map ${index + 1} is removed.`,
-                      )
-                    }
-                  />
-                </div>
-              </div>
-            )}
-          </li>
-        ))}
-      </ol>
+      <MapList
+        maps={maps.map(mapWords)}
+        open={open}
+        onOpen={setOpen}
+        swatch={(index) => <Swatch map={index} />}
+        fields={fields}
+      />
       {problem !== null && (
         <p class="problem" role="alert">
           {problem}

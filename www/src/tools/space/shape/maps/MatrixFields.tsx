@@ -19,7 +19,7 @@ export function MatrixFields() {
   const shown = typed ?? now;
   const times = determinant3(shown);
   return (
-    <div class="solid-part">
+    <div class="stack">
       <p class="hint">All that was done to it: x′ = A x + b.</p>
       <TwelveFields
         map={shown}

@@ -33,7 +33,7 @@ export function ParameterTable() {
   const shown = all.value ? maps : maps.slice(0, FEW);
   const numbers = 12 * maps.length;
   return (
-    <section class="solid-part" aria-label="Its parameters">
+    <section class="stack" aria-label="Its parameters">
       <div class="section-head">
         <h2>Its parameters</h2>
         <Segmented

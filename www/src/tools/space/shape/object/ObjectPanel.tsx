@@ -30,7 +30,7 @@ export function ObjectPanel() {
     [name, maps],
   );
   return (
-    <section class="solid-part" aria-label="Objects">
+    <section class="stack" aria-label="Objects">
       <SubjectCard
         picture={<Thumbnail bitmap={pictures.value.get("chosen")} />}
         name={now?.name}

@@ -55,7 +55,7 @@ export function ProjectionPanel() {
   const now = direction.value;
   const others = kept.value.filter((one) => !AXES.some((axis) => near(axis, one))).slice(0, 6);
   return (
-    <div class="solid-part">
+    <div class="stack">
       <p class="hint">Light from far away, along {axisWords(now)}: what falls on the wall behind?</p>
       <fieldset class="solid-buttons" aria-label="Direction of the light">
         {AXES.map((axis) => (

@@ -1,0 +1,87 @@
+import "./map-list.css";
+import type { ComponentChildren } from "preact";
+import { IconButton } from "../controls/Button";
+
+export interface MapListProps {
+  /** Each map at a glance. */
+  maps: readonly string[];
+  /** Whose fields are shown. */
+  open: number | null;
+  onOpen: (index: number | null) => void;
+  /** Its sign, which may be seen for its number. */
+  swatch: (index: number) => ComponentChildren;
+  /** Whether that is so. */
+  numbered?: boolean;
+  /** The fields of the open one. */
+  fields: (index: number) => ComponentChildren;
+}
+
+/** Maps under each other, one of which is open. */
+export function MapList({ maps, open, onOpen, swatch, numbered = false, fields }: MapListProps) {
+  return (
+    <ol class="maps">
+      {maps.map((words, index) => (
+        // Maps have no name but their number: it is their key.
+        <li key={index} class={`map ${open === index ? "open" : ""}`}>
+          <button
+            type="button"
+            class="map-head"
+            aria-expanded={open === index}
+            onClick={() => onOpen(open === index ? null : index)}
+          >
+            {swatch(index)}
+            {numbered ? <span class="unseen">Map {index + 1}: </span> : <span>Map {index + 1}</span>}
+            <span class="map-words">{words}</span>
+          </button>
+          {open === index && <div class="map-body">{fields(index)}</div>}
+        </li>
+      ))}
+    </ol>
+  );
+}
+
+export interface MapToolsProps<Row> {
+  maps: readonly Row[];
+  index: number;
+  /** How many there may be. */
+  most: number;
+  /** Takes other maps, opens one of them and says what was done. */
+  onPress: (next: Row[], open: number, said: string) => void;
+  /** What else can be done to it. */
+  children?: ComponentChildren;
+}
+
+/** What can be done to one map of several. */
+export function MapTools<Row>({ maps, index, most, onPress, children }: MapToolsProps<Row>) {
+  return (
+    <div class="map-tools">
+      <IconButton
+        icon="copy"
+        label="Duplicate this map"
+        kind="quiet"
+        disabled={maps.length >= most}
+        onClick={() =>
+          onPress(
+            [...maps, ...maps.slice(index, index + 1)],
+            maps.length,
+            `Map ${maps.length + 1} is a copy of map ${index + 1}.`,
+          )
+        }
+      />
+      {children}
+      <IconButton
+        icon="bin"
+        label="Remove this map"
+        kind="quiet"
+        disabled={maps.length < 2}
+        onClick={() =>
+          onPress(
+            maps.filter((_, i) => i !== index),
+            Math.max(0, index - 1),
+            `Map ${index + 1} is removed.`,
+          )
+        }
+      />
+    </div>
+  );
+}
