@@ -53,7 +53,7 @@ function Gap({ answer, epsilon, marked }: { answer: Connectedness; epsilon: numb
       <line class="gap-line" x1={p.x} y1={p.y} x2={q.x} y2={q.y} />
       {/* The ends stand off a little, so that the points themselves stay free. */}
       <circle class="gap-ring" cx={middle.x} cy={middle.y} r={radius} />
-      <text class="gap-label" x={middle.x + radius + 6} y={middle.y + 4}>
+      <text class="gap-label cased" x={middle.x + radius + 6} y={middle.y + 4}>
         {shareWords(shareOf(answer))}
       </text>
     </g>

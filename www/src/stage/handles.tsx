@@ -102,7 +102,7 @@ function OneMap({ index, map, colour, chosen }: OneMapProps) {
         ref={useGrip(index, "origin", choose)}
       />
       <path class="edge" d={outline(corners)} />
-      <text class="number-label" x={middle.x} y={middle.y + 5}>
+      <text class="number-label cased" x={middle.x} y={middle.y + 5}>
         {index + 1}
       </text>
       {chosen &&

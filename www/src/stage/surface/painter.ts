@@ -7,6 +7,7 @@ import { type Backend, createRenderer, type Renderer } from "#wasm/renderer";
 import type { Channel } from "#workers/pool/protocol";
 import { Accelerated } from "./accelerated";
 import { Fallback } from "./fallback";
+import { explainMissing } from "./missing";
 import { Preview } from "./preview";
 import type { Pixels, Surface } from "./surface";
 
@@ -138,7 +139,7 @@ export class Painter {
         surface = new Accelerated(mine, canvas);
         this.#set({ backend: mine.backend });
       } catch (problem) {
-        this.#explain(problem);
+        explainMissing(problem);
       }
     }
     if (!surface) {
@@ -168,16 +169,6 @@ export class Painter {
     this.#preview?.close();
     this.#preview = null;
     if (this.#canvas) this.#canvas.style.opacity = "";
-  }
-
-  #explain(problem: unknown): void {
-    const missing = (problem as { code?: unknown } | null)?.code === "no-gpu";
-    notify({
-      kind: "info",
-      text: missing
-        ? "The graphics card is not available, so that the picture is computed without it, slower. Switching on hardware acceleration in the browser's settings brings it back."
-        : `The renderer could not be loaded (${wordsOf(problem)}), so that the picture is computed without it, slower. Reloading the page tries again.`,
-    });
   }
 
   #lost(renderer: Renderer, reason: string): void {

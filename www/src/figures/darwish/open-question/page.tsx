@@ -134,7 +134,7 @@ function Meeting({ pair, met, stale }: MeetingProps) {
   const [a, b] = pair.names;
   const colours = palette(useValue(dark) ? "dark" : "light");
   return (
-    <div class={css["meet-pictures"]}>
+    <div class="stack">
       <MeetView
         layers={layers}
         view={view}

@@ -17,6 +17,7 @@ import { Sway, useSway } from "./sway";
 
 const BOX: Box = { x0: -5.3, y0: -0.5, x1: 5.3, y1: 10.4 };
 const ASPECT = (BOX.x1 - BOX.x0) / (BOX.y1 - BOX.y0);
+const SHAPE = { maps: FERN, box: BOX, aspect: ASPECT };
 /** The fern itself, and where the names of its pieces stand: in the middle, on the two lowest leaves, and on the stem. */
 const REST: Box = { x0: -2.2, y0: 0, x1: 2.7, y1: 10 };
 const NAMES: readonly Point[] = [
@@ -61,7 +62,7 @@ export function Page(heading: Heading) {
     [spin],
   );
   const bend = useMemo(() => bendAt(swayOf({ ...B, spin }), sway.t), [spin, sway.t]);
-  const framed = { name: "B", maps: FERN, bend, box: BOX, lenses: LENSES };
+  const framed = { name: "B", ...SHAPE, bend, lenses: LENSES };
   return (
     <Frame
       {...heading}
@@ -109,17 +110,15 @@ export function Page(heading: Heading) {
         <Choice<Spin> label="Rotation" options={SPINS} value={spin} onChange={setSpin} />
       </div>
       <Panels
+        {...SHAPE}
         panels={PANELS}
-        maps={FERN}
-        box={BOX}
         t={sway.t}
-        aspect={ASPECT}
         columns={3}
         deformationOf={deformationOf}
         name="The fern"
         moment={`at ${fixed(sway.t)} of one sway`}
       >
-        <WithFrames {...framed} aspect={ASPECT} />
+        <WithFrames {...framed} />
       </Panels>
       <Magnified {...framed} />
       <div class={magnifiedCss["magnified"]}>

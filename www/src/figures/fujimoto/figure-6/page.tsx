@@ -19,6 +19,7 @@ const BOX: Box = { x0: -1.05, y0: -1.42, x1: 2.9, y1: 1.75 };
 /** The dragon itself. */
 const REST: Box = { x0: -0.77, y0: -0.42, x1: 1.77, y1: 1.42 };
 const ASPECT = (BOX.x1 - BOX.x0) / (BOX.y1 - BOX.y0);
+const SHAPE = { maps: TWIN, box: BOX, aspect: ASPECT };
 
 const PANELS: readonly BentPanel[] = [
   { letter: "A", words: "plain", settings: { kb: KE } },
@@ -42,7 +43,7 @@ export function Page(heading: Heading) {
   const { t } = time;
   const bend = useMemo(() => bendAt(drawnOf(B), t), [t]);
   const colours = useMemo(() => bendAt(drawnOf({ ...PLAIN_TINT }), 0), []);
-  const framed = { name: "B", maps: TWIN, bend, box: BOX, colouring: "grid", lenses: LENSES } as const;
+  const framed = { name: "B", ...SHAPE, bend, colouring: "grid", lenses: LENSES } as const;
   return (
     <Frame
       {...heading}
@@ -82,35 +83,29 @@ export function Page(heading: Heading) {
     >
       <Time time={time} words={t === 0 ? "at rest" : `${Math.round(100 * t)}% drawn`} />
       <Panels
+        {...SHAPE}
         panels={PANELS}
-        maps={TWIN}
-        box={BOX}
         t={t}
-        aspect={ASPECT}
         columns={3}
         colouring="grid"
         deformationOf={drawnOf}
         name="The twin-dragon"
         moment={`${Math.round(100 * t)}% drawn`}
       >
-        <WithFrames {...framed} aspect={ASPECT} />
+        <WithFrames {...framed} />
       </Panels>
       <Magnified {...framed} />
       <div class={magnifiedCss["magnified"]}>
         <LettersPanel
-          maps={TWIN}
+          {...SHAPE}
           rest={colours}
-          box={BOX}
-          aspect={ASPECT}
           names={middles(TWIN, REST)}
           label="The dragon at rest: the part of map 1 on the left, that of map 2 on the right"
         />
         <Panel name="Y" words="the colours before the shuffle">
           <Bent
-            maps={TWIN}
+            {...SHAPE}
             bend={colours}
-            box={BOX}
-            aspect={ASPECT}
             colouring="grid"
             label="The colour function on the dragon at rest, before it is shuffled"
           />

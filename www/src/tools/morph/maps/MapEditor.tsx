@@ -1,3 +1,4 @@
+import { Problem } from "#ui/panel/Problem";
 import { MapList, MapTools } from "#ui/shapes/MapList";
 import "./maps.css";
 import { useState } from "preact/hooks";
@@ -130,11 +131,7 @@ export function MapEditor({ target, chosen }: { target: End; chosen: number | nu
         swatch={(index) => <Swatch map={index} />}
         fields={fields}
       />
-      {problem !== null && (
-        <p class="problem" role="alert">
-          {problem}
-        </p>
-      )}
+      <Problem words={problem} />
       <div class="editor-foot">
         <Button
           icon="add"

@@ -226,26 +226,19 @@ function Part({ of }: { of: Plan }) {
   const all = of.from === 0 && of.to === seconds;
   return (
     <div class="export-pair part">
-      <NumberField
-        label="From"
-        value={of.from}
-        min={0}
-        max={seconds}
-        step={0.1}
-        digits={2}
-        unit="s"
-        onChange={(next) => choose({ from: next })}
-      />
-      <NumberField
-        label="to"
-        value={of.to}
-        min={0}
-        max={seconds}
-        step={0.1}
-        digits={2}
-        unit="s"
-        onChange={(next) => choose({ to: next })}
-      />
+      {(["from", "to"] as const).map((end) => (
+        <NumberField
+          key={end}
+          label={end === "from" ? "From" : "to"}
+          value={of[end]}
+          min={0}
+          max={seconds}
+          step={0.1}
+          digits={2}
+          unit="s"
+          onChange={(next) => choose({ [end]: next })}
+        />
+      ))}
       <Button kind="quiet" disabled={all} onClick={chooseAll}>
         All of it
       </Button>

@@ -13,6 +13,11 @@ import { degrees, pointWords, radians } from "./words";
 const AXES = ["x", "y", "z"] as const;
 const eye = computed(() => (spaceView.value ? pointWords(eyeOf(spaceView.value)) : ""));
 
+const ANGLES = [
+  { angle: "turn", label: "Turned to the side" },
+  { angle: "tilt", label: "Tilted upwards" },
+] as const;
+
 /** Where it is seen from, in numbers. To look is nothing to undo. */
 export function ViewPanel() {
   const [problem, setProblem] = useState<string | null>(null);
@@ -74,28 +79,20 @@ export function ViewPanel() {
           problems={problems}
           onChange={(distance) => set({ distance })}
         />
-        <NumberField
-          label="Turned to the side"
-          symbol="turn"
-          terse
-          unit="°"
-          value={degrees(view.turn)}
-          step={5}
-          digits={1}
-          problems={problems}
-          onChange={(turn) => set({ turn: wrapped(radians(turn)) })}
-        />
-        <NumberField
-          label="Tilted upwards"
-          symbol="tilt"
-          terse
-          unit="°"
-          value={degrees(view.tilt)}
-          step={5}
-          digits={1}
-          problems={problems}
-          onChange={(tilt) => set({ tilt: wrapped(radians(tilt)) })}
-        />
+        {ANGLES.map(({ angle, label }) => (
+          <NumberField
+            key={angle}
+            label={label}
+            symbol={angle}
+            terse
+            unit="°"
+            value={degrees(view[angle])}
+            step={5}
+            digits={1}
+            problems={problems}
+            onChange={(next) => set({ [angle]: wrapped(radians(next)) })}
+          />
+        ))}
       </fieldset>
       <p class="hint number" data-testid="space-eye">
         The eye is at {eye.value}

@@ -67,7 +67,12 @@ function Handle({
       <circle class="reach" r={22} />
       <circle class="knob" r={6.5} />
       {labelled && (
-        <text class="knot-label" x={room < 90 ? -11 : 11} y={-11} text-anchor={room < 90 ? "end" : "start"}>
+        <text
+          class="knot-label cased"
+          x={room < 90 ? -11 : 11}
+          y={-11}
+          text-anchor={room < 90 ? "end" : "start"}
+        >
           {`${words[0]}, ${words[1]}`}
         </text>
       )}

@@ -6,6 +6,7 @@ import { chosen, editSpace, space, spaceFrame, timeline } from "#document/space/
 import { formatNumber } from "#format/numbers";
 import { about3, determinant3, scale3 } from "#geometry/maps/affine3";
 import { Button } from "#ui/controls/Button";
+import { Problem } from "#ui/panel/Problem";
 import { MapList, MapTools } from "#ui/shapes/MapList";
 import type { MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
@@ -86,11 +87,7 @@ export function MapEditor() {
         swatch={(index) => <Swatch map={index} />}
         fields={fields}
       />
-      {problem !== null && (
-        <p class="problem" role="alert">
-          {problem}
-        </p>
-      )}
+      <Problem words={problem} />
       <div class="solid-buttons">
         <Button
           icon="add"

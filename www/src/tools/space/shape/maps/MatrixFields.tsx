@@ -4,6 +4,7 @@ import { placeObject } from "#document/space/edits";
 import { formatNumber } from "#format/numbers";
 import { determinant3 } from "#geometry/maps/affine3";
 import { Button } from "#ui/controls/Button";
+import { Problem } from "#ui/panel/Problem";
 import type { MapRow3 } from "#wasm/api";
 import { moved } from "../now";
 import { nearlySame } from "./hand";
@@ -65,11 +66,7 @@ export function MatrixFields() {
           </Button>
         </span>
       </div>
-      {problem !== null && (
-        <p class="problem" role="alert">
-          {problem}
-        </p>
-      )}
+      <Problem words={problem} />
     </div>
   );
 }

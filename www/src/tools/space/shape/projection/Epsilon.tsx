@@ -2,6 +2,7 @@ import { useState } from "preact/hooks";
 import { wordsOf } from "#document/notice";
 import { divergingWords } from "#format/placement";
 import { SliderField } from "#ui/controls/SliderField";
+import { Problem } from "#ui/panel/Problem";
 import { MapBlocks } from "#ui/shapes/MapBlocks";
 import type { EpsilonProjection, MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
@@ -41,9 +42,7 @@ export function Epsilon({ maps, direction, format }: EpsilonProps) {
         }}
       />
       {"why" in found ? (
-        <p class="problem" role="alert">
-          {found.why}
-        </p>
+        <Problem words={found.why} />
       ) : (
         <>
           <p class="hint" role="status">

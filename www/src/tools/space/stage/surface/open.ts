@@ -1,4 +1,4 @@
-import { notify, wordsOf } from "#document/notice";
+import { explainMissing } from "#stage/surface/missing";
 import type { PainterBackend } from "#stage/surface/painter";
 import { createSpaceRenderer } from "#wasm/space-renderer";
 import { Accelerated } from "./accelerated";
@@ -15,7 +15,7 @@ export async function openSurface(
     try {
       return new Accelerated(await createSpaceRenderer(canvas, { backend, onLost }), canvas);
     } catch (problem) {
-      explain(problem);
+      explainMissing(problem);
     }
   }
   // A canvas that has had one kind of context gives no other.
@@ -26,14 +26,4 @@ function blank(): HTMLCanvasElement {
   const canvas = document.createElement("canvas");
   canvas.setAttribute("aria-hidden", "true");
   return canvas;
-}
-
-function explain(problem: unknown): void {
-  const missing = (problem as { code?: unknown } | null)?.code === "no-gpu";
-  notify({
-    kind: "info",
-    text: missing
-      ? "The graphics card is not available, so that the picture is computed without it, slower. Switching on hardware acceleration in the browser's settings brings it back."
-      : `The renderer could not be loaded (${wordsOf(problem)}), so that the picture is computed without it, slower. Reloading the page tries again.`,
-  });
 }
