@@ -1,5 +1,5 @@
-// The page itself, in Chromium: how soon the coarse locus is on screen after a change, how long the whole one takes, and
-// what a second worker is worth.
+// The page itself, in Chromium: how soon the coarse locus is on screen after a change, how long the whole one takes,
+// and what a second worker is worth.
 import { chromium } from "@playwright/test";
 
 const address = process.env["FROND_URL"] ?? "http://localhost:5173/";

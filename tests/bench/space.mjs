@@ -1,5 +1,5 @@
-// Space in the page: what is done while nothing moves, how a view and an object move, and what a conjugation costs beside a
-// frame. FROND_URL is the built site, FROND_CHROMIUM the browser.
+// Space in the page: what is done while nothing moves, how a view and an object move, and what a conjugation costs
+// beside a frame. FROND_URL is the built site, FROND_CHROMIUM the browser.
 import { chromium } from "@playwright/test";
 
 const browser = await chromium.launch({

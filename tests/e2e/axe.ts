@@ -10,9 +10,9 @@ const source = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe
 const COLOUR_RULES = ["color-contrast", "link-in-text-block"];
 
 /**
- * Nothing on the page, or in a part of it, stands in the way of anybody, in either theme. Motion is reduced for it, and stays
- * so: no colour is half-way between two. The page has no frames, so that axe runs in it as it is; telling of the rules that
- * are kept would take four times as long.
+ * Nothing on the page, or in a part of it, stands in the way of anybody, in either theme. Motion is reduced for it, and
+ * stays so: no colour is half-way between two. The page has no frames, so that axe runs in it as it is; telling of the
+ * rules that are kept would take four times as long.
  */
 export async function expectClean(page: Page, part = "html"): Promise<void> {
   await page.emulateMedia({ colorScheme: "light", reducedMotion: "reduce" });

@@ -9,8 +9,8 @@ import {
 import { listen, Studio } from "./studio";
 
 /**
- * What the software GPU's driver says about its own speed, and Chromium about canvases that the tests themselves read more
- * than once.
+ * What the software GPU's driver says about its own speed, and Chromium about canvases that the tests themselves read
+ * more than once.
  */
 const driver = /GL Driver Message|GroupMarkerNotSet|willReadFrequently/;
 /** Chromium where it has no WebGPU, each time that it is asked: a page asks once. */

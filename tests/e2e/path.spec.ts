@@ -119,7 +119,8 @@ test("the automatic path holds where the straight one breaks", async ({ studio, 
   await expect(page.getByRole("button", { name: /end to end/ })).toHaveCount(0);
   await page.getByRole("radio", { name: "Auto" }).check();
   await studio.idle();
-  // Where it is in pieces, no pixel shows it; what is proved is said all the same, and no proof is offered that it is whole.
+  // Where it is in pieces, no pixel shows it; what is proved is said all the same, and no proof is offered that it is
+  // whole.
   await expect(words).toHaveText(/^In pieces, proved, between 9\d%.*, gap 0\.1\d%, finer than 1\/600\.\s*$/);
   await expect(page.getByRole("button", { name: "Bound its gap, end to end" })).toBeVisible();
   expect((await studio.scene()).path.points.length).toBeGreaterThan(0);

@@ -10,11 +10,12 @@ struct Node {
     depth: [usize; 2],
 }
 
-/// Checks that from each two letters across the cut, replacing one word of a pair by all its parts again and again leads
-/// to pairs of the certificate.
+/// Checks that from each two letters across the cut, replacing one word of a pair by all its parts again and again
+/// leads to pairs of the certificate.
 ///
 /// Which word is to be replaced is not written down, and need not be: if all pairs below have a longer first word then
-/// splitting that one first is right whenever anything is, since where the second is split too, it is so below each part.
+/// splitting that one first is right whenever anything is, since where the second is split too, it is so below each
+/// part.
 pub(crate) fn check_cover(certificate: &Certificate) -> Result<(), Refused> {
     let Certificate { maps, side, pairs, .. } = certificate;
     let count = maps.len();

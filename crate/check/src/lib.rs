@@ -15,10 +15,10 @@
 //! 2. *Pieces are apart.* The piece `A_u = w_u(A)` of a word lies in `w_u(P)`. For each pair of words `(u, v)` of the
 //!    certificate and its direction `n`, the greatest `n . x` over `w_u(P)` is less than the least over `w_v(P)`, so
 //!    that `A_u` and `A_v` have no point in common.
-//! 3. *Nothing was left out.* `side` parts the maps in two, neither part empty. `A_u` is the union of its parts
-//!    `A_ui`, over all letters `i`. Beginning with each pair of letters `(i, j)` across the cut, and replacing one word of a
-//!    pair by all its parts again and again, one arrives at pairs of the certificate. So `A_i` and `A_j` have no point in
-//!    common.
+//! 3. *Nothing was left out.* `side` parts the maps in two, neither part empty. `A_u` is the union of its parts `A_ui`,
+//!    over all letters `i`. Beginning with each pair of letters `(i, j)` across the cut, and replacing one word of a
+//!    pair by all its parts again and again, one arrives at pairs of the certificate. So `A_i` and `A_j` have no point
+//!    in common.
 //! 4. Hence `A` is the union of two compact sets that are not empty and do not meet: it is not connected.
 //!
 //! Each of these is checked by [`check`], in this order.

@@ -63,7 +63,8 @@ impl Scene {
     /// The greatest `normal . x` over the image of the polygon under a word, where `normal` is given as whole multiples
     /// of `2^-bits`.
     ///
-    /// `n . w_i(x) = (M_i^T n) . x + n . t_i`: instead of multiplying the maps, the direction is followed down the word.
+    /// `n . w_i(x) = (M_i^T n) . x + n . t_i`: instead of multiplying the maps, the direction is followed down the
+    /// word.
     pub fn farthest(&self, word: &[u8], normal: [BigInt; 2], bits: u64) -> Reach {
         let [mut n_x, mut n_y] = normal;
         let mut moved = BigInt::ZERO;

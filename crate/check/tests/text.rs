@@ -76,7 +76,8 @@ fn other_ways_to_write_a_number_mean_the_same() {
 #[test]
 fn numbers_between_two_doubles_are_read_as_the_nearest() {
     for (k, bits) in random(3).take(500).enumerate() {
-        // Whole numbers of 53 digits and some zeros, base 2, so that the middle of two neighbours is a whole number as well.
+        // Whole numbers of 53 digits and some zeros, base 2, so that the middle of two neighbours is a whole number as
+        // well.
         let zeros = 2 + k % 70;
         let low = u128::from(bits >> 11 | 1 << 52) << zeros;
         let high = low + (1 << zeros);
@@ -88,8 +89,8 @@ fn numbers_between_two_doubles_are_read_as_the_nearest() {
     }
 }
 
-/// The two maps shrink a segment to parts that fill it, 0.9225.. and 0.0774.. of it. Read one digit lower, the first would leave
-/// a gap.
+/// The two maps shrink a segment to parts that fill it, 0.9225.. and 0.0774.. of it. Read one digit lower, the first
+/// would leave a gap.
 #[test]
 fn a_proof_about_other_maps_than_the_text_has_is_refused() {
     let text = r#"{

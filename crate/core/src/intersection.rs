@@ -1,17 +1,17 @@
 //! The open question of the paper: is the intersection of two fractals one?
 //!
 //! Where all maps of two systems share one linear part there is an answer that can be worked out, by a product of the
-//! two. With `x = M x' + a` in the first shape and `x - d = M y' + b` in the second, `x' - y' = M^-1 (d + b - a)`: whether x lies in
-//! both, the second moved by d, depends on whether x' does, moved by d'. So the sets `X_d`, the first shape intersected
-//! with the second moved by d, are unions of smaller copies of each other:
+//! two. With `x = M x' + a` in the first shape and `x - d = M y' + b` in the second, `x' - y' = M^-1 (d + b - a)`:
+//! whether x lies in both, the second moved by d, depends on whether x' does, moved by d'. So the sets `X_d`, the first
+//! shape intersected with the second moved by d, are unions of smaller copies of each other:
 //!
 //! ```text
 //! X_d = union of  M X_d' + a   over all a, b with  d' = M^-1 (d + b - a)
 //! ```
 //!
-//! Only shifts d by which the shapes still reach each other count. Where they are finitely many, the intersection `X_0` is drawn
-//! by a walk on a finite graph. Where all ways lead from 0 back to 0, the maps on them are a system, and `X_0` is its
-//! attractor. Otherwise it is a union of several kinds of pieces, which need not be an attractor.
+//! Only shifts d by which the shapes still reach each other count. Where they are finitely many, the intersection `X_0`
+//! is drawn by a walk on a finite graph. Where all ways lead from 0 back to 0, the maps on them are a system, and `X_0`
+//! is its attractor. Otherwise it is a union of several kinds of pieces, which need not be an attractor.
 
 use std::collections::HashMap;
 
@@ -81,7 +81,8 @@ pub struct Arrow {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Intersection {
     maps: Vec<Affine3>,
-    /// The shifts d, the first of them 0, of which there are ways that go on for ever. Empty where the shapes do not meet.
+    /// The shifts d, the first of them 0, of which there are ways that go on for ever. Empty where the shapes do not
+    /// meet.
     pub shifts: Vec<DVec3>,
     /// All ways.
     pub arrows: Vec<Arrow>,
@@ -99,8 +100,8 @@ impl Intersection {
         self.shifts.is_empty()
     }
 
-    /// The maps whose attractor the intersection is, where all ways lead from no shift to no shift. `None` where they do not:
-    /// then it may be an attractor or not.
+    /// The maps whose attractor the intersection is, where all ways lead from no shift to no shift. `None` where they
+    /// do not: then it may be an attractor or not.
     #[must_use]
     pub fn attractor(&self) -> Option<Vec<Affine3>> {
         let straight = !self.is_empty() && self.arrows.iter().filter(|a| a.from == 0).all(|a| a.to == 0);

@@ -1,8 +1,8 @@
 //! Iterated function systems: what they are, where they lie, how they are sampled and how one is turned into another.
 //!
-//! An iterated function system ([`Ifs`]) is a list of affine maps ([`Affine2`]) that contract together. It stands for its
-//! attractor, the one shape that is the union of its own images. What is the same in the plane and in space is written once,
-//! over [`Dimension`]: `Ifs` alone is one of the plane, [`Ifs3`] one of space.
+//! An iterated function system ([`Ifs`]) is a list of affine maps ([`Affine2`]) that contract together. It stands for
+//! its attractor, the one shape that is the union of its own images. What is the same in the plane and in space is
+//! written once, over [`Dimension`]: `Ifs` alone is one of the plane, [`Ifs3`] one of space.
 //!
 //! # The order in which to read it
 //!
@@ -13,8 +13,8 @@
 //! 4. `sample/`: its points ([`ChaosGame`]) and its pieces of one size ([`adaptive_cut`]).
 //! 5. `morph/`: the family between two systems ([`Morph`]), which map becomes which ([`pair`], [`candidates`]) and what
 //!    other maps of the same shapes may be morphed instead ([`routes`]).
-//! 6. `animation/`: key frames ([`Motion3`]) and places ([`Place3`]). `projection/` and `intersection`: shadows of shapes of
-//!    space ([`exact_projection`]), and where two shapes meet ([`intersection()`]).
+//! 6. `animation/`: key frames ([`Motion3`]) and places ([`Place3`]). `projection/` and `intersection`: shadows of
+//!    shapes of space ([`exact_projection`]), and where two shapes meet ([`intersection()`]).
 //!
 //! # The papers
 //!

@@ -38,8 +38,8 @@
 //! 7. `gpu` draws on a card: a `Stage` chooses between passes, which share one `StageState`; `locus` decides the
 //!    samples of a connectedness locus.
 //!
-//! Each shader in `shader/` has a twin of the same name and the same arithmetic, and tests that compare them. The twin of
-//! `locus.wgsl` is in crate/locus.
+//! Each shader in `shader/` has a twin of the same name and the same arithmetic, and tests that compare them. The twin
+//! of `locus.wgsl` is in crate/locus.
 //!
 //! # What it stands on
 //!

@@ -6,8 +6,8 @@
 //! # The order in which to read it
 //!
 //! 1. `scene`: the document, and `preset`, the gallery of shapes it begins with.
-//! 2. `deformation`, `curve`, `fit` and `space/`: what the tools keep in it. `space/` has a gallery ([`presets3`]), files
-//!    ([`parse_ifs3`]) and key frames ([`Film`]) of its own.
+//! 2. `deformation`, `curve`, `fit` and `space/`: what the tools keep in it. `space/` has a gallery ([`presets3`]),
+//!    files ([`parse_ifs3`]) and key frames ([`Film`]) of its own.
 //! 3. `link`: how each part is written and read, and that old links stay what they were.
 //!
 //! A link is a promise: what this crate writes today opens for ever. `tests/links.txt` holds links of every version.

@@ -1,6 +1,7 @@
 //! Whatever link is opened, what it shows is written as a link that shows it again.
 //!
-//! Links are put together from words of `links.txt`, from words of the same forms with hostile numbers, and with damage.
+//! Links are put together from words of `links.txt`, from words of the same forms with hostile numbers, and with
+//! damage.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;

@@ -12,12 +12,14 @@ export interface RendererOptions {
 }
 
 /**
- * Whether there is WebGPU. The browser is asked once, here or by what is below: one that has none warns each time on the
- * console. To spare even that, give `backend: "webgl2"`.
+ * Whether there is WebGPU. The browser is asked once, here or by what is below: one that has none warns each time on
+ * the console. To spare even that, give `backend: "webgl2"`.
  */
 export function hasWebGpu(): Promise<boolean>;
 
-/** A live picture on a canvas that has had no context yet. Rejects with a FrondError where there is no graphics card. */
+/**
+ * A live picture on a canvas that has had no context yet. Rejects with a FrondError where there is no graphics card.
+ */
 export function createRenderer(
   canvas: HTMLCanvasElement | OffscreenCanvas,
   options?: RendererOptions,
@@ -47,8 +49,9 @@ export interface LocusTimes {
 type Maps = { maps: [number, number, number, number, number, number][] };
 
 /**
- * Times one locus on the graphics card and by `cpu`, which is to do what `locus` does, on this thread or in workers. Do it
- * once, while nothing else is at work. The morph is that of a dragon to a gasket if none is given, 128 x 128 samples.
+ * Times one locus on the graphics card and by `cpu`, which is to do what `locus` does, on this thread or in workers. Do
+ * it once, while nothing else is at work. The morph is that of a dragon to a gasket if none is given, 128 x 128
+ * samples.
  */
 export function timeLocus(
   compute: LocusCompute,

@@ -25,7 +25,9 @@ export interface Connectedness {
   overlaps: [number, number][];
   /** For each map the number (from 0) of the cluster of attractorlets that its own hangs together with. */
   components: number[];
-  /** How many clusters there are. The attractor may well be in more parts: attractorlets may be in pieces themselves. */
+  /**
+   * How many clusters there are. The attractor may well be in more parts: attractorlets may be in pieces themselves.
+   */
   count: number;
   /** The points of two components that realise the widest gap; absent when there is none. */
   closest?: { from: [number, number]; to: [number, number] };
@@ -62,14 +64,16 @@ export interface Reason {
   neighbours?: number;
 }
 
-/** What holds two pieces together: a point that both have, two paths that must cross, or areas too large to leave room. */
+/**
+ * What holds two pieces together: a point that both have, two paths that must cross, or areas too large to leave room.
+ */
 export interface Link {
   kind: "point" | "crossing" | "area";
   /** Two maps, the smaller index first. */
   pair: [i: number, j: number];
   /**
-   * The addresses of the point, or the words of the crossing pieces, as people read them: letters from 1, "1(2)" is 1222..
-   * Of more than nine maps letters are joined by dots: "12.3.(10)".
+   * The addresses of the point, or the words of the crossing pieces, as people read them: letters from 1, "1(2)" is
+   * 1222.. Of more than nine maps letters are joined by dots: "12.3.(10)".
    */
   words: [string, string];
   /** The shared point, or the middle of the crossing. */
@@ -152,7 +156,10 @@ export interface Locus {
   gap: Float32Array;
 }
 
-/** A parameter of a morph: u turns and stretches, v moves; w, 0 where absent, is how far the stretch is ahead of the turn. */
+/**
+ * A parameter of a morph: u turns and stretches, v moves; w, 0 where absent, is how far the stretch is ahead of the
+ * turn.
+ */
 export type PathPoint = [u: number, v: number, w?: number];
 
 export interface PathPlan {
@@ -166,7 +173,10 @@ export interface PathPlan {
   clearance: number;
   /** Where the gap is widest; absent if it holds. */
   worst?: PathPoint;
-  /** Whether the ends lie in different components of what holds on the samples looked at: then no path within them holds. */
+  /**
+   * Whether the ends lie in different components of what holds on the samples looked at: then no path within them
+   * holds.
+   */
   apart?: boolean;
 }
 
@@ -200,8 +210,8 @@ export interface PathCertificate {
   /** Where the least could be proved, by length of the whole path. */
   worst: number;
   /**
-   * Whether the question is answered: it holds, or a gap as wide is there. Otherwise less could not be proved within the
-   * budget.
+   * Whether the question is answered: it holds, or a gap as wide is there. Otherwise less could not be proved within
+   * the budget.
    */
   complete: boolean;
 }
@@ -337,7 +347,10 @@ export interface GraphPiece {
   domain: [from: number, to: number];
 }
 
-/** A fractal function: pieces that are copies of all of it (FIF), of what lies between knots (RFIF), or of any part (PFIF). */
+/**
+ * A fractal function: pieces that are copies of all of it (FIF), of what lies between knots (RFIF), or of any part
+ * (PFIF).
+ */
 export interface Graph {
   kind: "fif" | "rfif" | "pfif";
   /** From left to right, 1 to 256. */
@@ -358,13 +371,16 @@ export interface Fit {
   graph?: Graph;
 }
 
-/** How a displacement turns with the piece it is given to: not at all, by the orthogonal polar factor, by its rotation, by A / ||A||. */
+/**
+ * How a displacement turns with the piece it is given to: not at all, by the orthogonal polar factor, by its rotation,
+ * by A / ||A||.
+ */
 export type Spin = "none" | "orthogonal" | "rotation" | "scaled";
 
 /**
- * What keeps neighbouring pieces together: shared corners, a splat for each level, nothing, or the paper's averages: the mean
- * displacement of each of the smallest pieces, over a Delaunay triangulation of their middles. `"auto"` takes what fits the
- * shape: nothing for ferns and trees, which may fray.
+ * What keeps neighbouring pieces together: shared corners, a splat for each level, nothing, or the paper's averages:
+ * the mean displacement of each of the smallest pieces, over a Delaunay triangulation of their middles. `"auto"` takes
+ * what fits the shape: nothing for ferns and trees, which may fray.
  */
 export type Continuity = "auto" | "corners" | "splat" | "raw" | "average";
 
@@ -381,7 +397,9 @@ export interface Bend {
   kb: number;
   /** Detail: the last letter that is shuffled. */
   ke: number;
-  /** Roughness, 0 or more: one number, or four at the lower left, lower right, upper left and upper right of the box. */
+  /**
+   * Roughness, 0 or more: one number, or four at the lower left, lower right, upper left and upper right of the box.
+   */
   delta: number | [number, number, number, number];
   spin: Spin;
   continuity: Continuity;
@@ -469,14 +487,17 @@ export interface IndexBufferOptions {
   points: number;
   /** Default 0. */
   seed?: number;
-  /** By how much the window is larger than the shape, relative to it: 0 to 10. Default 0.05. Nothing beside `window`. */
+  /**
+   * By how much the window is larger than the shape, relative to it: 0 to 10. Default 0.05. Nothing beside `window`.
+   */
   margin?: number;
   /** Whether the probabilities of the system count; else each map is as likely as any other. */
   weighted?: boolean;
   /**
-   * What part of the plane the buffer shows: [x0, y0, x1, y1], lower left and upper right, in units of the plane. What lies
-   * outside is not plotted. Default: a square about the shape. There an even number of pixels has a border in the middle,
-   * through which the gasket's pieces touch: it is never seen whole at one half. A window off the middle sees it.
+   * What part of the plane the buffer shows: [x0, y0, x1, y1], lower left and upper right, in units of the plane. What
+   * lies outside is not plotted. Default: a square about the shape. There an even number of pixels has a border in the
+   * middle, through which the gasket's pieces touch: it is never seen whole at one half. A window off the middle sees
+   * it.
    */
   window?: [number, number, number, number];
 }
@@ -630,15 +651,15 @@ export interface SpaceKey {
 export type Repeat = "once" | "round" | "pingpong";
 
 /**
- * A time line. Between keys a transform goes by its polar factors, its turn as a quaternion. Nothing goes beyond two keys between
- * them: each number stays between theirs, and a turn within a sixth of its angle of the shortest arc.
+ * A time line. Between keys a transform goes by its polar factors, its turn as a quaternion. Nothing goes beyond two
+ * keys between them: each number stays between theirs, and a turn within a sixth of its angle of the shortest arc.
  */
 export interface SpaceTimeline {
   /** How long it is: 0.1 to 600. */
   seconds: number;
   /**
-   * "round": the last key goes on to the first, and one at the very end jumps there, unless it says the same. Of older documents
-   * `true` is read as "round", `false` as "once".
+   * "round": the last key goes on to the first, and one at the very end jumps there, unless it says the same. Of older
+   * documents `true` is read as "round", `false` as "once".
    */
   loop: Repeat;
   /** Straight from key to key, or without a jerk at the keys. */
@@ -652,7 +673,10 @@ export interface Space {
   /** 1 to 60. */
   objects: SpaceObject[];
   light: SpaceLight;
-  /** What it is seen before: "#rrggbb", or "page" for the colour under the pictures of whatever page shows it, as where absent. */
+  /**
+   * What it is seen before: "#rrggbb", or "page" for the colour under the pictures of whatever page shows it, as where
+   * absent.
+   */
   background?: string;
   /** Absent: the first object is what it is. */
   morph?: SpaceMorph;

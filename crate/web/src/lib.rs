@@ -46,7 +46,8 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("api.d.ts");
 
-/// What decides and proves speaks of the same things: where it is a module of its own, it has their names from beside it.
+/// What decides and proves speaks of the same things: where it is a module of its own, it has their names from beside
+/// it.
 #[cfg(all(feature = "proof", not(feature = "compute")))]
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"import type {

@@ -81,8 +81,8 @@ export const along: ReadonlySignal<Along | null> = computed(() => {
 });
 
 /**
- * The states of even moments of the present path. Decided one by one where that answer is in; until then read off the locus
- * field.
+ * The states of even moments of the present path. Decided one by one where that answer is in; until then read off the
+ * locus field.
  */
 export const pathStates: ReadonlySignal<Uint8Array> = computed(() => {
   const points = pathPoints.value;

@@ -32,8 +32,8 @@ export function scheduleVerdict(): void {
 }
 
 /**
- * What the stage is looked at with: a point that was picked on the map, as finely as the map shows it; a moment of the path,
- * as the path is.
+ * What the stage is looked at with: a point that was picked on the map, as finely as the map shows it; a moment of the
+ * path, as the path is.
  */
 const resolution = computed(() => {
   const view = locusView.value;

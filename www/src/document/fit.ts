@@ -26,8 +26,8 @@ function withFit(now: Scene, change: (fit: Fit) => Fit): Scene {
 }
 
 /**
- * Takes a curve into the morph or under the grid: one undo step, then the tool. It becomes A, and B stays the curve it is;
- * where there are no curves yet, B is one of the gallery's.
+ * Takes a curve into the morph or under the grid: one undo step, then the tool. It becomes A, and B stays the curve it
+ * is; where there are no curves yet, B is one of the gallery's.
  */
 export function useCurve(shape: CurveShape, partner: CurvePreset, tool: Tool): void {
   const { id: preset, name, curve } = partner;

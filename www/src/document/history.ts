@@ -33,8 +33,8 @@ export function close(history: History): History {
 }
 
 /**
- * Some of a document belongs to whoever looks, as the moment and the view do: a step that did not change it leaves it as
- * it is now. `target` is where the step goes, `other` where it comes from.
+ * Some of a document belongs to whoever looks, as the moment and the view do: a step that did not change it leaves it
+ * as it is now. `target` is where the step goes, `other` where it comes from.
  */
 export type Keep = (target: Scene, other: Scene, present: Scene) => Scene;
 

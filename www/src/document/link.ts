@@ -101,7 +101,10 @@ export class Link {
     };
   }
 
-  /** Writes now: somebody is about to leave, or wants the address. False where no link can hold the document: that is said. */
+  /**
+   * Writes now: somebody is about to leave, or wants the address. False where no link can hold the document: that is
+   * said.
+   */
   flush(): boolean {
     this.#stop();
     const now = scene.peek();

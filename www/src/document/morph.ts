@@ -105,12 +105,17 @@ const picked: ReadonlySignal<MapRow[]> = computed(() => {
 /** Whether the stage shows what the map speaks of. */
 const mapped = computed(() => morphing.value && !selection.value);
 
-/** The parameter that was picked off the path and is shown, and of which family; null where the stage shows something else. */
+/**
+ * The parameter that was picked off the path and is shown, and of which family; null where the stage shows something
+ * else.
+ */
 export const shownPick: ReadonlySignal<{ at: Uv; sides: number | null } | null> = computed(() =>
   mapped.value && (off.value || sides.value !== null) ? { at: here.value, sides: sides.value } : null,
 );
 
-/** What the stage shows: the morph, a system of another family, the shape that is being edited, or what a tool works on. */
+/**
+ * What the stage shows: the morph, a system of another family, the shape that is being edited, or what a tool works on.
+ */
 export const shown: ReadonlySignal<MapRow[]> = computed(() => {
   const editing = selection.value;
   if (!morphing.value) return standing.value;

@@ -64,6 +64,9 @@ export function setT(t: number, _gesture?: string): void {
 
 whilePlaying(playing, step, pause);
 
-/** Whether the time line of space plays, and whether its complete picture is on the stage: here, since space is loaded late. */
+/**
+ * Whether the time line of space plays, and whether its complete picture is on the stage: here, since space is loaded
+ * late.
+ */
 export const spacePlaying = signal(false);
 export const spaceShown = signal(false);

@@ -1,7 +1,7 @@
 /**
- * All figures and lessons: the only place that names them. A new one is a folder with its `page.tsx` and its `thumb.tsx`,
- * and an entry here. What a folder holds is fetched when it is shown, so that this list can be read by anybody, tests
- * without a browser too.
+ * All figures and lessons: the only place that names them. A new one is a folder with its `page.tsx` and its
+ * `thumb.tsx`, and an entry here. What a folder holds is fetched when it is shown, so that this list can be read by
+ * anybody, tests without a browser too.
  */
 import type { ComponentType } from "preact";
 import type { Heading } from "./kit/frame/frame";

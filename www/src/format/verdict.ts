@@ -85,8 +85,8 @@ export interface VerdictWords {
 }
 
 /**
- * What is known of a shape, of the plane or of space, in the words of the whole page; null while it is not known. Only a proof
- * is said to be one. `epsilon` is what it was looked at with.
+ * What is known of a shape, of the plane or of space, in the words of the whole page; null while it is not known. Only
+ * a proof is said to be one. `epsilon` is what it was looked at with.
  */
 export function verdictWords(answer: Told | null, epsilon = RESOLUTION): VerdictWords {
   switch (answer?.verdict) {
@@ -149,7 +149,10 @@ export function stateOf(told: Told, epsilon = RESOLUTION): number {
   }
 }
 
-/** What one sample says, by its state and its relative gap, which has no more than single precision; null where it says nothing. */
+/**
+ * What one sample says, by its state and its relative gap, which has no more than single precision; null where it says
+ * nothing.
+ */
 export function toldOf(state: number, gap: number): Told | null {
   const verdict = VERDICTS[state];
   const upper = Number(gap.toPrecision(6));

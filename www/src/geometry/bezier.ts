@@ -1,4 +1,6 @@
-/** The Bézier blend of a control mesh (Fujimoto et al., eq 14), as the page needs it: the display grid, and what pulls. */
+/**
+ * The Bézier blend of a control mesh (Fujimoto et al., eq 14), as the page needs it: the display grid, and what pulls.
+ */
 import { type Mesh, type Point, placed, sizeOf } from "./mesh";
 
 /** The Bernstein polynomials of degree `count - 1` at t, by de Casteljau's triangle. */

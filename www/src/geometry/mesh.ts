@@ -74,7 +74,9 @@ function side(count: number): number {
 
 type Sides = Pick<Mesh, "columns" | "rows">;
 
-/** Values of the control points, `width` numbers each, for a mesh of other sides: first along rows, then along columns. */
+/**
+ * Values of the control points, `width` numbers each, for a mesh of other sides: first along rows, then along columns.
+ */
 function refit(values: readonly number[], width: number, from: Sides, to: Sides): number[] {
   const wide = new Array<number>(to.columns * from.rows * width).fill(0);
   for (let row = 0; row < from.rows; row++) {
@@ -118,14 +120,15 @@ function raised(p: readonly number[]): number[] {
 }
 
 /**
- * The nearest polynomial one degree lower. What is lost is a multiple of the Legendre polynomial, which is orthogonal to
- * all of a lower degree: so taking one degree away after another is as good as all at once.
+ * The nearest polynomial one degree lower. What is lost is a multiple of the Legendre polynomial, which is orthogonal
+ * to all of a lower degree: so taking one degree away after another is as good as all at once.
  */
 function lowered(p: readonly number[]): number[] {
   const n = p.length - 1;
   const choose = binomials(n);
   const sign = (i: number) => ((n - i) % 2 === 0 ? 1 : -1);
-  // Its leading coefficient, as a multiple of that of the Legendre polynomial, whose coefficients are sign(i) choose(i).
+  // Its leading coefficient, as a multiple of that of the Legendre polynomial, whose coefficients are sign(i)
+  // choose(i).
   const lead =
     p.reduce((sum, x, i) => sum + sign(i) * (choose[i] ?? 0) * x, 0) /
     choose.reduce((sum, c) => sum + c * c, 0);

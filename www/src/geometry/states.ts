@@ -6,7 +6,10 @@ export interface Stretch {
   t1: number;
 }
 
-/** The states of `Locus.state`, and two of the page: a gap that is proved and too narrow to be seen, and a sample not decided yet. */
+/**
+ * The states of `Locus.state`, and two of the page: a gap that is proved and too narrow to be seen, and a sample not
+ * decided yet.
+ */
 export const STATE = {
   connected: 0,
   touching: 1,
@@ -38,7 +41,10 @@ export interface Worst {
   gap: number;
 }
 
-/** Where, of samples evenly spaced over [0, 1], the gap is widest: the middle of the first run of it. Null if none is in pieces. */
+/**
+ * Where, of samples evenly spaced over [0, 1], the gap is widest: the middle of the first run of it. Null if none is in
+ * pieces.
+ */
 export function widestOf(states: ArrayLike<number>, gaps: ArrayLike<number>): Worst | null {
   const last = Math.max(1, states.length - 1);
   const gapAt = (i: number) => {
@@ -59,8 +65,8 @@ export function widestOf(states: ArrayLike<number>, gaps: ArrayLike<number>): Wo
 }
 
 /**
- * Stretches of t in which samples, evenly spaced over [0, 1], are broken, or as `is` says. Each reaches half a sample to
- * both sides.
+ * Stretches of t in which samples, evenly spaced over [0, 1], are broken, or as `is` says. Each reaches half a sample
+ * to both sides.
  */
 export function stretches(states: ArrayLike<number>, is: (state: number) => boolean = isBroken): Stretch[] {
   const count = states.length;
@@ -79,8 +85,8 @@ export function stretches(states: ArrayLike<number>, is: (state: number) => bool
 }
 
 /**
- * The states of a path at even moments, read off a field: the nearest sample, or the four corners of its cell, may hold it
- * together.
+ * The states of a path at even moments, read off a field: the nearest sample, or the four corners of its cell, may hold
+ * it together.
  */
 export function statesAlong(
   field: Locus & { bounds: Bounds },

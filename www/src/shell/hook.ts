@@ -31,7 +31,10 @@ export interface Hook {
   killWorker(): void;
   /** Resolves when the picture is complete, and the one beside it. */
   drawn(): Promise<void>;
-  /** Resolves when the locus is complete too, the verdict is about the picture, no worker has anything to do, and nothing is fetched ahead. */
+  /**
+   * Resolves when the locus is complete too, the verdict is about the picture, no worker has anything to do, and
+   * nothing is fetched ahead.
+   */
   idle(): Promise<void>;
 }
 

@@ -44,7 +44,10 @@ export function placeIn(element: Element, { clientX, clientY }: MouseEvent): Scr
 const turned = (delta: number, { deltaMode }: WheelEvent) =>
   delta * (deltaMode === 1 ? 16 : deltaMode === 2 ? 400 : 1);
 
-/** What a wheel enlarges by: a pixel by so much. A pinch on a touch pad arrives as a wheel with Ctrl held, in smaller steps. */
+/**
+ * What a wheel enlarges by: a pixel by so much. A pinch on a touch pad arrives as a wheel with Ctrl held, in smaller
+ * steps.
+ */
 export function wheelFactor(event: WheelEvent, aPixel = 0.0016): number {
   return Math.exp(-turned(event.deltaY, event) * (event.ctrlKey ? 0.01 : aPixel));
 }

@@ -17,7 +17,10 @@ export type SheetHandle = InstanceType<typeof bindings.Sheet>;
 /** The module of the first picture. */
 export type Frond = typeof bindings;
 
-/** The package as the page's own thread uses it. Usable once `load` or `adopt` has resolved. Functions throw `FrondError`. */
+/**
+ * The package as the page's own thread uses it. Usable once `load` or `adopt` has resolved. Functions throw
+ * `FrondError`.
+ */
 export const frond: Frond = bindings;
 
 const compile = once(() => compiled(wasmUrl));

@@ -1,7 +1,9 @@
 import wasmUrl from "../../pkg/frond-fit_bg.wasm?url";
 import { compiled, once } from "./module";
 
-/** What traces and fits outlines and finds the maps of graphs, in a module of its own: the workers of the fit have it. */
+/**
+ * What traces and fits outlines and finds the maps of graphs, in a module of its own: the workers of the fit have it.
+ */
 export type FitModule = typeof import("../../pkg/frond-fit.js");
 
 /** Fetches and compiles; the workers are given the module. */

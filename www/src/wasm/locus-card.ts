@@ -43,8 +43,8 @@ export async function isFaster(found: LocusCompute, processor: OnProcessor): Pro
 }
 
 /**
- * A whole locus; samples that single precision cannot tell have state 3. Null where the card has no answer: none is there,
- * it is still at work, or the locus is not for it.
+ * A whole locus; samples that single precision cannot tell have state 3. Null where the card has no answer: none is
+ * there, it is still at work, or the locus is not for it.
  */
 export async function locusByCard({ from, to, options }: Ends): Promise<Locus | null> {
   const mine = card;

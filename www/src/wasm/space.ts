@@ -13,7 +13,10 @@ export interface SpaceLook {
   ground: string;
 }
 
-/** Space, in a module of its own: the page has it where the tool is open, and so have its workers. Functions throw `FrondError`. */
+/**
+ * Space, in a module of its own: the page has it where the tool is open, and so have its workers. Functions throw
+ * `FrondError`.
+ */
 export type SpaceModule = typeof import("../../pkg/frond-space.js");
 
 /** The objects of one moment, ready to be drawn. `free()` it. */

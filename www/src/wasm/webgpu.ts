@@ -1,4 +1,6 @@
-/** Whether the browser has WebGPU: one that has the interface and no adapter behind it warns each time that it is asked. */
+/**
+ * Whether the browser has WebGPU: one that has the interface and no adapter behind it warns each time that it is asked.
+ */
 import { hasWebGpu } from "../../pkg/renderer.js";
 
 const KEY = "frond-no-webgpu";

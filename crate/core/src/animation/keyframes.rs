@@ -49,8 +49,8 @@ pub enum Course {
     /// Straight from key to key, the turn about one axis.
     #[default]
     Straight,
-    /// Without a jerk at the keys, and never past them: each coordinate stays between those of two keys, and a turn within a sixth
-    /// of its angle of the shortest arc.
+    /// Without a jerk at the keys, and never past them: each coordinate stays between those of two keys, and a turn
+    /// within a sixth of its angle of the shortest arc.
     Smooth,
 }
 
@@ -116,13 +116,13 @@ impl MotionError {
     }
 }
 
-/// A time line of one object: where it is, and what its parameters are, at each moment. Each moment is a set of parameters: that
-/// of the shape, conjugated by its place (Darwish & Abd-El-Wahab, section 3.6).
+/// A time line of one object: where it is, and what its parameters are, at each moment. Each moment is a set of
+/// parameters: that of the shape, conjugated by its place (Darwish & Abd-El-Wahab, section 3.6).
 ///
-/// Shifts and logarithms of scales go straight or along monotone cubics, turns about one axis or along a cubic of turns, and shapes
-/// by [`Morph3`] from key to key. Before the first key and after the last all stays as it is there; in a loop, the last goes on
-/// to the first. Where one stands at the beginning of a loop and another at its end, it jumps from the one to the other; where
-/// both say the same, it goes on without a seam.
+/// Shifts and logarithms of scales go straight or along monotone cubics, turns about one axis or along a cubic of
+/// turns, and shapes by [`Morph3`] from key to key. Before the first key and after the last all stays as it is there;
+/// in a loop, the last goes on to the first. Where one stands at the beginning of a loop and another at its end, it
+/// jumps from the one to the other; where both say the same, it goes on without a seam.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion3 {
     places: Vec<Key3<Place3>>,
@@ -137,12 +137,12 @@ impl Motion3 {
     /// The most keys of each kind.
     pub const MOST_KEYS: usize = 1000;
 
-    /// A time line of these keys, in any order; without places the object stays at home. `period` is the length of a loop in
-    /// seconds, from time 0 on, `None` where it does not repeat. Keys may stand at its end.
+    /// A time line of these keys, in any order; without places the object stays at home. `period` is the length of a
+    /// loop in seconds, from time 0 on, `None` where it does not repeat. Keys may stand at its end.
     ///
     /// # Errors
-    /// [`MotionError`] where keys are missing, too many or without times of their own, where shapes that follow each other cannot be
-    /// morphed, or a key has no attractor.
+    /// [`MotionError`] where keys are missing, too many or without times of their own, where shapes that follow each
+    /// other cannot be morphed, or a key has no attractor.
     pub fn new(
         mut places: Vec<Key3<Place3>>,
         mut shapes: Vec<Key3<Vec<Affine3>>>,
@@ -175,7 +175,8 @@ impl Motion3 {
         Ok(Self { places, shapes, morphs, course, period })
     }
 
-    /// The keys with places, in the order of their times; of a loop without the one at its end that says what its first says.
+    /// The keys with places, in the order of their times; of a loop without the one at its end that says what its first
+    /// says.
     #[must_use]
     pub fn places(&self) -> &[Key3<Place3>] {
         &self.places
@@ -242,8 +243,8 @@ impl Motion3 {
     /// The set of parameters at a time: the shape, moved to its place.
     ///
     /// # Errors
-    /// [`MotionError::Ifs`] where the shape between two keys has no attractor, [`MotionError::Transform`] where the place is out of
-    /// range: both ends of a leg may be well, and what is between them not.
+    /// [`MotionError::Ifs`] where the shape between two keys has no attractor, [`MotionError::Transform`] where the
+    /// place is out of range: both ends of a leg may be well, and what is between them not.
     pub fn at(&self, time: f64) -> Result<Ifs3, MotionError> {
         let ifs = Ifs3::new(self.shape(time))?;
         let place = self.place(time);
@@ -272,8 +273,8 @@ impl Motion3 {
     }
 }
 
-/// The same moment of a loop within one round from `first` on. The end of it is kept: it is not the beginning where a key stands at
-/// both.
+/// The same moment of a loop within one round from `first` on. The end of it is kept: it is not the beginning where a
+/// key stands at both.
 pub(crate) fn once_round(time: f64, first: f64, period: f64) -> f64 {
     if time == first + period {
         return time;

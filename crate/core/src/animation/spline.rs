@@ -6,9 +6,9 @@ use glam::{DQuat, DVec3};
 #[cfg(test)]
 const ASIDE: f64 = 1.0 / 6.0;
 
-/// The cubics that have the values `p[1]` at 0 and `p[2]` at 1, one for each coordinate, and stay between these (Fritsch &
-/// Carlson 1980). `t` are the times of all four, of which the middle two are the ends; a leg without length before or behind them
-/// counts as none.
+/// The cubics that have the values `p[1]` at 0 and `p[2]` at 1, one for each coordinate, and stay between these
+/// (Fritsch & Carlson 1980). `t` are the times of all four, of which the middle two are the ends; a leg without length
+/// before or behind them counts as none.
 pub(crate) fn cubic(p: [DVec3; 4], t: [f64; 4], s: f64) -> DVec3 {
     let legs = legs(t);
     let coordinate = |k: usize| monotone(p.map(|p| p[k]), legs, s);
@@ -22,7 +22,8 @@ pub(crate) fn cubic_turn(q: [DQuat; 4], t: [f64; 4], s: f64) -> DQuat {
         return q[1];
     }
     let legs = legs(t);
-    // Each the shortest turn from its neighbour, so that none goes the long way round. Seen from either end it is the same.
+    // Each the shortest turn from its neighbour, so that none goes the long way round. Seen from either end it is the
+    // same.
     let [before, arc, after] = [0, 1, 2].map(|k| turn_vector(q[k].inverse() * q[k + 1]));
     let m = velocity([before, arc], [legs[0], legs[1]]) * legs[1];
     let n = rate_of(arc, velocity([arc, after], [legs[1], legs[2]]) * legs[1]);
@@ -61,8 +62,8 @@ fn monotone(p: [f64; 4], legs: [f64; 3], s: f64) -> f64 {
     (p[1] + hermite(DVec3::new(rise[1], 0.0, 0.0), m, n, s).x).clamp(p[1].min(p[2]), p[1].max(p[2]))
 }
 
-/// The mean of two slopes of one sign over legs of these lengths: the weighted harmonic one, which is at most three times the
-/// smaller, so that no cubic beside it turns back (Fritsch & Butland 1984).
+/// The mean of two slopes of one sign over legs of these lengths: the weighted harmonic one, which is at most three
+/// times the smaller, so that no cubic beside it turns back (Fritsch & Butland 1984).
 fn harmonic(slopes: [f64; 2], legs: [f64; 2]) -> f64 {
     let [before, after] = [legs[0] + 2.0 * legs[1], 2.0 * legs[0] + legs[1]];
     (before + after) / (before / slopes[0] + after / slopes[1])
@@ -70,8 +71,8 @@ fn harmonic(slopes: [f64; 2], legs: [f64; 2]) -> f64 {
 
 /// The angular velocity between two arcs, which are turn vectors that take these times.
 ///
-/// Along each arc it is neither backwards nor more than three times that of the slower one, and across at most half of that: 0 where
-/// the second arc leads back, and where one is none.
+/// Along each arc it is neither backwards nor more than three times that of the slower one, and across at most half of
+/// that: 0 where the second arc leads back, and where one is none.
 fn velocity(arcs: [DVec3; 2], times: [f64; 2]) -> DVec3 {
     let ways = [arcs[0].normalize_or_zero(), arcs[1].normalize_or_zero()];
     let speeds = [arcs[0].length() / times[0], arcs[1].length() / times[1]];
@@ -88,7 +89,8 @@ fn velocity(arcs: [DVec3; 2], times: [f64; 2]) -> DVec3 {
     if across > most { mean * (most / across) } else { mean }
 }
 
-/// How fast a turn vector changes where its turn has this angular velocity, in its own axes: the inverse of the right Jacobian.
+/// How fast a turn vector changes where its turn has this angular velocity, in its own axes: the inverse of the right
+/// Jacobian.
 fn rate_of(vector: DVec3, velocity: DVec3) -> DVec3 {
     let angle = vector.length();
     let once = vector.cross(velocity);

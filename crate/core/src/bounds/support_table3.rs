@@ -7,9 +7,9 @@ use crate::linear::affine::Affine3;
 /// Bounds of an attractor in all directions, and points of it that lie far in them.
 ///
 /// The support function `h(d) = max { d . x : x in A }` obeys `h(d) = max_i ( h(M_i^T d) + d . t_i )`, and between
-/// directions it is convex. So its values on a grid over the six faces of a cube, lowered from those of a ball until they
-/// settle, bound it everywhere, each step rounding outward. Beside each direction is a point of the attractor, found by
-/// the same recursion from within.
+/// directions it is convex. So its values on a grid over the six faces of a cube, lowered from those of a ball until
+/// they settle, bound it everywhere, each step rounding outward. Beside each direction is a point of the attractor,
+/// found by the same recursion from within.
 #[derive(Clone, Debug, Default)]
 pub struct Fan3 {
     /// Cells along an edge of the cube.
@@ -160,8 +160,8 @@ impl Fan3 {
         &self.points
     }
 
-    /// An upper bound of the diameter of the image of the attractor under a matrix: the largest width along the directions
-    /// of the grid, and what it may be between them.
+    /// An upper bound of the diameter of the image of the attractor under a matrix: the largest width along the
+    /// directions of the grid, and what it may be between them.
     #[must_use]
     pub fn diameter(&self, linear: DMat3) -> f64 {
         let width = |d: &DVec3| {

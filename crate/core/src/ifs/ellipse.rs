@@ -18,8 +18,8 @@ fn coordinates(p: f64, q: f64) -> (DMat2, DMat2) {
     (to, from)
 }
 
-/// The ellipse whose largest shrunk image is about as small as can be, as coordinates that make it round, and back: a rounder
-/// one than the best, where little is lost by it. `plain` is what the circle gives.
+/// The ellipse whose largest shrunk image is about as small as can be, as coordinates that make it round, and back: a
+/// rounder one than the best, where little is lost by it. `plain` is what the circle gives.
 ///
 /// The factor is quasi-convex in the ellipse's matrix `P` (the condition `M^T P M <= f^2 P` is linear
 /// in `P`), so that a search of one number inside a search of the other finds the least.

@@ -54,9 +54,9 @@ impl Ellipsoid {
 
     /// An ellipsoid whose largest shrunk image is about as small as can be; `least` is a bound that none goes below.
     ///
-    /// First `P` is a weighted sum of the images of itself under `P -> M^T P M / f^2`, as in Lyapunov's equation, with more
-    /// weight on maps that stretch more. What comes of it is improved by random steps, which need no derivative where
-    /// the largest of many norms has none.
+    /// First `P` is a weighted sum of the images of itself under `P -> M^T P M / f^2`, as in Lyapunov's equation, with
+    /// more weight on maps that stretch more. What comes of it is improved by random steps, which need no derivative
+    /// where the largest of many norms has none.
     fn best(linear: &[DMat3], least: f64) -> Self {
         let mut best = (Self::BALL.factor(linear), Self::BALL);
         for slack in [1.02, 1.2, 2.0] {

@@ -13,8 +13,8 @@ const SAME_NUMBER: f64 = 1e-9;
 /// those with which conjugation permutes the maps. The identity comes first, then the other rotations by their
 /// angle, then the reflections.
 ///
-/// If `sigma` is one of them, `w_i o sigma` has the same image of the shape as `w_i`, so that each map may be replaced so on
-/// its own without changing the attractor.
+/// If `sigma` is one of them, `w_i o sigma` has the same image of the shape as `w_i`, so that each map may be replaced
+/// so on its own without changing the attractor.
 #[must_use]
 pub fn symmetries(ifs: &Ifs) -> Vec<Affine2> {
     let maps = ifs.maps();

@@ -6,8 +6,8 @@ use crate::ifs::contraction::Contraction;
 use crate::linear::affine::Affine;
 use crate::linear::transform::TransformError;
 
-/// An iterated function system (IFS): 1 to 64 affine maps that have an attractor together, and the probability of each in
-/// the chaos game. `Ifs` alone is one of the plane, [`Ifs3`] one of space.
+/// An iterated function system (IFS): 1 to 64 affine maps that have an attractor together, and the probability of each
+/// in the chaos game. `Ifs` alone is one of the plane, [`Ifs3`] one of space.
 ///
 /// The attractor is the one compact set `A` with `A = w_1(A) u .. u w_N(A)` (Hutchinson 1981; Burch &
 /// Hart 1997, eq 1). It exists exactly if the maps contract in some word length, which
@@ -97,7 +97,8 @@ impl<D: Dimension> Ifs<D> {
     /// (Darwish & Abd-El-Wahab, eq 1). The probabilities stay.
     ///
     /// # Errors
-    /// [`TransformError`] where `by` is singular, nearly so, not finite or out of range, or the new numbers are too large.
+    /// [`TransformError`] where `by` is singular, nearly so, not finite or out of range, or the new numbers are too
+    /// large.
     #[inline(never)]
     pub fn conjugate(&self, by: Affine<D>) -> Result<Self, TransformError> {
         let back = by.undo()?;

@@ -120,14 +120,15 @@ impl<D: Dimension> Affine<D> {
         (D::determinant(m) != 0.0 && Self::moving(point).is_finite()).then_some(point)
     }
 
-    /// The same transform about another point than the origin, which stays where it is if the transform left the origin.
+    /// The same transform about another point than the origin, which stays where it is if the transform left the
+    /// origin.
     #[must_use]
     pub fn about(self, point: D::Vector) -> Self {
         Self::moving(point) * self * Self::moving(-point)
     }
 
-    /// The same map seen in other coordinates: `by * self * by^-1`, whose attractor is the image under `by` of the former
-    /// one (Darwish & Abd-El-Wahab, eq 1). `None` when `by` is singular.
+    /// The same map seen in other coordinates: `by * self * by^-1`, whose attractor is the image under `by` of the
+    /// former one (Darwish & Abd-El-Wahab, eq 1). `None` when `by` is singular.
     #[must_use]
     pub fn conjugate(self, by: Self) -> Option<Self> {
         by.inverse().map(|inverse| by * self * inverse)

@@ -56,7 +56,8 @@ impl Affine3 {
         Ok(Self::new(linear, DVec3::ZERO))
     }
 
-    /// Turns about x, then about y, then about z, by angles in radians: the order in which the paper's figures are turned.
+    /// Turns about x, then about y, then about z, by angles in radians: the order in which the paper's figures are
+    /// turned.
     ///
     /// # Errors
     /// [`TransformError::NotFinite`] where an angle is not finite.

@@ -30,11 +30,11 @@ const WINDINGS: [i32; 3] = [0, 1, -1];
 /// Ways to match the maps of two systems, the plainest first, at most `limit`; the given order without extra turns is
 /// always among them.
 ///
-/// Up to five maps: all permutations, each with up to one extra turn of each map either way. More: the assignment
-/// that moves the maps least, and what comes of it by swapping maps and by turning single ones. The cost of a match is a
-/// rough one, taken from the maps alone: how far the place of a piece and its fixed point move in proportion to the shape, how
-/// far it turns, how much its stretch changes, and whether it has to be turned over. What a match is worth, only its
-/// path tells.
+/// Up to five maps: all permutations, each with up to one extra turn of each map either way. More: the assignment that
+/// moves the maps least, and what comes of it by swapping maps and by turning single ones. The cost of a match is a
+/// rough one, taken from the maps alone: how far the place of a piece and its fixed point move in proportion to the
+/// shape, how far it turns, how much its stretch changes, and whether it has to be turned over. What a match is worth,
+/// only its path tells.
 ///
 /// # Errors
 /// [`MorphError::Counts`] if the systems have different numbers of maps.

@@ -9,8 +9,8 @@ use crate::morph::pairing::assignment;
 use crate::morph::turn3::between;
 
 impl Morph3 {
-    /// Which map of `to` each map of `from` becomes so that pieces travel, turn and stretch least in all; in their own order
-    /// where the numbers of maps differ.
+    /// Which map of `to` each map of `from` becomes so that pieces travel, turn and stretch least in all; in their own
+    /// order where the numbers of maps differ.
     #[must_use]
     pub fn correspondence(from: &Ifs3, to: &Ifs3) -> Vec<usize> {
         if from.len() != to.len() {

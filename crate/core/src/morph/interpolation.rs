@@ -13,8 +13,8 @@ use crate::morph::options::{Kind, Mode, MorphError, MorphOptions};
 /// negative stretch along one axis, and goes through a collapse of that axis.
 ///
 /// In space quaternions take the place of angles: a map turns about one axis by the least angle, and whole turns more
-/// where they are asked for. Where both ends reflect, the orthogonal factor is minus a rotation all the way. A map without a
-/// turn of its own (it puts all on a line or in a point) takes as much of the other end's turn as fits it.
+/// where they are asked for. Where both ends reflect, the orthogonal factor is minus a rotation all the way. A map
+/// without a turn of its own (it puts all on a line or in a point) takes as much of the other end's turn as fits it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Morph<D: Dimension = Dim2> {
     mode: Mode,

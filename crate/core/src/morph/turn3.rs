@@ -60,8 +60,8 @@ fn reflects(m: DMat3) -> Option<bool> {
     (small > SINGULAR * large).then(|| m.determinant() < 0.0)
 }
 
-/// In how many directions the rotation nearest to a matrix can still be turned: 0 mostly, 1 for matrices that put all on a
-/// line and for reflections that stretch two axes alike, 3 for 0.
+/// In how many directions the rotation nearest to a matrix can still be turned: 0 mostly, 1 for matrices that put all
+/// on a line and for reflections that stretch two axes alike, 3 for 0.
 fn freedom(m: DMat3) -> u8 {
     let [a, b, c] = singular_values3(m);
     if a == 0.0 {

@@ -18,9 +18,9 @@ pub struct EpsilonProjection {
 
 /// Conjugates maps by `diag(1, 1, epsilon)` in the coordinates of a picture.
 ///
-/// The third row of each matrix is multiplied by epsilon and the third column divided by it, so that c and f become
-/// c / epsilon and f / epsilon: the attractor goes to its shadow, but where some c or f is not 0 its maps go nowhere. Only where the
-/// direction of view is kept do they have a limit: that of [`exact_projection`](crate::exact_projection).
+/// The third row of each matrix is multiplied by epsilon and the third column divided by it, so that c and f become c /
+/// epsilon and f / epsilon: the attractor goes to its shadow, but where some c or f is not 0 its maps go nowhere. Only
+/// where the direction of view is kept do they have a limit: that of [`exact_projection`](crate::exact_projection).
 ///
 /// # Errors
 /// [`ProjectError::Epsilon`] unless epsilon is between 1e-100 and 1.

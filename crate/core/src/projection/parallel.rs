@@ -87,8 +87,9 @@ impl Plane {
 /// How far a direction may be turned and still be called kept, in radians.
 const KEPT_ANGLE: f64 = 1e-9;
 
-/// The maps of the plane whose attractor is the shadow of that of `maps`, exactly, where the direction of view is kept by
-/// every map: points of one shadow then go to points of one shadow, and the shadow of the image is the image of the shadow.
+/// The maps of the plane whose attractor is the shadow of that of `maps`, exactly, where the direction of view is kept
+/// by every map: points of one shadow then go to points of one shadow, and the shadow of the image is the image of the
+/// shadow.
 ///
 /// # Errors
 /// [`ProjectError::NotKept`] where some map turns the direction. A map that takes the direction to 0 keeps it.
@@ -170,8 +171,8 @@ fn common(m: DMat3, size: f64, space: &[DVec3]) -> Vec<DVec3> {
     }
 }
 
-/// Numbers among which are the real eigenvalues: the roots of the characteristic polynomial and, since a double root of it
-/// is seen sharply only there, those of its derivatives.
+/// Numbers among which are the real eigenvalues: the roots of the characteristic polynomial and, since a double root of
+/// it is seen sharply only there, those of its derivatives.
 fn eigenvalues(m: DMat3) -> Vec<f64> {
     let trace = m.x_axis.x + m.y_axis.y + m.z_axis.z;
     let minors = m.x_axis.x * m.y_axis.y - m.x_axis.y * m.y_axis.x + m.x_axis.x * m.z_axis.z

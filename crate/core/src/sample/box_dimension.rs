@@ -17,7 +17,8 @@ const MOST_COUNTED: usize = 4_000_000;
 const POINTS_A_BOX: usize = 12;
 
 /// Estimates the box dimension from points `x0, y0, z0, x1, ..` of a shape: how fast the boxes that it meets become
-/// more as they become smaller. Points that are not finite are left out, and so are those beyond the first four million.
+/// more as they become smaller. Points that are not finite are left out, and so are those beyond the first four
+/// million.
 ///
 /// It is off by 0.05 or so with a million points of a shape whose points are spread evenly.
 #[must_use]

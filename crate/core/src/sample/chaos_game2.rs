@@ -1,5 +1,5 @@
-//! The chaos game in the plane. It stands apart from its twin in space: written once over both dimensions, the inner loop
-//! took a third longer, since it was no longer compiled to steps of two orbits at a time.
+//! The chaos game in the plane. It stands apart from its twin in space: written once over both dimensions, the inner
+//! loop took a third longer, since it was no longer compiled to steps of two orbits at a time.
 
 use glam::DVec2;
 

@@ -54,8 +54,8 @@ impl ChaosGame3 {
         game
     }
 
-    /// Writes points as `x0, y0, z0, x1, ..` and for each the map of its last step: the attractorlet that it lies in. As
-    /// many points are written as both slices have room for; their number is returned.
+    /// Writes points as `x0, y0, z0, x1, ..` and for each the map of its last step: the attractorlet that it lies in.
+    /// As many points are written as both slices have room for; their number is returned.
     pub fn fill(&mut self, positions: &mut [f32], pieces: &mut [u8]) -> usize {
         let count = (positions.len() / 3).min(pieces.len());
         let (positions, pieces) = (&mut positions[..3 * count], &mut pieces[..count]);

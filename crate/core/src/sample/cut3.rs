@@ -6,13 +6,13 @@ use crate::ifs::system::Ifs3;
 use crate::linear::affine::Affine3;
 use crate::sample::cut2::CutOutcome;
 
-/// Visits pieces `w_word(A)` of the attractor that together are all of it: a word is prolonged while its map stretches by
-/// `size` or more, the shorter ones first, as long as no more than `most` pieces come of it (Hepting, Prusinkiewicz & Saupe
-/// 1990). `size` is that of the pieces, relative to the attractor.
+/// Visits pieces `w_word(A)` of the attractor that together are all of it: a word is prolonged while its map stretches
+/// by `size` or more, the shorter ones first, as long as no more than `most` pieces come of it (Hepting, Prusinkiewicz
+/// & Saupe 1990). `size` is that of the pieces, relative to the attractor.
 ///
-/// `visit` gets the map of the word and its first letter. A renderer that has one cloud of points of the attractor draws
-/// it once for each piece, moved by this map: close to the eye that shows `most` times as many points. Where `most` is
-/// reached first the outcome says so; the pieces are the whole attractor all the same.
+/// `visit` gets the map of the word and its first letter. A renderer that has one cloud of points of the attractor
+/// draws it once for each piece, moved by this map: close to the eye that shows `most` times as many points. Where
+/// `most` is reached first the outcome says so; the pieces are the whole attractor all the same.
 pub fn adaptive_cut3(
     ifs: &Ifs3,
     size: f64,

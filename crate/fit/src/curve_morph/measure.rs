@@ -8,7 +8,8 @@ use crate::outline::{box_slope_of, crossings};
 /// Where boxes are counted, in parts of the box's diagonal: as for outlines.
 const BOXES: [f64; 5] = [64.0, 90.5, 128.0, 181.0, 256.0];
 
-/// The parts of the box's diagonal that a polyline is true to which is counted, measured or looked through for crossings.
+/// The parts of the box's diagonal that a polyline is true to which is counted, measured or looked through for
+/// crossings.
 const POLYLINE_TOLERANCE: f64 = 1.0 / 2000.0;
 
 /// The most points of such a polyline.

@@ -10,10 +10,11 @@ use crate::fractal::piece::Piece;
 const MOST_ROUNDS: usize = 500;
 
 impl FractalFunction {
-    /// The function through points whose piece i copies what lies over `domains[i]` (Cochran, Hart & Flynn, section 2.3).
+    /// The function through points whose piece i copies what lies over `domains[i]` (Cochran, Hart & Flynn, section
+    /// 2.3).
     ///
-    /// The ends of a domain need not be points, so that the values there, which the maps hang on, are themselves unknown.
-    /// They are those of the function made with them: it is made over and over until they stay.
+    /// The ends of a domain need not be points, so that the values there, which the maps hang on, are themselves
+    /// unknown. They are those of the function made with them: it is made over and over until they stay.
     ///
     /// # Errors
     /// [`FunctionError`] where there is no such function, or the values at the ends of the domains do not settle.

@@ -57,8 +57,8 @@ impl Part {
 }
 
 impl FractalFunction {
-    /// Points (t, x) from one end of the window to the other; between two, x stays within the tolerance of both. Where that
-    /// would take more than `most` points, the tolerance is doubled until it does not.
+    /// Points (t, x) from one end of the window to the other; between two, x stays within the tolerance of both. Where
+    /// that would take more than `most` points, the tolerance is doubled until it does not.
     #[must_use]
     pub fn sample(&self, tolerance: f64, window: [f64; 2], most: usize) -> Vec<(f64, f64)> {
         let curve = self.curve();

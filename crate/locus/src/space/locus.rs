@@ -22,8 +22,8 @@ impl Parameters for Morph3 {
     }
 }
 
-/// Decides every `stride`th sample of the rows of a range that are a multiple of it, in the plane of (u, v). `epsilon` is
-/// relative to the diameter of the attractor.
+/// Decides every `stride`th sample of the rows of a range that are a multiple of it, in the plane of (u, v). `epsilon`
+/// is relative to the diameter of the attractor.
 #[must_use]
 pub fn tile3(
     grid: &LocusGrid,

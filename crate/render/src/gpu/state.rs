@@ -176,8 +176,8 @@ impl StageState {
         may
     }
 
-    /// Whether a picture of so many points is to be made anew: of fewer pixels where they are more than the budget, else of
-    /// more where far fewer are, unless `coarser` says that more were too many.
+    /// Whether a picture of so many points is to be made anew: of fewer pixels where they are more than the budget,
+    /// else of more where far fewer are, unless `coarser` says that more were too many.
     pub fn resize_for(&mut self, points: u64, budget: u64, coarser: &mut bool) -> bool {
         if points > budget && self.halve() {
             *coarser = true;

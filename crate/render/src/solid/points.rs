@@ -124,8 +124,8 @@ impl Eye {
 }
 
 /// The space that each of `count` points has to itself, if they are spread over something of the system's dimension and
-/// of the size of `vertices`. Chance leaves larger holes than that, and larger points would hide what is fine: filling holes
-/// closes most.
+/// of the size of `vertices`. Chance leaves larger holes than that, and larger points would hide what is fine: filling
+/// holes closes most.
 fn gap(ifs: &Ifs3, vertices: &[Vertex3], count: usize) -> f32 {
     let reach = |k: usize| {
         let of = |v: &Vertex3| v.position[k];

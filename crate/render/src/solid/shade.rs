@@ -16,8 +16,8 @@ const RING_DIRECTIONS: usize = 8;
 /// As deep as nothing is.
 pub(super) const NOTHING_DEPTH: f32 = 1e30;
 
-/// RGBA pixels of a depth buffer, row 0 on top, as `lamp` has it: `lamp.factor` x `lamp.factor` pixels of the buffer make
-/// one.
+/// RGBA pixels of a depth buffer, row 0 on top, as `lamp` has it: `lamp.factor` x `lamp.factor` pixels of the buffer
+/// make one.
 #[must_use]
 pub fn light(buffer: &DepthBuffer, lamp: &Lamp, look: &Look) -> Vec<u8> {
     let scene = Scene { buffer, lamp, look };

@@ -4,8 +4,8 @@
 //! space=o:tetrahedron/to:dragon-curled&space-view=0,0,0,5,0.5,0.42,0.7&space-at=1.5
 //! ```
 //!
-//! The first word is what [`pack`](crate::pack) writes: who shows space reads it. A view is its target, its distance, turn, tilt and angle,
-//! then `eye` where that stays; `space-own=1` says that it goes before that of the time line.
+//! The first word is what [`pack`](crate::pack) writes: who shows space reads it. A view is its target, its distance,
+//! turn, tilt and angle, then `eye` where that stays; `space-own=1` says that it goes before that of the time line.
 
 use std::fmt::Write as _;
 

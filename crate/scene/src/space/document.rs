@@ -303,8 +303,8 @@ pub struct Space {
     /// How it is lit.
     #[serde(default)]
     pub light: SpaceLight,
-    /// What it is seen before: `#rrggbb`, or `page` for the colour under the pictures of whatever page shows it. Absent in what
-    /// was made before there was a choice.
+    /// What it is seen before: `#rrggbb`, or `page` for the colour under the pictures of whatever page shows it. Absent
+    /// in what was made before there was a choice.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub background: Option<String>,
     /// What the first object becomes.

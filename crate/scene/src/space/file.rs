@@ -125,10 +125,11 @@ impl FileError {
 /// The longest file.
 const LONGEST_FILE: usize = 1 << 20;
 
-/// Reads the systems of space of a Fractint file: `name (3D) { .. }`, with the sign `(3D)` before the brace or behind it.
+/// Reads the systems of space of a Fractint file: `name (3D) { .. }`, with the sign `(3D)` before the brace or behind
+/// it.
 ///
-/// A map has 13 numbers: the three rows of its matrix, its translation and its probability; ends of lines mean nothing, and what
-/// follows a semicolon is a remark. Systems of the plane, without the sign, are passed over and counted.
+/// A map has 13 numbers: the three rows of its matrix, its translation and its probability; ends of lines mean nothing,
+/// and what follows a semicolon is a remark. Systems of the plane, without the sign, are passed over and counted.
 ///
 /// # Errors
 /// [`FileError`] with the line where it is.

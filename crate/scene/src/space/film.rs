@@ -97,9 +97,10 @@ pub struct Moment {
 
 /// A [`Space`] that can be asked for any moment.
 ///
-/// Transforms go from key to key by their polar factors: shifts and the logarithms of stretches straight or along monotone cubics,
-/// turns as quaternions ([`Motion3`]); shapes by [`Morph3`]. Where an object has no key it stays what it is. In a loop, keys
-/// beyond its end wait; from one at its end it jumps to one at its beginning, unless both say the same.
+/// Transforms go from key to key by their polar factors: shifts and the logarithms of stretches straight or along
+/// monotone cubics, turns as quaternions ([`Motion3`]); shapes by [`Morph3`]. Where an object has no key it stays what
+/// it is. In a loop, keys beyond its end wait; from one at its end it jumps to one at its beginning, unless both say
+/// the same.
 #[derive(Clone, Debug)]
 pub struct Film {
     actors: Vec<Actor>,

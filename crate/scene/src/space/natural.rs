@@ -20,8 +20,8 @@ pub struct Thing {
     pub share: f64,
 }
 
-/// Hills with a wood on them under two clouds, all of them attractors, z up, the eye at the origin and the scene along x, as
-/// in the paper (Darwish & Abd-El-Wahab, figure vii, whose parameters are not printed: this one is Frond's own).
+/// Hills with a wood on them under two clouds, all of them attractors, z up, the eye at the origin and the scene along
+/// x, as in the paper (Darwish & Abd-El-Wahab, figure vii, whose parameters are not printed: this one is Frond's own).
 #[must_use]
 pub fn natural_scene() -> &'static [Thing] {
     static THINGS: LazyLock<Vec<Thing>> = LazyLock::new(things);
@@ -80,8 +80,8 @@ fn rooted([x, y]: [f64; 2]) -> [f64; 3] {
     [x, y, GROUND[2] + HILLS[2] * height - 0.03]
 }
 
-/// The height of the ground over a point of its triangle: the map of the part that the point is in says how it follows from
-/// the height over another.
+/// The height of the ground over a point of its triangle: the map of the part that the point is in says how it follows
+/// from the height over another.
 fn height(x: f64, y: f64) -> f64 {
     let maps = ground();
     let (mut x, mut y, mut height, mut part) = (x, y, 0.0, 1.0);
@@ -124,9 +124,9 @@ const HEIGHT_SHARE: f64 = 0.46;
 
 /// A right-angled triangle with two equal sides as the graph of a rough height.
 ///
-/// It is halved by its axis, and the halves by theirs. Every edge between two parts comes from one and the same edge of the
-/// whole, so that the heights of both agree along it as soon as what is added to a share of them does: planes through given
-/// heights of the corners of the parts. The ground nowhere tears.
+/// It is halved by its axis, and the halves by theirs. Every edge between two parts comes from one and the same edge of
+/// the whole, so that the heights of both agree along it as soon as what is added to a share of them does: planes
+/// through given heights of the corners of the parts. The ground nowhere tears.
 fn ground() -> [Affine3; 4] {
     let [a, b, c] = CORNERS;
     let middle = 0.5 * (a + b);
@@ -171,9 +171,9 @@ fn plane_map([a, b, c]: [DVec2; 3]) -> (DMat2, DVec2) {
 fn rise(at: DVec2) -> f64 {
     let [first, second, front] = [0.05, -0.04, 0.0];
     let [middle, left] = [0.16, -0.03];
-    // With any other height here the slopes on both sides of the axis, which runs straight away from the eye, differ on the
-    // average, and a seam is seen. With s for the share, the mean slope across the long edge is the sum of those of its two
-    // parts and 2s of itself; and 2s of it, with those of the parts at the axis, is to come to nothing.
+    // With any other height here the slopes on both sides of the axis, which runs straight away from the eye, differ on
+    // the average, and a seam is seen. With s for the share, the mean slope across the long edge is the sum of those of
+    // its two parts and 2s of itself; and 2s of it, with those of the parts at the axis, is to come to nothing.
     let right = middle - left + HEIGHT_SHARE * (first + second) + (1.0 - 2.0 * HEIGHT_SHARE) * front;
     let known = [
         (DVec2::ZERO, middle),

@@ -3,11 +3,11 @@
 //! ```text
 //! o:sponge/l:height,-0.56,0.55,0.35,0.75,0.25/b:0e1015
 //! o:tetrahedron/to:dragon-curled/way:auto,0.2,0.4;0.6,0.5/t:0.5
-//! o:natural-0/o:natural-1~m1,0,0,0,1,0,0,0,1,2,0,0~cd5dde6/time:6,1,smooth/k:0,inout~v12,0,0,12,-1.57,0,0.46/k:3,even~p1,1,0,..
+//! o:natural-0/o:natural-1~m1,0,0,0,1,0,0,0,1,2,0,0~cd5dde6/time:6,1,smooth/k:0,inout~v12,0,0,12,-1.57,0,0.46/k:3,..
 //! ```
 //!
-//! Parts are joined by `/`, what belongs to one of them by `~`; a shape that is not of the gallery is `maps;` and its rows,
-//! then `~n` and its name. Numbers have as many digits as bring back the same bits.
+//! Parts are joined by `/`, what belongs to one of them by `~`; a shape that is not of the gallery is `maps;` and its
+//! rows, then `~n` and its name. Numbers have as many digits as bring back the same bits.
 
 use std::fmt::Write as _;
 

@@ -50,8 +50,8 @@ impl SpaceView {
     }
 }
 
-/// What a document says of space. What is there is a [`Space`](crate::Space) as [`pack`](crate::pack) writes it: only who shows
-/// space has to understand it.
+/// What a document says of space. What is there is a [`Space`](crate::Space) as [`pack`](crate::pack) writes it: only
+/// who shows space has to understand it.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct SpacePart {
     /// What is there; what the tool begins with where empty.

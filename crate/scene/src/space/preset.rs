@@ -148,9 +148,9 @@ fn shrunk(r: f64, corners: &[DVec3]) -> Vec<Affine3> {
 /// The tetrahedron on the thread from its first corner to its last, which runs along one edge of each half; `twist`
 /// turns every half about its thread, by a third of a turn at 1.
 ///
-/// Each map takes the thread's ends to the ends of its own part of the thread. The thread starts at 0 and is left where it is by a
-/// twist about itself, so that the translations are the same whatever the twist: the halves share the ends of their
-/// parts, and the shape is in one piece at every twist.
+/// Each map takes the thread's ends to the ends of its own part of the thread. The thread starts at 0 and is left where
+/// it is by a twist about itself, so that the translations are the same whatever the twist: the halves share the ends
+/// of their parts, and the shape is in one piece at every twist.
 fn strung(twist: f64) -> Vec<Affine3> {
     let [a, b, c, d] = TETRAHEDRON;
     let stops = [a, a.midpoint(b), b.midpoint(c), c.midpoint(d), d];
@@ -196,8 +196,8 @@ fn folded() -> Vec<Affine3> {
         .collect()
 }
 
-/// The tetrahedron with larger pieces, turned and drawn halfway to the next corner: straight there the tetrahedron breaks, but
-/// there is a way round.
+/// The tetrahedron with larger pieces, turned and drawn halfway to the next corner: straight there the tetrahedron
+/// breaks, but there is a way round.
 fn curled() -> Vec<Affine3> {
     (0..4)
         .map(|k| {
@@ -208,7 +208,8 @@ fn curled() -> Vec<Affine3> {
         .collect()
 }
 
-/// The pyramid of Darwish & Abd-El-Wahab's figure v, rebuilt: four corners of a base and an apex, 15 units before the eye.
+/// The pyramid of Darwish & Abd-El-Wahab's figure v, rebuilt: four corners of a base and an apex, 15 units before the
+/// eye.
 fn pyramid() -> Vec<Affine3> {
     let corners =
         [[-0.4, -0.4, -0.3], [-0.4, 0.4, -0.3], [0.4, 0.4, -0.3], [0.4, -0.4, -0.3], [0.0, 0.0, 0.3]];

@@ -14,7 +14,8 @@ const MAX_GRID: u32 = 256;
 /// The most points and letters that one call takes.
 const MAX_POINTS: usize = 1 << 20;
 
-/// `D_e-uni`: reverses the letters kb + 1 to ke of a code over `symbols` symbols, letters from 0 (Fujimoto et al., eq 4).
+/// `D_e-uni`: reverses the letters kb + 1 to ke of a code over `symbols` symbols, letters from 0 (Fujimoto et al., eq
+/// 4).
 #[wasm_bindgen]
 pub fn shuffle(symbols: f64, kb: f64, ke: f64, code: Vec<f64>) -> Result<Vec<f64>, JsValue> {
     let whole = |x: f64, most: f64| (x.fract() == 0.0 && (0.0..=most).contains(&x)).then_some(x as usize);

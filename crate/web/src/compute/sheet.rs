@@ -45,8 +45,8 @@ impl Sheet {
         Ok(Self { photo: read_photo(rgba, width, height)?, last: None })
     }
 
-    /// Draws it as `bend` bends it, made for `parts` x `parts` maps (2 or 3): RGBA with straight alpha, row 0 on top, on a
-    /// transparent background. A bend whose mesh alone has moved since the last call is quick.
+    /// Draws it as `bend` bends it, made for `parts` x `parts` maps (2 or 3): RGBA with straight alpha, row 0 on top,
+    /// on a transparent background. A bend whose mesh alone has moved since the last call is quick.
     #[wasm_bindgen(unchecked_return_type = "Uint8ClampedArray")]
     pub fn draw(
         &mut self,

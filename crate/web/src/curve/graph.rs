@@ -179,9 +179,9 @@ pub fn graph_at(
 
 /// What can be said of a graph.
 ///
-/// The contractivity is that under the metric of eq 2. The dimension is that of boxes, `counted` where no equation gives
-/// it, null where it cannot be told. The widest gap is between neighbouring pieces. The integral is null where a domain
-/// does not begin and end at knots.
+/// The contractivity is that under the metric of eq 2. The dimension is that of boxes, `counted` where no equation
+/// gives it, null where it cannot be told. The widest gap is between neighbouring pieces. The integral is null where a
+/// domain does not begin and end at knots.
 #[wasm_bindgen(
     js_name = graphFacts,
     unchecked_return_type = "{ contractivity: number; dimension: number | null; counted: boolean; widestGap: number; continuous: boolean; integral: number | null; interval: [t0: number, t1: number] }"

@@ -63,8 +63,8 @@ fn read_curve(value: JsValue) -> Result<ClosedCurve, JsValue> {
     }
 }
 
-/// An outline grown by program: a `"maple"`-like or an `"oak"`-like leaf, an `"island"`, or a maple-like leaf that was badly
-/// measured, `"noisy"`.
+/// An outline grown by program: a `"maple"`-like or an `"oak"`-like leaf, an `"island"`, or a maple-like leaf that was
+/// badly measured, `"noisy"`.
 #[wasm_bindgen(js_name = grownOutline)]
 pub fn grown_outline(kind: &str, seed: u32) -> Result<JsValue, JsValue> {
     match kind {
@@ -76,8 +76,8 @@ pub fn grown_outline(kind: &str, seed: u32) -> Result<JsValue, JsValue> {
     }
 }
 
-/// What is fitted of points: `{ points, diagonal, length, crossings }`, counter-clockwise, smoothed by 0 to 1 and of 16384
-/// points at most. `crossings` counts where it crosses itself, up to 99; null where it is too tangled to tell.
+/// What is fitted of points: `{ points, diagonal, length, crossings }`, counter-clockwise, smoothed by 0 to 1 and of
+/// 16384 points at most. `crossings` counts where it crosses itself, up to 99; null where it is too tangled to tell.
 #[wasm_bindgen(js_name = prepareOutline)]
 pub fn prepare_outline(points: &[f64], smoothing: f64) -> Result<JsValue, JsValue> {
     let outline =
@@ -99,8 +99,8 @@ pub fn feature_points(points: &[f64], count: u32) -> Result<JsValue, JsValue> {
     Ok(flat(&marks))
 }
 
-/// How near a curve is to an outline, as a link brings it back: `{ curve, points, figures, bytes }`; errors in percent of
-/// the diagonal.
+/// How near a curve is to an outline, as a link brings it back: `{ curve, points, figures, bytes }`; errors in percent
+/// of the diagonal.
 #[wasm_bindgen(js_name = measureCurve)]
 pub fn measure_curve(points: &[f64], curve: JsValue) -> Result<JsValue, JsValue> {
     measured(&outline_of(points)?, &read_curve(curve)?)
@@ -179,9 +179,9 @@ impl CurveFit {
 
 /// Another way to spend `numbers` on an outline, for comparison: `{ numbers, points, figures }`.
 ///
-/// `"split"`: a polyline through feature points; `"squares"`: one whose corners were moved by least squares; `"fourier"`:
-/// the lowest frequencies; `"bezier"`: cubic segments, 6 numbers each; `"collage"`: the fit of Cochran, Hart & Flynn, with
-/// 9 intervals a map as in their Fig 7.
+/// `"split"`: a polyline through feature points; `"squares"`: one whose corners were moved by least squares;
+/// `"fourier"`: the lowest frequencies; `"bezier"`: cubic segments, 6 numbers each; `"collage"`: the fit of Cochran,
+/// Hart & Flynn, with 9 intervals a map as in their Fig 7.
 #[wasm_bindgen(js_name = rivalFit)]
 pub fn rival_fit(points: &[f64], method: &str, numbers: u32) -> Result<JsValue, JsValue> {
     let outline = outline_of(points)?;

@@ -1,7 +1,7 @@
 //! Self-affinity of graphs, found by voting: both passes in parts, and what is made of what they find.
 //!
-//! Points cross the boundary as flat arrays t0, x0, t1, x1, ..; clusters as eleven numbers each: hits, a, b, c, d, e and
-//! their five bins.
+//! Points cross the boundary as flat arrays t0, x0, t1, x1, ..; clusters as eleven numbers each: hits, a, b, c, d, e
+//! and their five bins.
 
 use frond_fit::{
     Assembly, BINS, Candidate, Cluster, Components, Features, FirstPass, FunctionError, HoughError,
@@ -66,8 +66,8 @@ fn write_progress(HoughProgress { share, votes }: HoughProgress) -> JsValue {
     object(&[("share", share.into()), ("votes", (votes as f64).into())])
 }
 
-/// Feature points of a series: `count` at equal distances, smoothed by so many parts of the interval. Points may come in
-/// any order; those that are not finite are left out.
+/// Feature points of a series: `count` at equal distances, smoothed by so many parts of the interval. Points may come
+/// in any order; those that are not finite are left out.
 #[wasm_bindgen(js_name = seriesFeatures)]
 pub fn series_features(points: &[f64], count: f64, smoothing: f64) -> Result<Float64Array, JsValue> {
     let series = Series::new(&outline::points(points)?).map_err(of_hough)?;

@@ -28,8 +28,8 @@ impl Default for TraceOptions {
 
 /// The outline of what a picture shows: `{ points, area, length, warnings }`, in pixels, y up, counter-clockwise.
 ///
-/// `pixels`: red, green, blue and alpha, row after row from the top, 4194304 at most. `threshold` (-1 to 1) moves the border
-/// between ground and leaf, `stalk: false` takes a stalk off, `component` is the piece, 0 the largest.
+/// `pixels`: red, green, blue and alpha, row after row from the top, 4194304 at most. `threshold` (-1 to 1) moves the
+/// border between ground and leaf, `stalk: false` takes a stalk off, `component` is the piece, 0 the largest.
 #[wasm_bindgen(js_name = traceOutline)]
 pub fn trace_outline(
     pixels: &[u8],
@@ -76,8 +76,9 @@ impl Default for FitOptions {
     }
 }
 
-/// A fit of an outline x0, y0, x1, y1, ..; it takes seconds. `model: "closed"` (the default) spends `numbers`, 12 to 2000, on
-/// a closed curve: `{ curve, points, figures, bytes }`. `"collage"` is the fit of Cochran, Hart & Flynn with so many `maps`.
+/// A fit of an outline x0, y0, x1, y1, ..; it takes seconds. `model: "closed"` (the default) spends `numbers`, 12 to
+/// 2000, on a closed curve: `{ curve, points, figures, bytes }`. `"collage"` is the fit of Cochran, Hart & Flynn with
+/// so many `maps`.
 #[wasm_bindgen(js_name = fitCurve)]
 pub fn fit_curve(
     outline: &[f64],
@@ -112,8 +113,8 @@ fn is_done(progress: &JsValue) -> bool {
     Reflect::get(progress, &"done".into()).is_ok_and(|done| done.is_truthy())
 }
 
-/// The maps that a graph is made of, by both passes of the Hough transform: `{ found, space }`, the most hits first. Feature
-/// points t0, x0, t1, x1, ..: domains are taken from `coarse`, ranges from `fine`.
+/// The maps that a graph is made of, by both passes of the Hough transform: `{ found, space }`, the most hits first.
+/// Feature points t0, x0, t1, x1, ..: domains are taken from `coarse`, ranges from `fine`.
 #[wasm_bindgen(js_name = houghMaps)]
 pub fn hough_maps(
     coarse: &[f64],

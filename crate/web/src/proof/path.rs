@@ -14,8 +14,9 @@ struct Planning {
     axes: Option<f64>,
 }
 
-/// Plans a path from (0, 0) to (1, 1) along which the shape stays in one piece, or comes as near to that as can
-/// be; with `axes` 3, it may take the stretch ahead of the turn where the plane has no way. It computes a locus on the way: long work, for a worker.
+/// Plans a path from (0, 0) to (1, 1) along which the shape stays in one piece, or comes as near to that as can be;
+/// with `axes` 3, it may take the stretch ahead of the turn where the plane has no way. It computes a locus on the way:
+/// long work, for a worker.
 #[wasm_bindgen(js_name = planPath, unchecked_return_type = "PathPlan")]
 pub fn plan_path(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
@@ -77,7 +78,8 @@ fn plan(found: Result<PathPlan, PathError>) -> Result<JsValue, JsValue> {
     write_plan(&found.map_err(|error| failure(error.code(), &error.to_string()))?)
 }
 
-/// Looks along a path of (u, v) or (u, v, w) points, ends included, and tells where it breaks, as fractions of its length.
+/// Looks along a path of (u, v) or (u, v, w) points, ends included, and tells where it breaks, as fractions of its
+/// length.
 #[wasm_bindgen(js_name = checkPath, unchecked_return_type = "PathCheck")]
 pub fn check(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,

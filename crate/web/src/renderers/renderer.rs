@@ -98,8 +98,8 @@ impl Renderer {
         Ok(())
     }
 
-    /// Bends what is drawn, or no longer. Where nothing but the moves of its mesh is new this is cheap. Throws when there
-    /// is no such bend; the picture stays then.
+    /// Bends what is drawn, or no longer. Where nothing but the moves of its mesh is new this is cheap. Throws when
+    /// there is no such bend; the picture stays then.
     #[wasm_bindgen(js_name = setBend)]
     pub fn set_bend(
         &mut self,
@@ -124,9 +124,10 @@ impl Renderer {
         Ok(())
     }
 
-    /// Draws a picture in place of the attractor: RGBA with straight alpha, row 0 on top, at most 4096 pixels either way,
-    /// on the rectangle [0, width / height] x [0, 1]; `null` goes back. For a bend to fit it, the maps must be the 4 or 9
-    /// parts of that rectangle, x first, from the lower left. Throws when it is no picture; the last one stays then.
+    /// Draws a picture in place of the attractor: RGBA with straight alpha, row 0 on top, at most 4096 pixels either
+    /// way, on the rectangle [0, width / height] x [0, 1]; `null` goes back. For a bend to fit it, the maps must be the
+    /// 4 or 9 parts of that rectangle, x first, from the lower left. Throws when it is no picture; the last one stays
+    /// then.
     #[wasm_bindgen(js_name = setPicture)]
     pub fn set_picture(
         &mut self,

@@ -11,10 +11,11 @@ use crate::boundary::error::bad_input;
 use crate::boundary::value::object;
 use crate::renderers::canvas::{Held, open, pixels_of};
 
-/// Draws attractors of space on one canvas, on WebGPU or WebGL2. Lengths are device pixels; clouds and uniforms are bytes
-/// that `SpacePicture` of the module `frond-space` makes, as the shaders read them.
+/// Draws attractors of space on one canvas, on WebGPU or WebGL2. Lengths are device pixels; clouds and uniforms are
+/// bytes that `SpacePicture` of the module `frond-space` makes, as the shaders read them.
 ///
-/// A change of the clouds, the size or the eye shows points, and a carved picture from when it is set. Call `draw` after each.
+/// A change of the clouds, the size or the eye shows points, and a carved picture from when it is set. Call `draw`
+/// after each.
 #[wasm_bindgen]
 pub struct SpaceRenderer {
     stage: Stage3,

@@ -49,8 +49,8 @@ struct Options {
     points: Option<f64>,
 }
 
-/// The product of two systems whose maps share one linear part: where their shapes meet. Throws where they do not share it, or
-/// where there is no end of shifts.
+/// The product of two systems whose maps share one linear part: where their shapes meet. Throws where they do not share
+/// it, or where there is no end of shifts.
 #[wasm_bindgen(unchecked_return_type = "Intersection3")]
 pub fn intersection3(
     #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] first: JsValue,

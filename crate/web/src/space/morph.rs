@@ -102,15 +102,16 @@ impl SpaceLocus {
         Ok(Self { grid, morph, epsilon, scratch: Scratch3::default() })
     }
 
-    /// Every `stride`th sample of the rows from r0 to before r1 that are a multiple of it: `{ state, gap }`, as in a `Locus`.
+    /// Every `stride`th sample of the rows from r0 to before r1 that are a multiple of it: `{ state, gap }`, as in a
+    /// `Locus`.
     #[wasm_bindgen(unchecked_return_type = "{ state: Uint8Array; gap: Float32Array }")]
     pub fn run(&mut self, r0: usize, r1: usize, stride: usize) -> JsValue {
         write_tile(&tile3(&self.grid, &self.morph, self.epsilon, r0..r1, stride, &mut self.scratch))
     }
 }
 
-/// A path from (0, 0) to (1, 1) along which the shape stays in one piece, or comes as near to that as can be: long work,
-/// for a worker.
+/// A path from (0, 0) to (1, 1) along which the shape stays in one piece, or comes as near to that as can be: long
+/// work, for a worker.
 #[wasm_bindgen(js_name = findPath3, unchecked_return_type = "PathPlan")]
 pub fn find_path(
     #[wasm_bindgen(unchecked_param_type = "MapRow3[]")] from: JsValue,

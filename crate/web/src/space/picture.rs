@@ -220,7 +220,8 @@ impl SpaceCarve {
         Uint32Array::from(self.traversal.depth_buffer().codes())
     }
 
-    /// The picture: RGBA, straight alpha, row 0 on top. `look` says what was carved: width x factor across, height x factor down.
+    /// The picture: RGBA, straight alpha, row 0 on top. `look` says what was carved: width x factor across, height x
+    /// factor down.
     pub fn paint(
         &self,
         #[wasm_bindgen(unchecked_param_type = "SpaceLight")] plain: JsValue,

@@ -169,8 +169,8 @@ struct PlainFile {
     probabilities: Vec<f64>,
 }
 
-/// The systems of space of a Fractint file, `name (3D) { .. }`; `countFlat` says how many of the plane are passed over. Throws
-/// with the line where it is wrong.
+/// The systems of space of a Fractint file, `name (3D) { .. }`; `countFlat` says how many of the plane are passed over.
+/// Throws with the line where it is wrong.
 #[wasm_bindgen(
     js_name = parseIfs3,
     unchecked_return_type = "{ name: string; maps: MapRow3[]; probabilities: number[] }[]"
@@ -182,8 +182,8 @@ pub fn parse_file(text: &str) -> Result<JsValue, JsValue> {
     write(&found.systems.into_iter().map(plain).collect::<Vec<_>>())
 }
 
-/// How many systems of the plane a Fractint file has, without the sign `(3D)`. Throws as `parseIfs3`, but not for a file of these
-/// alone.
+/// How many systems of the plane a Fractint file has, without the sign `(3D)`. Throws as `parseIfs3`, but not for a
+/// file of these alone.
 #[wasm_bindgen(js_name = countFlat)]
 pub fn count_flat(text: &str) -> Result<usize, JsValue> {
     match frond_scene::parse_ifs3(text) {

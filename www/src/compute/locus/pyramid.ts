@@ -66,8 +66,8 @@ export class Pyramid {
   #previous: Pyramid | null;
 
   /**
-   * `base` is the whole plane at level 0, where somebody else keeps it; then there are no tiles of that level. What is not
-   * known yet is shown as the `previous` plane had it, until `forget`.
+   * `base` is the whole plane at level 0, where somebody else keeps it; then there are no tiles of that level. What is
+   * not known yet is shown as the `previous` plane had it, until `forget`.
    */
   constructor(source: LocusSource, base: (() => Base | null) | null = null, previous: Pyramid | null = null) {
     this.source = source;

@@ -47,7 +47,9 @@ function morphing(): ReadonlySignal<CurveMorph | null> {
 /** What is asked for the curve at any moment. */
 export const curveMorph: ReadonlySignal<CurveMorph | null> = morphing();
 
-/** What the stage asks, always for the present one: a morph keeps what it made for the moment that it was asked last. */
+/**
+ * What the stage asks, always for the present one: a morph keeps what it made for the moment that it was asked last.
+ */
 export const stageMorph: ReadonlySignal<CurveMorph | null> = morphing();
 
 /** The box of the curve at a moment. */

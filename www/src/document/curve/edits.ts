@@ -36,7 +36,9 @@ export function chooseCurve(end: End, shape: CurveShape): CurveShape | null {
   return first ? partner : null;
 }
 
-/** A curve to be bent: the first shape of the morph becomes it, the moment goes to the start, and the mesh around it. */
+/**
+ * A curve to be bent: the first shape of the morph becomes it, the moment goes to the start, and the mesh around it.
+ */
 export function bendCurve(shape: CurveShape): CurveShape | null {
   const first = !curved.peek();
   const partner = partnerOf(shape);

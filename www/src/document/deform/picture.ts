@@ -23,7 +23,9 @@ export const pictureMaps: ReadonlySignal<MapRow[]> = computed(() =>
   mapsOfRectangle(aspect.value, parts.value),
 );
 
-/** Sees to it that there is a sample when one is wanted, and says where the picture of a link is. Returns the end of it. */
+/**
+ * Sees to it that there is a sample when one is wanted, and says where the picture of a link is. Returns the end of it.
+ */
 export function watchPicture(): () => void {
   let first = true;
   let asked = false;

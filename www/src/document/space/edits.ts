@@ -1,4 +1,7 @@
-/** Edits of space. With a time line, what is done to an object is remembered at its moment; the view only when that is asked for. */
+/**
+ * Edits of space. With a time line, what is done to an object is remembered at its moment; the view only when that is
+ * asked for.
+ */
 import type { Ease, MapRow3, Space, SpaceFrame, SpaceKey, SpaceObject, SpaceTimeline } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { notify, wordsOf } from "../notice";
@@ -62,7 +65,9 @@ export function tellOfMorph(before: boolean): void {
   notify({ kind: "info", text: "The morph has ended: it was of other maps. Undo brings it back." });
 }
 
-/** Moves the chosen object, by conjugating its parameters. Throws where the transform cannot be undone: nothing changes. */
+/**
+ * Moves the chosen object, by conjugating its parameters. Throws where the transform cannot be undone: nothing changes.
+ */
 export function moveObject(by: MapRow3, options: Options = {}): void {
   const index = chosen.peek();
   const before = spaceFrame.peek()?.objects[index]?.moved ?? IDENTITY;
@@ -99,8 +104,8 @@ export function hasKeyedMaps(line: SpaceTimeline | null, index: number): boolean
 }
 
 /**
- * Other numbers for the maps of the chosen object, as many as there are. With a time line they are those of its moment, and the
- * other keys keep what was. Throws where they have no attractor.
+ * Other numbers for the maps of the chosen object, as many as there are. With a time line they are those of its moment,
+ * and the other keys keep what was. Throws where they have no attractor.
  */
 export function changeMaps(maps: MapRow3[], options: Options = {}): void {
   solid.validate3(maps);

@@ -50,8 +50,8 @@ export const space: ReadonlySignal<Space | null> = computed(() => {
 });
 
 /**
- * One undo step, or a part of one (see `edit`). A change that returns the space it was given does nothing; one that cannot
- * be written into a link throws, and nothing changes.
+ * One undo step, or a part of one (see `edit`). A change that returns the space it was given does nothing; one that
+ * cannot be written into a link throws, and nothing changes.
  */
 export function editSpace(
   change: (space: Space) => Space,
@@ -86,7 +86,9 @@ export const spaceView: ReadonlySignal<SpaceView | null> = computed(() => {
   return flown ?? spacePart.value.view ?? plainView.value;
 });
 
-/** Looks from there; null: from where all is seen. To look is nothing to undo. False where nobody can look from there. */
+/**
+ * Looks from there; null: from where all is seen. To look is nothing to undo. False where nobody can look from there.
+ */
 export function setView(view: SpaceView | null): boolean {
   if (view && !isView(view)) return false;
   const own = view !== null && spaceFrame.peek()?.view !== undefined;

@@ -1,4 +1,7 @@
-/** Small sums with maps of space, where a figure or a field wants them at once. What must be exact is asked of the module. */
+/**
+ * Small sums with maps of space, where a figure or a field wants them at once. What must be exact is asked of the
+ * module.
+ */
 import type { MapRow3, Point3 } from "#wasm/api";
 
 export function apply3(map: MapRow3, [x, y, z]: Point3): Point3 {

@@ -13,8 +13,8 @@ export interface Apart {
 const FORGET = 400;
 
 /**
- * Plays one chaos game twice, with the same maps in the same order: once with the parameters as made, whose points are then
- * moved by `by`, and once with the moved parameters.
+ * Plays one chaos game twice, with the same maps in the same order: once with the parameters as made, whose points are
+ * then moved by `by`, and once with the moved parameters.
  */
 export function apartBy(
   made: readonly MapRow3[],

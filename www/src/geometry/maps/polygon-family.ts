@@ -12,9 +12,9 @@ const SURE = 1 + 1e-14;
 /**
  * Whether the shape of s must be in one piece: n |s|² >= 1, and n is prime.
  *
- * Were all pieces apart, a small enough neighbourhood of the shape would hold its n disjoint images and more, so that
- * n |s|² < 1. So some two meet; the n-ths of a turn take the shape into itself and pieces into pieces, and where n is prime,
- * these two turned round reach every piece.
+ * Were all pieces apart, a small enough neighbourhood of the shape would hold its n disjoint images and more, so that n
+ * |s|² < 1. So some two meet; the n-ths of a turn take the shape into itself and pieces into pieces, and where n is
+ * prime, these two turned round reach every piece.
  */
 export function fills(sides: number, [re, im]: readonly [number, number, number?]): boolean {
   return isPrime(sides) && sides * (re * re + im * im) >= SURE;

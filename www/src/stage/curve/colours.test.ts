@@ -2,7 +2,9 @@ import { describe, expect, it } from "vitest";
 import { edgeColours, mixed } from "./colours";
 
 const PALETTE = ["#000000", "#111111", "#222222", "#333333"];
-/** Edges: straight; copies of an arc, of a longer one from the same knot, and of the first again at A; of one arc at B. */
+/**
+ * Edges: straight; copies of an arc, of a longer one from the same knot, and of the first again at A; of one arc at B.
+ */
 const ARCS = [-1, 0, -1, 0, 5, 2, 2, 3, 5, 3, 2, 3, 5, 2, -1, 0];
 const names = (s: number, colouring: "map" | "address" | "density") => {
   const found = edgeColours(ARCS, s, colouring, PALETTE);

@@ -8,8 +8,8 @@ export interface EdgeColours {
 }
 
 /**
- * Colours of the edges of a morph at s; null where the outline has one colour. `arcs` holds for each edge the arcs that it
- * copies at either end, first knot and number of edges, -1 and 0 where it is straight there.
+ * Colours of the edges of a morph at s; null where the outline has one colour. `arcs` holds for each edge the arcs that
+ * it copies at either end, first knot and number of edges, -1 and 0 where it is straight there.
  *
  * All copies of one arc have one colour, straight edges the first of the palette; between the ends colours go over.
  */
@@ -59,7 +59,9 @@ function arcAt(arcs: ArrayLike<number>, edge: number, end: number): number | nul
   return from < 0 ? null : from * 65_536 + span;
 }
 
-/** One colour on its way to another, both "#rrggbb", in sixteen steps: more are not told apart, and each costs a path. */
+/**
+ * One colour on its way to another, both "#rrggbb", in sixteen steps: more are not told apart, and each costs a path.
+ */
 export function mixed(from: string, to: string, s: number): string {
   if (from === to) return from;
   const t = Math.round(16 * s) / 16;

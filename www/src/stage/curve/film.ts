@@ -1,4 +1,7 @@
-/** The film of a closed curve's morph: small pictures at even times, made one after another while there is nothing else to do. */
+/**
+ * The film of a closed curve's morph: small pictures at even times, made one after another while there is nothing else
+ * to do.
+ */
 import { effect, untracked } from "@preact/signals";
 import { type Frame, publish } from "#compute/results";
 import { FRAME_HEIGHT, FRAME_WIDTH, FRAMES } from "#compute/strip";

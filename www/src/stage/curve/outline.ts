@@ -82,8 +82,8 @@ function cut(points: ArrayLike<number>, box: Placed["box"]): number[] {
 }
 
 /**
- * The outline, each segment in the path of its kind: `kindOf(i)` of that from vertex i to the next. What lies outside is
- * left out.
+ * The outline, each segment in the path of its kind: `kindOf(i)` of that from vertex i to the next. What lies outside
+ * is left out.
  */
 export function outlinePaths<S extends Sink>(
   placed: Placed,

@@ -67,7 +67,8 @@ const contourOf = (gap: number): number => 2 * Math.log10(gap);
 const NOWHERE = -1e6;
 
 /**
- * RGBA, `size` x `size`, the highest v on top. Samples that are not decided, and what lies beyond the field, stay clear.
+ * RGBA, `size` x `size`, the highest v on top. Samples that are not decided, and what lies beyond the field, stay
+ * clear.
  */
 export function paint(
   field: Locus & { bounds: Bounds },
@@ -170,8 +171,8 @@ function heightsOf({ state, gap }: Locus): Float32Array {
 }
 
 /**
- * Where the middle of each pixel falls on an axis: the nearest sample, the one below, and how far on to the next. -1 for
- * pixels beyond the samples, which own half a step more than they span.
+ * Where the middle of each pixel falls on an axis: the nearest sample, the one below, and how far on to the next. -1
+ * for pixels beyond the samples, which own half a step more than they span.
  */
 function axis(size: number, samples: number, first: number, last: number, from: number, to: number) {
   const step = samples > 1 ? (last - first) / (samples - 1) : 1;

@@ -1,4 +1,7 @@
-/** The deformation tool: its side panel, its time strip, and what it lays over the picture. Loaded when it is first opened. */
+/**
+ * The deformation tool: its side panel, its time strip, and what it lays over the picture. Loaded when it is first
+ * opened.
+ */
 import { PanelFoot } from "#ui/panel/PanelFoot";
 import { ColourPanel } from "./colour/ColourPanel";
 import { ringed } from "./facts";

@@ -16,7 +16,9 @@ export interface MenuProps {
   icon?: IconName;
 }
 
-/** A button that opens a short list of things to do. Arrows, Home and End walk it; Escape and a press outside close it. */
+/**
+ * A button that opens a short list of things to do. Arrows, Home and End walk it; Escape and a press outside close it.
+ */
 export function Menu({ label, items, icon = "more" }: MenuProps) {
   const [open, setOpen] = useState(false);
   const root = useRef<HTMLDivElement>(null);

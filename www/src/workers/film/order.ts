@@ -1,6 +1,6 @@
 /**
- * Does pieces of work of which several are under way at a time, and takes their results in their order. `ahead` is how many may
- * be under way or done and not taken yet.
+ * Does pieces of work of which several are under way at a time, and takes their results in their order. `ahead` is how
+ * many may be under way or done and not taken yet.
  */
 export async function inOrder<T>(
   count: number,

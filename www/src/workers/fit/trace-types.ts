@@ -1,8 +1,8 @@
 /**
  * From a file to outlines: what the tasks `openFile`, `mask`, `outline` and `closeFile` take and give.
  *
- * Pictures are seen at their working size (at most 4 megapixels; larger ones are made smaller while they are decoded), x
- * right and y down, row 0 on top, as they are painted on. Outlines have y up, from the lower left corner, run
+ * Pictures are seen at their working size (at most 4 megapixels; larger ones are made smaller while they are decoded),
+ * x right and y down, row 0 on top, as they are painted on. Outlines have y up, from the lower left corner, run
  * counter-clockwise, and do not repeat the first point. A picture lives in one worker: ask the same lane for all of it.
  * What goes wrong is thrown as `{ code, message }`, and the message says what to try.
  */

@@ -21,8 +21,8 @@ export function within(width: number, height: number, most: number): { width: nu
 }
 
 /**
- * Decodes a picture on this thread, a worker's, to at most so many pixels. Throws where it is damaged, and null where it
- * turns out to be larger than its header said.
+ * Decodes a picture on this thread, a worker's, to at most so many pixels. Throws where it is damaged, and null where
+ * it turns out to be larger than its header said.
  */
 export async function decode(file: Blob, most: number): Promise<Decoded | null> {
   const whole = await createImageBitmap(file);

@@ -1,8 +1,8 @@
 import type { Header } from "./header";
 
 /**
- * Whether the end of a picture is there: decoders paint grey what is missing, or nothing. What stands behind the end, as
- * the films that telephones put there, does not count.
+ * Whether the end of a picture is there: decoders paint grey what is missing, or nothing. What stands behind the end,
+ * as the films that telephones put there, does not count.
  */
 export function isWhole(kind: Header["kind"], bytes: Uint8Array): boolean {
   const data = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

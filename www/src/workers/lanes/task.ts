@@ -2,7 +2,9 @@
 export interface Context<Progress = never> {
   /** What has been reached: the one who asked is told at once. */
   progress(value: Progress, transfer?: Transferable[]): void;
-  /** To be awaited every 50 ms or so: word that it is to stop comes meanwhile, and is thrown as `{ code: "stopped" }`. */
+  /**
+   * To be awaited every 50 ms or so: word that it is to stop comes meanwhile, and is thrown as `{ code: "stopped" }`.
+   */
   breathe(): Promise<void>;
   /** Handed over with the result instead of copied. */
   transfer(...values: Transferable[]): void;

@@ -23,7 +23,9 @@ import type {
   Route,
 } from "#wasm/api";
 
-/** What can be asked of a worker, by kind. Every task is one slice: some ten milliseconds of work, unless it says so. */
+/**
+ * What can be asked of a worker, by kind. Every task is one slice: some ten milliseconds of work, unless it says so.
+ */
 export interface Tasks {
   /** Rows of a locus. `key` tells loci apart, so that a worker prepares each only once. */
   locus: {

@@ -4,8 +4,8 @@ import { performer } from "./performer";
 import type { Tasks } from "./tasks";
 
 /**
- * Asks the workers of space for something. Lane 0 is the stage's own, so that a picture never waits; 1, where a task goes
- * that does not say, is for what is short; 2 and 3 are for what is long.
+ * Asks the workers of space for something. Lane 0 is the stage's own, so that a picture never waits; 1, where a task
+ * goes that does not say, is for what is short; 2 and 3 are for what is long.
  */
 export const spaceTask = client<Tasks, 0 | 1 | 2 | 3>({
   module: compileSpace,

@@ -3,7 +3,10 @@ import type { PictureRequest } from "./picture";
 
 export type { PictureRequest, Shown } from "./picture";
 
-/** The complete picture, from a worker: for thumbnails, files and frames. Rejected with `{ code: "stopped" }` when called off. */
+/**
+ * The complete picture, from a worker: for thumbnails, files and frames. Rejected with `{ code: "stopped" }` when
+ * called off.
+ */
 export async function pictureOf(
   request: PictureRequest,
   options: { signal?: AbortSignal; lane?: 0 | 1 | 2 | 3 } = {},

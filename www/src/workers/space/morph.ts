@@ -42,7 +42,10 @@ export interface PathTold extends PathCheck {
 
 /** Milliseconds from breath to breath. */
 const BREATH = 60;
-/** Samples a side of the locus that a path is looked for in: the next only where the one before has found none that holds. */
+/**
+ * Samples a side of the locus that a path is looked for in: the next only where the one before has found none that
+ * holds.
+ */
 const SIDES = [13, 25, 49] as const;
 /** Moments of a path that are looked at. */
 const MOMENTS = 401;

@@ -1,6 +1,6 @@
 /**
- * The arrowhead curve: it runs through all of a Sierpinski gasket from corner A to corner C, and with its parameter t as
- * the third coordinate it is the space curve of Cochran, Hart & Flynn, Figure 3.
+ * The arrowhead curve: it runs through all of a Sierpinski gasket from corner A to corner C, and with its parameter t
+ * as the third coordinate it is the space curve of Cochran, Hart & Flynn, Figure 3.
  */
 import type { Point } from "../../kit/maps/pieces";
 

@@ -8,7 +8,9 @@ export function rangeOfPiece({ map: [a, , , d], domain: [alpha, beta] }: Graph["
   return { from: Math.min(...ends), to: Math.max(...ends) };
 }
 
-/** Samples (t0, x0, t1, ..) parted where the pieces meet, in the order of the pieces; a point where two meet is in both. */
+/**
+ * Samples (t0, x0, t1, ..) parted where the pieces meet, in the order of the pieces; a point where two meet is in both.
+ */
 export function byPiece(graph: Graph, samples: Float64Array): Float64Array[] {
   const [first, last] = [samples[0] ?? 0, samples[samples.length - 2] ?? 1];
   const near = 1e-9 * (last - first);
@@ -52,8 +54,8 @@ export function stepFor(span: number): number {
 }
 
 /**
- * The paper's ideal feature points of a function of maps that copy the whole: their fixed points, and the images of these
- * under all compositions of so many maps, from left to right. Where two pieces should meet, the right one counts.
+ * The paper's ideal feature points of a function of maps that copy the whole: their fixed points, and the images of
+ * these under all compositions of so many maps, from left to right. Where two pieces should meet, the right one counts.
  */
 export function fixedPointImages(pieces: readonly Piece[], depth: number): [t: number, x: number][] {
   let points = pieces.map(({ map: [a, b, c, d, e] }): [number, number] => {

@@ -1,4 +1,6 @@
-/** What Cochran, Hart & Flynn print in their tables. A map is [a, b, c, d, e]: t' = a t + d, x' = b t + c x + e (eq 1). */
+/**
+ * What Cochran, Hart & Flynn print in their tables. A map is [a, b, c, d, e]: t' = a t + d, x' = b t + c x + e (eq 1).
+ */
 
 import { TABLE_1 as TABLE_1_GRAPH, TABLE_3 as TABLE_3_GRAPH } from "#tools/fit/graph/printed";
 

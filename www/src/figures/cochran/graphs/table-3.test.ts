@@ -12,8 +12,8 @@ describe("Table 3", () => {
   });
 
   it("is as far from the original as the paper says, to what it leaves open", () => {
-    // The paper: 0.0858 at most and 0.000180 in the mean square. Its digits are between those of the fractions and of the
-    // rounded table.
+    // The paper: 0.0858 at most and 0.000180 in the mean square. Its digits are between those of the fractions and of
+    // the rounded table.
     const exact = missesOf(TABLE_3_EXACT);
     expect(exact.worst).toBeCloseTo(0.08203, 5);
     expect(exact.meanSquare).toBeCloseTo(0.000157, 6);

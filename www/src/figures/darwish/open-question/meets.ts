@@ -60,8 +60,8 @@ export function findingOf({ shifts, attractor }: Pick<Intersection3, "shifts" | 
 }
 
 /**
- * Which of the two is made by maps that the other has, too: then all of it lies in the other, and it is what they share.
- * Null where neither is.
+ * Which of the two is made by maps that the other has, too: then all of it lies in the other, and it is what they
+ * share. Null where neither is.
  */
 export function inner(first: readonly MapRow3[], second: readonly MapRow3[]): "first" | "second" | null {
   const among = (some: readonly MapRow3[], all: readonly MapRow3[]) =>

@@ -14,8 +14,8 @@ export interface Answers {
 }
 
 /**
- * One picture at a time: first a coarse one, which comes to its end, so that something is seen during a drag, and at rest one
- * in full, which is given up as soon as another is wished for.
+ * One picture at a time: first a coarse one, which comes to its end, so that something is seen during a drag, and at
+ * rest one in full, which is given up as soon as another is wished for.
  */
 export class Carving {
   private wish: { request: PictureRequest; answers: Answers } | null = null;

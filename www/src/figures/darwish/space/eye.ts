@@ -46,7 +46,10 @@ export function fromOrigin([x, y, z]: Point3, angle: number): SpaceView {
   return { target: [x, y, z], distance, turn: Math.atan2(-x, y), tilt, angle, holds: "eye" };
 }
 
-/** Where a point is in a picture: from -1 to 1 upwards, as far to the sides as the picture is wide, and how deep before the eye. */
+/**
+ * Where a point is in a picture: from -1 to 1 upwards, as far to the sides as the picture is wide, and how deep before
+ * the eye.
+ */
 export function seen(view: SpaceView): (point: Point3) => readonly [x: number, y: number, depth: number] {
   const { eye, right, up, ahead } = axesOf(view);
   const slope = Math.tan(view.angle / 2);

@@ -14,7 +14,9 @@ const CORNERS: readonly Point3[] = [
 
 export type Form = "halves" | "sheet";
 
-/** Sierpinski's triangle in space: by maps that halve everything, or by maps that also flatten what is off its plane. */
+/**
+ * Sierpinski's triangle in space: by maps that halve everything, or by maps that also flatten what is off its plane.
+ */
 export function triangle(form: Form): MapRow3[] {
   const linear = scale3([0.5, form === "halves" ? 0.5 : 0, 0.5]);
   return CORNERS.map((corner) => about3(linear, corner));

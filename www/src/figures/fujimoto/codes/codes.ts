@@ -1,4 +1,6 @@
-/** Codes of the points of unit cubes, and what a shuffle does to a code. Letters count from 0 here, from 1 on screen. */
+/**
+ * Codes of the points of unit cubes, and what a shuffle does to a code. Letters count from 0 here, from 1 on screen.
+ */
 
 /** Cut into `parts` along each side; the letter of a cell is ix + parts * iy (Fujimoto et al., Fig 1). */
 export interface Cube {

@@ -4,7 +4,10 @@ import css from "./picking.module.css";
 /** For what is pressed. */
 export const pickedClass = css["picked"] ?? "";
 
-/** Makes a drawing answer to the pointer: where it is pressed, and where it is dragged, in parts of its width and height. */
+/**
+ * Makes a drawing answer to the pointer: where it is pressed, and where it is dragged, in parts of its width and
+ * height.
+ */
 export function picking(onPick: (at: Point) => void) {
   const pick = (event: PointerEvent) => {
     const box = (event.currentTarget as Element).getBoundingClientRect();

@@ -1,6 +1,6 @@
 /**
- * Displacements and colours at the control points of the figures on fractal deformation. The paper says that there are 4 x 4
- * of them, blended by Bezier interpolation of degree 3, and what they do; it prints no numbers. All of these are
+ * Displacements and colours at the control points of the figures on fractal deformation. The paper says that there are
+ * 4 x 4 of them, blended by Bezier interpolation of degree 3, and what they do; it prints no numbers. All of these are
  * reconstructed from those words.
  */
 import { hexOf } from "#style/hex";

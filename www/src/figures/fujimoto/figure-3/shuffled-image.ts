@@ -28,7 +28,10 @@ export function digitsReversed(x: number, kb: number, ke: number): number {
   return out;
 }
 
-/** F_e-uni,c (eq 11): the colours of the square after the shuffle kb to ke. Superposed: the mean of all kb to ke (eq 12). */
+/**
+ * F_e-uni,c (eq 11): the colours of the square after the shuffle kb to ke. Superposed: the mean of all kb to ke (eq
+ * 12).
+ */
 export function shuffledImage(subject: Subject, kb: number, ke: number, superposed: boolean): ShuffledImage {
   const tables = tablesOf(kb, ke, superposed);
   const pixels = new Uint8ClampedArray(4 * SIDE * SIDE);

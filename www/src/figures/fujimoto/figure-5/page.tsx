@@ -18,7 +18,9 @@ import { Sway, useSway } from "./sway";
 const BOX: Box = { x0: -5.3, y0: -0.5, x1: 5.3, y1: 10.4 };
 const ASPECT = (BOX.x1 - BOX.x0) / (BOX.y1 - BOX.y0);
 const SHAPE = { maps: FERN, box: BOX, aspect: ASPECT };
-/** The fern itself, and where the names of its pieces stand: in the middle, on the two lowest leaves, and on the stem. */
+/**
+ * The fern itself, and where the names of its pieces stand: in the middle, on the two lowest leaves, and on the stem.
+ */
 const REST: Box = { x0: -2.2, y0: 0, x1: 2.7, y1: 10 };
 const NAMES: readonly Point[] = [
   [0.4, 5.6],

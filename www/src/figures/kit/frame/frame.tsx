@@ -26,7 +26,9 @@ export interface FrameProps extends Heading {
   captions: readonly string[];
   /** Why the picture is not the paper's own: what was not printed, and what stands for it here; null where all was. */
   reconstructed: string | null;
-  /** The picture is Frond’s own, on the paper's subject: hardly anything of it was printed. `reconstructed` says what. */
+  /**
+   * The picture is Frond’s own, on the paper's subject: hardly anything of it was printed. `reconstructed` says what.
+   */
   own?: boolean;
   /** What differs from the paper all the same. */
   differs?: ComponentChildren;

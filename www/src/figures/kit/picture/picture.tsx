@@ -56,7 +56,8 @@ export function Picture({
       bitmap.close();
       setShown(about);
     },
-    // Without an attractor there is nothing to see, and the verdict beside it says so. What cannot be bent stays as it was.
+    // Without an attractor there is nothing to see, and the verdict beside it says so. What cannot be bent stays as it
+    // was.
     fail(about) {
       if (canvas.current && !about.options.bend) canvas.current.width += 0;
     },

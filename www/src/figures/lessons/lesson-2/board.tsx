@@ -30,7 +30,7 @@ export function Board({ game, count, label, holes = [], onThrow }: BoardProps) {
   const pixels = usePixels(canvas);
   const onDark = useValue(dark);
   const colours = palette(onDark ? "dark" : "light");
-  // biome-ignore lint/correctness/useExhaustiveDependencies: `count` says that `game`, which is one object, has moved on
+  // biome-ignore lint/correctness/useExhaustiveDependencies: `count` says that `game`, one object, has moved on
   useLayoutEffect(() => {
     if (canvas.current && pixels) paint(canvas.current, game, pixels, colours);
   }, [game, count, pixels, onDark]);

@@ -4,7 +4,9 @@ import { weightsAt } from "#geometry/bezier";
 import type { Mesh } from "#geometry/mesh";
 import { answer, partner, type Symmetry } from "./symmetry";
 
-/** Close to the axis of a mirror, where its partner pulls the other way, a place lags rather than the mesh tears out. */
+/**
+ * Close to the axis of a mirror, where its partner pulls the other way, a place lags rather than the mesh tears out.
+ */
 const LEAST = 0.05;
 
 /**

@@ -25,8 +25,8 @@ export function answer(by: Symmetry): readonly [number, number] {
 }
 
 /**
- * What each control point moves by when those chosen move by (dx, dy): they and, mirrored, their partners. Of two chosen
- * partners the one nearer to the one that is held leads; one on the axis stays on it.
+ * What each control point moves by when those chosen move by (dx, dy): they and, mirrored, their partners. Of two
+ * chosen partners the one nearer to the one that is held leads; one on the axis stays on it.
  */
 export function spread(
   mesh: Sides,

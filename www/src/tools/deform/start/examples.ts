@@ -62,7 +62,10 @@ function lifted(deformation: Deformation, hull: readonly Point[]): Deformation {
   return { ...deformation, keys: [{ at: 0, moves }], phase: 0 };
 }
 
-/** Sides that look to the side have more room on a stage; of equal ones it is that which lies highest and most to the right. */
+/**
+ * Sides that look to the side have more room on a stage; of equal ones it is that which lies highest and most to the
+ * right.
+ */
 function longestSide(hull: readonly Point[]): { middle: Point; outward: Point } {
   let best = { middle: [0.5, 0.5] as Point, outward: [0, 1] as Point };
   let most = Number.NEGATIVE_INFINITY;

@@ -1,4 +1,6 @@
-/** The convex hull of points x0, y0, x1, y1, .., counter-clockwise, its sides without points between (Andrew's chain). */
+/**
+ * The convex hull of points x0, y0, x1, y1, .., counter-clockwise, its sides without points between (Andrew's chain).
+ */
 export function hullOf(points: ArrayLike<number>): [x: number, y: number][] {
   const sorted = Array.from({ length: Math.floor(points.length / 2) }, (_, i): [number, number] => [
     points[2 * i] ?? 0,

@@ -1,4 +1,6 @@
-/** The fit of the outline: the latest that was asked for, the best so far, its figures, and what it is compared with. */
+/**
+ * The fit of the outline: the latest that was asked for, the best so far, its figures, and what it is compared with.
+ */
 import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { fitDocument, replaceFit } from "#document/fit";
 import { announce, notify, wordsOf } from "#document/notice";
@@ -252,7 +254,10 @@ function fail(wrong: unknown): void {
   });
 }
 
-/** What so many numbers are compared with is there in a second or two: beside the fit, which takes longer; else after it. */
+/**
+ * What so many numbers are compared with is there in a second or two: beside the fit, which takes longer; else after
+ * it.
+ */
 const SOON = 400;
 const BESIDE = 1;
 

@@ -77,7 +77,10 @@ function close(picture: OpenedPicture): void {
   fitTask("closeFile", { id: picture.id }, { lane: PICTURE_LANE }).catch(() => {});
 }
 
-/** Reads a file: a picture, a drawing or numbers. The last one that was given counts; what was there stays until it is read. */
+/**
+ * Reads a file: a picture, a drawing or numbers. The last one that was given counts; what was there stays until it is
+ * read.
+ */
 export async function takeFile(
   file: Blob,
   given: string,

@@ -44,8 +44,8 @@ export function frameCount(plan: Part, loop: Repeat): number {
 }
 
 /**
- * The moments of its frames, evenly spaced. Where it goes round, or to and fro, a frame more would be the first again. Where it ends,
- * its last frame shows the end.
+ * The moments of its frames, evenly spaced. Where it goes round, or to and fro, a frame more would be the first again.
+ * Where it ends, its last frame shows the end.
  */
 export function timesOf(plan: Part, loop: Repeat): number[] {
   const { from, to } = plan;
@@ -104,7 +104,10 @@ export function litPart(pixels: Uint8ClampedArray, ground: readonly number[]): n
 /** Bytes of a GIF for each pixel that shows something, while it moves; the ground hardly takes any. */
 const GIF_BYTES = 0.6;
 
-/** About how many bytes a film has; `lit` is the part of a frame that shows something. What a GIF takes depends on what moves. */
+/**
+ * About how many bytes a film has; `lit` is the part of a frame that shows something. What a GIF takes depends on what
+ * moves.
+ */
 export function filmBytes(plan: Plan, loop: Repeat, lit = 0.5): number {
   const count = frameCount(plan, loop);
   if (plan.kind === "gif") return 800 + (GIF_BYTES * lit + 0.003) * plan.width * plan.height * count;

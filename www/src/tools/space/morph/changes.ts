@@ -7,7 +7,9 @@ export { withoutMorph };
 /** As many as a link may hold. */
 export const MOST_POINTS = 64;
 
-/** Leads the first object to a shape; `order` says which map becomes which. What was chosen of the morph before stays. */
+/**
+ * Leads the first object to a shape; `order` says which map becomes which. What was chosen of the morph before stays.
+ */
 export function leadingTo(space: Space, to: Shape3, order: readonly number[]): Space {
   const before = space.morph;
   const morph: SpaceMorph = {

@@ -1,4 +1,6 @@
-/** What is worked out of the morph: where it holds, a path, where that breaks, and whether what is seen is in one piece. */
+/**
+ * What is worked out of the morph: where it holds, a path, where that breaks, and whether what is seen is in one piece.
+ */
 import { batch, computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { wordsOf } from "#document/notice";
 import { replace, scene } from "#document/scene";
@@ -48,7 +50,10 @@ export const uv: ReadonlySignal<Uv> = computed(() => uvAt(pathPoints.value, mome
 
 const auto = computed(() => morph.value?.path.kind === "auto");
 
-/** Where the morph holds together, as far as it is known; that of the morph before stays until there is something of the next. */
+/**
+ * Where the morph holds together, as far as it is known; that of the morph before stays until there is something of the
+ * next.
+ */
 const field = signal<LocusSoFar | null>(null);
 export const locus: ReadonlySignal<LocusSoFar | null> = field;
 export const locusProblem = signal<string | null>(null);
@@ -200,7 +205,10 @@ async function look(key: string): Promise<void> {
 const DIGITS = 1e4;
 const kept = (x: number) => Math.round(x * DIGITS) / DIGITS || 0;
 
-/** Puts a path that was found into the document. It was asked for with the choice, so that it is no undo step of its own. */
+/**
+ * Puts a path that was found into the document. It was asked for with the choice, so that it is no undo step of its
+ * own.
+ */
 function lay({ plan }: PathFound): void {
   const now = space.peek();
   const before = now?.morph;

@@ -8,8 +8,8 @@ const RANDOM = 400;
 const STEPS = 64;
 
 /**
- * Points of an attractor that stand for all of it in a picture. Points at random miss its corners, which often are where
- * a map, or a map after another, keeps still: these are among them.
+ * Points of an attractor that stand for all of it in a picture. Points at random miss its corners, which often are
+ * where a map, or a map after another, keeps still: these are among them.
  */
 export function standFor(maps: readonly MapRow3[]): Point3[] {
   const { positions } = solid.attractor3([...maps], { points: RANDOM, seed: 1 });

@@ -5,7 +5,9 @@ import { nudge } from "../edit";
 import { chosen, lead } from "./chosen";
 import { nameOf } from "./words";
 
-/** How far the chosen handle is moved, in numbers. Several keep their distances: the numbers are those of one of them. */
+/**
+ * How far the chosen handle is moved, in numbers. Several keep their distances: the numbers are those of one of them.
+ */
 export function HandleFields() {
   const all = chosen.value;
   const now = mesh.value;

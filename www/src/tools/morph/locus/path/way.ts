@@ -87,7 +87,9 @@ export function showW(): void {
 /** How far the stretch may be ahead of the turn, or behind it. */
 export const MOST_W = 1;
 
-/** A point as the document keeps it: on the square, as fine as can be pointed at, and with as few numbers as it needs. */
+/**
+ * A point as the document keeps it: on the square, as fine as can be pointed at, and with as few numbers as it needs.
+ */
 function kept([u, v, w = 0]: Uv): Uv {
   const [x, y] = clamp([u, v], WHOLE);
   const digits = 10 ** (3 + Math.max(0, Math.ceil(Math.log10(locusView.peek().zoom))));
@@ -106,7 +108,10 @@ export function moveTo(index: number, point: Uv, gesture?: string): void {
   set(move(way.peek(), index, kept([u, v, w])), gesture);
 }
 
-/** A way point more, on the segment that is nearest; it lies in the plane that is looked at. Returns its number, or null where a link could hold no more. */
+/**
+ * A way point more, on the segment that is nearest; it lies in the plane that is looked at. Returns its number, or null
+ * where a link could hold no more.
+ */
 export function addAt(point: Uv): number | null {
   if (way.peek().length >= MOST_POINTS) {
     announce(`A path has at most ${MOST_POINTS} way points.`);

@@ -11,7 +11,9 @@ import { type Pointed, pointed, type Seen, SIDE, seen } from "./hover";
 
 const REST_MS = 700;
 
-/** The attractor at the parameter that is pointed at, beside it: it takes nothing and hides nothing that is pointed at. */
+/**
+ * The attractor at the parameter that is pointed at, beside it: it takes nothing and hides nothing that is pointed at.
+ */
 export function Preview({ square }: { square: RefObject<HTMLElement | null> }) {
   return <Card now={pointed.value} known={seen.value} frame={shownWindow.value} square={square} />;
 }

@@ -61,8 +61,8 @@ interface Extent {
 }
 
 /**
- * Where the card stands: left of the square where there is room, since nothing is hidden there; else over the point, well
- * clear of a finger; always within the page.
+ * Where the card stands: left of the square where there is room, since nothing is hidden there; else over the point,
+ * well clear of a finger; always within the page.
  */
 export function spot(
   at: { x: number; y: number },

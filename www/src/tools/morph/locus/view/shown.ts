@@ -4,8 +4,8 @@ import { locusWindow } from "#compute/results";
 import { shownWindow, view } from "./view";
 
 /**
- * What is known of the window that is shown, read anew for every picture: coarser samples stand in for those that are not
- * there yet, so that moving about never leaves it blank. Null before anything is known of the plane.
+ * What is known of the window that is shown, read anew for every picture: coarser samples stand in for those that are
+ * not there yet, so that moving about never leaves it blank. Null before anything is known of the plane.
  */
 export const shownField: ReadonlySignal<Field | null> = computed(() => {
   const { pyramid } = locusWindow.value ?? {};

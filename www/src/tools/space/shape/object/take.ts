@@ -39,7 +39,10 @@ function tellOf(what: string, left: boolean, aloud: boolean): void {
   notify({ kind: "info", text: what, action: { label: "Undo", run: back } });
 }
 
-/** Takes objects in, and says `what` was done, to be seen where `aloud`. Of what cannot be taken it says why, and nothing changes. */
+/**
+ * Takes objects in, and says `what` was done, to be seen where `aloud`. Of what cannot be taken it says why, and
+ * nothing changes.
+ */
 export function take(objects: readonly SpaceObject[], how: How, what: string, aloud = false): void {
   const [first] = objects;
   if (!first) return;

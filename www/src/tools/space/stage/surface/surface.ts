@@ -23,7 +23,10 @@ export interface Surface {
   readonly backend: PainterBackend;
   /** Whether what was completed for one picture will do for another. */
   keeps(before: Wanted, after: Wanted): boolean;
-  /** Shows what can be shown at once, in a frame that came so many ms after it was asked for. Throws where there is no such view. */
+  /**
+   * Shows what can be shown at once, in a frame that came so many ms after it was asked for. Throws where there is no
+   * such view.
+   */
   draw(wanted: Wanted, waited: number): { points: number };
   /**
    * Makes the complete picture of what was drawn last, and shows it: first one pixel for each, then smoothed. Rejected

@@ -49,7 +49,9 @@ export function aroundOf(view: SpaceView, { centre, radius }: Ball): SpaceView[]
   return [from(0, 1.05, 0), from(1 / 3, 0.62, -0.1), from(2 / 3, 0.85, 0.25), from(1, 1.05, 0)];
 }
 
-/** From where the eye is into the scene, between what stands there, and up behind it; around what is seen from outside. */
+/**
+ * From where the eye is into the scene, between what stands there, and up behind it; around what is seen from outside.
+ */
 export function throughOf(view: SpaceView, ball: Ball): SpaceView[] {
   const eye = eyeOf(view);
   const amid = ball.amid ?? ball.centre;
