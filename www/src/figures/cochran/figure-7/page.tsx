@@ -1,6 +1,7 @@
 import { useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { boxOfPoints, UNIT } from "#geometry/boxes";
+import { UNIT } from "#geometry/boxes";
+import { boxOfPoints } from "#geometry/point-box";
 import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import type { Collage, Figures } from "#workers/fit/curve";

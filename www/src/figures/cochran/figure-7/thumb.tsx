@@ -1,5 +1,6 @@
 import { useMemo } from "preact/hooks";
-import { boxOfPoints, UNIT } from "#geometry/boxes";
+import { UNIT } from "#geometry/boxes";
+import { boxOfPoints } from "#geometry/point-box";
 import { loadCurves, rough } from "#wasm/curve";
 import { Small } from "../../kit/picture/small";
 import { type OutlineLine, OutlineView } from "./outline-view";

@@ -1,6 +1,7 @@
 /** Where what was opened lies in the plane: all of it in a square of side 2 about the origin, whatever its units. */
 
-import { type Box, boxOfPoints } from "#geometry/boxes";
+import type { Box } from "#geometry/boxes";
+import { boxOfPoints } from "#geometry/point-box";
 
 export interface Frame {
   /** Of the source. */
