@@ -62,7 +62,7 @@ export function Page(heading: Heading) {
         onTurn={setEye}
         label={`The space curve of ${pieces} pieces, seen from ${fixed(eye.turn, 0)} degrees round and ${fixed(eye.tilt, 0)} degrees up${view ? `: ${view.about}` : ""}`}
       />
-      <fieldset class={`${layout["buttons"]} ${css["bare-fieldset"]}`}>
+      <fieldset class={layout["buttons"]}>
         <legend class="unseen">Where from</legend>
         {VIEWS.map(({ name, about, eye: there }) => (
           <Button key={name} description={about} pressed={view?.name === name} onClick={() => setEye(there)}>

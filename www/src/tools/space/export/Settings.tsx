@@ -142,24 +142,18 @@ function FilmFields({ of }: { of: Plan }) {
         </Select>
       </label>
       <div class="export-pair">
-        <NumberField
-          label="Width"
-          value={width}
-          min={LEAST_SIDE}
-          max={MOST_SIDE}
-          step={2}
-          digits={0}
-          onChange={(next) => choose({ width: next })}
-        />
-        <NumberField
-          label="Height"
-          value={height}
-          min={LEAST_SIDE}
-          max={MOST_SIDE}
-          step={2}
-          digits={0}
-          onChange={(next) => choose({ height: next })}
-        />
+        {(["width", "height"] as const).map((side) => (
+          <NumberField
+            key={side}
+            label={side === "width" ? "Width" : "Height"}
+            value={side === "width" ? width : height}
+            min={LEAST_SIDE}
+            max={MOST_SIDE}
+            step={2}
+            digits={0}
+            onChange={(next) => choose({ [side]: next })}
+          />
+        ))}
       </div>
       <NumberField
         label="Frames a second"
