@@ -30,28 +30,28 @@ fn main() {
     println!("{} and {} knots become {}", a.knots.len(), b.knots.len(), morph.knots());
     println!("matching {:.2} ms", least(|| CurveMorph::new(&a, Some(&b))));
     for s in [0.0, 0.25, 0.5, 0.75, 1.0] {
-        let woven = morph.at(s);
-        let [left, bottom, right, top] = woven.bounds();
+        let morphed = morph.at(s);
+        let [left, bottom, right, top] = morphed.bounds();
         let tolerance = (right - left).max(top - bottom) / 600.0;
-        let line: Vec<_> = woven.trace(tolerance, None, 1 << 16).iter().map(|corner| corner.1).collect();
+        let line: Vec<_> = morphed.trace(tolerance, None, 1 << 16).iter().map(|corner| corner.1).collect();
         println!(
             "s {s:.2}: at {:.2} ms, bounds {:.2} ms, at 1/600 {:.2} ms for {} corners, {} copies, grid of 4^7 {:.2} ms, {} crossings",
             least(|| morph.at(s)),
-            least(|| woven.bounds()),
-            least(|| woven.trace(tolerance, None, 1 << 16)),
+            least(|| morphed.bounds()),
+            least(|| morphed.trace(tolerance, None, 1 << 16)),
             line.len(),
-            woven.copies(),
-            least(|| woven.grid(16_384)),
+            morphed.copies(),
+            least(|| morphed.grid(16_384)),
             crossings(&line, 1000).map_or(usize::MAX, |found| found.len()),
         );
         for zoom in [1e-3, 1e-6] {
-            let middle = woven.point(0.37);
+            let middle = morphed.point(0.37);
             let half = 0.5 * zoom * (right - left);
             let window = [middle.x - half, middle.y - half, middle.x + half, middle.y + half];
-            let corners = woven.trace(zoom * tolerance, Some(window), 1 << 16).len();
+            let corners = morphed.trace(zoom * tolerance, Some(window), 1 << 16).len();
             println!(
                 "        window of {zoom:.0e}: {:.2} ms for {corners} corners",
-                least(|| woven.trace(zoom * tolerance, Some(window), 1 << 16))
+                least(|| morphed.trace(zoom * tolerance, Some(window), 1 << 16))
             );
         }
     }

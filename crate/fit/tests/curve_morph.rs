@@ -51,19 +51,19 @@ fn diagonal(curve: &ClosedCurve) -> f64 {
     Outline::new(&curve.knots).map_or(1.0, |outline| outline.diagonal())
 }
 
-fn points(woven: &MorphedCurve, tolerance: f64) -> Vec<DVec2> {
-    woven.trace(tolerance, None, 1 << 18).into_iter().map(|(_, p)| p).collect()
+fn points(morphed: &MorphedCurve, tolerance: f64) -> Vec<DVec2> {
+    morphed.trace(tolerance, None, 1 << 18).into_iter().map(|(_, p)| p).collect()
 }
 
 /// The largest distance from corners of a curve, opened some levels deep, to the curve that is traced to `tolerance`,
 /// and back from points of it; in parts of the diagonal.
-fn off(curve: &ClosedCurve, woven: &MorphedCurve, tolerance: f64) -> f64 {
+fn off(curve: &ClosedCurve, morphed: &MorphedCurve, tolerance: f64) -> f64 {
     let diagonal = diagonal(curve);
-    let line = Nearest::new(&points(woven, tolerance * diagonal), true);
+    let line = Nearest::new(&points(morphed, tolerance * diagonal), true);
     let corners = curve.polyline(1e-2 * diagonal, 8);
     let there = corners.iter().map(|&p| line.to(p).squared.sqrt()).fold(0.0, f64::max);
     let fine = Nearest::new(&curve.polyline(tolerance * diagonal, 12), true);
-    let back = woven.grid(3000).iter().map(|&p| fine.to(p).squared.sqrt()).fold(0.0, f64::max);
+    let back = morphed.grid(3000).iter().map(|&p| fine.to(p).squared.sqrt()).fold(0.0, f64::max);
     there.max(back) / diagonal
 }
 
@@ -127,11 +127,11 @@ fn the_ends_are_the_two_curves() {
     for (k, (a, b)) in pairs().into_iter().enumerate() {
         let morph = CurveMorph::new(&a, Some(&b)).unwrap();
         for (curve, s) in [(&a, 0.0), (&b, 1.0)] {
-            let woven = morph.at(s);
-            let far = off(curve, &woven, 2e-4);
+            let morphed = morph.at(s);
+            let far = off(curve, &morphed, 2e-4);
             assert!(far < 3e-4, "pair {k}: {far} at {s}");
             // What is opened on both sides is the same to the last digits.
-            let line = Nearest::new(&points(&woven, 1e-2 * diagonal(curve)), true);
+            let line = Nearest::new(&points(&morphed, 1e-2 * diagonal(curve)), true);
             let exact = Nearest::new(
                 &points(&CurveMorph::new(curve, None).unwrap().at(0.3), 1e-4 * diagonal(curve)),
                 true,
@@ -180,11 +180,11 @@ fn every_moment_is_closed_and_contracts() {
         let morph = CurveMorph::new(&a, Some(&b)).unwrap();
         let mut before: Option<Vec<DVec2>> = None;
         for i in 0..=40 {
-            let woven = morph.at(f64::from(i) / 40.0);
-            assert!(woven.contraction() <= 0.9 + 1e-9, "pair {k}");
-            let size = woven_size(&woven);
+            let morphed = morph.at(f64::from(i) / 40.0);
+            assert!(morphed.contraction() <= 0.9 + 1e-9, "pair {k}");
+            let size = morphed_size(&morphed);
             // Neighbouring points are near each other all round.
-            let grid = woven.grid(4096);
+            let grid = morphed.grid(4096);
             let longest = (0..4096).map(|i| grid[i].distance(grid[(i + 1) % 4096])).fold(0.0, f64::max);
             assert!(longest < 0.05 * size, "pair {k}: {longest} of {size} at {i}");
             // And so are neighbouring moments.
@@ -202,18 +202,18 @@ fn every_moment_is_closed_and_contracts() {
 fn a_trace_is_as_near_as_it_says() {
     let morph = CurveMorph::new(&maple(), Some(&oak())).unwrap();
     for s in [0.0, 0.37, 0.8, 1.0] {
-        let woven = morph.at(s);
-        let size = woven_size(&woven);
+        let morphed = morph.at(s);
+        let size = morphed_size(&morphed);
         for tolerance in [1e-2, 1e-3, 2e-4] {
-            let corners = woven.trace(tolerance * size, None, 1 << 18);
+            let corners = morphed.trace(tolerance * size, None, 1 << 18);
             let line = Nearest::new(&corners.iter().map(|c| c.1).collect::<Vec<_>>(), true);
-            let far = woven.grid(20_000).iter().map(|&p| line.to(p).squared.sqrt()).fold(0.0, f64::max);
+            let far = morphed.grid(20_000).iter().map(|&p| line.to(p).squared.sqrt()).fold(0.0, f64::max);
             assert!(far <= tolerance * size * 1.1 + 2e-6 * size, "{far} of {}", tolerance * size);
             for window in corners.windows(2) {
                 assert!(window[0].0 <= window[1].0);
             }
             for (t, p) in corners {
-                assert!(woven.point(t).distance(p) <= 0.1 * tolerance * size, "{t}");
+                assert!(morphed.point(t).distance(p) <= 0.1 * tolerance * size, "{t}");
             }
         }
     }
@@ -227,16 +227,16 @@ fn a_window_is_fine_and_the_rest_is_not() {
         (maple(), Some(oak()), 0.4, false),
         (snowflake(), Some(turned(&snowflake(), 0.3)), 0.5, true),
     ] {
-        let woven = CurveMorph::new(&a, b.as_ref()).unwrap().at(s);
-        let size = woven_size(&woven);
+        let morphed = CurveMorph::new(&a, b.as_ref()).unwrap().at(s);
+        let size = morphed_size(&morphed);
         // About a point of the curve that is inside a copy.
-        let fine = woven.trace(1e-4 * size, None, 1 << 18);
-        let middle = woven.point(fine[fine.len() / 3].0);
+        let fine = morphed.trace(1e-4 * size, None, 1 << 18);
+        let middle = morphed.point(fine[fine.len() / 3].0);
         for zoom in [1e-2, 1e-4, 1e-6] {
             let half = DVec2::splat(0.5 * zoom * size);
             let (low, high) = (middle - half, middle + half);
             let window = [low.x, low.y, high.x, high.y];
-            let corners = woven.trace(zoom * size / 600.0, Some(window), 1 << 16);
+            let corners = morphed.trace(zoom * size / 600.0, Some(window), 1 << 16);
             assert!(corners.len() < 20_000, "{} at {zoom}", corners.len());
             let inside = corners.iter().filter(|(_, p)| p.cmpge(low).all() && p.cmple(high).all()).count();
             assert!(
@@ -271,16 +271,16 @@ fn a_leaf_becomes_another_without_crossing_itself() {
     for (a, b) in [(maple(), oak()), (oak(), maple()), (maple(), snowflake()), (oak(), snowflake())] {
         let morph = CurveMorph::new(&a, Some(&b)).unwrap();
         for i in 0..=50 {
-            let woven = morph.at(f64::from(i) / 50.0);
-            let line = points(&woven, woven_size(&woven) / 500.0);
+            let morphed = morph.at(f64::from(i) / 50.0);
+            let line = points(&morphed, morphed_size(&morphed) / 500.0);
             worst = worst.max(crossings(&line, 1000).map_or(1000, |found| found.len()));
         }
     }
     assert!(worst <= 4, "{worst} crossings");
 }
 
-fn woven_size(woven: &MorphedCurve) -> f64 {
-    let [a, b, c, d] = woven.bounds();
+fn morphed_size(morphed: &MorphedCurve) -> f64 {
+    let [a, b, c, d] = morphed.bounds();
     DVec2::new(a, b).distance(DVec2::new(c, d))
 }
 
@@ -288,11 +288,11 @@ fn woven_size(woven: &MorphedCurve) -> f64 {
 fn any_s_and_t_has_a_point() {
     let morph = CurveMorph::new(&snowflake(), Some(&triangle())).unwrap();
     for s in [f64::NAN, -1.0, 2.0, f64::INFINITY, 0.5] {
-        let woven = morph.at(s);
+        let morphed = morph.at(s);
         for t in [f64::NAN, f64::INFINITY, -3.25, 1e300, -1e-300, 1.0, 0.0] {
-            assert!(woven.point(t).is_finite());
+            assert!(morphed.point(t).is_finite());
         }
-        assert!(woven.point(1.25).distance(woven.point(0.25)) < 1e-9);
+        assert!(morphed.point(1.25).distance(morphed.point(0.25)) < 1e-9);
     }
     assert!(morph.at(0.5).grid(0).is_empty());
 }
@@ -305,9 +305,9 @@ fn a_curve_of_one_point_stays_one() {
     for (a, b) in [(point.clone(), maple()), (snowflake(), point.clone()), (point.clone(), point)] {
         let morph = CurveMorph::new(&a, Some(&b)).unwrap();
         for s in [0.0, 0.5, 1.0] {
-            let woven = morph.at(s);
+            let morphed = morph.at(s);
             assert!(
-                woven.grid(100).iter().all(|p| p.is_finite()) && !woven.trace(1e-3, None, 500).is_empty()
+                morphed.grid(100).iter().all(|p| p.is_finite()) && !morphed.trace(1e-3, None, 500).is_empty()
             );
         }
     }

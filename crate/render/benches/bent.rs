@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use frond_core::{Affine2, Hull, Ifs};
 use frond_deform::{Bend, Continuity, Mesh, Roughness, Settings, Spin};
-use frond_render::bent::{Bent, BentPlan, Cut, Fineness, Moving, Slack};
+use frond_render::bent::{AnchorError, Bent, BentPlan, Cut, Fineness, Moving};
 use frond_render::{Detail, Frame, View, Window};
 use glam::DVec2;
 
@@ -49,8 +49,8 @@ fn main() {
             superposed: true,
         };
         let (made, bend) = least(3, || Bend::new(&maps, mesh(0.3), settings, None).expect("a bend"));
-        let slack = Slack::of(&frame, &bend);
-        let bent = Bent::new(&frame, &bend, &slack, (view, WINDOW), (TARGET, 2.0));
+        let anchor_error = AnchorError::of(&frame, &bend);
+        let bent = Bent::new(&frame, &bend, &anchor_error, (view, WINDOW), (TARGET, 2.0));
         let (planned, rest) = least(3, || {
             let mut plan = BentPlan::default();
             plan.begin(&bent, 600_000, false);

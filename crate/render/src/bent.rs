@@ -4,13 +4,13 @@
 //! is so even inside of one that its anchors say where all of it goes: then the piece is [`Placed`] by one map, and
 //! drawn as if nothing were bent, a [`BentPlan`] as points by the graphics card, a [`BentSweep`] on the processor.
 
+mod anchor_error;
 mod cutter;
 mod density;
 mod eye;
 mod moving;
 mod placed;
 mod plan;
-mod slack;
 mod sweep;
 #[cfg(test)]
 mod tests;
@@ -18,12 +18,12 @@ mod tests;
 use frond_deform::{Bend, Continuity, Cursor};
 use glam::DVec2;
 
+pub use anchor_error::AnchorError;
 pub use cutter::{Cut, Cutter, Piece};
 pub use eye::Eye;
 pub use moving::Moving;
 pub use placed::{Placed, Sides};
 pub use plan::BentPlan;
-pub use slack::Slack;
 pub use sweep::BentSweep;
 
 use crate::picture::colour::pack_colour;
@@ -42,7 +42,7 @@ pub struct Bent<'a> {
     pub window: Window,
     pub(crate) eye: Eye,
     pub(crate) sides: Sides,
-    slack: &'a Slack,
+    anchor_error: &'a AnchorError,
     /// Points of the unit disc where large pieces are looked at.
     probes: Vec<DVec2>,
     /// Larger ones, in pixels, are.
@@ -103,12 +103,12 @@ const SPECK_SIZE: f64 = 0.5;
 
 impl<'a> Bent<'a> {
     /// A bent attractor in a view of `window`, drawn with `factor` times as many pixels each way as `target` has.
-    /// `slack` is that of the frame and the bend.
+    /// `anchor_error` is that of the frame and the bend.
     #[must_use]
     pub fn new(
         frame: &'a Frame,
         bend: &'a Bend,
-        slack: &'a Slack,
+        anchor_error: &'a AnchorError,
         (view, window): (View, Window),
         (target, factor): (Window, f64),
     ) -> Self {
@@ -122,7 +122,7 @@ impl<'a> Bent<'a> {
         // What is read off a grid or a triangulation has folds.
         let folds = matches!(bend.continuity(), Continuity::Splat | Continuity::Average);
         let small = if folds { EVEN_SIZE } else { ONE_PROBE_SIZE };
-        Self { frame, bend, window: target, eye, sides, slack, probes, small, reach }
+        Self { frame, bend, window: target, eye, sides, anchor_error, probes, small, reach }
     }
 
     /// Where the anchors of a piece say that it goes.
@@ -148,13 +148,13 @@ impl<'a> Bent<'a> {
         }
         let placed = self.placed(cursor);
         let (size, wobble) = (placed.size(), placed.wobble());
-        let slack = self.slack.at(letters) * self.eye.scale();
+        let anchor_error = self.anchor_error.at(letters) * self.eye.scale();
         let even = self.bend.even(cursor);
         let (smooth, off) = if even {
             let miss = self.miss(cursor, &placed, size);
             (miss <= fineness.tolerance, UNSEEN_FACTOR * miss)
         } else {
-            (fineness.margin.is_none() && slack <= fineness.tolerance, slack)
+            (fineness.margin.is_none() && anchor_error <= fineness.tolerance, anchor_error)
         };
         let near = self.window.extent_within(&placed.map, wobble + off + fineness.tolerance + margin);
         if near.is_none() {
@@ -163,7 +163,7 @@ impl<'a> Bent<'a> {
         let straight = !fineness.affine || wobble <= MOST_TWIST;
         let large = size.max(2.0 * rest.norm());
         let fits = smooth && straight && size <= fineness.size && mass <= fineness.mass;
-        let speck = !even && large + slack <= SPECK_SIZE;
+        let speck = !even && large + anchor_error <= SPECK_SIZE;
         // Each piece needs a colour, so that the whole shape has to be taken apart at least once.
         let verdict = if letters == 0 {
             Verdict::Split

@@ -4,7 +4,7 @@ use frond_core::{Affine2, Hull, Ifs};
 use frond_deform::Bend;
 use thiserror::Error;
 
-use crate::bent::{Bent, BentSweep, Slack};
+use crate::bent::{AnchorError, Bent, BentSweep};
 use crate::coverage::sweep::{Progress, Sweep};
 use crate::density::Density;
 use crate::picture::colour::{Colouring, Look};
@@ -102,11 +102,11 @@ pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, Rend
         return Ok(Vec::new());
     }
     let mut look = Look::new(options.colouring, options.palette, ifs.len());
-    let bent = options.bend.map(|bend| (bend, Slack::of(&frame, bend)));
+    let bent = options.bend.map(|bend| (bend, AnchorError::of(&frame, bend)));
     if options.colouring == Colouring::Density {
         let density = match &bent {
-            Some((bend, slack)) => {
-                let bent = Bent::new(&frame, bend, slack, (view, window), (window, 1.0));
+            Some((bend, anchor_error)) => {
+                let bent = Bent::new(&frame, bend, anchor_error, (view, window), (window, 1.0));
                 Density::bent(&bent, BENT_DENSITY.0, BENT_DENSITY.1, BENT_DENSITY.2)
             }
             None => Density::new(&frame, view, window, 128, 512),
@@ -119,8 +119,8 @@ pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, Rend
         let factor = if options.smooth { 2 } else { 1 };
         let fine = Window { width: width * factor, height: height * factor };
         let (scale, detail) = (f64::from(factor), CERTAIN_REACH * f64::from(factor));
-        let codes = if let Some((bend, slack)) = &bent {
-            let bent = Bent::new(&frame, bend, slack, (view, window), (fine, scale));
+        let codes = if let Some((bend, anchor_error)) = &bent {
+            let bent = Bent::new(&frame, bend, anchor_error, (view, window), (fine, scale));
             let coloured = options.colouring == Colouring::Grid && bent.has_colours();
             look.tinted = f32::from(u8::from(coloured));
             let mut sweep = BentSweep::new();

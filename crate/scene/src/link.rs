@@ -30,7 +30,7 @@ pub use error::{LinkError, MAX_LINK};
 
 use deform::{read_deform, write_deform};
 use fit::{read_curves, read_fit, write_curves, write_fit};
-use locus::{read_locus, read_way, write_locus};
+use locus::{read_locus, read_way_points, write_locus};
 use space::{read_space, write_space};
 use words::{choice, damaged, escape, number, numbers, read_list, read_numbers, tidy, unescape, within};
 
@@ -158,7 +158,7 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
         let (kind, points) = text.split_once(':').unwrap_or((text, ""));
         let kinds = [("auto", PathKind::Auto), ("straight", PathKind::Straight), ("drawn", PathKind::Drawn)];
         scene.path.kind = choice("path", Some(kind), &kinds)?;
-        scene.path.points = read_way("path", points)?;
+        scene.path.points = read_way_points("path", points)?;
     }
     if let Some(text) = get("t") {
         let [t] = read_numbers::<1>("t", text)?;

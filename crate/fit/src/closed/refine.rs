@@ -206,16 +206,16 @@ impl Refiner {
                 let at = polyline[i].lerp(polyline[next], share);
                 let near = self.outline.to(at);
                 let (a, b) = self.outline.ends(near.side);
-                let way = a.lerp(b, near.share) - at;
+                let offset = a.lerp(b, near.share) - at;
                 // Across the outline, towards it.
-                let far = way.length();
+                let far = offset.length();
                 let over = (far - self.ties.reach).max(0.0);
                 let both = self.ties.back + if over > 0.0 { self.ties.beyond } else { 0.0 };
                 if both <= 0.0 {
                     continue;
                 }
                 let scale = (weight * both).sqrt();
-                let direction = way.normalize_or((b - a).perp().normalize_or_zero()) * scale;
+                let direction = offset.normalize_or((b - a).perp().normalize_or_zero()) * scale;
                 row.clear();
                 fill(&mut row, &vertices[i], direction * (1.0 - share), &places);
                 fill(&mut row, &vertices[next], direction * share, &places);

@@ -25,7 +25,7 @@ struct Spot {
     /// The curve's parameter.
     t: f64,
     at: DVec2,
-    way: DVec2,
+    direction: DVec2,
 }
 
 /// `count` spots at equal distances along a closed polyline of (t, point).
@@ -48,7 +48,7 @@ fn spots(line: &[(f64, DVec2)], count: usize) -> Vec<Spot> {
             let long = lengths[side + 1] - lengths[side];
             let share = if long > 0.0 { ((place - lengths[side]) / long).clamp(0.0, 1.0) } else { 0.0 };
             let t = t(side) + share * (t(side + 1) - t(side));
-            Spot { t, at: at(side).lerp(at(side + 1), share), way: DVec2::ZERO }
+            Spot { t, at: at(side).lerp(at(side + 1), share), direction: DVec2::ZERO }
         })
         .collect();
     let middle = found.iter().map(|spot| spot.at).sum::<DVec2>() / count as f64;
@@ -59,17 +59,17 @@ fn spots(line: &[(f64, DVec2)], count: usize) -> Vec<Spot> {
     }
     let near = (count / COARSE_PLACES).max(1);
     for k in 0..count {
-        let way = found[(k + near) % count].at - found[(k + count - near) % count].at;
-        found[k].way = way.normalize_or_zero();
+        let direction = found[(k + near) % count].at - found[(k + count - near) % count].at;
+        found[k].direction = direction.normalize_or_zero();
     }
     found
 }
 
 fn cost(a: &Spot, b: &Spot) -> f64 {
-    a.at.distance_squared(b.at) + TURN_WEIGHT * 0.5 * (1.0 - a.way.dot(b.way))
+    a.at.distance_squared(b.at) + TURN_WEIGHT * 0.5 * (1.0 - a.direction.dot(b.direction))
 }
 
-/// The cheapest way from (0, first) once round both curves, where only places within `band` of `centre(i)` are looked
+/// The cheapest path from (0, first) once round both curves, where only places within `band` of `centre(i)` are looked
 /// at: its cost and its steps as pairs of indices, the second unwrapped.
 fn path(
     a: &[Spot],
@@ -109,16 +109,16 @@ fn path(
     }
     let Some(end) = column(count, count) else { return (f64::INFINITY, Vec::new()) };
     let total = costs[count * wide + end];
-    let mut way = vec![(count, first + count)];
+    let mut warp = vec![(count, first + count)];
     let (mut i, mut j) = (count, count);
     while (i, j) != (0, 0) {
         let step = column(i, j).map_or(u8::MAX, |k| steps[i * wide + k]);
         let Some(&(di, dj)) = STEPS.get(step as usize) else { return (f64::INFINITY, Vec::new()) };
         (i, j) = (i - di, j - dj);
-        way.push((i, first + j));
+        warp.push((i, first + j));
     }
-    way.reverse();
-    (total, way)
+    warp.reverse();
+    (total, warp)
 }
 
 /// Pairs (t of a, t of b) in order, once round both: what belongs together. The second goes on above 1.
@@ -126,10 +126,10 @@ pub(super) fn align(a: &[(f64, DVec2)], b: &[(f64, DVec2)]) -> Vec<(f64, f64)> {
     let (few_a, few_b) = (spots(a, COARSE_PLACES), spots(b, COARSE_PLACES));
     let rough = |first: usize| path(&few_a, &few_b, first, COARSE_PLACES / 3, |i| i);
     let best = (0..COARSE_PLACES).map(|first| (first, rough(first))).min_by(|a, b| a.1.0.total_cmp(&b.1.0));
-    let Some((first, (_, way))) = best else { return Vec::new() };
-    // Where the coarse way is at each of its places.
+    let Some((first, (_, warp))) = best else { return Vec::new() };
+    // Where the coarse path is at each of its places.
     let mut centres = vec![0; COARSE_PLACES + 1];
-    way.iter().for_each(|&(i, j)| centres[i] = j - first);
+    warp.iter().for_each(|&(i, j)| centres[i] = j - first);
     for i in 1..=COARSE_PLACES {
         centres[i] = centres[i].max(centres[i - 1]);
     }
@@ -144,5 +144,5 @@ pub(super) fn align(a: &[(f64, DVec2)], b: &[(f64, DVec2)]) -> Vec<(f64, f64)> {
     };
     let best = (0..=2 * fold).map(fine).min_by(|a, b| a.0.total_cmp(&b.0));
     let t = |spots: &[Spot], i: usize| spots[i % spots.len()].t + (i / spots.len()) as f64;
-    best.map_or(Vec::new(), |(_, way)| way.iter().map(|&(i, j)| (t(&all_a, i), t(&all_b, j))).collect())
+    best.map_or(Vec::new(), |(_, warp)| warp.iter().map(|&(i, j)| (t(&all_a, i), t(&all_b, j))).collect())
 }

@@ -74,18 +74,18 @@ mod tests {
     #[test]
     fn a_square_is_four_steps() {
         let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| 10.0 * p - 3.0).to_vec();
-        let woven = CurveMorph::new(&ClosedCurve::polygon(corners), None).unwrap().at(0.0);
-        let file = woven.svg(100.0, 0.5, "#aabbcc");
+        let morphed = CurveMorph::new(&ClosedCurve::polygon(corners), None).unwrap().at(0.0);
+        let file = morphed.svg(100.0, 0.5, "#aabbcc");
         assert!(file.contains("viewBox=\"0 0 100 100\""), "{file}");
         assert!(file.contains("fill=\"#aabbcc\" d=\"M1 99l98 0l0-98l-98 0z\""), "{file}");
-        let line = woven.svg(100.0, 0.01, "none");
+        let line = morphed.svg(100.0, 0.01, "none");
         assert!(line.contains("stroke-width=\"0.2\""), "{line}");
     }
 
     #[test]
     fn a_point_is_a_picture_too() {
-        let woven = CurveMorph::new(&ClosedCurve::polygon(vec![DVec2::ONE; 5]), None).unwrap().at(0.5);
-        let file = woven.svg(100.0, 0.5, "none");
+        let morphed = CurveMorph::new(&ClosedCurve::polygon(vec![DVec2::ONE; 5]), None).unwrap().at(0.5);
+        let file = morphed.svg(100.0, 0.5, "none");
         assert!(file.contains("viewBox=\"0 0 2 2\"") && file.contains("d=\"M1 1z\""), "{file}");
     }
 }

@@ -27,9 +27,9 @@ pub(super) fn share(a: Ring, b: Ring) -> [Ring; 2] {
         let places = ring.places();
         MorphedCurve::new(&[ring.clone(), ring.clone()], &[places.clone(), places], 0.0)
     });
-    let lines = alone.each_ref().map(|woven| woven.trace(woven.size / 400.0, None, MOST_VERTICES));
-    let way = align(&lines[0], &lines[1]);
-    let list = merge(&rings, &alone, &way);
+    let lines = alone.each_ref().map(|morphed| morphed.trace(morphed.size / 400.0, None, MOST_VERTICES));
+    let path = align(&lines[0], &lines[1]);
+    let list = merge(&rings, &alone, &path);
     let total = list.len();
     for side in 0..2 {
         let count = rings[side].knots.len();
@@ -68,21 +68,21 @@ fn turn(ring: &Ring, knot: usize) -> f64 {
 }
 
 /// Where a place of the first curve is on the way; with `back`, a place of the second. The answer is for the same lap.
-fn along(way: &[(f64, f64)], place: f64, back: bool) -> f64 {
+fn along(path: &[(f64, f64)], place: f64, back: bool) -> f64 {
     let key = |pair: &(f64, f64)| if back { pair.1 } else { pair.0 };
     let value = |pair: &(f64, f64)| if back { pair.0 } else { pair.1 };
-    let (Some(first), Some(_)) = (way.first(), way.last()) else { return place };
+    let (Some(first), Some(_)) = (path.first(), path.last()) else { return place };
     let laps = (place - key(first)).floor();
     let place = place - laps;
-    let after = way.partition_point(|pair| key(pair) <= place).clamp(1, way.len() - 1);
-    let (a, b) = (&way[after - 1], &way[after]);
+    let after = path.partition_point(|pair| key(pair) <= place).clamp(1, path.len() - 1);
+    let (a, b) = (&path[after - 1], &path[after]);
     let long = key(b) - key(a);
     let share = if long > 0.0 { ((place - key(a)) / long).clamp(0.0, 1.0) } else { 0.0 };
     value(a) + share * (value(b) - value(a)) + laps
 }
 
 /// Pairs of knots that are partners, in order on both curves, the first at its place in the first lap.
-fn partners(rings: &[Ring; 2], alone: &[MorphedCurve; 2], way: &[(f64, f64)]) -> Vec<(usize, usize)> {
+fn partners(rings: &[Ring; 2], alone: &[MorphedCurve; 2], path: &[(f64, f64)]) -> Vec<(usize, usize)> {
     let turns = rings.each_ref().map(|ring| (0..ring.knots.len()).map(|k| turn(ring, k)).collect::<Vec<_>>());
     let apart = |x: f64, y: f64| {
         let d = (x - y).rem_euclid(1.0);
@@ -90,7 +90,7 @@ fn partners(rings: &[Ring; 2], alone: &[MorphedCurve; 2], way: &[(f64, f64)]) ->
     };
     let mut offers = Vec::new();
     for i in 0..rings[0].knots.len() {
-        let there = along(way, alone[0].places[i], false);
+        let there = along(path, alone[0].places[i], false);
         for j in 0..rings[1].knots.len() {
             let far = apart(there, alone[1].places[j]) / MOST_APART;
             let differ = turns[0][i] - turns[1][j];
@@ -127,8 +127,8 @@ fn partners(rings: &[Ring; 2], alone: &[MorphedCurve; 2], way: &[(f64, f64)]) ->
 }
 
 /// The knots of both in one order, partners as one.
-fn merge(rings: &[Ring; 2], alone: &[MorphedCurve; 2], way: &[(f64, f64)]) -> Vec<Shared> {
-    let pairs = partners(rings, alone, way);
+fn merge(rings: &[Ring; 2], alone: &[MorphedCurve; 2], path: &[(f64, f64)]) -> Vec<Shared> {
+    let pairs = partners(rings, alone, path);
     let (n, m) = (rings[0].knots.len(), rings[1].knots.len());
     let mut list = Vec::new();
     for (k, &(i, j)) in pairs.iter().enumerate() {
@@ -148,9 +148,9 @@ fn merge(rings: &[Ring; 2], alone: &[MorphedCurve; 2], way: &[(f64, f64)]) -> Ve
         let (b0, b1) = (place(1, j, 0), place(1, j, many_j));
         // The way between the two pairs, in their laps.
         let mut piece = vec![(a0, b0)];
-        let lap = (along(way, a0, false) - b0).round();
+        let lap = (along(path, a0, false) - b0).round();
         for shift in -2..=2 {
-            for &(a, b) in way {
+            for &(a, b) in path {
                 let (a, b) = (a + f64::from(shift), b + f64::from(shift) - lap);
                 let last = piece[piece.len() - 1];
                 if a > last.0 && a < a1 && b > last.1 && b < b1 {

@@ -53,16 +53,16 @@ impl MorphedCurve {
         let places: Vec<f64> = places[0].iter().zip(&places[1]).map(|(&a, &b)| blend(a, b, s)).collect();
         let (low, high) = crate::outline::bounds(&knots);
         let count = knots.len();
-        let mut woven =
+        let mut morphed =
             Self { knots, places, terms: Vec::new(), radii: vec![0.0; count], size: low.distance(high) };
-        woven.terms = (0..count)
+        morphed.terms = (0..count)
             .map(|i| {
-                let term = |ring: &Ring, weight: f64| woven.term(i, ring.edges[i].as_ref()?, weight);
+                let term = |ring: &Ring, weight: f64| morphed.term(i, ring.edges[i].as_ref()?, weight);
                 [term(&rings[0], 1.0 - s), term(&rings[1], s)]
             })
             .collect();
-        woven.measure();
-        woven
+        morphed.measure();
+        morphed
     }
 
     pub(super) fn knot(&self, index: usize) -> DVec2 {

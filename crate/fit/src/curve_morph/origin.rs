@@ -37,11 +37,11 @@ mod tests {
         for end in [0, 1] {
             assert!(arcs.iter().filter(|pair| pair[end].is_some()).count() >= [maple, oak][end].copies());
         }
-        let woven = morph.at(0.3);
-        let met: Vec<_> = (0..4000).map(|i| woven.edge_at(f64::from(i) / 4000.0)).collect();
+        let morphed = morph.at(0.3);
+        let met: Vec<_> = (0..4000).map(|i| morphed.edge_at(f64::from(i) / 4000.0)).collect();
         assert!(met.is_sorted() && met[0] == 0 && met[3999] + 1 == arcs.len());
-        assert_eq!(woven.edge_at(1.0 + 0.5), woven.edge_at(0.5));
-        assert_eq!(woven.edge_at(f64::NAN), 0);
+        assert_eq!(morphed.edge_at(1.0 + 0.5), morphed.edge_at(0.5));
+        assert_eq!(morphed.edge_at(f64::NAN), 0);
     }
 
     #[test]

@@ -34,20 +34,20 @@ fn pass(a: DVec2, b: DVec2, boxes: &mut HashSet<(i64, i64)>) {
     let mut at = (a.x.floor() as i64, a.y.floor() as i64);
     let end = (b.x.floor() as i64, b.y.floor() as i64);
     boxes.insert(at);
-    let way = b - a;
+    let direction = b - a;
     let steps = at.0.abs_diff(end.0) + at.1.abs_diff(end.1);
     // When the side crosses the next upright and the next level line of the grid.
-    let cross = |at: i64, from: f64, way: f64| {
-        let line = if way > 0.0 { at as f64 + 1.0 } else { at as f64 };
-        if way == 0.0 { f64::INFINITY } else { (line - from) / way }
+    let cross = |at: i64, from: f64, direction: f64| {
+        let line = if direction > 0.0 { at as f64 + 1.0 } else { at as f64 };
+        if direction == 0.0 { f64::INFINITY } else { (line - from) / direction }
     };
     for _ in 0..steps {
-        let upright = if at.0 == end.0 { f64::INFINITY } else { cross(at.0, a.x, way.x) };
-        let level = if at.1 == end.1 { f64::INFINITY } else { cross(at.1, a.y, way.y) };
+        let upright = if at.0 == end.0 { f64::INFINITY } else { cross(at.0, a.x, direction.x) };
+        let level = if at.1 == end.1 { f64::INFINITY } else { cross(at.1, a.y, direction.y) };
         if upright <= level {
-            at.0 += if way.x > 0.0 { 1 } else { -1 };
+            at.0 += if direction.x > 0.0 { 1 } else { -1 };
         } else {
-            at.1 += if way.y > 0.0 { 1 } else { -1 };
+            at.1 += if direction.y > 0.0 { 1 } else { -1 };
         }
         boxes.insert(at);
     }

@@ -51,8 +51,8 @@ pub fn crossings(points: &[DVec2], most: usize) -> Option<Vec<(usize, usize)>> {
 
 fn cross(a: [DVec2; 2], b: [DVec2; 2]) -> bool {
     let apart = |line: [DVec2; 2], side: [DVec2; 2]| {
-        let way = line[1] - line[0];
-        way.perp_dot(side[0] - line[0]) * way.perp_dot(side[1] - line[0]) < 0.0
+        let direction = line[1] - line[0];
+        direction.perp_dot(side[0] - line[0]) * direction.perp_dot(side[1] - line[0]) < 0.0
     };
     apart(a, b) && apart(b, a)
 }

@@ -57,11 +57,11 @@ pub fn read_file(bytes: &[u8], read_as: ReadAs) -> Result<FileContent, ReadError
 fn table_content(text: &str, read_as: ReadAs) -> Result<FileContent, ReadError> {
     let table = table::read_table(text)?;
     let points = table.line.points();
-    let way = |sign: f64| points.windows(2).all(|pair| sign * (pair[1].x - pair[0].x) >= 0.0);
+    let goes = |sign: f64| points.windows(2).all(|pair| sign * (pair[1].x - pair[0].x) >= 0.0);
     let differ = points.windows(2).filter(|pair| pair[0].x != pair[1].x).count();
-    let one_way = (way(1.0) || way(-1.0)) && 2 * differ >= points.len().saturating_sub(1) && differ > 1;
+    let monotonic = (goes(1.0) || goes(-1.0)) && 2 * differ >= points.len().saturating_sub(1) && differ > 1;
     let series = match read_as {
-        ReadAs::Guess => !table.two || one_way,
+        ReadAs::Guess => !table.two || monotonic,
         ReadAs::Outlines if !table.two => return Err(ReadError::OneColumn),
         ReadAs::Outlines => false,
         ReadAs::Series => true,

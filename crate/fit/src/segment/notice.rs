@@ -64,7 +64,7 @@ impl Notice {
                     .into()
             }
             Self::Thinned(count) => {
-                format!("The outline had {count} points; {} of them are kept.", MAX_OUTLINE)
+                format!("The outline had {count} points; {MAX_OUTLINE} of them are kept.")
             }
         }
     }

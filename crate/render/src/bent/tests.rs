@@ -40,7 +40,7 @@ fn settings(kb: f64, ke: f64, delta: f64, spin: Spin) -> Settings {
 struct Subject {
     frame: Frame,
     bend: Bend,
-    slack: Slack,
+    anchor_error: AnchorError,
     view: View,
 }
 
@@ -50,8 +50,8 @@ impl Subject {
         let hull = Hull::of(&ifs);
         let frame = Frame::within(&ifs, &hull);
         let bend = bend(&ifs);
-        let slack = Slack::of(&frame, &bend);
-        Self { view: View::fit(&hull, WINDOW.width, WINDOW.height, 0.15), frame, bend, slack }
+        let anchor_error = AnchorError::of(&frame, &bend);
+        Self { view: View::fit(&hull, WINDOW.width, WINDOW.height, 0.15), frame, bend, anchor_error }
     }
 
     fn plain(name: &str, share: f64, settings: Settings) -> Self {
@@ -59,7 +59,7 @@ impl Subject {
     }
 
     fn bent(&self) -> Bent<'_> {
-        Bent::new(&self.frame, &self.bend, &self.slack, (self.view, WINDOW), (WINDOW, 1.0))
+        Bent::new(&self.frame, &self.bend, &self.anchor_error, (self.view, WINDOW), (WINDOW, 1.0))
     }
 
     /// Where the bend takes a point of the attractor.
@@ -317,7 +317,7 @@ fn pieces_follow_the_mesh() {
         plan.compose(&after.frame, Detail::LADDER[4]);
         assert_eq!(plan.plan.instances.len(), pieces);
         after.bend.set_mesh(&moved).unwrap();
-        after.slack = Slack::of(&after.frame, &after.bend);
+        after.anchor_error = AnchorError::of(&after.frame, &after.bend);
         let codes = draw(&plan.plan);
         let truth = after.swept();
         assert!(truth.count() > 200, "{name} {zoom}: {}", truth.count());
@@ -406,9 +406,9 @@ fn colours_are_carried() {
     // And the card's pieces have them as well.
     let hull = Hull::of(&ifs);
     let frame = Frame::within(&ifs, &hull);
-    let slack = Slack::of(&frame, &bend);
+    let anchor_error = AnchorError::of(&frame, &bend);
     let view = View::fit(&hull, WINDOW.width, WINDOW.height, 0.05);
-    let bent = Bent::new(&frame, &bend, &slack, (view, WINDOW), (WINDOW, 1.0));
+    let bent = Bent::new(&frame, &bend, &anchor_error, (view, WINDOW), (WINDOW, 1.0));
     let mut plan = BentPlan::default();
     plan.begin(&bent, 600_000, true);
     plan.run(&bent, &Fineness::complete(3.0), u64::MAX, None);
@@ -445,7 +445,8 @@ fn windows_of_no_size_and_views_of_nothing_are_dark() {
     assert!(planned(&subject, Detail::LADDER[0]).plan.instances.is_empty());
     assert_eq!(subject.swept().count(), 0);
     let none = Window { width: 0, height: 0 };
-    let bent = Bent::new(&subject.frame, &subject.bend, &subject.slack, (subject.view, none), (none, 1.0));
+    let bent =
+        Bent::new(&subject.frame, &subject.bend, &subject.anchor_error, (subject.view, none), (none, 1.0));
     let mut sweep = BentSweep::new();
     sweep.begin(&bent, 0.1, false);
     assert_eq!(sweep.run(&bent, 1000), Progress::Complete);

@@ -65,7 +65,7 @@ pub(super) fn read_locus<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<O
     Ok(Some(view).filter(|view| *view != LocusView::whole(FamilyName::Morph)))
 }
 
-pub(super) fn read_way(key: &'static str, text: &str) -> Result<Vec<WayPoint>, LinkError> {
+pub(super) fn read_way_points(key: &'static str, text: &str) -> Result<Vec<WayPoint>, LinkError> {
     if text.is_empty() {
         return Ok(Vec::new());
     }

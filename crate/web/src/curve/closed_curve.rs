@@ -72,7 +72,7 @@ pub fn curve_facts(
     #[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue,
 ) -> Result<JsValue, JsValue> {
     let curve = read_curve(&curve)?;
-    let (dimension, length) = read::woven(&curve)?.dimension_and_length();
+    let (dimension, length) = read::morphed(&curve)?.dimension_and_length();
     let norms = (0..curve.knots.len()).filter_map(|i| curve.map(i)).map(|(linear, _)| spectral_norm(linear));
     // Three characters of a link are four bytes of the packed curve in base 64.
     let bytes = curve.to_text().map_err(of_pack)?.len() * 3 / 4;

@@ -4,7 +4,7 @@ use frond_fit::MAX_FILE_POINTS;
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
-use super::read::{read_curve, woven};
+use super::read::{morphed, read_curve};
 use crate::boundary::error::bad_input;
 use crate::boundary::look::read_palette;
 use crate::boundary::value::read;
@@ -46,7 +46,7 @@ pub fn curve_svg(
     if fill != "none" {
         read_palette(std::slice::from_ref(&fill))?;
     }
-    Ok(woven(&curve)?.svg(size, tolerance, &fill))
+    Ok(morphed(&curve)?.svg(size, tolerance, &fill))
 }
 
 #[derive(Deserialize)]
@@ -68,5 +68,5 @@ pub fn curve_csv(
     if !(3.0..=MAX_FILE_POINTS as f64).contains(&points) {
         return Err(bad_input("points", "a number from 3 to 262144 is needed"));
     }
-    Ok(woven(&curve)?.csv(points as usize))
+    Ok(morphed(&curve)?.csv(points as usize))
 }

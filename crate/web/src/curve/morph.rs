@@ -57,7 +57,7 @@ struct Line {
 /// The curve at one moment, and what was made of it.
 struct Moment {
     s: f64,
-    woven: MorphedCurve,
+    morphed: MorphedCurve,
     line: Option<Line>,
     ring: Option<(PlainBend, RingBend)>,
     /// The parameters of the points that were given last.
@@ -71,9 +71,9 @@ impl Moment {
         if !self.line.as_ref().is_some_and(same) {
             self.line = None;
         }
-        let woven = &self.woven;
+        let morphed = &self.morphed;
         let line = self.line.get_or_insert_with(|| {
-            let points = woven.trace(tolerance, window, most);
+            let points = morphed.trace(tolerance, window, most);
             Line { tolerance, window, most, points }
         });
         &line.points
@@ -92,7 +92,7 @@ impl Moment {
             }
             None => {
                 let (mesh, settings, _) = plain.parts()?;
-                let grid = self.woven.grid(points(&settings)?);
+                let grid = self.morphed.grid(points(&settings)?);
                 RingBend::new(mesh, settings, &grid).map_err(|error| of_bend(&error))?
             }
         };
@@ -136,7 +136,7 @@ impl CurveMorph {
             self.moment = None;
         }
         let morph = &self.morph;
-        let fresh = || Moment { s, woven: morph.at(s), line: None, ring: None, given: Vec::new() };
+        let fresh = || Moment { s, morphed: morph.at(s), line: None, ring: None, given: Vec::new() };
         Ok(self.moment.get_or_insert_with(fresh))
     }
 
@@ -159,7 +159,7 @@ impl CurveMorph {
         let points = match bend {
             None => moment.line(tolerance, window, most).to_vec(),
             Some(bend) => {
-                let [left, bottom, right, top] = moment.woven.bounds();
+                let [left, bottom, right, top] = moment.morphed.bounds();
                 let (low, high) = (DVec2::new(left, bottom), DVec2::new(right, top));
                 let mesh = moment.bend(bend)?.mesh();
                 // What may come into the window. Doubling makes the line at rest last while the mesh is moved.
@@ -181,7 +181,7 @@ impl CurveMorph {
     #[wasm_bindgen]
     pub fn edges(&self) -> Uint32Array {
         let edges: Vec<u32> = self.moment.as_ref().map_or(Vec::new(), |moment| {
-            moment.given.iter().map(|&t| moment.woven.edge_at(t) as u32).collect()
+            moment.given.iter().map(|&t| moment.morphed.edge_at(t) as u32).collect()
         });
         Uint32Array::from(&edges[..])
     }
@@ -203,7 +203,7 @@ impl CurveMorph {
     /// The box around the unbent curve: minX, minY, maxX, maxY.
     #[wasm_bindgen(unchecked_return_type = "[minX: number, minY: number, maxX: number, maxY: number]")]
     pub fn bounds(&mut self, s: f64) -> Result<JsValue, JsValue> {
-        write(&self.at(s)?.woven.bounds())
+        write(&self.at(s)?.morphed.bounds())
     }
 
     /// What the unbent curve is like: knots and copies it is made of, the dimension of its boxes, how often its polyline at
@@ -213,13 +213,13 @@ impl CurveMorph {
     )]
     pub fn facts(&mut self, s: f64) -> Result<JsValue, JsValue> {
         let knots = self.morph.knots();
-        let woven = &self.at(s)?.woven;
+        let morphed = &self.at(s)?.morphed;
         Ok(object(&[
             ("knots", knots.into()),
-            ("copies", woven.copies().into()),
-            ("dimension", woven.dimension_and_length().0.into()),
-            ("crossings", woven.crossings().into()),
-            ("ratio", woven.contraction().into()),
+            ("copies", morphed.copies().into()),
+            ("dimension", morphed.dimension_and_length().0.into()),
+            ("crossings", morphed.crossings().into()),
+            ("ratio", morphed.contraction().into()),
         ]))
     }
 }

@@ -30,6 +30,6 @@ pub(super) fn of_morph(error: MorphError) -> JsValue {
 }
 
 /// The curve alone.
-pub(super) fn woven(curve: &ClosedCurve) -> Result<MorphedCurve, JsValue> {
+pub(super) fn morphed(curve: &ClosedCurve) -> Result<MorphedCurve, JsValue> {
     Ok(CurveMorph::new(curve, None).map_err(of_morph)?.at(0.0))
 }

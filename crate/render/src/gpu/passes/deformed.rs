@@ -3,7 +3,7 @@
 use frond_deform::Bend;
 use glam::DVec2;
 
-use crate::bent::{Bent, BentPlan, BentSweep, Cut, Fineness, Moving, Slack};
+use crate::bent::{AnchorError, Bent, BentPlan, BentSweep, Cut, Fineness, Moving};
 use crate::coverage::sweep::Progress;
 use crate::density::Density;
 use crate::gpu::passes::points::PointsPass;
@@ -18,9 +18,9 @@ use crate::plan::Detail;
 #[derive(Debug)]
 pub(in crate::gpu) struct DeformedPass {
     /// What is drawn at once, and at rest too where there is no other.
-    quick: Settled,
+    quick: BentShape,
     /// What is drawn at rest.
-    fine: Option<Settled>,
+    fine: Option<BentShape>,
     /// What makes it when it is first wanted.
     later: Option<Later>,
     /// Where the control points are to be.
@@ -40,11 +40,11 @@ pub(in crate::gpu) struct DeformedPass {
     doublings: [u32; 2],
 }
 
-/// A bend, and its slack once that is known.
+/// A bend, and its anchor error once that is known.
 #[derive(Debug)]
-struct Settled {
+struct BentShape {
     bend: Bend,
-    slack: Option<Slack>,
+    anchor_error: Option<AnchorError>,
 }
 
 /// Makes a bend, if it can.
@@ -58,15 +58,15 @@ impl std::fmt::Debug for Later {
     }
 }
 
-impl Settled {
+impl BentShape {
     /// Lets the bend follow the control points.
-    fn settle(&mut self, frame: &Frame, mesh: &[DVec2]) {
+    fn follow_mesh(&mut self, frame: &Frame, mesh: &[DVec2]) {
         if self.bend.mesh().displacements() != mesh {
             // They were looked at when they came.
             let _ = self.bend.set_mesh(mesh);
-            self.slack = None;
+            self.anchor_error = None;
         }
-        self.slack.get_or_insert_with(|| Slack::of(frame, &self.bend));
+        self.anchor_error.get_or_insert_with(|| AnchorError::of(frame, &self.bend));
     }
 }
 
@@ -107,7 +107,7 @@ impl DeformedPass {
         let memory = memory.map(|m| (m.front, m.moving, m.followed, m.back, m.sweeps, m.doublings));
         let (front, moving, followed, back, sweeps, doublings) = memory.unwrap_or_default();
         let mesh = bend.mesh().displacements().to_vec();
-        let quick = Settled { bend, slack: None };
+        let quick = BentShape { bend, anchor_error: None };
         Self {
             quick,
             fine: None,
@@ -125,7 +125,7 @@ impl DeformedPass {
 
     /// Forgets what it knows of a shape.
     pub fn forget(&mut self) {
-        self.quick.slack = None;
+        self.quick.anchor_error = None;
         self.fine = None;
         self.later = None;
         self.made = None;
@@ -142,33 +142,39 @@ impl DeformedPass {
     }
 
     /// Lets the bend that is drawn at once follow the control points.
-    fn settle(&mut self, frame: &Frame) {
-        self.quick.settle(frame, &self.mesh);
+    fn follow_mesh(&mut self, frame: &Frame) {
+        self.quick.follow_mesh(frame, &self.mesh);
     }
 
     /// Lets the bend that is drawn at rest follow the control points.
     fn rest(&mut self, frame: &Frame) {
         if let Some(Later(make)) = self.later.take() {
-            self.fine = make().map(|bend| Settled { bend, slack: None });
+            self.fine = make().map(|bend| BentShape { bend, anchor_error: None });
         }
-        self.fine.as_mut().unwrap_or(&mut self.quick).settle(frame, &self.mesh);
+        self.fine.as_mut().unwrap_or(&mut self.quick).follow_mesh(frame, &self.mesh);
     }
 }
 
 /// A view of the attractor on a target.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::gpu) struct Sight {
+pub(in crate::gpu) struct TargetView {
     view: View,
     window: Window,
     target: Window,
     factor: f64,
 }
 
-impl Sight {
+impl TargetView {
     /// `None` before the bend is settled.
-    fn bent<'a>(&self, frame: &'a Frame, settled: &'a Settled) -> Option<Bent<'a>> {
-        let slack = settled.slack.as_ref()?;
-        Some(Bent::new(frame, &settled.bend, slack, (self.view, self.window), (self.target, self.factor)))
+    fn bent<'a>(&self, frame: &'a Frame, shape: &'a BentShape) -> Option<Bent<'a>> {
+        let anchor_error = shape.anchor_error.as_ref()?;
+        Some(Bent::new(
+            frame,
+            &shape.bend,
+            anchor_error,
+            (self.view, self.window),
+            (self.target, self.factor),
+        ))
     }
 }
 
@@ -212,7 +218,7 @@ impl DeformedPass {
             Work::Anew | Work::Moved => {
                 state.complete = false;
                 state.work = Work::Choose;
-                self.settle(frame);
+                self.follow_mesh(frame);
                 if dense {
                     self.begin_density(state, frame, view, false, budget);
                     state.add_density(frame, budget);
@@ -249,9 +255,9 @@ impl DeformedPass {
                 }
             }
             Work::Sweep => {
-                let sight = sight(state, view, state.sampling);
+                let target_view = target_view(state, view, state.sampling);
                 let DeformedPass { quick, fine, sweeps: [_, sweep], .. } = self;
-                let Some(bent) = sight.bent(frame, fine.as_ref().unwrap_or(quick)) else { return };
+                let Some(bent) = target_view.bent(frame, fine.as_ref().unwrap_or(quick)) else { return };
                 let visits = if state.gpu.software { 2 * VISITS_A_FRAME } else { VISITS_A_FRAME };
                 let progress = sweep.run(&bent, visits);
                 if progress != Progress::Working {
@@ -274,22 +280,22 @@ impl DeformedPass {
         coloured: bool,
     ) -> bool {
         let factor = state.factor();
-        let sight = sight(state, view, factor);
+        let target_view = target_view(state, view, factor);
         let mesh = self.mesh().to_vec();
         let fits = self.made.as_ref().is_some_and(|made| {
             let far = made.mesh.iter().zip(&mesh).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
             let same = (made.view, made.target, made.factor, made.coloured)
-                == (view, sight.target, factor, coloured);
-            same && far * view.scale * factor <= margin(sight.target)
+                == (view, target_view.target, factor, coloured);
+            same && far * view.scale * factor <= margin(target_view.target)
         });
         if !fits {
             return false;
         }
         // Single precision may do; if not, the bend itself must follow.
-        if !sight.bent(frame, &self.quick).is_some_and(|bent| Moving::can_skin(&bent)) {
-            self.settle(frame);
+        if !target_view.bent(frame, &self.quick).is_some_and(|bent| Moving::can_skin(&bent)) {
+            self.follow_mesh(frame);
         }
-        let Some(bent) = sight.bent(frame, &self.quick) else { return false };
+        let Some(bent) = target_view.bent(frame, &self.quick) else { return false };
         self.front.follow(&bent, &mesh, &mut self.moving);
         self.front.compose(frame, Detail::LADDER[0]);
         let points = self.front.plan.points();
@@ -323,8 +329,8 @@ impl DeformedPass {
         self.doublings[0] = self.doublings[0].saturating_sub(u32::from(self.made.is_none()));
         loop {
             let factor = state.factor();
-            let sight = sight(state, view, factor);
-            cut_at_once(self, frame, &sight, coloured);
+            let target_view = target_view(state, view, factor);
+            cut_at_once(self, frame, &target_view, coloured);
             self.front.compose(frame, Detail::LADDER[0]);
             let points = self.front.plan.points();
             if !state.resize_for(points, budget, &mut coarser) {
@@ -346,7 +352,7 @@ impl DeformedPass {
         let visits = budget.clamp(60_000, 400_000);
         let DeformedPass { quick, sweeps: [sweep, _], .. } = self;
         loop {
-            let bent = sight(state, view, state.factor());
+            let bent = target_view(state, view, state.factor());
             let Some(bent) = bent.bent(frame, quick) else { return };
             sweep.begin(&bent, SWEEP_SIZES.0, coloured);
             if sweep.run(&bent, visits) != Progress::Working || !state.halve() {
@@ -361,15 +367,15 @@ impl DeformedPass {
 
     fn begin_sweep(&mut self, state: &mut StageState, frame: &Frame, view: View, coloured: bool) {
         let DeformedPass { quick, fine, sweeps: [_, sweep], .. } = self;
-        let sight = sight(state, view, state.sampling);
-        let Some(bent) = sight.bent(frame, fine.as_ref().unwrap_or(quick)) else { return };
+        let target_view = target_view(state, view, state.sampling);
+        let Some(bent) = target_view.bent(frame, fine.as_ref().unwrap_or(quick)) else { return };
         sweep.begin(&bent, SWEEP_SIZES.1, coloured);
         state.work = Work::Sweep;
     }
 
     fn begin_density(&mut self, state: &mut StageState, frame: &Frame, view: View, rest: bool, budget: u64) {
         let settled = self.fine.as_ref().filter(|_| rest).unwrap_or(&self.quick);
-        let Some(bent) = sight(state, view, 1.0).bent(frame, settled) else { return };
+        let Some(bent) = target_view(state, view, 1.0).bent(frame, settled) else { return };
         let points = (budget / 2).min(DENSE_POINTS) as usize;
         let pieces = if rest { DENSE_PIECES.1 } else { DENSE_PIECES.0 };
         state.density.begin(&state.gpu, Density::bent(&bent, DENSE_SIZE, pieces, points));
@@ -378,8 +384,8 @@ impl DeformedPass {
     /// Plans more of the complete picture, or begins to.
     fn plan(&mut self, state: &StageState, frame: &Frame, view: View, coloured: bool, begin: bool) -> Cut {
         let DeformedPass { quick, fine, back, doublings: [_, doublings], .. } = self;
-        let sight = sight(state, view, state.sampling);
-        let Some(bent) = sight.bent(frame, fine.as_ref().unwrap_or(quick)) else { return Cut::TooMany };
+        let target_view = target_view(state, view, state.sampling);
+        let Some(bent) = target_view.bent(frame, fine.as_ref().unwrap_or(quick)) else { return Cut::TooMany };
         let size = if coloured { COLOURED_PIECES.1 } else { LARGEST_PIECES.1 };
         let floor = if *doublings == 0 { 0.0 } else { 0.5 * f64::from(1_u32 << *doublings) };
         if begin {
@@ -430,8 +436,8 @@ impl DeformedPass {
     }
 }
 
-fn sight(state: &StageState, view: View, factor: f64) -> Sight {
-    Sight { view, window: state.window, target: state.target_window(factor), factor }
+fn target_view(state: &StageState, view: View, factor: f64) -> TargetView {
+    TargetView { view, window: state.window, target: state.target_window(factor), factor }
 }
 
 fn margin(target: Window) -> f64 {
@@ -439,13 +445,13 @@ fn margin(target: Window) -> f64 {
 }
 
 /// Cuts pieces that can follow the mesh, fewer and larger ones where there are too many.
-fn cut_at_once(deformed: &mut DeformedPass, frame: &Frame, sight: &Sight, coloured: bool) {
+fn cut_at_once(deformed: &mut DeformedPass, frame: &Frame, target_view: &TargetView, coloured: bool) {
     let DeformedPass { quick, mesh, front, moving, made, doublings: [doublings, _], .. } = deformed;
-    let Some(bent) = sight.bent(frame, quick) else { return };
+    let Some(bent) = target_view.bent(frame, quick) else { return };
     loop {
         let floor = SMALLEST_FLOOR * f64::from(1_u32 << *doublings);
         let size = if coloured { COLOURED_PIECES.0 } else { LARGEST_PIECES.0 };
-        let margin = Some(margin(sight.target));
+        let margin = Some(margin(target_view.target));
         let fineness =
             Fineness { floor, margin, tolerance: POINT_TOLERANCE, ..Fineness::complete(size.max(floor)) };
         moving.clear();
@@ -457,5 +463,11 @@ fn cut_at_once(deformed: &mut DeformedPass, frame: &Frame, sight: &Sight, colour
         *doublings += 1;
     }
     let mesh = mesh.clone();
-    *made = Some(Made { view: sight.view, target: sight.target, factor: sight.factor, coloured, mesh });
+    *made = Some(Made {
+        view: target_view.view,
+        target: target_view.target,
+        factor: target_view.factor,
+        coloured,
+        mesh,
+    });
 }

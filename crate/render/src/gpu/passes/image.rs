@@ -48,14 +48,19 @@ impl ImagePass {
 
     /// Sees to it that there is a sheet, the finer one if that is wanted, and draws the best there is. Returns how many
     /// triangles that took, and whether it is as fine as the bend.
-    fn draw_best(&mut self, bend: Option<(&Bend, &[DVec2])>, fine: bool, sight: &Sight<'_>) -> (u64, bool) {
+    fn draw_best(
+        &mut self,
+        bend: Option<(&Bend, &[DVec2])>,
+        fine: bool,
+        target_view: &TargetView<'_>,
+    ) -> (u64, bool) {
         let Self { photo, card, rest, parts, bent } = self;
-        let Some((bend, moves)) = bend else { return (sight.draw(card, photo, rest), true) };
+        let Some((bend, moves)) = bend else { return (target_view.draw(card, photo, rest), true) };
         let which = usize::from(fine || bent[1].is_some());
         let most = [AT_ONCE, Sheet::FINEST][which];
         let chosen = bent[which].get_or_insert_with(|| BentSheet::new(bend, photo.aspect(), *parts, most));
         chosen.follow(moves);
-        (sight.draw(card, photo, chosen.sheet()), which == 1)
+        (target_view.draw(card, photo, chosen.sheet()), which == 1)
     }
 
     /// What a stage draws: at once with what is at hand, then as fine as can be. `bend` is that of the stage, with the
@@ -74,8 +79,8 @@ impl ImagePass {
         let full = state.sampling as u32;
         // Where there is no card each sample is dear.
         let factor = if at_once && state.gpu.software { 1 } else { full };
-        let sight = Sight { gpu: &state.gpu, view, window: state.window, factor };
-        let (triangles, fine) = self.draw_best(bend, !at_once, &sight);
+        let target_view = TargetView { gpu: &state.gpu, view, window: state.window, factor };
+        let (triangles, fine) = self.draw_best(bend, !at_once, &target_view);
         state.points = triangles;
         state.complete = fine && factor == full;
         state.work = if state.complete { Work::Done } else { Work::Choose };
@@ -102,14 +107,14 @@ impl ImagePass {
 }
 
 /// What is drawn to.
-struct Sight<'a> {
+struct TargetView<'a> {
     gpu: &'a Gpu,
     view: View,
     window: Window,
     factor: u32,
 }
 
-impl Sight<'_> {
+impl TargetView<'_> {
     fn draw(&self, card: &mut SheetGpu, photo: &Photo, sheet: &Sheet) -> u64 {
         card.draw(self.gpu, photo, sheet, self.view, self.window, self.factor)
     }

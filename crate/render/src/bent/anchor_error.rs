@@ -13,7 +13,7 @@ use crate::pieces::frame::Frame;
 /// The deep terms of a bend are small but everywhere; what they come to is looked up at points all over the shape,
 /// which needs no knowledge of the formula. It is an estimate, and taken twice.
 #[derive(Clone, Debug, Default)]
-pub struct Slack {
+pub struct AnchorError {
     by_letters: Vec<f64>,
 }
 
@@ -21,7 +21,7 @@ pub struct Slack {
 const WORDS_SAMPLED: u32 = 96;
 const LONGEST_WORD: usize = 64;
 
-impl Slack {
+impl AnchorError {
     /// Looks at a bend.
     pub fn of(frame: &Frame, bend: &Bend) -> Self {
         let sides = Sides::of(bend.anchors(), frame.to_world);
