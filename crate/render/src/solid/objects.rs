@@ -72,8 +72,10 @@ impl Objects {
 
     /// The same lighting with the heights and the colours of these objects.
     #[must_use]
-    pub fn lit(&self, lighting: Lighting) -> Lighting {
-        Lighting { heights: self.heights, tints: self.tints.clone(), ..lighting }
+    pub fn lit(&self, mut lighting: Lighting) -> Lighting {
+        lighting.heights = self.heights;
+        lighting.tints.clone_from(&self.tints);
+        lighting
     }
 
     /// The colours of their maps.
