@@ -2,12 +2,13 @@ import { useEffect, useRef } from "preact/hooks";
 import { locusWindow } from "#compute/results";
 import { Field } from "#stage/locus/Field";
 import type { LocusStyle } from "#stage/locus/paint";
+import { CurrentHandle, WayHandle } from "#stage/locus/WayPoints";
 import { FamilyLines } from "../later";
 import { pathKind } from "../parts";
 import { End, PathLines, PickedMark } from "./marks";
-import { CurrentHandle, WayHandle } from "./path/Handles";
+import { PATH } from "./path/handles";
 import { WorstMark } from "./path/WorstMark";
-import { chosen, place, way } from "./path/way";
+import { place, way } from "./path/way";
 import { CROSS_HINT, Cross, crossKey, useCross } from "./pointer/cross";
 import { useGestures } from "./pointer/gestures";
 import { followPointer } from "./pointer/hover";
@@ -73,17 +74,10 @@ function OnMorph() {
       <WorstMark />
       <End letter="A" at={place([0, 0], window)} />
       <End letter="B" at={place([1, 1], window)} />
-      <CurrentHandle />
-      {way.value.map((point, index) => (
-        <WayHandle
-          // Way points have no name but their number: it is their key, so that focus stays while one is moved.
-          key={index}
-          index={index}
-          count={way.value.length}
-          point={point}
-          at={place(point, window)}
-          chosen={chosen.value === index}
-        />
+      <CurrentHandle path={PATH} />
+      {way.value.map((_, index) => (
+        // Way points have no name but their number: it is their key, so that focus stays while one is moved.
+        <WayHandle key={index} path={PATH} index={index} />
       ))}
     </>
   );

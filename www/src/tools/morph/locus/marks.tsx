@@ -4,7 +4,7 @@ import { pathPoints } from "#document/morph";
 import type { Uv } from "#geometry/path";
 import { piecesIn, slice, sliced } from "#geometry/polyline";
 import { twins } from "./families/families";
-import { isOff, isOutside } from "./path/Handles";
+import { isOff, isOutside } from "./path/handles";
 import { place } from "./path/way";
 import { family, picked, shownWindow, sides, view } from "./view/view";
 

@@ -5,9 +5,10 @@ import type { Uv } from "#geometry/path";
 import { nearestOn, slice } from "#geometry/polyline";
 import { Field } from "#stage/locus/Field";
 import type { LocusStyle } from "#stage/locus/paint";
+import { focusHandle } from "#stage/locus/WayPoints";
 import { EPSILON } from "#workers/space/locus-fill";
-import { CurrentHandle, focusHandle, WayHandle } from "./handles";
-import { addAt, chosen, goTo, pick, place, way } from "./way";
+import { Current, Way } from "./handles";
+import { addAt, goTo, pick, place, way } from "./way";
 import { check, locus, locusProblem, morph, pathless, pathPoints } from "./work";
 
 /** How near to the path a press counts as on it, in CSS pixels. */
@@ -63,17 +64,10 @@ export function Square({ style }: { style: LocusStyle }) {
       <PathLines />
       <End letter="A" at={[0, 0]} />
       <End letter="B" at={[1, 1]} />
-      <CurrentHandle toUv={toUv} />
-      {way.value.map((point, index) => (
-        <WayHandle
-          // A way point has no name but its number: so focus stays while it is moved.
-          key={index}
-          index={index}
-          count={way.value.length}
-          point={point}
-          chosen={chosen.value === index}
-          toUv={toUv}
-        />
+      <Current toUv={toUv} />
+      {way.value.map((_, index) => (
+        // A way point has no name but its number: so focus stays while it is moved.
+        <Way key={index} index={index} toUv={toUv} />
       ))}
       {problem !== null && (
         <p class="locus-problem" role="status">

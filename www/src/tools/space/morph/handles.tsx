@@ -1,48 +1,45 @@
-import "#stage/locus/handles.css";
 import { useRef } from "preact/hooks";
 import { endGesture } from "#document/scene";
-import { addStep } from "#format/numbers";
-import { percent } from "#format/path-words";
 import type { Uv } from "#geometry/path";
 import { nearestOn } from "#geometry/polyline";
-import { addAfter, addHere, goTo, moveTo, pick, place, pointWords, removeAt, stateAt, stateNow } from "./way";
+import { CurrentHandle, focusHandle, WayHandle, type WayPath } from "#stage/locus/WayPoints";
+import { MOST_POINTS } from "./changes";
+import {
+  addAfter,
+  addHere,
+  chosen,
+  goTo,
+  moveTo,
+  pick,
+  place,
+  pointWords,
+  removeAt,
+  stateAt,
+  stateNow,
+  way,
+} from "./way";
 import { moment, pathPoints, uv } from "./work";
 
-type ToUv = (event: PointerEvent) => Uv;
-
-const idOf = (index: number) => `space-way-${index}`;
-const CURRENT = "space-moment";
-
-/** Once it is drawn, which is after the state has changed. */
-export function focusHandle(index: number | null): void {
-  requestAnimationFrame(() => document.getElementById(index === null ? CURRENT : idOf(index))?.focus());
-}
-
-/** The step of one arrow key in u and v: shift a tenth of it, alt ten times. Null for other keys. */
-function arrows(event: KeyboardEvent): [du: number, dv: number] | null {
-  const step = event.shiftKey ? 0.001 : event.altKey ? 0.1 : 0.01;
-  switch (event.key) {
-    case "ArrowRight":
-      return [step, 0];
-    case "ArrowLeft":
-      return [-step, 0];
-    case "ArrowUp":
-      return [0, step];
-    case "ArrowDown":
-      return [0, -step];
-    default:
-      return null;
-  }
-}
-
-const isAdd = (key: string) => key === "+" || key === "Insert" || key === "Enter";
-const isRemove = (key: string) => key === "Delete" || key === "Backspace" || key === "-";
-
-const styleOf = (point: Uv) => {
-  const [x, y] = place(point);
-  const within = (p: number) => `${100 * Math.min(1, Math.max(0, p))}%`;
-  return { left: within(x), top: within(y) };
+/** The path of a morph in space as its handles and its editor have it. */
+export const PATH: WayPath = {
+  way,
+  chosen,
+  most: MOST_POINTS,
+  pick,
+  moveTo,
+  addAfter,
+  addHere,
+  removeAt,
+  moment,
+  uv,
+  goTo,
+  wayWords: stateAt,
+  stateNow,
+  pointWords,
+  place,
 };
+
+type ToUv = (event: PointerEvent) => Uv;
 
 /** What a pointer does that takes hold of a handle: `to` is told where it goes. */
 function useHold(toUv: ToUv, at: Uv, to: (point: Uv) => void) {
@@ -71,92 +68,25 @@ function useHold(toUv: ToUv, at: Uv, to: (point: Uv) => void) {
   };
 }
 
-export interface WayHandleProps {
-  index: number;
-  count: number;
-  point: Uv;
-  chosen: boolean;
-  toUv: ToUv;
+/** What two presses do: nothing else hears of them. */
+const twice = (act: () => void) => (event: MouseEvent) => {
+  event.preventDefault();
+  event.stopPropagation();
+  act();
+};
+
+/** A way point that a pointer drags; two presses take it away. */
+export function Way({ index, toUv }: { index: number; toUv: ToUv }) {
+  const hold = useHold(toUv, way.value[index] ?? [0, 0], (to) => moveTo(index, to, `space-way-${index}`));
+  const remove = twice(() => {
+    removeAt(index);
+    focusHandle(null);
+  });
+  return <WayHandle path={PATH} index={index} pointer={{ ...hold, onDblClick: remove }} />;
 }
 
-/** A way point: arrows move it, plus adds one behind it, Delete takes it away. */
-export function WayHandle({ index, count, point, chosen, toUv }: WayHandleProps) {
-  const [u, v] = point;
-  const hold = useHold(toUv, point, (to) => moveTo(index, to, `space-way-${index}`));
-  return (
-    <div
-      id={idOf(index)}
-      class={`handle way ${chosen ? "chosen" : ""}`}
-      style={styleOf(point)}
-      role="slider"
-      tabIndex={0}
-      aria-label={`Way point ${index + 1} of ${count}`}
-      aria-valuenow={u}
-      aria-valuemin={-1}
-      aria-valuemax={2}
-      aria-valuetext={`${pointWords(point)}, ${stateAt(index)}`}
-      {...hold}
-      onDblClick={(event) => {
-        event.preventDefault();
-        event.stopPropagation();
-        removeAt(index);
-        focusHandle(null);
-      }}
-      onFocus={() => pick(index)}
-      onKeyDown={(event) => {
-        if (event.ctrlKey || event.metaKey) return;
-        const by = arrows(event);
-        if (by) moveTo(index, [addStep(u, by[0]), addStep(v, by[1])], `space-way-${index}`);
-        else if (isAdd(event.key)) focusHandle(addAfter(index));
-        else if (isRemove(event.key)) {
-          removeAt(index);
-          focusHandle(count > 1 ? Math.max(0, index - 1) : null);
-        } else return;
-        event.preventDefault();
-        event.stopPropagation();
-      }}
-      onKeyUp={endGesture}
-      onBlur={endGesture}
-    />
-  );
-}
-
-/** Where on the path the picture is now: arrows move along, plus adds a way point here. */
-export function CurrentHandle({ toUv }: { toUv: ToUv }) {
-  const t = moment.value;
+/** The place on the path, which a pointer drags along it; two presses add a way point there. */
+export function Current({ toUv }: { toUv: ToUv }) {
   const hold = useHold(toUv, uv.value, (to) => goTo(nearestOn(pathPoints.peek(), to).t));
-  return (
-    <div
-      id={CURRENT}
-      class={`handle current ${t <= 0 || t >= 1 ? "at-end" : ""}`}
-      style={styleOf(uv.value)}
-      role="slider"
-      tabIndex={0}
-      aria-label="Place on the path"
-      aria-valuenow={Math.round(1000 * t) / 10}
-      aria-valuemin={0}
-      aria-valuemax={100}
-      aria-valuetext={`${percent(t)} of the way, ${stateNow()}`}
-      {...hold}
-      onDblClick={(event) => {
-        event.preventDefault();
-        event.stopPropagation();
-        focusHandle(addHere());
-      }}
-      onFocus={() => pick(null)}
-      onKeyDown={(event) => {
-        if (event.ctrlKey || event.metaKey) return;
-        const by = arrows(event);
-        if (by) goTo(addStep(t, by[0] + by[1]));
-        else if (event.key === "Home") goTo(0);
-        else if (event.key === "End") goTo(1);
-        else if (isAdd(event.key)) focusHandle(addHere());
-        else return;
-        event.preventDefault();
-        event.stopPropagation();
-      }}
-      onKeyUp={endGesture}
-      onBlur={endGesture}
-    />
-  );
+  return <CurrentHandle path={PATH} pointer={{ ...hold, onDblClick: twice(() => focusHandle(addHere())) }} />;
 }

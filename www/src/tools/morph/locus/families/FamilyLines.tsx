@@ -3,7 +3,7 @@ import { lowered } from "#format/parameters";
 import type { Uv } from "#geometry/path";
 import { piecesIn } from "#geometry/polyline";
 import { around, linePath } from "../marks";
-import { isOutside } from "../path/Handles";
+import { isOutside } from "../path/handles";
 import { place } from "../path/way";
 import { arcNear } from "../view/geometry";
 import { shownWindow, sides, view } from "../view/view";

@@ -1,43 +1,22 @@
-import "#stage/locus/path.css";
 import { computed, useComputed } from "@preact/signals";
 import { certified, certify, stopCertifying } from "#compute/certify";
 import { leavesPlane, plan3, wayOf } from "#compute/plan";
 import { along, locus, pathStates, plan } from "#compute/results";
 import { locusView, pathPoints } from "#document/morph";
-import { edit, endGesture } from "#document/scene";
+import { edit } from "#document/scene";
 import { bestWords, certifiedWords, pathWords, roomWords } from "#format/path-words";
 import { widestAlong } from "#geometry/polyline";
 import { clearanceOf, isBroken, STATE } from "#geometry/states";
-import { Button, IconButton } from "#ui/controls/Button";
-import { NumberField } from "#ui/controls/NumberField";
-import { Segmented } from "#ui/controls/Segmented";
+import { PathSection, WayPointEditor } from "#stage/locus/PathEditor";
+import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import type { PathKind } from "#wasm/api";
 import { workers } from "#workers/pool/engine";
-import { MOST_POINTS } from "../../changes";
 import { openMatching, openRoutes } from "../../dialogs";
 import { mode, pathKind } from "../../parts";
 import { setThird, third } from "./automatic";
-import { focusHandle } from "./Handles";
-import {
-  addAfter,
-  addHere,
-  bounds,
-  chosen,
-  MOST_W,
-  moveTo,
-  removeAt,
-  showW,
-  thirdShown,
-  way,
-  wayWords,
-} from "./way";
-
-const KINDS: readonly { value: PathKind; label: string; description: string }[] = [
-  { value: "auto", label: "Auto", description: "The way with the narrowest gap, found for you" },
-  { value: "straight", label: "Straight", description: "Turn, stretch and move together, at one pace" },
-  { value: "drawn", label: "Drawn", description: "Through your own way points" },
-];
+import { PATH } from "./handles";
+import { bounds, MOST_W, showW, thirdShown } from "./way";
 
 function setKind(kind: PathKind): void {
   edit((before) => {
@@ -53,16 +32,17 @@ function setKind(kind: PathKind): void {
 /** What the path is, whether it holds, and its way points by numbers. */
 export function PathPanel() {
   return (
-    <section class="path" aria-labelledby="path-title">
-      <header class="section-head">
-        <h2 id="path-title">Path</h2>
-        <Segmented label="Kind of path" value={pathKind.value} options={KINDS} onChange={setKind} />
-      </header>
+    <PathSection kind={pathKind.value} onKind={setKind}>
       <PathVerdict />
       <NoWay />
-      {chosen.value === null ? <WayNone /> : <WayPoint index={chosen.value} />}
+      <WayPointEditor
+        path={PATH}
+        bounds={bounds.value}
+        hint="or press twice on the path"
+        third={{ shown: thirdShown.value, most: MOST_W, ask: mode.value === "polar" && <AskThird /> }}
+      />
       <Certificate />
-    </section>
+    </PathSection>
   );
 }
 
@@ -142,96 +122,15 @@ function NoWay() {
   );
 }
 
-function WayNone() {
+function AskThird() {
   return (
-    <div class="way-none">
-      <Button
-        icon="add"
-        disabled={way.value.length >= MOST_POINTS}
-        description="Add a way point where the picture is now"
-        onClick={() => focusHandle(addHere())}
-      >
-        Add way point
-      </Button>
-      <span class="hint">or press twice on the path</span>
-    </div>
-  );
-}
-
-/** One way point by its numbers, and whether the path breaks there. */
-function WayPoint({ index }: { index: number }) {
-  const point = way.value[index];
-  if (point === undefined) return null;
-  const [u, v, w = 0] = point;
-  const withW = thirdShown.value;
-  return (
-    <fieldset class={`way-point ${withW ? "with-w" : ""}`}>
-      <legend>
-        Way point {index + 1} of {way.value.length} <span class="dim">{wayWords(index)}</span>
-      </legend>
-      <NumberField
-        terse
-        label="turn and stretch, u"
-        symbol="u"
-        value={u}
-        min={bounds.value.u0}
-        max={bounds.value.u1}
-        digits={3}
-        onChange={(next) => moveTo(index, [next, v, w], `way-u-${index}`)}
-        onDone={endGesture}
-      />
-      <NumberField
-        terse
-        label="move, v"
-        symbol="v"
-        value={v}
-        min={bounds.value.v0}
-        max={bounds.value.v1}
-        digits={3}
-        onChange={(next) => moveTo(index, [u, next, w], `way-v-${index}`)}
-        onDone={endGesture}
-      />
-      {withW && (
-        <NumberField
-          terse
-          label="stretch ahead, w"
-          symbol="w"
-          value={w}
-          min={-MOST_W}
-          max={MOST_W}
-          digits={3}
-          onChange={(next) => moveTo(index, [u, v, next], `way-w-${index}`)}
-          onDone={endGesture}
-        />
-      )}
-      <div class="way-tools">
-        {!withW && mode.value === "polar" && (
-          <Button
-            kind="quiet"
-            description="A third number, w: how far the stretch is ahead of the turn"
-            onClick={showW}
-          >
-            <span class="symbol">w</span>
-          </Button>
-        )}
-        <IconButton
-          icon="add"
-          label="Add a way point after this one"
-          kind="quiet"
-          disabled={way.value.length >= MOST_POINTS}
-          onClick={() => focusHandle(addAfter(index))}
-        />
-        <IconButton
-          icon="bin"
-          label="Remove this way point"
-          kind="quiet"
-          onClick={() => {
-            removeAt(index);
-            focusHandle(null);
-          }}
-        />
-      </div>
-    </fieldset>
+    <Button
+      kind="quiet"
+      description="A third number, w: how far the stretch is ahead of the turn"
+      onClick={showW}
+    >
+      <span class="symbol">w</span>
+    </Button>
   );
 }
 

@@ -4,7 +4,7 @@ import { uv } from "#document/morph";
 import { announce } from "#document/notice";
 import type { Uv } from "#geometry/path";
 import { pointOf } from "#geometry/polyline";
-import { isOutside } from "../path/Handles";
+import { isOutside } from "../path/handles";
 import { addAt, place } from "../path/way";
 import { goHome, panBy, picked, pickPoint, shownWindow, view } from "../view/view";
 import { zoomAbout } from "./gestures";

@@ -1,0 +1,115 @@
+import "./path.css";
+import type { ComponentChildren } from "preact";
+import { endGesture } from "#document/scene";
+import type { Uv } from "#geometry/path";
+import { Button, IconButton } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
+import { Segmented } from "#ui/controls/Segmented";
+import type { Bounds, PathKind } from "#wasm/api";
+import { focusHandle, type WayPath } from "./WayPoints";
+
+const KINDS: readonly { value: PathKind; label: string; description: string }[] = [
+  { value: "auto", label: "Auto", description: "The way with the narrowest gap, found for you" },
+  { value: "straight", label: "Straight", description: "Turn, stretch and move together, at one pace" },
+  { value: "drawn", label: "Drawn", description: "Through your own way points" },
+];
+
+export interface PathSectionProps {
+  kind: PathKind;
+  onKind: (kind: PathKind) => void;
+  children: ComponentChildren;
+}
+
+/** What the path is, and what is known of it. */
+export function PathSection({ kind, onKind, children }: PathSectionProps) {
+  return (
+    <section class="path" aria-labelledby="path-title">
+      <header class="section-head">
+        <h2 id="path-title">Path</h2>
+        <Segmented label="Kind of path" value={kind} options={KINDS} onChange={onKind} />
+      </header>
+      {children}
+    </section>
+  );
+}
+
+export interface WayPointEditorProps {
+  path: WayPath;
+  bounds: Bounds;
+  /** Where else a way point may be added. */
+  hint: string;
+  /** The third number: how far it goes either way, and what asks for it while it is not shown. */
+  third?: { shown: boolean; most: number; ask?: ComponentChildren };
+}
+
+/** The chosen way point by its numbers, or how to have one. */
+export function WayPointEditor({ path, bounds, hint, third }: WayPointEditorProps) {
+  const index = path.chosen.value;
+  const points = path.way.value;
+  const full = points.length >= path.most;
+  const point = index === null ? undefined : points[index];
+  if (index === null || point === undefined) {
+    return (
+      <div class="way-none">
+        <Button
+          icon="add"
+          disabled={full}
+          description="Add a way point where the picture is now"
+          onClick={() => focusHandle(path.addHere())}
+        >
+          Add way point
+        </Button>
+        <span class="hint">{hint}</span>
+      </div>
+    );
+  }
+  const [u, v, w = 0] = point;
+  const field = (
+    symbol: string,
+    label: string,
+    value: number,
+    range: [number, number],
+    to: (x: number) => Uv,
+  ) => (
+    <NumberField
+      terse
+      label={label}
+      symbol={symbol}
+      value={value}
+      min={range[0]}
+      max={range[1]}
+      digits={3}
+      onChange={(next) => path.moveTo(index, to(next), `way-${symbol}-${index}`)}
+      onDone={endGesture}
+    />
+  );
+  return (
+    <fieldset class={`way-point ${third?.shown ? "with-w" : ""}`}>
+      <legend>
+        Way point {index + 1} of {points.length} <span class="dim">{path.wayWords(index)}</span>
+      </legend>
+      {field("u", "turn and stretch, u", u, [bounds.u0, bounds.u1], (next) => [next, v, w])}
+      {field("v", "move, v", v, [bounds.v0, bounds.v1], (next) => [u, next, w])}
+      {third?.shown && field("w", "stretch ahead, w", w, [-third.most, third.most], (next) => [u, v, next])}
+      <div class="way-tools">
+        {!third?.shown && third?.ask}
+        <IconButton
+          icon="add"
+          label="Add a way point after this one"
+          kind="quiet"
+          disabled={full}
+          onClick={() => focusHandle(path.addAfter(index))}
+        />
+        <IconButton
+          icon="bin"
+          label="Remove this way point"
+          kind="quiet"
+          onClick={() => {
+            path.removeAt(index);
+            focusHandle(null);
+          }}
+        />
+      </div>
+    </fieldset>
+  );
+}
