@@ -8,10 +8,8 @@ export type Curves = typeof import("../../pkg/frond-curve.js");
 /** One closed curve, or two brought to one structure: closed at every s. `free()` it. */
 export type CurveMorphHandle = InstanceType<Curves["CurveMorph"]>;
 export type CurveMorphFacts = ReturnType<CurveMorphHandle["facts"]>;
-export type CurveFacts = ReturnType<Curves["curveFacts"]>;
 /** What makes an edge of a closed curve. */
 export type CurveMap = ReturnType<Curves["curveMaps"]>[number];
-export type GraphFacts = ReturnType<Curves["graphFacts"]>;
 
 const ready = signal(false);
 

@@ -25,9 +25,6 @@ export type SpacePictureHandle = InstanceType<SpaceModule["SpacePicture"]>;
 export type SpaceCarveHandle = ReturnType<SpacePictureHandle["carve"]>;
 /** A `Space` at any moment. `free()` it. */
 export type SpaceMotionHandle = InstanceType<SpaceModule["SpaceMotion"]>;
-/** What a renderer is given for one object, and for one picture, as its shaders read it. */
-export type CloudBytes = ReturnType<SpacePictureHandle["clouds"]>[number];
-export type UniformBytes = ReturnType<SpacePictureHandle["uniforms"]>;
 
 /** Fetches and compiles; the page and its workers are given the module. */
 export const compileSpace = once(() => compiled(wasmUrl));

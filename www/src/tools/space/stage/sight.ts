@@ -80,8 +80,6 @@ export function chosenBall(): Ball | null {
 }
 
 const stageColour = signal("#fbfaf6");
-/** The colour under the pictures of the page, "#rrggbb". */
-export const pageGround: ReadonlySignal<string> = stageColour;
 
 /** The colour under the picture, "#rrggbb": what fog fades into. */
 export const ground: ReadonlySignal<string> = computed(() =>
