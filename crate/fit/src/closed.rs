@@ -11,12 +11,11 @@ mod partition;
 mod refine;
 mod text;
 
-pub use expansion::Expansion;
 pub use fault::CurveFault;
 pub use fitter::{ClosedFit, FitError, Fitter, Progress, Stage};
 pub use pack::{MAX_KNOTS, PackError};
 pub use partition::partition;
-pub use refine::{Refiner, Ties, polyline_error};
+pub use refine::{Refiner, Ties};
 pub use text::MAX_TEXT;
 
 use glam::{DMat2, DVec2};

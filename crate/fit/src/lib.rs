@@ -57,8 +57,8 @@ mod series;
 
 pub use baseline::{bezier, fourier, least_squares_polyline, split_polyline};
 pub use closed::{
-    ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, CurveFault, Expansion, FitError, Fitter, MAX_KNOTS,
-    MAX_SPAN, MAX_TEXT, PackError, Progress, Refiner, Stage, Ties, partition, polyline_error,
+    ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, CurveFault, FitError, Fitter, MAX_KNOTS, MAX_SPAN,
+    MAX_TEXT, PackError, Progress, Stage, partition,
 };
 pub use collage::{Bounding, CollageError, CollageFit, CollageOptions, Domains, RingMap, fit_collage};
 pub use curve_morph::{CurveMorph, MAX_FILE_POINTS, MorphError, MorphedCurve};
@@ -74,8 +74,7 @@ pub use hough::{
     assemble, assemble_picked, gather, in_range, name_clusters, refine_map, share_cells,
 };
 pub use outline::{
-    Fidelity, MAX_OUTLINE, MAX_PREPARED, Near, Nearest, Outline, OutlineError, box_count, box_slope,
-    box_slope_of, crossings, features, fidelity,
+    Fidelity, MAX_OUTLINE, MAX_PREPARED, Near, Nearest, Outline, OutlineError, crossings, features, fidelity,
 };
 pub use preset::{CurvePreset, curve_presets};
 pub use read::{FileContent, FileKind, NamedOutline, ReadAs, ReadError, Remark, read_file, sniff};

@@ -8,7 +8,7 @@ mod near;
 mod prepare;
 mod thin;
 
-pub use boxes::{box_count, box_slope, box_slope_of};
+pub use boxes::{box_slope, box_slope_of};
 pub use crossing::crossings;
 pub use features::features;
 pub use fidelity::{Fidelity, fidelity};
