@@ -1,7 +1,7 @@
 //! One sample in f32. Shader twin: the last part of crate/render/shader/locus.wgsl.
 
-use super::SingleMap;
 use super::descent::{Descent, End, MAX_MAPS, Pair};
+use super::map::SingleMap;
 use super::support::{Fan, Map};
 use super::system::{System, fixed_point};
 use crate::verdict::{Sample, State};

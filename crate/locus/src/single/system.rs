@@ -2,8 +2,8 @@
 
 use glam::{Vec2, Vec4};
 
-use super::SingleMap;
 use super::descent::MAX_MAPS;
+use super::map::SingleMap;
 use super::support::{Map, ULP, image, norm};
 
 /// Maps must contract by this in the plane's own norm.
