@@ -33,8 +33,8 @@ const flags = [
 ];
 
 /**
- * A software GPU, so that both backends are there on any machine and draw the same picture on all. WebGL2 alone has it: the
- * page around the picture is quicker without.
+ * A software GPU, so that both backends are there on any machine and draw the same picture on all. WebGL2 alone has it:
+ * the page around the picture is quicker without.
  */
 const webgl2 = ["--enable-unsafe-swiftshader"];
 const webgpu = [

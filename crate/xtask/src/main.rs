@@ -4,12 +4,14 @@
 //! - [`tools`], [`node`] and [`browser`] see to it that what is needed is there.
 //! - [`wasm`] and [`package`] make `www/pkg` of the [`modules`]; [`site`] makes `dist/`; [`size`] weighs it.
 //! - [`circles`] keeps files from importing in circles: [`imports`] finds who imports what.
+//! - [`folders`] keeps folders from being too full and comments from being too wide.
 //! - [`serve`], [`test`] and [`bench`] are the commands of those names.
 
 mod bench;
 mod browser;
 mod circles;
 mod command;
+mod folders;
 mod imports;
 mod modules;
 mod node;

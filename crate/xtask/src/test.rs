@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use crate::browser;
 use crate::circles;
 use crate::command::{Outcome, cargo, cargo_wasm, own_flags, root, run};
+use crate::folders;
 use crate::node::{self, Tool};
 use crate::site;
 use crate::size;
@@ -42,6 +43,13 @@ const CHECKS: &[Check] = &[
         what: "no circle of imports among the files of a crate",
         set_up: nothing,
         work: circles::gate,
+    },
+    Check {
+        group: "rust",
+        name: "folders",
+        what: "no folder too full, no comment too wide",
+        set_up: nothing,
+        work: folders::gate,
     },
     Check {
         group: "rust",
