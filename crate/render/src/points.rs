@@ -30,7 +30,7 @@ pub struct Instance {
     pub letters: u32,
     /// Its part of the measure, scaled.
     pub mass: f32,
-    /// What is added to a point, times how far along the one side and along the other it is: see [`Sides`].
+    /// What is added to a point, times how far along the one side and along the other it is: see `Sides`.
     pub twist: [f32; 2],
     /// Its colour, eight bits each, where pieces have colours of their own.
     pub tint: u32,
