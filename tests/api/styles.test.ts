@@ -8,7 +8,7 @@ const root = fileURLToPath(new URL("../../www/src", import.meta.url));
 const LAZY = ["tools/deform", "tools/fit", "tools/space", "curve"];
 
 const files = readdirSync(root, { recursive: true, encoding: "utf8" })
-  .filter((path) => /\.(css|tsx)$/.test(path))
+  .filter((path) => /\.(css|tsx?)$/.test(path))
   .map((path) => {
     const room = LAZY.find((folder) => path.startsWith(`${folder}/`)) ?? path.split("/")[0];
     const text = readFileSync(join(root, path), "utf8").replace(/\/\*[\s\S]*?\*\//g, "");
@@ -50,7 +50,7 @@ describe("styles that are loaded with a tool", () => {
 });
 
 /** Names of classes from a module: `css["name"]`, where `css` is what the file imports that module as. */
-const importedModules = (text: string) => [...text.matchAll(/import (\w+) from "(\.[^"]+\.module\.css)"/g)];
+const importedModules = (text: string) => [...text.matchAll(/import (\w+) from "([.#][^"]+\.module\.css)"/g)];
 const modules = new Map(
   files.filter(({ path }) => path.endsWith(".module.css")).map(({ path, text }) => [path, text]),
 );
@@ -60,7 +60,7 @@ describe("modules of style", () => {
   const missing: string[] = [];
   for (const { path, text } of files.filter(({ css }) => !css)) {
     for (const [, name = "", from = ""] of importedModules(text)) {
-      const module = join(path, "..", from);
+      const module = from.startsWith("#") ? from.slice(1) : join(path, "..", from);
       const known = new Set(selectorsOf(modules.get(module) ?? "").flatMap(namesIn));
       const uses = [...text.matchAll(new RegExp(`\\b${name}\\[(?:"([^"]+)"|[^\\]]+)\\]`, "g"))];
       for (const [whole, asked] of uses) {
