@@ -1,0 +1,98 @@
+import { useState } from "preact/hooks";
+import { IconButton } from "../controls/Button";
+import { EndCard } from "../shapes/EndCard";
+import { Graph } from "../shapes/Graph";
+import { MapBlocks } from "../shapes/MapBlocks";
+import { MapList, MapTools } from "../shapes/MapList";
+import { ShapeGrid } from "../shapes/ShapeGrid";
+import { SubjectCard } from "../shapes/SubjectCard";
+import { Thumbnail } from "../shapes/Thumbnail";
+import { VerdictSign } from "../shapes/VerdictSign";
+import { LONG, State, Widget } from "./Widget";
+
+const nothing = () => {};
+const TONES = ["whole", "close", "broken", "unknown"] as const;
+const SHAPES = [
+  { id: "dragon", name: "Dragon", about: "Two maps that turn." },
+  { id: "long", name: LONG, about: `${LONG}.` },
+];
+const MAP = [0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5, 0.25, -0.25, 12];
+
+export function Shapes() {
+  const [chosen, choose] = useState("dragon");
+  const [open, setOpen] = useState<number | null>(0);
+  const card = { end: "a", note: "2 maps", count: "2 maps", picture: <Thumbnail bitmap={null} /> } as const;
+  return (
+    <>
+      <Widget name="VerdictSign">
+        {TONES.map((tone) => (
+          <State key={tone} name={tone}>
+            <VerdictSign tone={tone} />
+          </State>
+        ))}
+      </Widget>
+      <Widget name="SubjectCard">
+        <State name="shown" wide>
+          <SubjectCard picture={card.picture} name="Dragon" about="Two maps that turn." />
+        </State>
+        <State name="to press, long words" wide>
+          <SubjectCard picture={card.picture} name={LONG} about={LONG} label="Long" onChoose={nothing} />
+        </State>
+      </Widget>
+      <Widget name="EndCard">
+        <State name="plain, with a button" wide>
+          <EndCard {...card} name="Dragon" onChoose={nothing}>
+            <IconButton icon="edit" label="Edit" kind="quiet" />
+          </EndCard>
+        </State>
+        <State name="edited and being edited, long words" wide>
+          <EndCard {...card} name={LONG} edited editing onChoose={nothing} />
+        </State>
+      </Widget>
+      <Widget name="Graph">
+        <State name="one piece, two that are apart" wide>
+          <Graph count={1} angles={[0]} edges={[]} colours={["#0072b2"]} label="One piece" />
+          <Graph
+            count={3}
+            angles={[0, 2, 4]}
+            edges={[[0, 1]]}
+            colours={["#0072b2", "#e69f00", "#009e73"]}
+            label="Three pieces, two of which are joined"
+          />
+        </State>
+      </Widget>
+      <Widget name="MapBlocks">
+        <State name="two maps, one number set apart" wide>
+          <MapBlocks
+            label="Maps"
+            maps={[MAP, MAP]}
+            marked={(map, place) => map === 1 && place === 0}
+            mark="changed"
+          />
+        </State>
+      </Widget>
+      <Widget name="MapList">
+        <State name="one of three is open, long words" wide>
+          <MapList
+            maps={["half as large", LONG, "turned"]}
+            open={open}
+            onOpen={setOpen}
+            swatch={() => <VerdictSign tone="whole" />}
+            fields={(index) => <MapTools maps={[1, 2, 3]} index={index} most={3} onPress={nothing} />}
+          />
+        </State>
+      </Widget>
+      <Widget name="ShapeGrid">
+        <State name="one chosen, no picture yet, long words" wide>
+          <ShapeGrid
+            presets={SHAPES}
+            noteOf={() => "2 maps"}
+            pictures={new Map()}
+            chosen={chosen}
+            onChoose={({ id }) => choose(id)}
+          />
+        </State>
+      </Widget>
+    </>
+  );
+}
