@@ -1,13 +1,13 @@
 import { computed, signal, useSignalEffect } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
 import { type Box, boxOf } from "#document/framing";
 import { selection } from "#document/morph";
 import { announce } from "#document/notice";
-import { edit, endGesture, inGesture, scene } from "#document/scene";
+import { edit, inGesture, scene } from "#document/scene";
 import { lengthWords } from "#format/verdict";
-import { screen, toScreen, toWorld, type World } from "#geometry/coordinates";
+import { type Screen, screen, toScreen, toWorld, type World } from "#geometry/coordinates";
 import { type Corners, cornersOf, dragged, GRIPS, type Grip } from "#geometry/parallelogram";
 import type { MapRow, Shape } from "#wasm/api";
+import { useGrip } from "./grip";
 import { stageStyle } from "./look";
 import { effectiveView, stageSize } from "./view";
 
@@ -99,7 +99,7 @@ function OneMap({ index, map, colour, chosen }: OneMapProps) {
         aria-label={`Map ${index + 1}${chosen ? ", chosen; arrow keys move it" : ""}`}
         aria-pressed={chosen}
         d={outline(corners)}
-        ref={useGrip(index, "origin", choose)}
+        ref={useMapGrip(index, "origin", choose)}
       />
       <path class="edge" d={outline(corners)} />
       <text class="number-label cased" x={middle.x} y={middle.y + 5}>
@@ -121,7 +121,7 @@ function Handle({ index, grip, at }: { index: number; grip: Grip; at: { x: numbe
       tabindex={0}
       aria-label={`Map ${index + 1}, ${NAMES[grip]}: arrow keys, with Shift finer`}
       transform={`translate(${at.x} ${at.y})`}
-      ref={useGrip(index, grip)}
+      ref={useMapGrip(index, grip)}
     >
       <circle class="reach" r={22} />
       {grip === "turn" ? (
@@ -133,75 +133,29 @@ function Handle({ index, grip, at }: { index: number; grip: Grip; at: { x: numbe
   );
 }
 
-/** Drags and arrow keys for one grip; everything it needs it reads when it is used. */
-function useGrip(index: number, grip: Grip, onTake?: () => void) {
-  const element = useRef<SVGElement | null>(null);
-  const take = useRef(onTake);
-  take.current = onTake;
-  useEffect(() => {
-    const node = element.current;
-    if (!node) return;
-    let offset: { x: number; y: number } | null = null;
-    const pointer = (event: PointerEvent) => {
-      const box = (node.ownerSVGElement ?? node).getBoundingClientRect();
-      return { x: event.clientX - box.left, y: event.clientY - box.top };
-    };
-    const down = (event: PointerEvent) => {
-      if (event.button !== 0) return;
+/** Drags and arrow keys for one grip. */
+const useMapGrip = (index: number, grip: Grip, onTake?: () => void) =>
+  useGrip({
+    take(event) {
       event.stopPropagation();
-      take.current?.();
-      const at = gripPlace(index, grip);
-      if (!at) return;
-      const from = pointer(event);
-      offset = { x: at.x - from.x, y: at.y - from.y };
-      node.setPointerCapture(event.pointerId);
-    };
-    const move = (event: PointerEvent) => {
-      if (!offset) return;
-      const at = pointer(event);
-      moveTo(index, grip, { x: at.x + offset.x, y: at.y + offset.y }, `drag ${index} ${grip}`);
-    };
-    const up = () => {
-      if (!offset) return;
-      offset = null;
-      endGesture();
-    };
-    const key = (event: KeyboardEvent) => {
-      if (take.current && (event.key === "Enter" || event.key === " ")) {
-        event.preventDefault();
-        take.current();
-        return;
+      onTake?.();
+      return gripPlace(index, grip);
+    },
+    moveTo: (to) => moveTo(index, grip, to, `drag ${index} ${grip}`),
+    key(event) {
+      if (onTake && (event.key === "Enter" || event.key === " ")) {
+        onTake();
+        return true;
       }
       const step = ARROWS[event.key];
       const at = gripPlace(index, grip);
-      if (!step || !at || event.ctrlKey || event.metaKey || event.altKey) return;
-      event.preventDefault();
-      event.stopPropagation();
+      if (!step || !at || event.ctrlKey || event.metaKey || event.altKey) return false;
       const far = event.shiftKey ? FINE : STEP;
       moveTo(index, grip, { x: at.x + far * step[0], y: at.y + far * step[1] }, `keys ${index} ${grip}`);
       say(index, grip);
-    };
-    node.addEventListener("pointerdown", down);
-    node.addEventListener("pointermove", move);
-    node.addEventListener("pointerup", up);
-    node.addEventListener("pointercancel", up);
-    node.addEventListener("keydown", key);
-    node.addEventListener("keyup", endGesture);
-    node.addEventListener("blur", endGesture);
-    return () => {
-      node.removeEventListener("pointerdown", down);
-      node.removeEventListener("pointermove", move);
-      node.removeEventListener("pointerup", up);
-      node.removeEventListener("pointercancel", up);
-      node.removeEventListener("keydown", key);
-      node.removeEventListener("keyup", endGesture);
-      node.removeEventListener("blur", endGesture);
-    };
-  }, [index, grip]);
-  return (node: SVGElement | null) => {
-    element.current = node;
-  };
-}
+      return true;
+    },
+  });
 
 const ARROWS: Record<string, [number, number]> = {
   ArrowLeft: [-1, 0],
@@ -210,7 +164,7 @@ const ARROWS: Record<string, [number, number]> = {
   ArrowDown: [0, 1],
 };
 
-function gripPlace(index: number, grip: Grip): { x: number; y: number } | null {
+function gripPlace(index: number, grip: Grip): Screen | null {
   const map = shape.peek()?.maps[index];
   return map ? toScreen(cornersOf(map, frame.peek())[grip], effectiveView.peek(), stageSize.peek()) : null;
 }

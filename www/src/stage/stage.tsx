@@ -12,20 +12,18 @@ import { Evidence } from "./evidence";
 import { stageKey } from "./gestures";
 import { Handles } from "./handles";
 import { Picture } from "./picture";
-import type { MainPainter, Painter, PainterBackend, PainterState } from "./surface/painter";
+import {
+  type MainPainter,
+  type Painter,
+  type PainterBackend,
+  type PainterState,
+  UNSEEN,
+} from "./surface/painter";
 import { followFit } from "./view";
 import { linkView } from "./view-link";
 
-const NOTHING: PainterState = {
-  backend: null,
-  complete: false,
-  settled: false,
-  points: 0,
-  empty: false,
-  preview: false,
-};
 /** What the main picture is up to. */
-export const picture = signal<PainterState>(NOTHING);
+export const picture = signal<PainterState>(UNSEEN);
 export const mainPainter = signal<MainPainter | null>(null);
 /** The same for the linear picture, while it stands beside the other. */
 export const linearPicture = signal<PainterState | null>(null);
@@ -49,7 +47,7 @@ const setPicture = (state: PainterState) => {
 const setPainter = (painter: MainPainter | null) => {
   mainPainter.value = painter;
   // What the last one was up to says nothing about the next.
-  if (!painter) picture.value = NOTHING;
+  if (!painter) picture.value = UNSEEN;
 };
 const setLinearPicture = (state: PainterState) => {
   linearPicture.value = state;

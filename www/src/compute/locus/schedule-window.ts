@@ -8,6 +8,7 @@ import { inputs as morph } from "../inputs";
 import { publish } from "../results";
 import type { LocusInputs } from "./job";
 import { type LocusSource, Pyramid } from "./pyramid";
+import { Soon } from "./soon";
 import { clampedView, levelOf, viewProblem } from "./window";
 import { WindowWork } from "./window-job";
 
@@ -36,8 +37,7 @@ let work: WindowWork | null = null;
 let live = false;
 let failed = false;
 let waiting: ReturnType<typeof setTimeout> | null = null;
-let frame = 0;
-let late: ReturnType<typeof setTimeout> | null = null;
+const soon = new Soon(paint);
 
 export function scheduleWindow(): void {
   effect(() => {
@@ -82,7 +82,7 @@ function start(next: LocusSource): void {
     mine,
     {
       painted: () => {
-        if (mine === pyramid) paintSoon();
+        if (mine === pyramid) soon.ask(work?.progress === 1);
       },
       coarse: () => {
         if (mine !== pyramid) return;
@@ -128,22 +128,8 @@ function fail(error: FrondError): void {
   publish.window.value = { pyramid, progress: 1, problem: `It could not be drawn: ${wordsOf(error)}` };
 }
 
-/** A busy graphics card makes frames wait; the field does not wait longer than this with it. */
-const LATEST_MS = 80;
-
-function paintSoon(): void {
-  if (work?.progress === 1 || document.hidden) paint();
-  else if (!frame) {
-    frame = requestAnimationFrame(paint);
-    late = setTimeout(paint, LATEST_MS);
-  }
-}
-
 function paint(): void {
-  if (frame) cancelAnimationFrame(frame);
-  if (late) clearTimeout(late);
-  frame = 0;
-  late = null;
+  soon.cancel();
   if (!pyramid || failed) return;
   const whole = homeIsSeen.peek() ? (publish.locus.peek()?.progress ?? 0) : (work?.progress ?? 0);
   publish.window.value = { pyramid, progress: waiting ? 0 : whole, problem: null };

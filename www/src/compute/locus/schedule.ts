@@ -8,6 +8,7 @@ import { publish } from "../results";
 import { type CardChoice, lookForCard } from "./card-trial";
 import { BOUNDS, EPSILON, type LocusInputs, LocusWork, SIZE, STRIDES } from "./job";
 import { homeIsSeen, scheduleWindow } from "./schedule-window";
+import { Soon } from "./soon";
 
 /** While something is dragged, a coarse locus that is nearly done is let finish, so that there is one to see. */
 const GRACE_MS = 150;
@@ -18,8 +19,7 @@ const PATIENCE_MS = 250;
 let work: LocusWork | null = null;
 let choice: CardChoice = "none";
 let waiting: ReturnType<typeof setTimeout> | null = null;
-let frame = 0;
-let late: ReturnType<typeof setTimeout> | null = null;
+const soon = new Soon(paint);
 
 /** The paths are planned from the whole plane, but while another part or plane is looked at, that comes first. */
 const priorities = (): [number, number] => (homeIsSeen.peek() ? [50, 15] : [38, 8]);
@@ -52,7 +52,8 @@ function start(inputs: LocusInputs): void {
     inputs,
     {
       painted: (w) => {
-        if (w === work && (w.coarse || performance.now() - w.started > PATIENCE_MS)) paintSoon();
+        if (w === work && (w.coarse || performance.now() - w.started > PATIENCE_MS))
+          soon.ask(w.progress === 1);
       },
       stage: (w, stride) => {
         if (w !== work) return;
@@ -97,25 +98,8 @@ function considerCard(): void {
   void lookForCard(choice);
 }
 
-/** A busy graphics card makes frames wait; the field does not wait longer than this with it. */
-const LATEST_MS = 80;
-
-/** At most once a frame; at once when it is complete, or where there are no frames, in a hidden tab. */
-function paintSoon(): void {
-  if (work?.progress === 1 || document.hidden) {
-    paint();
-    return;
-  }
-  if (frame) return;
-  frame = requestAnimationFrame(paint);
-  late = setTimeout(paint, LATEST_MS);
-}
-
 function paint(): void {
-  if (frame) cancelAnimationFrame(frame);
-  if (late) clearTimeout(late);
-  frame = 0;
-  late = null;
+  soon.cancel();
   if (!work) return;
   const current = work.inputs === morph.peek();
   publish.locus.value = { ...work.filled, bounds: BOUNDS, progress: current ? work.progress : 0 };

@@ -1,15 +1,12 @@
-import type { Photograph } from "#document/deform/photograph";
 import { notify, wordsOf } from "#document/notice";
-import type { View } from "#geometry/coordinates";
-import type { Bend, MapRow } from "#wasm/api";
-import type { RenderStyle } from "#wasm/core";
+import type { Bend } from "#wasm/api";
 import { type Backend, createRenderer, type Renderer } from "#wasm/renderer";
 import type { Channel } from "#workers/pool/protocol";
 import { Accelerated } from "./accelerated";
 import { Fallback } from "./fallback";
 import { explainMissing } from "./missing";
 import { Preview } from "./preview";
-import type { Pixels, Surface } from "./surface";
+import type { Pixels, Surface, Wanted } from "./surface";
 
 export type PainterBackend = Backend | "canvas";
 
@@ -26,6 +23,16 @@ export interface PainterState {
   preview: boolean;
 }
 
+/** Before anything is drawn. */
+export const UNSEEN: PainterState = {
+  backend: null,
+  complete: false,
+  settled: false,
+  points: 0,
+  empty: false,
+  preview: false,
+};
+
 /** What is asked of whatever draws the main picture. */
 export type MainPainter = Pick<Painter, "pixels" | "forceLoss">;
 
@@ -36,17 +43,6 @@ export interface PainterOptions {
   onState: (state: PainterState) => void;
   /** A bend that cannot be had, in words, or null once one can. */
   onBendProblem?: (problem: string | null) => void;
-}
-
-interface Wanted {
-  maps: MapRow[];
-  bend: Bend | null;
-  picture: Photograph | null;
-  view: View;
-  style: RenderStyle;
-  width: number;
-  height: number;
-  ratio: number;
 }
 
 /** Losses within this time count together; after so many the graphics device is not tried again. */
@@ -75,14 +71,7 @@ export class Painter {
   /** Until the first surface has drawn. */
   #preview: Preview | null;
   #deadline = Number.POSITIVE_INFINITY;
-  #state: PainterState = {
-    backend: null,
-    complete: false,
-    settled: false,
-    points: 0,
-    empty: false,
-    preview: false,
-  };
+  #state = UNSEEN;
   #frame = 0;
   #budget = 200_000;
   #asked = 0;

@@ -1,18 +1,5 @@
-import type { Photograph } from "#document/deform/photograph";
-import type { View } from "#geometry/coordinates";
-import type { Bend, MapRow } from "#wasm/api";
-import { frond, type RenderStyle } from "#wasm/core";
-
-interface Request {
-  maps: MapRow[];
-  bend: Bend | null;
-  picture: Photograph | null;
-  view: View;
-  style: RenderStyle;
-  width: number;
-  height: number;
-  ratio: number;
-}
+import { frond } from "#wasm/core";
+import type { Wanted } from "./surface";
 
 /** As many pixels as are computed within a frame or two on an old telephone. */
 const PIXELS = 120_000;
@@ -20,7 +7,7 @@ const PIXELS = 120_000;
 /** The first picture: computed here and now, coarse, and shown until the renderer has been downloaded. */
 export class Preview {
   readonly #canvas = document.createElement("canvas");
-  #last: Request | null = null;
+  #last: Wanted | null = null;
 
   constructor(host: HTMLElement) {
     this.#canvas.setAttribute("aria-hidden", "true");
@@ -28,7 +15,7 @@ export class Preview {
   }
 
   /** Whether there is something to see now. */
-  show(request: Request): boolean {
+  show(request: Wanted): boolean {
     const { maps, bend, view, style, ratio } = request;
     if (request.picture) return false;
     const last = this.#last;

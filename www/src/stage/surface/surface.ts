@@ -18,6 +18,18 @@ export interface Drawn {
   points: number;
 }
 
+/** What a picture is to show. Sizes are device pixels. */
+export interface Wanted {
+  maps: MapRow[];
+  bend: Bend | null;
+  picture: Photograph | null;
+  view: View;
+  style: RenderStyle;
+  width: number;
+  height: number;
+  ratio: number;
+}
+
 /** Something that fills a canvas with an attractor. Sizes are device pixels. */
 export interface Surface {
   readonly canvas: HTMLCanvasElement;

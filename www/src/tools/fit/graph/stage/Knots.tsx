@@ -1,7 +1,7 @@
-import { useEffect, useRef } from "preact/hooks";
 import { announce } from "#document/notice";
-import { endGesture } from "#document/scene";
 import { formatNumber } from "#format/numbers";
+import { screen } from "#geometry/coordinates";
+import { useGrip } from "#stage/grip";
 import { changeModel, chosenKnot, model } from "../model/document";
 import type { Knot } from "../model/model";
 import { withKnot, withoutKnot } from "../model/model";
@@ -62,7 +62,7 @@ function Handle({
       tabindex={0}
       aria-label={`Point ${index + 1} at t = ${words[0]}, x = ${words[1]}: arrow keys move it, with Shift finer`}
       transform={`translate(${left.toFixed(2)} ${top.toFixed(2)})`}
-      ref={useGrip(index)}
+      ref={useKnotGrip(index)}
     >
       <circle class="reach" r={22} />
       <circle class="knob" r={6.5} />
@@ -121,68 +121,26 @@ function nudge(index: number, [across, down]: readonly [number, number], pixels:
   if (moved) announce(`Point ${index + 1}: ${numbers(moved, view).join(", ")}`);
 }
 
-function useGrip(index: number) {
-  const element = useRef<SVGElement | null>(null);
-  useEffect(() => {
-    const node = element.current;
-    if (!node) return;
-    let offset: readonly [number, number] | null = null;
-    const pointer = (event: PointerEvent): [number, number] => {
-      const box = (node.ownerSVGElement ?? node).getBoundingClientRect();
-      return [event.clientX - box.left, event.clientY - box.top];
-    };
-    const down = (event: PointerEvent) => {
+const useKnotGrip = (index: number) =>
+  useGrip({
+    take() {
       const knot = model.peek().knots[index];
-      if (event.button !== 0 || !knot) return;
+      if (!knot) return null;
       chosenKnot.value = index;
-      const [left, top] = pointer(event);
       const view = frame.peek();
-      offset = [leftOf(view, knot[0]) - left, topOf(view, knot[1]) - top];
-      node.setPointerCapture(event.pointerId);
-    };
-    const move = (event: PointerEvent) => {
-      if (!offset) return;
-      const [left, top] = pointer(event);
-      moveTo(index, left + offset[0], top + offset[1], `drag knot ${index}`);
-    };
-    const up = () => {
-      if (!offset) return;
-      offset = null;
-      endGesture();
-    };
-    const key = (event: KeyboardEvent) => {
-      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      return screen(leftOf(view, knot[0]), topOf(view, knot[1]));
+    },
+    moveTo: ({ x, y }) => moveTo(index, x, y, `drag knot ${index}`),
+    key(event) {
+      if (event.ctrlKey || event.metaKey || event.altKey) return false;
       const arrow = ARROWS[event.key];
       if (arrow) nudge(index, arrow, event.shiftKey ? 1 : STEP);
       else if (event.key === "Delete" || event.key === "Backspace")
         changeModel((now) => withoutKnot(now, index));
-      else return;
-      event.preventDefault();
-      event.stopPropagation();
-    };
-    const focus = () => {
+      else return false;
+      return true;
+    },
+    focus() {
       chosenKnot.value = index;
-    };
-    node.addEventListener("pointerdown", down);
-    node.addEventListener("pointermove", move);
-    node.addEventListener("pointerup", up);
-    node.addEventListener("pointercancel", up);
-    node.addEventListener("keydown", key);
-    node.addEventListener("keyup", endGesture);
-    node.addEventListener("blur", endGesture);
-    node.addEventListener("focus", focus);
-    return () => {
-      node.removeEventListener("pointerdown", down);
-      node.removeEventListener("pointermove", move);
-      node.removeEventListener("pointerup", up);
-      node.removeEventListener("pointercancel", up);
-      node.removeEventListener("keydown", key);
-      node.removeEventListener("keyup", endGesture);
-      node.removeEventListener("blur", endGesture);
-      node.removeEventListener("focus", focus);
-    };
-  }, [index]);
-  return (node: SVGElement | null) => {
-    element.current = node;
-  };
-}
+    },
+  });

@@ -1,0 +1,63 @@
+import { useEffect, useRef } from "preact/hooks";
+import { endGesture } from "#document/scene";
+import { type Screen, screen } from "#geometry/coordinates";
+import { placeIn } from "#ui/panZoom";
+
+/** Something in an SVG that is dragged, and moved by keys. Places are CSS pixels from its upper left. */
+export interface Grip {
+  /** Where it is when it is taken hold of; null where it is gone. */
+  take(event: PointerEvent): Screen | null;
+  moveTo(to: Screen): void;
+  /** True when the key was one of its own. */
+  key(event: KeyboardEvent): boolean;
+  focus?(): void;
+}
+
+/** Its listeners, for the `ref` of its element; each drag and each key held is one step of undo. */
+export function useGrip(grip: Grip): (node: SVGElement | null) => void {
+  const element = useRef<SVGElement | null>(null);
+  const latest = useRef(grip);
+  latest.current = grip;
+  useEffect(() => {
+    const node = element.current;
+    if (!node) return;
+    const listening = new AbortController();
+    const { signal } = listening;
+    /** From the pointer to the grip, so that it does not jump. */
+    let offset: Screen | null = null;
+    const pointer = (event: PointerEvent) => placeIn(node.ownerSVGElement ?? node, event);
+    const down = (event: PointerEvent) => {
+      const at = event.button === 0 ? latest.current.take(event) : null;
+      if (!at) return;
+      const from = pointer(event);
+      offset = screen(at.x - from.x, at.y - from.y);
+      node.setPointerCapture(event.pointerId);
+    };
+    const move = (event: PointerEvent) => {
+      if (!offset) return;
+      const { x, y } = pointer(event);
+      latest.current.moveTo(screen(x + offset.x, y + offset.y));
+    };
+    const up = () => {
+      if (offset) endGesture();
+      offset = null;
+    };
+    const key = (event: KeyboardEvent) => {
+      if (!latest.current.key(event)) return;
+      event.preventDefault();
+      event.stopPropagation();
+    };
+    node.addEventListener("pointerdown", down, { signal });
+    node.addEventListener("pointermove", move, { signal });
+    node.addEventListener("pointerup", up, { signal });
+    node.addEventListener("pointercancel", up, { signal });
+    node.addEventListener("keydown", key, { signal });
+    node.addEventListener("keyup", endGesture, { signal });
+    node.addEventListener("blur", endGesture, { signal });
+    node.addEventListener("focus", () => latest.current.focus?.(), { signal });
+    return () => listening.abort();
+  }, []);
+  return (node) => {
+    element.current = node;
+  };
+}
