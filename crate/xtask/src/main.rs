@@ -5,7 +5,7 @@
 //! - [`wasm`] and [`package`] make `www/pkg` of the [`modules`]; [`site`] makes `dist/`; [`size`] weighs it.
 //! - [`circles`] keeps files from importing in circles: [`imports`] finds who imports what.
 //! - [`folders`] keeps folders from being too full and comments from being too wide.
-//! - [`serve`], [`test`] and [`bench`] are the commands of those names.
+//! - [`serve`], [`mod@test`] and [`mod@bench`] are the commands of those names.
 
 mod bench;
 mod browser;

@@ -67,6 +67,13 @@ const CHECKS: &[Check] = &[
     },
     Check {
         group: "rust",
+        name: "doc",
+        what: "documentation of the crates, without a warning",
+        set_up: nothing,
+        work: doc,
+    },
+    Check {
+        group: "rust",
         name: "cargo-test",
         what: "tests of the crates",
         set_up: nothing,
@@ -198,6 +205,11 @@ fn clippy_wasm() -> Outcome {
         run(&mut cargo_wasm(&format!("{line} --package frond-{name} --tests -- --deny warnings")))?;
     }
     Ok(())
+}
+
+/// After clippy: what other people's crates say of themselves is there already.
+fn doc() -> Outcome {
+    run(cargo("doc --quiet --workspace --no-deps").env("RUSTDOCFLAGS", "--deny warnings"))
 }
 
 fn cargo_test() -> Outcome {
