@@ -19,7 +19,7 @@ const chromium =
     existsSync(path),
   );
 
-/** The same in crate/web/webdriver.json, for the tests that wasm-pack runs. */
+/** The same in crate/render/webdriver.json, for the tests of the shaders. */
 const flags = [
   "--disable-background-networking",
   "--disable-component-update",

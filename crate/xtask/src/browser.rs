@@ -26,7 +26,8 @@ pub fn chromium() -> Outcome<PathBuf> {
     find(CHROMIUM_VARIABLE, CHROMIUM)
 }
 
-/// The driver that wasm-pack's tests need, of the same version as the browser: FROND_CHROMEDRIVER, or the system's.
+/// The driver that the tests of the shaders need, of the same version as the browser: FROND_CHROMEDRIVER, or the
+/// system's.
 pub fn driver() -> Outcome<PathBuf> {
     find(DRIVER_VARIABLE, DRIVER)
 }

@@ -23,7 +23,6 @@ const STILL_TOO_WIDE: &[&str] = &[
     "crate/web/src/curve/closed_curve.rs",
     "crate/web/src/curve/file.rs",
     "crate/web/src/curve/morph.rs",
-    "crate/web/tests/browser/render.rs",
     "tests/api/styles.test.ts",
     "www/src/curve/CurveChip.tsx",
     "www/src/tools/morph/locus/marks.tsx",

@@ -102,7 +102,6 @@ fn setup(steps: &mut Steps, arguments: &[String]) -> Outcome {
     tools::wasm_target(steps)?;
     tools::components(steps)?;
     tools::wasm_bindgen(steps)?;
-    tools::wasm_pack(steps)?;
     node::packages(steps)?;
     browser::set_up(steps)
 }

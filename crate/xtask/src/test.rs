@@ -1,11 +1,10 @@
 //! Every check, as named steps in groups: the cheap ones first.
 
 use std::net::TcpListener;
-use std::path::PathBuf;
 
 use crate::browser;
 use crate::circles;
-use crate::command::{Outcome, cargo, cargo_wasm, own_flags, root, run};
+use crate::command::{Outcome, cargo, cargo_wasm, run};
 use crate::folders;
 use crate::node::{self, Tool};
 use crate::site;
@@ -96,10 +95,10 @@ const CHECKS: &[Check] = &[
     },
     Check {
         group: "wasm",
-        name: "wasm-pack",
-        what: "tests of the crates in Chrome",
-        set_up: pack,
-        work: wasm_pack,
+        name: "shaders",
+        what: "what graphics cards draw, in Chrome",
+        set_up: browser,
+        work: shaders,
     },
     Check {
         group: "site",
@@ -176,10 +175,9 @@ fn lint_wasm(steps: &mut Steps) -> Outcome {
     tools::wasm_target(steps)
 }
 
-fn pack(steps: &mut Steps) -> Outcome {
-    tools::wasm_target(steps)?;
-    tools::wasm_bindgen(steps)?;
-    tools::wasm_pack(steps)?;
+/// The modules first: the tests use what was compiled for them.
+fn browser(steps: &mut Steps) -> Outcome {
+    wasm::build(steps)?;
     browser::set_up(steps)
 }
 
@@ -197,14 +195,12 @@ fn clippy() -> Outcome {
     run(&mut cargo("clippy --quiet --workspace --all-targets -- --deny warnings"))
 }
 
+/// The crates with code for the browser only, and the tests that run there.
 fn clippy_wasm() -> Outcome {
-    let line = format!("clippy --quiet --target {WASM_TARGET}");
-    // The libraries of all; tests of those only whose tests run in a browser.
-    run(&mut cargo_wasm(&format!("{line} --workspace --exclude xtask --lib -- --deny warnings")))?;
-    for name in in_browser()? {
-        run(&mut cargo_wasm(&format!("{line} --package frond-{name} --tests -- --deny warnings")))?;
-    }
-    Ok(())
+    let line = format!(
+        "clippy --quiet --target {WASM_TARGET} --package frond-render --package frond-web --lib --tests"
+    );
+    run(&mut cargo_wasm(&format!("{line} -- --deny warnings")))
 }
 
 /// After clippy: what other people's crates say of themselves is there already.
@@ -242,34 +238,21 @@ fn vitest() -> Outcome {
     run(&mut Tool::Vitest.command("run"))
 }
 
-/// Tests of the wasm crates, in the browser that they are for.
-fn wasm_pack() -> Outcome {
+/// Tests of what draws on a graphics card, in the browser that it is for. Each backend is a program of its own: it
+/// shares all that is compiled with the module of that backend.
+fn shaders() -> Outcome {
     let driver = browser::driver()?;
-    for name in in_browser()? {
-        let mut command = tools::tool("wasm-pack");
-        // The driver of the system, because the one that wasm-pack would load fits another browser; and no-install,
-        // because wasm-bindgen is there already.
-        command
-            .args(["test", "--headless", "--chrome", "--mode", "no-install", "--chromedriver"])
-            .arg(&driver);
-        command.arg(format!("crate/{name}")).env("WASM_BINDGEN_TEST_TIMEOUT", "900");
-        own_flags(&mut command);
-        run(&mut command)?;
+    for backend in ["webgl2", "webgpu"] {
+        run(cargo_wasm(&format!(
+            "test --quiet --release --target {WASM_TARGET} --package frond-render --test browser --no-default-features \
+             --features {backend}"
+        ))
+        .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", tools::path("wasm-bindgen-test-runner"))
+        // Of the system: one that is loaded would fit another browser.
+        .env("CHROMEDRIVER", &driver)
+        .env("WASM_BINDGEN_TEST_TIMEOUT", "900"))?;
     }
     Ok(())
-}
-
-/// The crates with tests for the browser are those with a webdriver.json, which says how to start it.
-fn in_browser() -> Outcome<Vec<String>> {
-    let mut names = Vec::new();
-    for folder in std::fs::read_dir(root().join("crate"))? {
-        let folder: PathBuf = folder?.path();
-        if folder.join("webdriver.json").is_file() {
-            names.extend(folder.file_name().map(|name| name.to_string_lossy().into_owned()));
-        }
-    }
-    names.sort();
-    Ok(names)
 }
 
 /// One project of tests/e2e/playwright.config.ts.

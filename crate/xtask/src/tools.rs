@@ -1,13 +1,10 @@
-//! The Rust side of the set-up: the wasm target, rustfmt and clippy, and two programs at pinned versions.
+//! The Rust side of the set-up: the wasm target, rustfmt and clippy, and wasm-bindgen at a pinned version.
 
 use std::path::PathBuf;
 use std::process::Command;
 
 use crate::command::{Outcome, ask, cargo, command, own_flags, root, run, tools};
 use crate::step::Steps;
-
-/// Runs the tests of the wasm crates in a browser.
-const WASM_PACK: &str = "0.15.1";
 
 pub const WASM_TARGET: &str = "wasm32-unknown-unknown";
 
@@ -49,14 +46,14 @@ pub fn wasm_bindgen(steps: &mut Steps) -> Outcome {
     install(steps, "wasm-bindgen", "wasm-bindgen-cli", version)
 }
 
-/// Sees to it that wasm-pack is there.
-pub fn wasm_pack(steps: &mut Steps) -> Outcome {
-    install(steps, "wasm-pack", "wasm-pack", WASM_PACK)
-}
-
 /// A pinned program.
 pub fn tool(name: &str) -> Command {
-    command(tools().join("bin").join(format!("{name}{}", std::env::consts::EXE_SUFFIX)))
+    command(path(name))
+}
+
+/// Where a pinned program is.
+pub fn path(name: &str) -> PathBuf {
+    tools().join("bin").join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
 }
 
 fn install(steps: &mut Steps, program: &str, package: &str, version: &str) -> Outcome {

@@ -11,16 +11,11 @@ use frond_render::{
     Colouring, Density, Detail, Frame, Look, Plan, RasterOptions, View, Window, rasterize, resolve_codes,
     resolve_density, to_bytes,
 };
-use js_sys::{Function, Object, Reflect, Uint8Array};
-use wasm_bindgen::prelude::*;
-use wasm_bindgen_futures::JsFuture;
 use wasm_bindgen_test::wasm_bindgen_test;
 
-use crate::card::{card, has_webgpu, pause, picture_of};
-use crate::js::get;
+use crate::card::{BACKENDS, card, picture_of};
 
 const WINDOW: Window = Window { width: 150, height: 100 };
-const BACKENDS: [Wanted; 2] = [Wanted::WebGl2, Wanted::WebGpu];
 /// More points than any of the pictures has.
 const PLENTY: u64 = 100_000_000;
 
@@ -156,7 +151,7 @@ fn plan(subject: &Subject, factor: f64) -> Plan {
 
 #[wasm_bindgen_test]
 async fn points_and_their_colours_are_those_of_the_twins() {
-    for wanted in BACKENDS {
+    for &wanted in BACKENDS {
         let Some((mut stage, events)) = stage(wanted, false).await else { continue };
         for name in ["gasket", "dragon", "fern"] {
             let subject = subject(name);
@@ -177,7 +172,7 @@ async fn points_and_their_colours_are_those_of_the_twins() {
 
 #[wasm_bindgen_test]
 async fn a_small_budget_gives_a_whole_picture_of_fewer_pixels() {
-    for wanted in BACKENDS {
+    for &wanted in BACKENDS {
         let Some((mut stage, events)) = stage(wanted, false).await else { continue };
         let subject = subject("dragon");
         let points = show(&mut stage, &subject, Colouring::Map, 2.0, 20_000);
@@ -193,7 +188,7 @@ async fn a_small_budget_gives_a_whole_picture_of_fewer_pixels() {
 
 #[wasm_bindgen_test]
 async fn densities_are_those_of_the_twins() {
-    for wanted in BACKENDS {
+    for &wanted in BACKENDS {
         for software in [false, true] {
             let Some((mut stage, events)) = stage(wanted, software).await else { continue };
             let subject = subject("fern");
@@ -223,9 +218,9 @@ async fn densities_are_those_of_the_twins() {
     }
 }
 
-/// Shares of lit pixels that one picture has and the other has not. One pixel is allowed for: of a view with few, such as
-/// the thread at the end of a frond, it is a share that says nothing, and single precision may put a point that lies on the
-/// border of two pixels into the other one.
+/// Shares of lit pixels that one picture has and the other has not. One pixel is allowed for: of a view with few, such
+/// as the thread at the end of a frond, it is a share that says nothing, and single precision may put a point that lies
+/// on the border of two pixels into the other one.
 fn disagreement(seen: &[u8], truth: &[u8]) -> (f64, f64) {
     let pixels = || seen.chunks_exact(4).zip(truth.chunks_exact(4));
     let lit = pixels().filter(|(_, b)| b[3] > 0).count();
@@ -237,7 +232,7 @@ fn disagreement(seen: &[u8], truth: &[u8]) -> (f64, f64) {
 
 #[wasm_bindgen_test]
 async fn at_rest_the_picture_is_complete() {
-    for wanted in BACKENDS {
+    for &wanted in BACKENDS {
         let Some((mut stage, events)) = stage(wanted, false).await else { continue };
         for name in ["gasket", "dragon", "fern"] {
             for zoom in [1.0, 1e6] {
@@ -303,7 +298,7 @@ fn bent_truth(subject: &Subject, bend: &Bend, colouring: Colouring) -> Vec<u8> {
 
 #[wasm_bindgen_test]
 async fn bent_pictures_are_those_of_the_processor() {
-    for wanted in BACKENDS {
+    for &wanted in BACKENDS {
         for software in [false, true] {
             let Some((mut stage, events)) = stage(wanted, software).await else { continue };
             for name in ["gasket", "dragon", "fern"] {
@@ -338,7 +333,7 @@ async fn bent_pictures_are_those_of_the_processor() {
 
 #[wasm_bindgen_test]
 async fn bends_carry_colours_and_densities() {
-    for wanted in BACKENDS {
+    for &wanted in BACKENDS {
         for software in [false, true] {
             let Some((mut stage, events)) = stage(wanted, software).await else { continue };
             let subject = subject("dragon");
@@ -368,7 +363,7 @@ async fn bends_carry_colours_and_densities() {
 
 #[wasm_bindgen_test]
 async fn swept_pictures_are_those_of_the_processor() {
-    for wanted in BACKENDS {
+    for &wanted in BACKENDS {
         for (name, software) in [("dragon", true), ("overlap", true), ("overlap", false)] {
             let Some((mut stage, events)) = stage(wanted, software).await else { continue };
             let subject = subject(name);
@@ -391,7 +386,7 @@ async fn swept_pictures_are_those_of_the_processor() {
 
 #[wasm_bindgen_test]
 async fn a_change_of_colours_needs_no_new_points() {
-    for wanted in BACKENDS {
+    for &wanted in BACKENDS {
         let Some((mut stage, events)) = stage(wanted, false).await else { continue };
         let subject = subject("gasket");
         show(&mut stage, &subject, Colouring::Map, 2.0, PLENTY);
@@ -407,7 +402,7 @@ async fn a_change_of_colours_needs_no_new_points() {
 
 #[wasm_bindgen_test]
 async fn views_that_are_none_and_canvases_of_no_size_draw_nothing() {
-    for wanted in BACKENDS {
+    for &wanted in BACKENDS {
         let Some((mut stage, events)) = stage(wanted, false).await else { continue };
         assert!(stage.draw(PLENTY).settled && stage.read().is_none(), "nothing was set yet");
         let subject = subject("gasket");
@@ -426,88 +421,4 @@ async fn views_that_are_none_and_canvases_of_no_size_draw_nothing() {
         stage.draw(PLENTY);
         assert_no_fault(&events);
     }
-}
-
-fn canvas() -> JsValue {
-    js_sys::eval("document.createElement('canvas')").unwrap()
-}
-
-#[wasm_bindgen_test]
-async fn a_lost_device_is_told_once_and_another_draws_the_same() {
-    for wanted in BACKENDS {
-        if wanted == Wanted::WebGpu && !has_webgpu().await {
-            continue;
-        }
-        let backend = if wanted == Wanted::WebGpu { "webgpu" } else { "webgl2" };
-        let heard = Rc::new(RefCell::new(Vec::new()));
-        let listener = Rc::clone(&heard);
-        let on_lost = Closure::<dyn Fn(String)>::new(move |reason| listener.borrow_mut().push(reason));
-        let options = Object::new();
-        Reflect::set(&options, &"backend".into(), &backend.into()).unwrap();
-        Reflect::set(&options, &"onLost".into(), on_lost.as_ref()).unwrap();
-        let set_up = async || {
-            let mut renderer = frond_web::Renderer::create(canvas(), options.clone().into()).await.unwrap();
-            assert_eq!(renderer.backend(), backend);
-            renderer.resize(WINDOW.width, WINDOW.height, Some(2.0));
-            let rows: Vec<f64> = shape("gasket").maps().iter().flat_map(|map| map.to_row()).collect();
-            renderer.set_ifs(&rows, None).unwrap();
-            renderer.set_view(0.5, 0.4, 90.0).unwrap();
-            while get(&renderer.draw(1e7), "settled") != JsValue::TRUE {}
-            renderer
-        };
-        let picture = async |renderer: &frond_web::Renderer| -> Result<Vec<u8>, JsValue> {
-            Ok(JsFuture::from(renderer.read_pixels()).await?.unchecked_into::<Uint8Array>().to_vec())
-        };
-        let mut first = set_up().await;
-        let before = picture(&first).await.unwrap();
-        assert!(before.chunks_exact(4).filter(|pixel| pixel[3] > 0).count() > 500);
-        first.force_loss();
-        // All calls are allowed, and do nothing.
-        first.resize(30, 30, None);
-        first.set_view(0.0, 0.0, 1.0).unwrap();
-        let drawn = first.draw(1e6);
-        assert_eq!((get(&drawn, "complete"), get(&drawn, "settled")), (JsValue::FALSE, JsValue::TRUE));
-        assert!(picture(&first).await.is_err());
-        for _ in 0..30 {
-            pause().await;
-        }
-        assert_eq!(heard.borrow().len(), 1, "{:?}", heard.borrow());
-        let second = set_up().await;
-        drop(first);
-        assert_eq!(picture(&second).await.unwrap(), before);
-        drop(second);
-        for _ in 0..10 {
-            pause().await;
-        }
-        assert_eq!(heard.borrow().len(), 1, "letting go of a device is no loss");
-    }
-}
-
-#[wasm_bindgen_test]
-async fn what_is_no_canvas_and_what_are_no_maps_is_refused() {
-    let code = |error: JsValue| get(&error, "code").as_string().unwrap();
-    for nothing in [JsValue::UNDEFINED, 5.into(), Object::new().into()] {
-        let refused = frond_web::Renderer::create(nothing, JsValue::UNDEFINED).await;
-        assert_eq!(code(refused.err().unwrap()), "bad-input");
-    }
-    // A canvas that has another context already.
-    let taken = canvas();
-    let get_context: Function = get(&taken, "getContext").unchecked_into();
-    get_context.call1(&taken, &"2d".into()).unwrap();
-    let options = js_sys::JSON::parse("{\"backend\": \"webgl2\"}").unwrap();
-    let refused = frond_web::Renderer::create(taken, options.clone()).await;
-    assert_eq!(code(refused.err().unwrap()), "no-gpu");
-    let mut renderer = frond_web::Renderer::create(canvas(), options).await.unwrap();
-    let refused = |result: Result<(), JsValue>| code(result.err().unwrap());
-    assert_eq!(refused(renderer.set_ifs(&[0.5; 5], None)), "bad-input");
-    assert_eq!(refused(renderer.set_ifs(&[], None)), "no-maps");
-    assert_eq!(refused(renderer.set_ifs(&[1.0, 0.0, 0.0, 1.0, 0.0, 0.0], None)), "no-attractor");
-    assert_eq!(
-        refused(renderer.set_ifs(&[0.5, 0.0, 0.0, 0.5, 0.0, 0.0], Some(vec![1.0; 2]))),
-        "probabilities"
-    );
-    assert_eq!(refused(renderer.set_view(0.0, 0.0, 0.0)), "bad-input");
-    let style = js_sys::JSON::parse("{\"palette\": [\"red\"]}").unwrap();
-    assert_eq!(refused(renderer.set_style(style)), "bad-input");
-    assert!(JsFuture::from(renderer.read_pixels()).await.is_err());
 }

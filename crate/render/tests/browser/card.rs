@@ -8,6 +8,15 @@ use wasm_bindgen_futures::JsFuture;
 use wasm_bindgen_test::console_log;
 use web_sys::OffscreenCanvas;
 
+/// Those that this program is built with: both can be, but the modules of the page have one each, and so their crates
+/// are compiled already.
+pub const BACKENDS: &[Wanted] = &[
+    #[cfg(feature = "webgl2")]
+    Wanted::WebGl2,
+    #[cfg(feature = "webgpu")]
+    Wanted::WebGpu,
+];
+
 /// A card by this backend and no other. `None` where the browser has no such backend, which may be so with WebGPU only.
 pub async fn card(
     [width, height]: [u32; 2],
@@ -28,7 +37,7 @@ pub async fn card(
     Some(gpu)
 }
 
-pub async fn has_webgpu() -> bool {
+async fn has_webgpu() -> bool {
     let adapter = async || -> Result<JsValue, JsValue> {
         let gpu = Reflect::get(&Reflect::get(&global(), &"navigator".into())?, &"gpu".into())?;
         let request: Function = Reflect::get(&gpu, &"requestAdapter".into())?.dyn_into()?;
@@ -38,7 +47,7 @@ pub async fn has_webgpu() -> bool {
 }
 
 /// Lets the browser do something else.
-pub async fn pause() {
+async fn pause() {
     let mut wait = |resolve: Function, _| {
         let timer: Function = Reflect::get(&global(), &"setTimeout".into()).unwrap().dyn_into().unwrap();
         timer.call2(&JsValue::UNDEFINED, &resolve, &1.into()).unwrap();

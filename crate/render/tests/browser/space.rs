@@ -9,7 +9,7 @@ use frond_render::{Colouring, Look};
 use glam::{DQuat, DVec3};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-use crate::card::{card, picture_of};
+use crate::card::{BACKENDS, card, picture_of};
 
 const SIZE: [u32; 2] = [160, 120];
 const POINTS: usize = 60_000;
@@ -107,11 +107,8 @@ async fn pictures(wanted: Wanted) {
 }
 
 #[wasm_bindgen_test]
-async fn webgl2_draws_what_the_twins_draw() {
-    pictures(Wanted::WebGl2).await;
-}
-
-#[wasm_bindgen_test]
-async fn webgpu_draws_what_the_twins_draw() {
-    pictures(Wanted::WebGpu).await;
+async fn the_card_draws_what_the_twins_draw() {
+    for &wanted in BACKENDS {
+        pictures(wanted).await;
+    }
 }

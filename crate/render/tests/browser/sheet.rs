@@ -1,4 +1,4 @@
-//! Bent photographs: what the graphics card draws against what the processor does, on both backends.
+//! Bent photographs: what the graphics card draws against what the processor does.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -10,7 +10,7 @@ use frond_render::{BentSheet, Photo, Sheet, SheetOptions, View, draw_sheet};
 use glam::DVec2;
 use wasm_bindgen_test::{console_log, wasm_bindgen_test};
 
-use crate::card::{card, picture_of};
+use crate::card::{BACKENDS, card, picture_of};
 
 const SIZE: (u32, u32) = (180, 120);
 
@@ -91,7 +91,7 @@ async fn compare(stage: &mut Stage, photo: &Photo, sheet: &Sheet, view: View, wh
 async fn the_card_draws_what_the_processor_does() {
     let photo = Photo::new(&bytes(150, 100), 150, 100).unwrap();
     let aspect = photo.aspect();
-    for wanted in [Wanted::WebGl2, Wanted::WebGpu] {
+    for &wanted in BACKENDS {
         let Some((mut stage, events)) = stage(wanted).await else { continue };
         stage.resize(SIZE.0, SIZE.1, 1.0);
         stage.set_ifs(&Ifs::new(Sheet::maps(aspect, 2)).unwrap());
