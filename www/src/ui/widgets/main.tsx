@@ -1,4 +1,7 @@
-/** For developers: every widget in every state, on `/www/widgets.html` of `cargo xtask serve`. No part of the built site. */
+/**
+ * For developers: every widget in every state, on `/www/widgets.html` of `cargo xtask serve`. No part of the built
+ * site.
+ */
 import "#style/tokens.css";
 import "#style/base.css";
 import "../panel/panel.css";
