@@ -3,6 +3,7 @@
 
 pub(crate) mod address;
 pub(crate) mod area;
+pub(crate) mod double_double;
 pub(crate) mod expansion;
 pub(crate) mod quadratic;
 pub(crate) mod recognise;

@@ -3,6 +3,7 @@
 use frond_core::{Affine2, Contraction, IfsError};
 use glam::{DMat2, DVec2};
 
+use crate::exact::double_double::DoubleDouble;
 use crate::verdict::Ellipse;
 
 /// Where the search takes place. The attractor lies in the unit disc of these coordinates.
@@ -26,6 +27,9 @@ pub(crate) struct Frame {
     /// How far the support values of a computed piece may be off, here, through rounding: that of the
     /// given coefficients, of this conjugation and of products along words.
     pub rounding: f64,
+    /// How far a computed point of the attractor of the maps as given may be off, here: what [`Frame::rounding`] is without
+    /// the rounding of the coefficients, which grows as shapes get flat.
+    pub error: f64,
     /// The contraction factor of a map, or of a block of maps.
     pub factor: f64,
     /// The letters of the longest block.
@@ -48,6 +52,7 @@ impl Default for Frame {
             plain: true,
             stretch: 1.0,
             rounding: 0.0,
+            error: 0.0,
             factor: 0.0,
             length: 1,
             point: true,
@@ -79,6 +84,7 @@ impl Frame {
         self.factor = factor;
         self.length = 1;
         self.rounding = ROUNDING_UNIT * (1.0 + origin.length() / radius) / (1.0 - factor);
+        self.error = self.rounding;
     }
 
     /// Sets the frame up in coordinates that are known to make the maps contract.
@@ -88,12 +94,14 @@ impl Frame {
         self.factor = factor;
         self.length = length;
         let stretch = |m: DMat2| Affine2::new(m, DVec2::ZERO).norm();
-        // The condition number is what the conjugation costs; longer blocks may grow before they shrink.
+        // The condition number is what the coefficients' rounding costs; longer blocks may grow before they shrink.
         let condition = stretch(to) * stretch(from);
         let growth = self.maps.iter().fold(1.0_f64, |most, map| most.max(map.norm()));
         let spread = length as f64 * growth.powi(length as i32 - 1) / (1.0 - factor);
         let size = 1.0 + (to * centre).length() / radius;
         self.rounding = ROUNDING_UNIT * condition * size * growth * spread;
+        // The conjugation costs as much only where it is computed in doubles.
+        self.error = if self.plain { self.rounding } else { ROUNDING_UNIT * growth * spread };
     }
 
     fn place(&mut self, maps: &[Affine2], to: DMat2, from: DMat2, origin: DVec2, radius: f64) {
@@ -103,15 +111,22 @@ impl Frame {
         self.point = radius <= 1e-14 * (to * DVec2::splat(extent)).length();
         let unit = if self.point { 1.0 } else { radius };
         self.from_round = from * unit;
-        self.to_round = to * (1.0 / unit);
         self.metric = self.from_round.transpose() * self.from_round;
         self.plain = to == DMat2::IDENTITY;
-        self.stretch = if self.plain { unit } else { Affine2::new(self.from_round, DVec2::ZERO).norm() };
         self.maps.clear();
-        self.maps.extend(maps.iter().map(|map| {
-            let translation = to * (map.apply(origin) - origin) * (1.0 / unit);
-            Affine2::new(to * map.linear * from, translation)
-        }));
+        if self.plain {
+            self.to_round = to * (1.0 / unit);
+            self.stretch = unit;
+            self.maps.extend(maps.iter().map(|map| {
+                let translation = to * (map.apply(origin) - origin) * (1.0 / unit);
+                Affine2::new(to * map.linear * from, translation)
+            }));
+        } else {
+            let seen = Seen::through(self.from_round);
+            self.to_round = seen.to_round();
+            self.stretch = Affine2::new(self.from_round, DVec2::ZERO).norm();
+            self.maps.extend(maps.iter().map(|map| seen.map(map, origin)));
+        }
     }
 
     /// These coordinates, drawn `aspect` times as long along a unit vector.
@@ -133,6 +148,7 @@ impl Frame {
             stretch: Affine2::new(from_round, DVec2::ZERO).norm(),
             // That of this conjugation, and of products of maps that are longer here.
             rounding: self.rounding * aspect * aspect,
+            error: self.error * aspect * aspect,
             ..*self
         }
     }
@@ -149,14 +165,28 @@ impl Frame {
         (self.from_round * step).length_squared()
     }
 
-    /// By how much the distance of two computed points of the attractor may be off, in the plane.
+    /// By how much the distance of two computed points of the attractor may be off, in the plane, at most.
     pub fn off(&self) -> f64 {
-        2.0 * self.rounding * self.stretch
+        2.0 * self.error * self.stretch
+    }
+
+    /// An upper bound of the distance in the plane of two points of the attractor, computed to be `length` apart there, and
+    /// `step` here.
+    pub fn farthest(&self, length: f64, step: DVec2) -> f64 {
+        const UP: f64 = 1.0 + 4.0 * f64::EPSILON;
+        let off = self.off();
+        // What rounding moves along a flat shape lengthens a step across it by its square only.
+        let direction = (self.from_round * step).normalize_or_zero();
+        let along = 2.0 * self.error * (self.from_round.transpose() * direction).length();
+        let turned = 8.0 * f64::EPSILON * self.stretch * step.length();
+        let flat = (length + along + turned).hypot(off + turned) * UP;
+        flat.min(length * UP + off)
     }
 
     /// An upper bound of the attractor's diameter in the plane, from one that is computed. It lies in the unit disc.
     pub fn diameter(&self, computed: f64) -> f64 {
-        (computed + self.off()).min(2.0 * self.stretch) * (1.0 + 4.0 * f64::EPSILON)
+        let off = 2.0 * self.rounding * self.stretch;
+        (computed + off).min(2.0 * self.stretch) * (1.0 + 4.0 * f64::EPSILON)
     }
 
     /// Where the attractor lies.
@@ -173,6 +203,44 @@ impl Frame {
     /// The point of the plane that is `p` here.
     pub fn to_plane(&self, p: DVec2) -> DVec2 {
         self.origin + self.from_round * p
+    }
+}
+
+/// The plane seen in coordinates that `from` takes back to it. Of flat shapes these cancel the digits of the maps twice: all is
+/// computed in some 32.
+struct Seen {
+    from: DMat2,
+    determinant: DoubleDouble,
+}
+
+impl Seen {
+    fn through(from: DMat2) -> Self {
+        let DMat2 { x_axis: x, y_axis: y } = from;
+        Self { from, determinant: DoubleDouble::product(x.x, y.y) - DoubleDouble::product(x.y, y.x) }
+    }
+
+    /// A step of the plane, here.
+    fn step(&self, [x, y]: [DoubleDouble; 2]) -> DVec2 {
+        let DMat2 { x_axis: a, y_axis: b } = self.from;
+        DVec2::new((x * b.y - y * b.x).over(self.determinant), (y * a.x - x * a.y).over(self.determinant))
+    }
+
+    fn to_round(&self) -> DMat2 {
+        let [zero, one] = [0.0, 1.0].map(DoubleDouble::from);
+        DMat2::from_cols(self.step([one, zero]), self.step([zero, one]))
+    }
+
+    fn map(&self, map: &Affine2, origin: DVec2) -> Affine2 {
+        let DMat2 { x_axis: a, y_axis: b } = map.linear;
+        let image = |v: DVec2| {
+            let row = |a: f64, b: f64| DoubleDouble::product(a, v.x) + DoubleDouble::product(b, v.y);
+            [row(a.x, b.x), row(a.y, b.y)]
+        };
+        let linear = DMat2::from_cols(self.step(image(self.from.x_axis)), self.step(image(self.from.y_axis)));
+        let [x, y] = image(origin);
+        let (o, t) = (origin, map.translation);
+        let moved = |x: DoubleDouble, t: f64, o: f64| x + (DoubleDouble::from(t) - DoubleDouble::from(o));
+        Affine2::new(linear, self.step([moved(x, t.x, o.x), moved(y, t.y, o.y)]))
     }
 }
 

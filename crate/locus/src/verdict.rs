@@ -56,8 +56,7 @@ impl Default for Options {
 pub struct Gap {
     /// It is at least this.
     pub lower: f64,
-    /// It is at most this: two points of the attractor are as near, to rounding. Rounding is reckoned with but where
-    /// the maps stretch distances, so that they are computed in other coordinates.
+    /// It is at most this: two points of the attractor are as near, rounding reckoned with.
     pub upper: f64,
 }
 

@@ -1,7 +1,7 @@
 //! Sums and products without rounding, for the few places where a proof hangs on the last digit.
 
 /// A sum and what rounding took from it (Knuth).
-fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let b_part = sum - a;
     (sum, (a - (sum - b_part)) + (b - b_part))

@@ -24,9 +24,6 @@ pub(crate) struct KruskalSearch<'a> {
     open: Vec<Pair>,
     /// Of those the ones passed over since they were in one component already.
     later: Vec<Pair>,
-    /// See [`Frame::off`]: in coordinates of the plane. In others, which flat shapes need, it says so much too much
-    /// that no narrow gap would have an upper bound, and is left out.
-    off: f64,
     /// The diameter of the attractor in the plane.
     pub plane_diameter: f64,
     /// Pieces within this distance touch.
@@ -61,7 +58,6 @@ impl<'a> KruskalSearch<'a> {
             descent: PairDescent::default(),
             open: Vec::new(),
             later: Vec::new(),
-            off: if frame.plain { frame.off() } else { 0.0 },
             plane_diameter,
             resolution: 0.0,
         };
@@ -75,7 +71,7 @@ impl<'a> KruskalSearch<'a> {
         let frame = words.frame;
         self.resolution = frame.resolution(epsilon, self.plane_diameter);
         // Points that are computed to be within this distance are within the resolution, whatever rounding may add.
-        let near = (self.resolution - self.off).max(0.5 * self.resolution);
+        let near = (self.resolution - frame.off()).max(0.5 * self.resolution);
         words.begin(self.resolution, near);
         words.lean(false);
         descent.begin(frame.maps.len(), false, false);
@@ -220,11 +216,15 @@ impl<'a> KruskalSearch<'a> {
         for (i, j) in pairs {
             if components.join(i, j) {
                 let edge = self.edge(i, j);
-                (widest.upper, widest.ends) = (edge.reach.sqrt(), Some(edge.points));
+                let [from, to] = edge.points;
+                let upper = self.words.frame.farthest(edge.reach.sqrt(), to - from);
+                if upper >= widest.upper {
+                    (widest.upper, widest.ends) = (upper, Some(edge.points));
+                }
             }
         }
         // No two points are farther apart than the diameter.
-        widest.upper = (widest.upper * (1.0 + 4.0 * f64::EPSILON) + self.off).min(self.plane_diameter);
+        widest.upper = widest.upper.min(self.plane_diameter);
         widest
     }
 }
