@@ -1,4 +1,4 @@
-//! Magnification of shapes so small that the squares of lengths in them underflow.
+//! Magnification of shapes so small that the squares of lengths in them underflow, or so large that products of a few overflow.
 
 use frond_core::{Affine2, Affine3};
 use glam::{DVec2, DVec3};
@@ -7,8 +7,12 @@ use crate::verdict::{Bounded, Ellipse, Gap};
 
 /// Below this the square of a gap, which is a small part of it, underflows.
 const LEAST_SIZE: f64 = 1e-100;
+/// Above this products of a few lengths overflow.
+const LARGEST_SIZE: f64 = 1e80;
+/// What is as large as this is refused.
+const REFUSED_SIZE: f64 = 1e100;
 
-/// A magnification by a power of two, which changes no digit.
+/// A magnification, up or down, by a power of two, which changes no digit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Magnification {
     /// The power is their product: it need not be a number itself.
@@ -29,7 +33,8 @@ impl Magnification {
 
     #[inline]
     fn for_size(most: f64) -> Option<Self> {
-        (0.0 < most && most < LEAST_SIZE).then(|| {
+        let fits = most == 0.0 || (LEAST_SIZE..=LARGEST_SIZE).contains(&most);
+        (!fits && most < REFUSED_SIZE).then(|| {
             let power = -most.log2().floor() as i32;
             Self { factors: [power / 2, power - power / 2].map(|power| 2.0_f64.powi(power)) }
         })
@@ -75,6 +80,12 @@ impl Magnification {
 
     pub fn point(self, p: DVec2) -> DVec2 {
         DVec2::new(self.small(p.x), self.small(p.y))
+    }
+
+    /// A point as it is, digit for digit; `None` where no doubles hold it.
+    pub fn exact_point(self, p: DVec2) -> Option<DVec2> {
+        let here = self.point(p);
+        (here * self.factors[0] * self.factors[1] == p).then_some(here)
     }
 
     /// What was found out about the magnified maps, in the units of those that were given.

@@ -1,12 +1,13 @@
 //! Proofs of disconnection that can be handed on.
 
-use frond_core::{Affine2, Ifs};
+use frond_core::{Affine2, Contraction, Ifs};
 use glam::DVec2;
 
 use crate::evidence::separate::{Descent, Separation};
 use crate::frame::Frame;
 use crate::gap::kruskal::KruskalSearch;
 use crate::gap::word_tree::WordTree;
+use crate::magnification::Magnification;
 use crate::overlap_graph::Components;
 use crate::support::table::SupportTable;
 use crate::support::trapping_polygon::TrappingPolygon;
@@ -59,8 +60,19 @@ pub struct Certificate {
 #[must_use]
 pub fn certificate(ifs: &Ifs, options: &Options) -> Option<Certificate> {
     let maps = ifs.maps();
+    let Some(magnification) = Magnification::of(maps) else {
+        return proved(maps, ifs.contraction(), options);
+    };
+    let seen = magnification.magnify(maps);
+    let found = proved(&seen, &Contraction::find(&seen).ok()?, options)?;
+    let polygon =
+        found.polygon.iter().map(|&corner| magnification.exact_point(corner)).collect::<Option<_>>()?;
+    Some(Certificate { maps: maps.iter().copied().map(Affine2::to_row).collect(), polygon, ..found })
+}
+
+fn proved(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Option<Certificate> {
     let mut frame = Frame::default();
-    frame.set_round(maps, ifs.contraction());
+    frame.set_round(maps, contraction);
     if frame.point {
         return None;
     }

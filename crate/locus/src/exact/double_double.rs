@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use super::expansion::{two_product, two_sum};
+use crate::exact::expansion::{two_product, two_sum};
 
 /// A number of some 32 digits, as the sum of two doubles (Dekker 1971). Relative to the sizes of the terms it is rounded by
 /// 1e-31 or so.

@@ -104,7 +104,7 @@ fn strictly_convex(mut corners: Vec<DVec2>) -> Option<Vec<DVec2>> {
 
 /// Exactly.
 fn turns_left(a: DVec2, b: DVec2, c: DVec2) -> bool {
-    let fits = |x: f64| x == 0.0 || (1e-100..1e100).contains(&x.abs());
+    let fits = |x: f64| x == 0.0 || (1e-120..1e120).contains(&x.abs());
     if ![a, b, c].iter().all(|p| fits(p.x) && fits(p.y)) {
         return false;
     }
