@@ -294,6 +294,29 @@ fn slow_systems_have_certificates() {
     assert!(6 * tally.disconnected > count);
 }
 
+/// From 1e-289 to 1e93, the translations ten thousand times as long.
+#[test]
+fn a_shape_of_any_size_has_a_certificate() {
+    let (mut tally, mut tried) = (Tally::default(), 0);
+    for seed in 0..200 {
+        let Some(ifs) = (Dice { seed: 66_000 + seed, count: 0 }).system() else { continue };
+        let options = Options { epsilon: 1e-5, budget: 30_000 };
+        if certificate(&ifs, &options).is_none() {
+            continue;
+        }
+        for power in [-960, -700, -520, -340, 200, 290, 310] {
+            let large = |x: f64| x * 2.0_f64.powi(power / 2) * 2.0_f64.powi(power - power / 2);
+            let row = |map: &Affine2| {
+                Affine2::new(map.linear, DVec2::from_array(map.translation.to_array().map(large)))
+            };
+            tally.add(seed, &Ifs::new(ifs.maps().iter().map(row).collect()).unwrap(), &options);
+            tried += 1;
+        }
+    }
+    tally.show("of any size");
+    assert!(tried > 400 && tally.disconnected == tried && tally.without.is_empty());
+}
+
 #[test]
 fn what_is_known_to_be_connected_gets_none() {
     let text =
