@@ -4,7 +4,7 @@ use glam::{DMat2, DVec2};
 
 use super::{Dim2, Dimension};
 use crate::ifs::{ellipse, probabilities};
-use crate::linear::svd2::{extreme_scales, singular_values, spectral_radius};
+use crate::linear::svd2::{extreme_scales, full_determinant, singular_values, spectral_radius};
 use crate::morph::options::Kind;
 use crate::morph::turn2;
 
@@ -55,6 +55,16 @@ impl Dimension for Dim2 {
 
     fn spectral_radius(m: DMat2) -> f64 {
         spectral_radius(m)
+    }
+
+    fn full_determinant(m: DMat2) -> f64 {
+        full_determinant(m)
+    }
+
+    fn certain_radius(m: DMat2, determinant: f64, off: f64) -> f64 {
+        let half_trace = (0.5 * (m.x_axis.x + m.y_axis.y).abs() - off).max(0.0);
+        let discriminant = half_trace * half_trace - determinant;
+        if discriminant >= 0.0 { half_trace + discriminant.sqrt() } else { determinant.sqrt() }
     }
 
     fn rounding(linear: &[DMat2], plain: f64, _: f64) -> [DMat2; 2] {

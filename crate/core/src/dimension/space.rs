@@ -58,6 +58,14 @@ impl Dimension for Dim3 {
         spectral_radius3(m)
     }
 
+    fn full_determinant(m: DMat3) -> f64 {
+        m.determinant()
+    }
+
+    fn certain_radius(m: DMat3, _: f64, _: f64) -> f64 {
+        spectral_radius3(m)
+    }
+
     fn rounding(linear: &[DMat3], plain: f64, least: f64) -> [DMat3; 2] {
         ellipsoid::best(linear, plain, least)
     }

@@ -87,11 +87,12 @@ impl<D: Dimension> Contraction<D> {
     /// Gripenberg's search: a word is prolonged until its norm is below 1.
     #[inline(never)]
     fn search(maps: &[Affine<D>], [to, from]: [D::Matrix; 2]) -> Result<Self, IfsError> {
-        let mut open = VecDeque::from([(Affine::IDENTITY, Vec::new())]);
+        let norms: Vec<f64> = maps.iter().map(|map| D::norm(map.linear)).collect();
+        let mut open = VecDeque::from([(Affine::IDENTITY, 1.0, 0.0, Vec::new())]);
         let mut blocks = Vec::new();
         let (mut factor, mut length, mut seen) = (0.0_f64, 1, 0);
         // Breadth first, so that short words that do not contract are met before long ones.
-        while let Some((prefix, word)) = open.pop_front() {
+        while let Some((prefix, area, off, word)) = open.pop_front() {
             for (i, &map) in maps.iter().enumerate() {
                 seen += 1;
                 if seen > MOST_WORDS || word.len() >= MOST_LETTERS {
@@ -107,11 +108,14 @@ impl<D: Dimension> Contraction<D> {
                     blocks.push(block);
                     continue;
                 }
-                let radius = block.spectral_radius();
+                // Products of flat maps cancel most digits: that of determinants has all of them.
+                let area = area * D::full_determinant(map.linear);
+                let off = (off + 8.0 * f64::EPSILON * D::norm(prefix.linear)) * norms[i];
+                let radius = D::certain_radius(block.linear, area, off);
                 if radius >= NEUTRAL_RADIUS {
                     return Err(no_attractor(&letters, radius));
                 }
-                open.push_back((block, letters));
+                open.push_back((block, area, off, letters));
             }
         }
         Ok(Self::with_blocks(&blocks, [to, from], factor, length))
@@ -260,6 +264,46 @@ mod tests {
         for shear in [1.0, 1e2, 1e4] {
             let found = Contraction::find(&[map([0.5, shear, 0.0, 0.5, 0.0, 1.0])]).unwrap();
             assert!(found.factor < 0.57 && aspect(&found) < 15.0 * shear, "{found:?}, {}", aspect(&found));
+        }
+    }
+
+    /// Two to four similitudes, mirrored or not, seen in the coordinates that `by` takes to the plane.
+    fn similitudes(roll: &mut impl FnMut() -> f64, exact: bool, by: Affine2) -> Vec<Affine2> {
+        let count = 2 + (3.0 * roll()) as usize;
+        let mut map = || {
+            let (angle, ratio) = (6.3 * roll(), 0.1 + 0.8 * roll());
+            let turn = match (exact, (4.0 * roll()) as usize) {
+                (false, _) => DMat2::from_angle(angle) * ratio,
+                (true, 0) => DMat2::IDENTITY * 0.75,
+                (true, 1) => DMat2::from_cols(DVec2::Y, -DVec2::X) * 0.75,
+                (true, 2) => DMat2::IDENTITY * 0.5,
+                (true, _) => DMat2::from_cols(DVec2::Y, -DVec2::X) * 0.25,
+            };
+            let mirror = DMat2::from_diagonal(DVec2::new(1.0, if roll() < 0.7 { -1.0 } else { 1.0 }));
+            Affine2::new(turn * mirror, DVec2::new(roll(), roll())).conjugate(by).unwrap()
+        };
+        (0..count).map(|_| map()).collect()
+    }
+
+    #[test]
+    fn mirrored_similitudes_seen_in_any_shear_are_not_said_to_have_no_attractor() {
+        let mut seed = 1_u64;
+        let mut roll = move || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 33) as f64 / (1_u64 << 31) as f64
+        };
+        for round in 0..600 {
+            // Without rounding where the shear is a power of two; turned, its square loses as many digits twice.
+            let exact = round % 2 == 0;
+            let shear = if exact { 2.0_f64.powi(round % 24) } else { 10.0_f64.powf(3.4 * roll()) };
+            let turn = if exact { 0.0 } else { 6.3 * roll() };
+            let by = Affine2::similitude(1.0, turn, DVec2::ZERO)
+                * Affine2::from_row([1.0, shear, 0.0, 1.0, 0.0, 0.0]);
+            let maps = similitudes(&mut roll, exact, by);
+            let found = Contraction::find(&maps);
+            let context = || format!("{round}: shear {shear}, {found:?}, {maps:?}");
+            assert!(matches!(found, Ok(_) | Err(IfsError::Unproved)), "{}", context());
+            assert!(found.is_ok() || shear > 900.0, "{}", context());
         }
     }
 

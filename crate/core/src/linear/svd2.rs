@@ -14,12 +14,23 @@ pub(crate) fn singular_values(m: DMat2) -> (f64, f64) {
     (turning + reflecting, (turning - reflecting).abs())
 }
 
+/// `a b + c d`, also where the two cancel right but for the last digit (Kahan).
+fn sum_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
+    let second = c * d;
+    a.mul_add(b, second) + c.mul_add(d, -second)
+}
+
+/// The determinant with all its digits, also of flat maps.
+pub(crate) fn full_determinant(m: DMat2) -> f64 {
+    sum_of_products(m.x_axis.x, m.y_axis.y, -m.x_axis.y, m.y_axis.x)
+}
+
 /// The largest absolute value of an eigenvalue.
 pub(crate) fn spectral_radius(m: DMat2) -> f64 {
     let half_trace = (m.x_axis.x + m.y_axis.y) / 2.0;
     let half_difference = (m.x_axis.x - m.y_axis.y) / 2.0;
     // This form of the discriminant does not cancel where trace^2 - 4 det would.
-    let discriminant = half_difference.mul_add(half_difference, m.y_axis.x * m.x_axis.y);
+    let discriminant = sum_of_products(half_difference, half_difference, m.y_axis.x, m.x_axis.y);
     if discriminant >= 0.0 {
         half_trace.abs() + discriminant.sqrt()
     } else {
