@@ -258,3 +258,60 @@ fn mean_point(maps: &[Affine2]) -> DVec2 {
     let mean = Affine2::new(mean.linear * share, mean.translation * share);
     mean.fixed_point().unwrap_or(DVec2::ZERO)
 }
+
+#[cfg(test)]
+mod tests {
+    use frond_core::hash;
+
+    use super::*;
+
+    /// Three turned or mirrored similitudes, seen in coordinates sheared and turned.
+    fn sheared(seed: u32, shear: f64) -> Option<Vec<Affine2>> {
+        let number = |k: u32| f64::from(hash::counter(seed, k)) / f64::from(u32::MAX);
+        let by = Affine2::similitude(1.0, 6.3 * number(0), DVec2::new(3.0, -2.0))
+            * Affine2::from_row([1.0, shear, 0.0, 1.0, 0.0, 0.0]);
+        let map = |k: u32| {
+            let [ratio, angle, x, y] = [1, 2, 3, 4].map(|i| number(10 * k + i));
+            let mirror = DMat2::from_diagonal(DVec2::new(1.0, if k == 1 { -1.0 } else { 1.0 }));
+            let linear = DMat2::from_angle(6.3 * angle) * mirror * (0.2 + 0.4 * ratio);
+            Affine2::new(linear, DVec2::new(x, y)).conjugate(by)
+        };
+        (1..4).map(map).collect()
+    }
+
+    #[test]
+    fn no_two_points_are_farther_apart_than_computed_and_rounding_says() {
+        let mut tried = 0;
+        for seed in 0..200 {
+            let shear = 10.0_f64.powf(f64::from(seed % 11) * 0.3);
+            let Some(maps) = sheared(seed, shear) else { continue };
+            let mut frame = Frame::default();
+            if frame.set(&maps).is_err() || frame.length > 1 {
+                continue;
+            }
+            // The images of the origin under a word, here and, in twice the digits, in the plane.
+            let word = |k: u32| {
+                let letters = (0..1 + k % 12).map(|i| hash::counter(seed, 1000 + 20 * k + i) as usize % 3);
+                let [x, y] = [frame.origin.x, frame.origin.y].map(DoubleDouble::from);
+                letters.fold((DVec2::ZERO, x, y), |(here, x, y), i| {
+                    let [a, b, c, d, e, f] = maps[i].to_row();
+                    let row = |a: f64, b: f64, e: f64| x * a + y * b + DoubleDouble::from(e);
+                    (frame.maps[i].apply(here), row(a, b, e), row(c, d, f))
+                })
+            };
+            for k in 0..40 {
+                let ((from, x, y), (to, u, v)) = (word(2 * k), word(2 * k + 1));
+                let double = |x: DoubleDouble| x.over(DoubleDouble::from(1.0));
+                let exact = double(u - x).hypot(double(v - y)) * (1.0 - 1e-15);
+                let step = to - from;
+                let most = frame.farthest((frame.from_round * step).length(), step);
+                let context = format!("{seed}, {k}: {exact:e} {most:e}, shear {shear}");
+                assert!(exact <= most, "{context}");
+                // And not by much: where the two are apart by more than the coordinates' last digits.
+                assert!(most <= 1.001 * exact || exact < 1e-12 * frame.stretch, "{context}");
+                tried += 1;
+            }
+        }
+        assert!(tried > 6000, "{tried}");
+    }
+}
