@@ -19,7 +19,8 @@ pub struct Connectedness {
     pub verdict: Verdict,
     /// The widest edge of the minimum spanning tree between the pieces, in plane units: zero if and only if the
     /// attractor is connected. Where it is disconnected, the bounds are within 1 in 100 of each other or within 1e-9
-    /// of the diameter, unless the budget was spent. It does not depend on epsilon: pieces that come within it count
+    /// of the diameter, unless the budget was spent or, of very flat shapes, the digits of the coefficients do not tell
+    /// more. It does not depend on epsilon: pieces that come within it count
     /// as far apart as they are.
     pub gap: Gap,
     /// Pairs of maps whose attractorlets meet, or come within epsilon of each other, the smaller index

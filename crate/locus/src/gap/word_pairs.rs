@@ -42,6 +42,11 @@ impl<'a, P> WordPairs<'a, P> {
         self.small = if visible { near / self.support.diameter(DMat2::IDENTITY) } else { -1.0 };
         self.tree.begin(frame);
     }
+
+    /// Whether the pieces of a pair are so small that rounding counts for more than what their parts would show.
+    pub fn is_no_larger_than_rounding(&self, pair: &Pair) -> bool {
+        self.tree.are_small(pair.u, pair.v, self.frame.rounding * self.frame.stretch)
+    }
 }
 
 /// What is kept of the nearest points of two pieces: nothing, or the points.
