@@ -15,8 +15,7 @@ pub(crate) struct DoubleDouble {
 impl DoubleDouble {
     /// The product of two doubles, exactly.
     pub fn product(a: f64, b: f64) -> Self {
-        let (high, low) = two_product(a, b);
-        Self { high, low }
+        Self::from(a) * b
     }
 
     /// The quotient, to the nearest double or one beside it.
@@ -35,6 +34,8 @@ impl From<f64> for DoubleDouble {
 impl Add for DoubleDouble {
     type Output = Self;
 
+    // Called a hundred times a map in few places: not copied into each of them, for the size of the download.
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
         let (high, low) = two_sum(self.high, other.high);
         let (high, low) = two_sum(high, low + (self.low + other.low));
@@ -53,6 +54,7 @@ impl Sub for DoubleDouble {
 impl Mul<f64> for DoubleDouble {
     type Output = Self;
 
+    #[inline(never)]
     fn mul(self, by: f64) -> Self {
         let (high, low) = two_product(self.high, by);
         let (high, low) = two_sum(high, low + self.low * by);
