@@ -244,7 +244,7 @@ fn shaders() -> Outcome {
     let driver = browser::driver()?;
     for backend in ["webgl2", "webgpu"] {
         run(cargo_wasm(&format!(
-            "test --quiet --release --target {WASM_TARGET} --package frond-render --test browser --no-default-features \
+            "test --release --target {WASM_TARGET} --package frond-render --test browser --no-default-features \
              --features {backend}"
         ))
         .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", tools::path("wasm-bindgen-test-runner"))
