@@ -27,8 +27,8 @@ pub(crate) struct Frame {
     /// How far the support values of a computed piece may be off, here, through rounding: that of the
     /// given coefficients, of this conjugation and of products along words.
     pub rounding: f64,
-    /// How far a computed point of the attractor of the maps as given may be off, here: what [`Frame::rounding`] is without
-    /// the rounding of the coefficients, which grows as shapes get flat.
+    /// How far a computed point of the attractor of the maps as given may be off, here: what [`Frame::rounding`] is
+    /// without the rounding of the coefficients, which grows as shapes get flat.
     pub error: f64,
     /// The contraction factor of a map, or of a block of maps.
     pub factor: f64,
@@ -170,8 +170,8 @@ impl Frame {
         2.0 * self.error * self.stretch
     }
 
-    /// An upper bound of the distance in the plane of two points of the attractor, computed to be `length` apart there, and
-    /// `step` here.
+    /// An upper bound of the distance in the plane of two points of the attractor, computed to be `length` apart there,
+    /// and `step` here.
     pub fn farthest(&self, length: f64, step: DVec2) -> f64 {
         const UP: f64 = 1.0 + 4.0 * f64::EPSILON;
         let off = self.off();
@@ -206,8 +206,8 @@ impl Frame {
     }
 }
 
-/// The plane seen in coordinates that `from` takes back to it. Of flat shapes these cancel the digits of the maps twice: all is
-/// computed in some 32.
+/// The plane seen in coordinates that `from` takes back to it. Of flat shapes these cancel the digits of the maps
+/// twice: all is computed in some 32.
 struct Seen {
     from: DMat2,
     determinant: DoubleDouble,

@@ -1,4 +1,5 @@
-//! Magnification of shapes so small that the squares of lengths in them underflow, or so large that products of a few overflow.
+//! Magnification of shapes so small that the squares of lengths in them underflow, or so large that products of a few
+//! overflow.
 
 use frond_core::{Affine2, Affine3};
 use glam::{DVec2, DVec3};

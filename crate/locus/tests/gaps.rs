@@ -158,7 +158,8 @@ fn true_gap(maps: &[Affine2], from: DMat2, letters: usize) -> (f64, f64) {
     }
     let pieces: Vec<Vec<DVec2>> =
         maps.iter().map(|map| points.iter().map(|&p| map.apply(p)).collect()).collect();
-    // How far points of longer words may be from these: translations are no longer than 1.5, ratios no more than a quarter.
+    // How far points of longer words may be from these: translations are no longer than 1.5, ratios no more than a
+    // quarter.
     let largest = maps.iter().map(|map| map.norm()).fold(0.0, f64::max);
     let rest = 2.0 * largest.powi(letters as i32) * 2.0;
     let apart = |i: usize, j: usize| {

@@ -4,8 +4,8 @@ use std::ops::{Add, Mul, Sub};
 
 use crate::exact::expansion::{two_product, two_sum};
 
-/// A number of some 32 digits, as the sum of two doubles (Dekker 1971). Relative to the sizes of the terms it is rounded by
-/// 1e-31 or so.
+/// A number of some 32 digits, as the sum of two doubles (Dekker 1971). Relative to the sizes of the terms it is
+/// rounded by 1e-31 or so.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DoubleDouble {
     high: f64,

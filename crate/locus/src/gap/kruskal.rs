@@ -175,8 +175,8 @@ impl<'a> KruskalSearch<'a> {
     /// spent, and so measures the widest gap. Pieces that were joined before for being near count as far apart as their
     /// nearest known points: the upper bound is that of all pieces.
     ///
-    /// A distance is known well enough when its bounds differ by `relative` of it or by `absolute`, or where no parts of
-    /// the pieces would tell more: of very flat shapes the digits of the coefficients do not.
+    /// A distance is known well enough when its bounds differ by `relative` of it or by `absolute`, or where no parts
+    /// of the pieces would tell more: of very flat shapes the digits of the coefficients do not.
     pub fn measure(&mut self, relative: f64, absolute: f64, budget: usize) -> WidestEdge {
         // From here on pieces are known to be apart, however near they come, unless they were left open: then they
         // may meet, as far as the lower bound goes.
