@@ -6,6 +6,7 @@ use js_sys::{Function, Promise, Reflect, global};
 use thiserror::Error;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
+use wgpu::web_sys::{HtmlCanvasElement, OffscreenCanvas};
 
 use super::events::{Event, Events, Loss};
 
@@ -25,9 +26,9 @@ pub enum Wanted {
 #[derive(Clone, Debug)]
 pub enum Canvas {
     /// A canvas of the page.
-    Html(wgpu::web_sys::HtmlCanvasElement),
+    Html(HtmlCanvasElement),
     /// One without a page, as in a worker.
-    Offscreen(wgpu::web_sys::OffscreenCanvas),
+    Offscreen(OffscreenCanvas),
 }
 
 impl Canvas {
