@@ -8,7 +8,6 @@ import { linear, mapsAt, morphOptions, selection, shown, uv } from "#document/mo
 import { scene } from "#document/scene";
 import { tool } from "#document/tool";
 import { lazily } from "#ui/lazy";
-import { Evidence } from "./evidence";
 import { stageKey } from "./gestures";
 import { Handles } from "./handles";
 import { Picture } from "./picture";
@@ -139,6 +138,8 @@ export function Stage({
   );
 }
 
+/** It lies over the picture, which does not wait for it. */
+const Evidence = lazily(() => import("./evidence").then((module) => module.Evidence));
 /** Loaded when there is a curve to draw. */
 const CurvePicture = lazily(() => import("./curve/picture").then((module) => module.CurvePicture));
 
