@@ -35,6 +35,7 @@ mod linear;
 mod morph;
 mod projection;
 mod sample;
+mod sort;
 #[cfg(test)]
 mod testing;
 #[cfg(test)]
@@ -70,3 +71,4 @@ pub use sample::chaos_game2::ChaosGame;
 pub use sample::chaos_game3::ChaosGame3;
 pub use sample::cut2::{CutOutcome, adaptive_cut};
 pub use sample::cut3::adaptive_cut3;
+pub use sort::sort_indices;

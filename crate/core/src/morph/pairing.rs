@@ -3,6 +3,7 @@
 use crate::bounds::hull2::Hull;
 use crate::ifs::system::Ifs;
 use crate::linear::affine::Affine2;
+use crate::sort::sort_indices;
 
 /// Both systems with the same number of maps, in an order in which the i-th of one becomes the i-th of
 /// the other. The attractors are those of the systems that were given.
@@ -63,7 +64,7 @@ fn extend(original: &[Affine2], target: usize, which: &str, steps: &mut Vec<Stri
     if missing > 0 {
         // Each map at most once more than any other, the largest first.
         let mut order: Vec<usize> = (0..maps.len()).collect();
-        order.sort_by(|&i, &j| maps[j].determinant().abs().total_cmp(&maps[i].determinant().abs()));
+        sort_indices(&mut order, &|i, j| maps[j].determinant().abs().total_cmp(&maps[i].determinant().abs()));
         let doubles: Vec<_> = order.iter().cycle().take(missing).map(|&i| maps[i]).collect();
         maps.extend(doubles);
         let (noun, verb) = if missing == 1 { ("map", "was") } else { ("maps", "were") };

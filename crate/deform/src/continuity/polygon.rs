@@ -1,5 +1,6 @@
 //! Convex polygons.
 
+use frond_core::sort_indices;
 use glam::DVec2;
 
 /// Twice the area of a triangle, positive where it goes round counter-clockwise.
@@ -16,7 +17,9 @@ pub(crate) fn hull(points: &[DVec2], tolerance: f64) -> Vec<usize> {
             order.push(i);
         }
     }
-    order.sort_by(|&a, &b| points[a].x.total_cmp(&points[b].x).then(points[a].y.total_cmp(&points[b].y)));
+    sort_indices(&mut order, &|a, b| {
+        points[a].x.total_cmp(&points[b].x).then(points[a].y.total_cmp(&points[b].y))
+    });
     let chain = |order: &mut dyn Iterator<Item = usize>| {
         let mut chain: Vec<usize> = Vec::new();
         for next in order {

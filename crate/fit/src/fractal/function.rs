@@ -1,5 +1,6 @@
 //! Fractal functions: fractal curves with one coordinate.
 
+use frond_core::sort_indices;
 use glam::{DMat2, DVec2};
 
 use crate::error::FunctionError;
@@ -62,12 +63,13 @@ impl FractalFunction {
     /// # Errors
     /// As [`FractalCurve::new`].
     pub fn pfif(maps: &[([f64; 5], [f64; 2])]) -> Result<Self, FunctionError> {
-        let mut pieces: Vec<_> = maps.iter().map(|&(map, domain)| Piece::from_map(map, domain)).collect();
+        let pieces: Vec<_> = maps.iter().map(|&(map, domain)| Piece::from_map(map, domain)).collect();
         if let Some(index) = pieces.iter().position(|piece| !piece.is_finite()) {
             return Err(FunctionError::NotFinite { index });
         }
-        pieces.sort_by(|a, b| a.range[0].total_cmp(&b.range[0]));
-        Ok(Self { curve: FractalCurve::new(pieces)? })
+        let mut order: Vec<usize> = (0..pieces.len()).collect();
+        sort_indices(&mut order, &|a, b| pieces[a].range[0].total_cmp(&pieces[b].range[0]));
+        Ok(Self { curve: FractalCurve::new(order.iter().map(|&i| pieces[i]).collect())? })
     }
 
     /// The function as a curve whose y is 0.

@@ -1,5 +1,7 @@
 //! Clusters of votes, and what they are.
 
+use frond_core::sort_indices;
+
 use super::echo::{Letter, Words};
 use super::features::Features;
 use super::options::{BINS, HoughOptions, PLANE};
@@ -56,7 +58,7 @@ pub(super) fn peaks(pairing: &Pairing, cells: &[u32], counts: &[u32]) -> Vec<Clu
     let mut clusters = Vec::new();
     for (&cell, plane) in cells.iter().zip(counts.chunks_exact(PLANE * PLANE)) {
         let mut highest: Vec<_> = (0..plane.len()).filter(|&at| is_peak(plane, at)).collect();
-        highest.sort_by_key(|&at| (std::cmp::Reverse(plane[at]), at));
+        sort_indices(&mut highest, &|a, b| plane[b].cmp(&plane[a]));
         for at in highest.into_iter().take(MOST_PEAKS) {
             let cell = cell as usize;
             let abc = [cell / (BINS * BINS), cell / BINS % BINS, cell % BINS];

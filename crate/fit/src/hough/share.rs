@@ -1,5 +1,7 @@
 //! The second pass in parts, for workers that share it.
 
+use frond_core::sort_indices;
+
 use super::cluster::Cluster;
 use super::features::Features;
 use super::options::{BINS, HoughOptions};
@@ -48,7 +50,7 @@ pub fn share_cells(
     let slab = |cell: u32| (cell as usize / (BINS * BINS)).min(BINS - 1);
     let cells: Vec<_> = cells.iter().copied().filter(|&cell| (cell as usize) < CELLS).collect();
     let mut slabs: Vec<_> = (0..BINS).filter(|&a| cells.iter().any(|&cell| slab(cell) == a)).collect();
-    slabs.sort_by(|&a, &b| votes[b].total_cmp(&votes[a]).then(a.cmp(&b)));
+    sort_indices(&mut slabs, &|a, b| votes[b].total_cmp(&votes[a]));
     for a in slabs {
         let lightest = (0..loads.len()).min_by(|&i, &j| f64::total_cmp(&loads[i], &loads[j])).unwrap_or(0);
         loads[lightest] += votes[a].max(1.0);

@@ -1,5 +1,7 @@
 //! Pieces of a mask, and the holes in them.
 
+use frond_core::sort_indices;
+
 use super::binary_image::Bits;
 
 /// A piece of a mask whose pixels hang together by their sides or corners.
@@ -66,7 +68,7 @@ impl Parts {
     /// them.
     pub fn largest(mut self, least: usize, most: usize) -> Self {
         let mut order: Vec<usize> = (0..self.all.len()).filter(|&i| self.all[i].area >= least).collect();
-        order.sort_by_key(|&i| (usize::MAX - self.all[i].area, i));
+        sort_indices(&mut order, &|i, j| self.all[j].area.cmp(&self.all[i].area));
         order.truncate(most);
         let mut new = vec![NONE; self.all.len()];
         for (place, &i) in order.iter().enumerate() {

@@ -52,6 +52,6 @@ pub use state::Style;
 /// Whether the processor stands in for a graphics card. WebGPU says so; WebGL gives a name.
 fn is_software(said: bool, names: &str) -> bool {
     const NAMES: [&str; 4] = ["swiftshader", "llvmpipe", "software", "basic render"];
-    let names = names.to_lowercase();
+    let names = names.to_ascii_lowercase();
     said || NAMES.iter().any(|name| names.contains(name))
 }
