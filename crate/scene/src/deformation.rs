@@ -8,21 +8,6 @@ pub const MAX_SIDE: usize = 16;
 /// The most key frames.
 pub const MAX_KEYS: usize = 32;
 
-/// The tool that is open.
-#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Tool {
-    /// The morph.
-    #[default]
-    Morph,
-    /// The deformation grid.
-    Deform,
-    /// From an outline to its formula.
-    Fit,
-    /// Space.
-    Space,
-}
-
 /// What is bent.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]

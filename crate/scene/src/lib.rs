@@ -21,12 +21,12 @@ mod scene;
 mod space;
 
 pub use curve::{Curve, CurveEdge, CurveShape, Curves};
-pub use deformation::{Deformation, Key, MAX_KEYS, MAX_SIDE, Subject, Tint, Tool};
+pub use deformation::{Deformation, Key, MAX_KEYS, MAX_SIDE, Subject, Tint};
 pub use fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS};
 pub use link::{LinkError, MAX_LINK, VERSION, decode, encode};
 pub use preset::{Preset, Row, preset, presets};
 pub use scene::{
-    Colouring, FamilyName, LocusView, MAX_WAY_POINTS, Path, PathKind, Scene, Shape, WayPoint, Window,
+    Colouring, FamilyName, LocusView, MAX_WAY_POINTS, Path, PathKind, Scene, Shape, Tool, WayPoint, Window,
 };
 pub use space::{
     CourseName, EaseName, FileError, Film, FilmError, Held, MAX_KEYS3, MAX_OBJECTS3, MAX_PACKED, MeetExample,

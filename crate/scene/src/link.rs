@@ -15,9 +15,8 @@ use std::fmt::Write as _;
 
 use frond_core::{MAX_MAPS, Mode};
 
-use crate::deformation::Tool;
 use crate::preset::{Row, preset};
-use crate::scene::{Colouring, PathKind, Scene, Shape, Window};
+use crate::scene::{Colouring, PathKind, Scene, Shape, Tool, Window};
 
 mod deform;
 mod error;

@@ -4,7 +4,7 @@ use frond_core::{Affine2, Ifs, IfsError, Mode, MorphOptions};
 use serde::{Deserialize, Serialize};
 
 use crate::curve::Curves;
-use crate::deformation::{Deformation, Tool};
+use crate::deformation::Deformation;
 use crate::fit::Fit;
 use crate::preset::{Row, preset};
 use crate::space::SpacePart;
@@ -243,6 +243,21 @@ pub struct Scene {
     /// What there is in space; what the tool begins with where absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub space: Option<SpacePart>,
+}
+
+/// The tool that is open. Its name goes into links and is never changed afterwards.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Tool {
+    /// The morph.
+    #[default]
+    Morph,
+    /// The deformation grid.
+    Deform,
+    /// From an outline to its formula.
+    Fit,
+    /// Space.
+    Space,
 }
 
 fn is_morph(tool: &Tool) -> bool {
