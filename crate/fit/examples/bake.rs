@@ -1,9 +1,13 @@
-//! Fits the curves of the gallery and writes them where [`frond_fit::curve_presets`] finds them:
-//! `cargo run --release -p frond-fit --example bake`.
+//! Fits the curves of the gallery, says how near they are, and writes them into a folder, if one is named:
+//! `cargo run --release -p frond-fit --example bake -- crate/fit/src/preset`.
+//!
+//! That folder is where [`frond_fit::curve_presets`] finds them. Links name these curves: what is written there changes
+//! the pictures of all who have such a link.
 
 use frond_fit::{ClosedCurve, Fitter, Outline, crossings, fidelity, island, maple_leaf, oak_leaf};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let folder = std::env::args().nth(1);
     for (name, points) in [("maple", maple_leaf(1)), ("oak", oak_leaf(1)), ("island", island(4))] {
         let outline = Outline::new(&points)?;
         let diagonal = outline.diagonal();
@@ -16,7 +20,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             bytes.len(),
             crossings(&line, 100).map(|c| c.len())
         );
-        std::fs::write(format!("{}/src/preset/{name}.bin", env!("CARGO_MANIFEST_DIR")), bytes)?;
+        if let Some(folder) = &folder {
+            std::fs::write(format!("{folder}/{name}.bin"), bytes)?;
+        }
     }
     Ok(())
 }

@@ -20,8 +20,7 @@ pub struct CurvePreset {
 /// The gallery of closed curves: a maple leaf, an oak leaf, Koch's snowflake and an island.
 ///
 /// All but the snowflake are fits of 260 numbers to [`maple_leaf`](crate::maple_leaf)(1),
-/// [`oak_leaf`](crate::oak_leaf)(1) and [`island`](crate::island)(4), made by `cargo run --release -p frond-fit
-/// --example bake`.
+/// [`oak_leaf`](crate::oak_leaf)(1) and [`island`](crate::island)(4), made by `examples/bake.rs`.
 #[must_use]
 pub fn curve_presets() -> Vec<CurvePreset> {
     let baked = |id, name, about, bytes: &[u8]| {
