@@ -1,50 +1,41 @@
-//! Draws attractors of space into files of RGBA pixels: `cargo run --release -p frond-render --example solid --
-//! FOLDER`.
+//! From twenty maps of space to a picture: `cargo run --release -p frond-render --example solid > sponge.ppm`.
 
-use std::time::Instant;
+use std::io::Write;
 
 use frond_core::{Affine3, Ifs3};
 use frond_render::solid::{Camera, Lamp, Lighting, Traversal, light};
 use frond_render::{Colouring, Look};
 use glam::{DQuat, DVec3};
 
-fn scaled(corners: &[DVec3], scale: f64) -> Vec<Affine3> {
-    corners.iter().map(|&c| Affine3::similitude(scale, DQuat::IDENTITY, c * (1.0 - scale))).collect()
-}
-
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let folder = std::env::args().nth(1).unwrap_or_else(|| ".".to_owned());
-    let side = 700;
-    let tetra = [(1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0)];
-    let tetra: Vec<DVec3> = tetra.map(|(x, y, z)| DVec3::new(x, y, z)).to_vec();
-    let sponge: Vec<DVec3> = (0..27)
+    // Menger's sponge: a cube of 27, without the middle one and those in the middle of a face.
+    let maps = (0..27)
         .map(|k| DVec3::new(f64::from(k % 3) - 1.0, f64::from(k / 3 % 3) - 1.0, f64::from(k / 9) - 1.0))
-        .filter(|p| p.to_array().iter().filter(|x| **x == 0.0).count() < 2)
+        .filter(|at| at.to_array().iter().filter(|x| **x == 0.0).count() < 2)
+        .map(|at| Affine3::similitude(1.0 / 3.0, DQuat::IDENTITY, at * (2.0 / 3.0)))
         .collect();
-    let octahedron: Vec<DVec3> = DVec3::AXES.iter().flat_map(|&a| [a * 1.4, a * -1.4]).collect();
-    for (name, maps) in [
-        ("tetrahedron", scaled(&tetra, 0.5)),
-        ("sponge", scaled(&sponge, 1.0 / 3.0)),
-        ("octahedron", scaled(&octahedron, 0.5)),
-    ] {
-        let ifs = Ifs3::new(maps)?;
-        let camera = Camera::around(DVec3::ZERO, 5.0, 0.6, 0.45, 0.75)?;
-        let start = Instant::now();
-        let mut traversal = Traversal::new(std::slice::from_ref(&ifs), &camera, side, side);
-        let mut visited = 0;
-        while !traversal.run(10_000) {
-            visited += 10_000;
-        }
-        let carved = start.elapsed();
-        let look = Look::new(Colouring::Map, &[], ifs.len());
-        let lamp = Lamp::new(&Lighting::default(), &camera, [side, side], 1, traversal.range());
-        let pixels = light(traversal.depth_buffer(), &lamp, &look);
-        println!(
-            "{name}: {} lit, {visited} pieces, {carved:?}, light {:?}",
-            traversal.depth_buffer().lit(),
-            start.elapsed() - carved
-        );
-        std::fs::write(format!("{folder}/{name}-{side}.rgba"), pixels)?;
+    let sponge = Ifs3::new(maps)?;
+
+    // Where the eye is: around the origin, at a distance of 5, turned and raised, with a field of view of 0.75.
+    let camera = Camera::around(DVec3::ZERO, 5.0, 0.6, 0.45, 0.75)?;
+
+    // The traversal splits pieces until they are as small as pixels and keeps the nearest. It may rest after any step.
+    let side = 700;
+    let mut traversal = Traversal::new(std::slice::from_ref(&sponge), &camera, side, side);
+    while !traversal.run(10_000) {}
+    eprintln!("{} of {} pixels are lit", traversal.depth_buffer().lit(), side * side);
+
+    // What it leaves is a depth buffer. Light makes a picture of it, in which each of the twenty has a colour of its own.
+    let look = Look::new(Colouring::Map, &[], sponge.len());
+    let lamp = Lamp::new(&Lighting::default(), &camera, [side, side], 1, traversal.range());
+    let pixels = light(traversal.depth_buffer(), &lamp, &look);
+
+    // RGBA with straight alpha; a PPM has no alpha, so that it is laid on white.
+    let mut file = format!("P6 {side} {side} 255\n").into_bytes();
+    for &[r, g, b, alpha] in pixels.as_chunks::<4>().0 {
+        let on_white = |c: u8| 255 - ((255 - u32::from(c)) * u32::from(alpha) / 255) as u8;
+        file.extend([on_white(r), on_white(g), on_white(b)]);
     }
+    std::io::stdout().write_all(&file)?;
     Ok(())
 }
