@@ -109,7 +109,10 @@ fn the_gallery_has_these_reasons() {
         "dust: disconnected",
         "twigs: connected crossings",
     ];
-    assert_eq!(found, wanted);
+    for (found, wanted) in found.iter().zip(wanted) {
+        assert_eq!(found, wanted, "what is known of a shape; a new one needs its line in this list");
+    }
+    assert_eq!(found.len(), wanted.len(), "each shape of the gallery needs its line in this list");
 }
 
 #[test]
