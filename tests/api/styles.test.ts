@@ -5,7 +5,8 @@ import { fileURLToPath } from "node:url";
 import { describe, expect, it } from "vitest";
 
 const root = fileURLToPath(new URL("../../www/src", import.meta.url));
-const LAZY = ["tools/deform", "tools/fit", "tools/space", "curve"];
+const tools = readdirSync(join(root, "tools")).filter((tool) => tool !== "morph");
+const LAZY = [...tools.map((tool) => `tools/${tool}`), "curve"];
 
 const files = readdirSync(root, { recursive: true, encoding: "utf8" })
   .filter((path) => /\.(css|tsx?)$/.test(path))

@@ -1,25 +1,29 @@
 import { describe, expect, it, vi } from "vitest";
 import { replaceFit } from "#document/fit";
 import type { Command } from "#ui/commands";
+import { TOOLS } from "./tools";
 
 vi.mock("#wasm/core", () => ({ frond: {} }));
-const { commands: morph } = await import("#tools/morph/commands");
-const { commands: deform } = await import("#tools/deform/commands");
-const { commands: ofFit } = await import("#tools/fit/commands");
-const { commands: space } = await import("#tools/space/commands");
 
-const graph = () => {
-  replaceFit((now) => ({ ...now, mode: "graph" }));
-  const commands = ofFit();
-  replaceFit((now) => ({ ...now, mode: "outline" }));
-  return commands;
-};
-const lists: [string, readonly Command[]][] = Object.entries({
-  morph,
-  deform,
-  fit: ofFit(),
-  graph: graph(),
-  space,
+/** Every tool lists its commands in a file of this name; where the list hangs on the document, it is a function. */
+const files = import.meta.glob<{ commands: readonly Command[] | (() => readonly Command[]) }>(
+  "../tools/*/commands.ts",
+  { eager: true },
+);
+
+const listsNow = (when = ""): [string, readonly Command[]][] =>
+  Object.entries(files).map(([file, { commands }]) => [
+    `${file.split("/").at(-2)}${when}`,
+    typeof commands === "function" ? commands() : commands,
+  ]);
+
+const lists = listsNow();
+replaceFit((now) => ({ ...now, mode: "graph" }));
+lists.push(...listsNow(" with a graph").filter(([name]) => name.startsWith("fit")));
+replaceFit((now) => ({ ...now, mode: "outline" }));
+
+it("are those of all tools", () => {
+  expect(Object.keys(files)).toHaveLength(TOOLS.length);
 });
 
 describe.each(lists)("the keys of %s", (_, commands) => {
@@ -42,6 +46,7 @@ describe("the same key", () => {
     commands.flatMap(({ id, keys, run }) => (run ? keys : []).map((key) => [key, id] as const)),
   );
   it.each([...new Set(keys.map(([key]) => key))])("%s means the same in every tool", (key) => {
-    expect(new Set(keys.filter(([other]) => other === key).map(([, id]) => id)).size).toBe(1);
+    const meanings = new Set(keys.filter(([other]) => other === key).map(([, id]) => id));
+    expect([...meanings]).toHaveLength(1);
   });
 });
