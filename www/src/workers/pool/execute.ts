@@ -144,7 +144,7 @@ export function executor(
 function transferable(result: Result): Transferable[] {
   if (result instanceof Uint8Array) return [result.buffer as ArrayBuffer];
   if (typeof ImageBitmap !== "undefined" && result instanceof ImageBitmap) return [result];
-  if (result === null) return [];
+  if (typeof result !== "object" || result === null) return [];
   if ("state" in result && "gap" in result) {
     return [result.state.buffer as ArrayBuffer, result.gap.buffer as ArrayBuffer];
   }
