@@ -44,9 +44,11 @@ Usage: cargo xtask <command>
       special headers. Write the JavaScript API as a package into target/package/frond, too:
       `npm install path/to/target/package/frond`, then `import init, { attractor } from \"frond\"`.
 
-  test [name ..]
+  test [name ..] [-- test ..]
       Run every check but the last, or those whose group or step has one of these names:
 TESTS
+      After -- name the tests that shaders, vitest, webgl2, webgpu and phone are to run, e.g.
+      `cargo xtask test webgl2 -- keys.spec.ts`.
       The end-to-end tests take FROND_CHROMIUM as the browser where it is set, and the tests of exact
       answers take FROND_KNOWN as the directory of the answers (default: tests/known).
 

@@ -19,7 +19,13 @@ struct Check {
     name: &'static str,
     what: &'static str,
     set_up: fn(&mut Steps) -> Outcome,
-    work: fn() -> Outcome,
+    work: Work,
+}
+
+/// What a check does: all of it, or those of its tests that are named, all where none is.
+enum Work {
+    All(fn() -> Outcome),
+    Named(fn(&[String]) -> Outcome),
 }
 
 /// The group of what runs only when it is named.
@@ -34,107 +40,133 @@ const CHECKS: &[Check] = &[
         name: "fmt",
         what: "layout of the Rust code",
         set_up: tools::components,
-        work: fmt,
+        work: Work::All(fmt),
     },
     Check {
         group: "rust",
         name: "circles",
         what: "no circle of imports among the files of a crate",
         set_up: nothing,
-        work: circles::gate,
+        work: Work::All(circles::gate),
     },
     Check {
         group: "rust",
         name: "folders",
         what: "no folder too full, no comment too wide",
         set_up: nothing,
-        work: folders::gate,
+        work: Work::All(folders::gate),
     },
     Check {
         group: "rust",
         name: "clippy",
         what: "clippy, natively",
         set_up: tools::components,
-        work: clippy,
+        work: Work::All(clippy),
     },
     Check {
         group: "rust",
         name: "clippy-wasm",
         what: "clippy, for the browser",
         set_up: lint_wasm,
-        work: clippy_wasm,
+        work: Work::All(clippy_wasm),
     },
     Check {
         group: "rust",
         name: "doc",
         what: "documentation of the crates, without a warning",
         set_up: nothing,
-        work: doc,
+        work: Work::All(doc),
     },
     Check {
         group: "rust",
         name: "cargo-test",
         what: "tests of the crates",
         set_up: nothing,
-        work: cargo_test,
+        work: Work::All(cargo_test),
     },
-    Check { group: "web", name: "tsc", what: "types of the page", set_up: wasm::build, work: tsc },
+    Check { group: "web", name: "tsc", what: "types of the page", set_up: wasm::build, work: Work::All(tsc) },
     Check {
         group: "web",
         name: "biome",
         what: "lint and layout of the page",
         set_up: node::packages,
-        work: biome,
+        work: Work::All(biome),
     },
     Check {
         group: "web",
         name: "vitest",
         what: "tests of the page's parts",
         set_up: wasm::build,
-        work: vitest,
+        work: Work::Named(vitest),
     },
     Check {
         group: "wasm",
         name: "shaders",
         what: "what graphics cards draw, in Chrome",
         set_up: browser,
-        work: shaders,
+        work: Work::Named(shaders),
     },
     Check {
         group: "site",
         name: "size",
         what: "what a visitor downloads",
         set_up: site::build,
-        work: size::gate,
+        work: Work::All(size::gate),
     },
-    Check { group: "e2e", name: "webgl2", what: "the site, on WebGL2", set_up: e2e, work: || play("webgl2") },
-    Check { group: "e2e", name: "webgpu", what: "the site, on WebGPU", set_up: e2e, work: || play("webgpu") },
+    Check {
+        group: "e2e",
+        name: "webgl2",
+        what: "the site, on WebGL2",
+        set_up: e2e,
+        work: Work::Named(|names| play("webgl2", names)),
+    },
+    Check {
+        group: "e2e",
+        name: "webgpu",
+        what: "the site, on WebGPU",
+        set_up: e2e,
+        work: Work::Named(|names| play("webgpu", names)),
+    },
     Check {
         group: "e2e",
         name: "phone",
         what: "the site, on a small screen",
         set_up: e2e,
-        work: || play("phone"),
+        work: Work::Named(|names| play("phone", names)),
     },
     Check {
         group: ON_DEMAND,
         name: "deep",
         what: "tests of the crates with many more examples; only when named",
         set_up: nothing,
-        work: deep,
+        work: Work::All(deep),
     },
 ];
 
 /// Runs the checks whose group or name is among `wanted`, or all but those [`ON_DEMAND`]; stops at the first that
-/// fails.
+/// fails. After `--` there are names of single tests.
 pub fn test(steps: &mut Steps, wanted: &[String]) -> Outcome {
+    let (wanted, names) = match wanted.iter().position(|word| word == "--") {
+        Some(at) => (&wanted[..at], &wanted[at + 1..]),
+        None => (wanted, &[][..]),
+    };
     if let Some(word) = wanted.iter().find(|word| !CHECKS.iter().any(|check| check.is(word))) {
         return Err(format!("there is no check `{word}`; there are:\n{}", list()).into());
     }
     let mut chosen = CHECKS.iter().filter(|check| check.is_chosen(wanted));
+    if !names.is_empty()
+        && let Some(check) = chosen.clone().find(|check| matches!(check.work, Work::All(_)))
+    {
+        return Err(format!("`{}` has no single tests that it could run alone", check.name).into());
+    }
     while let Some(check) = chosen.next() {
         let name = check.title();
-        let outcome = steps.prepare(&name, check.set_up).and_then(|()| steps.run(&name, check.work));
+        let outcome = steps.prepare(&name, check.set_up).and_then(|()| {
+            steps.run(&name, || match check.work {
+                Work::All(work) => work(),
+                Work::Named(work) => work(names),
+            })
+        });
         if outcome.is_err() {
             steps.again(format!("cargo xtask test {}", check.name));
             chosen.for_each(|check| steps.leave(check.title()));
@@ -234,19 +266,20 @@ fn biome() -> Outcome {
     })
 }
 
-fn vitest() -> Outcome {
-    run(&mut Tool::Vitest.command("run"))
+fn vitest(names: &[String]) -> Outcome {
+    run(Tool::Vitest.command("run").args(names))
 }
 
 /// Tests of what draws on a graphics card, in the browser that it is for. Each backend is a program of its own: it
 /// shares all that is compiled with the module of that backend.
-fn shaders() -> Outcome {
+fn shaders(names: &[String]) -> Outcome {
     let driver = browser::driver()?;
     for backend in ["webgl2", "webgpu"] {
         run(cargo_wasm(&format!(
             "test --release --target {WASM_TARGET} --package frond-render --test browser --no-default-features \
              --features {backend}"
         ))
+        .args(names)
         .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", tools::path("wasm-bindgen-test-runner"))
         // Of the system: one that is loaded would fit another browser.
         .env("CHROMEDRIVER", &driver)
@@ -256,9 +289,10 @@ fn shaders() -> Outcome {
 }
 
 /// One project of tests/e2e/playwright.config.ts.
-fn play(project: &str) -> Outcome {
+fn play(project: &str, names: &[String]) -> Outcome {
     run(Tool::Playwright
-        .command(&format!("test --config tests/e2e/playwright.config.ts --project {project}"))
+        .command(&format!("test --config tests/e2e/playwright.config.ts --project={project}"))
+        .args(names)
         .env("FROND_CHROMIUM", browser::chromium()?)
         .env("FROND_PORT", free_port()?.to_string()))
 }
