@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     while !traversal.run(10_000) {}
     eprintln!("{} of {} pixels are lit", traversal.depth_buffer().lit(), side * side);
 
-    // What it leaves is a depth buffer. Light makes a picture of it, in which each of the twenty has a colour of its own.
+    // What it leaves is a depth buffer. Light makes a picture of it, in which each twentieth has a colour of its own.
     let look = Look::new(Colouring::Map, &[], sponge.len());
     let lamp = Lamp::new(&Lighting::default(), &camera, [side, side], 1, traversal.range());
     let pixels = light(traversal.depth_buffer(), &lamp, &look);
