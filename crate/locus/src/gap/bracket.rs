@@ -1,10 +1,10 @@
-//! The widest gap alone, bracketed: the quick way, for one sample of a locus.
+//! The widest gap of one system, bracketed: the quick way, which `decide` takes for each sample of a locus.
 
 use crate::gap::pair_descent::{Explore, Known, Pair, PairDescent};
 use crate::gap::spanning_tree::SpanningTree;
 use crate::overlap_graph::Components;
 
-/// A descent on pairs that looks for the widest gap, with what it needs, kept for the next.
+/// A descent on pairs that looks for the widest gap. It keeps its memory for the next system.
 ///
 /// The widest gap `g` is the greatest, over all ways to cut the pieces into two groups, of the least distance between
 /// the groups. So points that are near show it to be no more than the widest edge of the minimum spanning tree
@@ -90,7 +90,7 @@ impl CutSearch {
         budget: usize,
     ) -> Bracket {
         self.descent.near = resolution * resolution;
-        explore.lean(false);
+        explore.choose_metric(false);
         self.descent.look_at_all(explore, |_| ());
         self.coarse.clone_from(&self.descent.met);
         let (mut spent, mut rounds) = (0, 0);
@@ -119,7 +119,7 @@ impl CutSearch {
     /// Tells all pairs apart that lie across the cut, the nearest first; `false` if two turn out to meet, or this is
     /// not found out.
     fn prove(&mut self, explore: &mut impl Explore<Nearest = ()>, budget: usize) -> bool {
-        explore.lean(false);
+        explore.choose_metric(false);
         self.order.clear();
         for (i, j) in self.descent.pairs() {
             let at = self.descent.edge(i, j);
@@ -168,7 +168,7 @@ impl CutSearch {
     /// Looks into the pairs across the cut, which are all apart, the nearest first, until the nearest is not much
     /// nearer than the `bridge`, or `budget` looks are spent; returns a lower bound of their distances.
     fn measure(&mut self, explore: &mut impl Explore<Nearest = ()>, mut bridge: f64, budget: usize) -> f64 {
-        explore.lean(true);
+        explore.choose_metric(true);
         let Self { descent, across, .. } = self;
         let limit = descent.nodes + budget;
         let place = descent.places();

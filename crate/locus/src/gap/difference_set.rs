@@ -236,7 +236,7 @@ impl<'a> Translates<'a> {
 impl Explore for Translates<'_> {
     type Nearest = ();
 
-    fn lean(&mut self, to_measure: bool) {
+    fn choose_metric(&mut self, to_measure: bool) {
         self.metric =
             if to_measure { Metric::to_measure(self.frame) } else { Metric::to_separate(self.frame) };
     }

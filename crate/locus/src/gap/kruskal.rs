@@ -73,7 +73,7 @@ impl<'a> KruskalSearch<'a> {
         // Points that are computed to be within this distance are within the resolution, whatever rounding may add.
         let near = (self.resolution - frame.off()).max(0.5 * self.resolution);
         words.begin(self.resolution, near);
-        words.lean(false);
+        words.choose_metric(false);
         descent.begin(frame.maps.len(), false, false);
         descent.near = near * near;
         for (i, j) in descent.pairs() {
@@ -183,7 +183,7 @@ impl<'a> KruskalSearch<'a> {
         let mut components = self.coarsest();
         let Self { words, descent, .. } = self;
         descent.near = -1.0;
-        words.lean(true);
+        words.choose_metric(true);
         let mut lower = 0.0_f64;
         while components.count() > 1 {
             descent.by_distance.extend(descent.apart.drain(..));

@@ -16,8 +16,8 @@ use crate::overlap_graph::Components;
 pub(crate) trait Explore {
     /// What is kept of the two nearest points of two attractorlets.
     type Nearest: Copy + Default;
-    /// Gets ready to tell pieces apart, or to measure how far apart they are.
-    fn lean(&mut self, to_measure: bool);
+    /// In which metric the next looks are: one in which pieces are told apart best, or that of the plane, to measure.
+    fn choose_metric(&mut self, to_measure: bool);
     /// Looks at attractorlet `i` and each of one to four others, which are the second of their pairs.
     fn first(&mut self, i: u32, others: Range<u32>, see: impl FnMut(u32, Sight<Self::Nearest>));
     /// The numbers by which it knows two attractorlets.

@@ -57,7 +57,7 @@ pub(crate) struct Metric {
     /// How far a normal that is taken to the plane may be off there, against the sum of its sides here.
     blur: f64,
     /// In which metric to look for lines that separate pieces.
-    lean: DMat2,
+    search_metric: DMat2,
     rounding: f64,
 }
 
@@ -97,7 +97,7 @@ impl Metric {
             to_plane: frame.from_round,
             normal_to_plane: to_round.transpose(),
             blur: NORMAL_ROUNDING * largest,
-            lean: DMat2::IDENTITY,
+            search_metric: DMat2::IDENTITY,
             rounding: frame.rounding,
         }
     }
@@ -106,8 +106,8 @@ impl Metric {
     /// show them best.
     pub fn to_measure(frame: &Frame) -> Self {
         // Of size 1, or of small shapes the squares of what is seen would vanish.
-        let lean = frame.metric * (1.0 / (frame.stretch * frame.stretch));
-        Self { lean, ..Self::to_separate(frame) }
+        let search_metric = frame.metric * (1.0 / (frame.stretch * frame.stretch));
+        Self { search_metric, ..Self::to_separate(frame) }
     }
 
     /// Bounds the distances of one to four pieces from another: support functions along the lines between their
@@ -175,7 +175,7 @@ impl Metric {
         // The point nearest to the origin between `middle` and the difference of the points, both of them
         // differences of points of the two hulls.
         let turn = middle - (first.points[1] - first.points[0]);
-        let length = turn.dot(if PLAIN { turn } else { Linear4::splat(self.lean).times(turn) });
+        let length = turn.dot(if PLAIN { turn } else { Linear4::splat(self.search_metric).times(turn) });
         let t = (first.normal.dot(turn) / length).max(F64x4::default()).min(F64x4::splat(1.0));
         let step = DVec2x4 { x: middle.x - turn.x * t, y: middle.y - turn.y * t };
         let second = self.along::<PLAIN>(middle, step, &see);
@@ -206,7 +206,7 @@ impl Metric {
         step: DVec2x4,
         see: &impl Fn(DVec2x4) -> (F64x4, [DVec2x4; 2]),
     ) -> View {
-        let normal = if PLAIN { step } else { Linear4::splat(self.lean).times(step) };
+        let normal = if PLAIN { step } else { Linear4::splat(self.search_metric).times(step) };
         let (reach, points) = see(normal);
         let along = normal.dot(middle);
         let between = points[1] - points[0];

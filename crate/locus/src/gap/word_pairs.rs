@@ -85,7 +85,7 @@ impl Nearest for [DVec2; 2] {
 impl<P: Nearest> Explore for WordPairs<'_, P> {
     type Nearest = P;
 
-    fn lean(&mut self, to_measure: bool) {
+    fn choose_metric(&mut self, to_measure: bool) {
         self.metric =
             if to_measure { Metric::to_measure(self.frame) } else { Metric::to_separate(self.frame) };
     }
