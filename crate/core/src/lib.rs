@@ -4,6 +4,23 @@
 //! its attractor, the one shape that is the union of its own images. What is the same in the plane and in space is
 //! written once, over [`Dimension`]: `Ifs` alone is one of the plane, [`Ifs3`] one of space.
 //!
+//! ```
+//! use frond_core::{Affine2, ChaosGame, Ifs, Morph, MorphOptions};
+//! use glam::DVec2;
+//!
+//! let corners = [DVec2::ZERO, DVec2::X, DVec2::new(0.5, 0.75_f64.sqrt())];
+//! let gasket = corners.map(|corner| Affine2::similitude(0.5, 0.0, corner * 0.5));
+//! let turned = gasket.map(|map| map * Affine2::similitude(1.0, 0.5, DVec2::ZERO));
+//!
+//! // Between the two, linear parts and translations on their way alike: a system, and points of its attractor.
+//! let morph = Morph::new(&gasket, &turned, &MorphOptions::default())?;
+//! let between = Ifs::new(morph.at(0.5, 0.5))?;
+//! let (mut points, mut pieces) = ([0.0; 2000], [0; 1000]);
+//! assert_eq!(ChaosGame::new(&between, 1).fill(&mut points, &mut pieces), 1000);
+//! assert!(pieces.contains(&0) && pieces.contains(&2));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # The order in which to read it
 //!
 //! 1. `linear/`: [`Affine`] maps, their polar factors ([`Polar2`], [`Polar3`]) and singular values.
