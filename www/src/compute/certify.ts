@@ -1,3 +1,4 @@
+/** How wide a gap a path can have at most, proved part by part. */
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { pathPoints } from "#document/morph";
 import { wordsOf } from "#document/notice";

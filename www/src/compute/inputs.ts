@@ -1,3 +1,4 @@
+/** What every job about the locus begins with. */
 import { computed } from "@preact/signals";
 import { morphOptions, pairing } from "#document/morph";
 import type { LocusInputs } from "./locus/job";

@@ -1,3 +1,4 @@
+/** Which map becomes which: ways to match, rated by the paths that they leave open. */
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { pairing } from "#document/morph";
 import { wordsOf } from "#document/notice";

@@ -1,3 +1,4 @@
+/** The path that is planned for the present pair, in the plane or through three parameters. */
 import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { notify, wordsOf } from "#document/notice";
 import { thinned } from "#geometry/path";

@@ -1,3 +1,4 @@
+/** A proof that the shape on the stage is in pieces, and its replay. */
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { shown } from "#document/morph";
 import { wordsOf } from "#document/notice";

@@ -1,3 +1,4 @@
+/** What jobs have found, for all who show it. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { pathPoints } from "#document/morph";
 import type { Told } from "#format/verdict";

@@ -1,3 +1,4 @@
+/** Ways to bring the present pair of shapes to a morph. */
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { wordsOf } from "#document/notice";
 import { scene } from "#document/scene";

@@ -1,3 +1,4 @@
+/** All jobs that follow the document, started together. */
 import { scheduleCertify } from "./certify";
 import type { CardChoice } from "./locus/card-trial";
 import { scheduleLocus } from "./locus/schedule";

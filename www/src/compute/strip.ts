@@ -1,3 +1,4 @@
+/** What is known of the moments of a path: where it breaks, and small pictures of it. */
 import { effect, untracked } from "@preact/signals";
 import { fitFor, pathTrack } from "#document/framing";
 import { mapsAt, pathPoints } from "#document/morph";

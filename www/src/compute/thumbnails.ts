@@ -1,3 +1,4 @@
+/** Small pictures of the gallery and of both ends. */
 import { effect, untracked } from "@preact/signals";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";

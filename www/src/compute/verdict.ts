@@ -1,3 +1,4 @@
+/** What is said of the shape on the stage. */
 import { computed, effect, untracked } from "@preact/signals";
 import { here, locusView, selection, shown, shownPick } from "#document/morph";
 import type { MapRow, PathPoint } from "#wasm/api";

@@ -1,3 +1,4 @@
+/** What the document says of fitting, and how that is changed. */
 import { computed, type ReadonlySignal } from "@preact/signals";
 import type { CurvePreset, CurveShape, Fit, Scene, Tool } from "#wasm/api";
 import { edit, replace, scene } from "./scene";

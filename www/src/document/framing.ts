@@ -1,3 +1,4 @@
+/** Which part of the plane has to be seen, so that the shape has room at every moment. */
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { type Box, calmTrack, stillTrack, type Track, union } from "#geometry/boxes";
 import { uvAt } from "#geometry/path";

@@ -1,3 +1,4 @@
+/** Undo and redo as values. */
 import type { Scene } from "#wasm/api";
 
 /** One undo step: the scene before and after it. */

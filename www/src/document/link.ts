@@ -1,3 +1,4 @@
+/** The address bar: what it asks for, and the document in it. */
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
 import type { FrondError, Scene } from "#wasm/api";
 import { phasePlaying } from "./deform/bend";

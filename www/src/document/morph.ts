@@ -1,3 +1,4 @@
+/** What follows from the document for the morph: the pair, the path, the present moment, and the maps there. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { pointsOf, type Uv, uvAt } from "#geometry/path";
 import type { Ifs, LocusView, MapRow, MorphOptions, Pairing } from "#wasm/api";

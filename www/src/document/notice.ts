@@ -1,3 +1,4 @@
+/** What the page has to say, on screen and to screen readers. */
 import { type ReadonlySignal, signal } from "@preact/signals";
 
 export interface Notice {

@@ -1,3 +1,4 @@
+/** The moment of the morph as it plays. */
 import { signal } from "@preact/signals";
 import { whilePlaying } from "./frames";
 import { replace, scene } from "./scene";

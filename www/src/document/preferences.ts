@@ -1,3 +1,4 @@
+/** What belongs to whoever looks and not to the document: light or dark, and whether anything may move by itself. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { media } from "#style/media";
 

@@ -1,3 +1,4 @@
+/** The document and its history: the one place where it is changed. */
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { Scene } from "#wasm/api";
 import { close, EMPTY, type History, record, stepBack, stepForward } from "./history";

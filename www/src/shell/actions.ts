@@ -1,3 +1,4 @@
+/** What can be done with the document as a whole: its link, and files of it. */
 import { computed } from "@preact/signals";
 import { curved } from "#document/curve/curve";
 import { bend, deformation } from "#document/deform/bend";

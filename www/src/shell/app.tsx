@@ -1,3 +1,4 @@
+/** The whole page: header, the open tool or the figures, and notices. */
 import { signal, useSignalEffect } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";

@@ -1,3 +1,4 @@
+/** `window.frond`: what tests may ask of the running page. */
 import { effect } from "@preact/signals";
 import { locus, verdict } from "#compute/results";
 import { bend, deformation } from "#document/deform/bend";

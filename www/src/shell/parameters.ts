@@ -1,3 +1,4 @@
+/** What the address may say before the `#`, to try the page as on another machine. */
 import type { CardChoice } from "#compute/locus/card-trial";
 import type { PainterBackend } from "#stage/surface/painter";
 

@@ -1,3 +1,4 @@
+/** What proves the verdict, drawn over the picture. */
 import { computed } from "@preact/signals";
 import { proof } from "#compute/proof";
 import { verdict } from "#compute/results";

@@ -1,3 +1,4 @@
+/** Hands and keys on the picture: they move and enlarge the view. */
 import { panned, type Screen, screen, zoomed } from "#geometry/coordinates";
 import { attachPanZoom, type PanZoom, panZoomKey } from "#ui/panZoom";
 import { effectiveView, fitView, stageSize, view } from "./view";

@@ -1,3 +1,4 @@
+/** The maps of a shape, drawn over the picture to be dragged. */
 import { computed, signal, useSignalEffect } from "@preact/signals";
 import { type Box, boxOf } from "#document/framing";
 import { selection } from "#document/morph";

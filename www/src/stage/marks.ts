@@ -1,3 +1,4 @@
+/** Whether evidence is shown, and where its panel stands. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 
 /** Whether the panel with the evidence for the verdict is open. */

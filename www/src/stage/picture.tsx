@@ -1,3 +1,4 @@
+/** The picture of an attractor on the stage. */
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { bendProblem } from "#document/deform/bend";

@@ -1,3 +1,4 @@
+/** The stage that tools share: the main picture, the one it is compared with, and what lies over them. */
 import { computed, signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";

@@ -1,3 +1,4 @@
+/** What a tool has to bring. */
 import type { ComponentType } from "preact";
 import type { Command } from "#ui/commands";
 import type { Tool as ToolName } from "#wasm/api";

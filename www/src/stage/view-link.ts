@@ -1,3 +1,4 @@
+/** The view of the stage, kept in the document. */
 import { effect, untracked } from "@preact/signals";
 import { selection } from "#document/morph";
 import { replace, scene } from "#document/scene";

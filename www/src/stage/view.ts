@@ -1,3 +1,4 @@
+/** Which part of the plane the stage shows. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { fitFor, pairBox, stageTrack } from "#document/framing";
 import { reducedMotion } from "#document/preferences";

@@ -1,3 +1,4 @@
+/** The locus of the whole plane, from coarse to fine, as tasks of workers. */
 import { atAll, atResolution, STATE } from "#geometry/states";
 import type { Bounds, FrondError, Locus, MapRow, MorphOptions } from "#wasm/api";
 import type { Job, Result, Task } from "#workers/pool/protocol";

@@ -1,3 +1,4 @@
+/** When the locus of the whole plane is computed, by workers or by the graphics card. */
 import { effect, untracked } from "@preact/signals";
 import { notify, wordsOf } from "#document/notice";
 import { hasCard, locusByCard } from "#wasm/locus-card";

@@ -1,3 +1,4 @@
+/** What the document says of bending, how that is changed, and the bend at the present moment. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { Bend, Deformation, DeformKey, Scene } from "#wasm/api";
 import { curved } from "../curve/curve";

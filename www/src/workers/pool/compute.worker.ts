@@ -1,3 +1,4 @@
+/** A worker of the plane: it starts the modules and does one task after the other. */
 import { adopt, frond } from "#wasm/core";
 import { toError } from "#wasm/error";
 import init, * as bindings from "../../../pkg/frond-proof.js";

@@ -1,3 +1,4 @@
+/** Where work is handed in: to a pool of workers, or, where there are none, to this thread. */
 import { type ReadonlySignal, signal } from "@preact/signals";
 import { frond } from "#wasm/core";
 import { loadProof } from "#wasm/proof";

@@ -1,3 +1,4 @@
+/** What a worker of the plane does: a handler for each kind of task. */
 import { answerOf } from "#geometry/maps/polygon-family";
 import { atResolution, STATE } from "#geometry/states";
 import type { Connectedness, Ifs } from "#wasm/api";

@@ -1,3 +1,4 @@
+/** What is asked of the workers of the plane, what they answer, and how work is cut into slices. */
 import type { Told } from "#format/verdict";
 import type {
   Bounds,
