@@ -1,8 +1,69 @@
-import { existsSync } from "node:fs";
+import { createHash } from "node:crypto";
+import { existsSync, readFileSync } from "node:fs";
+import { dirname, join, relative } from "node:path";
+import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 
 /** Pages of the site, each of which becomes a file of its own in dist/. */
 const pages = ["index.html", "figures/index.html"].filter((page) => existsSync(page));
+
+const root = fileURLToPath(new URL(".", import.meta.url));
+
+/** In the built site class names are short; while one works on it, they stay as the sheet's other lines change. */
+let building = false;
+
+/** What the names of a sheet have in common, and which sheet has that. */
+const owners = new Map<string, string>();
+
+/** What a class of a module is called on the page. */
+function scopedName(name: string, sheet: string): string {
+  const file = sheet.replace(/\?.*/, "");
+  const path = relative(root, file).replaceAll("\\", "/");
+  const mark = createHash("sha256").update(path).digest("base64url").slice(0, 3);
+  const owner = owners.get(mark) ?? path;
+  if (owner !== path)
+    throw new Error(`${path} needs another name: its classes would be called as those of ${owner}`);
+  owners.set(mark, path);
+  if (!building) return `${name}-${mark}`;
+  const names = [...readFileSync(file, "utf8").matchAll(/\.([a-z][\w-]*)/g)].map(([, one]) => one);
+  const index = [...new Set(names)].indexOf(name);
+  // Plain sheets have no capitals.
+  return `${String.fromCharCode(65 + (index % 26))}${index < 26 ? "" : Math.floor(index / 26)}${mark}`;
+}
+
+/** Writes the names of classes where they are asked for, `css["name"]`, so that no table of them is downloaded. */
+const classNames = {
+  name: "class-names",
+  enforce: "pre" as const,
+  configResolved({ command }: { command: string }) {
+    building = command === "build";
+  },
+  transform(code: string, id: string) {
+    if (!/\.tsx?$/.test(id)) return null;
+    let written = code;
+    for (const [whole, table = "", from = ""] of code.matchAll(
+      /import (\w+) from "([^"]+\.module\.css)";/g,
+    )) {
+      const sheet = from.startsWith("#") ? join(root, "www/src", from.slice(1)) : join(dirname(id), from);
+      written = written.replace(new RegExp(`\\b${table}\\["([\\w-]+)"\\]`, "g"), (_, name) =>
+        JSON.stringify(scopedName(name, sheet)),
+      );
+      // Names that are chosen while the page runs are still looked up.
+      if (!written.includes(`${table}[`)) written = written.replace(whole, `import "${from}";`);
+    }
+    return written === code ? null : { code: written, map: null };
+  },
+};
+
+/** Keeps the styles of a module on the page though nothing asks for its table any more. */
+const used = "globalThis.styles;";
+const keptStyles = {
+  name: "kept-styles",
+  enforce: "post" as const,
+  transform: (code: string, id: string) =>
+    id.endsWith(".module.css") ? { code: `${code}\n${used}`, map: null, moduleSideEffects: true } : null,
+  renderChunk: (code: string) => code.replaceAll(used, ""),
+};
 
 export default defineConfig({
   // Relative addresses: the built site works from any folder of a plain static host.
@@ -11,6 +72,8 @@ export default defineConfig({
   appType: "mpa",
   resolve: { tsconfigPaths: true },
   publicDir: "www/public",
+  plugins: [classNames, keptStyles],
+  css: { modules: { generateScopedName: scopedName } },
   worker: { format: "es" },
   build: {
     target: "baseline-widely-available",
