@@ -96,7 +96,7 @@ test("several handles move together", async ({ studio, page }) => {
 test("the mesh is one stop of Tab, and keys do all that a hand does", async ({ studio, page }) => {
   const grid = new Grid(page, studio);
   await grid.open();
-  await expect(page.locator(".mesh-handle[tabindex='0']")).toHaveCount(1);
+  await expect(grid.handles.and(page.locator("[tabindex='0']"))).toHaveCount(1);
   await grid.handle(1, 1).focus();
   await page.keyboard.press("]");
   await expect(grid.handle(2, 1)).toBeFocused();
@@ -213,7 +213,7 @@ test("the grid has more handles, or fewer, and none when it is not shown", async
   const columns = page.getByRole("spinbutton", { name: "Columns" });
   await columns.fill("6");
   await columns.press("Enter");
-  await expect(page.locator(".mesh-handle")).toHaveCount(24);
+  await expect(grid.handles).toHaveCount(24);
   expect((await studio.scene()).deform).toMatchObject({ columns: 6, rows: 4 });
   for (const wrong of ["17", "1", "2.5", "many"]) {
     await columns.fill(wrong);
@@ -227,7 +227,7 @@ test("the grid has more handles, or fewer, and none when it is not shown", async
   expect(await grid.count()).toBe(1);
   const at = await grid.place(2, 3);
   await page.getByRole("switch", { name: "Show it" }).uncheck();
-  await expect(page.locator(".mesh-handle")).toHaveCount(0);
+  await expect(grid.handles).toHaveCount(0);
   // The picture has the whole stage to itself.
   const view = (await studio.scene()).view;
   await grid.drag(at, 30, 30);

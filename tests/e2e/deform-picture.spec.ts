@@ -52,7 +52,8 @@ const quarters = png(240, 120, (x, y) =>
 
 const picture = (buffer: Buffer, name: string, mimeType = "image/png") => ({ buffer, name, mimeType });
 /** In its card: what is spoken names it, too. */
-const name = (page: Page, text: string) => page.locator(".picture-panel .subject-name", { hasText: text });
+const name = (page: Page, text: string) =>
+  page.getByRole("region", { name: "Your picture" }).locator(".subject-name", { hasText: text });
 const file = (page: Page) => page.getByLabel("Picture file");
 
 /** Opens the tool with the sample on the stage. */

@@ -30,7 +30,7 @@ test("what a finger presses is large enough", async ({ studio, page }) => {
     page.evaluate(() =>
       [
         ...document.querySelectorAll<HTMLElement>(
-          "button, select, summary, .segment, .switch, .bend-choice, a",
+          "button, select, summary, .segment, .switch, [role=radiogroup] > label, a",
         ),
       ]
         .filter((element) => element.getClientRects().length > 0)

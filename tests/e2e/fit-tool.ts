@@ -85,6 +85,7 @@ export class FitTool {
   readonly figures: Locator;
   readonly alerts: Locator;
   readonly messages: Locator;
+  readonly problem: Locator;
 
   constructor(page: Page) {
     this.page = page;
@@ -93,7 +94,8 @@ export class FitTool {
     this.input = page.getByLabel("Photograph or outline file");
     this.figures = page.getByTestId("figures");
     this.alerts = page.locator(".toasts").getByRole("alert");
-    this.messages = page.locator(".cut-messages");
+    this.messages = page.getByRole("region", { name: "Cut out" }).getByRole("status");
+    this.problem = page.getByRole("region", { name: "How near it is" }).getByRole("alert");
   }
 
   /** With few numbers from the start: they are fitted soon. */

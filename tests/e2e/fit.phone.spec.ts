@@ -34,7 +34,7 @@ test("a finger pans, two enlarge, and one with a brush mends the mask", async ({
   if (!box) throw new Error("there is no stage");
   const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
   await finger.pinch(middle, 60, 120);
-  await expect(page.locator(".fit-picture + .stage-foot .readout")).toHaveText(/×2\.0/);
+  await expect(tool.stage.locator("+ .stage-foot .readout")).toHaveText(/×2\.0/);
   await page.getByRole("button", { name: "Fit to the stage" }).tap();
   const at = await tool.place(180, 190, 360, 400);
   const seen = () => tool.colourAt((at.x - box.x) / box.width, (at.y - box.y) / box.height);

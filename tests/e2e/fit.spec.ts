@@ -4,7 +4,8 @@ import { expectClean } from "./axe";
 import { apart, blank, FitTool, file, GREEN, leafPicture, noise, png, twoLeaves } from "./fit-tool";
 import { expect, test } from "./fixture";
 
-const card = (page: Page) => page.locator(".source-name");
+const source = (page: Page) => page.getByTestId("source").locator("span");
+const card = (page: Page) => source(page).first();
 
 test("what is seen first is a leaf with its fit, and the slider changes it", async ({ page }) => {
   const tool = new FitTool(page);
@@ -134,10 +135,10 @@ test("two leaves: one is taken, and the other can be picked", async ({ page }) =
   await tool.input.setInputFiles(file(twoLeaves, "two.png"));
   await expect(tool.status).toHaveText("Cut out: 2 parts");
   await expect(tool.messages).toContainText(/two|several|2/i);
-  const about = page.locator(".source-about");
+  const about = source(page).last();
   await expect(about).toContainText("points");
   const first = await about.textContent();
-  await page.locator(".cut-part input").nth(1).check({ force: true });
+  await page.getByRole("group", { name: "Which part" }).getByRole("radio").nth(1).check({ force: true });
   await expect(about).not.toHaveText(first ?? "");
   await expect(tool.status).toHaveText("Cut out: 2 parts");
 });
@@ -171,7 +172,7 @@ test("the paper's fit has gaps that are shown and said, and tied ends have none"
   const field = page.getByRole("spinbutton", { name: "Feature points" });
   await field.fill("60");
   await field.press("Enter");
-  await expect(page.locator(".fit-problem")).toHaveText(/too few for 52 maps/);
+  await expect(tool.problem).toHaveText(/too few for 52 maps/);
 });
 
 test("files go in: a drawing, points, noise that is smoothed", async ({ page }) => {
@@ -199,7 +200,7 @@ test("files go in: a drawing, points, noise that is smoothed", async ({ page }) 
   const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 120 120"><path id="big" d="${path}Z"/><circle id="small" cx="14" cy="14" r="12"/></svg>`;
   await tool.input.setInputFiles(file(svg, "star.svg", "image/svg+xml"));
   await expect(card(page)).toHaveText("star.svg");
-  await expect(page.locator(".outline-choice select option")).toHaveCount(2);
+  await expect(page.getByLabel("Which outline").locator("option")).toHaveCount(2);
   await tool.fitted();
 });
 
@@ -240,7 +241,7 @@ test("what cannot be fitted is refused with what to try, and nothing is lost", a
   ] as const) {
     await test.step(given.name, async () => {
       await tool.input.setInputFiles(given);
-      const said = page.locator(".toasts .toast").or(page.locator(".fit-problem"));
+      const said = page.locator(".toasts .toast").or(tool.problem);
       await expect(said.filter({ hasText: words }).first()).toBeVisible();
       for (const toast of await page.locator(".toasts .toast").all()) {
         await toast

@@ -7,6 +7,8 @@ export interface At {
   y: number;
 }
 
+const HANDLE = /^Column \d+, row \d+:/;
+
 /** The control mesh on the stage. */
 export class Grid {
   readonly #page: Page;
@@ -21,6 +23,10 @@ export class Grid {
     await this.#studio.open(fragment);
     await this.handle(1, 1).waitFor();
     await this.#studio.drawn();
+  }
+
+  get handles(): Locator {
+    return this.#page.getByRole("button", { name: HANDLE });
   }
 
   handle(column: number, row: number): Locator {
@@ -58,6 +64,6 @@ export class Grid {
   }
 
   chosen(): Promise<number> {
-    return this.#page.locator(".mesh-handle[aria-pressed=true]").count();
+    return this.#page.getByRole("button", { name: HANDLE, pressed: true }).count();
   }
 }

@@ -168,7 +168,7 @@ test("no object of several leaves unasked, and the background goes with the link
   // By keys alone.
   const card = page.getByRole("button", { name: "Ground. Choose another shape" });
   await card.press("Enter");
-  await page.getByRole("dialog").locator(".gallery-item:focus").waitFor();
+  await page.getByRole("dialog").locator("button:focus").waitFor();
   await page.keyboard.press("Home");
   await page.keyboard.press("Enter");
   const asked = page.getByRole("dialog", { name: /^Where is .* to stand\?$/ });

@@ -1,5 +1,6 @@
 import { computed } from "@preact/signals";
 import { curveTime } from "#document/curve/curve";
+import css from "./curve.module.css";
 import { factsAlong, LOOKS } from "./facts";
 
 const WIDTH = 300;
@@ -43,7 +44,7 @@ const crossed = computed(() => {
 export function Along() {
   const scale = range.value;
   const looks = factsAlong.value;
-  if (!scale) return <div class="along" />;
+  if (!scale) return <div class={css["along"]} />;
   const up = (dimension: number) =>
     BASE - ((BASE - TOP) * (dimension - scale.from)) / (scale.to - scale.from);
   const line = looks
@@ -53,8 +54,8 @@ export function Along() {
   const here = Math.min(looks.length - 1, Math.round(curveTime.value * (LOOKS - 1)));
   const now = looks[here]?.dimension;
   return (
-    <figure class="along">
-      <div class="along-plot">
+    <figure class={css["along"]}>
+      <div class={css["along-plot"]}>
         <svg
           viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
           preserveAspectRatio="none"
@@ -64,20 +65,20 @@ export function Along() {
           {crossed.value.map(([from, to]) => (
             <rect
               key={from}
-              class="along-crossed"
+              class={css["along-crossed"]}
               x={across(from)}
               y={0}
               width={across(to - from)}
               height={BASE}
             />
           ))}
-          <path class="along-base" d={`M0 ${BASE}H${WIDTH}`} />
-          <path class="along-line" d={`M${line}`} />
-          <path class="along-now" d={`M${at} 0V${BASE}`} />
+          <path class={css["along-base"]} d={`M0 ${BASE}H${WIDTH}`} />
+          <path class={css["along-line"]} d={`M${line}`} />
+          <path class={css["along-now"]} d={`M${at} 0V${BASE}`} />
         </svg>
         {now !== undefined && (
           <span
-            class="along-dot"
+            class={css["along-dot"]}
             aria-hidden="true"
             style={{ left: `${100 * curveTime.value}%`, top: `${(100 * up(now)) / HEIGHT}%` }}
           />

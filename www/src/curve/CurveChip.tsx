@@ -1,12 +1,12 @@
-import { EvidenceChip } from "#stage/EvidenceChip";
-import "./curve.css";
 import { computed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { sameCurves } from "#document/curve/changes";
 import { curves } from "#document/curve/curve";
+import { EvidenceChip } from "#stage/EvidenceChip";
 import { evidenceOpen } from "#stage/marks";
 import { IconButton } from "#ui/controls/Button";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
+import css from "./curve.module.css";
 import { factsNow, watchFacts } from "./facts";
 import { crossingWords, whyWords } from "./words";
 
@@ -29,7 +29,10 @@ export function CurveChip() {
         <VerdictSign tone="whole" />
       ) : (
         <svg class="sign" width={16} height={16} viewBox="0 0 16 16" aria-hidden="true">
-          <path class="curve-sign" d="M8 8C11 4 14.500 5 14.500 8S11 12 8 8 1.500 11 1.500 8 5 4 8 8z" />
+          <path
+            class={css["curve-sign"]}
+            d="M8 8C11 4 14.500 5 14.500 8S11 12 8 8 1.500 11 1.500 8 5 4 8 8z"
+          />
         </svg>
       )}
       <span class="chip-text">One closed curve</span>

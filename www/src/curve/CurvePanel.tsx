@@ -1,7 +1,3 @@
-import { ChoiceRow } from "#ui/panel/ChoiceRow";
-import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
-import "#ui/shapes/ends.css";
-import "./curve.css";
 import { computed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { curveAtBoth, type End, sameCurves, swapCurves } from "#document/curve/changes";
@@ -12,9 +8,13 @@ import { edit, scene } from "#document/scene";
 import { CurveThumb } from "#stage/curve/CurveThumb";
 import { Button } from "#ui/controls/Button";
 import { Menu } from "#ui/overlay/Menu";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
+import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
+import endsCss from "#ui/shapes/ends.module.css";
 import type { Colouring } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import { Along } from "./Along";
+import curveCss from "./curve.module.css";
 import { factsNow, watchFacts } from "./facts";
 import { SaveButtons } from "./SaveButtons";
 import { crossingWords, matchWords, sizeWords } from "./words";
@@ -30,7 +30,7 @@ export function CurvePanel({ choose }: CurvePanelProps) {
   useEffect(watchFacts, []);
   return (
     <>
-      <section class="ends" aria-label="The two shapes">
+      <section class={endsCss["ends"]} aria-label="The two shapes">
         <Card end="a" choose={choose} />
         <SwapEnds
           onSwap={() => {
@@ -44,7 +44,7 @@ export function CurvePanel({ choose }: CurvePanelProps) {
       <Way />
       <Colours />
       <SaveButtons />
-      <section class="curve-back" aria-label="Systems">
+      <section class={curveCss["curve-back"]} aria-label="Systems">
         <Button
           kind="quiet"
           icon="back"
@@ -116,7 +116,7 @@ function Way() {
     ["Dimension", figure(a.dimension), now ? figure(now.dimension) : "…", figure(b.dimension)],
   ];
   return (
-    <section class="curve-way stack" aria-labelledby="curve-way">
+    <section class={`${curveCss["curve-way"]} stack`} aria-labelledby="curve-way">
       <header class="section-head">
         <h2 id="curve-way">Closed all the way</h2>
       </header>
@@ -125,7 +125,7 @@ function Way() {
           ? "Both ends are the same curve: choose another for one of them to have a morph."
           : "An outline made of smaller copies of its own arcs. Knots move, edges go along, and nothing can come apart."}
       </p>
-      <table class="curve-table">
+      <table class={curveCss["curve-table"]}>
         <thead>
           <tr>
             <td />
@@ -150,7 +150,7 @@ function Way() {
       {!same && now && <p class="hint">{matchWords(a.knots, b.knots, now.knots)}</p>}
       {!same && (
         <>
-          <h3 class="curve-sub">How rough it is on the way</h3>
+          <h3 class={curveCss["curve-sub"]}>How rough it is on the way</h3>
           <Along />
         </>
       )}

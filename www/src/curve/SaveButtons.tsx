@@ -1,4 +1,5 @@
 import { Button } from "#ui/controls/Button";
+import css from "./curve.module.css";
 import { KINDS, save } from "./save";
 
 /** The curve of this moment as a file. */
@@ -8,7 +9,7 @@ export function SaveButtons() {
       <span class="row-name" aria-hidden="true">
         Save this moment
       </span>
-      <div class="curve-kinds">
+      <div class={css["curve-kinds"]}>
         {KINDS.map(({ kind, about }) => (
           <Button key={kind} description={about} onClick={() => save(kind)}>
             {kind.toUpperCase()}

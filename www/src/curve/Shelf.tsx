@@ -1,4 +1,3 @@
-import "./curve.css";
 import { useMemo } from "preact/hooks";
 import { curveBoxAt, curves } from "#document/curve/curve";
 import { bendCurve, chooseCurve, curvePresets, fitted, shapeOf } from "#document/curve/edits";
@@ -9,6 +8,7 @@ import { useOwnId } from "#ui/id";
 import { ShapeGrid, type ShapeItem } from "#ui/shapes/ShapeGrid";
 import type { Curve, CurveShape } from "#wasm/api";
 import { rough } from "#wasm/curve";
+import css from "./curve.module.css";
 
 interface Item extends ShapeItem {
   shape: CurveShape;
@@ -82,7 +82,7 @@ export function Shelf({ end, onChosen }: ShelfProps) {
     onChosen();
   };
   return (
-    <section class="shelf" aria-labelledby={title}>
+    <section class={css["shelf"]} aria-labelledby={title}>
       <h3 id={title}>Closed curves</h3>
       <p class="hint">
         Outlines made of smaller copies of their own arcs. They stay closed and in one piece, whatever becomes

@@ -12,12 +12,12 @@ import { ContinuityFold, SpinFold } from "./settings/Folds";
 import { Gallery, ShapePanel } from "./shape/ShapePanel";
 import { Start, StartOver } from "./start/Start";
 import "#ui/panel/panel.css";
-import "./deform.css";
+import css from "./deform.module.css";
 
 /** Everything beside the picture: what is bent, how its parts answer, how it moves, and its colours. */
 export function DeformPanel() {
   return (
-    <div class="panel deform-panel">
+    <div class={`panel ${css["deform-panel"]}`}>
       <ShapePanel />
       <Start />
       <BendPanel />
@@ -30,7 +30,7 @@ export function DeformPanel() {
           length, and where two parts meet, they agree.
         </p>
       ) : (
-        <div class="folds">
+        <div class={css["folds"]}>
           <SpinFold />
           <ContinuityFold />
         </div>

@@ -22,12 +22,12 @@ import { watchMask } from "./work/mask";
 import { watchOutline } from "./work/outline";
 import { opened } from "./work/source";
 import "#ui/panel/panel.css";
-import "./fit.css";
+import "./fit.module.css";
 
 /** Everything beside the picture: what is fitted, with what, how near it is, and where it goes. */
 export function FitPanel() {
   return (
-    <div class="panel fit-panel">
+    <div class="panel">
       <ModeChoice />
       {graphOpen.value ? <GraphPanel /> : <Outline />}
     </div>

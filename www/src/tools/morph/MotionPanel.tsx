@@ -2,6 +2,7 @@ import { edit } from "#document/scene";
 import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Colouring, Mode } from "#wasm/api";
+import css from "./morph.module.css";
 import { colouring, compare, mode } from "./parts";
 
 const MODES: readonly { value: Mode; label: string; description: string }[] = [
@@ -22,7 +23,7 @@ const COLOURINGS: readonly { value: Colouring; label: string; description: strin
 /** How it moves from one shape to the other, and how it is coloured. */
 export function MotionPanel() {
   return (
-    <section class="motion" aria-label="Motion and colour">
+    <section class={css["motion"]} aria-label="Motion and colour">
       <ChoiceRow
         label="Motion"
         value={mode.value}

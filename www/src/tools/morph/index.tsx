@@ -14,7 +14,7 @@ import { PairNotes, PairsPanel } from "./pairs/PairsPanel";
 import { Ends } from "./shapes/Ends";
 import { PlaybackOptions } from "./strip/MorphStrip";
 import "#ui/panel/panel.css";
-import "./morph.css";
+import "./morph.module.css";
 
 const choose = (end: End) => {
   gallery.value = end;
@@ -23,7 +23,7 @@ const choose = (end: End) => {
 /** Everything beside the picture: the shapes and the way between both. */
 export function MorphPanel() {
   return (
-    <div class="panel morph-panel">
+    <div class="panel">
       {curved.value ? <CurvePanel choose={choose} /> : <Systems />}
       {curved.value && narrow.value && <PlaybackOptions />}
       <PanelFoot />

@@ -1,6 +1,5 @@
 /** Space: its stage, its side panel and its strip. Loaded when it is first opened. */
 import "#ui/panel/panel.css";
-import "./space.css";
 import { effect, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { spaceShown } from "#document/playback";
@@ -12,6 +11,7 @@ import { MorphPanel3 } from "./morph/MorphPanel3";
 import { watchMorph } from "./morph/work";
 import { openFile } from "./shape/object/files";
 import { ShapePanel } from "./shape/ShapePanel";
+import css from "./space.module.css";
 import { spaceDrawn } from "./stage/state";
 import { TimePanel } from "./time/TimePanel";
 
@@ -47,7 +47,7 @@ export function SpacePanel() {
   }, []);
   const now = part.value;
   return (
-    <div class="panel space-panel">
+    <div class={`panel ${css["space-panel"]}`}>
       <Segmented
         label="What the panel shows"
         value={now}

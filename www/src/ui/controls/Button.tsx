@@ -13,7 +13,7 @@ export interface ButtonProps {
   pressed?: boolean;
   /** More than the label says; shown when pointed at and read after the name. */
   description?: string;
-  class?: string;
+  class?: string | undefined;
   type?: "button" | "submit";
   role?: "menuitem";
   popup?: "menu" | "dialog";

@@ -15,7 +15,7 @@ export interface SliderProps {
   onDone?: () => void;
   /** Marks drawn under the thumb, in a box that runs from the lowest to the highest value. */
   children?: ComponentChildren;
-  class?: string;
+  class?: string | undefined;
 }
 
 /** A native range input: dragging, touch and reading aloud come with it; the steps of keys are ours. */

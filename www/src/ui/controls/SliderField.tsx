@@ -1,8 +1,8 @@
-import "./slider-field.css";
 import type { ComponentChildren } from "preact";
 import { endGesture } from "#document/scene";
 import { NumberField, type NumberFieldProps } from "./NumberField";
 import { Slider } from "./Slider";
+import css from "./slider-field.module.css";
 
 export interface SliderFieldProps extends Pick<NumberFieldProps, "label" | "symbol" | "unit" | "onChange"> {
   value: number;
@@ -45,7 +45,7 @@ export function SliderField(props: SliderFieldProps) {
     props.onDone?.();
   };
   return (
-    <div class="slider-field">
+    <div class={css["slider-field"]}>
       <NumberField
         label={label}
         value={value}
@@ -73,7 +73,7 @@ export function SliderField(props: SliderFieldProps) {
         {props.children}
       </Slider>
       {ends && (
-        <p class="slider-ends" aria-hidden="true">
+        <p class={css["slider-ends"]} aria-hidden="true">
           {ends.map((end) => (
             <span key={end}>{end}</span>
           ))}

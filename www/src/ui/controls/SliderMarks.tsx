@@ -1,8 +1,8 @@
-import "./slider-marks.css";
+import css from "./slider-marks.module.css";
 
 /** A value that means something, `at` a part of the way. */
 export function SliderMark({ at, title }: { at: number; title: string }) {
-  return <span class="slider-mark" style={{ left: `${100 * at}%` }} title={title} />;
+  return <span class={css["slider-mark"]} style={{ left: `${100 * at}%` }} title={title} />;
 }
 
 /** Broken stretches of time. */
@@ -10,7 +10,7 @@ export function SliderBreaks({ breaks }: { breaks: readonly (readonly [from: num
   return breaks.map(([from, to]) => (
     <span
       key={`${from}-${to}`}
-      class="slider-break"
+      class={css["slider-break"]}
       style={{ left: `${100 * from}%`, width: `max(2px, ${100 * (to - from)}%)` }}
     />
   ));

@@ -1,6 +1,6 @@
-import "./ends.css";
 import type { ComponentChildren } from "preact";
 import { IconButton } from "../controls/Button";
+import css from "./ends.module.css";
 
 export interface EndCardProps {
   end: "a" | "b";
@@ -21,28 +21,28 @@ export function EndCard(props: EndCardProps) {
   const { end, name, note, count, picture, edited = false, editing = false, onChoose, children } = props;
   const letter = end.toUpperCase();
   return (
-    <div class={`card ${editing ? "editing" : ""}`}>
+    <div class={`${css["card"]} ${editing ? css["editing"] : ""}`}>
       <button
         type="button"
-        class="card-face"
+        class={css["card-face"]}
         aria-haspopup="dialog"
         aria-label={`Shape ${letter}: ${name}, ${note}. Choose another`}
         title="Choose another shape"
         onClick={onChoose}
       >
         {picture}
-        <span class="card-end" aria-hidden="true">
+        <span class={css["card-end"]} aria-hidden="true">
           {letter}
         </span>
         {edited && (
-          <span class="card-edited" aria-hidden="true">
+          <span class={css["card-edited"]} aria-hidden="true">
             edited
           </span>
         )}
-        <span class="card-name">{name}</span>
+        <span class={css["card-name"]}>{name}</span>
       </button>
-      <div class="card-tools">
-        <span class="card-count" aria-hidden="true">
+      <div class={css["card-tools"]}>
+        <span class={css["card-count"]} aria-hidden="true">
           {count}
         </span>
         {children}
@@ -58,7 +58,7 @@ export function SwapEnds({ onSwap, disabled = false }: { onSwap: () => void; dis
       icon="swap"
       label="Swap A and B"
       kind="quiet"
-      class="ends-swap"
+      class={css["ends-swap"]}
       disabled={disabled}
       onClick={onSwap}
     />

@@ -1,4 +1,4 @@
-import "./graph.css";
+import css from "./graph.module.css";
 
 export interface GraphProps {
   /** A node for each, numbered from 1. */
@@ -19,7 +19,7 @@ export function Graph({ count, angles, edges, colours, label }: GraphProps) {
   const knob = Math.min(17, (0.55 * Math.PI * 55) / Math.max(1, count));
   const places = count === 1 ? [[MIDDLE, MIDDLE] as const] : evenPlaces(angles, MIDDLE - knob - 3);
   return (
-    <svg class="graph-drawing" viewBox={`0 0 ${SIDE} ${SIDE}`} role="img" aria-label={label}>
+    <svg class={css["graph-drawing"]} viewBox={`0 0 ${SIDE} ${SIDE}`} role="img" aria-label={label}>
       {edges.map(([i, j]) => {
         const [x1, y1] = places[i] ?? [MIDDLE, MIDDLE];
         const [x2, y2] = places[j] ?? [MIDDLE, MIDDLE];
@@ -43,8 +43,12 @@ interface NodeProps {
 function Node({ x, y, radius, index, colour }: NodeProps) {
   return (
     <g transform={`translate(${x.toFixed(2)} ${y.toFixed(2)}) scale(${(radius / 17).toFixed(3)})`}>
-      <circle class="node-ground" r={17} style={{ stroke: colour }} />
-      <path class="node-pattern" d={PATTERNS[index % PATTERNS.length] ?? ""} style={{ stroke: colour }} />
+      <circle class={css["node-ground"]} r={17} style={{ stroke: colour }} />
+      <path
+        class={css["node-pattern"]}
+        d={PATTERNS[index % PATTERNS.length] ?? ""}
+        style={{ stroke: colour }}
+      />
       {radius >= 6 && (
         <text dy="0.35em" text-anchor="middle">
           {index + 1}

@@ -1,5 +1,5 @@
-import "./map-blocks.css";
 import { fixed } from "#format/numbers";
+import css from "./map-blocks.module.css";
 
 /** One affine map of space: the three rows of its matrix, then its translation. */
 type Numbers = ArrayLike<number>;
@@ -22,10 +22,10 @@ const ROWS = [0, 1, 2] as const;
 /** Maps as they are printed: for each the three rows of its matrix, and behind a line its translation. */
 export function MapBlocks({ label, maps, digits = 4, first = 1, marked, mark = "marked" }: MapBlocksProps) {
   return (
-    <ul class="map-blocks" aria-label={label} style={{ "--digits": String(digits) }}>
+    <ul class={css["map-blocks"]} aria-label={label} style={{ "--digits": String(digits) }}>
       {maps.map((map, index) => (
         <li key={index + first}>
-          <table class="map-block">
+          <table class={css["map-block"]}>
             <caption>
               <span class="unseen">Map </span>
               <span aria-hidden="true" class="symbol">
@@ -39,7 +39,7 @@ export function MapBlocks({ label, maps, digits = 4, first = 1, marked, mark = "
                   {[3 * row, 3 * row + 1, 3 * row + 2, 9 + row].map((place) => {
                     const apart = marked?.(index, place) ?? false;
                     return (
-                      <td key={place} class={`${place > 8 ? "shift" : ""} ${apart ? "apart" : ""}`}>
+                      <td key={place} class={`${place > 8 ? css["shift"] : ""} ${apart ? css["apart"] : ""}`}>
                         {told(map[place] ?? 0, digits)}
                         {apart && <span class="unseen"> ({mark})</span>}
                       </td>

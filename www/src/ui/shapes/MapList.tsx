@@ -1,6 +1,6 @@
-import "./map-list.css";
 import type { ComponentChildren } from "preact";
 import { IconButton } from "../controls/Button";
+import css from "./map-list.module.css";
 
 export interface MapListProps {
   /** Each map at a glance. */
@@ -19,21 +19,21 @@ export interface MapListProps {
 /** Maps under each other, one of which is open. */
 export function MapList({ maps, open, onOpen, swatch, numbered = false, fields }: MapListProps) {
   return (
-    <ol class="maps">
+    <ol class={css["maps"]}>
       {maps.map((words, index) => (
         // Maps have no name but their number: it is their key.
-        <li key={index} class={`map ${open === index ? "open" : ""}`}>
+        <li key={index} class={`${css["map"]} ${open === index ? css["open"] : ""}`}>
           <button
             type="button"
-            class="map-head"
+            class={css["map-head"]}
             aria-expanded={open === index}
             onClick={() => onOpen(open === index ? null : index)}
           >
             {swatch(index)}
             {numbered ? <span class="unseen">Map {index + 1}: </span> : <span>Map {index + 1}</span>}
-            <span class="map-words">{words}</span>
+            <span class={css["map-words"]}>{words}</span>
           </button>
-          {open === index && <div class="map-body">{fields(index)}</div>}
+          {open === index && <div class={css["map-body"]}>{fields(index)}</div>}
         </li>
       ))}
     </ol>
@@ -54,7 +54,7 @@ export interface MapToolsProps<Row> {
 /** What can be done to one map of several. */
 export function MapTools<Row>({ maps, index, most, onPress, children }: MapToolsProps<Row>) {
   return (
-    <div class="map-tools">
+    <div class={css["map-tools"]}>
       <IconButton
         icon="copy"
         label="Duplicate this map"

@@ -1,5 +1,5 @@
-import "./shape-grid.css";
 import { useRef, useState } from "preact/hooks";
+import css from "./shape-grid.module.css";
 import { Thumbnail } from "./Thumbnail";
 
 /** A shape to choose. */
@@ -52,12 +52,12 @@ export function ShapeGrid<T extends ShapeItem>(props: ShapeGridProps<T>) {
   };
 
   return (
-    <ul class="gallery" ref={list} onKeyDown={walk}>
+    <ul class={css["gallery"]} ref={list} onKeyDown={walk}>
       {all.map((preset, index) => (
         <li key={preset.id}>
           <button
             type="button"
-            class="gallery-item"
+            class={css["gallery-item"]}
             tabIndex={index === active ? 0 : -1}
             autofocus={index === active}
             aria-current={preset.id === chosen ? "true" : undefined}
@@ -65,11 +65,11 @@ export function ShapeGrid<T extends ShapeItem>(props: ShapeGridProps<T>) {
             onClick={() => onChoose(preset)}
           >
             <Thumbnail bitmap={pictures.get(preset.id)} />
-            <span class="gallery-name">
+            <span class={css["gallery-name"]}>
               {preset.name}
               <small>{noteOf(preset)}</small>
             </span>
-            <span class="gallery-about">{preset.about}</span>
+            <span class={css["gallery-about"]}>{preset.about}</span>
           </button>
         </li>
       ))}

@@ -1,9 +1,9 @@
 import { useMemo, useState } from "preact/hooks";
+import { fixed, formatNumber } from "#format/numbers";
 import { about3, turns3 } from "#geometry/maps/affine3";
 import { Button } from "#ui/controls/Button";
+import mapBlocksCss from "#ui/shapes/map-blocks.module.css";
 import { loadSpace } from "#wasm/space";
-import "#ui/shapes/map-blocks.css";
-import { fixed, formatNumber } from "#format/numbers";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { LookAgain } from "../space/look-again";
@@ -100,7 +100,7 @@ export function Page(heading: Heading) {
 /** Nine numbers as they stand in print. */
 function Printed({ label, rows }: { label: string; rows: Matrix3 }) {
   return (
-    <table class={`map-block ${css["printed"]}`} style={{ "--digits": "2" }}>
+    <table class={`${mapBlocksCss["map-block"]} ${css["printed"]}`} style={{ "--digits": "2" }}>
       <caption>{label}</caption>
       <tbody>
         {rows.map((row, i) => (

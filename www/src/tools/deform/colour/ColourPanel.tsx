@@ -9,6 +9,7 @@ import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { Fold } from "#ui/panel/Fold";
 import type { Colouring, Tint } from "#wasm/api";
 import { MOST_ROUGHNESS } from "../changes";
+import deformCss from "../deform.module.css";
 import { deepest, ringed, rough } from "../facts";
 import { chosen } from "../mesh/handles/chosen";
 import { DetailField, LocalityField } from "../settings/ScaleFields";
@@ -75,7 +76,7 @@ function GridColours({ now }: { now: Tint }) {
   const first = some[0];
   return (
     <>
-      <div class="tint-corners">
+      <div class={deformCss["tint-corners"]}>
         {CORNERS.map(({ corner, name }) => (
           <ColourField
             key={corner}
@@ -164,7 +165,7 @@ interface ColourFieldProps {
 function ColourField({ label, value, onChange }: ColourFieldProps) {
   const id = useOwnId("colour");
   return (
-    <div class="colour-field">
+    <div class={deformCss["colour-field"]}>
       <input
         id={id}
         type="color"

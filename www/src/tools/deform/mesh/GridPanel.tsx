@@ -10,6 +10,7 @@ import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { mesh } from "./document";
 import { resetAll } from "./edit";
 import { HandleFields } from "./handles/HandleFields";
+import css from "./mesh.module.css";
 import { gridShown } from "./shown";
 import { type Symmetry, symmetry } from "./symmetry";
 
@@ -25,7 +26,7 @@ const rests = computed(() => mesh.value.moves.every((x) => x === 0));
 /** The grid itself: what is chosen in numbers, how the hand edits, how many handles there are. */
 export function GridPanel() {
   return (
-    <section class="grid-panel stack" aria-label="Grid">
+    <section class={`${css["grid-panel"]} stack`} aria-label="Grid">
       <div class="section-head">
         <h2>Grid</h2>
         <Switch

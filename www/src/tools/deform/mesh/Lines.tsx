@@ -4,6 +4,7 @@ import type { Screen } from "#geometry/coordinates";
 import { stageSize } from "#stage/view";
 import { mesh } from "./document";
 import { handlesOf, LINES, onStage } from "./hit";
+import css from "./mesh.module.css";
 import { frame, grip, under } from "./pointer";
 import { symmetry } from "./symmetry";
 
@@ -20,11 +21,11 @@ export function Lines() {
     ...(by === "levels" || by === "point" ? [grid.value[LINES + middle]] : []),
   ];
   return (
-    <svg class="mesh-lines" width={width} height={height} aria-hidden="true">
-      <path class="mesh-halo" d={lines} />
-      <path class="mesh-grid" d={lines} />
-      <path class="mesh-axis" d={axes.map((line) => (line ? pathOf(line) : "")).join("")} />
-      <path class="mesh-net" d={netOf(handlesOf(mesh.value))} />
+    <svg class={css["mesh-lines"]} width={width} height={height} aria-hidden="true">
+      <path class={css["mesh-halo"]} d={lines} />
+      <path class={css["mesh-grid"]} d={lines} />
+      <path class={css["mesh-axis"]} d={axes.map((line) => (line ? pathOf(line) : "")).join("")} />
+      <path class={css["mesh-net"]} d={netOf(handlesOf(mesh.value))} />
       <Spot />
       <Frame />
     </svg>
@@ -37,7 +38,14 @@ function Spot() {
   const hint = under.value;
   const at = place ? onStage(bentAt(mesh.value, ...place)) : typeof hint === "number" ? null : hint;
   return (
-    at && <circle class={place ? "mesh-spot held" : "mesh-spot"} cx={at.x} cy={at.y} r={place ? 6 : 4} />
+    at && (
+      <circle
+        class={place ? `${css["mesh-spot"]} ${css["held"]}` : css["mesh-spot"]}
+        cx={at.x}
+        cy={at.y}
+        r={place ? 6 : 4}
+      />
+    )
   );
 }
 
@@ -46,7 +54,7 @@ function Frame() {
   const [p, q] = frame.value;
   return (
     <rect
-      class="mesh-frame"
+      class={css["mesh-frame"]}
       x={Math.min(p.x, q.x)}
       y={Math.min(p.y, q.y)}
       width={Math.abs(p.x - q.x)}

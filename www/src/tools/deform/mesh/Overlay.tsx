@@ -1,4 +1,3 @@
-import "./mesh.css";
 import { computed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { phasePlaying } from "#document/deform/bend";
@@ -12,6 +11,7 @@ import { Handle } from "./handles/Handle";
 import { HINT } from "./handles/keyboard";
 import { handlesOf } from "./hit";
 import { Lines } from "./Lines";
+import css from "./mesh.module.css";
 import { attachPointer, under } from "./pointer";
 import { gridShown } from "./shown";
 
@@ -27,7 +27,10 @@ export function DeformOverlay() {
     return element && pane ? attachPointer(pane, element) : undefined;
   }, []);
   return (
-    <div ref={root} class={`mesh ${phasePlaying.value ? "playing" : ""} ${dense.value ? "dense" : ""}`}>
+    <div
+      ref={root}
+      class={`${css["mesh"]} ${phasePlaying.value ? css["playing"] : ""} ${dense.value ? css["dense"] : ""}`}
+    >
       {gridShown.value && (
         <>
           <Lines />

@@ -5,6 +5,7 @@ import { reducedMotion } from "#document/preferences";
 import { Button } from "#ui/controls/Button";
 import { narrow } from "#ui/media";
 import { pausePhase, playPhase, presentPhase } from "../clock";
+import deformCss from "../deform.module.css";
 import { MOTIONS, type Motion, motionOf, withMotion } from "../start/motions";
 import { TimeOptions } from "../strip/TimeOptions";
 
@@ -25,7 +26,7 @@ export function MotionPanel() {
         <h2>Motion</h2>
         <span class="hint">{now.value === null ? `${keys.value.length} key frames of your own` : ""}</span>
       </div>
-      <div class="motion-list">
+      <div class={deformCss["motion-list"]}>
         {MOTIONS.map((motion) => (
           <Button
             key={motion.id}

@@ -5,8 +5,8 @@ import { listenForFiles } from "#ui/files/dropFiles";
 import { FileButton } from "#ui/files/FileButton";
 import { SubjectCard } from "#ui/shapes/SubjectCard";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
+import css from "./picture.module.css";
 import { takeFile, takeSample } from "./take";
-import "./picture.css";
 
 const ACCEPT = "image/png,image/jpeg,image/webp,image/avif,image/gif,image/bmp";
 
@@ -15,13 +15,13 @@ export function PicturePanel() {
   useEffect(() => listenForFiles(take), []);
   const shown = photograph.value;
   return (
-    <section class="picture-panel stack" aria-label="Your picture">
+    <section class={`${css["picture-panel"]} stack`} aria-label="Your picture">
       <SubjectCard
         picture={<Thumbnail bitmap={useThumbnail(shown)} />}
         name={shown?.name ?? "Drawing the sample …"}
         about={shown ? `${shown.width} × ${shown.height} pixels` : ""}
       />
-      <div class="picture-buttons">
+      <div class={css["picture-buttons"]}>
         <FileButton label="Picture file" accept={ACCEPT} onFile={(file) => void takeFile(file, file.name)}>
           Choose a picture
         </FileButton>

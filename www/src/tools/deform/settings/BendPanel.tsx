@@ -9,6 +9,7 @@ import { SliderMark } from "#ui/controls/SliderMarks";
 import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { MOST_ROUGHNESS, withCorners, withDetail, withLocality } from "../changes";
+import deformCss from "../deform.module.css";
 import { deepest, problem, rough } from "../facts";
 import { roughnessWords } from "../words";
 import { PlainButton } from "./PlainButton";
@@ -40,7 +41,7 @@ export function BendPanel() {
         onChange={(next) => changeDeformation((d) => ({ ...d, superposed: next === "all" }))}
       />
       {problem.value !== null && (
-        <p class="bend-problem" role="alert">
+        <p class={deformCss["bend-problem"]} role="alert">
           {problem.value} <span class="dim">What is shown is the last that worked.</span>
         </p>
       )}
@@ -93,7 +94,7 @@ function Roughness() {
   return (
     <div class="stack">
       {Array.isArray(now) ? (
-        <fieldset class="corners">
+        <fieldset class={deformCss["corners"]}>
           <legend class="row-name">
             Roughness <span class="symbol">δ</span>
           </legend>

@@ -1,4 +1,5 @@
 import { useOwnId } from "#ui/id";
+import deformCss from "../deform.module.css";
 
 export interface ChoicesProps<T extends string> {
   label: string;
@@ -11,9 +12,9 @@ export interface ChoicesProps<T extends string> {
 export function Choices<T extends string>({ label, options, value, onChange }: ChoicesProps<T>) {
   const name = useOwnId("choices");
   return (
-    <div class="bend-choices" role="radiogroup" aria-label={label}>
+    <div class={deformCss["bend-choices"]} role="radiogroup" aria-label={label}>
       {options.map((option) => (
-        <label key={option.value} class="bend-choice">
+        <label key={option.value} class={deformCss["bend-choice"]}>
           <input
             type="radio"
             name={name}
@@ -21,8 +22,8 @@ export function Choices<T extends string>({ label, options, value, onChange }: C
             checked={option.value === value}
             onChange={() => onChange(option.value)}
           />
-          <span class="choice-name">{option.label}</span>
-          <span class="bend-choice-about">{option.about}</span>
+          <span class={deformCss["choice-name"]}>{option.label}</span>
+          <span class={deformCss["bend-choice-about"]}>{option.about}</span>
         </label>
       ))}
     </div>

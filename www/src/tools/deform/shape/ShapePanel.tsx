@@ -21,6 +21,7 @@ import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
 import { SubjectCard } from "#ui/shapes/SubjectCard";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { choose, inBox, onPath, sameBox, sameShapes } from "../changes";
+import deformCss from "../deform.module.css";
 import { gallery } from "../dialogs";
 import { around } from "../facts";
 import { PicturePanel } from "../picture/PicturePanel";
@@ -37,7 +38,7 @@ const t = computed(() => scene.value.t);
 /** What is bent: a shape, the morph as it stands, or a picture. */
 export function ShapePanel() {
   return (
-    <section class="shape-panel stack" aria-label="What is bent">
+    <section class={`${deformCss["shape-panel"]} stack`} aria-label="What is bent">
       <Segmented
         label="What is bent"
         value={subject.value}
@@ -119,7 +120,7 @@ function Shape() {
       />
       {morphs && (
         <>
-          <div class="morph-time">
+          <div class={deformCss["morph-time"]}>
             <span class="row-name">{name}</span>
             <Slider
               label={`Morph from ${name} to ${last}`}

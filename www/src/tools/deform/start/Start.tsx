@@ -14,6 +14,7 @@ import { Button } from "#ui/controls/Button";
 import { frond } from "#wasm/core";
 import { isAtRest } from "../changes";
 import { presentPhase } from "../clock";
+import deformCss from "../deform.module.css";
 import { maps, ringed } from "../facts";
 import { exampleOf } from "./examples";
 import { hullOf } from "./hull";
@@ -24,7 +25,7 @@ const rests = computed(() => isAtRest(deformation.value));
 export function Start() {
   if (!rests.value) return null;
   return (
-    <div class="start">
+    <div class={deformCss["start"]}>
       <p>
         <strong>Drag a point of the grid.</strong> Every part, at every scale, answers with it.
       </p>

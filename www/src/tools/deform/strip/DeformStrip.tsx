@@ -1,12 +1,12 @@
 import { PlayButton } from "#ui/strip/PlayButton";
 import "#ui/strip/strip.css";
-import "./strip.css";
 import { useEffect } from "preact/hooks";
 import { deformation, phasePlaying } from "#document/deform/bend";
 import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
 import { pausePhase, playPhase, scrubPhase } from "../clock";
 import { Keys } from "./Keys";
+import css from "./strip.module.css";
 import { TimeOptions } from "./TimeOptions";
 import { momentWords } from "./words";
 
@@ -15,9 +15,9 @@ export function DeformStrip() {
   useEffect(() => pausePhase, []);
   const { phase } = deformation.value;
   return (
-    <section class="strip deform-strip" aria-label="Time">
+    <section class="strip" aria-label="Time">
       <Play />
-      <div class="strip-film key-film">
+      <div class={`strip-film ${css["key-film"]}`}>
         <Slider
           class="key-scrub"
           label="Time"

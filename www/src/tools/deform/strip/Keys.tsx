@@ -5,6 +5,7 @@ import { KeyTrack } from "#ui/strip/KeyTrack";
 import { withKey, withKeyAt } from "../changes";
 import { pausePhase, scrubPhase } from "../clock";
 import { MeshIcon } from "./MeshIcon";
+import css from "./strip.module.css";
 import { removeKey } from "./TimeOptions";
 import { percentWords } from "./words";
 
@@ -57,7 +58,7 @@ export function Keys() {
       Picture={MeshIcon}
     >
       {all.length === 1 && (
-        <p class="keys-hint">One grid for all times. Choose a motion, or add key frames.</p>
+        <p class={css["keys-hint"]}>One grid for all times. Choose a motion, or add key frames.</p>
       )}
     </KeyTrack>
   );

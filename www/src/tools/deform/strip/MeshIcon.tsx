@@ -2,6 +2,7 @@ import { computed } from "@preact/signals";
 import { deformation } from "#document/deform/bend";
 import { placed } from "#geometry/mesh";
 import type { Deformation } from "#wasm/api";
+import css from "./strip.module.css";
 
 // The moment is no part of it: nothing of this is drawn again while it plays.
 const keys = computed(() => deformation.value.keys);
@@ -21,7 +22,7 @@ export function MeshIcon({ index }: { index: number }) {
   const edge = 0.06 * Math.max(x1 - x0, y1 - y0);
   return (
     <svg
-      class="mesh-icon"
+      class={css["mesh-icon"]}
       aria-hidden="true"
       viewBox={[x0 - edge, -y1 - edge, x1 - x0 + 2 * edge, y1 - y0 + 2 * edge]
         .map((x) => x.toPrecision(5))

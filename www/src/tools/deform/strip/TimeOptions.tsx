@@ -7,13 +7,14 @@ import { NumberField } from "#ui/controls/NumberField";
 import { PercentField } from "#ui/strip/PercentField";
 import { withKey, withKeyAt, withLoop, withoutKey } from "../changes";
 import { pausePhase, scrubPhase } from "../clock";
+import css from "./strip.module.css";
 import { percentWords } from "./words";
 
 /** The numbers of the time line, and what can be done with its keys. */
 export function TimeOptions() {
   const { phase, seconds, loop } = deformation.value;
   return (
-    <div class="time-options">
+    <div class={css["time-options"]}>
       <PercentField label="Time in percent" value={phase} onChange={scrubPhase} />
       <NumberField
         terse
@@ -50,7 +51,7 @@ function KeyOptions() {
   if (key === undefined || away)
     return (
       <Button
-        class="key-add"
+        class={css["key-add"]}
         icon="add"
         disabled={keys.length >= MOST_KEYS}
         description={
@@ -64,7 +65,7 @@ function KeyOptions() {
       </Button>
     );
   return (
-    <div class="key-options">
+    <div class={css["key-options"]}>
       <NumberField
         label={`Key ${near + 1} of ${keys.length}`}
         value={100 * key.at}

@@ -1,4 +1,5 @@
 import { NumberField } from "#ui/controls/NumberField";
+import css from "./graph.module.css";
 
 export interface DomainFieldsProps {
   domain: readonly [from: number, to: number];
@@ -12,7 +13,7 @@ export interface DomainFieldsProps {
 /** The part of a graph that a piece copies. */
 export function DomainFields({ domain, within: [from, to], onChange, onDone = () => {} }: DomainFieldsProps) {
   return (
-    <div class="piece-domain">
+    <div class={css["piece-domain"]}>
       {([0, 1] as const).map((end) => (
         <NumberField
           key={end}

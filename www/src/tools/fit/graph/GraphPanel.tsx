@@ -1,4 +1,3 @@
-import "./graph.css";
 import { useEffect } from "preact/hooks";
 import { changeFit } from "#document/fit";
 import { listenForFiles } from "#ui/files/dropFiles";
@@ -6,6 +5,7 @@ import { takeSeries } from "../series";
 import { takeFile as takeOutlineFile } from "../work/source";
 import { FindSection } from "./find/Find";
 import { FoundSection } from "./find/Found";
+import css from "./graph.module.css";
 import { isTable, takeFile } from "./model/series";
 import { FunctionSection } from "./Pieces";
 
@@ -13,7 +13,7 @@ import { FunctionSection } from "./Pieces";
 export function GraphPanel() {
   useEffect(() => listenForFiles(([file]) => take(file)), []);
   return (
-    <div class="fit-graph-panel">
+    <div class={css["fit-graph-panel"]}>
       <FindSection />
       <FoundSection />
       <FunctionSection />

@@ -1,5 +1,5 @@
-import "./graph.css";
-import { choose, chosen, current, found, isPicked, running } from "./find/search";
+import { choose, chosen, current, found, running } from "./find/search";
+import css from "./graph.module.css";
 import { series } from "./model/series";
 import { countWords, nameOf } from "./model/words";
 
@@ -13,7 +13,7 @@ export function GraphStrip() {
   const list = current.value ? found.value.slice(0, MOST) : [];
   if (list.length === 0) {
     return (
-      <div class="graph-strip">
+      <div class={css["graph-strip"]}>
         <p class="hint">
           {running.value
             ? "Counting votes for every smaller copy that may be there."
@@ -27,12 +27,12 @@ export function GraphStrip() {
   const most = Math.max(1, ...list.map(({ hits }) => hits));
   const step = WIDTH / Math.max(20, list.length);
   return (
-    <div class="graph-strip">
+    <div class={css["graph-strip"]}>
       <p class="hint">
         Hits of the {list.length} largest clusters: up to <span class="number">{countWords(most)}</span>
       </p>
       <svg
-        class="histogram"
+        class={css["histogram"]}
         viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
         preserveAspectRatio="none"
         role="img"
@@ -44,13 +44,14 @@ export function GraphStrip() {
             // biome-ignore lint/a11y/noStaticElementInteractions: the list of candidates does the same for keys
             <g
               key={index}
-              class={`bar is-${cluster.kind} ${chosen.value === index ? "chosen" : ""} ${isPicked(index) ? "picked" : ""}`}
+              class={`${css["bar"]} ${chosen.value === index ? css["chosen"] : ""}`}
+              data-kind={cluster.kind}
               onClick={() => choose(index)}
             >
               <title>{`${nameOf(cluster, index)}: ${countWords(cluster.hits)} hits`}</title>
-              <rect class="reach" x={index * step} y={0} width={step} height={HEIGHT} />
+              <rect class={css["reach"]} x={index * step} y={0} width={step} height={HEIGHT} />
               <rect
-                class="spot"
+                class={css["spot"]}
                 x={index * step + 0.1 * step}
                 y={HEIGHT - tall}
                 width={0.8 * step}
@@ -60,10 +61,10 @@ export function GraphStrip() {
           );
         })}
       </svg>
-      <ul class="histogram-key">
-        <li class="is-map">Map</li>
-        <li class="is-echo">Echo</li>
-        <li class="is-clutter">Clutter</li>
+      <ul class={css["histogram-key"]}>
+        <li>Map</li>
+        <li data-kind="echo">Echo</li>
+        <li data-kind="clutter">Clutter</li>
       </ul>
     </div>
   );

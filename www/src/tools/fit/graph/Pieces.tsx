@@ -10,6 +10,7 @@ import { Select } from "#ui/controls/Select";
 import { Slider } from "#ui/controls/Slider";
 import { Switch } from "#ui/controls/Switch";
 import { DomainFields } from "./DomainFields";
+import css from "./graph.module.css";
 import {
   changeModel,
   chooseKind,
@@ -93,7 +94,7 @@ function PieceList() {
           </Select>
         </div>
       )}
-      <ol class="graph-pieces">
+      <ol class={css["graph-pieces"]}>
         {shown.map((index) => (
           <PieceRow key={index} index={index} open={index === chosen} />
         ))}
@@ -113,10 +114,13 @@ function PieceRow({ index, open }: { index: number; open: boolean }) {
       : (problem.peek() ?? "");
   const words = `${formatNumber(part.c, 2)}, ${roughWords(part.c)}`;
   return (
-    <li class={open ? "graph-piece open" : "graph-piece"} style={{ "--piece": colour }}>
+    <li
+      class={open ? `${css["graph-piece"]} ${css["open"]}` : css["graph-piece"]}
+      style={{ "--piece": colour }}
+    >
       <button
         type="button"
-        class="piece-number"
+        class={css["piece-number"]}
         aria-expanded={open}
         aria-label={`Piece ${index + 1}`}
         onClick={() => {
@@ -146,7 +150,7 @@ function PieceRow({ index, open }: { index: number; open: boolean }) {
         onDone={endGesture}
       />
       {open && (
-        <div class="piece-more">
+        <div class={css["piece-more"]}>
           <Switch
             checked={part.reflected}
             onChange={(reflected) => changeModel((now) => withPart(now, index, { reflected }))}
@@ -195,7 +199,7 @@ function Domain({ index }: { index: number }) {
         return withPart(now, index, { domain: [Math.min(...to), Math.max(...to)] });
       });
     return (
-      <p class="piece-domain">
+      <p class={css["piece-domain"]}>
         <span class="row-name">copies from point</span>
         {([0, 1] as const).map((end) => (
           <Select
@@ -243,7 +247,7 @@ function KnotFields() {
     return done ? undefined : (problem.peek() ?? "");
   };
   return (
-    <fieldset class="knot-fields">
+    <fieldset class={css["knot-fields"]}>
       <legend class="row-name">
         Point{" "}
         <Select
@@ -311,7 +315,7 @@ function FactList() {
     ["Widest gap", now.continuous ? "none" : formatNumber(now.widestGap, 5), "between neighbouring pieces"],
   ];
   return (
-    <dl class="graph-facts">
+    <dl class={css["graph-facts"]}>
       {rows.map(([name, words, about]) => (
         <div key={name} title={about}>
           <dt>{name}</dt>

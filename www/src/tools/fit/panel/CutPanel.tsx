@@ -5,6 +5,7 @@ import { SliderMark } from "#ui/controls/SliderMarks";
 import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Component } from "#workers/fit/trace-types";
+import fitCss from "../fit.module.css";
 import { brushSize, type Hand, hand } from "../stage/brush";
 import { step } from "../stage/layers";
 import {
@@ -25,7 +26,7 @@ import { former, opened, takeFormer } from "../work/source";
 export function CutPanel() {
   if (!opened.value) return null;
   return (
-    <section class="cut-panel stack" aria-label="Cut out">
+    <section class={`${fitCss["cut-panel"]} stack`} aria-label="Cut out">
       <Segmented
         label="Step"
         value={step.value}
@@ -97,7 +98,7 @@ function Messages() {
   const back = former.value;
   const lost = masked.value !== null && !traced.value;
   return (
-    <div class="cut-messages" role="status">
+    <div class={fitCss["cut-messages"]} role="status">
       {list.length > 0 && (
         <ul class="notes">
           {list.map(({ code, message }) => (
@@ -154,7 +155,7 @@ function Brush() {
           </p>
         </>
       )}
-      <div class="source-buttons">
+      <div class={fitCss["source-buttons"]}>
         <Button kind="quiet" icon="reset" disabled={!canUndoStroke()} onClick={undoStroke}>
           Undo stroke
         </Button>
@@ -176,10 +177,10 @@ function Parts() {
   if (!mask || mask.components.length < 2) return null;
   const all = mask.components.slice(0, MOST_PARTS);
   return (
-    <fieldset class="parts">
+    <fieldset class={fitCss["parts"]}>
       <legend class="row-name">Which part</legend>
       {all.map((component, i) => (
-        <label key={i} class="cut-part" title={`Part ${i + 1}`}>
+        <label key={i} class={fitCss["cut-part"]} title={`Part ${i + 1}`}>
           <input
             class="covering"
             type="radio"
@@ -229,5 +230,5 @@ function PartDrawing({
       }
     }
   };
-  return <canvas ref={draw} class="part-drawing" width={SIDE} height={SIDE} />;
+  return <canvas ref={draw} class={fitCss["part-drawing"]} width={SIDE} height={SIDE} />;
 }

@@ -4,6 +4,7 @@ import { fitDocument } from "#document/fit";
 import { fixed } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
 import type { Figures, Rival } from "#workers/fit/curve";
+import fitCss from "../fit.module.css";
 import { cutting } from "../stage/layers";
 import { compareWords, METHODS, percent, roughWords, signed } from "../words";
 import {
@@ -32,7 +33,7 @@ export function FiguresPanel() {
         <Progress />
       </div>
       {problem.value !== null && (
-        <p class="fit-problem" role="alert">
+        <p class={fitCss["fit-problem"]} role="alert">
           {problem.value}
         </p>
       )}
@@ -52,7 +53,7 @@ function Progress() {
   }
   if (!closed.value) return <span class="row-name">Fitting …</span>;
   return (
-    <span class="fit-progress">
+    <span class={fitCss["fit-progress"]}>
       <progress class="progress" aria-label="Fit" max={1} value={now.share} />
       <Button kind="quiet" icon="close" onClick={cancel}>
         Cancel
@@ -82,7 +83,7 @@ function Closed() {
             : "It is being measured."}
         </p>
       ) : null}
-      <dl class="facts number">
+      <dl class={`${fitCss["facts"]} number`}>
         <Fact name="Numbers">{numbersOf(fit.curve)}</Fact>
         <Fact name="Knots">{knots.length}</Fact>
         <Fact name="Copied edges">{copies}</Fact>
@@ -101,7 +102,7 @@ function Paper() {
     <>
       <Table figures={fit.figures} />
       <p class="hint">{roughWords(fit.figures)}</p>
-      <dl class="facts number">
+      <dl class={`${fitCss["facts"]} number`}>
         <Fact name="Numbers">{fit.numbers}</Fact>
         <Fact name="Maps">{fit.maps.length}</Fact>
         <Fact name="Feature points">{options.features}</Fact>
@@ -123,7 +124,7 @@ function Fact({ name, children }: { name: string; children: string | number }) {
 function Table({ figures }: { figures: Figures }) {
   const { rms, hausdorff, lengthRatio, fitSlope, outlineSlope } = figures;
   return (
-    <dl class="facts number" data-testid="figures">
+    <dl class={`${fitCss["facts"]} number`} data-testid="figures">
       <div title="Root mean square distance from the outline to the fit, in percent of the diagonal of its box">
         <dt>Error (RMS)</dt>
         <dd data-testid="rms">{percent(rms)}</dd>
@@ -155,7 +156,7 @@ function Chart({ own, all }: { own: Figures; all: readonly Rival[] }) {
   ].sort((a, b) => a.figures.rms - b.figures.rms);
   const most = Math.max(...rows.map((row) => row.figures.rms));
   return (
-    <div class="chart">
+    <div class={fitCss["chart"]}>
       <table class="number" data-testid="chart">
         <caption>Error of as many numbers, spent in other ways</caption>
         <thead>
@@ -169,10 +170,14 @@ function Chart({ own, all }: { own: Figures; all: readonly Rival[] }) {
         </thead>
         <tbody>
           {rows.map((row) => (
-            <tr key={row.name} class={row.own ? "own" : ""} title={row.about}>
+            <tr key={row.name} class={row.own ? fitCss["own"] : ""} title={row.about}>
               <th scope="row">
                 {row.name}
-                <span class="bar" aria-hidden="true" style={{ "--share": String(row.figures.rms / most) }} />
+                <span
+                  class={fitCss["bar"]}
+                  aria-hidden="true"
+                  style={{ "--share": String(row.figures.rms / most) }}
+                />
               </th>
               <td>{percent(row.figures.rms)}</td>
               <td>{signed(row.figures.fitSlope - row.figures.outlineSlope)}</td>

@@ -5,6 +5,7 @@ import { Segmented } from "#ui/controls/Segmented";
 import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { CollageOptions } from "#workers/fit/curve";
+import fitCss from "../fit.module.css";
 import { cutting } from "../stage/layers";
 import { percent } from "../words";
 import { collage, collageOptions } from "../work/fitting";
@@ -15,7 +16,7 @@ export function ModelPanel() {
   if (cutting.value) return null;
   const { model } = fitDocument.value;
   return (
-    <section class="model-panel stack" aria-label="Model">
+    <section class={`${fitCss["model-panel"]} stack`} aria-label="Model">
       <div class="section-head">
         <h2>Fitted with</h2>
       </div>
@@ -60,7 +61,7 @@ function Collage() {
   return (
     <div class="stack">
       <div class="row">
-        <span class="collage-numbers">
+        <span class={fitCss["collage-numbers"]}>
           <NumberField
             label="Maps"
             value={now.maps}
@@ -80,7 +81,7 @@ function Collage() {
             onChange={(features) => change({ features: Math.round(features) })}
           />
         </span>
-        <span class="paper-presets">
+        <span class={fitCss["paper-presets"]}>
           {PAPER.map((maps) => (
             <Button
               key={maps}

@@ -2,6 +2,7 @@ import { changeFit, fitDocument } from "#document/fit";
 import { endGesture } from "#document/scene";
 import { Select } from "#ui/controls/Select";
 import { SliderField } from "#ui/controls/SliderField";
+import fitCss from "../fit.module.css";
 import { cutting } from "../stage/layers";
 import { prepared } from "../work/outline";
 import { chooseOutline, source } from "../work/source";
@@ -46,7 +47,7 @@ function Choice() {
   const now = source.value;
   if (now.kind !== "outlines" || now.outlines.length < 2) return null;
   return (
-    <label class="row outline-choice">
+    <label class={`row ${fitCss["outline-choice"]}`}>
       <span class="row-name">Which outline</span>
       <Select value={now.chosen} onChange={(event) => chooseOutline(Number(event.currentTarget.value))}>
         {now.outlines.slice(0, MOST_LISTED).map((outline, i) => (

@@ -3,6 +3,7 @@ import { Button } from "#ui/controls/Button";
 import { listenForFiles } from "#ui/files/dropFiles";
 import { FileButton } from "#ui/files/FileButton";
 import type { Grown } from "#workers/fit/curve";
+import fitCss from "../fit.module.css";
 import { takeSeries } from "../series";
 import { prepared, SEEDS } from "../work/outline";
 import { former, type Source, source, takeFile, takeFormer, takeSource } from "../work/source";
@@ -19,11 +20,11 @@ export function SourcePanel() {
   const back = former.value;
   return (
     <section class="stack" aria-label="What is fitted">
-      <div class="source-card">
-        <span class="source-name">{now.name}</span>
-        <span class="source-about">{aboutOf(now, prepared.value?.points.length ?? null)}</span>
+      <div class={fitCss["source-card"]} data-testid="source">
+        <span class={fitCss["source-name"]}>{now.name}</span>
+        <span class={fitCss["source-about"]}>{aboutOf(now, prepared.value?.points.length ?? null)}</span>
       </div>
-      <div class="source-buttons">
+      <div class={fitCss["source-buttons"]}>
         <FileButton kind="primary" label="Photograph or outline file" accept={ACCEPT} onFile={take}>
           Choose a photograph or outline
         </FileButton>
@@ -53,11 +54,11 @@ const EXAMPLES: readonly { grown: Grown; name: string; about: string }[] = [
 function Examples() {
   const now = source.value;
   return (
-    <div class="examples stack">
+    <div class={`${fitCss["examples"]} stack`}>
       <span class="row-name" id="examples-name">
         Or one grown here
       </span>
-      <ul class="examples-list" aria-labelledby="examples-name">
+      <ul class={fitCss["examples-list"]} aria-labelledby="examples-name">
         {EXAMPLES.map(({ grown, name, about }) => {
           const here = now.kind === "grown" && now.grown === grown;
           return (

@@ -1,5 +1,6 @@
 import { fitDocument } from "#document/fit";
 import { Button } from "#ui/controls/Button";
+import fitCss from "../fit.module.css";
 import { saveCsv, saveJson, savePng, saveSvg } from "../save";
 import { cutting } from "../stage/layers";
 import { use } from "../use";
@@ -15,7 +16,7 @@ export function UsePanel() {
       <div class="section-head">
         <h2>Use it</h2>
       </div>
-      <div class="source-buttons">
+      <div class={fitCss["source-buttons"]}>
         <Button kind="primary" icon="arrow" disabled={!ready} onClick={() => use("morph")}>
           Use in the morph
         </Button>
@@ -26,7 +27,7 @@ export function UsePanel() {
       {!closed && <p class="hint">The closed curve is what is morphed and bent: it has no gaps.</p>}
       <div class="row">
         <span class="row-name">Save as</span>
-        <span class="save-buttons">
+        <span class={fitCss["save-buttons"]}>
           {(
             [
               ["SVG", saveSvg],

@@ -4,6 +4,7 @@ import { dark, theme } from "#document/preferences";
 import { watchSize } from "#stage/picture";
 import { palette } from "#style/palette";
 import { IconButton } from "#ui/controls/Button";
+import fitCss from "../fit.module.css";
 import { statusWords } from "../words";
 import { brushKey, brushKeyUp, endStroke, painting } from "./brush";
 import { effectiveView, fitStage, stageSize, view, watchCamera, zoom } from "./camera";
@@ -55,7 +56,7 @@ export function FitStage() {
     <>
       <div
         ref={host}
-        class={`picture fit-picture ${painting.value ? "painting" : ""}`}
+        class={`picture ${fitCss["fit-picture"]} ${painting.value ? fitCss["painting"] : ""}`}
         role="application"
         aria-label={LABEL}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: it takes keys
@@ -84,7 +85,7 @@ export function FitStage() {
 /** What has been reached, while it improves and after. */
 function Status() {
   return (
-    <p class="fit-status number" data-testid="fit-status">
+    <p class={`${fitCss["fit-status"]} number`} data-testid="fit-status">
       {statusWords.value}
     </p>
   );

@@ -4,6 +4,7 @@ import { endGesture } from "#document/scene";
 import { NumberField } from "#ui/controls/NumberField";
 import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
+import fitCss from "../fit.module.css";
 import { even, HIGH, LOW, numbersAt, placeOf } from "../numbers";
 import { collageOptions, LEAST_NUMBERS, MOST_NUMBERS } from "../work/fitting";
 import { CompareButton } from "./CompareButton";
@@ -12,7 +13,7 @@ import { Layers } from "./Layers";
 /** The one slider: how many numbers; and what is looked at. */
 export function FitStrip() {
   return (
-    <section class="strip fit-strip" aria-label="Size of the fit">
+    <section class={`strip ${fitCss["fit-strip"]}`} aria-label="Size of the fit">
       <CompareButton />
       {fitDocument.value.model === "closed" ? <Numbers /> : <Maps />}
       {!narrow.value && <Layers />}
@@ -27,7 +28,7 @@ function Numbers() {
   const change = (next: number) =>
     changeFit((now) => (now.numbers === next ? now : { ...now, numbers: next }), { gesture: "numbers" });
   return (
-    <div class="numbers">
+    <div class={fitCss["numbers"]}>
       <NumberField
         label="How many numbers"
         value={numbers}
@@ -48,7 +49,7 @@ function Numbers() {
         onChange={(place) => change(numbersAt(place))}
         onDone={endGesture}
       />
-      <p class="fit-scale number" aria-hidden="true">
+      <p class={`${fitCss["fit-scale"]} number`} aria-hidden="true">
         {MARKS.map((n) => (
           <span key={n} style={{ left: `${(100 * (placeOf(n) - LOW)) / (HIGH - LOW)}%` }}>
             {n}
@@ -71,7 +72,7 @@ function Maps() {
     collageOptions.value = { ...now, maps: next, features };
   };
   return (
-    <div class="numbers">
+    <div class={fitCss["numbers"]}>
       <NumberField
         label="How many maps"
         value={maps}

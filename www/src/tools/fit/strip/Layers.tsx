@@ -1,5 +1,6 @@
 import { fitDocument } from "#document/fit";
 import { Switch } from "#ui/controls/Switch";
+import fitCss from "../fit.module.css";
 import { knotsShown, outlineShown, photoShown } from "../stage/layers";
 import { opened } from "../work/source";
 
@@ -7,7 +8,7 @@ import { opened } from "../work/source";
 export function Layers() {
   const paper = fitDocument.value.model === "collage";
   return (
-    <fieldset class="layers">
+    <fieldset class={fitCss["layers"]}>
       <legend class="unseen">Shown</legend>
       {opened.value && (
         <Switch

@@ -1,6 +1,3 @@
-import { Problem } from "#ui/panel/Problem";
-import { MapList, MapTools } from "#ui/shapes/MapList";
-import "./maps.css";
 import { useState } from "preact/hooks";
 import { selection } from "#document/morph";
 import { announce, wordsOf } from "#document/notice";
@@ -9,12 +6,15 @@ import { edit, endGesture } from "#document/scene";
 import { halfAbout, mapWords, reflect } from "#geometry/maps/affine2";
 import { Button, IconButton } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
+import { Problem } from "#ui/panel/Problem";
+import { MapList, MapTools } from "#ui/shapes/MapList";
 import type { MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { type End, MOST_MAPS, nameOf, setMaps } from "../changes";
 import { shapes } from "../parts";
 import { Swatch } from "../shapes/Swatch";
 import { NumberFields, PartFields } from "./MapFields";
+import css from "./maps.module.css";
 
 /** Why maps cannot be a shape, in a sentence; nothing where they can. */
 function problemWith(maps: MapRow[]): string | undefined {
@@ -96,7 +96,7 @@ export function MapEditor({ target, chosen }: { target: End; chosen: number | nu
   };
 
   return (
-    <section class="editor" aria-label={`Maps of shape ${nameOf(target)}`}>
+    <section class={css["editor"]} aria-label={`Maps of shape ${nameOf(target)}`}>
       <header class="section-head">
         <h2>
           Maps of {nameOf(target)}: {shape.name}
@@ -132,7 +132,7 @@ export function MapEditor({ target, chosen }: { target: End; chosen: number | nu
         fields={fields}
       />
       <Problem words={problem} />
-      <div class="editor-foot">
+      <div class={css["editor-foot"]}>
         <Button
           icon="add"
           disabled={maps.length >= MOST_MAPS}

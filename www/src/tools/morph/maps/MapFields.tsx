@@ -1,8 +1,9 @@
-import { useProblems } from "#ui/controls/problems";
-import "#ui/shapes/equations.css";
 import { compose, decompose, type Parts } from "#geometry/maps/affine2";
 import { NumberField } from "#ui/controls/NumberField";
+import { useProblems } from "#ui/controls/problems";
+import equationsCss from "#ui/shapes/equations.module.css";
 import type { MapRow } from "#wasm/api";
+import mapsCss from "./maps.module.css";
 
 export interface MapFieldsProps {
   map: MapRow;
@@ -26,7 +27,7 @@ export function PartFields({ map, onChange, onDone }: MapFieldsProps) {
   const { tellOf, below } = useProblems();
   return (
     <>
-      <div class="map-fields">
+      <div class={mapsCss["map-fields"]}>
         {PARTS.map(({ key, label, step, digits, unit }) => (
           <NumberField
             key={key}
@@ -70,10 +71,10 @@ export function NumberFields({ map, onChange, onDone }: MapFieldsProps) {
   const { tellOf, below } = useProblems();
   return (
     <>
-      <div class="equations">
+      <div class={equationsCss["equations"]}>
         {ROWS.map(({ axis, cells }) => (
-          <div key={axis} class="equation">
-            <span class="equation-axis" aria-hidden="true">
+          <div key={axis} class={equationsCss["equation"]}>
+            <span class={equationsCss["equation-axis"]} aria-hidden="true">
               {axis} =
             </span>
             {cells.map(([index, symbol, label]) => (

@@ -16,13 +16,14 @@ import { isMatched, takeMatching } from "../changes";
 import { matchingOpen } from "../dialogs";
 import { place } from "../locus/path/way";
 import { correspondence, turns } from "../parts";
+import css from "./pairs.module.css";
 
 /** Other ways to match the maps, each with its own map of where it holds. */
 export function Matching() {
   const found = matchings.value;
   return (
     <details
-      class="fold pairs-more"
+      class={`fold ${css["pairs-more"]}`}
       id="matching"
       open={matchingOpen.value}
       onToggle={(event) => {
@@ -53,7 +54,7 @@ function Progress() {
   if (of !== null && done >= of)
     return <p class="hint">The best first: those that hold all the way, then the narrowest gap.</p>;
   return (
-    <div class="pairs-progress">
+    <div class={css["pairs-progress"]}>
       <progress
         aria-label="Other ways to match, being tried"
         {...(of === null ? {} : { max: of, value: done })}
@@ -72,7 +73,7 @@ function Cards({ rated }: { rated: readonly RatedCandidate[] }) {
   const name = useOwnId("matching");
   const now = { correspondence: correspondence.value, turns: turns.value };
   return (
-    <div class="matching-cards" role="radiogroup" aria-label="Ways to match">
+    <div class={css["matching-cards"]} role="radiogroup" aria-label="Ways to match">
       {rated.map((candidate) => (
         <Card key={keyOf(candidate)} name={name} candidate={candidate} chosen={isMatched(now, candidate)} />
       ))}
@@ -85,7 +86,7 @@ function Card({ name, candidate, chosen }: { name: string; candidate: RatedCandi
   const words = matchWords(candidate.correspondence, candidate.turns);
   const merit = meritWords(plan);
   return (
-    <label class={`matching-card ${plan.holds ? "holds" : "breaks"}`} title={words}>
+    <label class={`${css["matching-card"]} ${plan.holds ? "" : css["breaks"]}`} title={words}>
       <input
         class="covering"
         type="radio"
@@ -99,7 +100,7 @@ function Card({ name, candidate, chosen }: { name: string; candidate: RatedCandi
       />
       <Thumb candidate={candidate} />
       <Arrows becomes={candidate.correspondence} turns={candidate.turns} />
-      <span class="matching-merit" aria-hidden="true">
+      <span class={css["matching-merit"]} aria-hidden="true">
         <span class="mark" />
         {merit}
       </span>
@@ -120,7 +121,7 @@ function Thumb({ candidate }: { candidate: RatedCandidate }) {
   }, [locus]);
   const line = plan.points.map((point) => place(point, BOUNDS).map((x) => (100 * x).toFixed(1))).join(" ");
   return (
-    <span class="matching-thumb" aria-hidden="true">
+    <span class={css["matching-thumb"]} aria-hidden="true">
       <canvas ref={canvas} width={SIZE} height={SIZE} />
       <svg viewBox="0 0 100 100" preserveAspectRatio="none" aria-hidden="true">
         <polyline class="path-casing" points={line} />
@@ -137,15 +138,16 @@ const STEP = 18;
 /** Maps of A above, of B below, a line from each to what it becomes; a ring for each turn more. */
 function Arrows({ becomes, turns }: { becomes: readonly number[]; turns: readonly number[] }) {
   const colours = palette(dark.value ? "dark" : "light");
-  if (becomes.length > MOST_ARROWS) return <span class="matching-words">{matchWords(becomes, turns)}</span>;
+  if (becomes.length > MOST_ARROWS)
+    return <span class={css["matching-words"]}>{matchWords(becomes, turns)}</span>;
   const x = (i: number) => STEP * (i + 0.5);
   return (
-    <svg class="matching-arrows" viewBox={`0 0 ${STEP * becomes.length} 48`} aria-hidden="true">
+    <svg class={css["matching-arrows"]} viewBox={`0 0 ${STEP * becomes.length} 48`} aria-hidden="true">
       {becomes.map((to, from) => (
         <g key={from} style={{ color: colours[from % colours.length] ?? "gray" }}>
           <path d={`M${x(from)} 14L${x(to)} 34`} />
           {(turns[from] ?? 0) !== 0 && (
-            <circle cx={(x(from) + x(to)) / 2} cy={24} r={3.5} class="matching-turn" />
+            <circle cx={(x(from) + x(to)) / 2} cy={24} r={3.5} class={css["matching-turn"]} />
           )}
           <text x={x(from)} y={11}>
             {from + 1}

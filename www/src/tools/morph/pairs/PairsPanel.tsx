@@ -1,16 +1,16 @@
 import "#ui/panel/fold.css";
-import { Select } from "#ui/controls/Select";
-import "./pairs.css";
 import { pairing } from "#document/morph";
 import { edit, endGesture } from "#document/scene";
 import { listWords } from "#format/path-words";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
+import { Select } from "#ui/controls/Select";
 import { flatPairs } from "../changes";
 import { openRoutes, pairsOpen } from "../dialogs";
 import { correspondence, turns } from "../parts";
 import { Swatch } from "../shapes/Swatch";
 import { Matching } from "./Matching";
+import css from "./pairs.module.css";
 import { Routes } from "./Routes";
 
 /** What had to be done so that each map has one to become, and what that costs. */
@@ -19,7 +19,7 @@ export function PairNotes() {
   const flat = flatPairs(from, to, correspondence.value);
   if (steps.length === 0 && flat.length === 0) return null;
   return (
-    <div class="notes">
+    <div class={`notes ${css["pair-notes"]}`}>
       {steps.map((step) => (
         <p key={step}>{step}</p>
       ))}
@@ -43,7 +43,7 @@ export function PairNotes() {
 export function PairsPanel() {
   return (
     <details
-      class="fold pairs"
+      class={`fold ${css["pairs"]}`}
       open={pairsOpen.value}
       onToggle={(event) => {
         pairsOpen.value = event.currentTarget.open;
@@ -90,7 +90,7 @@ function Pairs() {
       <p class="hint">
         Each choice has its own square above: another pairing may hold together where this one breaks.
       </p>
-      <ul class="pairs-list">
+      <ul class={css["pairs-list"]}>
         {from.map((_, map) => (
           <li key={map}>
             <Swatch map={map} />

@@ -9,6 +9,7 @@ import type { Route, RouteKind } from "#wasm/api";
 import { isMatched, takeRoute } from "../changes";
 import { routesOpen } from "../dialogs";
 import { correspondence, shapes, turns } from "../parts";
+import css from "./pairs.module.css";
 
 const NAMES: Record<RouteKind, string> = {
   plain: "As they are",
@@ -25,7 +26,7 @@ export function Routes() {
   const found = routes.value;
   return (
     <details
-      class="fold pairs-more"
+      class={`fold ${css["pairs-more"]}`}
       id="routes"
       open={routesOpen.value}
       onToggle={(event) => {
@@ -54,9 +55,9 @@ function List({ list }: { list: readonly Route[] }) {
     (route) => sameMaps(route.from, a.maps) && sameMaps(route.to, b.maps) && isMatched(now, route),
   );
   return (
-    <div class="routes" role="radiogroup" aria-label="Ways across">
+    <div class={css["routes"]} role="radiogroup" aria-label="Ways across">
       {list.map((route, i) => (
-        <label key={`${i} ${route.kind}`} class="route">
+        <label key={`${i} ${route.kind}`} class={css["route"]}>
           <input
             type="radio"
             name={name}
@@ -67,7 +68,7 @@ function List({ list }: { list: readonly Route[] }) {
             }}
           />
           <span>
-            <span class="route-name">{NAMES[route.kind] ?? "Another way"}</span> {route.about}
+            <span class={css["route-name"]}>{NAMES[route.kind] ?? "Another way"}</span> {route.about}
           </span>
         </label>
       ))}

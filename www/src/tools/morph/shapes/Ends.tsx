@@ -1,11 +1,11 @@
-import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
-import "#ui/shapes/ends.css";
 import { thumbnails } from "#compute/results";
 import { selection } from "#document/morph";
 import { announce } from "#document/notice";
 import { edit, scene } from "#document/scene";
 import { IconButton } from "#ui/controls/Button";
 import { Menu } from "#ui/overlay/Menu";
+import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
+import endsCss from "#ui/shapes/ends.module.css";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { asBoth, type End, nameOf, other, swap } from "../changes";
 import { gallery } from "../dialogs";
@@ -14,7 +14,7 @@ import { shapes } from "../parts";
 /** The two ends of the morph, with the arrow that swaps them. */
 export function Ends() {
   return (
-    <section class="ends" aria-label="The two shapes">
+    <section class={endsCss["ends"]} aria-label="The two shapes">
       <Card end="a" />
       <SwapEnds
         onSwap={() => {

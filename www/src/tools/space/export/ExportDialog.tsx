@@ -1,9 +1,9 @@
-import "./export.css";
 import { space, timeline } from "#document/space/space";
 import { Button } from "#ui/controls/Button";
 import { Dialog } from "#ui/overlay/Dialog";
 import { exportOpen } from "../time/exporting";
 import { fly } from "../time/flight/fly";
+import css from "./export.module.css";
 import { Finished } from "./Finished";
 import { job, made } from "./job";
 import { isFilm } from "./plan";
@@ -35,7 +35,7 @@ function about(): string {
 function Choose() {
   if (space.value && timeline.value) return <Settings />;
   return (
-    <div class="export-nothing">
+    <div class={css["export-nothing"]}>
       <p>Nothing moves yet, so there is nothing to film. Set two keys, or begin with a ready flight.</p>
       <Button
         kind="primary"

@@ -1,4 +1,5 @@
 import { Button } from "#ui/controls/Button";
+import css from "./export.module.css";
 import { forget, type Made, save } from "./job";
 import { bytesWords, grouped } from "./plan";
 
@@ -10,11 +11,11 @@ export function Finished({ made }: { made: Made }) {
     "--ratio": String(plan.width / plan.height),
   };
   return (
-    <div class="export-running">
+    <div class={css["export-running"]}>
       {(plan.kind === "mp4" || plan.kind === "webm") && (
         // biome-ignore lint/a11y/useMediaCaption: nothing is heard in it
         <video
-          class="export-picture"
+          class={css["export-picture"]}
           src={url}
           style={ratio}
           controls
@@ -23,8 +24,8 @@ export function Finished({ made }: { made: Made }) {
           aria-label="The film"
         />
       )}
-      {plan.kind === "gif" && <img class="export-picture" src={url} style={ratio} alt="The film" />}
-      <p class="export-made">
+      {plan.kind === "gif" && <img class={css["export-picture"]} src={url} style={ratio} alt="The film" />}
+      <p class={css["export-made"]}>
         <strong>{name}</strong>
         <span class="hint">
           {bytesWords(blob.size)}
@@ -37,7 +38,7 @@ export function Finished({ made }: { made: Made }) {
           before stands still.
         </p>
       )}
-      <footer class="export-foot">
+      <footer class={css["export-foot"]}>
         <Button kind="quiet" onClick={forget}>
           Make another
         </Button>

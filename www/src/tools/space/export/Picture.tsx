@@ -1,5 +1,6 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { ground } from "../stage/sight";
+import css from "./export.module.css";
 
 export interface PictureProps {
   image: ImageData | ImageBitmap | null;
@@ -23,7 +24,7 @@ export function Picture({ image, label, ratio }: PictureProps) {
   return (
     <canvas
       ref={canvas}
-      class="export-picture"
+      class={css["export-picture"]}
       role="img"
       aria-label={label}
       style={{ aspectRatio: String(ratio), "--ratio": String(ratio), background: ground.value }}

@@ -1,5 +1,6 @@
 import "#ui/panel/progress.css";
 import { Button } from "#ui/controls/Button";
+import css from "./export.module.css";
 import { cancel, type Job } from "./job";
 import { Picture } from "./Picture";
 import { grouped, isFilm, timeWords } from "./plan";
@@ -12,7 +13,7 @@ export function Running({ job }: { job: Job }) {
       ? "Getting ready …"
       : `${grouped(done)} of ${grouped(of)} frames${left === null ? "" : `, about ${timeWords(left)} left`}`;
   return (
-    <div class="export-running">
+    <div class={css["export-running"]}>
       {isFilm(plan.kind) && (
         <Picture
           image={preview}
@@ -21,7 +22,7 @@ export function Running({ job }: { job: Job }) {
         />
       )}
       <progress class="progress" max={of} value={done} aria-label="Frames made" />
-      <footer class="export-foot">
+      <footer class={css["export-foot"]}>
         <p class="hint number">{words}</p>
         <Button onClick={cancel}>Cancel</Button>
       </footer>

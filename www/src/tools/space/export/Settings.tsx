@@ -10,6 +10,7 @@ import type { Repeat } from "#wasm/api";
 import { MOST_BYTES } from "../time/saved/saved";
 import { loopOf, secondsWords } from "../time/words";
 import { parametersBytes, secondsFor, usePreview } from "./estimate";
+import css from "./export.module.css";
 import { make } from "./job";
 import { Picture } from "./Picture";
 import {
@@ -54,22 +55,22 @@ export function Settings() {
   const problem = planProblem(now, framesGo.value) ?? preview.problem;
   const film = isFilm(now.kind);
   return (
-    <div class="export-sheet">
+    <div class={css["export-sheet"]}>
       <Kinds />
-      <div class="export-settings">
+      <div class={css["export-settings"]}>
         {film ? <FilmFields of={now} /> : <NumbersFields of={now} />}
         {now.kind !== "keys" && <Part of={now} />}
       </div>
       {film && (
-        <div class="export-preview">
+        <div class={css["export-preview"]}>
           <Picture image={preview.image} label="The first frame" ratio={width / height} />
         </div>
       )}
-      <footer class="export-foot">
+      <footer class={css["export-foot"]}>
         {problem === null ? (
           <Estimate of={now} go={framesGo.value} cost={preview.cost} lit={preview.lit} />
         ) : (
-          <p class="export-problem" role="status">
+          <p class={css["export-problem"]} role="status">
             {problem}
           </p>
         )}
@@ -96,7 +97,7 @@ function Kinds() {
     disabled: (value === "mp4" || value === "webm") && (none || (found !== null && found[value] === null)),
   });
   return (
-    <div class="export-kinds">
+    <div class={css["export-kinds"]}>
       <Segmented<Kind>
         label="Kind of file"
         options={[
@@ -124,7 +125,7 @@ function FilmFields({ of }: { of: Plan }) {
   const size = SIZES.find((one) => one.width === width && one.height === height);
   return (
     <>
-      <label class="export-size">
+      <label class={css["export-size"]}>
         <span class="field-label">Size</span>
         <Select
           value={size?.id ?? "own"}
@@ -141,7 +142,7 @@ function FilmFields({ of }: { of: Plan }) {
           {!size && <option value="own">Your own</option>}
         </Select>
       </label>
-      <div class="export-pair">
+      <div class={css["export-pair"]}>
         {(["width", "height"] as const).map((side) => (
           <NumberField
             key={side}
@@ -219,7 +220,7 @@ function Part({ of }: { of: Plan }) {
   const seconds = timeline.value?.seconds ?? 0;
   const all = of.from === 0 && of.to === seconds;
   return (
-    <div class="export-pair part">
+    <div class={`${css["export-pair"]} ${css["part"]}`}>
       {(["from", "to"] as const).map((end) => (
         <NumberField
           key={end}

@@ -1,5 +1,3 @@
-import { ChoiceRow } from "#ui/panel/ChoiceRow";
-import "./light.css";
 import { computed } from "@preact/signals";
 import { endGesture } from "#document/scene";
 import { changeSpace } from "#document/space/edits";
@@ -7,10 +5,13 @@ import { space } from "#document/space/space";
 import { Button } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { SliderField } from "#ui/controls/SliderField";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { SpaceLight } from "#wasm/api";
 import { solid } from "#wasm/space";
+import shapeCss from "../shape/shape.module.css";
 import { ground } from "../stage/sight";
 import { type Choice, choiceOf, chosenBackground } from "./background";
+import lightCss from "./light.module.css";
 import { ViewPanel } from "./ViewPanel";
 import { degrees, frontWords, radians, shareWords, sideWords } from "./words";
 
@@ -24,7 +25,7 @@ const PAINTS = [
 /** How space is lit and coloured, and where it is seen from. */
 export function LightPanel() {
   return (
-    <div class="space-light">
+    <div class={lightCss["space-light"]}>
       <Light />
       <Background />
       <ViewPanel />
@@ -42,7 +43,7 @@ function Light() {
   const now = light.value;
   if (!now) return null;
   return (
-    <section class="light-panel stack" aria-label="Light and colour">
+    <section class={`${lightCss["light-panel"]} stack`} aria-label="Light and colour">
       <div class="section-head">
         <h2>Light and colour</h2>
         <Button
@@ -128,13 +129,13 @@ function Background() {
   const set = (background: string, gesture?: string) =>
     changeSpace((all) => ({ ...all, background }), gesture === undefined ? {} : { gesture });
   return (
-    <section class="light-panel stack" aria-label="Background">
+    <section class={`${lightCss["light-panel"]} stack`} aria-label="Background">
       <div class="section-head">
         <h2>Background</h2>
         {choice === "own" && (
           <input
             type="color"
-            class="solid-tint"
+            class={shapeCss["solid-tint"]}
             aria-label="Colour of the background"
             value={ground.value}
             onInput={(event) => set(event.currentTarget.value, "space-background")}

@@ -8,6 +8,7 @@ import { Switch } from "#ui/controls/Switch";
 import type { Point3, SpaceView } from "#wasm/api";
 import { changeView, holdEye } from "../stage/actions";
 import { eyeOf, LEAST_ANGLE, MOST_ANGLE, withAngle, wrapped } from "../stage/camera";
+import css from "./light.module.css";
 import { degrees, pointWords, radians } from "./words";
 
 const AXES = ["x", "y", "z"] as const;
@@ -26,7 +27,7 @@ export function ViewPanel() {
   const problems = { id: "space-view-problem", tell: setProblem };
   const set = (part: Partial<SpaceView>) => changeView((now) => ({ ...now, ...part }));
   return (
-    <section class="light-panel stack" aria-label="View">
+    <section class={`${css["light-panel"]} stack`} aria-label="View">
       <div class="section-head">
         <h2>View</h2>
         <Button kind="quiet" icon="reset" description="The view as at first" onClick={() => setView(null)}>
@@ -45,7 +46,7 @@ export function ViewPanel() {
         ends={["far and flat", "near and wide"]}
         onChange={(angle) => changeView((now) => withAngle(now, radians(angle)))}
       />
-      <fieldset class="view-numbers">
+      <fieldset class={css["view-numbers"]}>
         <legend>Looks at</legend>
         {AXES.map((axis, i) => (
           <NumberField
@@ -65,7 +66,7 @@ export function ViewPanel() {
           />
         ))}
       </fieldset>
-      <fieldset class="view-numbers">
+      <fieldset class={css["view-numbers"]}>
         <legend>From</legend>
         <NumberField
           label="Distance"

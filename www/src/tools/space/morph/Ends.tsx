@@ -1,10 +1,10 @@
-import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
-import "#ui/shapes/ends.css";
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { announce, notify, wordsOf } from "#document/notice";
 import { changeSpace } from "#document/space/edits";
 import { choose, editSpace, space } from "#document/space/space";
 import { Dialog } from "#ui/overlay/Dialog";
+import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
+import endsCss from "#ui/shapes/ends.module.css";
 import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import type { Shape3 } from "#wasm/api";
@@ -14,6 +14,7 @@ import { presets } from "../shape/object/presets";
 import { makePictures, pictures } from "../shape/object/thumbs";
 import { leadingTo, swapped } from "./changes";
 import { type Goal, goalsOf, missingWords } from "./goals";
+import morph3Css from "./morph3.module.css";
 
 /** The two ends of the morph, with the arrow that swaps them. */
 export function Ends() {
@@ -32,7 +33,7 @@ export function Ends() {
   }, [name, maps, goalName, goal]);
   if (!a) return null;
   return (
-    <section class="ends" aria-label="The two shapes">
+    <section class={endsCss["ends"]} aria-label="The two shapes">
       <Card
         end="a"
         shape={a}
@@ -52,8 +53,13 @@ export function Ends() {
       {b ? (
         <Card end="b" shape={b} onOpen={() => setOpen("b")} />
       ) : (
-        <button type="button" class="card morph3-empty" aria-haspopup="dialog" onClick={() => setOpen("b")}>
-          <span class="card-end" aria-hidden="true">
+        <button
+          type="button"
+          class={`${endsCss["card"]} ${morph3Css["morph3-empty"]}`}
+          aria-haspopup="dialog"
+          onClick={() => setOpen("b")}
+        >
+          <span class={endsCss["card-end"]} aria-hidden="true">
             B
           </span>
           <span>Choose a shape …</span>

@@ -1,6 +1,7 @@
 import { reasonWords } from "#format/reason";
 import { verdictWords } from "#format/verdict";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
+import css from "./morph3.module.css";
 import { judged } from "./work";
 
 /** Whether what is seen is in one piece, in words; and why, where there is a reason. */
@@ -9,14 +10,14 @@ export function Holds() {
   const words = verdictWords(now?.answer ?? null);
   const reason = now?.answer.reason;
   return (
-    <div class="morph3-holds">
-      <p class="morph3-verdict" data-stale={now?.stale ? "" : undefined} data-testid="space-verdict">
+    <div class={css["morph3-holds"]}>
+      <p class={css["morph3-verdict"]} data-stale={now?.stale ? "" : undefined} data-testid="space-verdict">
         <VerdictSign tone={words.tone} />
         <strong>{words.text}</strong>
         {words.aside !== "" && <span class="dim">{words.aside}</span>}
       </p>
       {reason && (
-        <details class="morph3-why">
+        <details class={css["morph3-why"]}>
           <summary>Why</summary>
           <p class="hint">{reasonWords(reason)}</p>
         </details>

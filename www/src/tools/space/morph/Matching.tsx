@@ -6,6 +6,7 @@ import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { Fold } from "#ui/panel/Fold";
 import type { Mode } from "#wasm/api";
 import { exchanged, flatPairs, inOrder, orderNow, withMode, withOrder } from "./changes";
+import css from "./morph3.module.css";
 import { from, morph, nearest } from "./work";
 
 const MODES: readonly { value: Mode; label: string; description: string }[] = [
@@ -25,7 +26,7 @@ export function Matching() {
   const kind = isNearest ? "nearest" : inOrder(order) ? "order" : "own";
   const flat = now.mode === "linear" ? [] : flatPairs(maps, goal, order);
   return (
-    <section class="morph3-part" aria-label="How maps become maps">
+    <section class={css["morph3-part"]} aria-label="How maps become maps">
       <ChoiceRow
         label="Maps go"
         name="How maps go"
@@ -66,7 +67,7 @@ export function Matching() {
         </p>
       )}
       <Fold title="Map by map" now={matchWords(order, [])}>
-        <ol class="morph3-order">
+        <ol class={css["morph3-order"]}>
           {order.map((to, i) => (
             // Maps have no name but their number.
             <li key={i}>

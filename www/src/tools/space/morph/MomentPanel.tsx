@@ -7,6 +7,7 @@ import { Slider } from "#ui/controls/Slider";
 import { SliderBreaks } from "#ui/controls/SliderMarks";
 import { PercentField } from "#ui/strip/PercentField";
 import { Holds } from "./Holds";
+import css from "./morph3.module.css";
 import { morphPlaying, pause, play } from "./play";
 import { goTo, stateNow } from "./way";
 import { check, moment, uv } from "./work";
@@ -18,8 +19,8 @@ export function MomentPanel() {
   const on = morphPlaying.value;
   const [u, v] = uv.value;
   return (
-    <section class="morph3-part" aria-label="Where along the path">
-      <div class="morph3-time">
+    <section class={css["morph3-part"]} aria-label="Where along the path">
+      <div class={css["morph3-time"]}>
         <IconButton
           class="play"
           icon={on ? "pause" : "play"}

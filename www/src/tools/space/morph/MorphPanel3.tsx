@@ -1,11 +1,10 @@
-import { LocusHead, statesIn } from "#stage/locus/LocusHead";
-import "./morph3.css";
 import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { announce } from "#document/notice";
 import { changeSpace } from "#document/space/edits";
 import { choose, setMoment, setView, space, spaceReady } from "#document/space/space";
 import { Legend } from "#stage/locus/Legend";
+import { LocusHead, statesIn } from "#stage/locus/LocusHead";
 import type { LocusStyle } from "#stage/locus/paint";
 import { Button } from "#ui/controls/Button";
 import { solid } from "#wasm/space";
@@ -15,6 +14,7 @@ import { startingWith, withoutMorph } from "./changes";
 import { Ends } from "./Ends";
 import { Matching, othersWords } from "./Matching";
 import { MomentPanel } from "./MomentPanel";
+import css from "./morph3.module.css";
 import { PathPanel } from "./PathPanel";
 import { pause } from "./play";
 import { Square } from "./Square";
@@ -57,7 +57,7 @@ function Parts() {
 
 function Begin() {
   return (
-    <section class="morph3-part" aria-label="Begin a morph">
+    <section class={css["morph3-part"]} aria-label="Begin a morph">
       <p class="hint">
         The first object can become another shape of as many maps. Frond maps out where it holds together on
         the way, and looks for a path on which it does. {othersWords()}
@@ -93,7 +93,7 @@ function DragonButton() {
 
 function Last() {
   return (
-    <section class="morph3-last" aria-label="The morph itself">
+    <section class={css["morph3-last"]} aria-label="The morph itself">
       {othersWords() !== "" && <p class="hint">{othersWords()}</p>}
       <Button
         kind="quiet"

@@ -5,6 +5,7 @@ import { isBroken, STATE, widestOf } from "#geometry/states";
 import { PathSection, WayPointEditor } from "#stage/locus/PathEditor";
 import { Button } from "#ui/controls/Button";
 import { PATH } from "./handles";
+import css from "./morph3.module.css";
 import { setKind, way } from "./way";
 import { calledOff, callOff, check, found, lookAgain, morph, pathless, search, searchProblem } from "./work";
 
@@ -13,7 +14,7 @@ export function PathPanel() {
   const kind = morph.value?.path.kind ?? "auto";
   return (
     <PathSection kind={kind} onKind={setKind}>
-      <div class="morph3-path">
+      <div class={css["morph3-path"]}>
         {kind === "auto" && search.value ? <Searching share={search.value.share} /> : <PathVerdict />}
         {kind === "auto" && <Ended />}
       </div>
@@ -71,7 +72,7 @@ function PathVerdict() {
   return (
     <>
       <p
-        class={`path-verdict ${breaks ? "broken" : so ? "whole" : "space-undecided"}`}
+        class={`path-verdict ${breaks ? "broken" : so ? "whole" : css["space-undecided"]}`}
         data-testid="space-path"
       >
         <span class="mark" aria-hidden="true" />

@@ -8,6 +8,7 @@ import type { BoxCount3, MapRow3, Place3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { spaceTask } from "#workers/space/client";
 import { facts, moved, rested } from "./now";
+import css from "./shape.module.css";
 
 /** What is known of the object: its dimension, its maps, and what was done to it. */
 export function FactsPanel() {
@@ -16,7 +17,7 @@ export function FactsPanel() {
   const by = moved.value;
   const times = determinant3(by);
   return (
-    <dl class="solid-facts">
+    <dl class={css["solid-facts"]}>
       <Fact name="Maps">{maps.length}</Fact>
       {now && (
         <>

@@ -1,4 +1,3 @@
-import "./shape.css";
 import { useEffect } from "preact/hooks";
 import { chosen, spaceReady } from "#document/space/space";
 import { formatNumber } from "#format/numbers";
@@ -11,6 +10,7 @@ import { ParameterTable } from "./maps/ParameterTable";
 import { facts, object, watchRest } from "./now";
 import { ObjectPanel } from "./object/ObjectPanel";
 import { ProjectionPanel } from "./projection/ProjectionPanel";
+import css from "./shape.module.css";
 
 /** The objects of space: what they are, what is done to them, and what that does to their parameters. */
 export function ShapePanel() {
@@ -37,7 +37,7 @@ function Folds() {
       : `dimension at most ${formatNumber(Math.min(3, known.affinity), 3)}`
     : undefined;
   return (
-    <section class="solid-folds" aria-label="More of the object">
+    <section class={css["solid-folds"]} aria-label="More of the object">
       <Fold title="Its maps" {...(object.value ? { now: mapsNote(object.value) } : {})}>
         <MapEditor key={chosen.value} />
       </Fold>

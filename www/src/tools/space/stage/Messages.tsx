@@ -6,6 +6,7 @@ import { solid } from "#wasm/space";
 import { backToFlight, showWhole } from "./actions";
 import { type Ball, eyeOf, sightOf } from "./camera";
 import { sight } from "./sight";
+import css from "./stage.module.css";
 import { painted } from "./state";
 import { insideWords, TROUBLE_WORDS, troubleOf } from "./words";
 
@@ -34,25 +35,25 @@ export function Messages() {
   const inside = what === null ? insideWords(around.value) : null;
   return (
     <>
-      <div class="space-messages" role="status">
-        {motionProblem.value !== null && <p class="space-message">{motionProblem.value}</p>}
+      <div class={css["space-messages"]} role="status">
+        {motionProblem.value !== null && <p class={css["space-message"]}>{motionProblem.value}</p>}
         {problem !== null && (
-          <div class="space-message">
+          <div class={css["space-message"]}>
             <p>{problem}</p>
             <Button onClick={showWhole}>Whole view</Button>
           </div>
         )}
         {problem === null && what !== null && (
-          <div class="space-message">
+          <div class={css["space-message"]}>
             <p>{TROUBLE_WORDS[what]}</p>
             <Button onClick={showWhole}>Show all</Button>
           </div>
         )}
-        {inside !== null && <p class="space-inside">{inside}</p>}
+        {inside !== null && <p class={css["space-inside"]}>{inside}</p>}
       </div>
       {flown.value && (
         <Button
-          class="space-flight"
+          class={css["space-flight"]}
           description="You look around on your own: go back"
           onClick={backToFlight}
         >

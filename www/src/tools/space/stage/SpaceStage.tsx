@@ -1,4 +1,3 @@
-import "./stage.css";
 import { computed, effect, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { endGesture } from "#document/scene";
@@ -9,6 +8,7 @@ import { attachGestures } from "./gestures";
 import { stageKey, stageKeyUp } from "./keys";
 import { Messages } from "./Messages";
 import { colours, ground, sight, watchGround } from "./sight";
+import css from "./stage.module.css";
 import { painted, setPainter, spaceDrawn, stageSize } from "./state";
 import { SpacePainter } from "./surface/painter";
 import { Toolbar } from "./Toolbar";
@@ -69,7 +69,7 @@ export function SpaceStage({ backend }: { backend: "auto" | PainterBackend }) {
     <>
       <div
         ref={host}
-        class="picture space-canvas"
+        class={`picture ${css["space-canvas"]}`}
         role="application"
         aria-label={LABEL}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: it takes keys
@@ -85,7 +85,7 @@ export function SpaceStage({ backend }: { backend: "auto" | PainterBackend }) {
       />
       <Toolbar />
       <Messages />
-      <div class="stage-foot space-foot">
+      <div class="stage-foot">
         <Status />
         <Chosen />
         <Counts />
@@ -98,7 +98,7 @@ const status = computed(() => statusWords(painted.value));
 
 function Status() {
   return (
-    <p class="space-status number" data-testid="space-status" data-drawn={spaceDrawn.value}>
+    <p class={`${css["space-status"]} number`} data-testid="space-status" data-drawn={spaceDrawn.value}>
       {status.value}
     </p>
   );
@@ -109,7 +109,7 @@ const about = computed(() => handWords(hand.value, space.value?.objects ?? [], c
 function Chosen() {
   if (about.value === null) return null;
   return (
-    <p class="space-status" data-testid="space-chosen">
+    <p class={css["space-status"]} data-testid="space-chosen">
       {about.value}
     </p>
   );
@@ -124,5 +124,7 @@ const counts = computed(() => {
 });
 
 function Counts() {
-  return <p class="space-status space-counts number">{sight.value ? counts.value : ""}</p>;
+  return (
+    <p class={`${css["space-status"]} ${css["space-counts"]} number`}>{sight.value ? counts.value : ""}</p>
+  );
 }

@@ -4,6 +4,7 @@ import { media } from "#style/media";
 import { Button, IconButton } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { atOrigin, goToOrigin, showWhole } from "./actions";
+import css from "./stage.module.css";
 
 const HANDS = [
   { value: "look", label: "Look", description: "Drag to look around; the shapes stay (1)" },
@@ -26,7 +27,7 @@ const objects = computed(() => space.value?.objects.length ?? 0);
 /** What a drag does, and two places to look from. */
 export function Toolbar() {
   return (
-    <div class="space-bar">
+    <div class={css["space-bar"]}>
       <Segmented
         label={objects.value > 1 ? "What a drag does to the view or the chosen object" : "What a drag does"}
         options={HANDS}
@@ -35,7 +36,7 @@ export function Toolbar() {
           hand.value = next;
         }}
       />
-      <span class="space-bar-views">
+      <span class={css["space-bar-views"]}>
         {small.value ? (
           <Button
             pressed={origin.value}

@@ -5,6 +5,7 @@ import { openExport } from "./exporting";
 import { fly } from "./flight/fly";
 import { attempt, removeAllKeys, stretch } from "./keys/keys";
 import { openAnimation } from "./saved/open";
+import css from "./time.module.css";
 
 /** What else can be done with time. `all` also has what stands beside it where there is room. */
 export function TimeMenu({ all = false }: { all?: boolean }) {
@@ -17,7 +18,7 @@ export function TimeMenu({ all = false }: { all?: boolean }) {
       attempt(() => changeTimeline((now) => (now.course === to ? now : { ...now, course: to }))),
   });
   return (
-    <div class="time-menu">
+    <div class={css["time-menu"]}>
       <Menu
         label="More of time"
         items={[

@@ -5,6 +5,7 @@ import { NumberField, type NumberFieldProps } from "#ui/controls/NumberField";
 import { LONGEST, SHORTEST, secondsProblem, withSeconds } from "./changes";
 import { pauseSpace, scrubSpace } from "./clock";
 import { attempt } from "./keys/keys";
+import css from "./time.module.css";
 
 /** Where there is no room at a field, what takes the words about what was wrong. */
 export interface Problems {
@@ -30,7 +31,7 @@ export function TimeNumbers({ terse = true, problems }: Problems & { terse?: boo
         onChange={scrubSpace}
       />
       {terse && (
-        <span class="time-of" aria-hidden="true">
+        <span class={css["time-of"]} aria-hidden="true">
           of
         </span>
       )}

@@ -1,8 +1,7 @@
-import { ChoiceRow } from "#ui/panel/ChoiceRow";
-import "./time.css";
 import { changeTimeline, EMPTY_LINE } from "#document/space/edits";
 import { space, timeline } from "#document/space/space";
 import { Button, IconButton } from "#ui/controls/Button";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { scrubSpace } from "./clock";
 import { fly } from "./flight/fly";
 import { EaseMenu } from "./keys/EaseMenu";
@@ -13,6 +12,7 @@ import { LoopRow } from "./LoopChoice";
 import { openAnimation } from "./saved/open";
 import { TimeNumbers } from "./TimeNumbers";
 import { ExportButton } from "./TimeStrip";
+import css from "./time.module.css";
 import { easeWords, keyWords, secondsWords } from "./words";
 
 const COURSES = [
@@ -29,7 +29,7 @@ export function TimePanel() {
         <h2>Time</h2>
         <ExportButton />
       </div>
-      <div class="time-fields">
+      <div class={css["time-fields"]}>
         <TimeNumbers terse={false} />
       </div>
       <LoopRow />
@@ -39,7 +39,7 @@ export function TimePanel() {
         value={(line ?? space.value?.timeline ?? EMPTY_LINE).course}
         onChange={(course) => attempt(() => changeTimeline((now) => ({ ...now, course })))}
       />
-      <div class="time-ready">
+      <div class={css["time-ready"]}>
         <Button onClick={() => fly("through")}>Fly through</Button>
         <Button onClick={() => fly("around")}>Fly around</Button>
         <Button kind="quiet" onClick={openAnimation}>
@@ -55,13 +55,13 @@ export function TimePanel() {
 function KeyList() {
   const keys = timeline.value?.keys ?? [];
   return (
-    <ol class="key-list">
+    <ol class={css["key-list"]}>
       {keys.map((key, index) => (
         // Keys keep their order, so their number is their name.
         <li key={index} class={keyHere.value === index ? "chosen" : ""}>
-          <Button kind="quiet" class="key-go" onClick={() => scrubSpace(key.at)}>
+          <Button kind="quiet" class={css["key-go"]} onClick={() => scrubSpace(key.at)}>
             <span class="number">{secondsWords(key.at)}</span>
-            <span class="dim key-about">
+            <span class={`dim ${css["key-about"]}`}>
               {keyWords(key)}
               {index < keys.length - 1 && <span>then {easeWords(key.ease)}</span>}
             </span>

@@ -1,6 +1,5 @@
 import { PlayButton } from "#ui/strip/PlayButton";
 import "#ui/strip/strip.css";
-import "./time.css";
 import { useEffect, useState } from "preact/hooks";
 import { EMPTY_LINE } from "#document/space/edits";
 import { moment, space, spacePlaying, timeline } from "#document/space/space";
@@ -18,6 +17,7 @@ import { watchKeys } from "./keys/pictures";
 import { LoopMenu } from "./LoopChoice";
 import { TimeMenu } from "./TimeMenu";
 import { TimeNumbers } from "./TimeNumbers";
+import css from "./time.module.css";
 import { momentWords } from "./words";
 
 const ExportDialog = lazily(() => import("../export/index").then((module) => module.ExportDialog));
@@ -32,9 +32,9 @@ export function TimeStrip() {
     };
   }, []);
   return (
-    <section class="strip space-strip" aria-label="Time">
+    <section class={`strip ${css["space-strip"]}`} aria-label="Time">
       <Play />
-      <div class="space-film">
+      <div class={css["space-film"]}>
         <Scrub />
         <Track />
       </div>
@@ -75,10 +75,13 @@ function Track() {
   const line = timeline.value;
   if (line) return <Keys line={line} />;
   return (
-    <div class="space-no-keys">
+    <div class={css["space-no-keys"]}>
       <p class="hint">
         Nothing moves yet.
-        <span class="more"> Set a key, go to another moment, look from elsewhere, and set another.</span>
+        <span class={css["more"]}>
+          {" "}
+          Set a key, go to another moment, look from elsewhere, and set another.
+        </span>
       </p>
       <Button disabled={!space.value} onClick={() => fly("through")}>
         Fly through
@@ -92,18 +95,18 @@ function AllOptions() {
   const [problem, setProblem] = useState<string | null>(null);
   const problems = { id, tell: setProblem };
   return (
-    <div class="space-time-options">
+    <div class={css["space-time-options"]}>
       {problem !== null && (
-        <p class="time-problem" id={id} role="alert">
+        <p class={css["time-problem"]} id={id} role="alert">
           {problem}
         </p>
       )}
-      <div class="time-row">
+      <div class={css["time-row"]}>
         <TimeNumbers problems={problems} />
         <LoopMenu />
         <TimeMenu />
       </div>
-      <div class="time-row">
+      <div class={css["time-row"]}>
         <KeyOptions problems={problems} />
         <ExportButton />
       </div>
@@ -114,7 +117,7 @@ function AllOptions() {
 /** Where there is little room the numbers are in the panel. */
 function FewOptions() {
   return (
-    <div class="space-few-options">
+    <div class={css["space-few-options"]}>
       <SetKey short />
       <TimeMenu all />
     </div>
@@ -125,7 +128,7 @@ export function ExportButton() {
   const done = exportProgress.value;
   return (
     <Button
-      class="export-button"
+      class={css["export-button"]}
       popup="dialog"
       description="Save it as a film, as a moving picture, or as numbers"
       disabled={!space.value}

@@ -1,6 +1,7 @@
 import { IconButton } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { resetChosen } from "../edit";
+import meshCss from "../mesh.module.css";
 import { chosen } from "./chosen";
 import { type Hand, hand } from "./hand";
 
@@ -17,7 +18,7 @@ const HANDS: readonly { value: Hand; label: string; description: string }[] = [
 /** What the hand does on the picture: fingers have no modifier keys. */
 export function HandBar() {
   return (
-    <div class="mesh-bar">
+    <div class={meshCss["mesh-bar"]}>
       {chosen.value.size > 0 && (
         <IconButton
           icon="reset"

@@ -1,6 +1,7 @@
 import { endGesture } from "#document/scene";
 import type { Screen } from "#geometry/coordinates";
 import { mesh } from "../document";
+import meshCss from "../mesh.module.css";
 import { choose, chosen, lead, lookAt } from "./chosen";
 import { handleId, handleKey } from "./keyboard";
 import { handleWords } from "./words";
@@ -22,7 +23,7 @@ export function Handle({ index, at, chosen: isChosen, leading, under, hint }: Ha
     <button
       id={handleId(index)}
       type="button"
-      class={`mesh-handle ${under ? "under" : ""}`}
+      class={`${meshCss["mesh-handle"]} ${under ? meshCss["under"] : ""}`}
       style={{ translate: `${at.x.toFixed(1)}px ${at.y.toFixed(1)}px` }}
       tabIndex={leading ? 0 : -1}
       aria-label={handleWords(mesh.value, index)}

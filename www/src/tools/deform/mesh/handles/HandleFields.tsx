@@ -2,6 +2,7 @@ import { endGesture } from "#document/scene";
 import { NumberField } from "#ui/controls/NumberField";
 import { farthest, mesh } from "../document";
 import { nudge } from "../edit";
+import meshCss from "../mesh.module.css";
 import { chosen, lead } from "./chosen";
 import { nameOf } from "./words";
 
@@ -12,7 +13,8 @@ export function HandleFields() {
   const all = chosen.value;
   const now = mesh.value;
   const [first] = all;
-  if (first === undefined) return <p class="mesh-none">No handle chosen. Press one on the grid.</p>;
+  if (first === undefined)
+    return <p class={meshCss["mesh-none"]}>No handle chosen. Press one on the grid.</p>;
   const held = all.has(lead.value) ? lead.value : first;
   const far = farthest(now.box);
   const field = (axis: 0 | 1) => {
@@ -34,12 +36,12 @@ export function HandleFields() {
   };
   return (
     // biome-ignore lint/a11y/useSemanticElements: a fieldset is for forms
-    <div class="mesh-fields" role="group" aria-label="Chosen handles">
-      <p class="mesh-which">
+    <div class={meshCss["mesh-fields"]} role="group" aria-label="Chosen handles">
+      <p class={meshCss["mesh-which"]}>
         {nameOf(now, held)}
         {all.size > 1 && `, and ${all.size - 1} more with it`}
       </p>
-      <div class="mesh-numbers">
+      <div class={meshCss["mesh-numbers"]}>
         {field(0)}
         {field(1)}
       </div>

@@ -2,6 +2,7 @@ import { signal } from "@preact/signals";
 import { Button } from "#ui/controls/Button";
 import type { FoundCluster } from "#workers/fit/hough";
 import { DomainFields } from "../DomainFields";
+import graphCss from "../graph.module.css";
 import { aboutOf, countWords, errorWords, mapWords, nameOf } from "../model/words";
 import { choose, chosen, found, isPicked, mapOf, picks, search, setDomain, togglePick } from "./search";
 
@@ -41,7 +42,7 @@ function Row({ cluster, index }: { cluster: FoundCluster; index: number }) {
   const open = chosen.value === index;
   const name = nameOf(cluster, index);
   return (
-    <li class={`candidate ${open ? "open" : ""}`}>
+    <li class={`${graphCss["candidate"]} ${open ? graphCss["open"] : ""}`}>
       <input
         type="checkbox"
         aria-label={`Pick ${name}`}
@@ -50,7 +51,7 @@ function Row({ cluster, index }: { cluster: FoundCluster; index: number }) {
       />
       <button
         type="button"
-        class="candidate-name"
+        class={graphCss["candidate-name"]}
         aria-expanded={open}
         title={aboutOf(cluster)}
         onClick={() => choose(index)}
@@ -60,7 +61,7 @@ function Row({ cluster, index }: { cluster: FoundCluster; index: number }) {
         <span class="dim number">{countWords(cluster.hits)}</span>
       </button>
       {open && (
-        <div class="candidate-more">
+        <div class={graphCss["candidate-more"]}>
           <p class="hint">{aboutOf(cluster)}</p>
           <p class="number">
             {mapWords(picks.value.find((one) => one.cluster === index)?.map ?? mapOf(cluster))}

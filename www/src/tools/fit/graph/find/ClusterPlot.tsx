@@ -1,6 +1,7 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
 import type { FoundCluster } from "#workers/fit/hough";
+import graphCss from "../graph.module.css";
 import { errorWords, mapWords, nameOf } from "../model/words";
 import { choose, chosen, current, found, isPicked, live, search, togglePick } from "./search";
 
@@ -24,10 +25,10 @@ export function ClusterPlot({ axes }: { axes: AxesId }) {
   const active = selected === null ? undefined : `cluster-${selected}`;
   // The largest first, so that small ones lie on top.
   return (
-    <div class="cluster-plot">
+    <div class={graphCss["cluster-plot"]}>
       {axes === "ac" && <Plane />}
       <div
-        class="cluster-list"
+        class={graphCss["cluster-list"]}
         role="listbox"
         aria-label={`Clusters by ${axes === "ac" ? "their scales a and c" : "their main directions"}: arrow keys go from one to the next, Enter picks`}
         aria-activedescendant={active}
@@ -36,13 +37,13 @@ export function ClusterPlot({ axes }: { axes: AxesId }) {
       >
         <svg viewBox={`0 0 ${SIDE} ${SIDE}`} role="presentation">
           <path
-            class="cluster-axes"
+            class={graphCss["cluster-axes"]}
             d={`M${EDGE} ${MIDDLE}H${SIDE - EDGE}M${MIDDLE} ${EDGE}V${SIDE - EDGE}`}
           />
-          <text class="cluster-axis" x={SIDE - EDGE} y={MIDDLE - 5} text-anchor="end">
+          <text class={graphCss["cluster-axis"]} x={SIDE - EDGE} y={MIDDLE - 5} text-anchor="end">
             {axes === "ac" ? "a" : "1st"}
           </text>
-          <text class="cluster-axis" x={MIDDLE + 5} y={EDGE + 8}>
+          <text class={graphCss["cluster-axis"]} x={MIDDLE + 5} y={EDGE + 8}>
             {axes === "ac" ? "c" : "2nd"}
           </text>
           {list.map((cluster, index) => {
@@ -52,7 +53,8 @@ export function ClusterPlot({ axes }: { axes: AxesId }) {
               <g
                 key={index}
                 id={`cluster-${index}`}
-                class={`cluster is-${cluster.kind} ${index === selected ? "chosen" : ""} ${isPicked(index) ? "picked" : ""}`}
+                class={`${graphCss["cluster"]} ${index === selected ? graphCss["chosen"] : ""} ${isPicked(index) ? graphCss["picked"] : ""}`}
+                data-kind={cluster.kind}
                 role="option"
                 aria-selected={index === selected}
                 aria-label={`${nameOf(cluster, index)}, ${cluster.hits} hits${isPicked(index) ? ", picked" : ""}: ${mapWords(cluster.map)}, ${errorWords(cluster)}`}
@@ -60,8 +62,8 @@ export function ClusterPlot({ axes }: { axes: AxesId }) {
                 onClick={() => choose(index)}
                 onDblClick={() => togglePick(index)}
               >
-                <circle class="reach" r={Math.max(radius, 9)} />
-                <circle class="spot" r={radius} />
+                <circle class={graphCss["reach"]} r={Math.max(radius, 9)} />
+                <circle class={graphCss["spot"]} r={radius} />
                 {radius >= 8 && cluster.kind !== "clutter" && (
                   <text dy="0.35em" text-anchor="middle">
                     {index + 1}

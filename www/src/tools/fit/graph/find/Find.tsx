@@ -5,6 +5,7 @@ import { Select } from "#ui/controls/Select";
 import { Slider } from "#ui/controls/Slider";
 import { Switch } from "#ui/controls/Switch";
 import { FileButton } from "#ui/files/FileButton";
+import graphCss from "../graph.module.css";
 import { EXAMPLES } from "../model/examples";
 import {
   COUNTS,
@@ -25,12 +26,12 @@ import { cancel, featuresChanged, find, problem, reflected, running } from "./se
 export function FindSection() {
   const now = series.value;
   return (
-    <section class="graph-find stack">
+    <section class="stack" aria-label="Find the maps of a series">
       <div class="section-head">
         <h2>Find the maps of a series</h2>
       </div>
       {now ? (
-        <p class="graph-source">
+        <p class={graphCss["graph-source"]}>
           <strong>{now.name}</strong>{" "}
           <span class="dim number">{countWords(now.points.length / 2)} points</span>
         </p>
@@ -54,7 +55,7 @@ export function FindSection() {
 function FileRow() {
   const example = series.value?.example ?? "";
   return (
-    <div class="row graph-files">
+    <div class={`row ${graphCss["graph-files"]}`}>
       <FileButton
         label="A table of numbers"
         accept=".csv,.tsv,.txt,.dat,.json,.geojson,text/csv,text/plain"
@@ -97,7 +98,7 @@ function Options() {
           featuresChanged();
         }}
       />
-      <div class="graph-slider">
+      <div class={graphCss["graph-slider"]}>
         <span class="row-name">Smoothing, against noise</span>
         <span class="number dim">
           {smoothing.value === 0 ? "none" : `${formatNumber(100 * smoothing.value, 2)}%`}
@@ -130,7 +131,7 @@ function Options() {
           Find the maps
         </Button>
       ) : (
-        <div class="graph-busy">
+        <div class={graphCss["graph-busy"]}>
           <progress value={busy.share} max={1} aria-label="Search" />
           <p class="number">
             {phaseWords(busy.phase)}: {countWords(busy.votes)} votes

@@ -3,6 +3,7 @@ import { formatNumber } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { Switch } from "#ui/controls/Switch";
+import graphCss from "../graph.module.css";
 import { graph } from "../model/document";
 import { axisWords, countWords, spreadWords } from "../model/words";
 import { CandidateList } from "./Candidates";
@@ -92,7 +93,7 @@ function Assembly() {
   const done = assembled.value;
   const picked = picks.value.length;
   return (
-    <div class="graph-assembly">
+    <div class={graphCss["graph-assembly"]}>
       <Switch
         checked={copying.value}
         onChange={(on) => {

@@ -1,10 +1,10 @@
-import "../graph.css";
 import { computed, useSignalEffect } from "@preact/signals";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { formatNumber } from "#format/numbers";
 import { palette } from "#style/palette";
 import { IconButton } from "#ui/controls/Button";
+import graphCss from "../graph.module.css";
 import { chosenPiece, graph, isFirst, problem } from "../model/document";
 import { errors } from "../model/errors";
 import { rangeOf } from "../model/model";
@@ -75,7 +75,7 @@ export function GraphStage() {
   return (
     <div
       ref={root}
-      class="graph-stage"
+      class={graphCss["graph-stage"]}
       data-points={polyline.value.length / 2}
       role="application"
       aria-label="The graph. Left and right arrows move it, plus and minus zoom, 0 shows all of it."
@@ -110,9 +110,9 @@ function Foot() {
   const wrong = problem.value;
   const zoom = magnified.value;
   return (
-    <div class="graph-foot" data-handle="">
+    <div class={graphCss["graph-foot"]} data-handle="">
       {wrong !== null && (
-        <p class="graph-problem" role="alert">
+        <p class={graphCss["graph-problem"]} role="alert">
           {wrong}
         </p>
       )}
@@ -120,10 +120,10 @@ function Foot() {
       {off && !faint.value && (
         <p class="readout" data-part="errors">
           Off by {formatNumber(off.worst, 4)} at most
-          <span class="wide-words">, {off.meanSquare.toExponential(2)} mean squared</span>
+          <span class={graphCss["wide-words"]}>, {off.meanSquare.toExponential(2)} mean squared</span>
         </p>
       )}
-      <div class="graph-zoom">
+      <div class={graphCss["graph-zoom"]}>
         {zoom > 1.01 && <span class="readout number">{formatNumber(zoom, zoom < 10 ? 1 : 0)}×</span>}
         <IconButton kind="quiet" icon="remove" label="Zoom out" onClick={() => zoomAbout(1 / 1.6)} />
         <IconButton kind="quiet" icon="add" label="Zoom in" onClick={() => zoomAbout(1.6)} />

@@ -2,6 +2,7 @@ import { announce } from "#document/notice";
 import { formatNumber } from "#format/numbers";
 import { screen } from "#geometry/coordinates";
 import { useGrip } from "#stage/grip";
+import graphCss from "../graph.module.css";
 import { changeModel, chosenKnot, model } from "../model/document";
 import type { Knot } from "../model/model";
 import { withKnot, withoutKnot } from "../model/model";
@@ -24,7 +25,7 @@ export function Knots({ faint }: { faint: boolean }) {
   const shown = seen.length > MOST ? seen.filter(({ index }) => index === chosen) : seen;
   const width = view.left + view.width + 40;
   return (
-    <svg class="overlay graph-knots" width={width} height={view.top + view.height + 90}>
+    <svg class={`overlay ${graphCss["graph-knots"]}`} width={width} height={view.top + view.height + 90}>
       <title>Points that the graph goes through</title>
       {shown.map(({ knot, index }) => (
         <Handle
@@ -56,7 +57,11 @@ function Handle({
   return (
     // biome-ignore lint/a11y/useSemanticElements: there are no buttons in SVG
     <g
-      class={index === chosenKnot.value ? "grip knot chosen" : "grip knot"}
+      class={
+        index === chosenKnot.value
+          ? `grip ${graphCss["knot"]} ${graphCss["chosen"]}`
+          : `grip ${graphCss["knot"]}`
+      }
       data-handle=""
       role="button"
       tabindex={0}
@@ -68,7 +73,7 @@ function Handle({
       <circle class="knob" r={6.5} />
       {labelled && (
         <text
-          class="knot-label cased"
+          class={`${graphCss["knot-label"]} cased`}
           x={room < 90 ? -11 : 11}
           y={-11}
           text-anchor={room < 90 ? "end" : "start"}

@@ -14,6 +14,7 @@ import { MOST_MAPS, withShape } from "../changes";
 import { factsOf, object } from "../now";
 import { presets } from "../object/presets";
 import { Swatch } from "../object/Swatch";
+import shapeCss from "../shape.module.css";
 import { TwelveFields } from "./TwelveFields";
 
 /** Takes maps that are a shape; of others it says what is wrong, and the last good ones stay. */
@@ -88,7 +89,7 @@ export function MapEditor() {
         fields={fields}
       />
       <Problem words={problem} />
-      <div class="solid-buttons">
+      <div class={shapeCss["solid-buttons"]}>
         <Button
           icon="add"
           disabled={maps.length >= MOST_MAPS}

@@ -7,6 +7,7 @@ import { Button } from "#ui/controls/Button";
 import { Problem } from "#ui/panel/Problem";
 import type { MapRow3 } from "#wasm/api";
 import { moved } from "../now";
+import shapeCss from "../shape.module.css";
 import { nearlySame } from "./hand";
 import { TwelveFields } from "./TwelveFields";
 
@@ -37,7 +38,7 @@ export function MatrixFields() {
             ? "Flat: it cannot be undone."
             : `Volumes times ${formatNumber(Math.abs(times), 3)}${times < 0 ? ", mirrored" : ""}`}
         </span>
-        <span class="solid-buttons">
+        <span class={shapeCss["solid-buttons"]}>
           <Button
             kind="quiet"
             disabled={typed === null}

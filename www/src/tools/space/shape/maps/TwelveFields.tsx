@@ -1,6 +1,6 @@
-import { useProblems } from "#ui/controls/problems";
-import "#ui/shapes/equations.css";
 import { NumberField } from "#ui/controls/NumberField";
+import { useProblems } from "#ui/controls/problems";
+import equationsCss from "#ui/shapes/equations.module.css";
 import type { MapRow3 } from "#wasm/api";
 
 export interface TwelveFieldsProps {
@@ -32,10 +32,10 @@ export function TwelveFields({ map, onChange, onDone }: TwelveFieldsProps) {
     />
   );
   return (
-    <div class="equations">
+    <div class={equationsCss["equations"]}>
       {AXES.map((axis, row) => (
-        <div key={axis} class="equation of-space">
-          <span class="equation-axis" aria-hidden="true">
+        <div key={axis} class={`${equationsCss["equation"]} ${equationsCss["of-space"]}`}>
+          <span class={equationsCss["equation-axis"]} aria-hidden="true">
             {axis}′ =
           </span>
           {AXES.map((from, column) => field(3 * row + column, `New ${axis} from ${from}`, from))}

@@ -9,6 +9,7 @@ import { mapsNote, ShapeGrid, type ShapeItem } from "#ui/shapes/ShapeGrid";
 import type { SpaceObject } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { object } from "../now";
+import shapeCss from "../shape.module.css";
 import { presets } from "./presets";
 import { type How, take, takenWords } from "./take";
 import { makePictures, pictures } from "./thumbs";
@@ -91,7 +92,7 @@ export function Gallery({ how: first, onClose }: { how: How | "ask"; onClose: ()
         />
       )}
       <div ref={grid} hidden={asked !== null}>
-        <div class="solid-how">
+        <div class={shapeCss["solid-how"]}>
           <Segmented<How | "ask">
             label="What becomes of what there is"
             value={how}
@@ -137,22 +138,22 @@ function Question({ item, instead, count, onTake, onBack }: QuestionProps) {
   const first = useRef<HTMLButtonElement>(null);
   useEffect(() => first.current?.focus(), []);
   return (
-    <ul class="solid-systems">
+    <ul class={shapeCss["solid-systems"]}>
       <li>
         <Button kind="primary" buttonRef={first} onClick={() => onTake("beside")}>
-          Beside what there is <span class="solid-fate">all {count} stay</span>
+          Beside what there is <span class={shapeCss["solid-fate"]}>all {count} stay</span>
         </Button>
       </li>
       {item.objects.length === 1 && (
         <li>
           <Button onClick={() => onTake("instead")}>
-            Instead of {instead} <span class="solid-fate">{instead} leaves</span>
+            Instead of {instead} <span class={shapeCss["solid-fate"]}>{instead} leaves</span>
           </Button>
         </li>
       )}
       <li>
         <Button onClick={() => onTake("alone")}>
-          Alone <span class="solid-fate">all {count} leave</span>
+          Alone <span class={shapeCss["solid-fate"]}>all {count} leave</span>
         </Button>
       </li>
       <li>

@@ -12,6 +12,7 @@ import { SubjectCard } from "#ui/shapes/SubjectCard";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { MOST_OBJECTS, withoutObject, withTint } from "../changes";
 import { object } from "../now";
+import shapeCss from "../shape.module.css";
 import { leftOut, opened, openFile, saveFile, takeFound } from "./files";
 import { Gallery } from "./Gallery";
 import { Swatch } from "./Swatch";
@@ -44,7 +45,7 @@ export function ObjectPanel() {
         onChoose={() => setGallery(count > 1 ? "ask" : "alone")}
       />
       {count > 1 && <ObjectList />}
-      <div class="solid-buttons">
+      <div class={shapeCss["solid-buttons"]}>
         <Button
           icon="add"
           popup="dialog"
@@ -82,9 +83,9 @@ function ObjectList() {
   const objects = space.value?.objects ?? [];
   const at = chosen.value;
   return (
-    <div class="solid-objects" role="radiogroup" aria-label="The object that is worked on">
+    <div class={shapeCss["solid-objects"]} role="radiogroup" aria-label="The object that is worked on">
       {objects.map((one, index) => (
-        <div key={index} class="solid-object">
+        <div key={index} class={shapeCss["solid-object"]}>
           <label>
             <input
               type="radio"
@@ -108,7 +109,7 @@ function ObjectTools({ index, tint, name }: { index: number; tint: string | unde
     <>
       <input
         type="color"
-        class="solid-tint"
+        class={shapeCss["solid-tint"]}
         aria-label={`One colour for all of ${name}`}
         title="One colour for all of it"
         value={tint ?? "#808080"}
@@ -150,7 +151,7 @@ function Systems() {
       about={`${systems.length} systems of space are in it. Which one shall it be? ${leftOut(flat)}`}
       onClose={close}
     >
-      <ul class="solid-systems">
+      <ul class={shapeCss["solid-systems"]}>
         {systems.map((system, i) => (
           <li key={i}>
             <Button

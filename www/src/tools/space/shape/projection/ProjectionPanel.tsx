@@ -9,6 +9,7 @@ import { NumberField } from "#ui/controls/NumberField";
 import type { MapRow, MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { object, rested } from "../now";
+import shapeCss from "../shape.module.css";
 import { Epsilon } from "./Epsilon";
 import { different, takeShadow, tidy } from "./use";
 
@@ -57,7 +58,7 @@ export function ProjectionPanel() {
   return (
     <div class="stack">
       <p class="hint">Light from far away, along {axisWords(now)}: what falls on the wall behind?</p>
-      <fieldset class="solid-buttons" aria-label="Direction of the light">
+      <fieldset class={shapeCss["solid-buttons"]} aria-label="Direction of the light">
         {AXES.map((axis) => (
           <Button key={axisWords(axis)} pressed={near(axis, now)} onClick={() => towards(axis)}>
             {axisWords(axis)}
@@ -74,7 +75,7 @@ export function ProjectionPanel() {
           As the eye looks
         </Button>
       </fieldset>
-      <div class="solid-three">
+      <div class={shapeCss["solid-three"]}>
         {(["x", "y", "z"] as const).map((axis, k) => (
           <NumberField
             key={axis}
@@ -117,7 +118,7 @@ function Exact() {
             Every map keeps the direction, so that what it does to the shadow hangs on the shadow alone.
           </span>
         </p>
-        <div class="solid-buttons">
+        <div class={shapeCss["solid-buttons"]}>
           <Button icon="arrow" onClick={() => void takeShadow(name, found.maps, "morph")}>
             Morph it
           </Button>

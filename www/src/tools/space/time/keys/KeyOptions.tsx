@@ -6,6 +6,7 @@ import { NumberField } from "#ui/controls/NumberField";
 import { MOST_KEYS, withKeyAt } from "../changes";
 import { pauseSpace, scrubSpace } from "../clock";
 import type { Problems } from "../TimeNumbers";
+import timeCss from "../time.module.css";
 import { EaseMenu } from "./EaseMenu";
 import { keyHere } from "./Keys";
 import { attempt, removeKey, setKey } from "./keys";
@@ -17,7 +18,7 @@ export function KeyOptions({ problems }: Problems) {
   const key = line?.keys[here];
   if (!line || !key || lookingAround.value) return <SetKey />;
   return (
-    <div class="key-numbers">
+    <div class={timeCss["key-numbers"]}>
       <NumberField
         {...(problems ? { problems } : {})}
         label={`Key ${here + 1} of ${line.keys.length}`}
@@ -60,7 +61,7 @@ export function SetKey({ short = false }: { short?: boolean }) {
   }
   return (
     <Button
-      class="set-key"
+      class={timeCss["set-key"]}
       icon="add"
       kind={lookingAround.value ? "primary" : "plain"}
       disabled={full || !space.value}

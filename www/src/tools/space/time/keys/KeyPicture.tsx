@@ -1,4 +1,5 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
+import timeCss from "../time.module.css";
 import { keyPictures } from "./pictures";
 
 /** What is seen at a key, small. */
@@ -13,7 +14,7 @@ export function KeyPicture({ index }: { index: number }) {
     if (image) element.getContext("2d")?.putImageData(image, 0, 0);
   }, [image]);
   return (
-    <span class="key-picture" aria-hidden="true">
+    <span class={timeCss["key-picture"]} aria-hidden="true">
       <canvas ref={canvas} />
     </span>
   );
