@@ -31,10 +31,24 @@ use deform::{read_deform, write_deform};
 use fit::{read_curves, read_fit, write_curves, write_fit};
 use locus::{read_locus, read_way_points, write_locus};
 use space::{read_space, write_space};
-use words::{choice, damaged, escape, number, numbers, read_list, read_numbers, tidy, unescape, within};
+use words::{
+    choice, damaged, escape, name_of, number, numbers, read_list, read_numbers, tidy, unescape, within,
+};
 
 /// The version that is written.
 pub const VERSION: u32 = 1;
+
+// What things are called in links; the first is what a link stands for that says nothing.
+const PATHS: [(&str, PathKind); 3] =
+    [("auto", PathKind::Auto), ("straight", PathKind::Straight), ("drawn", PathKind::Drawn)];
+const COLOURS: [(&str, Colouring); 4] = [
+    ("map", Colouring::Map),
+    ("address", Colouring::Address),
+    ("density", Colouring::Density),
+    ("grid", Colouring::Grid),
+];
+const TOOLS: [(&str, Tool); 4] =
+    [("morph", Tool::Morph), ("deform", Tool::Deform), ("fit", Tool::Fit), ("space", Tool::Space)];
 
 /// The link of a document, without the `#`: it opens again.
 ///
@@ -57,14 +71,9 @@ fn write(scene: &Scene) -> Result<String, LinkError> {
     if scene.mode == Mode::Linear {
         link.push_str("&mode=linear");
     }
-    let kind = match scene.path.kind {
-        PathKind::Auto => "auto",
-        PathKind::Straight => "straight",
-        PathKind::Drawn => "drawn",
-    };
     if scene.path.kind != PathKind::Auto || !scene.path.points.is_empty() {
         let points: Vec<String> = scene.path.points.iter().map(|point| numbers(&point.numbers())).collect();
-        let _ = write!(link, "&path={kind}");
+        let _ = write!(link, "&path={}", name_of(&PATHS, &scene.path.kind));
         if !points.is_empty() {
             let _ = write!(link, ":{}", points.join(";"));
         }
@@ -80,11 +89,8 @@ fn write(scene: &Scene) -> Result<String, LinkError> {
         let turns: Vec<String> = scene.turns.iter().map(ToString::to_string).collect();
         let _ = write!(link, "&turns={}", turns.join(","));
     }
-    match scene.colouring {
-        Colouring::Map => {}
-        Colouring::Address => link.push_str("&colour=address"),
-        Colouring::Density => link.push_str("&colour=density"),
-        Colouring::Grid => link.push_str("&colour=grid"),
+    if scene.colouring != Colouring::Map {
+        let _ = write!(link, "&colour={}", name_of(&COLOURS, &scene.colouring));
     }
     if scene.compare {
         link.push_str("&compare=1");
@@ -95,11 +101,8 @@ fn write(scene: &Scene) -> Result<String, LinkError> {
     if let Some(view) = scene.locus {
         write_locus(&mut link, &view);
     }
-    match scene.tool {
-        Tool::Morph => {}
-        Tool::Deform => link.push_str("&tool=deform"),
-        Tool::Fit => link.push_str("&tool=fit"),
-        Tool::Space => link.push_str("&tool=space"),
+    if scene.tool != Tool::Morph {
+        let _ = write!(link, "&tool={}", name_of(&TOOLS, &scene.tool));
     }
     if let Some(deform) = &scene.deform {
         write_deform(&mut link, deform);
@@ -155,8 +158,7 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
     scene.mode = choice("mode", get("mode"), &[("polar", Mode::Polar), ("linear", Mode::Linear)])?;
     if let Some(text) = get("path") {
         let (kind, points) = text.split_once(':').unwrap_or((text, ""));
-        let kinds = [("auto", PathKind::Auto), ("straight", PathKind::Straight), ("drawn", PathKind::Drawn)];
-        scene.path.kind = choice("path", Some(kind), &kinds)?;
+        scene.path.kind = choice("path", Some(kind), &PATHS)?;
         scene.path.points = read_way_points("path", points)?;
     }
     if let Some(text) = get("t") {
@@ -184,13 +186,7 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
             scene.turns.clear();
         }
     }
-    let colours = [
-        ("map", Colouring::Map),
-        ("address", Colouring::Address),
-        ("density", Colouring::Density),
-        ("grid", Colouring::Grid),
-    ];
-    scene.colouring = choice("colour", get("colour"), &colours)?;
+    scene.colouring = choice("colour", get("colour"), &COLOURS)?;
     scene.compare = choice("compare", get("compare"), &[("0", false), ("1", true)])?;
     if let Some(text) = get("view") {
         let [x, y, zoom] = read_numbers::<3>("view", text)?;
@@ -200,9 +196,7 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
         scene.view = Some(Window { x, y, zoom });
     }
     scene.locus = read_locus(&get)?;
-    let tools =
-        [("morph", Tool::Morph), ("deform", Tool::Deform), ("fit", Tool::Fit), ("space", Tool::Space)];
-    scene.tool = choice("tool", get("tool"), &tools)?;
+    scene.tool = choice("tool", get("tool"), &TOOLS)?;
     scene.deform = read_deform(&get)?;
     scene.curves = read_curves(&get)?;
     scene.fit = read_fit(&get)?;

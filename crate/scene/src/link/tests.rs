@@ -171,7 +171,7 @@ prop_compose! {
         b in any_shape(),
         points in proptest::collection::vec(any_point(), 0..6),
         kind in proptest::sample::select(vec![PathKind::Auto, PathKind::Straight, PathKind::Drawn]),
-        colouring in proptest::sample::select(vec![Colouring::Map, Colouring::Address, Colouring::Density, Colouring::Grid]),
+        colouring in proptest::sample::select(COLOURS.map(|(_, colouring)| colouring).to_vec()),
         linear: bool,
         compare: bool,
         t in 0.0..=1.0_f64,
@@ -185,7 +185,7 @@ prop_compose! {
             proptest::option::of(any_fit()),
             proptest::option::of(any_space()),
         ),
-        tool in proptest::sample::select(vec![Tool::Morph, Tool::Deform, Tool::Fit, Tool::Space]),
+        tool in proptest::sample::select(TOOLS.map(|(_, tool)| tool).to_vec()),
     ) -> Scene {
         let maps = a.maps.len().max(b.maps.len());
         Scene {
