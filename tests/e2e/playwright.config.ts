@@ -61,7 +61,6 @@ function server() {
 export default defineConfig({
   testDir: ".",
   outputDir: "../../target/e2e",
-  snapshotPathTemplate: "../golden/{projectName}/{arg}{ext}",
   // A software GPU takes every core it finds: two at once are a seventh to a fifth quicker on two cores, three are not.
   workers: 2,
   fullyParallel: true,
