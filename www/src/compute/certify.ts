@@ -15,7 +15,7 @@ export const PARTS = 48;
 /** Boxes that are looked at in one part: where so many do not suffice, more seldom help. */
 const BUDGET = 1500;
 /** More than the widest gap that samples met: the bound lies above what is true. */
-const SLACK = 1.15;
+const ABOVE_SAMPLES = 1.15;
 
 /** What is proved of a whole path, as far as it is. */
 export interface Certified {
@@ -62,7 +62,7 @@ export function certify(): void {
   const inputs = morph.peek();
   const points = pathPoints.peek();
   const met = along.peek()?.worst?.gap ?? 0;
-  const within = Math.max(EPSILON, SLACK * met);
+  const within = Math.max(EPSILON, ABOVE_SAMPLES * met);
   latest.value = {
     points,
     inputs,

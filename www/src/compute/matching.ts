@@ -9,7 +9,7 @@ import type { Job, Kind, Task } from "#workers/pool/protocol";
 import { EPSILON } from "./locus/job";
 
 /** How many ways to match are offered. */
-export const MOST = 12;
+export const MOST_MATCHINGS = 12;
 /** Samples a side of their loci: 3 k + 1, so that both ends are samples. */
 export const RATE_SIZE = 64;
 
@@ -75,7 +75,7 @@ function matchJob({ from, to, mode }: Matchings): Job<"candidates" | "rate"> {
     next() {
       if (first) {
         first = false;
-        return { kind: "candidates", from, to, limit: MOST };
+        return { kind: "candidates", from, to, limit: MOST_MATCHINGS };
       }
       const candidate = todo.shift();
       if (!candidate) return null;
@@ -85,7 +85,7 @@ function matchJob({ from, to, mode }: Matchings): Job<"candidates" | "rate"> {
     },
     accept(task, result) {
       if (isOf("candidates", task)) {
-        const found = (result as Candidate[]).slice(0, MOST);
+        const found = (result as Candidate[]).slice(0, MOST_MATCHINGS);
         todo.push(...found);
         update((now) => ({ ...now, of: found.length }));
         return;

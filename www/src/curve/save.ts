@@ -23,10 +23,10 @@ export const KINDS: readonly { kind: Kind; about: string }[] = [
 
 /** Points of a saved outline leave the curve by so much of its size. */
 const FINE = 1 / 5000;
-const MOST = 100_000;
+const MOST_POINTS = 100_000;
 /** Of a saved picture, in pixels. */
 const LONG_SIDE = 2400;
-const LINE = 1.8;
+const LINE_WIDTH = 1.8;
 
 /** Saves the curve as it stands. */
 export async function save(kind: Kind): Promise<void> {
@@ -46,7 +46,7 @@ function text(kind: Exclude<Kind, "png">): Blob {
   const [x0, y0, x1, y1] = morph.bounds(s);
   const size = Math.max(x1 - x0, y1 - y0);
   const bent = moved(bend.peek());
-  const points = morph.polyline(s, { tolerance: FINE * size, most: MOST, bend: bent });
+  const points = morph.polyline(s, { tolerance: FINE * size, most: MOST_POINTS, bend: bent });
   switch (kind) {
     case "svg": {
       const title =
@@ -79,13 +79,13 @@ async function picture(): Promise<Blob> {
     tolerance: TOLERANCE / view.scale,
     window: [view.x - across, view.y - up, view.x + across, view.y + up],
     bend: moved(bend.peek()),
-    most: MOST,
+    most: MOST_POINTS,
   });
   const canvas = new OffscreenCanvas(width, height);
   const context = canvas.getContext("2d");
   if (!context) throw new Error("The browser has no canvas.");
   const { colouring, palette } = stageStyle.peek();
-  const look = lookOf(morph, curveTime.peek(), colouring, palette, LINE * larger);
+  const look = lookOf(morph, curveTime.peek(), colouring, palette, LINE_WIDTH * larger);
   paintCurve(context, points, { view, width, height }, look);
   return canvas.convertToBlob({ type: "image/png" });
 }

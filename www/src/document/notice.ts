@@ -21,13 +21,13 @@ export const notices: ReadonlySignal<Notice[]> = shown;
 export const announcement: ReadonlySignal<string> = spoken;
 
 const INFO_MS = 5000;
-const MOST = 4;
+const MOST_NOTICES = 4;
 
 export function notify(notice: Omit<Notice, "id">): number {
   const same = shown.peek().find((n) => n.text === notice.text && n.kind === notice.kind);
   if (same) return same.id;
   const id = next++;
-  shown.value = [...shown.peek(), { ...notice, id }].slice(-MOST);
+  shown.value = [...shown.peek(), { ...notice, id }].slice(-MOST_NOTICES);
   if (notice.kind === "info" && !notice.stays)
     setTimeout(() => dismiss(id), notice.action ? 2 * INFO_MS : INFO_MS);
   return id;

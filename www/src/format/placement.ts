@@ -22,11 +22,11 @@ export function placeWords(place: Place3 | null): string {
   return words.length > 0 ? words.join(", ") : "nothing";
 }
 
-const NEAR = 1e-6;
+const ALONG_AXIS = 1e-6;
 
 /** A direction by its axis, where it is one; else by its numbers. */
 export function axisWords(direction: Point3): string {
-  const along = ["x", "y", "z"].find((_, k) => Math.abs(Math.abs(direction[k] ?? 0) - 1) < NEAR);
+  const along = ["x", "y", "z"].find((_, k) => Math.abs(Math.abs(direction[k] ?? 0) - 1) < ALONG_AXIS);
   if (along) return (direction[["x", "y", "z"].indexOf(along)] ?? 0) < 0 ? `−${along}` : along;
   return `(${direction.map((x) => formatNumber(x, 3)).join(", ")})`;
 }

@@ -283,8 +283,8 @@ impl<'a> NeighbourGraph<'a> {
 
     /// Whether every two neighbour maps that were taken for the same are so, exactly.
     pub fn is_exact(&self, system: &QuadraticSystem) -> bool {
-        const MOST: usize = 3000;
-        self.merged.len() <= MOST
+        const MOST_MERGED: usize = 3000;
+        self.merged.len() <= MOST_MERGED
             && self.merged.iter().all(|(k, [u, v])| {
                 let [s, t] = &self.states[*k as usize].words;
                 system.same_neighbour((u, v), (s, t))

@@ -7,7 +7,7 @@ use super::system::{System, fixed_point};
 use crate::verdict::{Sample, State};
 
 /// Rounds of lowering the support values at most.
-const ROUNDS: usize = 48;
+const MOST_ROUNDS: usize = 48;
 /// Looks spent at most on the verdict, and on measuring a gap after it.
 const LOOKS: u32 = 3000;
 const SHADING: u32 = 400;
@@ -54,7 +54,7 @@ pub(super) fn decide(columns: &[SingleMap], rows: &[SingleMap], epsilon: f32) ->
         }
     }
     let maps = &system.maps[..count];
-    let fan = Fan::new(maps, fixed_point(maps[0]), 0.03 * (1.0 - system.factor), ROUNDS);
+    let fan = Fan::new(maps, fixed_point(maps[0]), 0.03 * (1.0 - system.factor), MOST_ROUNDS);
     let diameter = fan.diameter();
     let resolution = epsilon * diameter;
     let mut descent = Descent {

@@ -25,7 +25,7 @@ import {
 type Options = { gesture?: string; own?: boolean };
 
 /** Keys within this many seconds are one. */
-export const NEAR = 0.02;
+export const SAME_KEY_S = 0.02;
 export const EMPTY_LINE: SpaceTimeline = { seconds: 6, loop: "round", course: "smooth", keys: [] };
 
 /** As `editSpace`, where nobody else says why it could not be done. Whether it was. */
@@ -221,7 +221,7 @@ function keyNow(
   const at = moment.peek();
   editSpace((now) => {
     const line = now.timeline ?? EMPTY_LINE;
-    const before = line.keys.find((key) => Math.abs(key.at - at) < NEAR);
+    const before = line.keys.find((key) => Math.abs(key.at - at) < SAME_KEY_S);
     const key = change(before ?? { at, ease: "inout" }, now.objects.length);
     const rest = line.keys.filter((other) => other !== before);
     const keys = [...rest.map((other) => others(other, now.objects.length)), key].sort((a, b) => a.at - b.at);

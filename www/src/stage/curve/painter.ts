@@ -27,9 +27,9 @@ const LATE_MS = 14;
 const SOON_MS = 6;
 const COARSEST = 6;
 /** Of the outline, in CSS pixels. */
-const LINE = 1.8;
+const LINE_WIDTH = 1.8;
 /** Vertices at most: more than a screen has room for. */
-const MOST = 60_000;
+const MOST_VERTICES = 60_000;
 
 /** The part of the plane that a picture shows, and a little more. */
 export function windowOf({
@@ -142,7 +142,11 @@ export class CurvePainter {
     const context = canvas.getContext("2d");
     if (!context || !morph) return 0;
     const scale = view.scale * ratio;
-    const options = { tolerance: (coarse * TOLERANCE) / scale, window: windowOf(wanted), most: MOST };
+    const options = {
+      tolerance: (coarse * TOLERANCE) / scale,
+      window: windowOf(wanted),
+      most: MOST_VERTICES,
+    };
     let vertices: Float64Array;
     try {
       vertices = morph.polyline(s, { ...options, bend: moved(wanted.bend) });
@@ -152,7 +156,12 @@ export class CurvePainter {
       vertices = morph.polyline(s, options);
     }
     const frame = { view: { ...view, scale }, width, height };
-    paintCurve(context, vertices, frame, lookOf(morph, s, style.colouring, style.palette, LINE * ratio));
+    paintCurve(
+      context,
+      vertices,
+      frame,
+      lookOf(morph, s, style.colouring, style.palette, LINE_WIDTH * ratio),
+    );
     return vertices.length / 2;
   }
 }

@@ -12,7 +12,7 @@ export interface ThumbSize {
 }
 
 const EDGE = 5;
-const LINE = 1.1;
+const LINE_WIDTH = 1.1;
 /** Of the outline, in device pixels. */
 const TOLERANCE = 0.5;
 
@@ -37,7 +37,7 @@ export function curveThumb(
       context,
       vertices,
       { view, width, height },
-      lookOf(morph, s, "density", palette, LINE * ratio),
+      lookOf(morph, s, "density", palette, LINE_WIDTH * ratio),
     );
   }
   return canvas.transferToImageBitmap();

@@ -28,10 +28,10 @@ export function crew() {
 }
 
 /** Pixels that all of them may carve at a time: each takes some 10 bytes. */
-const ROOM = 50e6;
-const MOST = 8;
+const MOST_CARVED = 50e6;
+const MOST_WORKERS = 8;
 
 /** How many draw frames of so many carved pixels; one core is left for the page. */
 export function painters(carved: number, cores: number): number {
-  return Math.max(1, Math.min(MOST, cores - 1, Math.floor(ROOM / Math.max(1, carved))));
+  return Math.max(1, Math.min(MOST_WORKERS, cores - 1, Math.floor(MOST_CARVED / Math.max(1, carved))));
 }

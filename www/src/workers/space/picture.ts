@@ -43,9 +43,9 @@ export function objectAt({ width, height, codes }: Relief, x: number, y: number)
 }
 
 /** So many pieces at first; then as many as fit between two breaths. */
-const FIRST = 20_000;
-const LEAST = 2_000;
-const MOST = 20_000_000;
+const FIRST_PIECES = 20_000;
+const LEAST_PIECES = 2_000;
+const MOST_PIECES = 20_000_000;
 /** Milliseconds from breath to breath. */
 const BREATH = 30;
 const KEPT = "picture";
@@ -104,11 +104,11 @@ function pictured({ keep }: Context, objects: Shown[]): SpacePictureHandle {
 
 /** In slices, so that a picture that nobody wants any more is left unfinished. */
 async function carved({ breathe }: Context, carve: SpaceCarveHandle): Promise<void> {
-  for (let budget = FIRST; ; ) {
+  for (let budget = FIRST_PIECES; ; ) {
     const before = performance.now();
     if (carve.run(Math.round(budget))) return;
     const took = Math.max(0.5, performance.now() - before);
-    budget = Math.min(MOST, Math.max(LEAST, budget * Math.min(4, BREATH / took)));
+    budget = Math.min(MOST_PIECES, Math.max(LEAST_PIECES, budget * Math.min(4, BREATH / took)));
     await breathe();
   }
 }

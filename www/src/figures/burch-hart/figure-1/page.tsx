@@ -15,7 +15,7 @@ import { Chip } from "../../kit/frame/verdict";
 import { dust } from "../../kit/maps/families";
 import css from "./page.module.css";
 
-const MOST = 10;
+const MOST_ROUNDS = 10;
 const [LOWEST, HIGHEST] = [0.25, 0.55];
 
 /** What must be there before it is shown. */
@@ -29,7 +29,7 @@ export function Page(heading: Heading) {
   const rounds = useMemo(() => barnsley(r, wanted), [r, wanted]);
   const last = rounds.at(-1);
   const ended = last?.apart === true;
-  const step = () => setWanted(Math.min(MOST, rounds.length + 1));
+  const step = () => setWanted(Math.min(MOST_ROUNDS, rounds.length + 1));
   return (
     <Frame
       {...heading}
@@ -74,7 +74,7 @@ export function Page(heading: Heading) {
           />
         </SliderControl>
         <div class={layout["buttons"]}>
-          <Button kind="primary" onClick={step} disabled={ended || rounds.length >= MOST}>
+          <Button kind="primary" onClick={step} disabled={ended || rounds.length >= MOST_ROUNDS}>
             Next iteration
           </Button>
           <Button icon="reset" onClick={() => setWanted(1)} disabled={rounds.length === 1}>
@@ -101,8 +101,10 @@ function Answer({ last, r }: { last: Round | undefined; r: number }) {
   return (
     <Chip
       tone="unknown"
-      text={done >= MOST ? "Nothing proved" : "Nothing proved yet"}
-      aside={r < 0.5 ? `after ${done} of at most ${MOST}` : "nor will it be: from ½ on the pieces meet"}
+      text={done >= MOST_ROUNDS ? "Nothing proved" : "Nothing proved yet"}
+      aside={
+        r < 0.5 ? `after ${done} of at most ${MOST_ROUNDS}` : "nor will it be: from ½ on the pieces meet"
+      }
     />
   );
 }
@@ -111,7 +113,7 @@ function Curves({ r, rounds }: { r: number; rounds: readonly Round[] }) {
   return (
     <Plot
       label={`Distance and bound by iteration. The distance falls towards ${fixed(Math.max(0, 1 - 2 * r), 3)}, the bound towards 0.`}
-      x={{ name: "n", min: 0, max: MOST - 1, ticks: [0, 3, 6, 9] }}
+      x={{ name: "n", min: 0, max: MOST_ROUNDS - 1, ticks: [0, 3, 6, 9] }}
       y={{ name: "distance", ...QUARTERS }}
       series={[
         {
@@ -132,7 +134,7 @@ function Curves({ r, rounds }: { r: number; rounds: readonly Round[] }) {
 
 /** The same question put to the package. */
 function Found({ r }: { r: number }) {
-  const test = useMemo(() => prover().barnsleyTest({ maps: dust(r) }, { iterations: MOST }), [r]);
+  const test = useMemo(() => prover().barnsleyTest({ maps: dust(r) }, { iterations: MOST_ROUNDS }), [r]);
   const truth = useMemo(() => prover().connectedness({ maps: dust(r) }, { epsilon: 1e-6 }), [r]);
   const middle = test.disconnected
     ? `proves it after ${test.iterations} iteration${test.iterations === 1 ? "" : "s"}`

@@ -19,7 +19,7 @@ import css from "./page.module.css";
 const MOST_C = 0.95;
 const LOW = -1;
 const HIGH = 2;
-const NEAR = 0.02;
+const LEAST_GAP = 0.02;
 const T = { ...QUARTERS, name: "t" };
 /** What of the points has a field: the first and the last keep their t. */
 const FIELDS = [
@@ -147,8 +147,8 @@ export function Page(heading: Heading) {
               label={label}
               symbol={symbol}
               value={axis === "t" ? t : x}
-              min={axis === "t" ? NEAR : LOW}
-              max={axis === "t" ? 1 - NEAR : HIGH}
+              min={axis === "t" ? LEAST_GAP : LOW}
+              max={axis === "t" ? 1 - LEAST_GAP : HIGH}
               onChange={(value) => (axis === "t" ? move(index, value, x) : move(index, t, value))}
             />
           );
@@ -168,7 +168,7 @@ function clamp(x: number): number {
 function within(index: number, t: number, points: Points): number {
   if (index === 0) return 0;
   if (index === points.length - 1) return 1;
-  const before = (points[index - 1]?.[0] ?? 0) + NEAR;
-  const behind = (points[index + 1]?.[0] ?? 1) - NEAR;
+  const before = (points[index - 1]?.[0] ?? 0) + LEAST_GAP;
+  const behind = (points[index + 1]?.[0] ?? 1) - LEAST_GAP;
   return Math.round(Math.min(behind, Math.max(before, t)) * 1000) / 1000;
 }

@@ -55,7 +55,7 @@ export function CollagePanel({ maps, collage, leaf, box, tied }: CollagePanelPro
 }
 
 /** Half the side of the magnified part, in parts of the leaf's width. */
-const CLOSE = 0.035;
+const MAGNIFIED_HALF = 0.035;
 
 interface CloserProps extends PanelProps {
   maps: number;
@@ -67,7 +67,7 @@ export function Closer({ maps, collage, leaf, box }: CloserProps) {
   const [rank, setRank] = useState(0);
   const joints = useMemo(() => (collage ? jointsOf(collage) : []), [collage]);
   const joint = joints[Math.min(rank, joints.length - 1)];
-  const near = CLOSE * (box.x1 - box.x0);
+  const near = MAGNIFIED_HALF * (box.x1 - box.x0);
   const [x, y] = joint?.at ?? [0, 0];
   const part = useMemo(() => ({ x0: x - near, y0: y - near, x1: x + near, y1: y + near }), [x, y, near]);
   const lines = useMemo((): OutlineLine[] => {

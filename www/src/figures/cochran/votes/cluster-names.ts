@@ -3,12 +3,12 @@ import type { FoundCluster } from "#workers/fit/hough";
 import { type ShearMap, TABLE_1 } from "../graphs/printed-tables";
 
 /** So far may two maps be from each other and still be one: some bins of a, b, c, d and e. */
-const NEAR: ShearMap = [0.04, 0.13, 0.05, 0.05, 0.16];
+const SAME_MAP: ShearMap = [0.04, 0.13, 0.05, 0.05, 0.16];
 const UNDONE = "⁻¹";
 
 /** How far two maps are from each other in these units; 1 is the farthest that still counts. */
 export function apartIn(one: ShearMap, other: ShearMap): number {
-  return Math.max(...one.map((x, i) => Math.abs(x - (other[i] ?? 0)) / (NEAR[i] ?? 1)));
+  return Math.max(...one.map((x, i) => Math.abs(x - (other[i] ?? 0)) / (SAME_MAP[i] ?? 1)));
 }
 
 /** Index of the nearest of some maps, or null where none is near. */

@@ -12,7 +12,7 @@ import { CUT_OFF, TRIANGLE_VIEW } from "../space/triangle";
 import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
 const STILL = scale3([1, 1, 1]);
-const MOST = 10_999;
+const MOST_TURNS = 10_999;
 
 interface Course {
   step: MapRow3;
@@ -85,7 +85,7 @@ export function Page(heading: Heading) {
           {[1, 100, 1000].map((times) => (
             <Button
               key={times}
-              disabled={course.times + times > MOST}
+              disabled={course.times + times > MOST_TURNS}
               onClick={() => setCourse(onward(course, times))}
             >
               {times === 1 ? "Turn once more" : `${times.toLocaleString("en")} times`}

@@ -31,8 +31,8 @@ const DIRECTIONS: Record<string, Point3> = {
 };
 
 /** What is thinner cannot be told from a sheet, on paper or on a screen. */
-const LEAST = -6;
-const FEW = 4;
+const LEAST_EXPONENT = -6;
+const MAPS_SHOWN = 4;
 
 function flattened(maps: MapRow3[], direction: Point3, epsilon: number): EpsilonProjection | { why: string } {
   try {
@@ -170,7 +170,7 @@ export function Page(heading: Heading) {
         label="thickness left"
         name="Thickness left, ε"
         symbol="ε"
-        range={[LEAST, 0]}
+        range={[LEAST_EXPONENT, 0]}
         step={0.1}
         value={power}
         text={formatNumber(epsilon, 6)}
@@ -190,16 +190,17 @@ export function Page(heading: Heading) {
           </p>
           <MapBlocks
             label="Parameters of the flattened shape"
-            maps={flat.maps.slice(0, FEW)}
+            maps={flat.maps.slice(0, MAPS_SHOWN)}
             digits={3}
             mark="grows"
             marked={(map, place) =>
               flat.diverging.some(([other, row]) => other === map && place === 3 * row + 2)
             }
           />
-          {flat.maps.length > FEW && (
+          {flat.maps.length > MAPS_SHOWN && (
             <p class={layout["choice-label"]}>
-              The first {FEW} of {flat.maps.length} maps. x to the right, y up, z along the line of sight.
+              The first {MAPS_SHOWN} of {flat.maps.length} maps. x to the right, y up, z along the line of
+              sight.
             </p>
           )}
         </div>

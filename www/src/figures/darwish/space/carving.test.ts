@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { PictureRequest } from "#workers/space/complete-picture";
-import { Carving, COARSE, REST } from "./carving";
+import { Carving, COARSE, REST_MS } from "./carving";
 
 beforeEach(() => {
   vi.useFakeTimers();
@@ -61,7 +61,7 @@ test("while it moves there are coarse pictures, the latest in the end, and one i
     take(turn);
     await vi.advanceTimersByTimeAsync(10);
   }
-  await vi.advanceTimersByTimeAsync(REST + 100);
+  await vi.advanceTimersByTimeAsync(REST_MS + 100);
   const coarse = asked.filter(({ width }) => width === SIZE / COARSE);
   expect(coarse.length).toBeGreaterThan(2);
   expect(coarse.length).toBeLessThan(10);

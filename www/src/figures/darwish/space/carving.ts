@@ -1,7 +1,7 @@
 import type { PictureRequest } from "#workers/space/complete-picture";
 
 /** So long after the last change, in milliseconds, the picture is carved in full. */
-export const REST = 140;
+export const REST_MS = 140;
 /** How much coarser it is until then, each way. */
 export const COARSE = 4;
 
@@ -33,7 +33,7 @@ export class Carving {
   take(request: PictureRequest, answers: Answers): void {
     const now = performance.now();
     // After a pause nothing is dragged, and the full picture need not wait.
-    this.rest = now - this.at < 4 * REST ? REST : 0;
+    this.rest = now - this.at < 4 * REST_MS ? REST_MS : 0;
     this.at = now;
     this.wish = { request, answers };
     clearTimeout(this.timer);

@@ -4,7 +4,13 @@ import { about3, after3, scale3, shift3 } from "#geometry/maps/affine3";
 import type { MapRow3, SpaceView } from "#wasm/api";
 
 export const FRONT: SpaceView = { target: [0, 0, 0], distance: 3, turn: 0.35, tilt: 0.2, angle: 0.46 };
-export const FAR: SpaceView = { target: [15, 0, 0], distance: 15, turn: -Math.PI / 2, tilt: 0, angle: 0.075 };
+export const FROM_FAR: SpaceView = {
+  target: [15, 0, 0],
+  distance: 15,
+  turn: -Math.PI / 2,
+  tilt: 0,
+  angle: 0.075,
+};
 
 /** Halves keep their matrices when they are turned: what is moved is where their corners are. */
 export function turnedHalves(maps: readonly MapRow3[], by: MapRow3): MapRow3[] {

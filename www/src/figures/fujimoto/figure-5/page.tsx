@@ -21,7 +21,7 @@ const SHAPE = { maps: FERN, box: BOX, aspect: ASPECT };
 /**
  * The fern itself, and where the names of its pieces stand: in the middle, on the two lowest leaves, and on the stem.
  */
-const REST: Box = { x0: -2.2, y0: 0, x1: 2.7, y1: 10 };
+const BOX_AT_REST: Box = { x0: -2.2, y0: 0, x1: 2.7, y1: 10 };
 const NAMES: readonly Point[] = [
   [0.4, 5.6],
   [-1.15, 2.6],
@@ -137,7 +137,7 @@ function Addresses() {
     <LettersPanel
       maps={FERN}
       rest={rest}
-      box={REST}
+      box={BOX_AT_REST}
       aspect={ASPECT}
       names={NAMES}
       label="The fern at rest: the part of map 1 is all but the lowest leaves, map 2 has the left one of them, map 3 the right one, and map 4 the stem"

@@ -17,7 +17,7 @@ import { drawnOf, KE, PLAIN_TINT, TWIN } from "./drawn-dragon";
 
 const BOX: Box = { x0: -1.05, y0: -1.42, x1: 2.9, y1: 1.75 };
 /** The dragon itself. */
-const REST: Box = { x0: -0.77, y0: -0.42, x1: 1.77, y1: 1.42 };
+const BOX_AT_REST: Box = { x0: -0.77, y0: -0.42, x1: 1.77, y1: 1.42 };
 const ASPECT = (BOX.x1 - BOX.x0) / (BOX.y1 - BOX.y0);
 const SHAPE = { maps: TWIN, box: BOX, aspect: ASPECT };
 
@@ -99,7 +99,7 @@ export function Page(heading: Heading) {
         <LettersPanel
           {...SHAPE}
           rest={colours}
-          names={middles(TWIN, REST)}
+          names={middles(TWIN, BOX_AT_REST)}
           label="The dragon at rest: the part of map 1 on the left, that of map 2 on the right"
         />
         <Panel name="Y" words="the colours before the shuffle">

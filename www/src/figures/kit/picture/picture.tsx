@@ -23,7 +23,7 @@ export interface PictureProps {
 }
 
 /** So long after the last change, in milliseconds, the picture is drawn in full. */
-const REST = 150;
+const REST_MS = 150;
 /** How much coarser it is until then. */
 const COARSE = 2;
 
@@ -86,7 +86,7 @@ function coarser({ width, height }: Size) {
 function useRest(value: unknown): boolean {
   const [rested, setRested] = useState(value);
   useEffect(() => {
-    const timer = setTimeout(() => setRested(() => value), REST);
+    const timer = setTimeout(() => setRested(() => value), REST_MS);
     return () => clearTimeout(timer);
   }, [value]);
   return rested === value;

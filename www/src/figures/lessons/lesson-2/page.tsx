@@ -13,8 +13,8 @@ import css from "./page.module.css";
 import { holes, Throws } from "./throws";
 
 const FIRST = 5;
-const MOST = 20_000;
-const MANY = 10_000;
+const MOST_THROWS = 20_000;
+const MANY_THROWS = 10_000;
 const NAMES = ["lower left", "lower right", "top"] as const;
 type Where = "none" | "middle" | "edges";
 
@@ -69,7 +69,7 @@ function ByHand() {
   const { game } = round;
   // The game is one object that moves on; a new round around it says so.
   const play = (act: (game: Throws) => void) => {
-    if (game.count < MOST) act(game);
+    if (game.count < MOST_THROWS) act(game);
     setRound({ game });
   };
   const last = game.corners.at(-1);
@@ -106,7 +106,7 @@ function ByHand() {
               <Button
                 key={count}
                 onClick={() => play((now) => now.roll(count))}
-                disabled={game.count >= MOST}
+                disabled={game.count >= MOST_THROWS}
               >
                 {count === 1 ? "once" : `${count} times`}
               </Button>
@@ -127,7 +127,7 @@ function ByHand() {
 
 function Empty({ prediction }: { prediction: Prediction<Where> }) {
   const { shown } = prediction;
-  const [count, setCount] = useState(MANY);
+  const [count, setCount] = useState(MANY_THROWS);
   const game = useMemo(() => started(shown ? count : 0), [shown, count]);
   const hatched = useMemo(() => (shown ? holes(3) : []), [shown]);
   return (
@@ -157,7 +157,7 @@ function Empty({ prediction }: { prediction: Prediction<Where> }) {
             hole of half the size each time: it never quite reaches the gasket, but soon nobody can tell.
           </p>
           <div class={layout["buttons"]}>
-            {[10, 100, 1000, MANY].map((many) => (
+            {[10, 100, 1000, MANY_THROWS].map((many) => (
               <Button key={many} pressed={many === count} onClick={() => setCount(many)}>
                 {groups(many)}
               </Button>

@@ -19,7 +19,7 @@ import { nearWords, type Prediction, usePrediction } from "../frame/prediction";
 
 /** The dust of the finished picture, and the one that is asked about. */
 const [SHOWN, ASKED] = [0.45, 0.49];
-const MOST = 11;
+const MOST_ROUNDS = 11;
 const SCALES = [
   { value: "0.49", label: "r = 0.49" },
   { value: "0.499", label: "r = 0.499" },
@@ -33,7 +33,7 @@ export const needs = [loadProof];
 /** Barnsley's bound closing in. */
 export function Page(heading: Heading) {
   const prediction = usePrediction<number>(2);
-  const rounds = useMemo(() => barnsley(SHOWN, MOST), []);
+  const rounds = useMemo(() => barnsley(SHOWN, MOST_ROUNDS), []);
   return (
     <Lesson
       {...heading}
@@ -93,7 +93,7 @@ interface ClosingProps {
 }
 
 /** The distance and the bound, by step. */
-function Closing({ rounds, r, marks = [], to = MOST - 1, height = 216 }: ClosingProps) {
+function Closing({ rounds, r, marks = [], to = MOST_ROUNDS - 1, height = 216 }: ClosingProps) {
   const last = rounds.at(-1);
   return (
     <Plot
@@ -135,7 +135,7 @@ function Closing({ rounds, r, marks = [], to = MOST - 1, height = 216 }: Closing
 function When({ prediction }: { prediction: Prediction<number> }) {
   const { shown } = prediction;
   const guess = prediction.guess ?? 2;
-  const all = useMemo(() => barnsley(ASKED, MOST), []);
+  const all = useMemo(() => barnsley(ASKED, MOST_ROUNDS), []);
   const truth = all.at(-1)?.n ?? 0;
   const marks = [
     { at: guess, name: `your guess, ${guess}`, guess: true },
@@ -163,7 +163,7 @@ function When({ prediction }: { prediction: Prediction<number> }) {
         label="Step"
         symbol="n"
         min={0}
-        max={MOST - 1}
+        max={MOST_ROUNDS - 1}
         step={1}
         format={(value) => fixed(value, 0)}
         prediction={prediction}
@@ -177,7 +177,7 @@ function When({ prediction }: { prediction: Prediction<number> }) {
 function Never() {
   const [scale, setScale] = useState<Scale>("0.5");
   const r = Number(scale);
-  const rounds = useMemo(() => barnsley(r, MOST), [r]);
+  const rounds = useMemo(() => barnsley(r, MOST_ROUNDS), [r]);
   const apart = rounds.at(-1)?.apart === true;
   const proof = useMemo(() => prover().connectedness({ maps: dust(0.5) }, { epsilon: 1e-6 }).reason, []);
   return (
@@ -188,7 +188,7 @@ function Never() {
         <Chip
           tone={apart ? "broken" : "unknown"}
           text={apart ? "In pieces, proved" : "Nothing proved"}
-          aside={apart ? `at n = ${rounds.at(-1)?.n}` : `after ${MOST} steps, nor ever`}
+          aside={apart ? `at n = ${rounds.at(-1)?.n}` : `after ${MOST_ROUNDS} steps, nor ever`}
         />
         <p>
           At ½ the pieces meet, and the two curves fall side by side for ever. The test can only say “apart”

@@ -97,13 +97,13 @@ function netOf(points: readonly Screen[]): string {
 }
 
 /** Beyond, a drawing of a line is not to be trusted. */
-const MOST = 1e6;
+const FARTHEST_PIXEL = 1e6;
 
 /** Whether some of it may be on the stage: points that are not all beyond one side of it. */
 function seen(points: readonly Screen[]): boolean {
   const { width, height } = stageSize.value;
   return (
-    points.every(({ x, y }) => Math.abs(x) < MOST && Math.abs(y) < MOST) &&
+    points.every(({ x, y }) => Math.abs(x) < FARTHEST_PIXEL && Math.abs(y) < FARTHEST_PIXEL) &&
     points.some(({ x }) => x >= 0) &&
     points.some(({ x }) => x <= width) &&
     points.some(({ y }) => y >= 0) &&

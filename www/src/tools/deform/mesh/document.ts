@@ -13,11 +13,11 @@ export const mesh: ReadonlySignal<Mesh> = computed(() => {
 });
 
 /** How far a control point may go, in lengths of the longer side of the box: beyond, nothing of the shape is left. */
-const FAR = 1e4;
+const FARTHEST_SIDES = 1e4;
 
 /** The longest displacement along one axis. */
 export function farthest(box: Mesh["box"]): number {
-  return FAR * sizeOf(box);
+  return FARTHEST_SIDES * sizeOf(box);
 }
 
 /** Gives the control points these moves at the present moment: one undo step, or a part of a gesture. */

@@ -22,7 +22,7 @@ import { gridShown } from "./shown";
 /** How near a press must be, in CSS pixels: half of what a finger needs, and less where a pointer is fine. */
 const REACH = { finger: 22, mouse: 14, crossing: 7 };
 /** A hand must travel this far before it drags: a tap stays a tap. */
-const SLACK = { finger: 6, mouse: 3 };
+const DRAG_STARTS = { finger: 6, mouse: 3 };
 
 type Aim =
   | { kind: "handle"; index: number }
@@ -127,7 +127,7 @@ export function attachPointer(pane: HTMLElement, root: HTMLElement): () => void 
     }
     if (event.pointerId !== drag.pointer) return;
     const now = at(event);
-    const slack = drag.finger ? SLACK.finger : SLACK.mouse;
+    const slack = drag.finger ? DRAG_STARTS.finger : DRAG_STARTS.mouse;
     if (!drag.moved && Math.hypot(now.x - drag.start.x, now.y - drag.start.y) < slack) return;
     drag.last = now;
     drag.moved = true;
@@ -139,7 +139,7 @@ export function attachPointer(pane: HTMLElement, root: HTMLElement): () => void 
     if (from) {
       passing.delete(event.pointerId);
       const { x, y } = at(event);
-      const still = Math.hypot(x - from.x, y - from.y) < SLACK.mouse;
+      const still = Math.hypot(x - from.x, y - from.y) < DRAG_STARTS.mouse;
       if (still && event.type === "pointerup" && !event.shiftKey) clearChosen();
     }
     if (event.pointerId !== drag?.pointer) return;

@@ -7,7 +7,7 @@ import { answer, partner, type Symmetry } from "./symmetry";
 /**
  * Close to the axis of a mirror, where its partner pulls the other way, a place lags rather than the mesh tears out.
  */
-const LEAST = 0.05;
+const LEAST_SHARE = 0.05;
 
 /**
  * The moves, dx and dy of each control point, that take the place (u, v) along by (dx, dy): in proportion to how much
@@ -26,7 +26,7 @@ export function pullMoves(
   const cross = weights.reduce((sum, w, i) => sum + w * (mirrored[i] ?? 0), 0);
   const [fx, fy] = answer(by);
   const along = (wanted: number, factor: number) =>
-    wanted / Math.max(square + factor * cross, LEAST * square);
+    wanted / Math.max(square + factor * cross, LEAST_SHARE * square);
   const [px, py] = [along(dx, fx), along(dy, fy)];
   return weights.flatMap((w, i) => [(w + fx * (mirrored[i] ?? 0)) * px, (w + fy * (mirrored[i] ?? 0)) * py]);
 }

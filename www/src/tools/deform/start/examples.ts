@@ -45,7 +45,7 @@ function flat(deformation: Deformation): Deformation {
 }
 
 /** How far the middle of the side goes, and how wide its influence is, in parts of the box's mean side. */
-const FAR = 0.4;
+const PULLED_BY = 0.4;
 const WIDE = 0.35;
 
 function lifted(deformation: Deformation, hull: readonly Point[]): Deformation {
@@ -56,7 +56,7 @@ function lifted(deformation: Deformation, hull: readonly Point[]): Deformation {
   const moves = Array.from({ length: columns * rows }, (_, i) => {
     const [x, y] = rest(deformation, i);
     const far = Math.hypot(x - middle[0], y - middle[1]) / (WIDE * size);
-    const much = FAR * size * Math.exp(-far * far);
+    const much = PULLED_BY * size * Math.exp(-far * far);
     return [round(much * outward[0]), round(much * outward[1])];
   }).flat();
   return { ...deformation, keys: [{ at: 0, moves }], phase: 0 };

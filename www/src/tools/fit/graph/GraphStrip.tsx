@@ -6,11 +6,11 @@ import { countWords, nameOf } from "./model/words";
 const WIDTH = 1000;
 const HEIGHT = 100;
 /** As many as the paper shows. */
-const MOST = 100;
+const MOST_CLUSTERS = 100;
 
 /** Hits of the clusters, the most first (Fig 5, top). */
 export function GraphStrip() {
-  const list = current.value ? found.value.slice(0, MOST) : [];
+  const list = current.value ? found.value.slice(0, MOST_CLUSTERS) : [];
   if (list.length === 0) {
     return (
       <div class={css["graph-strip"]}>

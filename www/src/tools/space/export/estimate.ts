@@ -23,7 +23,7 @@ export interface Preview {
 const NOTHING: Preview = { image: null, lit: 0.5, cost: null, problem: null };
 const BOX = { width: 416, height: 234 };
 /** So long after the last change, in milliseconds. */
-const REST = 200;
+const REST_MS = 200;
 
 /** The first frame, small. */
 export function usePreview({ kind, width, height, from }: Plan): Preview {
@@ -58,7 +58,7 @@ export function usePreview({ kind, width, height, from }: Plan): Preview {
         frames.free();
       }
     };
-    const timer = setTimeout(() => void draw(), REST);
+    const timer = setTimeout(() => void draw(), REST_MS);
     return () => {
       clearTimeout(timer);
       stop.abort();

@@ -12,7 +12,7 @@ import { addAt, goTo, pick, place, way } from "./way";
 import { check, locus, locusProblem, morph, pathless, pathPoints } from "./work";
 
 /** How near to the path a press counts as on it, in CSS pixels. */
-const LINE = 9;
+const LINE_REACH = 9;
 const LABEL =
   "Map of u, to the right, and v, upwards, from −1 to 2: light where the shape holds together, dark where it is broken. " +
   "The handles on it move the path.";
@@ -33,7 +33,7 @@ export function Square({ style }: { style: LocusStyle }) {
   const onLine = (event: MouseEvent): number | null => {
     const near = nearestOn(pathPoints.peek(), toUv(event));
     const pixel = (BOUNDS.u1 - BOUNDS.u0) / (square.current?.clientWidth || 1);
-    return near.distance < LINE * pixel ? near.t : null;
+    return near.distance < LINE_REACH * pixel ? near.t : null;
   };
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: a press does what the handles do by keys

@@ -24,7 +24,7 @@ export const parameters: ReadonlySignal<MapRow3[]> = computed(
   () => spaceFrame.value?.objects[chosen.value]?.now ?? made.value,
 );
 
-const REST = 150;
+const REST_MS = 150;
 const last = signal<MapRow3[]>([]);
 
 /** The parameters as they were when nothing had changed for a moment: for what takes longer than a frame. */
@@ -37,7 +37,7 @@ export function watchRest(): () => void {
     const now = parameters.value;
     clearTimeout(timer);
     if (last.peek().length === 0) last.value = now;
-    else timer = setTimeout(() => take(now), REST);
+    else timer = setTimeout(() => take(now), REST_MS);
   });
   return () => {
     stop();

@@ -1,6 +1,6 @@
 /** Edits of a time line. Each gives back the one it was given where there is nothing to change. */
 
-import { NEAR } from "#document/space/edits";
+import { SAME_KEY_S } from "#document/space/edits";
 import { formatNumber } from "#format/numbers";
 import type { Ease, Repeat, SpaceKey, SpaceTimeline } from "#wasm/api";
 
@@ -19,7 +19,7 @@ export function momentIn({ seconds }: Pick<SpaceTimeline, "seconds">, at: number
 
 /** The number of the key at a moment, or -1. */
 export function keyAt({ keys }: Pick<SpaceTimeline, "keys">, at: number): number {
-  return keys.findIndex((key) => Math.abs(key.at - at) < NEAR);
+  return keys.findIndex((key) => Math.abs(key.at - at) < SAME_KEY_S);
 }
 
 /** A key at another moment. Keys keep their order, and do not meet. */
@@ -29,8 +29,8 @@ export function withKeyAt(line: SpaceTimeline, index: number, at: number): Space
   if (!key || !Number.isFinite(at)) return line;
   const before = keys[index - 1];
   const behind = keys[index + 1];
-  const least = before ? before.at + 2 * NEAR : 0;
-  const most = behind ? behind.at - 2 * NEAR : line.seconds;
+  const least = before ? before.at + 2 * SAME_KEY_S : 0;
+  const most = behind ? behind.at - 2 * SAME_KEY_S : line.seconds;
   const to = rounded(Math.max(least, Math.min(most, at)));
   return to === key.at || least > most ? line : withItem(line, index, { ...key, at: to });
 }
@@ -76,7 +76,7 @@ export function stretched(line: SpaceTimeline, factor: number): SpaceTimeline {
   const seconds = rounded(line.seconds * factor);
   if (!(factor > 0) || seconds < SHORTEST || seconds > LONGEST) return line;
   const keys = line.keys.map((key) => ({ ...key, at: rounded(key.at * factor) }));
-  const meet = keys.some((key, i) => i > 0 && key.at - (keys[i - 1]?.at ?? 0) < NEAR);
+  const meet = keys.some((key, i) => i > 0 && key.at - (keys[i - 1]?.at ?? 0) < SAME_KEY_S);
   const after = { ...line, seconds, keys };
   return meet || secondsProblem(after, seconds) !== undefined ? line : after;
 }
@@ -84,6 +84,7 @@ export function stretched(line: SpaceTimeline, factor: number): SpaceTimeline {
 /** The moment of the next key in a direction, round the end where it loops; the same moment where there is none. */
 export function nextKey({ keys, loop }: SpaceTimeline, at: number, by: 1 | -1): number {
   const moments = keys.map((key) => key.at);
-  const ahead = by > 0 ? moments.find((x) => x > at + NEAR) : moments.findLast((x) => x < at - NEAR);
+  const ahead =
+    by > 0 ? moments.find((x) => x > at + SAME_KEY_S) : moments.findLast((x) => x < at - SAME_KEY_S);
   return ahead ?? (loop === "round" ? moments.at(by > 0 ? 0 : -1) : undefined) ?? at;
 }

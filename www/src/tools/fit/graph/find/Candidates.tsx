@@ -7,7 +7,7 @@ import { aboutOf, countWords, errorWords, mapWords, nameOf } from "../model/word
 import { choose, chosen, found, isPicked, mapOf, picks, search, setDomain, togglePick } from "./search";
 
 /** As many are seen at first. */
-const FEW = 8;
+const SEEN_AT_FIRST = 8;
 const all = signal(false);
 
 /** The clusters by hits, with their names, how well they hold, and whether they are picked. */
@@ -16,7 +16,7 @@ export function CandidateList() {
   if (list.length === 0) return null;
   const shown = list
     .map((cluster, index) => ({ cluster, index }))
-    .filter(({ index }) => all.value || index < FEW || isPicked(index) || index === chosen.value);
+    .filter(({ index }) => all.value || index < SEEN_AT_FIRST || isPicked(index) || index === chosen.value);
   return (
     <div class="stack">
       <ul aria-label="Candidates, the most hits first">
@@ -24,7 +24,7 @@ export function CandidateList() {
           <Row key={index} cluster={cluster} index={index} />
         ))}
       </ul>
-      {list.length > FEW && (
+      {list.length > SEEN_AT_FIRST && (
         <Button
           kind="quiet"
           onClick={() => {

@@ -251,13 +251,13 @@ function candidatesOf({ clusters }: Search) {
 }
 
 /** How far from a map of Table 3 the middle of a cluster's bin may lie to be that map: a bin. */
-const NEAR = [0.016, 0.047, 0.016, 0.016, 0.047] as const;
+const SAME_MAP = [0.016, 0.047, 0.016, 0.016, 0.047] as const;
 
 /** The clusters that are the seven maps of Table 3, with the maps and domains that the authors refined them to. */
 export function tableThree(clusters: readonly FoundCluster[]): Pick[] {
   return TABLE_3.pieces.flatMap(({ map, domain }) => {
     const off = (cluster: FoundCluster) =>
-      Math.max(...cluster.map.map((x, i) => Math.abs(x - (map[i] ?? 0)) / (NEAR[i] ?? 1)));
+      Math.max(...cluster.map.map((x, i) => Math.abs(x - (map[i] ?? 0)) / (SAME_MAP[i] ?? 1)));
     let best = -1;
     for (const [i, cluster] of clusters.entries()) {
       const before = clusters[best];

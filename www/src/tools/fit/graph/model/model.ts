@@ -23,7 +23,7 @@ export const MOST_PIECES = 256;
 export const MOST_C = 0.99;
 
 /** Ends that are nearer than this part of the interval are one. */
-const NEAR = 1e-7;
+const SAME_END = 1e-7;
 
 /** The part of t that a piece fills. */
 export function rangeOf({ map: [a, , , d], domain: [alpha, beta] }: GraphPiece): [number, number] {
@@ -60,7 +60,7 @@ function at(knots: readonly Knot[], t: number): number {
 /** The knot at t, if there is one. */
 export function knotAt(knots: readonly Knot[], t: number): number | null {
   const [start, end] = interval(knots);
-  const index = knots.findIndex((knot) => Math.abs(knot[0] - t) <= NEAR * (end - start));
+  const index = knots.findIndex((knot) => Math.abs(knot[0] - t) <= SAME_END * (end - start));
   return index < 0 ? null : index;
 }
 
@@ -168,7 +168,7 @@ export function withoutKnot(model: Model, index: number): Model {
     .filter((_, i) => i !== index)
     .map((part, i): Part => {
       let [alpha, beta] = part.domain;
-      const near = NEAR * (whole[1] - whole[0]);
+      const near = SAME_END * (whole[1] - whole[0]);
       if (model.kind === "rfif") {
         if (Math.abs(alpha - gone) <= near) alpha = before;
         if (Math.abs(beta - gone) <= near) beta = after;

@@ -11,7 +11,7 @@ import { isShown } from "./gestures";
 import { frame } from "./shown";
 
 /** More handles than this would be a wall: then only the chosen one is there. */
-const MOST = 80;
+const MOST_HANDLES = 80;
 /** Up to here every knot has its numbers beside it. */
 const LABELLED = 9;
 const STEP = 10;
@@ -22,7 +22,7 @@ export function Knots({ faint }: { faint: boolean }) {
   const view = frame.value;
   const chosen = chosenKnot.value;
   const seen = knots.map((knot, index) => ({ knot, index })).filter(({ knot }) => isShown(knot[0]));
-  const shown = seen.length > MOST ? seen.filter(({ index }) => index === chosen) : seen;
+  const shown = seen.length > MOST_HANDLES ? seen.filter(({ index }) => index === chosen) : seen;
   const width = view.left + view.width + 40;
   return (
     <svg class={`overlay ${graphCss["graph-knots"]}`} width={width} height={view.top + view.height + 90}>

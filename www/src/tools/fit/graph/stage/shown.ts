@@ -16,8 +16,8 @@ const MARGIN = { left: 54, right: 18, top: 40, bottom: 84 };
 const NARROW = { left: 44, right: 12, top: 44, bottom: 80 };
 
 /** Points of a first look, and the most of a fine one. */
-const LOOK = 800;
-const MOST = 16_384;
+const FIRST_POINTS = 800;
+const MOST_POINTS = 16_384;
 
 const plot = computed(() => {
   const { width, height } = stageBox.value;
@@ -43,10 +43,10 @@ export const polyline: ReadonlySignal<Float64Array> = computed(() => {
   const window = covered.value;
   if (!window) return new Float64Array(0);
   try {
-    const look = rough.sampleGraph(graph.value, { window, tolerance: 0, most: LOOK });
+    const look = rough.sampleGraph(graph.value, { window, tolerance: 0, most: FIRST_POINTS });
     const [low, high] = heights(look, window) ?? [0, 1];
     const tolerance = Math.max((high - low) / plot.value.height / 2, 1e-12 * (1 + Math.abs(high)));
-    return rough.sampleGraph(graph.value, { window, tolerance, most: MOST });
+    return rough.sampleGraph(graph.value, { window, tolerance, most: MOST_POINTS });
   } catch {
     return new Float64Array(0);
   }

@@ -15,16 +15,16 @@ import { backToPath, panBy, pickPoint, setView, shownWindow, stopFlying, view, z
 import { pointed } from "./hover";
 
 /** A hand must travel this far, in CSS pixels, before it drags: a tap stays a tap. */
-const SLACK = 4;
+const DRAG_STARTS = 4;
 /** Holding a finger still for so long looks at what is under it, or takes a way point away. */
 const LONG_PRESS_MS = 500;
 /** How near to the path a press counts as on it, in CSS pixels. */
-const LINE = 7;
+const LINE_REACH = 7;
 /** A wheel that was turning before it came here goes on doing what it did. */
 const WHEEL_REST_MS = 350;
 /** Two presses within this time are one that goes nearer, by so much. */
 const DOUBLE_MS = 400;
-const DOUBLE = 2.5;
+const DOUBLE_ZOOM = 2.5;
 
 type Place = readonly [x: number, y: number];
 
@@ -90,7 +90,7 @@ export function useGestures(square: RefObject<HTMLElement | null>) {
   const onLine = (point: Uv) => {
     if (!isMorph()) return null;
     const nearest = nearestOn(pathPoints.peek(), point);
-    return nearest.distance < LINE * perPixel() ? nearest : null;
+    return nearest.distance < LINE_REACH * perPixel() ? nearest : null;
   };
   const finish = (cancel: boolean) => {
     const done = drag.current;
@@ -171,7 +171,7 @@ export function useGestures(square: RefObject<HTMLElement | null>) {
         return;
       }
       if (!now.moved) {
-        if (Math.hypot(place[0] - now.start[0], place[1] - now.start[1]) < SLACK) return;
+        if (Math.hypot(place[0] - now.start[0], place[1] - now.start[1]) < DRAG_STARTS) return;
         now.moved = true;
         if (now.timer !== null) clearTimeout(now.timer);
         if (now.what === "ground") {
@@ -264,7 +264,7 @@ export function useGestures(square: RefObject<HTMLElement | null>) {
    */
   function press(at: Place, what: Drag["what"], { timeStamp: time, pointerType }: PointerEvent): void {
     const last = tap.current;
-    const near = pointerType === "mouse" ? SLACK : 24;
+    const near = pointerType === "mouse" ? DRAG_STARTS : 24;
     const twice =
       last && time - last.time < DOUBLE_MS && Math.hypot(at[0] - last.at[0], at[1] - last.at[1]) < near;
     tap.current = twice ? null : { at, time };
@@ -273,7 +273,7 @@ export function useGestures(square: RefObject<HTMLElement | null>) {
     if (typeof what === "number") {
       if (twice) removeAt(what);
     } else if (twice && (line || what === "moment")) addAt(line?.at ?? uv.peek());
-    else if (twice) zoomBy(DOUBLE, partsOf(at));
+    else if (twice) zoomBy(DOUBLE_ZOOM, partsOf(at));
     else if (line) {
       if (view.peek().at) backToPath();
       scrubTo(line.t);

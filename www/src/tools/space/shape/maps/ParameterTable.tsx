@@ -6,7 +6,7 @@ import { MapBlocks } from "#ui/shapes/MapBlocks";
 import { made, moved, parameters } from "../now";
 
 /** So many maps are shown at first. */
-const FEW = 6;
+const MAPS_AT_FIRST = 6;
 /** What is printed the same is the same here. */
 const SEEN = 0.5e-4;
 
@@ -30,7 +30,7 @@ const apart = computed(() => apartBy(made.value, parameters.value, moved.value))
 export function ParameterTable() {
   const now = side.value === "now";
   const maps = now ? parameters.value : made.value;
-  const shown = all.value ? maps : maps.slice(0, FEW);
+  const shown = all.value ? maps : maps.slice(0, MAPS_AT_FIRST);
   const numbers = 12 * maps.length;
   return (
     <section class="stack" aria-label="Its parameters">
@@ -59,14 +59,14 @@ export function ParameterTable() {
         mark="not as made"
         marked={now ? changed : () => false}
       />
-      {maps.length > FEW && (
+      {maps.length > MAPS_AT_FIRST && (
         <Button
           kind="quiet"
           onClick={() => {
             all.value = !all.value;
           }}
         >
-          {all.value ? `Show ${FEW} only` : `Show all ${maps.length}`}
+          {all.value ? `Show ${MAPS_AT_FIRST} only` : `Show all ${maps.length}`}
         </Button>
       )}
       {count.value > 0 && (

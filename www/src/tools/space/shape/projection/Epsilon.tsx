@@ -13,7 +13,7 @@ export interface EpsilonProps {
   format: (value: number) => string;
 }
 
-const FEW = 3;
+const MAPS_SHOWN = 3;
 const POWERS = {
   to: (value: number) => Math.log10(value),
   from: (at: number) => Number((10 ** at).toPrecision(2)),
@@ -50,14 +50,14 @@ export function Epsilon({ maps, direction, format }: EpsilonProps) {
           </p>
           <MapBlocks
             label="Parameters of the flattened shape"
-            maps={found.maps.slice(0, FEW)}
+            maps={found.maps.slice(0, MAPS_SHOWN)}
             digits={3}
             mark="grows"
             marked={(map, place) => found.diverging.some(([m, row]) => m === map && place === 3 * row + 2)}
           />
-          {found.maps.length > FEW && (
+          {found.maps.length > MAPS_SHOWN && (
             <p class="hint">
-              The first {FEW} of {found.maps.length} maps; z runs along the light.
+              The first {MAPS_SHOWN} of {found.maps.length} maps; z runs along the light.
             </p>
           )}
         </>

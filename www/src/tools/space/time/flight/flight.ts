@@ -1,6 +1,6 @@
 /** Ready flights of the eye. */
 
-import { NEAR } from "#document/space/edits";
+import { SAME_KEY_S } from "#document/space/edits";
 import type { Point3, SpaceKey, SpaceTimeline, SpaceView } from "#wasm/api";
 import { MOST_KEYS, rounded } from "../changes";
 
@@ -101,7 +101,7 @@ export function withFlight(line: SpaceTimeline | null, views: readonly SpaceView
   views.forEach((view, i) => {
     const at = rounded((base.seconds * i) / Math.max(1, views.length - 1));
     const { holds: _, ...plain } = view;
-    const there = keys.findIndex((key) => Math.abs(key.at - at) < NEAR);
+    const there = keys.findIndex((key) => Math.abs(key.at - at) < SAME_KEY_S);
     const key = keys[there];
     if (key) keys[there] = { ...key, view: plain };
     else if (keys.length < MOST_KEYS) keys.push({ at, ease: "even", view: plain });

@@ -14,7 +14,7 @@ export const keyPictures: ReadonlySignal<readonly (ImageData | null)[]> = shown;
 /** Twice what it measures on the page. */
 const SIZE = { width: 160, height: 100 };
 /** So long after the last change, in milliseconds. */
-const REST = 350;
+const REST_MS = 350;
 const MOST_KEPT = 120;
 
 const kept = new Map<string, ImageData>();
@@ -32,7 +32,7 @@ export function watchKeys(): () => void {
     if (!now?.timeline || !still) return;
     const ending = new AbortController();
     stop = ending;
-    timer = setTimeout(() => void draw(now, look, ending.signal), REST);
+    timer = setTimeout(() => void draw(now, look, ending.signal), REST_MS);
   });
   return () => {
     end();
