@@ -10,7 +10,7 @@ use crate::continuity::footing::Footing;
 use crate::mesh::Mesh;
 use crate::shuffle::level_terms::{Source, Words};
 use crate::shuffle::means::{Means, words};
-use crate::shuffle::terms::Terms;
+use crate::shuffle::terms::{Terms, deepest_level};
 
 /// A superposed displacement made continuous as Fujimoto et al. do it in section 5.3: the mean displacement of each
 /// region that the shuffle leaves whole, interpolated over a Delaunay triangulation of the regions' middles.
@@ -61,16 +61,7 @@ const OUTER_POINTS: [(f64, f64); 4] = [(-1.0, -1.0), (2.0, -1.0), (-1.0, 2.0), (
 impl Average {
     /// The most letters for a shape of so many maps.
     pub fn deepest(maps: usize) -> usize {
-        if maps < 2 {
-            return 32;
-        }
-        let mut cells = 1;
-        (0..)
-            .take_while(|_| {
-                cells *= maps;
-                cells <= MOST_CELLS
-            })
-            .count()
+        deepest_level(maps, MOST_CELLS)
     }
 
     /// Over the words of as many letters as the last term, for meshes of the same size as this; the box holds the

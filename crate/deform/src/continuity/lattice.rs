@@ -7,6 +7,7 @@ use frond_core::Affine2;
 use glam::DVec2;
 
 use crate::continuity::corners::Corners;
+use crate::shuffle::terms::deepest_level;
 
 /// The cells of a shape that has [`Corners`], and the corners that they share, for the words of 0, 1, 2, .. letters.
 ///
@@ -64,16 +65,7 @@ impl Lattice {
     /// The deepest level that a shape of so many maps may have.
     #[must_use]
     pub fn deepest(maps: usize) -> usize {
-        if maps < 2 {
-            return 32;
-        }
-        let mut cells = 1;
-        (0..)
-            .take_while(|_| {
-                cells *= maps;
-                cells <= Self::MOST_CELLS
-            })
-            .count()
+        deepest_level(maps, Self::MOST_CELLS)
     }
 
     /// The cells of up to `depth` letters, or of as many as [`Lattice::deepest`] allows.

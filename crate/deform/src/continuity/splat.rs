@@ -7,7 +7,7 @@ use crate::continuity::footing::Footing;
 use crate::continuity::grid::Grid;
 use crate::mesh::Mesh;
 use crate::shuffle::level_terms::{Source, Words};
-use crate::shuffle::terms::Terms;
+use crate::shuffle::terms::{Terms, deepest_level};
 
 /// A superposed displacement (Fujimoto et al., eq 12) that is a smooth function of the plane, for tilings and other
 /// shapes without corners to share: every term is spread from the middles of its own cells over a grid about as fine
@@ -48,16 +48,7 @@ const MOST_CELLS: usize = 1 << 18;
 impl Splat {
     /// The deepest level that a shape of so many maps may have.
     pub fn deepest(maps: usize) -> usize {
-        if maps < 2 {
-            return 32;
-        }
-        let mut cells = 1;
-        (0..)
-            .take_while(|_| {
-                cells *= maps;
-                cells <= MOST_CELLS
-            })
-            .count()
+        deepest_level(maps, MOST_CELLS)
     }
 
     /// Over the box from `low` to `high`, which holds the shape; `middle` is a point amid it.

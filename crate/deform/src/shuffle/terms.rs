@@ -10,6 +10,19 @@ use crate::shuffle::weight::weigh;
 /// The deepest letter that is shuffled.
 pub(crate) const DEEPEST: usize = 64;
 
+/// The deepest level of a shape of so many maps that has no more cells than this.
+pub(crate) fn deepest_level(maps: usize, most_cells: usize) -> usize {
+    if maps < 2 {
+        return 32;
+    }
+    let (mut depth, mut cells) = (0, maps);
+    while cells <= most_cells {
+        cells *= maps;
+        depth += 1;
+    }
+    depth
+}
+
 /// The terms of a superposition between whole numbers (Fujimoto et al., eqs 12 and 19). Between four whole pairs of
 /// kb and ke a bend is a bilinear blend; those with one kb have their terms in common, so that there are two families
 /// of terms at most.
