@@ -10,8 +10,8 @@ mod part;
 mod preset;
 
 pub use document::{
-    CourseName, EaseName, MAX_KEYS3, MAX_OBJECTS3, PaintName, Repeat, Shape3, Space, SpaceKey, SpaceLight,
-    SpaceMorph, SpaceObject, Timeline, natural_objects,
+    MAX_KEYS3, MAX_OBJECTS3, PaintName, Repeat, Shape3, Space, SpaceKey, SpaceLight, SpaceMorph, SpaceObject,
+    Timeline, natural_objects,
 };
 pub use file::{FileError, SpaceFile, SpaceSystems, parse_ifs3, write_ifs3};
 pub use film::{Film, FilmError, Moment, Moved};

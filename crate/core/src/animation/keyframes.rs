@@ -1,6 +1,7 @@
 //! Key frames: places and parameters at times, and what they are at each moment between.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::animation::placement::Place3;
@@ -13,7 +14,8 @@ use crate::morph::interpolation::Morph3;
 use crate::morph::options::{MorphError, MorphOptions};
 
 /// How a value goes from one key to the next.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Ease {
     /// At an even pace.
     #[default]
@@ -44,7 +46,8 @@ impl Ease {
 }
 
 /// The way from place to place.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Course {
     /// Straight from key to key, the turn about one axis.
     #[default]

@@ -182,55 +182,6 @@ impl SpaceMorph {
     }
 }
 
-/// How a value goes from one key to the next: [`Ease`] as it is written in documents.
-#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum EaseName {
-    /// At an even pace.
-    #[default]
-    Even,
-    /// Slowly at first.
-    In,
-    /// Slowly at last.
-    Out,
-    /// Slowly at first and at last.
-    InOut,
-    /// It stays, and jumps at the next key.
-    Hold,
-}
-
-impl From<EaseName> for Ease {
-    fn from(name: EaseName) -> Self {
-        match name {
-            EaseName::Even => Self::Even,
-            EaseName::In => Self::In,
-            EaseName::Out => Self::Out,
-            EaseName::InOut => Self::InOut,
-            EaseName::Hold => Self::Hold,
-        }
-    }
-}
-
-/// The way from key to key: [`Course`] as it is written in documents.
-#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum CourseName {
-    /// Straight.
-    #[default]
-    Straight,
-    /// Without a jerk at the keys.
-    Smooth,
-}
-
-impl From<CourseName> for Course {
-    fn from(name: CourseName) -> Self {
-        match name {
-            CourseName::Straight => Self::Straight,
-            CourseName::Smooth => Self::Smooth,
-        }
-    }
-}
-
 /// What comes after the end of a time line.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -266,7 +217,7 @@ pub struct SpaceKey {
     pub at: f64,
     /// How it goes on to the next key.
     #[serde(default)]
-    pub ease: EaseName,
+    pub ease: Ease,
     /// Where it is seen from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub view: Option<SpaceView>,
@@ -290,7 +241,7 @@ pub struct Timeline {
     #[serde(rename = "loop", deserialize_with = "read_repeat")]
     pub repeat: Repeat,
     /// The way from key to key.
-    pub course: CourseName,
+    pub course: Course,
     /// In the order of their times.
     pub keys: Vec<SpaceKey>,
 }

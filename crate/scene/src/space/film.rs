@@ -183,9 +183,8 @@ impl Joined {
         of: impl Fn(&SpaceKey) -> Option<Result<Place3, E>>,
         fail: impl Fn(MotionError) -> E,
     ) -> Result<Option<Motion3>, E> {
-        let found = |key: &&SpaceKey| {
-            of(key).map(|value| Ok(Key3 { time: key.at, ease: key.ease.into(), value: value? }))
-        };
+        let found =
+            |key: &&SpaceKey| of(key).map(|value| Ok(Key3 { time: key.at, ease: key.ease, value: value? }));
         let places = keys.iter().filter_map(found).collect::<Result<Vec<_>, E>>()?;
         if places.is_empty() {
             return Ok(None);
@@ -206,7 +205,7 @@ impl Film {
     pub fn new(space: &Space) -> Result<Self, FilmError> {
         let line = space.timeline.as_ref();
         let joined = Joined {
-            course: line.map_or(Course::Straight, |line| line.course.into()),
+            course: line.map_or(Course::Straight, |line| line.course),
             period: line.filter(|line| line.repeat == Repeat::Round).map(|line| line.seconds),
         };
         let back = line.filter(|line| line.repeat == Repeat::PingPong).map(|line| line.seconds);
@@ -286,7 +285,7 @@ fn view_of(keys: &[&SpaceKey], joined: Joined) -> Result<Option<Flight>, FilmErr
         .zip(&turns)
         .map(|((key, view), &(time, turn))| Key3 {
             time,
-            ease: key.ease.into(),
+            ease: key.ease,
             value: shifted(DVec3::new(turn, view.tilt, view.angle)),
         })
         .collect();
@@ -333,7 +332,7 @@ impl Actor {
         let maps = affine(&object.shape.maps);
         let shape = |key: &&SpaceKey| {
             let value = affine(key.maps.get(index)?.as_ref()?);
-            Some(Key3 { time: key.at, ease: key.ease.into(), value })
+            Some(Key3 { time: key.at, ease: key.ease, value })
         };
         let shapes: Vec<_> = keys.iter().filter_map(shape).collect();
         let wrong = |source| FilmError::Object { name: name.clone(), source };

@@ -11,14 +11,14 @@
 
 use std::fmt::Write as _;
 
-use frond_core::Mode;
+use frond_core::{Course, Ease, Mode};
 use thiserror::Error;
 
 use crate::link::words::{escape, name_of, number, numbers, tidy, unescape};
 use crate::scene::{MAX_WAY_POINTS, Path, PathKind, WayPoint};
 use crate::space::document::{
-    CourseName, EaseName, MAX_KEYS3, MAX_OBJECTS3, PAGE_BACKGROUND, PaintName, Repeat, Shape3, Space,
-    SpaceKey, SpaceLight, SpaceMorph, SpaceObject, Timeline,
+    MAX_KEYS3, MAX_OBJECTS3, PAGE_BACKGROUND, PaintName, Repeat, Shape3, Space, SpaceKey, SpaceLight,
+    SpaceMorph, SpaceObject, Timeline,
 };
 use crate::space::part::{Held, SpaceView};
 use crate::space::preset::Row3;
@@ -31,14 +31,14 @@ const LONGEST_SECONDS: f64 = 600.0;
 const SHORTEST_SECONDS: f64 = 0.1;
 
 const PAINTS: [(&str, PaintName); 2] = [("map", PaintName::Map), ("height", PaintName::Height)];
-const EASES: [(&str, EaseName); 5] = [
-    ("even", EaseName::Even),
-    ("in", EaseName::In),
-    ("out", EaseName::Out),
-    ("inout", EaseName::InOut),
-    ("hold", EaseName::Hold),
+const EASES: [(&str, Ease); 5] = [
+    ("even", Ease::Even),
+    ("in", Ease::In),
+    ("out", Ease::Out),
+    ("inout", Ease::InOut),
+    ("hold", Ease::Hold),
 ];
-const COURSES: [(&str, CourseName); 2] = [("straight", CourseName::Straight), ("smooth", CourseName::Smooth)];
+const COURSES: [(&str, Course); 2] = [("straight", Course::Straight), ("smooth", Course::Smooth)];
 /// The first two are older than the third.
 const REPEATS: [(&str, Repeat); 3] = [("0", Repeat::Once), ("1", Repeat::Round), ("2", Repeat::PingPong)];
 const KINDS: [(&str, PathKind); 3] =

@@ -1,10 +1,11 @@
 //! Tests of films.
 
+use frond_core::Ease;
 use proptest::prelude::*;
 
 use super::*;
 use crate::scene::Path;
-use crate::space::document::{CourseName, EaseName, Repeat, Shape3, SpaceMorph, Timeline};
+use crate::space::document::{Repeat, Shape3, SpaceMorph, Timeline};
 
 const HOME: Row3 = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
 
@@ -18,7 +19,7 @@ fn key(at: f64) -> SpaceKey {
     SpaceKey { at, ..SpaceKey::default() }
 }
 
-fn space(repeat: Repeat, course: CourseName, keys: Vec<SpaceKey>) -> Space {
+fn space(repeat: Repeat, course: Course, keys: Vec<SpaceKey>) -> Space {
     let timeline = Some(Timeline { seconds: 6.0, repeat, course, keys });
     Space { timeline, ..Space::default() }
 }
@@ -40,7 +41,7 @@ fn an_object_is_moved_by_its_parameters() {
         SpaceKey { moved: vec![Some(moved(0.0))], ..key(0.0) },
         SpaceKey { moved: vec![Some(moved(2.0))], ..key(4.0) },
     ];
-    let film = Film::new(&space(Repeat::Once, CourseName::Straight, keys)).unwrap();
+    let film = Film::new(&space(Repeat::Once, Course::Straight, keys)).unwrap();
     let moment = film.at(2.0).unwrap();
     assert_eq!(moment.objects[0].moved, moved(1.0));
     // The fixed point of each map moves along (eq 1).
@@ -58,9 +59,9 @@ fn sheared_keys_are_met_and_mirrored_ones_are_told() {
     let two = |a: Row3, b: Row3| {
         let keys = vec![
             SpaceKey { moved: vec![Some(a)], ..key(0.0) },
-            SpaceKey { moved: vec![Some(b)], ease: EaseName::Hold, ..key(3.0) },
+            SpaceKey { moved: vec![Some(b)], ease: Ease::Hold, ..key(3.0) },
         ];
-        Film::new(&space(Repeat::Round, CourseName::Smooth, keys))
+        Film::new(&space(Repeat::Round, Course::Smooth, keys))
     };
     let near = |film: &Film, time: f64, row: Row3| {
         let found = film.at(time).unwrap().objects[0].moved;
@@ -87,7 +88,7 @@ fn views_go_the_shorter_way_round_and_keep_the_horizon() {
         SpaceKey { view: Some(view(3.0, 1.0)), ..key(0.0) },
         SpaceKey { view: Some(view(-3.0, 4.0)), ..key(2.0) },
     ];
-    let film = Film::new(&space(Repeat::Once, CourseName::Straight, keys)).unwrap();
+    let film = Film::new(&space(Repeat::Once, Course::Straight, keys)).unwrap();
     let middle = film.at(1.0).unwrap().view.unwrap();
     assert!((middle.turn - std::f64::consts::PI).abs() < 1e-9, "{middle:?}");
     assert!((middle.distance - 2.0).abs() < 1e-9 && middle.is_one());
@@ -107,12 +108,12 @@ fn an_orbit_from_the_beginning_to_the_end_of_a_loop_never_turns_back() {
     let sixth = std::f64::consts::TAU / 6.0;
     // At the very end, and just before it, where a loop's end could not be reached before.
     for end in [6.0, 5.98] {
-        for ease in [EaseName::Even, EaseName::InOut] {
+        for ease in [Ease::Even, Ease::InOut] {
             let keys = vec![
                 SpaceKey { view: Some(turned_by(0.0)), ease, ..key(0.0) },
                 SpaceKey { view: Some(turned_by(sixth)), ease, ..key(end) },
             ];
-            let film = Film::new(&space(Repeat::Round, CourseName::Smooth, keys)).unwrap();
+            let film = Film::new(&space(Repeat::Round, Course::Smooth, keys)).unwrap();
             let turns: Vec<f64> = (0..=60).map(|k| turn_at(&film, end * f64::from(k) / 60.0)).collect();
             assert!(turns.is_sorted() && turns[0] == 0.0 && turns[60] == sixth, "{turns:?}");
             // On what is left to the seam it goes back, and nowhere else.
@@ -121,7 +122,7 @@ fn an_orbit_from_the_beginning_to_the_end_of_a_loop_never_turns_back() {
         }
     }
     let keys = [0.0, 6.0].map(|at| SpaceKey { view: Some(turned_by(sixth * at / 6.0)), ..key(at) });
-    let film = Film::new(&space(Repeat::Round, CourseName::Smooth, keys.to_vec())).unwrap();
+    let film = Film::new(&space(Repeat::Round, Course::Smooth, keys.to_vec())).unwrap();
     for k in 0..=12 {
         assert!((turn_at(&film, 0.5 * f64::from(k)) - sixth * f64::from(k) / 12.0).abs() < 1e-12);
     }
@@ -135,7 +136,7 @@ fn a_flight_around_that_ends_as_it_begins_has_no_seam() {
             .iter()
             .enumerate()
             .map(|(k, part)| SpaceKey { view: Some(turned_by(0.4 + whole * part)), ..key(2.0 * k as f64) });
-        Film::new(&space(Repeat::Round, CourseName::Smooth, keys.collect())).unwrap()
+        Film::new(&space(Repeat::Round, Course::Smooth, keys.collect())).unwrap()
     };
     // At an even pace, and at one that has to change at the seam.
     let even = around(&[0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0]);
@@ -151,16 +152,11 @@ fn a_flight_around_that_ends_as_it_begins_has_no_seam() {
 fn to_and_fro_comes_back_the_way_it_went() {
     let keys = vec![
         SpaceKey { view: Some(turned_by(0.0)), ..key(0.0) },
-        SpaceKey {
-            view: Some(turned_by(0.3)),
-            moved: vec![Some(moved(1.0))],
-            ease: EaseName::In,
-            ..key(2.5)
-        },
+        SpaceKey { view: Some(turned_by(0.3)), moved: vec![Some(moved(1.0))], ease: Ease::In, ..key(2.5) },
         SpaceKey { view: Some(turned_by(1.0)), moved: vec![Some(moved(3.0))], ..key(6.0) },
     ];
-    let film = Film::new(&space(Repeat::PingPong, CourseName::Smooth, keys.clone())).unwrap();
-    let once = Film::new(&space(Repeat::Once, CourseName::Smooth, keys)).unwrap();
+    let film = Film::new(&space(Repeat::PingPong, Course::Smooth, keys.clone())).unwrap();
+    let once = Film::new(&space(Repeat::Once, Course::Smooth, keys)).unwrap();
     for time in [0.0, 0.1, 2.5, 4.0, 5.9, 6.0] {
         let there = once.at(time).unwrap();
         assert_eq!(film.at(time).unwrap(), there);
@@ -202,7 +198,7 @@ proptest! {
             let row = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, y, z, x];
             keys.push(SpaceKey { view: Some(view), moved: vec![Some(row)], ..key(6.0 * (at / whole).min(1.0)) });
         }
-        let film = Film::new(&space(repeat, CourseName::Smooth, keys.clone())).unwrap();
+        let film = Film::new(&space(repeat, Course::Smooth, keys.clone())).unwrap();
         let of = |time: f64| channels(&film.at(time).unwrap());
         for two in keys.windows(2) {
             let [a, b] = [of(two[0].at), of(two[1].at)];
@@ -227,7 +223,7 @@ fn a_loop_of_views_goes_on_round() {
     let keys = (0..4)
         .map(|k| SpaceKey { view: Some(view(quarter * f64::from(k))), ..key(1.5 * f64::from(k)) })
         .collect();
-    let film = Film::new(&space(Repeat::Round, CourseName::Smooth, keys)).unwrap();
+    let film = Film::new(&space(Repeat::Round, Course::Smooth, keys)).unwrap();
     for k in 0..=24 {
         let time = 0.25 * f64::from(k);
         let turn = film.at(time).unwrap().view.unwrap().turn;
@@ -240,7 +236,7 @@ fn a_loop_of_views_goes_on_round() {
 #[test]
 fn paces_hold_in_a_loop_that_goes_round() {
     let third = std::f64::consts::TAU / 3.0;
-    let turns = |ease: EaseName, time: f64| {
+    let turns = |ease: Ease, time: f64| {
         let view = |turn: f64| SpaceView {
             target: [0.0; 3],
             distance: 2.0,
@@ -252,21 +248,15 @@ fn paces_hold_in_a_loop_that_goes_round() {
         let key =
             |k: i32| SpaceKey { view: Some(view(third * f64::from(k))), ease, ..key(2.0 * f64::from(k)) };
         let keys = (0..3).map(key).collect();
-        Film::new(&space(Repeat::Round, CourseName::Straight, keys))
-            .unwrap()
-            .at(time)
-            .unwrap()
-            .view
-            .unwrap()
-            .turn
+        Film::new(&space(Repeat::Round, Course::Straight, keys)).unwrap().at(time).unwrap().view.unwrap().turn
     };
     // Stay, then jump; and the last third ends where the first begins, a turn further.
     for time in [0.0, 1.0, 1.9] {
-        assert!(turns(EaseName::Hold, time).abs() < 1e-9, "{time}");
+        assert!(turns(Ease::Hold, time).abs() < 1e-9, "{time}");
     }
-    assert!((turns(EaseName::Hold, 5.9) - 2.0 * third).abs() < 1e-9);
-    assert!((turns(EaseName::Even, 5.0) - 2.5 * third).abs() < 1e-9);
-    assert!((turns(EaseName::InOut, 0.5) - third * 0.15625).abs() < 1e-9);
+    assert!((turns(Ease::Hold, 5.9) - 2.0 * third).abs() < 1e-9);
+    assert!((turns(Ease::Even, 5.0) - 2.5 * third).abs() < 1e-9);
+    assert!((turns(Ease::InOut, 0.5) - third * 0.15625).abs() < 1e-9);
 }
 
 #[test]
@@ -291,12 +281,12 @@ fn a_morph_goes_along_its_path_and_its_keys() {
     };
     assert!(off(&end.objects[0].now, &to.maps) < 1e-12);
     let keys = vec![SpaceKey { t: Some(0.0), ..key(0.0) }, SpaceKey { t: Some(1.0), ..key(4.0) }];
-    all.timeline = Some(Timeline { seconds: 4.0, repeat: Repeat::Once, course: CourseName::Straight, keys });
+    all.timeline = Some(Timeline { seconds: 4.0, repeat: Repeat::Once, course: Course::Straight, keys });
     let film = Film::new(&all).unwrap();
     assert!(off(&film.at(0.0).unwrap().objects[0].now, &all.objects[0].shape.maps) < 1e-12);
     assert!((film.at(2.0).unwrap().t.unwrap() - 0.5).abs() < 1e-12);
     // Round and round too it goes evenly to its end, and jumps back from there.
-    for (repeat, course) in [(Repeat::Round, CourseName::Smooth), (Repeat::PingPong, CourseName::Smooth)] {
+    for (repeat, course) in [(Repeat::Round, Course::Smooth), (Repeat::PingPong, Course::Smooth)] {
         if let Some(line) = &mut all.timeline {
             (line.repeat, line.course) = (repeat, course);
         }

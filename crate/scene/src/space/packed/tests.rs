@@ -82,7 +82,7 @@ fn any_space() -> impl Strategy<Value = Space> {
     let line =
         proptest::option::of((0.1..600.0_f64, 0..3_usize, proptest::collection::vec(key, 0..5)).prop_map(
             |(seconds, repeat, keys)| {
-                let course = if repeat == 1 { CourseName::Smooth } else { CourseName::Straight };
+                let course = if repeat == 1 { Course::Smooth } else { Course::Straight };
                 Timeline { seconds, repeat: REPEATS[repeat].1, course, keys }
             },
         ));
