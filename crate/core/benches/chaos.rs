@@ -4,7 +4,13 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use frond_core::{Affine2, Affine3, ChaosGame, ChaosGame3, Ifs, Ifs3};
+use frond_testing::least_time;
 use glam::DVec3;
+
+/// Of a call that makes 2^16 points.
+fn million_points_a_second(mut fill: impl FnMut()) -> f64 {
+    f64::from(64 << 16) / least_time(20, || (0..64).for_each(|_| fill())) / 1e6
+}
 
 fn main() {
     let fern = [
@@ -16,17 +22,11 @@ fn main() {
     let ifs = Ifs::new(fern.map(Affine2::from_row).to_vec()).expect("the fern");
     let mut game = ChaosGame::new(&ifs, 1);
     let (mut positions, mut pieces) = (vec![0.0; 1 << 17], vec![0; 1 << 16]);
-    let mut best = 0.0_f64;
-    for _ in 0..20 {
-        let start = Instant::now();
-        for _ in 0..64 {
-            game.fill(&mut positions, &mut pieces);
-            black_box((&positions, &pieces));
-        }
-        best = best.max(f64::from(64 << 16) / start.elapsed().as_secs_f64());
-    }
-    println!("chaos game, fern: {:.1} million points a second", best / 1e6);
-    let plane = best;
+    let plane = million_points_a_second(|| {
+        game.fill(&mut positions, &mut pieces);
+        black_box((&positions, &pieces));
+    });
+    println!("chaos game, fern: {plane:.1} million points a second");
 
     // Four maps as well, turned about any axis.
     let turned = |k: u32| {
@@ -37,20 +37,11 @@ fn main() {
     let ifs = Ifs3::new((0..4).map(turned).collect()).expect("four maps");
     let mut game = ChaosGame3::new(&ifs, 1);
     let mut positions = vec![0.0; 3 << 16];
-    let mut best = 0.0_f64;
-    for _ in 0..20 {
-        let start = Instant::now();
-        for _ in 0..64 {
-            game.fill(&mut positions, &mut pieces);
-            black_box((&positions, &pieces));
-        }
-        best = best.max(f64::from(64 << 16) / start.elapsed().as_secs_f64());
-    }
-    println!(
-        "chaos game in space: {:.1} million points a second, {:.2} of the plane's",
-        best / 1e6,
-        best / plane
-    );
+    let space = million_points_a_second(|| {
+        game.fill(&mut positions, &mut pieces);
+        black_box((&positions, &pieces));
+    });
+    println!("chaos game in space: {space:.1} million points a second, {:.2} of the plane's", space / plane);
     let by = Affine3::rotation(DVec3::ONE, 0.3).expect("an axis");
     let many = Ifs3::new((0..64).map(|k| turned(k % 4)).collect()).expect("64 maps");
     let start = Instant::now();

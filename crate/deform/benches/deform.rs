@@ -9,17 +9,8 @@ use frond_core::{Affine2, hash};
 use frond_deform::{
     Bend, Continuity, Corners, Cursor, Field, Mesh, Place, RingBend, Roughness, Settings, Spin,
 };
+use frond_testing::least_time;
 use glam::DVec2;
-
-/// The least time of some runs, in seconds: what the machine does when it is left alone.
-fn least_time(runs: usize, mut run: impl FnMut()) -> f64 {
-    let time = |()| {
-        let start = Instant::now();
-        run();
-        start.elapsed().as_secs_f64()
-    };
-    std::iter::repeat_n((), runs).map(time).fold(f64::INFINITY, f64::min)
-}
 
 const KE: usize = 9;
 const DELTA: f64 = 0.75;

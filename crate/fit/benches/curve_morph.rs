@@ -1,9 +1,9 @@
 //! What a morph of two leaves of 260 numbers costs: `cargo bench -p frond-fit --bench curve_morph`.
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use frond_fit::{ClosedCurve, CurveMorph, Fitter, Outline, crossings, maple_leaf, oak_leaf};
+use frond_testing::least_time;
 use glam::DVec2;
 
 fn fitted(points: &[DVec2]) -> ClosedCurve {
@@ -16,12 +16,7 @@ fn fitted(points: &[DVec2]) -> ClosedCurve {
 
 /// The least time of some runs, in milliseconds.
 fn least<T>(mut run: impl FnMut() -> T) -> f64 {
-    let once = |_| {
-        let start = Instant::now();
-        black_box(run());
-        start.elapsed().as_secs_f64() * 1e3
-    };
-    (0..20).map(once).fold(f64::INFINITY, f64::min)
+    least_time(20, || drop(black_box(run()))) * 1e3
 }
 
 fn main() {

@@ -4,33 +4,16 @@
 //! {w1, w2 w1, w2 w2} to the Sierpinski gasket, over [-1, 2] x [-1, 2], on one core.
 
 mod boxes;
+mod dragon_to_gasket;
 mod set_m;
 
-use std::time::Instant;
-
-use frond_core::{Affine2, Ifs, Morph, MorphOptions};
+use frond_core::Ifs;
 use frond_locus::{
     Bounds, IndexBuffer, IndexBufferOptions, LocusGrid, Options, Pass, Scratch, connectedness,
 };
-use glam::DVec2;
+use frond_testing::least_time;
 
-fn dragon_to_gasket() -> Morph {
-    let a = Affine2::from_row([0.5, -0.5, 0.5, 0.5, 0.0, 0.0]);
-    let b = Affine2::from_row([-0.5, -0.5, 0.5, -0.5, 1.0, 0.0]);
-    let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.75_f64.sqrt()]].map(DVec2::from_array);
-    let gasket = corners.map(|c| Affine2::similitude(0.5, 0.0, c * 0.5));
-    Morph::new(&[a, b * a, b * b], &gasket, &MorphOptions::default()).expect("three maps each")
-}
-
-/// The least time of `runs` runs, in seconds: what the machine does when it is left alone.
-fn least_time(runs: usize, mut run: impl FnMut()) -> f64 {
-    let time = |()| {
-        let start = Instant::now();
-        run();
-        start.elapsed().as_secs_f64()
-    };
-    std::iter::repeat_n((), runs).map(time).fold(f64::INFINITY, f64::min)
-}
+use crate::dragon_to_gasket::dragon_to_gasket;
 
 /// Runs of which the fastest counts.
 const RUNS: usize = 5;

@@ -8,24 +8,20 @@
 mod gpu;
 
 #[cfg(not(target_arch = "wasm32"))]
+#[path = "../../locus/benches/dragon_to_gasket/mod.rs"]
+mod dragon_to_gasket;
+
+#[cfg(not(target_arch = "wasm32"))]
 mod measure {
     use std::future::Future;
     use std::pin::pin;
     use std::task::{Context, Poll, Waker};
-    use std::time::Instant;
 
+    use crate::dragon_to_gasket::dragon_to_gasket;
     use crate::gpu::{LocusError, LocusGpu, LocusJob};
-    use frond_core::{Affine2, Morph, MorphOptions};
+    use frond_core::Morph;
     use frond_locus::{Bounds, LocusGrid, Sample, Scratch, SingleLocus, State, decide, unpack_single};
-    use glam::DVec2;
-
-    fn dragon_to_gasket() -> Morph {
-        let a = Affine2::from_row([0.5, -0.5, 0.5, 0.5, 0.0, 0.0]);
-        let b = Affine2::from_row([-0.5, -0.5, 0.5, -0.5, 1.0, 0.0]);
-        let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.75_f64.sqrt()]].map(DVec2::from_array);
-        let gasket = corners.map(|c| Affine2::similitude(0.5, 0.0, c * 0.5));
-        Morph::new(&[a, b * a, b * b], &gasket, &MorphOptions::default()).expect("three maps each")
-    }
+    use frond_testing::least_time;
 
     /// Natively a run waits for the card by itself, so that its future is ready when it is asked.
     fn wait<F: Future>(future: F) -> F::Output {
@@ -37,16 +33,6 @@ mod measure {
             }
             std::thread::yield_now();
         }
-    }
-
-    /// The least milliseconds of some runs.
-    fn least(runs: usize, mut run: impl FnMut()) -> f64 {
-        let time = |()| {
-            let start = Instant::now();
-            run();
-            start.elapsed().as_secs_f64() * 1e3
-        };
-        std::iter::repeat_n((), runs).map(time).fold(f64::INFINITY, f64::min)
     }
 
     pub fn main() {
@@ -63,13 +49,14 @@ mod measure {
                 let grid = LocusGrid::new(Bounds::default(), size, size).expect("a grid");
                 let runs = if gpu.software { 1 } else { 10 };
                 let mut answers = Vec::new();
-                let card = least(runs, || answers = run(&gpu, &morph, &grid, epsilon).expect("an answer"));
+                let card =
+                    least_time(runs, || answers = run(&gpu, &morph, &grid, epsilon).expect("an answer"));
                 let samples: Vec<Sample> = answers.iter().copied().map(unpack_single).collect();
                 let left = samples.iter().filter(|sample| sample.state == State::Undecided).count();
-                let settle = least(1, || settle(&morph, &grid, epsilon, &samples));
+                let settle = least_time(1, || settle(&morph, &grid, epsilon, &samples));
                 // A part of the rows stands for all.
                 let part = 16.min(size);
-                let cpu = least(3, || rows(&morph, &grid, epsilon, part)) * size as f64 / part as f64;
+                let cpu = least_time(3, || rows(&morph, &grid, epsilon, part)) * size as f64 / part as f64;
                 println!(
                     "{size} x {size}, epsilon {epsilon:.0e}: card {card:.1} ms and {settle:.1} ms for the {left} it leaves, \
                      one core {cpu:.0} ms: {:.1} times as fast",

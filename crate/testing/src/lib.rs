@@ -1,4 +1,4 @@
-//! What the tests of the other crates share: how many examples they try.
+//! What the tests and benches of the other crates share: how many examples they try, and how they take time.
 //!
 //! Every run of the tests tries few, so that it is quick; `cargo xtask test deep` tries [many times](VARIABLE) as many.
 
@@ -19,6 +19,16 @@ fn factor(text: Option<&str>) -> u32 {
         Some(Ok(times @ 1..)) => times,
         Some(_) => panic!("{VARIABLE} is {text:?}: it must be a whole number from 1 on"),
     }
+}
+
+/// The least time of so many runs, in seconds: what the machine does when it is left alone.
+pub fn least_time(runs: usize, mut run: impl FnMut()) -> f64 {
+    let time = |()| {
+        let start = std::time::Instant::now();
+        run();
+        start.elapsed().as_secs_f64()
+    };
+    std::iter::repeat_n((), runs).map(time).fold(f64::INFINITY, f64::min)
 }
 
 #[cfg(test)]

@@ -4,6 +4,9 @@ use frond_core::Morph;
 use frond_locus::{
     Bounds, CertifyOptions, Family, LocusGrid, Polygons, Scratch, Slice, certify_path, find_path,
 };
+use frond_testing::least_time;
+
+use crate::RUNS;
 
 /// The states of a patch by their numbers, and the least time of some runs in seconds.
 fn patch(family: &impl Family, bounds: Bounds, size: usize, epsilon: f64) -> ([usize; 5], f64) {
@@ -15,7 +18,7 @@ fn patch(family: &impl Family, bounds: Bounds, size: usize, epsilon: f64) -> ([u
     let mut seconds = 0.0;
     for (x, y) in (0..16).map(|k| (edges(k % 4), edges(k / 4))) {
         let mut tile = Vec::new();
-        seconds += super::least_time(super::RUNS, || {
+        seconds += least_time(RUNS, || {
             tile = grid.patch(family, epsilon, x.clone(), y.clone(), &mut scratch).state;
         });
         for state in tile {
@@ -53,7 +56,7 @@ pub fn report(morph: &Morph, buffer: f64) {
         for within in [1e-2, 1.0 / 600.0] {
             let options = CertifyOptions { within, ..CertifyOptions::default() };
             let mut proved = None;
-            let seconds = super::least_time(1, || proved = Some(certify_path(morph, &plan.points, &options)));
+            let seconds = least_time(1, || proved = Some(certify_path(morph, &plan.points, &options)));
             println!("a path proved within {within:.1e}: {:.0} ms, {proved:?}", seconds * 1e3);
         }
     }

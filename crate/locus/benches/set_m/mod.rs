@@ -4,9 +4,10 @@ use std::hint::black_box;
 
 use frond_core::{Affine2, hash};
 use frond_locus::{Scratch, decide_polygon};
+use frond_testing::least_time;
 use glam::DVec2;
 
-use crate::{RUNS, least_time};
+use crate::RUNS;
 
 const SIZE: usize = 400;
 const STEPS: u32 = 2_000_000;
