@@ -12,16 +12,15 @@ use crate::overlap_graph::Components;
 use crate::support::table::SupportTable;
 use crate::verdict::{Gap, Options, Verdict};
 
-/// The answer of [`connectedness`].
+/// The answer of [`connectedness`], and with other points and reasons of [`connectedness3`](crate::connectedness3()).
 #[derive(Clone, Debug, PartialEq)]
-pub struct Connectedness {
+pub struct Connectedness<P = DVec2, R = Reason> {
     /// Whether the attractor is in one piece.
     pub verdict: Verdict,
-    /// The widest edge of the minimum spanning tree between the pieces, in plane units: zero if and only if the
+    /// The widest edge of the minimum spanning tree between the pieces, in their units: zero if and only if the
     /// attractor is connected. Where it is disconnected, the bounds are within 1 in 100 of each other or within 1e-9
     /// of the diameter, unless the budget was spent or, of very flat shapes, the digits of the coefficients do not tell
-    /// more. It does not depend on epsilon: pieces that come within it count
-    /// as far apart as they are.
+    /// more. In the plane it does not depend on epsilon: pieces that come within it count as far apart as they are.
     pub gap: Gap,
     /// Pairs of maps whose attractorlets meet, or come within epsilon of each other, the smaller index
     /// first, in ascending order.
@@ -33,31 +32,48 @@ pub struct Connectedness {
     pub count: usize,
     /// Two points of the attractor in different pieces whose distance is `gap.upper`, but for rounding: the ends of
     /// the widest edge between pieces. `None` where it is proved to be in one piece, or is a single point.
-    pub closest: Option<(DVec2, DVec2)>,
-    /// An upper bound of the diameter of the attractor, in plane units: epsilon is relative to it.
+    pub closest: Option<(P, P)>,
+    /// An upper bound of the diameter of the attractor: epsilon is relative to it.
     pub diameter: f64,
     /// How many pairs of pieces were looked at.
     pub nodes: usize,
     /// Why it is `Connected`; or, where it is `Touching` or `Undecided`, under which reading of its numbers it would
     /// be.
-    pub reason: Option<Reason>,
+    pub reason: Option<R>,
 }
 
-impl Connectedness {
-    /// What was found out about magnified maps, in the units of those that were given. A reason that takes numbers for
-    /// others is dropped: it is about the given numbers, not the magnified ones.
-    fn in_units_before(self, magnification: Magnification) -> Self {
-        let mut reason = self.reason.filter(Reason::is_proof);
-        for link in reason.iter_mut().flat_map(|reason| &mut reason.links) {
-            link.at = magnification.point(link.at);
-            link.corners.iter_mut().for_each(|corner| *corner = magnification.point(*corner));
-        }
+impl<P, R> Connectedness<P, R> {
+    /// What was found out about magnified maps, in the units of those that were given, which `point` and `reason` bring
+    /// points and proofs to. A reason that takes numbers for others is dropped: it is about the given numbers, not the
+    /// magnified ones.
+    pub(crate) fn in_units_before(
+        self,
+        magnification: Magnification,
+        point: impl Fn(P) -> P,
+        reason: impl FnOnce(R) -> Option<R>,
+    ) -> Self {
         Self {
             gap: magnification.gap(self.gap),
-            closest: self.closest.map(|(p, q)| (magnification.point(p), magnification.point(q))),
+            closest: self.closest.map(|(p, q)| (point(p), point(q))),
             diameter: magnification.up(self.diameter),
-            reason,
+            reason: self.reason.and_then(reason),
             ..self
+        }
+    }
+
+    /// All pieces are the same point, as far as floating point tells.
+    pub(crate) fn in_one_point(count: usize, reason: Option<R>, is_proof: impl FnOnce(&R) -> bool) -> Self {
+        let proved = reason.as_ref().is_some_and(is_proof);
+        Self {
+            verdict: if proved { Verdict::Connected } else { Verdict::Touching },
+            gap: Gap::default(),
+            overlaps: (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j))).collect(),
+            components: vec![0; count],
+            count: 1,
+            closest: None,
+            diameter: 0.0,
+            nodes: 0,
+            reason,
         }
     }
 }
@@ -87,7 +103,18 @@ pub fn connectedness(ifs: &Ifs, options: &Options) -> Connectedness {
         let maps = magnification.magnify(ifs.maps());
         // Size is no matter for it: those as given have one.
         if let Ok(contraction) = Contraction::find(&maps) {
-            return decided(&maps, &contraction, options).in_units_before(magnification);
+            let point = |p| magnification.point(p);
+            return decided(&maps, &contraction, options).in_units_before(
+                magnification,
+                point,
+                |mut reason| {
+                    for link in &mut reason.links {
+                        link.at = point(link.at);
+                        link.corners.iter_mut().for_each(|corner| *corner = point(*corner));
+                    }
+                    reason.is_proof().then_some(reason)
+                },
+            );
         }
     }
     decided(ifs.maps(), ifs.contraction(), options)
@@ -98,7 +125,8 @@ fn decided(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Co
     frame.set_round(maps, contraction);
     let at_once = reason::at_once(maps);
     if frame.point {
-        return in_one_point(maps.len(), at_once.or_else(|| reason::one_point(maps)));
+        let reason = at_once.or_else(|| reason::one_point(maps));
+        return Connectedness::in_one_point(maps.len(), reason, Reason::is_proof);
     }
     let mut support = SupportTable::default();
     support.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
@@ -213,20 +241,4 @@ fn one(count: usize) -> Components {
         components.join(0, i);
     }
     components
-}
-
-/// All pieces are the same point, as far as floating point tells.
-fn in_one_point(count: usize, reason: Option<Reason>) -> Connectedness {
-    let proved = reason.as_ref().is_some_and(Reason::is_proof);
-    Connectedness {
-        verdict: if proved { Verdict::Connected } else { Verdict::Touching },
-        gap: Gap::default(),
-        overlaps: (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j))).collect(),
-        components: vec![0; count],
-        count: 1,
-        closest: None,
-        diameter: 0.0,
-        nodes: 0,
-        reason,
-    }
 }
