@@ -29,11 +29,11 @@ const DISCONNECTED = 2u;
 const UNDECIDED = 3u;
 
 const ULP = 1.1920929e-7;
-const TINY = 1e-30;
+const SMALLEST_DIVISOR = 1e-30;
 const FAR = 1e9;
 const MAX_MAPS = 8u;
 
-// --- The fan of support values: src/single/fan.rs.
+// --- The fan of support values: src/single/support.rs.
 
 const PER = 8u;
 const HALF = 4.0;
@@ -150,8 +150,8 @@ fn fan_diameter() -> f32 {
 
 // --- The descent on pairs of words: src/single/descent.rs.
 
-const DEPTH = 64u;
-const LOOK_ROUNDS = 2u;
+const STACK_SIZE = 64u;
+const DIRECTIONS_PER_PAIR = 2u;
 
 const APART = 1u;
 const MET = 2u;
@@ -180,7 +180,7 @@ var<private> plans: array<u32, 64>;
 fn look(pair: Pair) -> Look {
     var seen = Look(0.0, FAR, FAR);
     var normal = pair.step;
-    for (var round = 0u; round < LOOK_ROUNDS; round++) {
+    for (var round = 0u; round < DIRECTIONS_PER_PAIR; round++) {
         let far_a = support(pulled(pair.a, normal));
         let far_b = support(-pulled(pair.b, normal));
         let along = dot(normal, pair.step);
@@ -193,9 +193,9 @@ fn look(pair: Pair) -> Look {
             seen.apart = off / length;
             return seen;
         }
-        seen.overlap = min(seen.overlap, along / max(far, TINY));
+        seen.overlap = min(seen.overlap, along / max(far, SMALLEST_DIVISOR));
         let turn = normal - between;
-        let t = clamp(dot(normal, turn) / max(dot(turn, turn), TINY), 0.0, 1.0);
+        let t = clamp(dot(normal, turn) / max(dot(turn, turn), SMALLEST_DIVISOR), 0.0, 1.0);
         normal -= turn * t;
     }
     return seen;
@@ -220,7 +220,7 @@ fn descend(root: Pair, shade: f32, limit: u32) -> u32 {
     var fresh = true;
     lower = FAR;
     loop {
-        let pair = stack[level % DEPTH];
+        let pair = stack[level % STACK_SIZE];
         if fresh {
             let sizes = norm(pair.a) + norm(pair.b);
             if sizes <= job.epsilon && shade == 0.0 {
@@ -257,9 +257,9 @@ fn descend(root: Pair, shade: f32, limit: u32) -> u32 {
                 keys[least] = FAR;
                 plan |= least << (3u * place);
             }
-            plans[level % DEPTH] = plan;
+            plans[level % STACK_SIZE] = plan;
         }
-        let plan = plans[level % DEPTH];
+        let plan = plans[level % STACK_SIZE];
         if ((plan >> 24u) & 15u) == 0u {
             if level == floor_level {
                 return select(UNKNOWN, APART, floor_level == 0u);
@@ -269,10 +269,10 @@ fn descend(root: Pair, shade: f32, limit: u32) -> u32 {
             continue;
         }
         let rest = (plan & 0x00ffffffu) >> 3u;
-        plans[level % DEPTH] = rest | ((plan & 0xff000000u) - 0x01000000u);
+        plans[level % STACK_SIZE] = rest | ((plan & 0xff000000u) - 0x01000000u);
         level += 1u;
-        floor_level = max(floor_level + DEPTH, level + 1u) - DEPTH;
-        stack[level % DEPTH] = part_of(pair, plan & 7u, (plan >> 31u) == 1u);
+        floor_level = max(floor_level + STACK_SIZE, level + 1u) - STACK_SIZE;
+        stack[level % STACK_SIZE] = part_of(pair, plan & 7u, (plan >> 31u) == 1u);
         fresh = true;
     }
     return UNKNOWN;
@@ -280,12 +280,12 @@ fn descend(root: Pair, shade: f32, limit: u32) -> u32 {
 
 // --- One sample: src/single/system.rs and sample.rs.
 
-const PLAIN = 0.97;
+const LARGEST_FACTOR = 0.97;
 const FAN_ROUNDS = 48u;
-const LOOKS = 3000u;
-const SHADING = 400u;
-const SHADE = 0.95;
-const COARSE = 0.01;
+const LOOKS_TO_DECIDE = 3000u;
+const LOOKS_TO_MEASURE = 400u;
+const GAP_TIGHTNESS = 0.95;
+const LARGEST_MARGIN = 0.01;
 const PAIRS = 28u;
 const OPEN = 0u;
 const MEASURED = 4u;
@@ -322,7 +322,7 @@ fn set_frame(column: u32, row: u32) -> bool {
         factor = max(factor, norm(linear[i]) * (1.0 + 16.0 * ULP) + rest.z);
         given = max(given, rest.z);
     }
-    if factor >= PLAIN {
+    if factor >= LARGEST_FACTOR {
         return false;
     }
     let share = 1.0 / f32(count);
@@ -347,7 +347,7 @@ fn set_frame(column: u32, row: u32) -> bool {
     }
     let error = given + off / radius + 3.0 * ULP * rest;
     margin = 2.0 * error / rest + ULP * (20.0 + 15.0 * factor / rest);
-    return margin < COARSE;
+    return margin < LARGEST_MARGIN;
 }
 
 fn area(m: vec4<f32>) -> f32 {
@@ -392,33 +392,40 @@ fn first_looks() {
     }
 }
 
+// The numbers of a pair of pieces in two components and of its two, PAIRS for none: of the open ones that which overlaps
+// most, or, to narrow the gap, of those whose bounds are wide apart that which is known to be nearest.
+fn next_pair(narrowing: bool, above: f32) -> vec3<u32> {
+    var best = vec3<u32>(PAIRS, 0u, 0u);
+    var least = FAR;
+    var k = 0u;
+    for (var i = 0u; i < count; i++) {
+        for (var j = i + 1u; j < count; j++) {
+            let edge = edges[k];
+            let loose = edge.state == APART && edge.lower < GAP_TIGHTNESS * min(sqrt(edge.reach), above);
+            let key = select(edge.overlap, edge.reach, narrowing);
+            if select(edge.state == OPEN, loose, narrowing) && key < least && !joined(i, j) {
+                least = key;
+                best = vec3<u32>(k, i, j);
+            }
+            k += 1u;
+        }
+    }
+    return best;
+}
+
 fn settle() {
     while !whole() {
-        var best = PAIRS;
-        var bi = 0u;
-        var bj = 0u;
-        var least = FAR;
-        var k = 0u;
-        for (var i = 0u; i < count; i++) {
-            for (var j = i + 1u; j < count; j++) {
-                if edges[k].state == OPEN && !joined(i, j) && edges[k].overlap < least {
-                    least = edges[k].overlap;
-                    best = k;
-                    bi = i;
-                    bj = j;
-                }
-                k += 1u;
-            }
-        }
+        let pair = next_pair(false, 0.0);
+        let best = pair.x;
         if best == PAIRS {
             return;
         }
         nearest = edges[best].reach;
-        let end = descend(root(bi, bj), 0.0, LOOKS);
+        let end = descend(root(pair.y, pair.z), 0.0, LOOKS_TO_DECIDE);
         edges[best].reach = nearest;
         edges[best].state = end;
         if end == MET {
-            join(bi, bj);
+            join(pair.y, pair.z);
         } else if end == APART {
             edges[best].lower = lower;
         }
@@ -456,33 +463,17 @@ fn widest_edge(by_lower: bool) -> f32 {
 }
 
 fn measure() -> f32 {
-    let limit = looks + SHADING;
+    let limit = looks + LOOKS_TO_MEASURE;
     var above = 0.0;
     loop {
         above = widest_edge(false);
-        var best = PAIRS;
-        var bi = 0u;
-        var bj = 0u;
-        var least = FAR;
-        var k = 0u;
-        for (var i = 0u; i < count; i++) {
-            for (var j = i + 1u; j < count; j++) {
-                let edge = edges[k];
-                let loose = edge.state == APART && edge.lower < SHADE * min(sqrt(edge.reach), above);
-                if loose && edge.reach < least && !joined(i, j) {
-                    least = edge.reach;
-                    best = k;
-                    bi = i;
-                    bj = j;
-                }
-                k += 1u;
-            }
-        }
+        let pair = next_pair(true, above);
+        let best = pair.x;
         if best == PAIRS || looks >= limit {
             break;
         }
         nearest = edges[best].reach;
-        let end = descend(root(bi, bj), SHADE, limit);
+        let end = descend(root(pair.y, pair.z), GAP_TIGHTNESS, limit);
         edges[best].reach = nearest;
         if end == APART {
             edges[best].lower = max(edges[best].lower, lower);

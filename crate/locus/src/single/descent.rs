@@ -8,11 +8,11 @@ use super::support::{Fan, Map, image, norm, product, pulled};
 /// The most maps of a system.
 pub(super) const MAX_MAPS: usize = 8;
 /// How far a descent can go back. It may go deeper: that finds points that touch all the same.
-const DEPTH: usize = 64;
+const STACK_SIZE: usize = 64;
 /// Directions tried on a pair.
-const ROUNDS: usize = 2;
+const DIRECTIONS_PER_PAIR: usize = 2;
 /// Keeps divisors above zero; f32 may lose what is smaller.
-const TINY: f32 = 1e-30;
+const SMALLEST_DIVISOR: f32 = 1e-30;
 /// Where nothing is known of a distance yet.
 const FAR: f32 = 1e9;
 
@@ -73,7 +73,7 @@ impl Descent<'_> {
     pub fn look(&self, pair: &Pair) -> Look {
         let mut seen = Look { apart: 0.0, overlap: FAR, reach: FAR };
         let mut normal = pair.step;
-        for _ in 0..ROUNDS {
+        for _ in 0..DIRECTIONS_PER_PAIR {
             let (far_a, p) = self.fan.support(pulled(pair.a, normal));
             let (far_b, q) = self.fan.support(-pulled(pair.b, normal));
             let along = normal.dot(pair.step);
@@ -86,9 +86,9 @@ impl Descent<'_> {
                 seen.apart = off / length;
                 return seen;
             }
-            seen.overlap = seen.overlap.min(along / far.max(TINY));
+            seen.overlap = seen.overlap.min(along / far.max(SMALLEST_DIVISOR));
             let turn = normal - between;
-            let t = (normal.dot(turn) / turn.dot(turn).max(TINY)).clamp(0.0, 1.0);
+            let t = (normal.dot(turn) / turn.dot(turn).max(SMALLEST_DIVISOR)).clamp(0.0, 1.0);
             normal -= turn * t;
         }
         seen
@@ -115,10 +115,10 @@ impl Descent<'_> {
     /// once they are apart by `shade` times the least distance known: with 0 that settles whether the two meet, with
     /// nearly 1 how far apart they are. `limit` bounds the looks, counted on from those of the descents before.
     pub fn descend(&mut self, root: Pair, shade: f32, limit: u32) -> End {
-        let mut stack = [Pair::default(); DEPTH];
+        let mut stack = [Pair::default(); STACK_SIZE];
         // The parts to look into at each level, three bits each in their order, their number from bit 24 on, and
         // whether it is the first piece that was split in bit 31.
-        let mut plans = [0_u32; DEPTH];
+        let mut plans = [0_u32; STACK_SIZE];
         let mut level = 0;
         // The first level that is still remembered.
         let mut floor = 0;
@@ -126,7 +126,7 @@ impl Descent<'_> {
         let mut fresh = true;
         self.lower = FAR;
         loop {
-            let pair = stack[level % DEPTH];
+            let pair = stack[level % STACK_SIZE];
             if fresh {
                 let sizes = norm(pair.a) + norm(pair.b);
                 if sizes <= self.small && shade == 0.0 {
@@ -163,9 +163,9 @@ impl Descent<'_> {
                     keys[least] = FAR;
                     plan |= (least as u32) << (3 * place);
                 }
-                plans[level % DEPTH] = plan;
+                plans[level % STACK_SIZE] = plan;
             }
-            let plan = plans[level % DEPTH];
+            let plan = plans[level % STACK_SIZE];
             if plan >> 24 & 15 == 0 {
                 if level == floor {
                     return if floor == 0 { End::Apart } else { End::Unknown };
@@ -176,10 +176,10 @@ impl Descent<'_> {
             }
             // The next part goes, the others move up.
             let rest = (plan & 0x00ff_ffff) >> 3;
-            plans[level % DEPTH] = rest | ((plan & 0xff00_0000) - (1 << 24));
+            plans[level % STACK_SIZE] = rest | ((plan & 0xff00_0000) - (1 << 24));
             level += 1;
-            floor = floor.max((level + 1).saturating_sub(DEPTH));
-            stack[level % DEPTH] = self.part(&pair, (plan & 7) as usize, plan >> 31 == 1);
+            floor = floor.max((level + 1).saturating_sub(STACK_SIZE));
+            stack[level % STACK_SIZE] = self.part(&pair, (plan & 7) as usize, plan >> 31 == 1);
             fresh = true;
         }
     }

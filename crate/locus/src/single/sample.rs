@@ -7,12 +7,12 @@ use super::system::{System, fixed_point};
 use crate::verdict::{Sample, State};
 
 /// Rounds of lowering the support values at most.
-const MOST_ROUNDS: usize = 48;
+const FAN_ROUNDS: usize = 48;
 /// Looks spent at most on the verdict, and on measuring a gap after it.
-const LOOKS: u32 = 3000;
-const SHADING: u32 = 400;
-/// How near to each other the bounds of a gap are to come.
-const SHADE: f32 = 0.95;
+const LOOKS_TO_DECIDE: u32 = 3000;
+const LOOKS_TO_MEASURE: u32 = 400;
+/// How near to each other the bounds of a gap are to come: the lower over the upper.
+const GAP_TIGHTNESS: f32 = 0.95;
 /// Pairs of maps.
 const PAIRS: usize = MAX_MAPS * (MAX_MAPS - 1) / 2;
 /// Further away than anything.
@@ -27,15 +27,20 @@ struct Edge {
     lower: f32,
     /// How deep the two overlap: what is looked into first.
     overlap: f32,
-    /// One of the below.
-    state: u32,
+    state: Known,
 }
 
-const OPEN: u32 = 0;
-const APART: u32 = 1;
-const MET: u32 = 2;
-const UNKNOWN: u32 = 3;
-const MEASURED: u32 = 4;
+/// Whether two attractorlets meet.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Known {
+    #[default]
+    Open,
+    Apart,
+    Met,
+    Unknown,
+    /// Apart, and their distance was measured.
+    Measured,
+}
 
 const UNDECIDED: Sample = Sample { state: State::Undecided, gap: 0.0 };
 
@@ -54,7 +59,7 @@ pub(super) fn decide(columns: &[SingleMap], rows: &[SingleMap], epsilon: f32) ->
         }
     }
     let maps = &system.maps[..count];
-    let fan = Fan::new(maps, fixed_point(maps[0]), 0.03 * (1.0 - system.factor), MOST_ROUNDS);
+    let fan = Fan::new(maps, fixed_point(maps[0]), 0.03 * (1.0 - system.factor), FAN_ROUNDS);
     let diameter = fan.diameter();
     let resolution = epsilon * diameter;
     let mut descent = Descent {
@@ -76,7 +81,7 @@ pub(super) fn decide(columns: &[SingleMap], rows: &[SingleMap], epsilon: f32) ->
     }
     let mut coarsest = groups;
     each_pair(count, |k, i, j| {
-        if edges[k].state == UNKNOWN || edges[k].state == OPEN {
+        if edges[k].state == Known::Unknown || edges[k].state == Known::Open {
             coarsest.join(i, j);
         }
     });
@@ -144,14 +149,35 @@ fn first_looks(descent: &mut Descent, edges: &mut [Edge; PAIRS], groups: &mut Gr
             groups.join(i, j);
         }
         let state = if touching {
-            MET
+            Known::Met
         } else if seen.apart > 0.0 {
-            APART
+            Known::Apart
         } else {
-            OPEN
+            Known::Open
         };
         edges[k] = Edge { reach: seen.reach, lower: seen.apart, overlap: seen.overlap, state };
     });
+}
+
+/// The numbers of the pair of pieces in two components whose key is least, and of its two, where any has one.
+fn next_pair(
+    count: usize,
+    edges: &[Edge; PAIRS],
+    groups: &Groups,
+    key: impl Fn(&Edge) -> Option<f32>,
+) -> Option<(usize, usize, usize)> {
+    let mut best = None;
+    let mut least = FAR;
+    each_pair(count, |k, i, j| {
+        if let Some(key) = key(&edges[k])
+            && key < least
+            && !groups.joined(i, j)
+        {
+            least = key;
+            best = Some((k, i, j));
+        }
+    });
+    best
 }
 
 /// Descends on the pairs that may meet, those that overlap most first, until all pieces are in one component or none of
@@ -160,31 +186,21 @@ fn settle(descent: &mut Descent, edges: &mut [Edge; PAIRS], groups: &mut Groups)
     let maps = descent.maps;
     let count = maps.len();
     while !groups.whole(count) {
-        let mut best = (PAIRS, 0, 0);
-        let mut least = FAR;
-        each_pair(count, |k, i, j| {
-            if edges[k].state == OPEN && !groups.joined(i, j) && edges[k].overlap < least {
-                least = edges[k].overlap;
-                best = (k, i, j);
-            }
-        });
-        let (k, i, j) = best;
-        if k == PAIRS {
-            return;
-        }
+        let open = |edge: &Edge| (edge.state == Known::Open).then_some(edge.overlap);
+        let Some((k, i, j)) = next_pair(count, edges, groups, open) else { return };
         descent.reach = edges[k].reach;
-        let end = descent.descend(root(maps, i, j), 0.0, LOOKS);
+        let end = descent.descend(root(maps, i, j), 0.0, LOOKS_TO_DECIDE);
         edges[k].reach = descent.reach;
         match end {
             End::Met => {
-                edges[k].state = MET;
+                edges[k].state = Known::Met;
                 groups.join(i, j);
             }
             End::Apart => {
-                edges[k].state = APART;
+                edges[k].state = Known::Apart;
                 edges[k].lower = descent.lower;
             }
-            End::Unknown => edges[k].state = UNKNOWN,
+            End::Unknown => edges[k].state = Known::Unknown,
         }
     }
 }
@@ -193,32 +209,24 @@ fn settle(descent: &mut Descent, edges: &mut [Edge; PAIRS], groups: &mut Groups)
 /// tree.
 fn measure(descent: &mut Descent, edges: &mut [Edge; PAIRS], groups: Groups) -> f32 {
     let maps = descent.maps;
-    let limit = descent.looks + SHADING;
+    let limit = descent.looks + LOOKS_TO_MEASURE;
     let mut above;
     loop {
         above = widest(maps.len(), edges, groups, false);
         // A pair that may come nearer than is known, and so narrow the gap.
-        let mut best = (PAIRS, 0, 0);
-        let mut least = FAR;
-        each_pair(maps.len(), |k, i, j| {
-            let edge = &edges[k];
-            let loose = edge.state == APART && edge.lower < SHADE * edge.reach.sqrt().min(above);
-            if loose && edge.reach < least && !groups.joined(i, j) {
-                least = edge.reach;
-                best = (k, i, j);
-            }
-        });
-        let (k, i, j) = best;
-        if k == PAIRS || descent.looks >= limit {
-            break;
-        }
+        let loose = |edge: &Edge| {
+            let loose = edge.lower < GAP_TIGHTNESS * edge.reach.sqrt().min(above);
+            (edge.state == Known::Apart && loose).then_some(edge.reach)
+        };
+        let next = next_pair(maps.len(), edges, &groups, loose);
+        let Some((k, i, j)) = next.filter(|_| descent.looks < limit) else { break };
         descent.reach = edges[k].reach;
-        let end = descent.descend(root(maps, i, j), SHADE, limit);
+        let end = descent.descend(root(maps, i, j), GAP_TIGHTNESS, limit);
         edges[k].reach = descent.reach;
         if end == End::Apart {
             edges[k].lower = edges[k].lower.max(descent.lower);
         }
-        edges[k].state = MEASURED;
+        edges[k].state = Known::Measured;
     }
     0.5 * (above + widest(maps.len(), edges, groups, true))
 }

@@ -7,9 +7,9 @@ use super::map::SingleMap;
 use super::support::{Map, ULP, image, norm};
 
 /// Maps must contract by this in the plane's own norm.
-const PLAIN: f32 = 0.97;
+const LARGEST_FACTOR: f32 = 0.97;
 /// With a wider margin nothing worth knowing would be found.
-const COARSE: f32 = 0.01;
+const LARGEST_MARGIN: f32 = 0.01;
 
 /// The system of a sample, in its frame: the attractor lies in the unit disc.
 ///
@@ -56,7 +56,7 @@ impl System {
             factor = factor.max(norm(linear) * (1.0 + 16.0 * ULP) + (c[6] + r[6]));
             given = given.max(c[6] + r[6]);
         }
-        if factor >= PLAIN {
+        if factor >= LARGEST_FACTOR {
             return None;
         }
         // The fixed point of the mean of the maps; it need not be exact.
@@ -85,7 +85,7 @@ impl System {
         }
         let error = given + off / radius + 3.0 * ULP * rest;
         let margin = 2.0 * error / rest + ULP * (20.0 + 15.0 * factor / rest);
-        if margin < COARSE { Some(Self { count, maps, factor, margin, given }) } else { None }
+        if margin < LARGEST_MARGIN { Some(Self { count, maps, factor, margin, given }) } else { None }
     }
 
     /// Whether the areas of two maps leave no room between the pieces; `None` where f32 cannot tell.
