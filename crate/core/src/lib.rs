@@ -12,7 +12,7 @@
 //! let gasket = corners.map(|corner| Affine2::similitude(0.5, 0.0, corner * 0.5));
 //! let turned = gasket.map(|map| map * Affine2::similitude(1.0, 0.5, DVec2::ZERO));
 //!
-//! // Between the two, linear parts and translations on their way alike: a system, and points of its attractor.
+//! // Halfway in both parameters: a system, and points of its attractor.
 //! let morph = Morph::new(&gasket, &turned, &MorphOptions::default())?;
 //! let between = Ifs::new(morph.at(0.5, 0.5))?;
 //! let (mut points, mut pieces) = ([0.0; 2000], [0; 1000]);

@@ -392,8 +392,9 @@ fn first_looks() {
     }
 }
 
-// The numbers of a pair of pieces in two components and of its two, PAIRS for none: of the open ones that which overlaps
-// most, or, to narrow the gap, of those whose bounds are wide apart that which is known to be nearest.
+// A pair of pieces that lie in two components: its number, PAIRS where there is none, and those of its pieces. Of the
+// open pairs it is the one that overlaps most; to narrow the gap, of those whose bounds are wide apart, the one that
+// is known to be nearest.
 fn next_pair(narrowing: bool, above: f32) -> vec3<u32> {
     var best = vec3<u32>(PAIRS, 0u, 0u);
     var least = FAR;
