@@ -3,6 +3,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { describe, expect, it } from "vitest";
+import { NIGHT, PAPER } from "#style/colours";
 
 const root = fileURLToPath(new URL("../../www/src", import.meta.url));
 const tools = readdirSync(join(root, "tools")).filter((tool) => tool !== "morph");
@@ -92,13 +93,29 @@ describe("modules of style", () => {
   );
 });
 
-it("has no style of figures outside of modules, and no colour in them that is not a token", () => {
+it("has no style of figures outside of modules", () => {
   const sheets = files.filter(({ path, css }) => css && path.startsWith("figures/"));
   expect(sheets.filter(({ path }) => !path.endsWith(".module.css"))).toEqual([]);
-  const colours = sheets.flatMap(({ path, text }) =>
-    [...text.matchAll(/[:\s](#[0-9a-f]{3,8}\b|(?:rgb|hsl|oklch)a?\([^)]*\))/gi)].map(
-      ([, colour]) => `${path}: ${colour}`,
-    ),
-  );
-  expect(colours).toEqual([]);
+});
+
+/** What paints a picture of its own, as a photograph has its colours. */
+const PAINTED = ["document/deform/sample-picture.ts"];
+
+it("has colours in the room of styles alone", () => {
+  const HEX = /#(?:[0-9a-f]{8}|[0-9a-f]{6}|[0-9a-f]{3,4})(?![\w-])/.source;
+  const FUNCTION = /(?:rgb|hsl|hwb|oklab|oklch|lab|lch|color)a?\(/.source;
+  const inSheets = new RegExp(`${HEX}|\\b${FUNCTION}`, "gi");
+  const inStrings = new RegExp(`(?<=["'\`(,:] ?)(?:${HEX}(?! ?[(=])|${FUNCTION}(?=[\\d$]))`, "gi");
+  const found = files
+    .filter(({ path, room }) => room !== "style" && !/\.test\./.test(path) && !PAINTED.includes(path))
+    .flatMap(({ path, text, css }) =>
+      [...text.matchAll(css ? inSheets : inStrings)].map(([colour]) => `${path}: ${colour}`),
+    );
+  expect(found).toEqual([]);
+});
+
+it("calls the grounds of documents as the stages of the two themes", () => {
+  const tokens = files.find(({ path }) => path === "style/tokens.css")?.text ?? "";
+  const stages = [...tokens.matchAll(/--stage: (#\w+)/g)].map(([, colour]) => colour);
+  expect(stages).toEqual([PAPER, NIGHT, NIGHT]);
 });

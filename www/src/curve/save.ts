@@ -8,6 +8,7 @@ import { lookOf, paintCurve } from "#stage/curve/paint";
 import { moved, TOLERANCE } from "#stage/curve/painter";
 import { stageStyle } from "#stage/look";
 import { effectiveView, stageSize } from "#stage/view";
+import { GREY } from "#style/colours";
 import { download } from "#ui/files/download";
 import { rough } from "#wasm/curve";
 import { csvOf, jsonOf, nameOf, svgOf } from "./files";
@@ -51,7 +52,7 @@ function text(kind: Exclude<Kind, "png">): Blob {
     case "svg": {
       const title =
         s === 0 || sameCurves(now) ? now.a.name : s === 1 ? now.b.name : `${now.a.name} to ${now.b.name}`;
-      const colour = stageStyle.peek().palette[0] ?? "#808080";
+      const colour = stageStyle.peek().palette[0] ?? GREY;
       return new Blob([svgOf(points, { title, colour })], { type: "image/svg+xml" });
     }
     case "csv":

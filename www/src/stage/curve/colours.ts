@@ -1,4 +1,5 @@
 /** Which colour an edge of a closed curve has. */
+import { GREY } from "#style/colours";
 import type { Colouring } from "#wasm/api";
 
 /** The colours of the edges, and for each edge which of them it has. */
@@ -22,7 +23,7 @@ export function edgeColours(
   if ((colouring !== "map" && colouring !== "address") || palette.length < 2) return null;
   const count = Math.floor(arcs.length / 4);
   const of = colouring === "map" ? [ranks(arcs, 0), ranks(arcs, 1)] : null;
-  const plain = palette[0] ?? "#808080";
+  const plain = palette[0] ?? GREY;
   const another = (rank: number) => palette[1 + (rank % (palette.length - 1))] ?? plain;
   const known = new Map<string, number>();
   const kinds = new Uint16Array(count);

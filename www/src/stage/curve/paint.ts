@@ -2,6 +2,7 @@
 
 import type { CurveMorph } from "#document/curve/curve";
 import { dark } from "#document/preferences";
+import { GREY } from "#style/colours";
 import type { Colouring } from "#wasm/api";
 import { edgeColours } from "./colours";
 import { type Frame, fillPath, outlinePaths, type Placed, place } from "./outline";
@@ -28,7 +29,7 @@ export function lookOf(
   palette: readonly string[],
   width: number,
 ): CurveLook {
-  const colour = palette[0] ?? "#808080";
+  const colour = palette[0] ?? GREY;
   const soft = SOFT[dark.peek() ? "dark" : "light"];
   const edges = edgeColours(morph.arcs(), s, colouring, palette);
   if (!edges) return { colour, outline: null, width, soft };

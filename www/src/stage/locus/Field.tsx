@@ -1,3 +1,4 @@
+import "#style/locus.css";
 import "./locus.css";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import type { Field as Samples } from "#compute/locus/pyramid";

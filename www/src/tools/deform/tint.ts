@@ -1,12 +1,14 @@
 /** Colours of the control points. */
+
+import { FOUR, GREY } from "#style/colours";
 import { channelsOf, hexOf } from "#style/hex";
 import type { Colouring, Deformation, Scene, Tint } from "#wasm/api";
 
 /** Lower left, lower right, upper left, upper right. */
 export type Four = readonly [string, string, string, string];
 
-/** Told apart by everybody, and clear on light and on dark ground. */
-export const FIRST: Four = ["#0072b2", "#e69f00", "#009e73", "#cc79a7"];
+/** At the corners of a grid, to begin with. */
+export const FIRST: Four = FOUR;
 
 type Sides = Pick<Deformation, "columns" | "rows">;
 
@@ -23,7 +25,7 @@ export function blended(four: Four, { columns, rows }: Sides): string[] {
 
 /** The colours at the corners of the mesh. */
 export function cornersOf(colours: readonly string[], { columns, rows }: Sides): Four {
-  const at = (i: number) => colours[i] ?? "#808080";
+  const at = (i: number) => colours[i] ?? GREY;
   return [at(0), at(columns - 1), at((rows - 1) * columns), at(rows * columns - 1)];
 }
 

@@ -1,5 +1,7 @@
 /** Fits as text. */
 
+import { GREY } from "#style/colours";
+import { palette } from "#style/palette";
 import type { Curve } from "#wasm/api";
 import type { CurveMap } from "#wasm/curve";
 import type { Collage, CollageOptions, Figures } from "#workers/fit/curve";
@@ -78,5 +80,5 @@ export function collageSvg({ points, starts }: Collage): string {
     }
     paths.push(`<path d="M${part.join("L")}"/>`);
   }
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="-550 -550 1100 1100" fill="none" stroke="#00835f" stroke-width="2" stroke-linejoin="round">${paths.join("")}</svg>\n`;
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="-550 -550 1100 1100" fill="none" stroke="${palette("light")[2] ?? GREY}" stroke-width="2" stroke-linejoin="round">${paths.join("")}</svg>\n`;
 }

@@ -4,6 +4,7 @@ import { fitDocument } from "#document/fit";
 import { fitFor } from "#document/framing";
 import { notify, wordsOf } from "#document/notice";
 import { dark } from "#document/preferences";
+import { BAD, GREY, WHITE } from "#style/colours";
 import { palette } from "#style/palette";
 import { download, plainName, pngOf } from "#ui/files/download";
 import { rough } from "#wasm/curve";
@@ -76,8 +77,8 @@ export function savePng(): void {
     canvas.height = Math.max(1, size.height);
     const context = canvas.getContext("2d");
     if (!context) throw new Error("no canvas");
-    const fit = palette(dark.peek() ? "dark" : "light")[2] ?? "#009e73";
-    const colours = { stage: "#ffffff", ink: fit, quiet: fit, fit, bad: "#b3321d", accent: fit };
+    const fit = palette(dark.peek() ? "dark" : "light")[2] ?? GREY;
+    const colours = { stage: WHITE, ink: fit, quiet: fit, fit, bad: BAD, accent: fit };
     const view = fitFor(box, canvas, 0.02);
     const nothing = {
       photo: null,

@@ -1,4 +1,6 @@
 import { useState } from "preact/hooks";
+import { GREY } from "#style/colours";
+import { palette } from "#style/palette";
 import { IconButton } from "../controls/Button";
 import { EndCard } from "../shapes/EndCard";
 import { Graph } from "../shapes/Graph";
@@ -51,12 +53,18 @@ export function Shapes() {
       </Widget>
       <Widget name="Graph">
         <State name="one piece, two that are apart" wide>
-          <Graph count={1} angles={[0]} edges={[]} colours={["#0072b2"]} label="One piece" />
+          <Graph
+            count={1}
+            angles={[0]}
+            edges={[]}
+            colours={[palette("light")[1] ?? GREY]}
+            label="One piece"
+          />
           <Graph
             count={3}
             angles={[0, 2, 4]}
             edges={[[0, 1]]}
-            colours={["#0072b2", "#e69f00", "#009e73"]}
+            colours={palette("light").slice(0, 3)}
             label="Three pieces, two of which are joined"
           />
         </State>

@@ -1,6 +1,7 @@
 import { computed } from "@preact/signals";
 import { changeDeformation, deformation } from "#document/deform/bend";
 import { edit, endGesture, scene } from "#document/scene";
+import { GREY } from "#style/colours";
 import { Button } from "#ui/controls/Button";
 import { SliderField } from "#ui/controls/SliderField";
 import { Switch } from "#ui/controls/Switch";
@@ -97,7 +98,7 @@ function GridColours({ now }: { now: Tint }) {
         ) : (
           <ColourField
             label={some.length === 1 ? "The chosen handle" : `The ${some.length} chosen handles`}
-            value={now.colours[first] ?? "#808080"}
+            value={now.colours[first] ?? GREY}
             onChange={(next) =>
               changeTint(
                 (tint) => ({ ...tint, colours: tint.colours.map((c, i) => (some.includes(i) ? next : c)) }),

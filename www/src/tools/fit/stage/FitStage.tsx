@@ -2,6 +2,7 @@ import { effect, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { dark, theme } from "#document/preferences";
 import { watchSize } from "#stage/picture";
+import { GREY } from "#style/colours";
 import { palette } from "#style/palette";
 import { IconButton } from "#ui/controls/Button";
 import fitCss from "../fit.module.css";
@@ -110,13 +111,13 @@ function Readout() {
 /** The theme's own, read where the style sheet has them. */
 function coloursOf(isDark: boolean): Colours {
   const style = getComputedStyle(document.documentElement);
-  const of = (name: string, other: string) => style.getPropertyValue(`--${name}`).trim() || other;
+  const of = (name: string) => style.getPropertyValue(`--${name}`).trim();
   return {
-    stage: of("stage", "#ffffff"),
-    ink: of("ink", "#000000"),
-    quiet: of("ink-2", "#666666"),
-    fit: palette(isDark ? "dark" : "light")[2] ?? "#009e73",
-    bad: of("bad", "#b3321d"),
-    accent: of("accent", "#9a5b00"),
+    stage: of("stage"),
+    ink: of("ink"),
+    quiet: of("ink-2"),
+    fit: palette(isDark ? "dark" : "light")[2] ?? GREY,
+    bad: of("bad"),
+    accent: of("accent"),
   };
 }

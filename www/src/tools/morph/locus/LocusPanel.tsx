@@ -1,4 +1,5 @@
 import { LocusHead, statesIn } from "#stage/locus/LocusHead";
+import "#style/locus.css";
 import "#stage/locus/locus.css";
 import "./field.css";
 import { signal } from "@preact/signals";

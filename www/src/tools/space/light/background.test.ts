@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
-import { choiceOf, chosenBackground, groundOf, isDark, NIGHT, PAPER } from "./background";
+import { NIGHT, PAPER } from "#style/colours";
+import { choiceOf, chosenBackground, groundOf, isDark } from "./background";
 
 test("the background of the document is shown whatever the page is like", () => {
   for (const page of [PAPER, NIGHT]) {

@@ -1,8 +1,8 @@
 /** What a picture of space is seen before. Pure. */
 
-/** As the stage of the light page and of the dark one. */
-export const PAPER = "#fbfaf6";
-export const NIGHT = "#0e1015";
+import { NIGHT, PAPER } from "#style/colours";
+import { channelsOf, hexOf } from "#style/hex";
+
 /** That of whatever page shows it. */
 export const PAGE = "page";
 
@@ -29,7 +29,8 @@ export function chosenBackground(choice: Choice, ground: string): string {
 /** The same colour, to be changed: by one step where it would be taken for one of the two that have names. */
 function ownFrom(ground: string): string {
   if (ground !== PAPER && ground !== NIGHT) return ground;
-  return ground === PAPER ? "#fafaf6" : "#0f1015";
+  const [red = 0, ...others] = channelsOf(ground);
+  return hexOf([red + (ground === PAPER ? -1 : 1), ...others]);
 }
 
 /** Whether light colours stand out from it. */

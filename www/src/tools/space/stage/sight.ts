@@ -1,9 +1,11 @@
 /** What there is to see in space at the moment, made ready to be drawn. */
+
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { dark, theme } from "#document/preferences";
 import { keepBackground } from "#document/space/edits";
 import { chosen, space, spaceFrame } from "#document/space/space";
 import { apply3 } from "#geometry/maps/affine3";
+import { PAPER } from "#style/colours";
 import { palette } from "#style/palette";
 import type { Point3 } from "#wasm/api";
 import { type SpacePictureHandle, solid } from "#wasm/space";
@@ -79,7 +81,7 @@ export function chosenBall(): Ball | null {
   return { centre: apply3(object.moved, known.ball.centre), radius: known.ball.radius * stretch };
 }
 
-const stageColour = signal("#fbfaf6");
+const stageColour = signal(PAPER);
 
 /** The colour under the picture, "#rrggbb": what fog fades into. */
 export const ground: ReadonlySignal<string> = computed(() =>

@@ -3,6 +3,7 @@ import { announce } from "#document/notice";
 import { endGesture } from "#document/scene";
 import { changeSpace, reshapeSpace } from "#document/space/edits";
 import { choose, chosen, space } from "#document/space/space";
+import { GREY } from "#style/colours";
 import { Button, IconButton } from "#ui/controls/Button";
 import { FileButton } from "#ui/files/FileButton";
 import { useOwnId } from "#ui/id";
@@ -94,7 +95,10 @@ function ObjectList() {
               checked={index === at}
               onChange={() => choose(index)}
             />
-            <Swatch map={index} tint={one.tint ?? "conic-gradient(#e69f00, #56b4e9, #009e73, #e69f00)"} />
+            <Swatch
+              map={index}
+              tint={one.tint ?? "conic-gradient(var(--orange), var(--sky), var(--green), var(--orange))"}
+            />
             <span>{one.name}</span>
           </label>
           {index === at && <ObjectTools index={index} tint={one.tint} name={one.name} />}
@@ -112,7 +116,7 @@ function ObjectTools({ index, tint, name }: { index: number; tint: string | unde
         class={shapeCss["solid-tint"]}
         aria-label={`One colour for all of ${name}`}
         title="One colour for all of it"
-        value={tint ?? "#808080"}
+        value={tint ?? GREY}
         onInput={(event) => {
           const { value } = event.currentTarget;
           changeSpace((now) => withTint(now, index, value), { gesture: `tint ${index}` });
