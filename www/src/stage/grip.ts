@@ -13,51 +13,52 @@ export interface Grip {
   focus?(): void;
 }
 
-/** Its listeners, for the `ref` of its element; each drag and each key held is one step of undo. */
+/** Its listeners, for the `ref` of its element. */
 export function useGrip(grip: Grip): (node: SVGElement | null) => void {
   const element = useRef<SVGElement | null>(null);
   const latest = useRef(grip);
   latest.current = grip;
-  useEffect(() => {
-    const node = element.current;
-    if (!node) return;
-    const listening = new AbortController();
-    const { signal } = listening;
-    /** From the pointer to the grip, so that it does not jump. */
-    let offset: Screen | null = null;
-    const pointer = (event: PointerEvent) => placeIn(node.ownerSVGElement ?? node, event);
-    const down = (event: PointerEvent) => {
-      const at = event.button === 0 ? latest.current.take(event) : null;
-      if (!at) return;
-      const from = pointer(event);
-      offset = screen(at.x - from.x, at.y - from.y);
-      node.setPointerCapture(event.pointerId);
-    };
-    const move = (event: PointerEvent) => {
-      if (!offset) return;
-      const { x, y } = pointer(event);
-      latest.current.moveTo(screen(x + offset.x, y + offset.y));
-    };
-    const up = () => {
-      if (offset) endGesture();
-      offset = null;
-    };
-    const key = (event: KeyboardEvent) => {
-      if (!latest.current.key(event)) return;
-      event.preventDefault();
-      event.stopPropagation();
-    };
-    node.addEventListener("pointerdown", down, { signal });
-    node.addEventListener("pointermove", move, { signal });
-    node.addEventListener("pointerup", up, { signal });
-    node.addEventListener("pointercancel", up, { signal });
-    node.addEventListener("keydown", key, { signal });
-    node.addEventListener("keyup", endGesture, { signal });
-    node.addEventListener("blur", endGesture, { signal });
-    node.addEventListener("focus", () => latest.current.focus?.(), { signal });
-    return () => listening.abort();
-  }, []);
+  useEffect(() => (element.current ? attachGrip(element.current, () => latest.current) : undefined), []);
   return (node) => {
     element.current = node;
   };
+}
+
+/** Listens until it is told to stop; each drag and each key held is one step of undo. */
+export function attachGrip(node: SVGElement, grip: () => Grip): () => void {
+  const listening = new AbortController();
+  const { signal } = listening;
+  /** From the pointer to the grip, so that it does not jump. */
+  let offset: Screen | null = null;
+  const pointer = (event: PointerEvent) => placeIn(node.ownerSVGElement ?? node, event);
+  const down = (event: PointerEvent) => {
+    const at = event.button === 0 ? grip().take(event) : null;
+    if (!at) return;
+    const from = pointer(event);
+    offset = screen(at.x - from.x, at.y - from.y);
+    node.setPointerCapture(event.pointerId);
+  };
+  const move = (event: PointerEvent) => {
+    if (!offset) return;
+    const { x, y } = pointer(event);
+    grip().moveTo(screen(x + offset.x, y + offset.y));
+  };
+  const up = () => {
+    if (offset) endGesture();
+    offset = null;
+  };
+  const key = (event: KeyboardEvent) => {
+    if (!grip().key(event)) return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  node.addEventListener("pointerdown", down, { signal });
+  node.addEventListener("pointermove", move, { signal });
+  node.addEventListener("pointerup", up, { signal });
+  node.addEventListener("pointercancel", up, { signal });
+  node.addEventListener("keydown", key, { signal });
+  node.addEventListener("keyup", endGesture, { signal });
+  node.addEventListener("blur", endGesture, { signal });
+  node.addEventListener("focus", () => grip().focus?.(), { signal });
+  return () => listening.abort();
 }
