@@ -1,4 +1,4 @@
-/** Styles of tools are loaded when their tool is opened, and stay: what they say must not reach anybody else's elements. */
+/** Styles of tools are loaded when their tool is opened, and stay: they must not reach anybody else's elements. */
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";

@@ -75,12 +75,12 @@ pub trait Dimension: sealed::Sealed + Copy + Debug + PartialEq + 'static {
     fn spectral_radius(m: Self::Matrix) -> f64;
     /// The determinant; in the plane with all its digits, also of flat maps.
     fn full_determinant(m: Self::Matrix) -> f64;
-    /// The spectral radius of a product of this determinant, whose norm may be off by so much through rounding; in the plane the
-    /// least that it can be.
+    /// The spectral radius of a product of this determinant, whose norm may be off by so much through rounding; in the
+    /// plane the least that it can be.
     fn certain_radius(m: Self::Matrix, determinant: f64, off: f64) -> f64;
 
-    /// The matrix to coordinates in which maps of these linear parts shrink about as much as can be, and back from them.
-    /// `plain` is the largest norm as they are, `least` the largest spectral radius.
+    /// The matrix to coordinates in which maps of these linear parts shrink about as much as can be, and back from
+    /// them. `plain` is the largest norm as they are, `least` the largest spectral radius.
     fn rounding(linear: &[Self::Matrix], plain: f64, least: f64) -> [Self::Matrix; 2];
     /// Probabilities in proportion to how large the pieces of maps of these linear parts are.
     fn probabilities(linear: &[Self::Matrix]) -> Vec<f64>;

@@ -53,8 +53,8 @@ const TOOLS: [(&str, Tool); 4] =
 /// The link of a document, without the `#`: it opens again.
 ///
 /// # Errors
-/// Where it would not: a shape has no attractor, a curve cannot be written, a number is out of its range, or it would be
-/// longer than [`MAX_LINK`].
+/// Where it would not: a shape has no attractor, a curve cannot be written, a number is out of its range, or it would
+/// be longer than [`MAX_LINK`].
 pub fn encode(scene: &Scene) -> Result<String, LinkError> {
     let opened = |link: String| read(&link).map(|_| link);
     write(scene).and_then(opened).map_err(|error| match error {
@@ -122,7 +122,8 @@ fn write(scene: &Scene) -> Result<String, LinkError> {
 /// The document of a link (with or without the `#`), and what was wrong with it. A link that cannot be read
 /// gives the default document: there is always something to show.
 ///
-/// What a link gives, [`encode`] writes as a link that gives it again; where that cannot be, the link is one that cannot be read.
+/// What a link gives, [`encode`] writes as a link that gives it again; where that cannot be, the link is one that
+/// cannot be read.
 #[must_use]
 pub fn decode(link: &str) -> (Scene, Option<LinkError>) {
     let link = link.strip_prefix('#').unwrap_or(link);

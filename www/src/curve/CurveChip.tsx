@@ -19,7 +19,7 @@ const names = computed(() => {
   return now && !sameCurves(now) ? { a: now.a.name, b: now.b.name } : null;
 });
 
-/** That the curve is in one piece, which is so by construction, and whether it crosses itself; pressed, it tells why. */
+/** That the curve is in one piece, as it is by construction, and whether it crosses itself; pressed, it tells why. */
 export function CurveChip() {
   useEffect(watchFacts, []);
   const crosses = crossingWords(crossings.value);

@@ -10,9 +10,9 @@ use crate::linear::affine::Affine;
 /// of blocks (words) in which all of them shrink distances by `factor` or less, and of which every
 /// endless word is composed.
 ///
-/// Mostly the blocks are the maps themselves (`length` is 1). A sheared map may stretch by any factor
-/// in the Euclidean norm and still contract in the long run: then an ellipse (in space an ellipsoid) is found that all maps
-/// shrink, and where none is, longer blocks.
+/// Mostly the blocks are the maps themselves (`length` is 1). A sheared map may stretch by any factor in the Euclidean
+/// norm and still contract in the long run: then an ellipse (in space an ellipsoid) is found that all maps shrink, and
+/// where none is, longer blocks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contraction<D: Dimension = Dim2> {
     /// Takes the ellipse that the maps shrink to the unit disc.
@@ -255,7 +255,8 @@ mod tests {
             let norm = |m: DMat2| singular_values(m).0;
             norm(found.to_round) * norm(found.from_round)
         };
-        // One eigenvalue, 1/4, and one eigenvector: the thinner the ellipse, the nearer is the factor to 1/4, without end.
+        // One eigenvalue, 1/4, and one eigenvector: the thinner the ellipse, the nearer is the factor to 1/4, without
+        // end.
         let row = |e: f64, f: f64| map([0.75, -1.0, 0.25, -0.25, e, f]);
         let shifts =
             [(1.0, 1.0), (4.0, -2.0), (-2.0, 2.0), (1.0, -3.0), (-2.0, 0.0), (-3.0, 1.0), (1.0, 2.0)];

@@ -10,8 +10,8 @@ use super::morphed_curve::MorphedCurve;
 pub const MAX_FILE_POINTS: usize = 1 << 18;
 
 impl MorphedCurve {
-    /// An SVG file: one closed path. `size` is its longer side, `tolerance` how far the path may leave the curve, in the same
-    /// unit, `fill` a colour, or "none" for a line alone.
+    /// An SVG file: one closed path. `size` is its longer side, `tolerance` how far the path may leave the curve, in
+    /// the same unit, `fill` a colour, or "none" for a line alone.
     #[must_use]
     pub fn svg(&self, size: f64, tolerance: f64, fill: &str) -> String {
         let [left, bottom, right, top] = self.bounds();

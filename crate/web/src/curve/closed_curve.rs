@@ -61,9 +61,9 @@ pub fn quantised(#[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue)
 
 /// What a curve costs and what it is like.
 ///
-/// Numbers are 2 a knot and 2 a copied edge, bytes those of the packed curve. The dimension is that of boxes between 1/64
-/// and 1/256 of the box's diagonal, the length that of a polyline that is true to 1/2000 of it; contractivity is the
-/// largest factor by which a copy stretches lengths, 0 where all edges are straight.
+/// Numbers are 2 a knot and 2 a copied edge, bytes those of the packed curve. The dimension is that of boxes between
+/// 1/64 and 1/256 of the box's diagonal, the length that of a polyline that is true to 1/2000 of it; contractivity is
+/// the largest factor by which a copy stretches lengths, 0 where all edges are straight.
 #[wasm_bindgen(
     js_name = curveFacts,
     unchecked_return_type = "{ numbers: number; knots: number; copies: number; bytes: number; dimension: number; length: number; contractivity: number }"

@@ -22,8 +22,9 @@ struct SvgOptions {
     fill: Option<String>,
 }
 
-/// A curve as an SVG file: one closed path. `size` is the longer side (16 to 100,000; default 1000), `tolerance` how far
-/// the path may leave the curve, in the same unit (default 0.2), `fill` a colour "#rrggbb" or "none" for a line alone.
+/// A curve as an SVG file: one closed path. `size` is the longer side (16 to 100,000; default 1000), `tolerance` how
+/// far the path may leave the curve, in the same unit (default 0.2), `fill` a colour "#rrggbb" or "none" for a line
+/// alone.
 #[wasm_bindgen(js_name = curveSvg)]
 pub fn curve_svg(
     #[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue,
@@ -55,8 +56,8 @@ struct CsvOptions {
     points: Option<f64>,
 }
 
-/// A curve as a table x,y with a line of names, at equal steps of its parameter: 3 to 262,144 points, 2048 where nothing
-/// is said. The first point is not repeated.
+/// A curve as a table x,y with a line of names, at equal steps of its parameter: 3 to 262,144 points, 2048 where
+/// nothing is said. The first point is not repeated.
 #[wasm_bindgen(js_name = curveCsv)]
 pub fn curve_csv(
     #[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue,

@@ -142,9 +142,9 @@ impl CurveMorph {
 
     /// The curve as a closed polyline x0, y0, x1, y1, .., the first point not repeated.
     ///
-    /// It leaves the curve by the tolerance at most inside the window, or by as little as `most` points allow, and is coarse
-    /// outside. A bend displaces it by the base-4 digits of its parameter; its tint, spin and continuity do not count, and
-    /// detail above 9 counts as 9.
+    /// It leaves the curve by the tolerance at most inside the window, or by as little as `most` points allow, and is
+    /// coarse outside. A bend displaces it by the base-4 digits of its parameter; its tint, spin and continuity do not
+    /// count, and detail above 9 counts as 9.
     #[wasm_bindgen]
     pub fn polyline(
         &mut self,
@@ -186,8 +186,8 @@ impl CurveMorph {
         Uint32Array::from(&edges[..])
     }
 
-    /// For each edge what it copies at either end of the morph: for each the first knot and the number of edges of the arc,
-    /// -1 and 0 where it is straight there. Four numbers an edge.
+    /// For each edge what it copies at either end of the morph: for each the first knot and the number of edges of the
+    /// arc, -1 and 0 where it is straight there. Four numbers an edge.
     #[wasm_bindgen]
     pub fn arcs(&self) -> Int32Array {
         let flat: Vec<i32> = self
@@ -206,8 +206,9 @@ impl CurveMorph {
         write(&self.at(s)?.morphed.bounds())
     }
 
-    /// What the unbent curve is like: knots and copies it is made of, the dimension of its boxes, how often its polyline at
-    /// a five-hundredth of the box crosses itself (10,000 at most), and the largest factor by which copies stretch lengths.
+    /// What the unbent curve is like: knots and copies it is made of, the dimension of its boxes, how often its
+    /// polyline at a five-hundredth of the box crosses itself (10,000 at most), and the largest factor by which copies
+    /// stretch lengths.
     #[wasm_bindgen(
         unchecked_return_type = "{ knots: number; copies: number; dimension: number; crossings: number; ratio: number }"
     )]

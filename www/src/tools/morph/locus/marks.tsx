@@ -22,7 +22,7 @@ export function End({ letter, at: [x, y] }: { letter: string; at: [number, numbe
   );
 }
 
-/** A line as SVG, in hundredths of the square. What lies beyond is left out: in the depth its numbers would overflow. */
+/** A line as SVG, in hundredths of the square. What lies beyond is left out: deep down its numbers would overflow. */
 export function linePath(pieces: readonly [Uv, Uv][]): string {
   const window = shownWindow.value;
   const at = (point: Uv) =>

@@ -2,7 +2,7 @@ import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import morphCss from "../morph.module.css";
 
-/** The colour of a map with its number (from 0 here, from 1 on screen) in it: the number is the sign that needs no colour. */
+/** The colour of a map and its number (from 0 here, from 1 on screen) in it: the number is what needs no colour. */
 export function Swatch({ map }: { map: number }) {
   const colours = palette(dark.value ? "dark" : "light");
   return (

@@ -53,8 +53,8 @@ function note({ objects }: Item): string {
 }
 
 /**
- * Shapes to begin with, to put in the place of an object, or to add. Where nobody has said which of these (`ask`), that is
- * asked once a shape is chosen: no object of several leaves unasked.
+ * Shapes to begin with, to put in the place of an object, or to add. Where nobody has said which of these (`ask`), that
+ * is asked once a shape is chosen: no object of several leaves unasked.
  */
 export function Gallery({ how: first, onClose }: { how: How | "ask"; onClose: () => void }) {
   const [how, setHow] = useState<How | "ask">(first);

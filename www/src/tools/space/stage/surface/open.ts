@@ -5,7 +5,7 @@ import { Accelerated } from "./accelerated";
 import { Plain } from "./plain";
 import type { Surface } from "./surface";
 
-/** A surface on a canvas that has had no context yet: on the graphics card, or, where that cannot be had, without it. */
+/** A surface on a canvas that has had no context yet: on the graphics card, or where there is none, without it. */
 export async function openSurface(
   backend: "auto" | PainterBackend,
   onLost: (reason: string) => void,
