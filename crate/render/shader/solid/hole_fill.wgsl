@@ -1,10 +1,5 @@
 // Closing the holes of a surface of points, with what shade.wgsl binds. CPU twin: src/solid/hole_fill.rs.
 
-struct Kept {
-    @location(0) code: u32,
-    @location(1) depth: u32,
-}
-
 // A surface of points has holes while it moves: what most of the neighbours lie before is taken for one.
 @fragment
 fn hole_fill_fragment(@builtin(position) position: vec4<f32>) -> Kept {

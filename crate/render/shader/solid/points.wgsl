@@ -61,12 +61,6 @@ fn points_vertex(point: Point, piece: Piece) -> Seen {
     return Seen(position, code, bitcast<u32>(seen.z));
 }
 
-struct Kept {
-    @location(0) code: u32,
-    // The bits of an f32.
-    @location(1) depth: u32,
-}
-
 @fragment
 fn points_fragment(in: Seen) -> Kept {
     return Kept(in.code, in.depth);

@@ -47,11 +47,6 @@ fn before(a: Offer, b: Offer) -> bool {
     return b.depth + 2.0 * b.gap >= a.depth && a.come < b.come;
 }
 
-struct Kept {
-    @location(0) code: u32,
-    @location(1) depth: u32,
-}
-
 @fragment
 fn splat_fragment(@builtin(position) position: vec4<f32>) -> Kept {
     let at = vec2<i32>(position.xy);

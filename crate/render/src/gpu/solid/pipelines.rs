@@ -7,14 +7,19 @@ use crate::solid::{Instance3, Vertex3};
 /// What codes and the bits of depths are written to.
 pub(super) const WORD_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 
-const POINTS: &str = include_str!(concat!(env!("OUT_DIR"), "/shader/solid/points.wgsl"));
+const POINTS: &str = concat!(
+    include_str!(concat!(env!("OUT_DIR"), "/shader/solid/kept.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/shader/solid/points.wgsl"))
+);
 const SPLAT: &str = concat!(
     include_str!(concat!(env!("OUT_DIR"), "/shader/screen.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/shader/solid/kept.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/shader/solid/splat.wgsl"))
 );
 const SHADE: &str = concat!(
     include_str!(concat!(env!("OUT_DIR"), "/shader/colour.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/shader/screen.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/shader/solid/kept.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/shader/solid/shade.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/shader/solid/hole_fill.wgsl"))
 );
