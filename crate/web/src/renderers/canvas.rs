@@ -85,6 +85,40 @@ pub(crate) fn pixels_of(read: Option<ReadBack>) -> Promise {
     })
 }
 
+/// What every renderer tells of its card and canvas: for a class with a `stage` and a `held` canvas.
+macro_rules! canvas_methods {
+    ($class:ident) => {
+        #[wasm_bindgen]
+        impl $class {
+            /// `"webgpu"` or `"webgl2"`.
+            #[wasm_bindgen(getter, unchecked_return_type = "\"webgpu\" | \"webgl2\"")]
+            pub fn backend(&self) -> String {
+                self.stage.gpu().backend.to_owned()
+            }
+
+            /// The adapter's own words; may be empty.
+            #[wasm_bindgen(getter)]
+            pub fn description(&self) -> String {
+                self.stage.gpu().description.clone()
+            }
+
+            /// The last picture, read back from the engine's own texture: RGBA with straight alpha, row 0 on top.
+            /// Rejects when there is none, or the device is lost.
+            #[wasm_bindgen(js_name = readPixels, unchecked_return_type = "Promise<Uint8Array>")]
+            pub fn read_pixels(&self) -> Promise {
+                pixels_of(self.stage.read())
+            }
+
+            /// Loses the device, for tests.
+            #[wasm_bindgen(js_name = forceLoss)]
+            pub fn force_loss(&mut self) {
+                self.held.lose(self.stage.gpu());
+            }
+        }
+    };
+}
+pub(crate) use canvas_methods;
+
 const CONTEXT_LOST: &str = "webglcontextlost";
 
 fn as_canvas(value: JsValue) -> Result<Canvas, JsValue> {

@@ -13,7 +13,7 @@ use crate::boundary::error::{bad_input, of_ifs};
 use crate::boundary::look::read_palette;
 use crate::boundary::photo::read_photo;
 use crate::boundary::value::{object, read};
-use crate::renderers::canvas::{Held, open, pixels_of};
+use crate::renderers::canvas::{Held, canvas_methods, open, pixels_of};
 
 /// Draws one attractor on one canvas, on WebGPU or WebGL2. Lengths are device pixels.
 ///
@@ -49,18 +49,6 @@ impl Renderer {
     ) -> Result<Renderer, JsValue> {
         let (gpu, held) = open(canvas, options).await?;
         Ok(Self { stage: Stage::new(gpu), held, maps: Vec::new(), bend: None })
-    }
-
-    /// `"webgpu"` or `"webgl2"`.
-    #[wasm_bindgen(getter, unchecked_return_type = "\"webgpu\" | \"webgl2\"")]
-    pub fn backend(&self) -> String {
-        self.stage.gpu().backend.to_owned()
-    }
-
-    /// The adapter's own words; may be empty.
-    #[wasm_bindgen(getter)]
-    pub fn description(&self) -> String {
-        self.stage.gpu().description.clone()
     }
 
     /// Sets the size of the canvas. Edges are smoothed where `pixelRatio` (device pixels for each CSS pixel;
@@ -181,20 +169,9 @@ impl Renderer {
             ("points", (points as f64).into()),
         ])
     }
-
-    /// The last picture, read back from the engine's own texture: RGBA with straight alpha, row 0 on top.
-    /// Rejects when there is none, or the device is lost.
-    #[wasm_bindgen(js_name = readPixels, unchecked_return_type = "Promise<Uint8Array>")]
-    pub fn read_pixels(&self) -> Promise {
-        pixels_of(self.stage.read())
-    }
-
-    /// Loses the device, for tests.
-    #[wasm_bindgen(js_name = forceLoss)]
-    pub fn force_loss(&mut self) {
-        self.held.lose(self.stage.gpu());
-    }
 }
+
+canvas_methods!(Renderer);
 
 impl Renderer {
     fn put(&mut self, (bend, make): Bends) {

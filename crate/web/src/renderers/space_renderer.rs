@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::bad_input;
 use crate::boundary::value::object;
-use crate::renderers::canvas::{Held, open, pixels_of};
+use crate::renderers::canvas::{Held, canvas_methods, open, pixels_of};
 
 /// Draws attractors of space on one canvas, on WebGPU or WebGL2. Lengths are device pixels; clouds and uniforms are
 /// bytes that `SpacePicture` of the module `frond-space` makes, as the shaders read them.
@@ -34,18 +34,6 @@ impl SpaceRenderer {
     ) -> Result<SpaceRenderer, JsValue> {
         let (gpu, held) = open(canvas, options).await?;
         Ok(Self { stage: Stage3::new(gpu), held })
-    }
-
-    /// `"webgpu"` or `"webgl2"`.
-    #[wasm_bindgen(getter, unchecked_return_type = "\"webgpu\" | \"webgl2\"")]
-    pub fn backend(&self) -> String {
-        self.stage.gpu().backend.to_owned()
-    }
-
-    /// The adapter's own words; may be empty.
-    #[wasm_bindgen(getter)]
-    pub fn description(&self) -> String {
-        self.stage.gpu().description.clone()
     }
 
     /// Sets the size of the canvas.
@@ -103,19 +91,9 @@ impl SpaceRenderer {
         let Drawn3 { complete, points } = self.stage.draw();
         object(&[("complete", complete.into()), ("points", (points as f64).into())])
     }
-
-    /// The last picture, as `Renderer.readPixels` gives it.
-    #[wasm_bindgen(js_name = readPixels, unchecked_return_type = "Promise<Uint8Array>")]
-    pub fn read_pixels(&self) -> Promise {
-        pixels_of(self.stage.read())
-    }
-
-    /// Loses the device, for tests.
-    #[wasm_bindgen(js_name = forceLoss)]
-    pub fn force_loss(&mut self) {
-        self.held.lose(self.stage.gpu());
-    }
 }
+
+canvas_methods!(SpaceRenderer);
 
 fn bytes(value: &JsValue, key: &str) -> Result<Vec<u8>, JsValue> {
     let found = Reflect::get(value, &key.into()).ok().and_then(|found| found.dyn_into::<Uint8Array>().ok());
