@@ -86,46 +86,40 @@ impl Probe {
         if self.left == 0 {
             return 0;
         }
-        let visits = self.draw(frame, root, canvas, budget, light);
+        let visits = match self.waiting.last().copied() {
+            Some(piece) => self.draw(piece, canvas, budget, light),
+            None if self.piece.is_infinite() || self.idle > IDLE_PROBES => 0,
+            None => {
+                self.idle += 1;
+                let (piece, visits) = self.descend(frame, root);
+                self.waiting.extend(piece);
+                visits
+            }
+        };
         self.left = self.left.saturating_sub(visits);
         visits
     }
 
-    fn draw(
-        &mut self,
-        frame: &Frame,
-        root: Node,
-        canvas: &mut Canvas,
-        budget: u64,
-        light: &mut impl FnMut(Hit),
-    ) -> u64 {
-        if let Some(piece) = self.waiting.last().copied() {
-            let points = &self.flood.points()[self.drawn..];
-            let portion = points.len().min(budget as usize);
-            let before = canvas.count;
-            for point in &points[..portion] {
-                let [x, y] = point.position.map(f64::from);
-                let letters = piece.letters.join(point.letters);
-                canvas.light(piece.map.apply(DVec2::new(x, y)), letters, light);
-            }
-            if canvas.count > before {
-                self.idle = 0;
-            }
-            self.drawn += portion;
-            if self.drawn == self.flood.points().len() {
-                self.drawn = 0;
-                self.waiting.pop();
-                self.settle(&piece.map, canvas);
-            }
-            return portion.max(1) as u64;
+    /// Draws more points of a piece.
+    fn draw(&mut self, piece: Node, canvas: &mut Canvas, budget: u64, light: &mut impl FnMut(Hit)) -> u64 {
+        let points = &self.flood.points()[self.drawn..];
+        let portion = points.len().min(budget as usize);
+        let before = canvas.count;
+        for point in &points[..portion] {
+            let [x, y] = point.position.map(f64::from);
+            let letters = piece.letters.join(point.letters);
+            canvas.light(piece.map.apply(DVec2::new(x, y)), letters, light);
         }
-        if self.piece.is_infinite() || self.idle > IDLE_PROBES {
-            return 0;
+        if canvas.count > before {
+            self.idle = 0;
         }
-        self.idle += 1;
-        let (piece, visits) = self.descend(frame, root);
-        self.waiting.extend(piece);
-        visits
+        self.drawn += portion;
+        if self.drawn == self.flood.points().len() {
+            self.drawn = 0;
+            self.waiting.pop();
+            self.settle(&piece.map, canvas);
+        }
+        portion.max(1) as u64
     }
 
     /// Goes down to a piece that may hold dark pixels, by chance.

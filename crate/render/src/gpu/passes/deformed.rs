@@ -70,6 +70,14 @@ impl BentShape {
     }
 }
 
+/// What is asked for: the shape in a view, by about `budget` points, in the colours of the bend or not.
+struct Wanted<'a> {
+    frame: &'a Frame,
+    view: View,
+    budget: u64,
+    coloured: bool,
+}
+
 /// What a plan that the mesh may move was made for.
 #[derive(Clone, Debug, PartialEq)]
 struct Made {
@@ -207,9 +215,10 @@ impl DeformedPass {
     /// Draws more of the bent picture: about `budget` points.
     pub fn advance(&mut self, state: &mut StageState, frame: &Frame, view: View, budget: u64) {
         let coloured = self.coloured(state, frame);
+        let wanted = Wanted { frame, view, budget, coloured };
         let dense = state.style.colouring == Colouring::Density && state.gpu.densities;
         let follows = state.work == Work::Moved && !dense && !state.gpu.software;
-        if follows && self.follow(state, frame, view, budget, coloured) {
+        if follows && self.follow(state, &wanted) {
             state.complete = false;
             state.work = Work::Choose;
             return;
@@ -224,9 +233,9 @@ impl DeformedPass {
                     state.add_density(frame, budget);
                     state.work = Work::Choose;
                 } else if state.gpu.software {
-                    self.sweep_at_once(state, frame, view, budget, coloured);
+                    self.sweep_at_once(state, &wanted);
                 } else {
-                    self.draw_at_once(state, frame, view, budget, coloured);
+                    self.draw_at_once(state, &wanted);
                 }
             }
             Work::Choose => {
@@ -245,7 +254,7 @@ impl DeformedPass {
             Work::Plan => match self.plan(state, frame, view, coloured, false) {
                 Cut::Working => {}
                 Cut::TooMany => self.begin_sweep(state, frame, view, coloured),
-                Cut::Complete | Cut::Rough => self.choose(state, frame, view, budget, coloured),
+                Cut::Complete | Cut::Rough => self.choose(state, &wanted),
             },
             Work::Points => {
                 let Some(back) = &state.back else { return };
@@ -271,14 +280,8 @@ impl DeformedPass {
     }
 
     /// Draws the pieces at hand where the mesh takes them. Returns whether that could be done.
-    fn follow(
-        &mut self,
-        state: &mut StageState,
-        frame: &Frame,
-        view: View,
-        budget: u64,
-        coloured: bool,
-    ) -> bool {
+    fn follow(&mut self, state: &mut StageState, wanted: &Wanted<'_>) -> bool {
+        let Wanted { frame, view, budget, coloured } = *wanted;
         let factor = state.factor();
         let target_view = target_view(state, view, factor);
         let mesh = self.mesh().to_vec();
@@ -317,14 +320,8 @@ impl DeformedPass {
     }
 
     /// Makes a whole picture within the budget, of fewer pixels and rougher if need be.
-    fn draw_at_once(
-        &mut self,
-        state: &mut StageState,
-        frame: &Frame,
-        view: View,
-        budget: u64,
-        coloured: bool,
-    ) {
+    fn draw_at_once(&mut self, state: &mut StageState, wanted: &Wanted<'_>) {
+        let Wanted { frame, view, budget, coloured } = *wanted;
         let mut coarser = false;
         self.doublings[0] = self.doublings[0].saturating_sub(u32::from(self.made.is_none()));
         loop {
@@ -341,14 +338,8 @@ impl DeformedPass {
     }
 
     /// The same by a sweep.
-    fn sweep_at_once(
-        &mut self,
-        state: &mut StageState,
-        frame: &Frame,
-        view: View,
-        budget: u64,
-        coloured: bool,
-    ) {
+    fn sweep_at_once(&mut self, state: &mut StageState, wanted: &Wanted<'_>) {
+        let Wanted { frame, view, budget, coloured } = *wanted;
         let visits = budget.clamp(60_000, 400_000);
         let DeformedPass { quick, sweeps: [sweep, _], .. } = self;
         loop {
@@ -405,8 +396,9 @@ impl DeformedPass {
         cut
     }
 
-    /// Chooses how to draw the complete picture that was points_pass: as fine as may be, or by a sweep after all.
-    fn choose(&mut self, state: &mut StageState, frame: &Frame, view: View, budget: u64, coloured: bool) {
+    /// Chooses how to draw the complete picture that was planned: as fine as may be, or by a sweep after all.
+    fn choose(&mut self, state: &mut StageState, wanted: &Wanted<'_>) {
+        let Wanted { frame, view, budget, coloured } = *wanted;
         let back = &mut self.back;
         let mut finest = None;
         let mut most = MOST_POINTS;
