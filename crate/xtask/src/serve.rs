@@ -9,7 +9,7 @@ use crate::step::Steps;
 use crate::wasm;
 
 /// How often the crates are looked at for changes.
-const LOOK: Duration = Duration::from_millis(1000);
+const POLL_INTERVAL: Duration = Duration::from_millis(1000);
 
 /// Serves until it is interrupted.
 pub fn serve(steps: &mut Steps, arguments: &[String]) -> Outcome {
@@ -25,7 +25,7 @@ pub fn serve(steps: &mut Steps, arguments: &[String]) -> Outcome {
     let mut vite = Tool::Vite.start(&line)?;
     let mut inputs = wasm::inputs()?;
     loop {
-        std::thread::sleep(LOOK);
+        std::thread::sleep(POLL_INTERVAL);
         if let Some(status) = vite.try_wait()? {
             return if status.success() { Ok(()) } else { Err(format!("Vite ended ({status})").into()) };
         }

@@ -13,9 +13,9 @@ use crate::stamp;
 
 /// Bytes of wasm to the first picture that a graphics card draws, by WebGPU, at most: the module that describes and
 /// draws, which computes a coarse one at once, and the renderer.
-const PICTURE: usize = 650_000;
+const MOST_PICTURE_BYTES: usize = 650_000;
 /// Bytes of the scripts that index.html loads by itself, at most; what is loaded when asked for is not among them.
-const SCRIPT: usize = 80_000;
+const MOST_SCRIPT_BYTES: usize = 80_000;
 
 /// Weighs dist/ and fails where it is too heavy.
 ///
@@ -45,14 +45,14 @@ pub fn gate() -> Outcome {
     }
     let mut fits = true;
     for (what, bytes, most) in [
-        ("wasm to the first picture", first, Some(PICTURE)),
-        ("the same with WebGPU", first + webgpu, Some(PICTURE)),
+        ("wasm to the first picture", first, Some(MOST_PICTURE_BYTES)),
+        ("the same with WebGPU", first + webgpu, Some(MOST_PICTURE_BYTES)),
         ("wasm in all with WebGPU", first + proof + webgpu, None),
         ("wasm in all with WebGL2", first + proof + webgl2, None),
         ("wasm of closed curves", curve, None),
         ("wasm that fits outlines", fit, None),
         ("wasm of space", space, None),
-        ("script", script, Some(SCRIPT)),
+        ("script", script, Some(MOST_SCRIPT_BYTES)),
     ] {
         let limit = most.map_or(String::new(), |most| format!(" of {:>5.1} kB", kilo(most)));
         println!("    {what:<25} {:>7.1} kB{limit} gzipped", kilo(bytes));
