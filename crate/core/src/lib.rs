@@ -25,8 +25,8 @@
 //!
 //! 1. `linear/`: [`Affine`] maps, their polar factors ([`Polar2`], [`Polar3`]) and singular values.
 //! 2. `ifs/`: [`Ifs`], why it has an attractor ([`Contraction`]), its dimensions ([`similarity_dimension`]), its
-//!    [`symmetries`]. `dimension/` says what the plane and space differ in.
-//! 3. `bounds/`: where the attractor lies ([`Hull`], [`Bounds3`], [`Fan3`]).
+//!    symmetries. `dimension/` says what the plane and space differ in.
+//! 3. `bounds/`: where the attractor lies ([`Hull`], [`Bounds3`], [`SupportTable3`]).
 //! 4. `sample/`: its points ([`ChaosGame`]) and its pieces of one size ([`adaptive_cut`]).
 //! 5. `morph/`: the family between two systems ([`Morph`]), which map becomes which ([`pair`], [`candidates`]) and what
 //!    other maps of the same shapes may be morphed instead ([`routes`]).
@@ -62,12 +62,11 @@ pub use animation::keyframes::{Course, Ease, Key3, Motion3, MotionError};
 pub use animation::placement::Place3;
 pub use bounds::bounds3::Bounds3;
 pub use bounds::hull2::Hull;
-pub use bounds::support_table3::Fan3;
+pub use bounds::support_table3::SupportTable3;
 pub use dimension::{Dim2, Dim3, Dimension};
 pub use error::{IfsError, MAX_MAPS};
 pub use ifs::contraction::{Contraction, Contraction3};
 pub use ifs::fractal_dimension::{affinity_dimension, similarity_dimension};
-pub use ifs::symmetry::symmetries;
 pub use ifs::system::{Ifs, Ifs3};
 pub use intersection::{Arrow, Intersection, MeetError, intersection};
 pub use linear::affine::{Affine, Affine2, Affine3};

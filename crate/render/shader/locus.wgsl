@@ -33,12 +33,12 @@ const SMALLEST_DIVISOR = 1e-30;
 const FAR = 1e9;
 const MAX_MAPS = 8u;
 
-// --- The fan of support values: src/single/support.rs.
+// --- The table of support values: src/single/support.rs.
 
-const PER = 8u;
-const HALF = 4.0;
-const FAN = 32u;
-const ROUGH = 32.0 * ULP;
+const DIRECTIONS_A_SIDE = 8u;
+const HALF_SIDE = 4.0;
+const DIRECTIONS = 32u;
+const SUPPORT_ERROR = 32.0 * ULP;
 const HALF_STEP_COSINE = 0.9925075;
 
 var<private> count: u32;
@@ -71,8 +71,8 @@ fn norm(m: vec4<f32>) -> f32 {
 }
 
 fn direction(k: u32) -> vec2<f32> {
-    let s = f32(k % PER) * (1.0 / HALF) - 1.0;
-    switch k / PER {
+    let s = f32(k % DIRECTIONS_A_SIDE) * (1.0 / HALF_SIDE) - 1.0;
+    switch k / DIRECTIONS_A_SIDE {
         case 0u: { return vec2<f32>(1.0, s); }
         case 1u: { return vec2<f32>(-s, 1.0); }
         case 2u: { return vec2<f32>(-1.0, -s); }
@@ -91,26 +91,26 @@ fn support(d: vec2<f32>) -> Support {
     let small = select(d.y, -d.x, steep);
     let length = abs(large);
     let slope = select(0.0, small / select(1.0, large, length > 0.0), length > 0.0);
-    let along = slope * HALF + HALF;
-    let sector = clamp(floor(along), 0.0, 2.0 * HALF - 1.0);
+    let along = slope * HALF_SIDE + HALF_SIDE;
+    let sector = clamp(floor(along), 0.0, 2.0 * HALF_SIDE - 1.0);
     let part = along - sector;
     let side = select(0u, 2u, large < 0.0) + select(0u, 1u, steep);
-    let low = side * PER + u32(sector);
-    let high = (low + 1u) % FAN;
+    let low = side * DIRECTIONS_A_SIDE + u32(sector);
+    let high = (low + 1u) % DIRECTIONS;
     let a = values[low];
     let b = values[high];
     return Support(length * (a + part * (b - a)), select(low, high, part > 0.5));
 }
 
-fn make_fan(start: vec2<f32>, accuracy: f32) {
-    for (var k = 0u; k < FAN; k++) {
+fn make_table(start: vec2<f32>, accuracy: f32) {
+    for (var k = 0u; k < DIRECTIONS; k++) {
         let d = direction(k);
-        values[k] = sqrt(dot(d, d)) * (1.0 + ROUGH);
+        values[k] = sqrt(dot(d, d)) * (1.0 + SUPPORT_ERROR);
         points[k] = start;
     }
-    for (var round = 0u; round < FAN_ROUNDS; round++) {
+    for (var round = 0u; round < SUPPORT_ROUNDS; round++) {
         var change = 0.0;
-        for (var k = 0u; k < FAN; k++) {
+        for (var k = 0u; k < DIRECTIONS; k++) {
             let d = direction(k);
             var best = -4.0;
             var image_point = vec2<f32>(0.0);
@@ -123,7 +123,7 @@ fn make_fan(start: vec2<f32>, accuracy: f32) {
                 }
             }
             points[k] = image_point;
-            best += 1.5 * ROUGH;
+            best += 1.5 * SUPPORT_ERROR;
             let fall = values[k] - best;
             if fall > 0.0 {
                 change = max(change, fall);
@@ -134,16 +134,16 @@ fn make_fan(start: vec2<f32>, accuracy: f32) {
             break;
         }
     }
-    for (var k = 0u; k < FAN; k++) {
-        values[k] += 1.5 * ROUGH;
+    for (var k = 0u; k < DIRECTIONS; k++) {
+        values[k] += 1.5 * SUPPORT_ERROR;
     }
 }
 
-fn fan_diameter() -> f32 {
+fn table_diameter() -> f32 {
     var widest = 0.0;
-    for (var k = 0u; k < FAN / 2u; k++) {
+    for (var k = 0u; k < DIRECTIONS / 2u; k++) {
         let d = direction(k);
-        widest = max(widest, (values[k] + values[k + FAN / 2u]) / sqrt(dot(d, d)));
+        widest = max(widest, (values[k] + values[k + DIRECTIONS / 2u]) / sqrt(dot(d, d)));
     }
     return widest / HALF_STEP_COSINE;
 }
@@ -281,7 +281,7 @@ fn descend(root: Pair, shade: f32, limit: u32) -> u32 {
 // --- One sample: src/single/system.rs and sample.rs.
 
 const LARGEST_FACTOR = 0.97;
-const FAN_ROUNDS = 48u;
+const SUPPORT_ROUNDS = 48u;
 const LOOKS_TO_DECIDE = 3000u;
 const LOOKS_TO_MEASURE = 400u;
 const GAP_TIGHTNESS = 0.95;
@@ -502,8 +502,8 @@ fn decide(x: u32, y: u32) -> u32 {
             return UNDECIDED;
         }
     }
-    make_fan(fixed_point(linear[0], shift[0]), 0.03 * (1.0 - factor));
-    let diameter = fan_diameter();
+    make_table(fixed_point(linear[0], shift[0]), 0.03 * (1.0 - factor));
+    let diameter = table_diameter();
     resolution = job.epsilon * diameter;
     looks = 0u;
     for (var i = 0u; i < MAX_MAPS; i++) {

@@ -5,7 +5,7 @@ use std::collections::BinaryHeap;
 
 use glam::{DMat3, DVec3};
 
-use crate::bounds::support_table3::Fan3;
+use crate::bounds::support_table3::SupportTable3;
 use crate::ifs::system::Ifs3;
 use crate::linear::affine::Affine3;
 
@@ -67,20 +67,20 @@ impl Bounds3 {
             Affine3::new(to * map.linear * from, to * (map.apply(origin) - origin) * (1.0 / unit))
         };
         let maps: Vec<Affine3> = ifs.maps().iter().map(round).collect();
-        let mut fan = Fan3::default();
-        fan.set(&maps, contraction.factor, effort.cells, effort.support);
-        let shape = Shape { maps: &maps, fan: &fan, linear: from * unit, effort };
+        let mut table = SupportTable3::default();
+        table.set(&maps, contraction.factor, effort.cells, effort.support);
+        let shape = Shape { maps: &maps, table: &table, linear: from * unit, effort };
         // Rounding in the round coordinates, and of these coordinates themselves.
         let slack = 1e-13 * (unit * crate::linear::svd3::norm3(from) + origin.abs().max_element());
         let high = [DVec3::X, DVec3::Y, DVec3::Z].map(|d| shape.support(d) + slack);
         let low = [DVec3::X, DVec3::Y, DVec3::Z].map(|d| -shape.support(-d) - slack);
-        let points: Vec<DVec3> = fan.points().iter().map(|&p| shape.linear * p).collect();
+        let points: Vec<DVec3> = table.points().iter().map(|&p| shape.linear * p).collect();
         let centre = middle(&points);
         let (min, max) = (DVec3::from_array(low), DVec3::from_array(high));
         // The box is around the ball as well.
         let corner = (max - centre).abs().max((min - centre).abs()).length();
         let radius = shape.reach(centre).min(corner) + slack;
-        let diameter = fan.diameter(shape.linear).min(2.0 * radius).min((max - min).length());
+        let diameter = table.diameter(shape.linear).min(2.0 * radius).min((max - min).length());
         Self { min: origin + min, max: origin + max, centre: origin + centre, radius, diameter }
     }
 }
@@ -88,7 +88,7 @@ impl Bounds3 {
 /// The attractor in round coordinates; distances are measured after `linear`.
 struct Shape<'a> {
     maps: &'a [Affine3],
-    fan: &'a Fan3,
+    table: &'a SupportTable3,
     linear: DMat3,
     effort: Effort,
 }
@@ -120,8 +120,8 @@ impl Shape<'_> {
     fn support(&self, direction: DVec3) -> f64 {
         let pulled = self.linear.transpose() * direction;
         self.most(
-            |map| self.fan.support(map.linear.transpose() * pulled) + map.translation.dot(pulled),
-            |map| map.apply(self.fan.point(map.linear.transpose() * pulled)).dot(pulled),
+            |map| self.table.support(map.linear.transpose() * pulled) + map.translation.dot(pulled),
+            |map| map.apply(self.table.point(map.linear.transpose() * pulled)).dot(pulled),
         )
     }
 
@@ -129,7 +129,7 @@ impl Shape<'_> {
     fn reach(&self, centre: DVec3) -> f64 {
         // A ball of less than 1 in round coordinates, around their origin.
         let held = (0..3)
-            .map(|k| self.fan.support(DVec3::AXES[k]).max(self.fan.support(-DVec3::AXES[k])))
+            .map(|k| self.table.support(DVec3::AXES[k]).max(self.table.support(-DVec3::AXES[k])))
             .map(|h| h * h)
             .sum::<f64>();
         let held = held.sqrt().min(1.0);
@@ -141,13 +141,13 @@ impl Shape<'_> {
                 let length = away.length();
                 let outward = map.linear.transpose()
                     * (self.linear.transpose() * (away / length.max(f64::MIN_POSITIVE)));
-                let along = length + self.fan.support(outward);
+                let along = length + self.table.support(outward);
                 (length + size).min(along.max(0.0).hypot(size))
             },
             |map| {
                 let away = self.linear * map.translation - centre;
                 let outward = map.linear.transpose() * (self.linear.transpose() * away);
-                (self.linear * map.apply(self.fan.point(outward))).distance(centre)
+                (self.linear * map.apply(self.table.point(outward))).distance(centre)
             },
         )
     }

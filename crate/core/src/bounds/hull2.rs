@@ -8,7 +8,7 @@ use crate::linear::affine::Affine2;
 /// A convex polygon that holds the attractor, tight to about a hundredth of its size.
 ///
 /// It comes from the support function of the attractor, `h(d) = max { d . x : x in A }`, which obeys
-/// `h(d) = max_i ( h(M_i^T d) + d . t_i )`: the values in a fan of directions are lowered from those of a
+/// `h(d) = max_i ( h(M_i^T d) + d . t_i )`: the values in some directions are lowered from those of a
 /// disc until they settle, each step rounding outward, in coordinates in which the maps contract.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hull {
@@ -18,7 +18,7 @@ pub struct Hull {
     diameter: f64,
 }
 
-/// Directions of the fan.
+/// How many directions there are.
 const DIRECTIONS: usize = 48;
 /// Most rounds of lowering.
 const MOST_ROUNDS: usize = 400;
@@ -40,9 +40,9 @@ impl Hull {
             .iter()
             .map(|map| Affine2::new(to * map.linear * from, to * (map.apply(origin) - origin) * (1.0 / unit)))
             .collect();
-        let fan = Fan::new();
-        let support = fan.settle(&maps, contraction.factor);
-        let polygon = fan.polygon(&support);
+        let directions = Directions::new();
+        let support = directions.settle(&maps, contraction.factor);
+        let polygon = directions.polygon(&support);
         Self::around(polygon.into_iter().map(|p| origin + from * (p * unit)).collect())
     }
 
@@ -117,18 +117,18 @@ fn counter_clockwise(mut polygon: Vec<DVec2>) -> Vec<DVec2> {
 }
 
 /// Unit vectors at equal angles.
-struct Fan {
+struct Directions {
     directions: [DVec2; DIRECTIONS],
     step: f64,
 }
 
-impl Fan {
+impl Directions {
     fn new() -> Self {
         let step = std::f64::consts::TAU / DIRECTIONS as f64;
         Self { directions: std::array::from_fn(|k| DVec2::from_angle(step * k as f64)), step }
     }
 
-    /// Support values of the attractor of `maps` in the directions of the fan; the attractor is known
+    /// Support values of the attractor of `maps` in these directions; the attractor is known
     /// to lie in the unit disc.
     fn settle(&self, maps: &[Affine2], factor: f64) -> [f64; DIRECTIONS] {
         // Where each direction of each map goes does not change from round to round.
@@ -166,7 +166,7 @@ impl Fan {
     }
 
     /// How to bound the support in direction `d` of the image of a set under a map from that of the
-    /// set: the direction that the map takes to `d` lies between two of the fan, and the support
+    /// set: the direction that the map takes to `d` lies between two of these, and the support
     /// function is convex.
     fn link(&self, transposed: DMat2, d: DVec2, translation: DVec2) -> Link {
         let pulled = transposed * d;
@@ -227,7 +227,7 @@ fn image(links: &[Link], support: &[f64; DIRECTIONS]) -> [(f64, usize); DIRECTIO
 
 /// The support values that the images reproduce, at one stroke: with the map of each direction chosen they solve
 /// linear equations, and maps are chosen anew until none does better (Howard's policy iteration). `None` where that
-/// leads nowhere, as it does when the fan is too coarse for how little the maps shrink.
+/// leads nowhere, as it does when the directions are too few for how little the maps shrink.
 fn solve(links: &[Link], start: &[f64; DIRECTIONS]) -> Option<[f64; DIRECTIONS]> {
     let mut support = *start;
     for _ in 0..64 {
@@ -327,7 +327,7 @@ mod tests {
 
     #[test]
     fn slow_turns_have_tight_hulls_too() {
-        // The worst are those that turn so little that a fan of directions cannot tell, or by no part of a circle.
+        // The worst are those that turn so little that so many directions cannot tell, or by no part of a circle.
         for shrink in [0.01, 2e-3, 1e-3, 1e-4, 1e-6] {
             for angle in [1.0, 0.1, 0.01, 2.0 * std::f64::consts::FRAC_PI_3, -3.1] {
                 let slow = Affine2::similitude(1.0 - shrink, angle, DVec2::ZERO);

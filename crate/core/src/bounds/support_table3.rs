@@ -11,7 +11,7 @@ use crate::linear::affine::Affine3;
 /// they settle, bound it everywhere, each step rounding outward. Beside each direction is a point of the attractor,
 /// found by the same recursion from within.
 #[derive(Clone, Debug, Default)]
-pub struct Fan3 {
+pub struct SupportTable3 {
     /// Cells along an edge of the cube.
     cells: usize,
     directions: Vec<DVec3>,
@@ -38,7 +38,7 @@ const ULPS: f64 = 8.0 * f64::EPSILON;
 /// Most rounds of lowering.
 const MOST_ROUNDS: usize = 400;
 
-impl Fan3 {
+impl SupportTable3 {
     /// Bounds the attractor of maps that are given in coordinates where it lies in the unit ball around 0, and where
     /// they shrink by `factor` in the long run. `cells` is the fineness: 4 is some 3 in 100 off, 8 some 1 in 100.
     pub fn set(&mut self, maps: &[Affine3], factor: f64, cells: usize, within: f64) {
@@ -149,7 +149,7 @@ impl Fan3 {
     /// An upper bound of `direction . x` over the attractor, and a point of it that lies far in this direction.
     #[inline]
     #[must_use]
-    pub fn look(&self, direction: DVec3) -> (f64, DVec3) {
+    pub fn support_and_point(&self, direction: DVec3) -> (f64, DVec3) {
         let link = link(self.cells, direction, 0.0);
         (self.value(&link), self.points[link.nearest as usize])
     }
@@ -222,13 +222,13 @@ mod tests {
         fn no_point_lies_beyond_and_some_come_near(ifs in any_ifs3()) {
             prop_assume!(ifs.contraction().radius > 1e-6);
             let (maps, factor) = round(&ifs);
-            let mut fan = Fan3::default();
-            fan.set(&maps, factor, 6, 1e-3);
+            let mut table = SupportTable3::default();
+            table.set(&maps, factor, 6, 1e-3);
             let orbit = orbit3(&maps, 3, 3000);
             for d in [DVec3::X, DVec3::new(-0.3, 0.2, 0.9), DVec3::new(2.0, -5.0, 1.0), DVec3::new(0.1, 0.1, -0.1)] {
                 let far = orbit.iter().map(|x| x.dot(d)).fold(f64::NEG_INFINITY, f64::max);
-                prop_assert!(fan.support(d) >= far - 1e-12, "{} {far}", fan.support(d));
-                let (bound, point) = fan.look(d);
+                prop_assert!(table.support(d) >= far - 1e-12, "{} {far}", table.support(d));
+                let (bound, point) = table.support_and_point(d);
                 prop_assert!(bound >= point.dot(d) - 1e-12);
                 if factor < 0.6 {
                     prop_assert!(bound - far < 0.2 * d.length(), "{bound} {far}");
@@ -236,7 +236,7 @@ mod tests {
                 }
             }
             let wide = orbit.iter().step_by(10).flat_map(|a| orbit.iter().step_by(10).map(move |b| a.distance(*b))).fold(0.0, f64::max);
-            prop_assert!(fan.diameter(DMat3::IDENTITY) >= wide);
+            prop_assert!(table.diameter(DMat3::IDENTITY) >= wide);
         }
     }
 
@@ -246,13 +246,13 @@ mod tests {
         let corner = |k: u32| DVec3::new(f64::from(k & 1), f64::from(k >> 1 & 1), f64::from(k >> 2)) - 0.5;
         let maps: Vec<Affine3> =
             (0..8).map(|k| Affine3::new(DMat3::from_diagonal(DVec3::splat(0.5)), corner(k) * 0.5)).collect();
-        let mut fan = Fan3::default();
-        fan.set(&maps, 0.5, 4, 1e-6);
-        assert!((fan.support(DVec3::X) - 0.5).abs() < 1e-5);
-        assert!((fan.support(DVec3::ONE) - 1.5).abs() < 1e-5);
-        assert!((fan.support(DVec3::new(0.25, -0.25, 1.0)) - 0.75).abs() < 1e-5);
-        assert!(fan.point(DVec3::ONE).distance(DVec3::splat(0.5)) < 1e-4);
-        let diameter = fan.diameter(DMat3::IDENTITY);
+        let mut table = SupportTable3::default();
+        table.set(&maps, 0.5, 4, 1e-6);
+        assert!((table.support(DVec3::X) - 0.5).abs() < 1e-5);
+        assert!((table.support(DVec3::ONE) - 1.5).abs() < 1e-5);
+        assert!((table.support(DVec3::new(0.25, -0.25, 1.0)) - 0.75).abs() < 1e-5);
+        assert!(table.point(DVec3::ONE).distance(DVec3::splat(0.5)) < 1e-4);
+        let diameter = table.diameter(DMat3::IDENTITY);
         assert!(diameter >= 3.0_f64.sqrt() && diameter < 2.0, "{diameter}");
     }
 }

@@ -44,7 +44,7 @@ use crate::frame::Frame;
 use crate::gap::spanning_tree::SpanningTree;
 use crate::region::derivative_bounds::{Extent, bows};
 use crate::region::descent::{Couple, Descent, Sight};
-use crate::support::lanes::{FAN, Points, direction};
+use crate::support::lanes::{DIRECTIONS, Points, direction};
 
 /// Two pieces that cross, so that they hold two attractorlets together.
 #[derive(Clone, Debug, PartialEq)]
@@ -330,7 +330,7 @@ impl<const L: usize> Descent<L> {
         // The turns that the pieces take in the first lane; of each turn the direction that shows it best.
         let mut turns: [(usize, f64, usize, usize); MOST_TURNS] = [(0, 0.0, 0, 0); MOST_TURNS];
         let mut count = 0;
-        for k in 0..FAN {
+        for k in 0..DIRECTIONS {
             for a in 0..2 {
                 let (by, number) = juts(a, k);
                 if by > 0.0 {

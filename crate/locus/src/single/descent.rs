@@ -3,7 +3,7 @@
 
 use glam::{Vec2, Vec4};
 
-use super::support::{Fan, Map, image, norm, product, pulled};
+use super::support::{Map, SupportTable, image, norm, product, pulled};
 
 /// The most maps of a system.
 pub(super) const MAX_MAPS: usize = 8;
@@ -52,7 +52,7 @@ pub(super) enum End {
 #[derive(Clone, Debug)]
 pub(super) struct Descent<'a> {
     pub maps: &'a [Map],
-    pub fan: Fan,
+    pub table: SupportTable,
     /// How far the distance of two computed pieces may be off.
     pub margin: f32,
     /// Pieces within this distance touch.
@@ -74,8 +74,8 @@ impl Descent<'_> {
         let mut seen = Look { apart: 0.0, overlap: FAR, reach: FAR };
         let mut normal = pair.step;
         for _ in 0..DIRECTIONS_PER_PAIR {
-            let (far_a, p) = self.fan.support(pulled(pair.a, normal));
-            let (far_b, q) = self.fan.support(-pulled(pair.b, normal));
+            let (far_a, p) = self.table.support(pulled(pair.a, normal));
+            let (far_b, q) = self.table.support(-pulled(pair.b, normal));
             let along = normal.dot(pair.step);
             let far = far_a + far_b;
             let between = pair.step + image(pair.b, q) - image(pair.a, p);

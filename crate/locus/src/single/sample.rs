@@ -2,12 +2,12 @@
 
 use super::descent::{Descent, End, MAX_MAPS, Pair};
 use super::map::SingleMap;
-use super::support::{Fan, Map};
+use super::support::{Map, SupportTable};
 use super::system::{System, fixed_point};
 use crate::verdict::{Sample, State};
 
 /// Rounds of lowering the support values at most.
-const FAN_ROUNDS: usize = 48;
+const SUPPORT_ROUNDS: usize = 48;
 /// Looks spent at most on the verdict, and on measuring a gap after it.
 const LOOKS_TO_DECIDE: u32 = 3000;
 const LOOKS_TO_MEASURE: u32 = 400;
@@ -59,12 +59,12 @@ pub(super) fn decide(columns: &[SingleMap], rows: &[SingleMap], epsilon: f32) ->
         }
     }
     let maps = &system.maps[..count];
-    let fan = Fan::new(maps, fixed_point(maps[0]), 0.03 * (1.0 - system.factor), FAN_ROUNDS);
-    let diameter = fan.diameter();
+    let table = SupportTable::new(maps, fixed_point(maps[0]), 0.03 * (1.0 - system.factor), SUPPORT_ROUNDS);
+    let diameter = table.diameter();
     let resolution = epsilon * diameter;
     let mut descent = Descent {
         maps,
-        fan,
+        table,
         margin: system.margin,
         resolution,
         small: epsilon,

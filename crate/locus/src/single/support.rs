@@ -3,15 +3,15 @@
 use glam::{Vec2, Vec4};
 
 /// Directions on each side of the square.
-const PER: usize = 8;
+const DIRECTIONS_A_SIDE: usize = 8;
 /// Directions in all.
-pub(super) const FAN: usize = 4 * PER;
+pub(super) const DIRECTIONS: usize = 4 * DIRECTIONS_A_SIDE;
 /// The relative error of one operation: a graphics card may round up or down.
 pub(super) const ULP: f32 = f32::EPSILON;
 /// What an evaluation of the table may be off, over the length of the direction: products and sums of the pulled
-/// direction, and a division (2.5 units in the last place) that is multiplied by half of `PER`, times the
-/// difference of neighbouring values, which is at most 2 over `PER`.
-const ROUGH: f32 = 32.0 * ULP;
+/// direction, and a division (2.5 units in the last place) that is multiplied by half of `DIRECTIONS_A_SIDE`, times the
+/// difference of neighbouring values, which is at most 2 over `DIRECTIONS_A_SIDE`.
+const SUPPORT_ERROR: f32 = 32.0 * ULP;
 /// Cosine of half the widest angle between neighbouring directions.
 const HALF_STEP_COSINE: f32 = 0.992_507_5;
 
@@ -44,10 +44,10 @@ pub(super) fn norm(m: Vec4) -> f32 {
     0.5 * (turning.dot(turning).sqrt() + flipping.dot(flipping).sqrt())
 }
 
-/// Direction `k` of the fan: evenly on the boundary of the square [-1, 1]^2.
+/// Direction `k` of the table: evenly on the boundary of the square [-1, 1]^2.
 pub(super) fn direction(k: usize) -> Vec2 {
-    let s = (k % PER) as f32 * (2.0 / PER as f32) - 1.0;
-    match k / PER {
+    let s = (k % DIRECTIONS_A_SIDE) as f32 * (2.0 / DIRECTIONS_A_SIDE as f32) - 1.0;
+    match k / DIRECTIONS_A_SIDE {
         0 => Vec2::new(1.0, s),
         1 => Vec2::new(-s, 1.0),
         2 => Vec2::new(-1.0, -s),
@@ -55,7 +55,7 @@ pub(super) fn direction(k: usize) -> Vec2 {
     }
 }
 
-/// A direction between two of the fan.
+/// A direction between two of the table.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     low: usize,
@@ -70,50 +70,50 @@ fn locate(d: Vec2) -> Place {
     let length = large.abs();
     // The zero vector lies in any sector, at length 0.
     let slope = if length > 0.0 { small / large } else { 0.0 };
-    let along = slope * (PER as f32 / 2.0) + (PER as f32 / 2.0);
-    let sector = along.floor().clamp(0.0, PER as f32 - 1.0);
+    let along = slope * (DIRECTIONS_A_SIDE as f32 / 2.0) + (DIRECTIONS_A_SIDE as f32 / 2.0);
+    let sector = along.floor().clamp(0.0, DIRECTIONS_A_SIDE as f32 - 1.0);
     // The sides in their order: right, top, left, bottom.
     let side = if large < 0.0 { 2 } else { 0 } + usize::from(steep);
-    Place { low: side * PER + sector as usize, along: along - sector, length }
+    Place { low: side * DIRECTIONS_A_SIDE + sector as usize, along: along - sector, length }
 }
 
 /// Upper bounds of the support function of an attractor in the unit disc, and points of it far out.
 #[derive(Clone, Debug)]
-pub(super) struct Fan {
-    values: [f32; FAN],
-    points: [Vec2; FAN],
+pub(super) struct SupportTable {
+    values: [f32; DIRECTIONS],
+    points: [Vec2; DIRECTIONS],
 }
 
-impl Fan {
+impl SupportTable {
     /// Lowers the support values of the disc by `h(d) <= max_i ( h(M_i^T d) + t_i . d )`, at most `rounds` times,
     /// until none falls by `accuracy`. Each is raised by its rounding error, so that it stays an upper bound.
     pub fn new(maps: &[Map], start: Vec2, accuracy: f32, rounds: usize) -> Self {
-        let mut fan = Self { values: [1.0; FAN], points: [start; FAN] };
-        for k in 0..FAN {
+        let mut table = Self { values: [1.0; DIRECTIONS], points: [start; DIRECTIONS] };
+        for k in 0..DIRECTIONS {
             let d = direction(k);
-            fan.values[k] = d.dot(d).sqrt() * (1.0 + ROUGH);
+            table.values[k] = d.dot(d).sqrt() * (1.0 + SUPPORT_ERROR);
         }
         for _ in 0..rounds {
             let mut change = 0.0_f32;
-            for k in 0..FAN {
+            for k in 0..DIRECTIONS {
                 let d = direction(k);
                 let mut best = -4.0;
                 let mut from = Vec2::ZERO;
                 for map in maps {
-                    let (reach, point) = fan.support(pulled(map.linear, d));
+                    let (reach, point) = table.support(pulled(map.linear, d));
                     let value = reach + map.shift.dot(d);
                     if value > best {
                         best = value;
                         from = image(map.linear, point) + map.shift;
                     }
                 }
-                fan.points[k] = from;
+                table.points[k] = from;
                 // Directions are at most 1.42 long.
-                best += 1.5 * ROUGH;
-                let fall = fan.values[k] - best;
+                best += 1.5 * SUPPORT_ERROR;
+                let fall = table.values[k] - best;
                 if fall > 0.0 {
                     change = change.max(fall);
-                    fan.values[k] = best;
+                    table.values[k] = best;
                 }
             }
             if change < accuracy {
@@ -121,16 +121,16 @@ impl Fan {
             }
         }
         // From here on no caller has to mind what an evaluation is off.
-        for value in &mut fan.values {
-            *value += 1.5 * ROUGH;
+        for value in &mut table.values {
+            *value += 1.5 * SUPPORT_ERROR;
         }
-        fan
+        table
     }
 
     /// An upper bound of `h(d)`, and a point of the attractor that comes near it.
     pub fn support(&self, d: Vec2) -> (f32, Vec2) {
         let Place { low, along, length } = locate(d);
-        let high = if low + 1 == FAN { 0 } else { low + 1 };
+        let high = if low + 1 == DIRECTIONS { 0 } else { low + 1 };
         let (a, b) = (self.values[low], self.values[high]);
         let near = if along > 0.5 { high } else { low };
         (length * (a + along * (b - a)), self.points[near])
@@ -139,9 +139,9 @@ impl Fan {
     /// The diameter of the attractor, at most.
     pub fn diameter(&self) -> f32 {
         let mut widest = 0.0_f32;
-        for k in 0..FAN / 2 {
+        for k in 0..DIRECTIONS / 2 {
             let d = direction(k);
-            widest = widest.max((self.values[k] + self.values[k + FAN / 2]) / d.dot(d).sqrt());
+            widest = widest.max((self.values[k] + self.values[k + DIRECTIONS / 2]) / d.dot(d).sqrt());
         }
         widest / HALF_STEP_COSINE
     }

@@ -23,11 +23,11 @@ const LARGEST_MARGIN: f32 = 0.01;
 ///
 /// The step between the middles of a pair begins as a difference of two translations, each at most `1 - s` long since
 /// `r` is chosen so. Each split adds `M t_i`. After `k` splits of one piece `M` is off by at most `4 k e s^k` (each
-/// product of matrices adds two roundings a product, over the absolute values of the entries, which is twice
-/// the product of the norms), which sums up to `4 e s / (1 - s)` on each side; the products with `t_i` and
-/// their sums add `3 e` on each side, and the subtractions, where the step is no longer than both pieces together,
-/// `4 e s / (1 - s)`. The support values are raised by their own error (`Fan::new`), and the products of a look are
-/// off by `6 e` at most. In all `e (16 + 12 s / (1 - s))`; a quarter is added.
+/// product of matrices adds two roundings a product, over the absolute values of the entries, which is twice the
+/// product of the norms), which sums up to `4 e s / (1 - s)` on each side; the products with `t_i` and their sums add
+/// `3 e` on each side, and the subtractions, where the step is no longer than both pieces together, `4 e s / (1 - s)`.
+/// The support values are raised by their own error (`SupportTable::new`), and the products of a look are off by `6 e`
+/// at most. In all `e (16 + 12 s / (1 - s))`; a quarter is added.
 pub(super) struct System {
     pub count: usize,
     pub maps: [Map; MAX_MAPS],

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::ops::Range;
 
-use frond_core::{Affine3, Fan3};
+use frond_core::{Affine3, SupportTable3};
 use glam::DVec3;
 
 use crate::gap::spanning_tree::SpanningTree;
@@ -88,7 +88,7 @@ const DIRECTIONS_PER_PAIR: usize = 4;
 
 impl Closest {
     /// Starts with the attractorlets of a frame.
-    pub fn begin(&mut self, frame: &Frame3, fan: &Fan3) {
+    pub fn begin(&mut self, frame: &Frame3, table: &SupportTable3) {
         self.count = frame.maps.len();
         self.nodes = 0;
         self.pieces.clear();
@@ -106,10 +106,10 @@ impl Closest {
             for j in i + 1..self.count {
                 let pair = i * self.count + j;
                 if frame.maps[i] == frame.maps[j] {
-                    let at = frame.maps[i].apply(fan.points()[0]);
+                    let at = frame.maps[i].apply(table.points()[0]);
                     self.nearest[pair] = Nearest { reach: 0.0, from: at, to: at };
                 } else {
-                    self.file(frame, fan, pair, i as u32, j as u32);
+                    self.file(frame, table, pair, i as u32, j as u32);
                 }
             }
         }
@@ -123,7 +123,7 @@ impl Closest {
     pub fn bracket(
         &mut self,
         frame: &Frame3,
-        fan: &Fan3,
+        table: &SupportTable3,
         resolution: f64,
         within: f64,
         budget: usize,
@@ -146,7 +146,7 @@ impl Closest {
                 return bracket;
             }
             let before = self.nearest[pair].reach;
-            if !self.refine(frame, fan, pair) {
+            if !self.refine(frame, table, pair) {
                 return bracket;
             }
             fresh = self.nearest[pair].reach < before;
@@ -154,11 +154,18 @@ impl Closest {
     }
 
     /// Looks at one pair of attractorlets until it is known whether they come as near as `resolution`.
-    pub fn settle(&mut self, frame: &Frame3, fan: &Fan3, pair: usize, resolution: f64, budget: usize) {
+    pub fn settle(
+        &mut self,
+        frame: &Frame3,
+        table: &SupportTable3,
+        pair: usize,
+        resolution: f64,
+        budget: usize,
+    ) {
         while self.nearest[pair].reach > resolution
             && self.lower(pair) <= resolution
             && self.nodes < budget
-            && self.refine(frame, fan, pair)
+            && self.refine(frame, table, pair)
         {}
     }
 
@@ -201,12 +208,12 @@ impl Closest {
     }
 
     /// Splits the larger piece of the most promising pair of two attractorlets; `false` if none is left.
-    fn refine(&mut self, frame: &Frame3, fan: &Fan3, pair: usize) -> bool {
+    fn refine(&mut self, frame: &Frame3, table: &SupportTable3, pair: usize) -> bool {
         let Some(Open { u, v, .. }) = self.open[pair].pop() else { return false };
         let first = self.pieces[u as usize].size >= self.pieces[v as usize].size;
         for part in self.parts(frame, if first { u } else { v }) {
             let (u, v) = if first { (part, v) } else { (u, part) };
-            self.file(frame, fan, pair, u, v);
+            self.file(frame, table, pair, u, v);
         }
         true
     }
@@ -231,7 +238,7 @@ impl Closest {
     }
 
     /// Looks at two pieces of a pair of attractorlets, and keeps them if they may hold the two nearest points.
-    fn file(&mut self, frame: &Frame3, fan: &Fan3, pair: usize, u: u32, v: u32) {
+    fn file(&mut self, frame: &Frame3, table: &SupportTable3, pair: usize, u: u32, v: u32) {
         self.nodes += 1;
         let (a, b) = (&self.pieces[u as usize].map, &self.pieces[v as usize].map);
         let off = frame.rounding * frame.stretch;
@@ -249,8 +256,8 @@ impl Closest {
             if length == 0.0 {
                 break;
             }
-            let (far_a, point_a) = fan.look(a.linear.transpose() * normal);
-            let (far_b, point_b) = fan.look(-(b.linear.transpose() * normal));
+            let (far_a, point_a) = table.support_and_point(a.linear.transpose() * normal);
+            let (far_b, point_b) = table.support_and_point(-(b.linear.transpose() * normal));
             let along = normal.dot(b.translation - a.translation);
             let reaches = far_a + far_b;
             // Outward: a few roundings of numbers of this size, and what pieces may be off.

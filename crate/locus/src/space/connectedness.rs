@@ -1,6 +1,6 @@
 //! The full answer for one system of space.
 
-use frond_core::{Affine3, Contraction3, Fan3, Ifs3};
+use frond_core::{Affine3, Contraction3, Ifs3, SupportTable3};
 use glam::DVec3;
 
 use crate::connectedness::Connectedness;
@@ -15,7 +15,7 @@ use crate::verdict::{Gap, Options, Verdict};
 pub type Connectedness3 = Connectedness<DVec3, Reason3>;
 
 /// Cells along an edge of the cube of directions.
-const FAN_CELLS: usize = 8;
+const TABLE_CELLS: usize = 8;
 /// How near the bounds of a gap come.
 const BRACKET_WIDTH: f64 = 0.01;
 
@@ -63,13 +63,13 @@ fn decided(maps: &[Affine3], contraction: &Contraction3, options: &Options) -> C
     if frame.point || count == 1 {
         return Connectedness3::in_one_point(count, reason::find(maps, 0.0), Reason3::is_proof);
     }
-    let mut fan = Fan3::default();
-    fan.set(&frame.maps, frame.factor, FAN_CELLS, 1e-4);
-    let diameter = fan.diameter(frame.linear);
+    let mut table = SupportTable3::default();
+    table.set(&frame.maps, frame.factor, TABLE_CELLS, 1e-4);
+    let diameter = table.diameter(frame.linear);
     let resolution = frame.resolution(options.epsilon.max(0.0), diameter);
     let mut closest = Closest::default();
-    closest.begin(&frame, &fan);
-    let found = closest.bracket(&frame, &fan, resolution, BRACKET_WIDTH, options.budget);
+    closest.begin(&frame, &table);
+    let found = closest.bracket(&frame, &table, resolution, BRACKET_WIDTH, options.budget);
     let apart = found.lower > 0.0;
     let reason = if apart { None } else { reason::find(maps, diameter) };
     let proved = reason.as_ref().is_some_and(Reason3::is_proof);
@@ -86,7 +86,7 @@ fn decided(maps: &[Affine3], contraction: &Contraction3, options: &Options) -> C
     let limit = closest.nodes.saturating_add(options.budget);
     let mut graph = OverlapGraph::new(count);
     for pair in (0..count * count).filter(|pair| pair / count < pair % count) {
-        closest.settle(&frame, &fan, pair, resolution, limit);
+        closest.settle(&frame, &table, pair, resolution, limit);
         if closest.nearest[pair].reach <= resolution {
             graph.add(pair / count, pair % count);
         }

@@ -1,6 +1,6 @@
 //! The fast answer in space: one parameter of a locus.
 
-use frond_core::{Affine3, Fan3, IfsError};
+use frond_core::{Affine3, IfsError, SupportTable3};
 
 use crate::magnification::Magnification;
 use crate::space::bracket::Closest;
@@ -11,12 +11,12 @@ use crate::verdict::{Sample, State};
 #[derive(Clone, Debug, Default)]
 pub struct Scratch3 {
     frame: Frame3,
-    fan: Fan3,
+    table: SupportTable3,
     closest: Closest,
 }
 
-/// Cells along an edge of the cube of directions: few, since a finer fan takes longer than it saves.
-const FAN_CELLS: usize = 3;
+/// Cells along an edge of the cube of directions: few, since a finer table takes longer than it saves.
+const TABLE_CELLS: usize = 3;
 /// How far apart the bounds of a gap may be.
 const BRACKET_WIDTH: f64 = 0.05;
 /// Volumes are computed: what adds up to more than 1 by this does so exactly.
@@ -32,7 +32,7 @@ pub fn decide3(maps: &[Affine3], epsilon: f64, budget: usize, scratch: &mut Scra
     if let Some(magnification) = Magnification::of3(maps) {
         return decide3(&magnification.magnify3(maps), epsilon, budget, scratch);
     }
-    let Scratch3 { frame, fan, closest } = scratch;
+    let Scratch3 { frame, table, closest } = scratch;
     match frame.set(maps) {
         Ok(()) => {}
         Err(IfsError::Unproved) => return Sample { state: State::Undecided, gap: f32::NAN },
@@ -49,11 +49,11 @@ pub fn decide3(maps: &[Affine3], epsilon: f64, budget: usize, scratch: &mut Scra
     if maps.len() == 2 && maps.iter().map(|map| map.determinant().abs()).sum::<f64>() >= VOLUME_THAT_FILLS {
         return whole(State::Connected);
     }
-    fan.set(&frame.maps, frame.factor, FAN_CELLS, 0.02);
-    let diameter = fan.diameter(frame.linear);
+    table.set(&frame.maps, frame.factor, TABLE_CELLS, 0.02);
+    let diameter = table.diameter(frame.linear);
     let resolution = frame.resolution(epsilon.max(0.0), diameter);
-    closest.begin(frame, fan);
-    let found = closest.bracket(frame, fan, resolution, BRACKET_WIDTH, budget);
+    closest.begin(frame, table);
+    let found = closest.bracket(frame, table, resolution, BRACKET_WIDTH, budget);
     if found.upper <= resolution {
         whole(State::Touching)
     } else if found.lower > 0.0 {

@@ -5,11 +5,11 @@ use frond_core::Affine2;
 use glam::DVec2;
 
 /// Directions on each side of the square.
-const PER: usize = 8;
+const DIRECTIONS_A_SIDE: usize = 8;
 /// Directions in all.
-pub(crate) const FAN: usize = 4 * PER;
+pub(crate) const DIRECTIONS: usize = 4 * DIRECTIONS_A_SIDE;
 /// The fan, once round and on, as far as [`locate`] may reach.
-const TABLE: usize = 3 * PER + 17;
+const TABLE: usize = 3 * DIRECTIONS_A_SIDE + 17;
 
 /// One map in the systems of each lane.
 pub(crate) type Maps<const L: usize> = [Affine2; L];
@@ -37,8 +37,8 @@ struct Lowering<const L: usize> {
 
 /// Direction `k` of the fan, on the boundary of the square [-1, 1]^2, counter-clockwise.
 pub(crate) fn direction(k: usize) -> DVec2 {
-    let s = (k % PER) as f64 * (2.0 / PER as f64) - 1.0;
-    match k / PER % 4 {
+    let s = (k % DIRECTIONS_A_SIDE) as f64 * (2.0 / DIRECTIONS_A_SIDE as f64) - 1.0;
+    match k / DIRECTIONS_A_SIDE % 4 {
         0 => DVec2::new(1.0, s),
         1 => DVec2::new(-s, 1.0),
         2 => DVec2::new(-1.0, -s),
@@ -54,11 +54,11 @@ pub(crate) fn locate(d: DVec2) -> (usize, f64, f64) {
     let (large, small) = if steep { (d.y, -d.x) } else { (d.x, d.y) };
     // The zero vector lies in any sector, at length 0.
     let slope = small / (large + f64::MIN_POSITIVE);
-    let along = slope * (PER as f64 / 2.0) + (PER as f64 / 2.0);
+    let along = slope * (DIRECTIONS_A_SIDE as f64 / 2.0) + (DIRECTIONS_A_SIDE as f64 / 2.0);
     let side = 2 * (large.to_bits() >> 63) as usize + usize::from(steep);
     // 1.5 * 2^52: floats around there are whole, and hold the nearest whole number in their lowest bits.
     let low = ((along - 0.5 + 6_755_399_441_055_744.0).to_bits() & 15) as usize;
-    (side * PER + low, along - low as f64, large.abs())
+    (side * DIRECTIONS_A_SIDE + low, along - low as f64, large.abs())
 }
 
 impl<const L: usize> Default for SupportLanes<L> {
@@ -72,7 +72,7 @@ impl<const L: usize> SupportLanes<L> {
     /// [`SupportTable::set`](crate::support::table::SupportTable::set).
     pub fn set(&mut self, maps: &[Maps<L>], accuracy: f64, rounds: usize) {
         self.links.clear();
-        for k in 0..FAN {
+        for k in 0..DIRECTIONS {
             let d = direction(k);
             for map in maps {
                 let mut link = Lowering {
@@ -151,9 +151,9 @@ impl<const L: usize> SupportLanes<L> {
 
     /// Repeats the beginning of the fan at its end.
     fn wrap(&mut self) {
-        for k in FAN..TABLE {
-            self.values[k] = self.values[k - FAN];
-            self.points[k] = self.points[k - FAN];
+        for k in DIRECTIONS..TABLE {
+            self.values[k] = self.values[k - DIRECTIONS];
+            self.points[k] = self.points[k - DIRECTIONS];
         }
     }
 
@@ -176,7 +176,7 @@ impl<const L: usize> SupportLanes<L> {
     pub fn radius(&self) -> f64 {
         // Between two directions the hull goes farther out by up to the cosine of half their angle.
         let far = |k: usize| self.values[k].iter().copied().fold(0.0, f64::max) / direction(k).length();
-        (0..FAN).map(far).fold(0.0, f64::max) / 0.992_507_556
+        (0..DIRECTIONS).map(far).fold(0.0, f64::max) / 0.992_507_556
     }
 
     /// An upper bound of the width of the attractors of all lanes in the direction of `d` over its length, the
@@ -187,14 +187,14 @@ impl<const L: usize> SupportLanes<L> {
             let each = self.points[k].iter().zip(&self.points[m]);
             each.map(|(p, q)| p.distance_squared(*q)).fold(f64::INFINITY, f64::min)
         };
-        for k in 0..FAN / 2 {
+        for k in 0..DIRECTIONS / 2 {
             let length = direction(k).length();
             for l in 0..L {
-                upper = upper.max((self.values[k][l] + self.values[k + FAN / 2][l]) / length);
+                upper = upper.max((self.values[k][l] + self.values[k + DIRECTIONS / 2][l]) / length);
             }
             // The points farthest apart need not be opposite each other.
-            for m in k + FAN / 2 - DIRECTIONS_ASIDE..=k + FAN / 2 + DIRECTIONS_ASIDE {
-                lower = lower.max(apart(k, m % FAN));
+            for m in k + DIRECTIONS / 2 - DIRECTIONS_ASIDE..=k + DIRECTIONS / 2 + DIRECTIONS_ASIDE {
+                lower = lower.max(apart(k, m % DIRECTIONS));
             }
         }
         (upper / 0.992_507_556, lower.sqrt())
