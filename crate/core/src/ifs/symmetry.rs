@@ -16,7 +16,7 @@ const SAME_NUMBER: f64 = 1e-9;
 /// If `sigma` is one of them, `w_i o sigma` has the same image of the shape as `w_i`, so that each map may be replaced
 /// so on its own without changing the attractor.
 #[must_use]
-pub fn symmetries(ifs: &Ifs) -> Vec<Affine2> {
+pub(crate) fn symmetries(ifs: &Ifs) -> Vec<Affine2> {
     let maps = ifs.maps();
     let mut found = vec![Affine2::IDENTITY];
     let fixed: Option<Vec<DVec2>> = maps.iter().map(|map| map.fixed_point()).collect();

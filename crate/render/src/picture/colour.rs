@@ -21,7 +21,7 @@ pub enum Colouring {
 }
 
 /// The colours of Okabe & Ito (2008), which most people with colour-blindness can tell apart.
-pub const OKABE_ITO: [[u8; 3]; 7] = [
+pub(crate) const OKABE_ITO: [[u8; 3]; 7] = [
     [0xe6, 0x9f, 0x00],
     [0x56, 0xb4, 0xe9],
     [0x00, 0x9e, 0x73],
@@ -52,12 +52,12 @@ pub struct Look {
     pub gain: f32,
     /// 1 to multiply colours by alpha, as a canvas wants them, 0 to leave them.
     pub premultiply: f32,
-    /// 1 where codes are colours, see [`code_of_colour`], 0 where they are letters.
+    /// 1 where codes are colours, 0 where they are letters.
     pub tinted: f32,
 }
 
 impl Look {
-    /// The look of an IFS of `maps` maps; an empty palette stands for [`OKABE_ITO`].
+    /// The look of an IFS of `maps` maps; an empty palette stands for that of Okabe and Ito.
     #[must_use]
     pub fn new(colouring: Colouring, palette: &[[u8; 3]], maps: usize) -> Self {
         let palette = if palette.is_empty() { &OKABE_ITO } else { palette };
@@ -98,14 +98,14 @@ impl Look {
 
 /// A colour, sRGB from 0 to 1, as 24 bits: the red ones first.
 #[must_use]
-pub fn pack_colour(colour: [f64; 3]) -> u32 {
+pub(crate) fn pack_colour(colour: [f64; 3]) -> u32 {
     // A cast of NaN gives 0.
     colour.iter().fold(0, |packed, c| packed << 8 | (c.clamp(0.0, 1.0) * 255.0).round() as u32)
 }
 
 /// The code of a lit pixel that has such a colour.
 #[must_use]
-pub fn code_of_colour(packed: u32) -> u32 {
+pub(crate) fn code_of_colour(packed: u32) -> u32 {
     packed + 1
 }
 

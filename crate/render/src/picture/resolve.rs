@@ -54,7 +54,7 @@ pub fn resolve_codes(look: &Look, codes: &[u32], pixel: [i32; 2]) -> [f32; 4] {
 
 /// The whole picture of [`resolve_codes`] as bytes, row after row. Quicker than pixel by pixel.
 #[must_use]
-pub fn picture_of_codes(look: &Look, codes: &[u32], window: Window) -> Vec<u8> {
+pub(crate) fn picture_of_codes(look: &Look, codes: &[u32], window: Window) -> Vec<u8> {
     let along = |pixels: u32, source: i32| -> Vec<(usize, usize)> {
         let last = (source - 1).max(0);
         let place = |i| ((f64::from(i) as f32 + 0.5) * look.factor - 0.5).floor() as i32;
@@ -86,7 +86,7 @@ pub fn picture_of_codes(look: &Look, codes: &[u32], window: Window) -> Vec<u8> {
 
 /// The whole picture of [`resolve_density`] as bytes, row after row.
 #[must_use]
-pub fn picture_of_density(look: &Look, sums: &[[f32; 4]], window: Window) -> Vec<u8> {
+pub(crate) fn picture_of_density(look: &Look, sums: &[[f32; 4]], window: Window) -> Vec<u8> {
     let rows = 0..window.height as i32;
     let pixels = rows.flat_map(|y| (0..window.width as i32).map(move |x| [x, y]));
     pixels.flat_map(|at| to_bytes(resolve_density(look, sums, at))).collect()

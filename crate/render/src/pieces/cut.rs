@@ -60,7 +60,7 @@ const MOST_STEPS: u32 = 1000;
 
 /// Some pieces of at most `size` pixels that touch the window, by chance: where there are too many for
 /// all of them.
-pub fn cut_at_random(
+pub(crate) fn cut_at_random(
     frame: &Frame,
     to_screen: Affine2,
     window: Window,

@@ -56,7 +56,12 @@ impl Ord for Ranked {
 /// With a window, `root` is the map to the screen; pieces outside are dropped, and those too large to fit
 /// are taken apart first.
 #[must_use]
-pub fn pieces_by_mass(frame: &Frame, root: Affine2, window: Option<Window>, count: usize) -> Vec<MassPiece> {
+pub(crate) fn pieces_by_mass(
+    frame: &Frame,
+    root: Affine2,
+    window: Option<Window>,
+    count: usize,
+) -> Vec<MassPiece> {
     let rank = |piece: MassPiece| {
         if piece.letters.count() == 0 {
             return Some(Ranked(f64::INFINITY, piece));
