@@ -9,6 +9,7 @@ import { VerdictSign } from "#ui/shapes/VerdictSign";
 import css from "./curve.module.css";
 import { factsNow, watchFacts } from "./facts";
 import { crossingWords, whyWords } from "./words";
+import stageCss from "#stage/stage.module.css";
 
 const PANEL_ID = "curve-evidence";
 const CHIP_ID = "curve-chip";
@@ -35,8 +36,8 @@ export function CurveChip() {
           />
         </svg>
       )}
-      <span class="chip-text">One closed curve</span>
-      <span class="chip-aside">{crosses === "" ? "by construction" : crosses}</span>
+      <span class={stageCss["chip-text"]}>One closed curve</span>
+      <span class={stageCss["chip-aside"]}>{crosses === "" ? "by construction" : crosses}</span>
     </EvidenceChip>
   );
 }

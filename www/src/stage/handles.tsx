@@ -11,6 +11,7 @@ import type { MapRow, Shape } from "#wasm/api";
 import { useGrip } from "./grip";
 import { stageStyle } from "./look";
 import { effectiveView, stageSize } from "./view";
+import stageCss from "./stage.module.css";
 
 const UNIT: Box = { x0: 0, y0: 0, x1: 1, y1: 1 };
 const STEP = 10;
@@ -89,10 +90,10 @@ function OneMap({ index, map, colour, chosen }: OneMapProps) {
     if (now) selection.value = { ...now, map: index };
   };
   return (
-    <g class={chosen ? "map chosen" : "map"} style={{ color: colour }}>
+    <g class={chosen ? `${stageCss["map"]} chosen` : stageCss["map"]} style={{ color: colour }}>
       {/* biome-ignore lint/a11y/useSemanticElements: there are no buttons in SVG */}
       <path
-        class="body"
+        class={stageCss["body"]}
         data-handle=""
         role="button"
         // In lower case: SVG knows no other, and without it Tab passes by.
@@ -102,8 +103,8 @@ function OneMap({ index, map, colour, chosen }: OneMapProps) {
         d={outline(corners)}
         ref={useMapGrip(index, "origin", choose)}
       />
-      <path class="edge" d={outline(corners)} />
-      <text class="number-label cased" x={middle.x} y={middle.y + 5}>
+      <path class={stageCss["edge"]} d={outline(corners)} />
+      <text class={`${stageCss["number-label"]} ${stageCss["cased"]}`} x={middle.x} y={middle.y + 5}>
         {index + 1}
       </text>
       {chosen &&
@@ -124,7 +125,7 @@ function Handle({ index, grip, at }: { index: number; grip: Grip; at: { x: numbe
       transform={`translate(${at.x} ${at.y})`}
       ref={useMapGrip(index, grip)}
     >
-      <circle class="reach" r={22} />
+      <circle class={stageCss["reach"]} r={22} />
       {grip === "turn" ? (
         <rect class="knob" x={-6} y={-6} width={12} height={12} rx={2} />
       ) : (

@@ -2,6 +2,7 @@ import { resolutionWords, shareWords, toldOf, verdictWords } from "#format/verdi
 import { STATE } from "#geometry/states";
 import { gradient } from "#style/ramp";
 import { decades, type LocusStyle } from "./paint";
+import css from "./locus.module.css";
 
 export interface LegendProps {
   /** What there is to be seen: only that is explained. */
@@ -14,7 +15,7 @@ export interface LegendProps {
 export function Legend({ states, epsilon, style }: LegendProps) {
   const broken = states.has(STATE.disconnected);
   return (
-    <ul class="legend" aria-label="Legend">
+    <ul class={css["legend"]} aria-label="Legend">
       {BOXES.filter(([state]) => states.has(state)).map(([state, box]) => (
         <Entry key={state} box={box} words={wordsOf(state, epsilon)} />
       ))}
@@ -45,12 +46,12 @@ function wordsOf(state: number, epsilon: number): string {
 /** The scale of the gap, with the gaps that have a contour. */
 function Ramp({ least }: { least: number }) {
   return (
-    <li class="ramp">
+    <li class={css["ramp"]}>
       <span>{APART}, gap</span>
-      <span class="ramp-bar">
-        <span class="legend-box gap" style={{ backgroundImage: gradient() }} />
+      <span class={css["ramp-bar"]}>
+        <span class={`${css["legend-box"]} gap`} style={{ backgroundImage: gradient() }} />
         {decades(least).map(({ gap, at }) => (
-          <span key={gap} class="ramp-tick" style={{ left: `${100 * at}%` }}>
+          <span key={gap} class={css["ramp-tick"]} style={{ left: `${100 * at}%` }}>
             {shareWords(gap)}
           </span>
         ))}
@@ -63,7 +64,7 @@ function Ramp({ least }: { least: number }) {
 function Entry({ box, words }: { box: string; words: string }) {
   return (
     <li>
-      <span class={`legend-box ${box}`} /> {words}
+      <span class={`${css["legend-box"]} ${box}`} /> {words}
     </li>
   );
 }

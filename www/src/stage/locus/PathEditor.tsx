@@ -1,4 +1,5 @@
 import "./path.css";
+import css from "./path.module.css";
 import type { ComponentChildren } from "preact";
 import { endGesture } from "#document/scene";
 import type { Uv } from "#geometry/path";
@@ -23,7 +24,7 @@ export interface PathSectionProps {
 /** What the path is, and what is known of it. */
 export function PathSection({ kind, onKind, children }: PathSectionProps) {
   return (
-    <section class="path" aria-labelledby="path-title">
+    <section class={css["path"]} aria-labelledby="path-title">
       <header class="section-head">
         <h2 id="path-title">Path</h2>
         <Segmented label="Kind of path" value={kind} options={KINDS} onChange={onKind} />
@@ -50,7 +51,7 @@ export function WayPointEditor({ path, bounds, hint, third }: WayPointEditorProp
   const point = index === null ? undefined : points[index];
   if (index === null || point === undefined) {
     return (
-      <div class="way-none">
+      <div class={css["way-none"]}>
         <Button
           icon="add"
           disabled={full}
@@ -84,7 +85,7 @@ export function WayPointEditor({ path, bounds, hint, third }: WayPointEditorProp
     />
   );
   return (
-    <fieldset class={`way-point ${third?.shown ? "with-w" : ""}`}>
+    <fieldset class={`way-point ${third?.shown ? css["with-w"] : ""}`}>
       <legend>
         Way point {index + 1} of {points.length} <span class="dim">{path.wayWords(index)}</span>
       </legend>

@@ -7,6 +7,7 @@ import { type VerdictWords, verdictLine, verdictWords } from "#format/verdict";
 import { EvidenceChip } from "#stage/EvidenceChip";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
 import { CHIP_ID, PANEL_ID } from "./evidence/ids";
+import stageCss from "#stage/stage.module.css";
 
 const words = computed<VerdictWords>(() =>
   verdictWords(verdict.value?.connectedness ?? null, verdict.value?.epsilon),
@@ -19,9 +20,9 @@ export function VerdictChip() {
   return (
     <EvidenceChip id={CHIP_ID} panel={PANEL_ID} stale={verdict.value?.stale ?? false}>
       <VerdictSign tone={tone} />
-      <span class="chip-words">
-        <span class="chip-text">{text}</span>
-        {aside !== "" && <span class="chip-aside">{aside}</span>}
+      <span class={stageCss["chip-words"]}>
+        <span class={stageCss["chip-text"]}>{text}</span>
+        {aside !== "" && <span class={stageCss["chip-aside"]}>{aside}</span>}
       </span>
     </EvidenceChip>
   );

@@ -1,4 +1,5 @@
 import "./overlay.css";
+import css from "./overlay.module.css";
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { IconButton } from "../controls/Button";
@@ -31,7 +32,7 @@ export function Dialog({ title, about, onClose, children, wide = false, reading 
   return (
     <dialog
       ref={dialog}
-      class={`dialog ${wide ? "wide" : ""}`}
+      class={`${css["dialog"]} ${wide ? "wide" : ""}`}
       aria-labelledby={id}
       onCancel={(event) => {
         event.preventDefault();
@@ -43,15 +44,15 @@ export function Dialog({ title, about, onClose, children, wide = false, reading 
         if (event.target === event.currentTarget) onClose();
       }}
     >
-      <div class="dialog-box">
-        <header class="dialog-head">
+      <div class={css["dialog-box"]}>
+        <header class={css["dialog-head"]}>
           <div>
             <h2 id={id}>{title}</h2>
             {about !== undefined && <p>{about}</p>}
           </div>
           <IconButton icon="close" label="Close" kind="quiet" onClick={onClose} />
         </header>
-        <div class="dialog-body" {...(reading ? { tabIndex: 0 } : {})}>
+        <div class={css["dialog-body"]} {...(reading ? { tabIndex: 0 } : {})}>
           {children}
         </div>
       </div>

@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import "./overlay.css";
+import css from "./overlay.module.css";
 import { Button, IconButton } from "../controls/Button";
 import type { IconName } from "../controls/Icon";
 
@@ -56,7 +57,7 @@ export function Menu({ label, items, icon = "more" }: MenuProps) {
   };
 
   return (
-    <div class="menu" ref={root}>
+    <div class={css["menu"]} ref={root}>
       <IconButton
         buttonRef={opener}
         icon={icon}
@@ -82,7 +83,7 @@ function MenuEntry({ item, close }: { item: MenuItem; close: () => void }) {
     <Button
       kind="quiet"
       role="menuitem"
-      class="menu-item"
+      class={css["menu-item"]}
       disabled={item.disabled ?? false}
       {...(item.icon === undefined ? {} : { icon: item.icon })}
       onClick={() => {

@@ -1,6 +1,7 @@
 import { type Command, groupsOf, help } from "../commands";
 import { Dialog } from "./Dialog";
 import "./overlay.css";
+import css from "./overlay.module.css";
 
 /** The keys of a tool, opened by "?" or by a button. */
 export function ShortcutsDialog({ commands }: { commands: () => readonly Command[] }) {
@@ -14,17 +15,17 @@ export function ShortcutsDialog({ commands }: { commands: () => readonly Command
         help.value = false;
       }}
     >
-      <div class="shortcuts">
+      <div class={css["shortcuts"]}>
         {groupsOf(commands()).map((group) => (
           <section key={group.title}>
             <h3>{group.title}</h3>
             <dl>
               {group.commands.map(({ id, label, keys }) => (
-                <div key={id} class="shortcut">
+                <div key={id} class={css["shortcut"]}>
                   <dt>
                     {keys.map((way, index) => (
                       <span key={way}>
-                        {index > 0 && <span class="or"> or </span>}
+                        {index > 0 && <span class={css["or"]}> or </span>}
                         {/* "+" alone is a key. */}
                         {way.split(/(?<=.)\+/).map((key) => (
                           <kbd key={key}>{key}</kbd>

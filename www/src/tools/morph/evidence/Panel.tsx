@@ -1,4 +1,5 @@
 import "./evidence.css";
+import css from "./evidence.module.css";
 import { verdict } from "#compute/results";
 import { boxOf } from "#document/framing";
 import { shown } from "#document/morph";
@@ -56,7 +57,7 @@ function Account({ answer, epsilon }: { answer: Connectedness; epsilon: number }
       {answer.reason && <Because reason={answer.reason} />}
       {gap !== null && (
         <p>
-          <span class="evidence-name">Widest gap</span> {gap}.
+          <span class={css["evidence-name"]}>Widest gap</span> {gap}.
         </p>
       )}
       {answer.components.length > 0 && <Groups answer={answer} />}
@@ -109,7 +110,7 @@ function Groups({ answer }: { answer: Connectedness }) {
   const maps = shown.value;
   const count = answer.components.length;
   return (
-    <figure class="evidence-groups">
+    <figure class={css["evidence-groups"]}>
       <Graph
         count={count}
         angles={maps.length === count ? anglesOf(maps) : answer.components.map((_, i) => i)}
@@ -118,7 +119,7 @@ function Groups({ answer }: { answer: Connectedness }) {
         label={`Which pieces meet: ${answer.overlaps.map(([i, j]) => `${i + 1} with ${j + 1}`).join(", ") || "none"}`}
       />
       <figcaption>
-        <span class="evidence-name">Which pieces hang together</span>
+        <span class={css["evidence-name"]}>Which pieces hang together</span>
         <span class="number">{clusterWords(answer.components)}</span>
       </figcaption>
     </figure>

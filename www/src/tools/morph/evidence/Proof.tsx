@@ -4,12 +4,13 @@ import { Button } from "#ui/controls/Button";
 import { download } from "#ui/files/download";
 import type { Certificate } from "#wasm/api";
 import { checkWords } from "./words";
+import css from "./evidence.module.css";
 
 /** The proof that it is in pieces: made, checked, and given away when asked for. */
 export function Proof() {
   const now = proof.value;
   return (
-    <div class="evidence-proof">
+    <div class={css["evidence-proof"]}>
       {now?.state === "there" ? (
         <Button onClick={() => saveProof(now.certificate)}>Download the proof</Button>
       ) : (

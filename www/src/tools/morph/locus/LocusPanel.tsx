@@ -1,7 +1,9 @@
 import { LocusHead, statesIn } from "#stage/locus/LocusHead";
 import "#style/locus.css";
 import "#stage/locus/locus.css";
+import locusCss from "#stage/locus/locus.module.css";
 import "./field.css";
+import fieldCss from "./field.module.css";
 import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { Legend } from "#stage/locus/Legend";
@@ -25,8 +27,8 @@ const states = statesIn(shownField);
 /** The map alone, to be watched while a shape is changed. */
 export function LocusBeside() {
   return (
-    <section class="locus beside" aria-labelledby="beside-title">
-      <h2 id="beside-title" class="beside-title">
+    <section class={`locus ${fieldCss["beside"]}`} aria-labelledby="beside-title">
+      <h2 id="beside-title" class={fieldCss["beside-title"]}>
         Where the morph holds together
       </h2>
       <Plot />
@@ -52,7 +54,7 @@ export function LocusPanel() {
 function Plot() {
   return (
     <>
-      <div class="locus-plot">
+      <div class={locusCss["locus-plot"]}>
         <Ticks axis="v" />
         <LocusSquare style={style.value} />
         <Ticks axis="u" />

@@ -7,6 +7,7 @@ import { twins } from "./families/families";
 import { isOff, isOutside } from "./path/handles";
 import { place } from "./path/way";
 import { family, picked, shownWindow, sides, view } from "./view/view";
+import css from "./field.module.css";
 
 export function End({ letter, at: [x, y] }: { letter: string; at: [number, number] }) {
   if (isOutside([x, y])) return null;
@@ -102,7 +103,7 @@ function Mark({ point, kind }: { point: Uv; kind: string }) {
   if (isOutside([x, y])) return null;
   return (
     <span
-      class={`locus-mark ${kind}`}
+      class={`${css["locus-mark"]} ${kind}`}
       style={{ left: `${100 * x}%`, top: `${100 * y}%` }}
       aria-hidden="true"
     />

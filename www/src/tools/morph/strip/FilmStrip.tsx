@@ -11,6 +11,7 @@ import { Thumbnail } from "#ui/shapes/Thumbnail";
 import type { Verdict } from "#wasm/api";
 import { evenly } from "./evenly";
 import { scrubTo } from "./scrub";
+import css from "./strip.module.css";
 
 const phone = media("(max-width: 599px)");
 
@@ -65,7 +66,7 @@ export function FilmStrip() {
             >
               <Thumbnail bitmap={frame.bitmap} />
               {mark !== undefined && (
-                <span class="frame-mark" aria-hidden="true">
+                <span class={css["frame-mark"]} aria-hidden="true">
                   {mark}
                 </span>
               )}

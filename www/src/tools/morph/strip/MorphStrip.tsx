@@ -2,6 +2,7 @@ import { PercentField } from "#ui/strip/PercentField";
 import { PlayButton } from "#ui/strip/PlayButton";
 import "#ui/strip/strip.css";
 import "./strip.css";
+import css from "./strip.module.css";
 import { computed } from "@preact/signals";
 import { along, pathBreaks } from "#compute/results";
 import { curved } from "#document/curve/curve";
@@ -23,7 +24,7 @@ export function MorphStrip() {
   return (
     <section class="strip" aria-label="Time" style={{ "--frames": String(Math.max(1, frames.value.length)) }}>
       <Play />
-      <div class={`strip-film ${offPath.value ? "off-path" : ""}`}>
+      <div class={`strip-film ${offPath.value ? css["off-path"] : ""}`}>
         <Scrub />
         <FilmStrip />
       </div>
@@ -61,7 +62,7 @@ function Scrub() {
   const { breaks, worst } = faults.value;
   return (
     <Slider
-      class="scrub"
+      class={css["scrub"]}
       label="Time"
       value={t}
       step={0.01}
@@ -72,19 +73,19 @@ function Scrub() {
       {breaks.map(({ t0, t1 }) => (
         <span
           key={`${t0}-${t1}`}
-          class="scrub-break"
+          class={css["scrub-break"]}
           style={{ left: `${100 * t0}%`, width: `max(3px, ${100 * (t1 - t0)}%)` }}
         />
       ))}
       {off && (
         // On the half where the thumb is not.
-        <span class="scrub-off" style={{ left: t < 0.5 ? "75%" : "25%" }}>
+        <span class={css["scrub-off"]} style={{ left: t < 0.5 ? "75%" : "25%" }}>
           picture off the path
         </span>
       )}
       {worst && (
         <span
-          class="scrub-worst"
+          class={css["scrub-worst"]}
           style={{ left: `${100 * worst.t}%` }}
           title={`Widest gap: ${shareWords(worst.gap)}, at ${percent(worst.t)}`}
         />

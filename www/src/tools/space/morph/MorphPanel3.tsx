@@ -19,6 +19,7 @@ import { PathPanel } from "./PathPanel";
 import { pause } from "./play";
 import { Square } from "./Square";
 import { locus, matched, morph } from "./work";
+import locusCss from "#stage/locus/locus.module.css";
 
 /** The morph of the first object: to what, where it holds together, and the path. */
 export function MorphPanel3() {
@@ -121,7 +122,7 @@ function LocusPanel() {
   return (
     <section class="locus" aria-labelledby="locus3-title">
       <LocusHead id="locus3-title" style={style} />
-      <div class="locus-plot">
+      <div class={locusCss["locus-plot"]}>
         <Ticks axis="v" />
         <Square style={style.value} />
         <Ticks axis="u" />
@@ -133,7 +134,7 @@ function LocusPanel() {
 
 function Ticks({ axis }: { axis: "u" | "v" }) {
   return (
-    <div class={`locus-ticks ${axis}`} aria-hidden="true">
+    <div class={`${locusCss["locus-ticks"]} ${axis}`} aria-hidden="true">
       {TICKS.map((x) => (
         <span
           key={x}

@@ -8,6 +8,7 @@ import { PATH } from "./handles";
 import css from "./morph3.module.css";
 import { setKind, way } from "./way";
 import { calledOff, callOff, check, found, lookAgain, morph, pathless, search, searchProblem } from "./work";
+import pathCss from "#stage/locus/path.module.css";
 
 /** What the path is, whether it holds, and its way points by numbers. */
 export function PathPanel() {
@@ -27,7 +28,7 @@ export function PathPanel() {
 function Searching({ share }: { share: number }) {
   return (
     <>
-      <div class="path-proof-bar">
+      <div class={pathCss["path-proof-bar"]}>
         <progress aria-label="Search for a path" max={1} {...(share > 0 ? { value: share } : {})} />
         <Button kind="quiet" onClick={callOff}>
           Cancel

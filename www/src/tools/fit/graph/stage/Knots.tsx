@@ -9,6 +9,7 @@ import { withKnot, withoutKnot } from "../model/model";
 import { type Frame, leftOf, rounded, tAt, topOf, xAt } from "./frame";
 import { isShown } from "./gestures";
 import { frame } from "./shown";
+import stageCss from "#stage/stage.module.css";
 
 /** More handles than this would be a wall: then only the chosen one is there. */
 const MOST_HANDLES = 80;
@@ -69,11 +70,11 @@ function Handle({
       transform={`translate(${left.toFixed(2)} ${top.toFixed(2)})`}
       ref={useKnotGrip(index)}
     >
-      <circle class="reach" r={22} />
+      <circle class={stageCss["reach"]} r={22} />
       <circle class="knob" r={6.5} />
       {labelled && (
         <text
-          class={`${graphCss["knot-label"]} cased`}
+          class={`${graphCss["knot-label"]} ${stageCss["cased"]}`}
           x={room < 90 ? -11 : 11}
           y={-11}
           text-anchor={room < 90 ? "end" : "start"}

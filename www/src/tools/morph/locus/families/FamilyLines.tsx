@@ -9,6 +9,7 @@ import { arcNear } from "../view/geometry";
 import { shownWindow, sides, view } from "../view/view";
 import { criticalScale } from "./critical";
 import { circlesOf, landmarksOf } from "./families";
+import fieldCss from "../field.module.css";
 
 /** What is known by proof, drawn over what is computed. */
 export function FamilyLines() {
@@ -28,7 +29,7 @@ export function FamilyLines() {
           const d = linePath(piecesIn(arc, within));
           return (
             <g key={kind} class={`circle ${kind}`}>
-              <path class="halo" d={d} />
+              <path class={fieldCss["halo"]} d={d} />
               <path d={d} />
             </g>
           );
@@ -44,8 +45,8 @@ export function FamilyLines() {
             ),
           );
           return (
-            <g key={x} class="critical-tick">
-              <path class="halo" d={d} />
+            <g key={x} class={fieldCss["critical-tick"]}>
+              <path class={fieldCss["halo"]} d={d} />
               <path d={d} />
             </g>
           );
@@ -69,7 +70,7 @@ export function FamilyLines() {
         return (
           <span
             key={name}
-            class="locus-mark landmark"
+            class={`${fieldCss["locus-mark"]} landmark`}
             style={{ left: `${100 * x}%`, top: `${100 * y}%` }}
             aria-hidden="true"
           />
@@ -83,7 +84,7 @@ function Note({ at, window, words }: { at: Uv; window: ReturnType<typeof around>
   const [x, y] = place(at, window);
   if (x < 0.04 || x > 0.96 || y < 0.03 || y > 0.97) return null;
   return (
-    <span class="locus-note" style={{ left: `${100 * x}%`, top: `${100 * y}%` }} aria-hidden="true">
+    <span class={fieldCss["locus-note"]} style={{ left: `${100 * x}%`, top: `${100 * y}%` }} aria-hidden="true">
       {words}
     </span>
   );

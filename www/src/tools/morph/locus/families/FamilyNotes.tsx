@@ -5,13 +5,14 @@ import { Button } from "#ui/controls/Button";
 import { fly, pickPoint, sides } from "../view/view";
 import { critical, criticalScale } from "./critical";
 import { landmarksOf, symmetryWords, theoremWords } from "./families";
+import fieldCss from "../field.module.css";
 
 /** What others proved of a family, beside what Frond computes, and places to go to. */
 export function FamilyNotes() {
   const n = sides.value;
   return (
     <div class="family-notes">
-      <ul class="landmarks" aria-label="Places to see">
+      <ul class={fieldCss["landmarks"]} aria-label="Places to see">
         {landmarksOf(n, criticalScale(n)).map(({ name, about, s, zoom }) => (
           <li key={name}>
             <Button

@@ -17,6 +17,7 @@ import { mode, pathKind } from "../../parts";
 import { setThird, third } from "./automatic";
 import { PATH } from "./handles";
 import { bounds, MOST_W, showW, thirdShown } from "./way";
+import pathCss from "#stage/locus/path.module.css";
 
 function setKind(kind: PathKind): void {
   edit((before) => {
@@ -96,7 +97,7 @@ function NoWay() {
   const best = plan3.value?.plan ?? found;
   const inVain = plan3.value?.plan != null && !third.value;
   return (
-    <div class="path-else">
+    <div class={pathCss["path-else"]}>
       {stuck && !looking && <p class="hint">{bestWords(best?.apart === true, plan3.value?.plan != null)}</p>}
       {mode.value === "polar" && (
         <Switch
@@ -109,7 +110,7 @@ function NoWay() {
       )}
       {inVain && <p class="hint">The third parameter does not help here.</p>}
       {stuck && (
-        <div class="path-offers">
+        <div class={pathCss["path-offers"]}>
           <Button kind="quiet" onClick={openMatching}>
             Other ways to match
           </Button>
@@ -141,10 +142,10 @@ function Certificate() {
   if (now === null && breaksSeen.value) return null;
   const running = now !== null && now.problem === null && now.done < now.parts;
   return (
-    <div class="path-proof">
+    <div class={pathCss["path-proof"]}>
       {running ? (
         <>
-          <div class="path-proof-bar">
+          <div class={pathCss["path-proof-bar"]}>
             <progress aria-label="The path, being proved" max={1} value={now.done / now.parts} />
             <Button kind="quiet" onClick={stopCertifying}>
               Cancel
@@ -162,7 +163,7 @@ function Certificate() {
           {breaksHidden.value ? "Bound its gap, end to end" : "Prove it, end to end"}
         </Button>
       ) : (
-        <p class="path-proved" role="status">
+        <p class={pathCss["path-proved"]} role="status">
           {certifiedWords(now)}
         </p>
       )}

@@ -11,6 +11,7 @@ import { addAt } from "../path/way";
 import { digitsOf } from "../view/geometry";
 import { backToPath, family, picked, setPlane, sides, view } from "../view/view";
 import { familyMaps } from "./hover";
+import fieldCss from "../field.module.css";
 
 /** Where the picture is now, in numbers, and what can be done with a point that was taken off the path. */
 export function Now() {
@@ -32,7 +33,7 @@ function OfMorph() {
       </dl>
       {at && <There />}
       {at && (
-        <div class="locus-act">
+        <div class={fieldCss["locus-act"]}>
           <Button onClick={backToPath}>Back to the path</Button>
           <Button
             onClick={() => {
@@ -77,7 +78,7 @@ function OfFamily() {
         <Value name="turn and shrink by" symbol="s" value={words} />
       </dl>
       <There />
-      <div class="locus-act">
+      <div class={fieldCss["locus-act"]}>
         <Button onClick={() => use("a", n, s)} description="This shape is where the morph starts">
           Use as A
         </Button>

@@ -8,6 +8,7 @@ import { place } from "../path/way";
 import { spot } from "../view/geometry";
 import { inDigits, shownWindow, view } from "../view/view";
 import { type Pointed, pointed, type Seen, SIDE, seen } from "./hover";
+import fieldCss from "../field.module.css";
 
 const REST_MS = 700;
 
@@ -54,8 +55,8 @@ function Card({ now, known, frame, square }: CardProps) {
       {known && (
         <>
           <Bitmap bitmap={known.bitmap} />
-          <p class="preview-verdict">{verdictLine(known.answer, known.epsilon)}</p>
-          <p class="preview-at number">{parameterWords(known.at)}</p>
+          <p class={fieldCss["preview-verdict"]}>{verdictLine(known.answer, known.epsilon)}</p>
+          <p class={`${fieldCss["preview-at"]} number`}>{parameterWords(known.at)}</p>
         </>
       )}
     </div>

@@ -9,6 +9,7 @@ import { addAt, place } from "../path/way";
 import { goHome, panBy, picked, pickPoint, shownWindow, view } from "../view/view";
 import { zoomAbout } from "./gestures";
 import { pointed } from "./hover";
+import fieldCss from "../field.module.css";
 
 export const CROSS_HINT =
   "Arrow keys move the cross, with Shift finer, with Alt farther; plus and minus zoom about it, 0 shows all; " +
@@ -123,5 +124,5 @@ export function Cross() {
   if (!at) return null;
   const [x, y] = place(at, shownWindow.value);
   if (isOutside([x, y])) return null;
-  return <span class="locus-cross" style={{ left: `${100 * x}%`, top: `${100 * y}%` }} aria-hidden="true" />;
+  return <span class={fieldCss["locus-cross"]} style={{ left: `${100 * x}%`, top: `${100 * y}%` }} aria-hidden="true" />;
 }

@@ -8,6 +8,7 @@ import { Slider } from "#ui/controls/Slider";
 import { mode } from "../../parts";
 import { THICKNESS } from "../path/handles";
 import { offSlice, picked, setView, view } from "./view";
+import fieldCss from "../field.module.css";
 
 const toSlice = (w: number) => setView({ w: Math.abs(w) < 0.004 ? 0 : Math.round(w * 1000) / 1000 });
 
@@ -23,7 +24,7 @@ export function Slice() {
       <summary>
         Stretch ahead of turn <span class="dim">w {fixed(w, 2)}</span>
       </summary>
-      <div class="slice">
+      <div class={fieldCss["slice"]}>
         <Slider
           label="Stretch ahead of turn, w"
           value={w}
@@ -33,7 +34,7 @@ export function Slice() {
           valueText={w === 0 ? "0: turn and stretch together" : fixed(w, 2)}
           onChange={toSlice}
         >
-          <span class="slice-zero" />
+          <span class={fieldCss["slice-zero"]} />
         </Slider>
         <NumberField
           terse
@@ -51,7 +52,7 @@ export function Slice() {
         of their turn by <span class="symbol">w</span>.
       </p>
       {Math.abs(off) > THICKNESS && (
-        <p class="slice-off">
+        <p class={fieldCss["slice-off"]}>
           The picture is at <span class="symbol">w</span> {fixed(there, 2)}, off this slice.{" "}
           <Button onClick={() => toSlice(there)}>Slice through the picture</Button>
         </p>

@@ -1,6 +1,7 @@
 import { fixed } from "#format/numbers";
 import { ticksOf } from "./geometry";
 import { family, shownWindow } from "./view";
+import locusCss from "#stage/locus/locus.module.css";
 
 /** Deeper than this the numbers are too long to stand at an axis: the window is told below. */
 const MOST_DIGITS = 3;
@@ -14,7 +15,7 @@ export function Ticks({ axis }: { axis: "u" | "v" }) {
   const { at, digits } = ticksOf(low, high, family.value === "morph" ? 3 : 4);
   const part = (x: number) => `${(100 * (x - low)) / (high - low)}%`;
   return (
-    <div class={`locus-ticks ${axis}`} aria-hidden="true">
+    <div class={`${locusCss["locus-ticks"]} ${axis}`} aria-hidden="true">
       {at.map((x) => (
         <span
           key={x}

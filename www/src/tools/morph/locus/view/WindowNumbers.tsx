@@ -6,6 +6,7 @@ import { resolutionWords } from "#format/verdict";
 import { NumberField } from "#ui/controls/NumberField";
 import { digitsOf } from "./geometry";
 import { epsilon, family, inDigits, picked, pickPoint, setView, shownWindow, view } from "./view";
+import fieldCss from "../field.module.css";
 
 /** Nearer than this, a number takes a line of its own. */
 const LONG = 1e4;
@@ -19,7 +20,7 @@ export function WindowNumbers() {
   return (
     <details class="fold window-numbers">
       <summary>
-        <span class="window-words number">
+        <span class={`${fieldCss["window-words"]} number`}>
           <span>
             {across} {inDigits(u0)} to {inDigits(u1)}
           </span>{" "}
@@ -33,7 +34,7 @@ export function WindowNumbers() {
         Pieces within {resolutionWords(epsilon.value)} of the shape’s diameter count as touching
         {epsilon.value === LEAST_EPSILON ? ": finer than this, numbers of 64 bits cannot tell." : "."}
       </p>
-      <div class={`window-fields ${zoom > LONG ? "long" : ""}`}>
+      <div class={`${fieldCss["window-fields"]} ${zoom > LONG ? "long" : ""}`}>
         <NumberField
           label="Middle"
           symbol={across}
@@ -71,7 +72,7 @@ function PickedFields({ across, up }: { across: string; up: string }) {
   const { zoom } = view.value;
   const digits = Math.min(18, digitsOf(zoom) + 2);
   return (
-    <div class={`window-fields ${zoom > LONG ? "long" : ""}`}>
+    <div class={`${fieldCss["window-fields"]} ${zoom > LONG ? "long" : ""}`}>
       <NumberField
         label="Show the shape at"
         symbol={across}

@@ -1,6 +1,7 @@
 import { MOST_ZOOM } from "#compute/locus/window";
 import { IconButton } from "#ui/controls/Button";
 import { goHome, view, zoomBy } from "./view";
+import fieldCss from "../field.module.css";
 
 const STEP = 2;
 
@@ -8,7 +9,7 @@ const STEP = 2;
 export function ZoomButtons() {
   const { zoom } = view.value;
   return (
-    <div class="locus-zoom">
+    <div class={fieldCss["locus-zoom"]}>
       <IconButton
         icon="add"
         label="Nearer"
