@@ -3,13 +3,14 @@ import { useEffect } from "preact/hooks";
 import { sameCurves } from "#document/curve/changes";
 import { curves } from "#document/curve/curve";
 import { EvidenceChip } from "#stage/EvidenceChip";
+import panelCss from "#stage/evidence-panel.module.css";
 import { evidenceOpen } from "#stage/marks";
+import stageCss from "#stage/stage.module.css";
 import { IconButton } from "#ui/controls/Button";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
 import css from "./curve.module.css";
 import { factsNow, watchFacts } from "./facts";
 import { crossingWords, whyWords } from "./words";
-import stageCss from "#stage/stage.module.css";
 
 const PANEL_ID = "curve-evidence";
 const CHIP_ID = "curve-chip";
@@ -52,7 +53,7 @@ export function CurveEvidence() {
   const crosses = crossingWords(crossings.value);
   return (
     <section
-      class="evidence"
+      class={panelCss["panel"]}
       id={PANEL_ID}
       aria-labelledby={`${PANEL_ID}-title`}
       onKeyDown={(event) => {
@@ -61,11 +62,11 @@ export function CurveEvidence() {
         close();
       }}
     >
-      <header class="evidence-head">
+      <header class={panelCss["head"]}>
         <h2 id={`${PANEL_ID}-title`}>One closed curve, by construction</h2>
         <IconButton icon="close" label="Close the evidence" kind="quiet" onClick={close} />
       </header>
-      <div class="evidence-body">
+      <div class={panelCss["body"]}>
         <p>{whyWords(names.value)}</p>
         <p>
           {crosses === ""

@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { evidenceOpen } from "./marks";
-import stageCss from "./stage.module.css";
+import css from "./stage.module.css";
 
 export interface EvidenceChipProps {
   id: string;
@@ -17,7 +17,7 @@ export function EvidenceChip({ id, panel, stale = false, children }: EvidenceChi
     <button
       id={id}
       type="button"
-      class={stageCss["chip"]}
+      class={css["chip"]}
       title="What is known, and why"
       aria-expanded={evidenceOpen.value}
       aria-controls={evidenceOpen.value ? panel : undefined}

@@ -1,9 +1,9 @@
-import "./shadow.css";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import type { MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
+import css from "./shadow.module.css";
 
 const POINTS = 30_000;
 const WIDTH = 672;
@@ -35,7 +35,7 @@ export function ShadowPicture({ maps, direction, points = POINTS }: ShadowPictur
   return (
     <canvas
       ref={canvas}
-      class="shadow-picture"
+      class={css["shadow-picture"]}
       width={WIDTH}
       height={HEIGHT}
       role="img"

@@ -8,8 +8,8 @@ import { STATE } from "#geometry/states";
 import type { Certificate, Connectedness, Link, MapRow } from "#wasm/api";
 import { stageStyle } from "./look";
 import { evidenceMarked } from "./marks";
+import css from "./stage.module.css";
 import { effectiveView, stageSize } from "./view";
-import stageCss from "./stage.module.css";
 
 /** Links that are drawn; more would hide the picture that they are about. */
 const MOST_LINKS = 150;
@@ -51,11 +51,11 @@ function Gap({ answer, epsilon, marked }: { answer: Connectedness; epsilon: numb
   const radius = Math.max(9, Math.hypot(q.x - p.x, q.y - p.y) / 2 + 6);
   return (
     <g>
-      <line class={stageCss["gap-halo"]} x1={p.x} y1={p.y} x2={q.x} y2={q.y} />
-      <line class={stageCss["gap-line"]} x1={p.x} y1={p.y} x2={q.x} y2={q.y} />
+      <line class={css["gap-halo"]} x1={p.x} y1={p.y} x2={q.x} y2={q.y} />
+      <line class={css["gap-line"]} x1={p.x} y1={p.y} x2={q.x} y2={q.y} />
       {/* The ends stand off a little, so that the points themselves stay free. */}
-      <circle class={stageCss["gap-ring"]} cx={middle.x} cy={middle.y} r={radius} />
-      <text class={`${stageCss["gap-label"]} ${stageCss["cased"]}`} x={middle.x + radius + 6} y={middle.y + 4}>
+      <circle class={css["gap-ring"]} cx={middle.x} cy={middle.y} r={radius} />
+      <text class={`${css["gap-label"]} ${css["cased"]}`} x={middle.x + radius + 6} y={middle.y + 4}>
         {shareWords(shareOf(answer))}
       </text>
     </g>
@@ -82,7 +82,7 @@ function Links({ links }: { links: readonly Link[] }) {
         const { x, y } = place(link.at);
         return (
           <g key={key} transform={`translate(${x.toFixed(1)} ${y.toFixed(1)})`}>
-            <circle class={stageCss["link-halo"]} r={6} />
+            <circle class={css["link-halo"]} r={6} />
             <circle class="link-ring" r={6} />
           </g>
         );
@@ -104,10 +104,10 @@ function Chord({ from, to, colour }: { from: [number, number]; to: [number, numb
   const ends = { x1: p.x, y1: p.y, x2: q.x, y2: q.y };
   return (
     <g>
-      <line class={stageCss["chord-halo"]} {...ends} />
+      <line class={css["chord-halo"]} {...ends} />
       <line class="chord" {...ends} style={{ stroke: colour }} />
-      <circle class={stageCss["chord-end"]} cx={p.x} cy={p.y} r={2.5} />
-      <circle class={stageCss["chord-end"]} cx={q.x} cy={q.y} r={2.5} />
+      <circle class={css["chord-end"]} cx={p.x} cy={p.y} r={2.5} />
+      <circle class={css["chord-end"]} cx={q.x} cy={q.y} r={2.5} />
     </g>
   );
 }
@@ -152,7 +152,7 @@ function Hulls() {
         <path
           // The pieces of one proof never change their order.
           key={i}
-          class={side === 0 ? stageCss["hull"] : `${stageCss["hull"]} ${stageCss["other"]}`}
+          class={side === 0 ? css["hull"] : `${css["hull"]} ${css["other"]}`}
           d={`M${corners
             .map(place)
             .map(({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`)

@@ -10,8 +10,8 @@ import { type Corners, cornersOf, dragged, GRIPS, type Grip } from "#geometry/pa
 import type { MapRow, Shape } from "#wasm/api";
 import { useGrip } from "./grip";
 import { stageStyle } from "./look";
+import css from "./stage.module.css";
 import { effectiveView, stageSize } from "./view";
-import stageCss from "./stage.module.css";
 
 const UNIT: Box = { x0: 0, y0: 0, x1: 1, y1: 1 };
 const STEP = 10;
@@ -90,10 +90,10 @@ function OneMap({ index, map, colour, chosen }: OneMapProps) {
     if (now) selection.value = { ...now, map: index };
   };
   return (
-    <g class={chosen ? `${stageCss["map"]} chosen` : stageCss["map"]} style={{ color: colour }}>
+    <g class={chosen ? `${css["map"]} chosen` : css["map"]} style={{ color: colour }}>
       {/* biome-ignore lint/a11y/useSemanticElements: there are no buttons in SVG */}
       <path
-        class={stageCss["body"]}
+        class={css["body"]}
         data-handle=""
         role="button"
         // In lower case: SVG knows no other, and without it Tab passes by.
@@ -103,8 +103,8 @@ function OneMap({ index, map, colour, chosen }: OneMapProps) {
         d={outline(corners)}
         ref={useMapGrip(index, "origin", choose)}
       />
-      <path class={stageCss["edge"]} d={outline(corners)} />
-      <text class={`${stageCss["number-label"]} ${stageCss["cased"]}`} x={middle.x} y={middle.y + 5}>
+      <path class={css["edge"]} d={outline(corners)} />
+      <text class={`${css["number-label"]} ${css["cased"]}`} x={middle.x} y={middle.y + 5}>
         {index + 1}
       </text>
       {chosen &&
@@ -125,7 +125,7 @@ function Handle({ index, grip, at }: { index: number; grip: Grip; at: { x: numbe
       transform={`translate(${at.x} ${at.y})`}
       ref={useMapGrip(index, grip)}
     >
-      <circle class={stageCss["reach"]} r={22} />
+      <circle class={css["reach"]} r={22} />
       {grip === "turn" ? (
         <rect class="knob" x={-6} y={-6} width={12} height={12} rx={2} />
       ) : (

@@ -12,6 +12,7 @@ import { lazily } from "#ui/lazy";
 import { stageKey } from "./gestures";
 import { Handles } from "./handles";
 import { Picture } from "./picture";
+import css from "./stage.module.css";
 import {
   type MainPainter,
   type Painter,
@@ -21,7 +22,6 @@ import {
 } from "./surface/painter";
 import { followFit } from "./view";
 import { linkView } from "./view-link";
-import stageCss from "./stage.module.css";
 
 /** What the main picture is up to. */
 export const picture = signal<PainterState>(UNSEEN);
@@ -95,7 +95,7 @@ export function Stage({
   return (
     <section class="stage" aria-label="Picture">
       <div
-        class={both ? `${stageCss["pictures"]} two` : stageCss["pictures"]}
+        class={both ? `${css["pictures"]} two` : css["pictures"]}
         role="application"
         aria-label={`The ${bare ? "curve" : "attractor"}. Arrow keys move it, plus and minus zoom, 0 fits it to the stage.`}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: it takes keys
@@ -118,7 +118,7 @@ export function Stage({
               onPainter={setPainter}
             />
           )}
-          {both && <p class={stageCss["pane-label"]}>Turning and stretching (polar)</p>}
+          {both && <p class={css["pane-label"]}>Turning and stretching (polar)</p>}
           {overlay}
         </div>
         {both && (
@@ -130,7 +130,7 @@ export function Stage({
               onState={setLinearPicture}
               onPainter={setLinearPainter}
             />
-            <p class={stageCss["pane-label"]}>Number by number (linear)</p>
+            <p class={css["pane-label"]}>Number by number (linear)</p>
           </div>
         )}
       </div>
@@ -150,7 +150,7 @@ const empty = computed(() => picture.value.empty);
 /** On its own, so that the count of points does not draw the whole stage again. */
 function Empty() {
   if (!empty.value) return null;
-  return <p class={stageCss["stage-empty"]}>These maps have no attractor: together they do not contract.</p>;
+  return <p class={css["stage-empty"]}>These maps have no attractor: together they do not contract.</p>;
 }
 
 function everyFrame(tick: (now: number) => boolean): () => void {

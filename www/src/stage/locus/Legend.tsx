@@ -1,8 +1,8 @@
 import { resolutionWords, shareWords, toldOf, verdictWords } from "#format/verdict";
 import { STATE } from "#geometry/states";
 import { gradient } from "#style/ramp";
-import { decades, type LocusStyle } from "./paint";
 import css from "./locus.module.css";
+import { decades, type LocusStyle } from "./paint";
 
 export interface LegendProps {
   /** What there is to be seen: only that is explained. */

@@ -1,5 +1,4 @@
 import "./path.css";
-import css from "./path.module.css";
 import type { ComponentChildren } from "preact";
 import { endGesture } from "#document/scene";
 import type { Uv } from "#geometry/path";
@@ -7,6 +6,7 @@ import { Button, IconButton } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
 import type { Bounds, PathKind } from "#wasm/api";
+import css from "./path.module.css";
 import { focusHandle, type WayPath } from "./WayPoints";
 
 const KINDS: readonly { value: PathKind; label: string; description: string }[] = [

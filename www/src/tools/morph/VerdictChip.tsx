@@ -5,9 +5,9 @@ import { announce } from "#document/notice";
 import { playing } from "#document/playback";
 import { type VerdictWords, verdictLine, verdictWords } from "#format/verdict";
 import { EvidenceChip } from "#stage/EvidenceChip";
+import stageCss from "#stage/stage.module.css";
 import { VerdictSign } from "#ui/shapes/VerdictSign";
 import { CHIP_ID, PANEL_ID } from "./evidence/ids";
-import stageCss from "#stage/stage.module.css";
 
 const words = computed<VerdictWords>(() =>
   verdictWords(verdict.value?.connectedness ?? null, verdict.value?.epsilon),

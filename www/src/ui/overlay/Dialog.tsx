@@ -1,9 +1,9 @@
 import "./overlay.css";
-import css from "./overlay.module.css";
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { IconButton } from "../controls/Button";
 import { useOwnId } from "../id";
+import css from "./overlay.module.css";
 
 export interface DialogProps {
   title: string;

@@ -1,8 +1,8 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import "./overlay.css";
-import css from "./overlay.module.css";
 import { Button, IconButton } from "../controls/Button";
 import type { IconName } from "../controls/Icon";
+import css from "./overlay.module.css";
 
 export interface MenuItem {
   label: string;

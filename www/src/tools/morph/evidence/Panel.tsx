@@ -1,16 +1,16 @@
-import "./evidence.css";
-import css from "./evidence.module.css";
 import { verdict } from "#compute/results";
 import { boxOf } from "#document/framing";
 import { shown } from "#document/morph";
 import { dark } from "#document/preferences";
 import { verdictWords } from "#format/verdict";
+import panelCss from "#stage/evidence-panel.module.css";
 import { evidenceKept, evidenceOpen } from "#stage/marks";
 import { palette } from "#style/palette";
 import { IconButton } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import { Graph } from "#ui/shapes/Graph";
 import type { Connectedness, MapRow, Reason } from "#wasm/api";
+import css from "./evidence.module.css";
 import { CHIP_ID, PANEL_ID } from "./ids";
 import { Proof } from "./Proof";
 import { accountOf, addressWords, clusterWords, gapWords, linkWords } from "./words";
@@ -27,7 +27,7 @@ export function EvidencePanel() {
   const answer = verdict.value;
   return (
     <section
-      class="evidence"
+      class={panelCss["panel"]}
       id={PANEL_ID}
       aria-labelledby={`${PANEL_ID}-title`}
       data-stale={answer?.stale ? "" : undefined}
@@ -37,12 +37,12 @@ export function EvidencePanel() {
         close();
       }}
     >
-      <header class="evidence-head">
+      <header class={panelCss["head"]}>
         <h2 id={`${PANEL_ID}-title`}>{verdictWords(answer?.connectedness ?? null, answer?.epsilon).text}</h2>
         <IconButton icon="close" label="Close the evidence" kind="quiet" onClick={close} />
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, and keys have to reach it */}
-      <div class="evidence-body" tabIndex={0}>
+      <div class={panelCss["body"]} tabIndex={0}>
         {answer && <Account answer={answer.connectedness} epsilon={answer.epsilon} />}
       </div>
     </section>
@@ -81,7 +81,7 @@ function Because({ reason }: { reason: Reason }) {
   const { text, assuming, links } = reason;
   const example = links.find(({ kind }) => kind === "point")?.words[0];
   return (
-    <div class="evidence-reason">
+    <div class={css["evidence-reason"]} data-testid="evidence-reason">
       <p>{text}</p>
       {assuming.length > 0 && (
         <details>

@@ -3,8 +3,8 @@ import { notify, wordsOf } from "#document/notice";
 import { Button } from "#ui/controls/Button";
 import { download } from "#ui/files/download";
 import type { Certificate } from "#wasm/api";
-import { checkWords } from "./words";
 import css from "./evidence.module.css";
+import { checkWords } from "./words";
 
 /** The proof that it is in pieces: made, checked, and given away when asked for. */
 export function Proof() {

@@ -4,10 +4,10 @@ import { pathPoints } from "#document/morph";
 import type { Uv } from "#geometry/path";
 import { piecesIn, slice, sliced } from "#geometry/polyline";
 import { twins } from "./families/families";
+import css from "./field.module.css";
 import { isOff, isOutside } from "./path/handles";
 import { place } from "./path/way";
 import { family, picked, shownWindow, sides, view } from "./view/view";
-import css from "./field.module.css";
 
 export function End({ letter, at: [x, y] }: { letter: string; at: [number, number] }) {
   if (isOutside([x, y])) return null;

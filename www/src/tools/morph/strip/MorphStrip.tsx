@@ -2,7 +2,6 @@ import { PercentField } from "#ui/strip/PercentField";
 import { PlayButton } from "#ui/strip/PlayButton";
 import "#ui/strip/strip.css";
 import "./strip.css";
-import css from "./strip.module.css";
 import { computed } from "@preact/signals";
 import { along, pathBreaks } from "#compute/results";
 import { curved } from "#document/curve/curve";
@@ -18,6 +17,7 @@ import { narrow } from "#ui/media";
 import { stateNow } from "../locus/path/way";
 import { FilmStrip, frames } from "./FilmStrip";
 import { scrubTo } from "./scrub";
+import css from "./strip.module.css";
 
 /** Time: play, scrub, and the film of the whole morph. */
 export function MorphStrip() {

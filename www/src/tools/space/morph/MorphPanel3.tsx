@@ -5,6 +5,7 @@ import { changeSpace } from "#document/space/edits";
 import { choose, setMoment, setView, space, spaceReady } from "#document/space/space";
 import { Legend } from "#stage/locus/Legend";
 import { LocusHead, statesIn } from "#stage/locus/LocusHead";
+import locusCss from "#stage/locus/locus.module.css";
 import type { LocusStyle } from "#stage/locus/paint";
 import { Button } from "#ui/controls/Button";
 import { solid } from "#wasm/space";
@@ -19,7 +20,6 @@ import { PathPanel } from "./PathPanel";
 import { pause } from "./play";
 import { Square } from "./Square";
 import { locus, matched, morph } from "./work";
-import locusCss from "#stage/locus/locus.module.css";
 
 /** The morph of the first object: to what, where it holds together, and the path. */
 export function MorphPanel3() {

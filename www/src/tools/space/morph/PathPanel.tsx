@@ -3,12 +3,12 @@ import { bestWords, pathWords, roomWords } from "#format/path-words";
 import { shareOf, stateOf } from "#format/verdict";
 import { isBroken, STATE, widestOf } from "#geometry/states";
 import { PathSection, WayPointEditor } from "#stage/locus/PathEditor";
+import pathCss from "#stage/locus/path.module.css";
 import { Button } from "#ui/controls/Button";
 import { PATH } from "./handles";
 import css from "./morph3.module.css";
 import { setKind, way } from "./way";
 import { calledOff, callOff, check, found, lookAgain, morph, pathless, search, searchProblem } from "./work";
-import pathCss from "#stage/locus/path.module.css";
 
 /** What the path is, whether it holds, and its way points by numbers. */
 export function PathPanel() {

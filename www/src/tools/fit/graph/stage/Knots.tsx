@@ -2,6 +2,7 @@ import { announce } from "#document/notice";
 import { formatNumber } from "#format/numbers";
 import { screen } from "#geometry/coordinates";
 import { useGrip } from "#stage/grip";
+import stageCss from "#stage/stage.module.css";
 import graphCss from "../graph.module.css";
 import { changeModel, chosenKnot, model } from "../model/document";
 import type { Knot } from "../model/model";
@@ -9,7 +10,6 @@ import { withKnot, withoutKnot } from "../model/model";
 import { type Frame, leftOf, rounded, tAt, topOf, xAt } from "./frame";
 import { isShown } from "./gestures";
 import { frame } from "./shown";
-import stageCss from "#stage/stage.module.css";
 
 /** More handles than this would be a wall: then only the chosen one is there. */
 const MOST_HANDLES = 80;

@@ -2,6 +2,7 @@ import { homeOf } from "#compute/locus/window";
 import { lowered } from "#format/parameters";
 import type { Uv } from "#geometry/path";
 import { piecesIn } from "#geometry/polyline";
+import fieldCss from "../field.module.css";
 import { around, linePath } from "../marks";
 import { isOutside } from "../path/handles";
 import { place } from "../path/way";
@@ -9,7 +10,6 @@ import { arcNear } from "../view/geometry";
 import { shownWindow, sides, view } from "../view/view";
 import { criticalScale } from "./critical";
 import { circlesOf, landmarksOf } from "./families";
-import fieldCss from "../field.module.css";
 
 /** What is known by proof, drawn over what is computed. */
 export function FamilyLines() {
@@ -84,7 +84,11 @@ function Note({ at, window, words }: { at: Uv; window: ReturnType<typeof around>
   const [x, y] = place(at, window);
   if (x < 0.04 || x > 0.96 || y < 0.03 || y > 0.97) return null;
   return (
-    <span class={fieldCss["locus-note"]} style={{ left: `${100 * x}%`, top: `${100 * y}%` }} aria-hidden="true">
+    <span
+      class={fieldCss["locus-note"]}
+      style={{ left: `${100 * x}%`, top: `${100 * y}%` }}
+      aria-hidden="true"
+    >
       {words}
     </span>
   );

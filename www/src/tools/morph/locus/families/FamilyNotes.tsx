@@ -2,10 +2,10 @@ import { MOST_ZOOM } from "#compute/locus/window";
 import { lowered } from "#format/parameters";
 import { powerWords } from "#format/verdict";
 import { Button } from "#ui/controls/Button";
+import fieldCss from "../field.module.css";
 import { fly, pickPoint, sides } from "../view/view";
 import { critical, criticalScale } from "./critical";
 import { landmarksOf, symmetryWords, theoremWords } from "./families";
-import fieldCss from "../field.module.css";
 
 /** What others proved of a family, beside what Frond computes, and places to go to. */
 export function FamilyNotes() {

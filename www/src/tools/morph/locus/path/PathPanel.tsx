@@ -8,6 +8,7 @@ import { bestWords, certifiedWords, pathWords, roomWords } from "#format/path-wo
 import { widestAlong } from "#geometry/polyline";
 import { clearanceOf, isBroken, STATE } from "#geometry/states";
 import { PathSection, WayPointEditor } from "#stage/locus/PathEditor";
+import pathCss from "#stage/locus/path.module.css";
 import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import type { PathKind } from "#wasm/api";
@@ -17,7 +18,6 @@ import { mode, pathKind } from "../../parts";
 import { setThird, third } from "./automatic";
 import { PATH } from "./handles";
 import { bounds, MOST_W, showW, thirdShown } from "./way";
-import pathCss from "#stage/locus/path.module.css";
 
 function setKind(kind: PathKind): void {
   edit((before) => {

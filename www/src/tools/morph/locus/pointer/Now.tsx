@@ -7,11 +7,11 @@ import { complexWords } from "#format/parameters";
 import { verdictPhrase } from "#format/verdict";
 import { Button } from "#ui/controls/Button";
 import { type End, nameOf } from "../../changes";
+import fieldCss from "../field.module.css";
 import { addAt } from "../path/way";
 import { digitsOf } from "../view/geometry";
 import { backToPath, family, picked, setPlane, sides, view } from "../view/view";
 import { familyMaps } from "./hover";
-import fieldCss from "../field.module.css";
 
 /** Where the picture is now, in numbers, and what can be done with a point that was taken off the path. */
 export function Now() {

@@ -4,11 +4,11 @@ import { announce } from "#document/notice";
 import { verdictLine, verdictPhrase } from "#format/verdict";
 import type { Uv } from "#geometry/path";
 import type { Bounds } from "#wasm/api";
+import fieldCss from "../field.module.css";
 import { place } from "../path/way";
 import { spot } from "../view/geometry";
 import { inDigits, shownWindow, view } from "../view/view";
 import { type Pointed, pointed, type Seen, SIDE, seen } from "./hover";
-import fieldCss from "../field.module.css";
 
 const REST_MS = 700;
 

@@ -4,12 +4,12 @@ import { uv } from "#document/morph";
 import { announce } from "#document/notice";
 import type { Uv } from "#geometry/path";
 import { pointOf } from "#geometry/polyline";
+import fieldCss from "../field.module.css";
 import { isOutside } from "../path/handles";
 import { addAt, place } from "../path/way";
 import { goHome, panBy, picked, pickPoint, shownWindow, view } from "../view/view";
 import { zoomAbout } from "./gestures";
 import { pointed } from "./hover";
-import fieldCss from "../field.module.css";
 
 export const CROSS_HINT =
   "Arrow keys move the cross, with Shift finer, with Alt farther; plus and minus zoom about it, 0 shows all; " +
@@ -124,5 +124,11 @@ export function Cross() {
   if (!at) return null;
   const [x, y] = place(at, shownWindow.value);
   if (isOutside([x, y])) return null;
-  return <span class={fieldCss["locus-cross"]} style={{ left: `${100 * x}%`, top: `${100 * y}%` }} aria-hidden="true" />;
+  return (
+    <span
+      class={fieldCss["locus-cross"]}
+      style={{ left: `${100 * x}%`, top: `${100 * y}%` }}
+      aria-hidden="true"
+    />
+  );
 }

@@ -6,9 +6,9 @@ import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Slider } from "#ui/controls/Slider";
 import { mode } from "../../parts";
+import fieldCss from "../field.module.css";
 import { THICKNESS } from "../path/handles";
 import { offSlice, picked, setView, view } from "./view";
-import fieldCss from "../field.module.css";
 
 const toSlice = (w: number) => setView({ w: Math.abs(w) < 0.004 ? 0 : Math.round(w * 1000) / 1000 });
 

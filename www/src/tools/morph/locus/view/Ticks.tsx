@@ -1,7 +1,7 @@
 import { fixed } from "#format/numbers";
+import locusCss from "#stage/locus/locus.module.css";
 import { ticksOf } from "./geometry";
 import { family, shownWindow } from "./view";
-import locusCss from "#stage/locus/locus.module.css";
 
 /** Deeper than this the numbers are too long to stand at an axis: the window is told below. */
 const MOST_DIGITS = 3;

@@ -4,9 +4,9 @@ import { endGesture } from "#document/scene";
 import { zoomWords } from "#format/parameters";
 import { resolutionWords } from "#format/verdict";
 import { NumberField } from "#ui/controls/NumberField";
+import fieldCss from "../field.module.css";
 import { digitsOf } from "./geometry";
 import { epsilon, family, inDigits, picked, pickPoint, setView, shownWindow, view } from "./view";
-import fieldCss from "../field.module.css";
 
 /** Nearer than this, a number takes a line of its own. */
 const LONG = 1e4;

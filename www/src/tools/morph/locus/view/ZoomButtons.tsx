@@ -1,7 +1,7 @@
 import { MOST_ZOOM } from "#compute/locus/window";
 import { IconButton } from "#ui/controls/Button";
-import { goHome, view, zoomBy } from "./view";
 import fieldCss from "../field.module.css";
+import { goHome, view, zoomBy } from "./view";
 
 const STEP = 2;
 
