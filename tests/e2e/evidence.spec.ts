@@ -19,7 +19,7 @@ test("the verdict tells why, and gives the focus back", async ({ studio, page })
   );
   await expect(panel.getByRole("img", { name: "Which pieces meet: 1 with 3" })).toBeVisible();
   await expect(panel).toContainText("{1,3} | {2}");
-  await expectClean(page, ".evidence");
+  await expectClean(page, "#evidence");
   // It follows the picture.
   await studio.time.press("Home");
   await expect(page.getByRole("region", { name: "In one piece, proved" })).toBeVisible();
@@ -34,7 +34,7 @@ test("one piece comes with a reason, and marks on the picture that can be kept",
   const marks = page.locator(".overlay :is(.link-ring, .chord)");
   await expect(marks).toHaveCount(0);
   await studio.verdict.click();
-  await expect(page.locator(".evidence-reason")).toContainText(/\w+/);
+  await expect(page.getByTestId("evidence-reason")).toContainText(/\w+/);
   await expect(marks.first()).toBeAttached();
   await page.getByRole("switch", { name: "Keep the marks on the picture" }).check();
   await page.getByRole("button", { name: "Close the evidence" }).click();

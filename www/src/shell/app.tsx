@@ -12,6 +12,7 @@ import { Toasts } from "#ui/overlay/Toasts";
 import { curvesFetched } from "#wasm/curve";
 import { Header } from "./header";
 import { Readout } from "./Readout";
+import css from "./shell.module.css";
 import { openedTool, TOOLS, watchTools } from "./tools";
 /** The whole page. */
 export function App({ backend }: { backend: "auto" | PainterBackend }) {
@@ -56,7 +57,7 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
     <main class="studio">
       <h1 class="unseen">{entry.title}</h1>
       {/* It keeps its renderer while a tool with a picture of its own is open. */}
-      <div class={entry.stage === undefined ? "stage-here" : "stage-away"}>
+      <div class={entry.stage === undefined ? css["stage-here"] : css["stage-away"]}>
         <SharedStage backend={backend} overlay={Overlay && <Overlay />}>
           <div class="stage-foot">
             {Verdict && <Verdict />}
@@ -108,5 +109,5 @@ function FiguresPage({ figure }: { figure: string | null }) {
     );
   }, []);
   const Figures = figures.value;
-  return <main class="figures-page">{Figures ? <Figures figure={figure} /> : null}</main>;
+  return <main class={css["figures-page"]}>{Figures ? <Figures figure={figure} /> : null}</main>;
 }

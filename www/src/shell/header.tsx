@@ -10,6 +10,7 @@ import { Menu, type MenuItem } from "#ui/overlay/Menu";
 import type { Tool as ToolName } from "#wasm/api";
 import { CURVE_FILES, curveOnStage, saveCurve, savePicture, shareLink, studioHref } from "./actions";
 import { Glyph, type GlyphName } from "./glyphs";
+import css from "./shell.module.css";
 import { openedTool, TOOLS } from "./tools";
 
 const NEXT_THEME: Record<Theme, Theme> = { auto: "light", light: "dark", dark: "auto" };
@@ -28,7 +29,7 @@ export function Header() {
         <Mark />
         Frond
       </a>
-      <nav class="places" aria-label="Places">
+      <nav class={css["places"]} aria-label="Places">
         {TOOLS.map(({ id, label }) => (
           <ToolPlace key={id} name={id}>
             {label}
@@ -53,7 +54,7 @@ export function Header() {
             <span>Share link</span>
           </button>
         )}
-        <div class="narrow-only">
+        <div class={css["narrow-only"]}>
           <Menu label="More" items={moreItems(studio)} />
         </div>
       </div>
@@ -124,7 +125,7 @@ function Place({ href, here, children }: { href: string; here: boolean; children
 function PlaceChoice() {
   const here = route.value.page === "studio" ? tool.value : "figures";
   return (
-    <div class="place-choice">
+    <div class={css["place-choice"]}>
       <select
         aria-label="Tool or page"
         value={here}
