@@ -137,3 +137,22 @@ it("calls the grounds of documents as the stages of the two themes", () => {
   const stages = [...tokens.matchAll(/--stage: (#\w+)/g)].map(([, colour]) => colour);
   expect(stages).toEqual([PAPER, NIGHT, NIGHT]);
 });
+
+it("has no class in a component that no sheet and no test speaks of", () => {
+  const known = new Set(
+    files.filter(({ css }) => css).flatMap(({ text }) => selectorsOf(text).flatMap(namesIn)),
+  );
+  const tests = readdirSync(join(root, "../../tests/e2e"))
+    .filter((name) => name.endsWith(".ts"))
+    .map((name) => readFileSync(join(root, "../../tests/e2e", name), "utf8"))
+    .join("\n");
+  const unknown = files
+    .filter(({ path }) => path.endsWith(".tsx"))
+    .flatMap(({ path, text }) =>
+      [...text.matchAll(/\bclass=(?:"([^"]*)"|\{`([^`]*)`\})/g)]
+        .flatMap(([, plain, made]) => (plain ?? made?.replace(/\$\{[^}]*\}/g, " ") ?? "").split(/\s+/))
+        .filter((name) => name !== "" && !known.has(name) && !tests.includes(`.${name}`))
+        .map((name) => `${path}: ${name}`),
+    );
+  expect(unknown).toEqual([]);
+});

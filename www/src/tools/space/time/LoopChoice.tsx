@@ -21,7 +21,7 @@ export function LoopMenu() {
   const now = loopOf(loop);
   const what = `After the end: ${now?.label.toLowerCase()}`;
   return (
-    <div class="loop-menu" title={what}>
+    <div title={what}>
       <Menu
         label={what}
         icon={now?.icon ?? "loop"}

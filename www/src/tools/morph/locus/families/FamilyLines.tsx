@@ -28,7 +28,7 @@ export function FamilyLines() {
           if (!arc) return null;
           const d = linePath(piecesIn(arc, within));
           return (
-            <g key={kind} class={`circle ${kind}`}>
+            <g key={kind} class={kind}>
               <path class={fieldCss["halo"]} d={d} />
               <path d={d} />
             </g>

@@ -16,7 +16,6 @@ export function FamilyNotes() {
         {landmarksOf(n, criticalScale(n)).map(({ name, about, s, zoom }) => (
           <li key={name}>
             <Button
-              class="chip-button"
               description={about}
               onClick={() => {
                 pickPoint(s, undefined, MOST_ZOOM);

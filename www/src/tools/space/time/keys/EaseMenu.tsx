@@ -8,7 +8,7 @@ import { attempt } from "./keys";
 /** How it goes on from a key to the next one. */
 export function EaseMenu({ of, index }: { of: SpaceKey; index: number }) {
   return (
-    <div class="ease" title={`From key ${index + 1} on: ${easeWords(of.ease)}`}>
+    <div title={`From key ${index + 1} on: ${easeWords(of.ease)}`}>
       <Menu
         label={`Pace after key ${index + 1}: ${easeWords(of.ease)}`}
         icon="arrow"
