@@ -142,42 +142,62 @@ mod tests {
     use crate::Affine2;
     use crate::linear::polar2::orthogonal;
     use crate::testing::any_map;
+    use crate::testing3::any_map3;
 
     fn options(mode: Mode) -> MorphOptions {
         MorphOptions { mode, ..MorphOptions::default() }
     }
 
-    fn apart(a: Affine2, b: Affine2) -> f64 {
-        a.to_row().iter().zip(b.to_row()).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
+    fn apart<D: Dimension>(a: Affine<D>, b: Affine<D>) -> f64 {
+        let (a, b) = (a.to_row(), b.to_row());
+        a.as_ref().iter().zip(b.as_ref()).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
+    }
+
+    fn goes_from_end_to_end_without_a_jump<D: Dimension>(a: Affine<D>, b: Affine<D>, linear: bool) {
+        let mode = if linear { Mode::Linear } else { Mode::Polar };
+        let morph = Morph::new(&[a], &[b], &options(mode)).unwrap();
+        assert!(apart(morph.at(0.0, 0.0)[0], a) == 0.0);
+        assert!(apart(morph.at(1.0, 1.0)[0], b) == 0.0);
+        let mut last = a;
+        for k in 0..=1000 {
+            let t = f64::from(k) / 1000.0;
+            let now = morph.at(t, t)[0];
+            assert!(apart(now, last) < 0.02, "jump of {} at {t}", apart(now, last));
+            last = now;
+        }
+    }
+
+    fn keeps_the_sign_of_the_determinant<D: Dimension>(a: Affine<D>, b: Affine<D>) {
+        let morph = Morph::new(&[a], &[b], &options(Mode::Polar)).unwrap();
+        for k in 0..=20 {
+            let det = morph.at(f64::from(k) / 20.0, 0.0)[0].determinant();
+            match morph.kinds()[0] {
+                Kind::Turning => assert!(det > -1e-12),
+                Kind::Reflecting => assert!(det < 1e-12),
+                Kind::Opposite => {}
+            }
+        }
     }
 
     proptest! {
         #[test]
         fn it_goes_from_end_to_end_without_a_jump(a in any_map(), b in any_map(), linear: bool) {
-            let mode = if linear { Mode::Linear } else { Mode::Polar };
-            let morph = Morph::new(&[a], &[b], &options(mode)).unwrap();
-            prop_assert!(apart(morph.at(0.0, 0.0)[0], a) == 0.0);
-            prop_assert!(apart(morph.at(1.0, 1.0)[0], b) == 0.0);
-            let mut last = a;
-            for k in 0..=1000 {
-                let t = f64::from(k) / 1000.0;
-                let now = morph.at(t, t)[0];
-                prop_assert!(apart(now, last) < 0.02, "jump of {} at {t}", apart(now, last));
-                last = now;
-            }
+            goes_from_end_to_end_without_a_jump(a, b, linear);
+        }
+
+        #[test]
+        fn it_does_so_in_space(a in any_map3(), b in any_map3(), linear: bool) {
+            goes_from_end_to_end_without_a_jump(a, b, linear);
         }
 
         #[test]
         fn the_sign_of_the_determinant_is_kept(a in any_map(), b in any_map()) {
-            let morph = Morph::new(&[a], &[b], &options(Mode::Polar)).unwrap();
-            for k in 0..=20 {
-                let det = morph.at(f64::from(k) / 20.0, 0.0)[0].determinant();
-                match morph.kinds()[0] {
-                    Kind::Turning => prop_assert!(det > -1e-12),
-                    Kind::Reflecting => prop_assert!(det < 1e-12),
-                    Kind::Opposite => {}
-                }
-            }
+            keeps_the_sign_of_the_determinant(a, b);
+        }
+
+        #[test]
+        fn it_is_kept_in_space(a in any_map3(), b in any_map3()) {
+            keeps_the_sign_of_the_determinant(a, b);
         }
     }
 

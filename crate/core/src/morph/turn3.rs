@@ -149,34 +149,6 @@ mod tests {
 
     proptest! {
         #[test]
-        fn it_goes_from_end_to_end_without_a_jump(a in any_map3(), b in any_map3(), linear: bool) {
-            let mode = if linear { Mode::Linear } else { Mode::Polar };
-            let morph = Morph3::new(&[a], &[b], &options(mode)).unwrap();
-            prop_assert!(apart(morph.at(0.0, 0.0)[0], a) == 0.0);
-            prop_assert!(apart(morph.at(1.0, 1.0)[0], b) == 0.0);
-            let mut last = a;
-            for k in 0..=1000 {
-                let t = f64::from(k) / 1000.0;
-                let now = morph.at(t, t)[0];
-                prop_assert!(apart(now, last) < 0.02, "jump of {} at {t}", apart(now, last));
-                last = now;
-            }
-        }
-
-        #[test]
-        fn the_sign_of_the_determinant_is_kept(a in any_map3(), b in any_map3()) {
-            let morph = Morph3::new(&[a], &[b], &options(Mode::Polar)).unwrap();
-            for k in 0..=20 {
-                let det = morph.at(f64::from(k) / 20.0, 0.0)[0].determinant();
-                match morph.kinds()[0] {
-                    Kind::Turning => prop_assert!(det > -1e-12),
-                    Kind::Reflecting => prop_assert!(det < 1e-12),
-                    Kind::Opposite => {}
-                }
-            }
-        }
-
-        #[test]
         fn the_third_parameter_stretches_alone(a in any_map3(), b in any_map3(), u in -1.0..2.0_f64, w in -1.0..1.0_f64) {
             let morph = Morph3::new(&[a], &[b], &options(Mode::Polar)).unwrap();
             prop_assert_eq!(morph.at3(1.0, 1.0, 0.0), vec![b]);
