@@ -4,7 +4,8 @@
 //! {w1, w2 w1, w2 w2} to the Sierpinski gasket, over [-1, 2] x [-1, 2], on one core.
 
 mod boxes;
-mod dragon_to_gasket;
+#[path = "../tests/common/mod.rs"]
+mod common;
 mod set_m;
 
 use frond_core::Ifs;
@@ -13,7 +14,7 @@ use frond_locus::{
 };
 use frond_testing::least_time;
 
-use crate::dragon_to_gasket::dragon_to_gasket;
+use crate::common::dragon_to_gasket;
 
 /// Runs of which the fastest counts.
 const RUNS: usize = 5;

@@ -1,11 +1,15 @@
 //! Whole boxes of parameters, against each sample on its own and against truth known by theorem.
 
+mod common;
+
 use frond_core::{Affine2, Ifs, Mode, Morph, MorphOptions, hash};
 use frond_locus::{
     Bounds, Crossing, Family, LocusGrid, Options, Polygons, Scratch, Slice, State, Verdict, connectedness,
     crossings, decide,
 };
 use glam::{DMat2, DVec2};
+
+use crate::common::dragon_to_gasket;
 
 fn unit(seed: u32, k: u32) -> f64 {
     f64::from(hash::unit(hash::counter(seed, k)))
@@ -143,14 +147,6 @@ fn compare<F: Family>(family: &F, grid: &LocusGrid, epsilon: f64, name: &str) ->
         }
     }
     (states, better)
-}
-
-fn dragon_to_gasket() -> Morph {
-    let a = Affine2::from_row([0.5, -0.5, 0.5, 0.5, 0.0, 0.0]);
-    let b = Affine2::from_row([-0.5, -0.5, 0.5, -0.5, 1.0, 0.0]);
-    let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.75_f64.sqrt()]].map(DVec2::from_array);
-    let gasket = corners.map(|c| Affine2::similitude(0.5, 0.0, c * 0.5));
-    Morph::new(&[a, b * a, b * b], &gasket, &MorphOptions::default()).unwrap()
 }
 
 #[test]

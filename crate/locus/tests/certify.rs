@@ -1,16 +1,12 @@
 //! Paths proved from end to end, against their samples.
 
+mod common;
+
 use frond_core::{Affine2, Ifs, Morph, MorphOptions, hash, routes};
 use frond_locus::{CertifyOptions, PathOptions, Scratch, along, certify_path, decide_bounds, find_path};
 use glam::{DVec2, DVec3};
 
-fn dragon_to_gasket() -> Morph {
-    let a = Affine2::from_row([0.5, -0.5, 0.5, 0.5, 0.0, 0.0]);
-    let b = Affine2::from_row([-0.5, -0.5, 0.5, -0.5, 1.0, 0.0]);
-    let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.75_f64.sqrt()]].map(DVec2::from_array);
-    let gasket = corners.map(|c| Affine2::similitude(0.5, 0.0, c * 0.5));
-    Morph::new(&[a, b * a, b * b], &gasket, &MorphOptions::default()).unwrap()
-}
+use crate::common::dragon_to_gasket;
 
 /// Three corners of a triangle, each drawn towards by this factor.
 fn gasket(scale: f64) -> Vec<Affine2> {

@@ -8,32 +8,21 @@
 mod gpu;
 
 #[cfg(not(target_arch = "wasm32"))]
-#[path = "../../locus/benches/dragon_to_gasket/mod.rs"]
-mod dragon_to_gasket;
+#[path = "../../locus/tests/common/mod.rs"]
+mod common;
+
+#[cfg(not(target_arch = "wasm32"))]
+#[path = "../tests/wait/mod.rs"]
+mod wait;
 
 #[cfg(not(target_arch = "wasm32"))]
 mod measure {
-    use std::future::Future;
-    use std::pin::pin;
-    use std::task::{Context, Poll, Waker};
-
-    use crate::dragon_to_gasket::dragon_to_gasket;
+    use crate::common::dragon_to_gasket;
     use crate::gpu::{LocusError, LocusGpu, LocusJob};
+    use crate::wait::wait;
     use frond_core::Morph;
     use frond_locus::{Bounds, LocusGrid, Sample, Scratch, SingleLocus, State, decide, unpack_single};
     use frond_testing::least_time;
-
-    /// Natively a run waits for the card by itself, so that its future is ready when it is asked.
-    fn wait<F: Future>(future: F) -> F::Output {
-        let mut future = pin!(future);
-        let mut context = Context::from_waker(Waker::noop());
-        loop {
-            if let Poll::Ready(output) = future.as_mut().poll(&mut context) {
-                return output;
-            }
-            std::thread::yield_now();
-        }
-    }
 
     pub fn main() {
         let gpu = match wait(LocusGpu::open()) {

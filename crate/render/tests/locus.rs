@@ -1,30 +1,18 @@
 //! The locus by the graphics card of the machine, if it has one, against its twin.
 #![cfg(not(target_arch = "wasm32"))]
 
-use std::future::Future;
-use std::pin::pin;
-use std::task::{Context, Poll, Waker};
-
-use frond_core::{Affine2, Morph, MorphOptions};
 use frond_locus::{Bounds, LocusGrid, SingleLocus, State, unpack_single};
-use glam::DVec2;
 
+use crate::common::dragon_to_gasket;
 use crate::gpu::{LocusError, LocusGpu, LocusJob};
+use crate::wait::wait;
 
 #[path = "../src/gpu/mod.rs"]
 mod gpu;
 
-/// Natively a run waits for the card by itself, so that its future is ready when it is asked.
-fn wait<F: Future>(future: F) -> F::Output {
-    let mut future = pin!(future);
-    let mut context = Context::from_waker(Waker::noop());
-    loop {
-        if let Poll::Ready(output) = future.as_mut().poll(&mut context) {
-            return output;
-        }
-        std::thread::yield_now();
-    }
-}
+#[path = "../../locus/tests/common/mod.rs"]
+mod common;
+mod wait;
 
 fn open() -> Option<LocusGpu> {
     match wait(LocusGpu::open()) {
@@ -38,14 +26,6 @@ fn open() -> Option<LocusGpu> {
             None
         }
     }
-}
-
-fn dragon_to_gasket() -> Morph {
-    let a = Affine2::from_row([0.5, -0.5, 0.5, 0.5, 0.0, 0.0]);
-    let b = Affine2::from_row([-0.5, -0.5, 0.5, -0.5, 1.0, 0.0]);
-    let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.75_f64.sqrt()]].map(DVec2::from_array);
-    let gasket = corners.map(|c| Affine2::similitude(0.5, 0.0, c * 0.5));
-    Morph::new(&[a, b * a, b * b], &gasket, &MorphOptions::default()).unwrap()
 }
 
 /// Samples that the card and the twin see differently: of those that both decide, and of which one does.

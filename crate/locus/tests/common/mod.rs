@@ -1,4 +1,4 @@
-//! The morph of Burch & Hart's Fig 7, reconstructed, which the benches of several crates take.
+//! The morph of Burch & Hart's Fig 7, reconstructed, which tests and benches of several crates take.
 
 use frond_core::{Affine2, Morph, MorphOptions};
 use glam::DVec2;
