@@ -138,6 +138,20 @@ it("calls the grounds of documents as the stages of the two themes", () => {
   expect(stages).toEqual([PAPER, NIGHT, NIGHT]);
 });
 
+it("has no class in a plain sheet that no component speaks of", () => {
+  const page = readFileSync(join(root, "../../index.html"), "utf8");
+  const words = new Set(
+    [page, ...files.filter(({ css }) => !css).map(({ text }) => text)].join(" ").split(/[^\w-]+/),
+  );
+  const unused = files
+    .filter(({ path, css }) => css && !path.endsWith(".module.css"))
+    .flatMap(({ path, text }) =>
+      selectorsOf(text).flatMap((selector) => namesIn(selector).map((name) => [path, name])),
+    )
+    .filter(([, name = ""]) => !name.startsWith("data-") && name !== "type" && !words.has(name));
+  expect(unused).toEqual([]);
+});
+
 it("has no class in a component that no sheet and no test speaks of", () => {
   const known = new Set(
     files.filter(({ css }) => css).flatMap(({ text }) => selectorsOf(text).flatMap(namesIn)),
