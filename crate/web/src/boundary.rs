@@ -5,7 +5,7 @@ pub(crate) mod bend;
 pub(crate) mod error;
 #[cfg(any(feature = "proof", feature = "space", feature = "webgpu"))]
 pub(crate) mod grid;
-pub(crate) mod look;
+pub(crate) mod palette;
 #[cfg(any(feature = "proof", feature = "space"))]
 pub(crate) mod path;
 #[cfg(any(feature = "compute", feature = "curve", feature = "webgpu", feature = "webgl2"))]

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use wasm_bindgen::JsValue;
 
 use crate::boundary::error::{bad_input, failure};
-use crate::boundary::look::read_palette;
+use crate::boundary::palette::read_palette;
 use crate::boundary::value::read;
 
 #[derive(Clone, Debug, Deserialize, PartialEq)]

@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::boundary::bend::bend_on;
 use crate::boundary::error::failure;
-use crate::boundary::look::read_palette;
+use crate::boundary::palette::read_palette;
 use crate::boundary::value::{read, read_ifs};
 use crate::compute::view::PlainView;
 

@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 
 use super::read::{morphed, read_curve};
 use crate::boundary::error::bad_input;
-use crate::boundary::look::read_palette;
+use crate::boundary::palette::read_palette;
 use crate::boundary::value::read;
 
 /// Points of a table where nothing is said.

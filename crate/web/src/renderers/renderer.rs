@@ -10,7 +10,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::boundary::bend::{PlainBend, of_bend};
 use crate::boundary::error::{bad_input, of_ifs};
-use crate::boundary::look::read_palette;
+use crate::boundary::palette::read_palette;
 use crate::boundary::photo::read_photo;
 use crate::boundary::value::{object, read};
 use crate::renderers::canvas::{Held, canvas_methods, open, pixels_of};

@@ -11,7 +11,7 @@ use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::{bad_input, failure, of_ifs};
-use crate::boundary::look::read_palette;
+use crate::boundary::palette::read_palette;
 use crate::boundary::value::{object, read};
 
 #[derive(Deserialize)]

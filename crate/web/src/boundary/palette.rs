@@ -1,4 +1,4 @@
-//! Colours.
+//! Palettes.
 
 use wasm_bindgen::JsValue;
 
