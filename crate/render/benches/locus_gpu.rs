@@ -1,21 +1,21 @@
 //! How long a graphics card takes for a locus, against one core of the processor in the same run:
-//! `cargo bench -p frond-render --bench locus_gpu`.
+//! `cargo xtask bench locus_gpu`.
 //!
 //! The morph is that of Burch & Hart's Fig 7, as in the bench of crate/locus.
 
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(all(frond_card, not(target_arch = "wasm32")))]
 #[path = "../src/gpu/mod.rs"]
 mod gpu;
 
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(all(frond_card, not(target_arch = "wasm32")))]
 #[path = "../../locus/tests/common/mod.rs"]
 mod common;
 
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(all(frond_card, not(target_arch = "wasm32")))]
 #[path = "../tests/wait/mod.rs"]
 mod wait;
 
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(all(frond_card, not(target_arch = "wasm32")))]
 mod measure {
     use crate::common::dragon_to_gasket;
     use crate::gpu::{LocusError, LocusGpu, LocusJob};
@@ -87,6 +87,6 @@ mod measure {
 }
 
 fn main() {
-    #[cfg(not(target_arch = "wasm32"))]
+    #[cfg(all(frond_card, not(target_arch = "wasm32")))]
     measure::main();
 }

@@ -1,5 +1,5 @@
-//! The locus by the graphics card of the machine, if it has one, against its twin.
-#![cfg(not(target_arch = "wasm32"))]
+//! The locus by the graphics card of the machine, if it has one, against its twin: `cargo xtask test card`.
+#![cfg(all(frond_card, not(target_arch = "wasm32")))]
 
 use frond_locus::{Bounds, LocusGrid, SingleLocus, State, unpack_single};
 

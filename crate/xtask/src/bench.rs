@@ -12,7 +12,10 @@ use crate::node::Tool;
 use crate::site;
 use crate::stamp;
 use crate::step::Steps;
-use crate::test::free_port;
+use crate::test::{free_port, with_card};
+
+/// The native bench that needs the card of this machine.
+const ON_CARD: &str = "locus_gpu";
 
 /// Runs the benches whose name is among `wanted`, or all.
 ///
@@ -28,7 +31,8 @@ pub fn bench(steps: &mut Steps, wanted: &[String]) -> Outcome {
     let chosen = |name: &String| wanted.is_empty() || wanted.contains(name);
     for (package, name) in native.iter().filter(|(_, name)| chosen(name)) {
         steps.run(&format!("bench {name}"), || {
-            run(&mut cargo(&format!("bench --package {package} --bench {name}")))
+            let line = format!("bench --package {package} --bench {name}");
+            run(&mut if name == ON_CARD { with_card(&line) } else { cargo(&line) })
         })?;
     }
     if pages.iter().any(&chosen) {

@@ -1,10 +1,11 @@
 //! Every check, as named steps in groups: the cheap ones first.
 
 use std::net::TcpListener;
+use std::process::Command;
 
 use crate::browser;
 use crate::circles;
-use crate::command::{Outcome, cargo, cargo_wasm, run};
+use crate::command::{Outcome, cargo, cargo_wasm, run, target};
 use crate::folders;
 use crate::node::{self, Tool};
 use crate::site;
@@ -141,6 +142,13 @@ const CHECKS: &[Check] = &[
         set_up: nothing,
         work: Work::All(deep),
     },
+    Check {
+        group: ON_DEMAND,
+        name: "card",
+        what: "the locus by this machine's own graphics card, natively; only when named",
+        set_up: nothing,
+        work: Work::All(card),
+    },
 ];
 
 /// Runs the checks whose group or name is among `wanted`, or all but those [`ON_DEMAND`]; stops at the first that
@@ -253,6 +261,20 @@ fn deep() -> Outcome {
         }
     }
     run(&mut command)
+}
+
+/// The browser tests try the same shader on the software GPU. wgpu for the interfaces of the system takes minutes to
+/// compile, and a machine without a card has nothing to try.
+fn card() -> Outcome {
+    run(&mut with_card("test --package frond-render --test locus -- --nocapture"))
+}
+
+/// Cargo, where what needs the card of this machine is compiled: in a folder of its own, or all else would be compiled
+/// again.
+pub fn with_card(line: &str) -> Command {
+    let mut command = cargo(line);
+    command.env("RUSTFLAGS", "--cfg frond_card").env("CARGO_TARGET_DIR", target().join("card"));
+    command
 }
 
 fn tsc() -> Outcome {
