@@ -14,9 +14,9 @@ use crate::card::{BACKENDS, card, picture_of};
 const SIZE: [u32; 2] = [160, 120];
 const POINTS: usize = 60_000;
 
-async fn open(wanted: Wanted) -> Option<Stage3> {
+async fn open(wanted: Wanted) -> Stage3 {
     let quiet = |event: &Event| assert!(!matches!(event, Event::Fault(_)), "{event:?}");
-    Some(Stage3::new(card(SIZE, wanted, quiet).await?))
+    Stage3::new(card(SIZE, wanted, quiet).await)
 }
 
 fn look() -> Look {
@@ -48,7 +48,7 @@ fn lit(pixels: &[u8]) -> usize {
 }
 
 async fn pictures(wanted: Wanted) {
-    let Some(mut stage) = open(wanted).await else { return };
+    let mut stage = open(wanted).await;
     let (systems, camera) = (systems(), camera());
     // Many points lie side by side, few are splatted.
     for (factor, paint, count) in [(1, Paint::Map, POINTS), (2, Paint::Height, POINTS / 100)] {
