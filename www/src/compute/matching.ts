@@ -9,12 +9,12 @@ import type { Job, Kind, Task } from "#workers/pool/protocol";
 import { EPSILON } from "./locus/job";
 
 /** How many ways to match are offered. */
-export const MOST_MATCHINGS = 12;
+const MOST_MATCHINGS = 12;
 /** Samples a side of their loci: 3 k + 1, so that both ends are samples. */
-export const RATE_SIZE = 64;
+const RATE_SIZE = 64;
 
 /** Ways to match the maps of a pair: what is rated so far, the best first. */
-export interface Matchings {
+interface Matchings {
   from: MapRow[];
   to: MapRow[];
   mode: Mode;

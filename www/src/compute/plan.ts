@@ -12,7 +12,7 @@ import { publish } from "./results";
 const MOST_POINTS = 64;
 
 /** A path through the plane w = 0. */
-export interface Planned {
+interface Planned {
   inputs: LocusInputs;
   plan: PathPlan;
   /** Through all samples, not through the coarse ones that come first. */
@@ -20,7 +20,7 @@ export interface Planned {
 }
 
 /** What is known of a path through three parameters. */
-export interface Plan3 {
+interface Plan3 {
   /** Where it is known of which pair; elsewhere it is out of date. */
   inputs: LocusInputs;
   /** Null while it is being looked for. */

@@ -13,7 +13,7 @@ export interface LocusResult extends Locus {
 }
 
 /** What is known of the plane that is looked at; a new object at each repaint. */
-export interface WindowResult {
+interface WindowResult {
   pyramid: Pyramid;
   /** 0..1, of the window. */
   progress: number;
@@ -21,7 +21,7 @@ export interface WindowResult {
   problem: string | null;
 }
 
-export interface VerdictResult {
+interface VerdictResult {
   connectedness: Connectedness;
   /** What it was looked at with. */
   epsilon: number;

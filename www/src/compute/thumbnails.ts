@@ -11,8 +11,8 @@ import type { Job } from "#workers/pool/protocol";
 import { publish } from "./results";
 
 /** CSS pixels. */
-export const THUMB_WIDTH = 144;
-export const THUMB_HEIGHT = 104;
+const THUMB_WIDTH = 144;
+const THUMB_HEIGHT = 104;
 
 /** What each thumbnail should show, and what is still to do, the ends first. */
 const wanted = new Map<string, { maps: MapRow[]; colours: string[] }>();

@@ -5,7 +5,7 @@ import { edit, replace, scene } from "./scene";
 import { openTool } from "./tool";
 
 /** What stands for a document that says nothing of fitting. */
-export const PLAIN_FIT: Fit = { mode: "outline", model: "closed", numbers: 260, smoothing: 0 };
+const PLAIN_FIT: Fit = { mode: "outline", model: "closed", numbers: 260, smoothing: 0 };
 
 /** What the document says of fitting. */
 export const fitDocument: ReadonlySignal<Fit> = computed(() => scene.value.fit ?? PLAIN_FIT);

@@ -149,7 +149,7 @@ function editBox(maps: MapRow[]): Box {
 }
 
 /** What stays free round a fitted box, in pixels of the picture. */
-export interface Insets {
+interface Insets {
   top: number;
   right: number;
   bottom: number;

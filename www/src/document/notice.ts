@@ -1,7 +1,7 @@
 /** What the page has to say, on screen and to screen readers. */
 import { type ReadonlySignal, signal } from "@preact/signals";
 
-export interface Notice {
+interface Notice {
   id: number;
   kind: "info" | "error";
   text: string;

@@ -1,6 +1,6 @@
 /** Numbers as people type them, and as fields show them. */
 
-export type Parsed = { ok: true; value: number } | { ok: false; message: string };
+type Parsed = { ok: true; value: number } | { ok: false; message: string };
 
 const TERM = /^(?:√|sqrt)?\(?(\d+(?:\.\d*)?(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?|π|pi)\)?/i;
 const HINT = "Type a number such as 0.5, 1/3 or √3/2.";

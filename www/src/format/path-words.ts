@@ -77,7 +77,7 @@ export function bestWords(apart: boolean, third: boolean): string {
 }
 
 /** What is known of a path: of its moments, and by a proof of all of it. */
-export interface PathKnown {
+interface PathKnown {
   /** The states of moments that are evenly spaced over [0, 1]. */
   states: ArrayLike<number>;
   /** The widest gap met, as a part of the diameter. */

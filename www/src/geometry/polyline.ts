@@ -3,7 +3,7 @@ import type { Bounds, Locus } from "#wasm/api";
 import { timesOf, type Uv, uvAt } from "./path";
 import { STATE } from "./states";
 
-export interface Nearest {
+interface Nearest {
   /** The point of the path that is nearest. */
   at: Uv;
   /** Segment `segment` runs from point `segment` to the next. */

@@ -20,7 +20,7 @@ import { killWorker, workers } from "#workers/pool/engine";
 export type Which = "main" | "linear";
 
 /** What the tests, and the curious, may ask of the running page. */
-export interface Hook {
+interface Hook {
   scene(): Scene;
   backend(): string | null;
   readPixels(which?: Which): Promise<Pixels>;

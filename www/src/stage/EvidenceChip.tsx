@@ -2,7 +2,7 @@ import type { ComponentChildren } from "preact";
 import { evidenceOpen } from "./marks";
 import css from "./stage.module.css";
 
-export interface EvidenceChipProps {
+interface EvidenceChipProps {
   id: string;
   /** The panel that it opens. */
   panel: string;

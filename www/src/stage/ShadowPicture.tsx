@@ -10,7 +10,7 @@ const WIDTH = 672;
 const HEIGHT = 400;
 const MARGIN = 16;
 
-export interface ShadowPictureProps {
+interface ShadowPictureProps {
   maps: MapRow3[];
   /** Of the light. */
   direction: Point3;

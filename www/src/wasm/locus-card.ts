@@ -13,7 +13,7 @@ export interface Ends {
 }
 
 /** Decides a whole locus on the processor, for the comparison. */
-export type OnProcessor = (ends: Ends) => Promise<unknown>;
+type OnProcessor = (ends: Ends) => Promise<unknown>;
 
 let card: LocusCompute | null = null;
 let busy = false;

@@ -19,7 +19,7 @@ export interface LocusInputs {
   options: MorphOptions;
 }
 
-export interface LocusWatch {
+interface LocusWatch {
   /** Some rows are in. */
   painted: (work: LocusWork) => void;
   /** All samples of a stride are in. */
@@ -27,7 +27,7 @@ export interface LocusWatch {
   failed: (error: FrondError) => void;
 }
 
-export interface LocusMeans {
+interface LocusMeans {
   /** Whether the program decides whole rectangles at once: then they follow the coarsest stride, the middle first. */
   patches: boolean;
   /** How much it matters now, beside what else there is to do: the coarse picture, and what follows. */

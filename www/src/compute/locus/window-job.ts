@@ -8,7 +8,7 @@ import { nextKey } from "./job";
 import { type Pyramid, STEP, type TileId, WHOLE_LEVELS } from "./pyramid";
 import { epsilonOf, homeOf, samplesAt, windowOf } from "./window";
 
-export interface WindowWatch {
+interface WindowWatch {
   /** Some samples are in. */
   painted: () => void;
   /** Something is known everywhere in the window. */

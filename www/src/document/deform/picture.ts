@@ -11,7 +11,7 @@ const subject = computed(() => deformation.value.subject);
 const parts = computed(() => deformation.value.parts);
 
 /** Whether a picture takes the place of the shape: where it is bent, and nowhere else. */
-export const pictureWanted = computed(() => subject.value === "picture" && tool.value === "deform");
+const pictureWanted = computed(() => subject.value === "picture" && tool.value === "deform");
 
 /** What the stage draws in place of the shape: null where it draws the shape. */
 export const pictureShown: ReadonlySignal<Photograph | null> = computed(() =>

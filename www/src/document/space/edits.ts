@@ -140,7 +140,7 @@ export function startWith(objects: SpaceObject[]): void {
   });
 }
 
-export function changeObject(now: Space, index: number, change: (object: SpaceObject) => SpaceObject): Space {
+function changeObject(now: Space, index: number, change: (object: SpaceObject) => SpaceObject): Space {
   return { ...now, objects: now.objects.map((object, i) => (i === index ? change(object) : object)) };
 }
 

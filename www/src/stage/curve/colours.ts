@@ -3,7 +3,7 @@ import { GREY } from "#style/colours";
 import type { Colouring } from "#wasm/api";
 
 /** The colours of the edges, and for each edge which of them it has. */
-export interface EdgeColours {
+interface EdgeColours {
   colours: string[];
   kinds: Uint16Array;
 }

@@ -8,7 +8,7 @@ import { edgeColours } from "./colours";
 import { type Frame, fillPath, outlinePaths, type Placed, place } from "./outline";
 
 /** How a curve is painted. */
-export interface CurveLook {
+interface CurveLook {
   /** Of the area, and of the outline where nothing else is said. */
   colour: string;
   /** Colours of the outline, and for each vertex that of what goes on from there; null: one colour. */

@@ -8,7 +8,7 @@ import type { Pixels } from "../surface/surface";
 import { lookOf, paintCurve } from "./paint";
 
 /** What is to be seen. Sizes are device pixels, `view.scale` is in CSS pixels a unit. */
-export interface CurveRequest {
+interface CurveRequest {
   morph: CurveMorph | null;
   s: number;
   bend: Bend | null;

@@ -6,7 +6,7 @@ import type { Box } from "#geometry/boxes";
 import { lookOf, paintCurve } from "./paint";
 
 /** CSS pixels. */
-export interface ThumbSize {
+interface ThumbSize {
   width: number;
   height: number;
 }

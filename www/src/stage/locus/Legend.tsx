@@ -4,7 +4,7 @@ import { gradient } from "#style/ramp";
 import css from "./locus.module.css";
 import { decades, type LocusStyle } from "./paint";
 
-export interface LegendProps {
+interface LegendProps {
   /** What there is to be seen: only that is explained. */
   states: ReadonlySet<number>;
   /** Pieces nearer than this count as touching. */

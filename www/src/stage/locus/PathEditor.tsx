@@ -15,7 +15,7 @@ const KINDS: readonly { value: PathKind; label: string; description: string }[] 
   { value: "drawn", label: "Drawn", description: "Through your own way points" },
 ];
 
-export interface PathSectionProps {
+interface PathSectionProps {
   kind: PathKind;
   onKind: (kind: PathKind) => void;
   children: ComponentChildren;
@@ -34,7 +34,7 @@ export function PathSection({ kind, onKind, children }: PathSectionProps) {
   );
 }
 
-export interface WayPointEditorProps {
+interface WayPointEditorProps {
   path: WayPath;
   bounds: Bounds;
   /** Where else a way point may be added. */

@@ -20,7 +20,7 @@ import type { Bounds, Locus } from "#wasm/api";
 
 export type LocusStyle = "gap" | "yesno";
 
-export interface PaintOptions {
+interface PaintOptions {
   style: LocusStyle;
   /** Device pixels a CSS pixel: patterns keep their size on fine screens. */
   scale?: number;

@@ -36,7 +36,7 @@ export const UNSEEN: PainterState = {
 /** What is asked of whatever draws the main picture. */
 export type MainPainter = Pick<Painter, "pixels" | "forceLoss">;
 
-export interface PainterOptions {
+interface PainterOptions {
   backend: "auto" | PainterBackend;
   /** Where pixels are asked for when there is no graphics device. */
   channel: Channel;

@@ -48,7 +48,7 @@ export function pausePhase(): void {
 }
 
 /** Moves in time by hand. The moment is no undo step. */
-export function setPhase(phase: number): void {
+function setPhase(phase: number): void {
   const clamped = Number.isFinite(phase) ? Math.min(1, Math.max(0, phase)) : 0;
   // As fine as anyone can point, and short in a link.
   const rounded = Math.round(clamped * FINEST) / FINEST;

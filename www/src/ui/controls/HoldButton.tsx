@@ -3,7 +3,7 @@ import type { Signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
 
-export interface HoldButtonProps {
+interface HoldButtonProps {
   /** Whether it is. */
   held: Signal<boolean>;
   /** What it does, and its key. */

@@ -1,7 +1,7 @@
 import "./choice.css";
 import type { ComponentChildren } from "preact";
 
-export interface SwitchProps {
+interface SwitchProps {
   children: ComponentChildren;
   checked: boolean;
   onChange: (checked: boolean) => void;

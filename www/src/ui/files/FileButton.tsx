@@ -2,7 +2,7 @@ import type { ComponentChildren } from "preact";
 import { useRef } from "preact/hooks";
 import { Button, type ButtonProps } from "../controls/Button";
 
-export interface FileButtonProps extends Pick<ButtonProps, "kind" | "disabled"> {
+interface FileButtonProps extends Pick<ButtonProps, "kind" | "disabled"> {
   /** What the field is called by those who look for it. */
   label: string;
   accept: string;

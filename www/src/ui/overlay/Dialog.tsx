@@ -5,7 +5,7 @@ import { IconButton } from "../controls/Button";
 import { useOwnId } from "../id";
 import css from "./overlay.module.css";
 
-export interface DialogProps {
+interface DialogProps {
   title: string;
   /** One quiet sentence under the title. */
   about?: string;

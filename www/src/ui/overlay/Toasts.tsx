@@ -1,14 +1,14 @@
 import "./overlay.css";
 import { Button, IconButton } from "../controls/Button";
 
-export interface Toast {
+interface Toast {
   id: number;
   kind: "info" | "error";
   text: string;
   action?: { label: string; run: () => void };
 }
 
-export interface ToastsProps {
+interface ToastsProps {
   toasts: readonly Toast[];
   onDismiss: (id: number) => void;
 }

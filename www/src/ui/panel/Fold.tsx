@@ -2,7 +2,7 @@ import "./fold.css";
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
 
-export interface FoldProps {
+interface FoldProps {
   title: string;
   /** What it comes to, while it is closed. */
   now?: string | undefined;

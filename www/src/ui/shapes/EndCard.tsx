@@ -2,7 +2,7 @@ import type { ComponentChildren } from "preact";
 import { IconButton } from "../controls/Button";
 import css from "./ends.module.css";
 
-export interface EndCardProps {
+interface EndCardProps {
   end: "a" | "b";
   name: string;
   /** More of it, for those who hear it, and in a word or two for the card. */

@@ -4,7 +4,7 @@ import css from "./map-blocks.module.css";
 /** One affine map of space: the three rows of its matrix, then its translation. */
 type Numbers = ArrayLike<number>;
 
-export interface MapBlocksProps {
+interface MapBlocksProps {
   /** What the maps are, for those who hear it. */
   label: string;
   maps: readonly Numbers[];

@@ -2,7 +2,7 @@ import type { ComponentChildren } from "preact";
 import { IconButton } from "../controls/Button";
 import css from "./map-list.module.css";
 
-export interface MapListProps {
+interface MapListProps {
   /** Each map at a glance. */
   maps: readonly string[];
   /** Whose fields are shown. */
@@ -40,7 +40,7 @@ export function MapList({ maps, open, onOpen, swatch, numbered = false, fields }
   );
 }
 
-export interface MapToolsProps<Row> {
+interface MapToolsProps<Row> {
   maps: readonly Row[];
   index: number;
   /** How many there may be. */

@@ -10,7 +10,7 @@ export interface ShapeItem {
   about: string;
 }
 
-export interface ShapeGridProps<T extends ShapeItem> {
+interface ShapeGridProps<T extends ShapeItem> {
   presets: readonly T[];
   /** What stands beside the name. */
   noteOf: (preset: T) => string;

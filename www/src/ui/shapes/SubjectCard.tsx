@@ -1,7 +1,7 @@
 import "./subject-card.css";
 import type { ComponentChildren } from "preact";
 
-export interface SubjectCardProps {
+interface SubjectCardProps {
   /** A small picture of it. */
   picture: ComponentChildren;
   name: ComponentChildren;

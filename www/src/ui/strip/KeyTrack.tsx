@@ -4,7 +4,7 @@ import { useRef } from "preact/hooks";
 import { endGesture } from "#document/scene";
 import { keyStep } from "#format/numbers";
 
-export interface KeyTrackProps {
+interface KeyTrackProps {
   label: string;
   /** In the order of their moments, from 0 to `length`. */
   keys: readonly { at: number }[];

@@ -1,6 +1,6 @@
 import { NumberField, type NumberFieldProps } from "../controls/NumberField";
 
-export interface PercentFieldProps extends Pick<NumberFieldProps, "onDone"> {
+interface PercentFieldProps extends Pick<NumberFieldProps, "onDone"> {
   label: string;
   /** From 0 to 1. */
   value: number;

@@ -1,7 +1,7 @@
 import "./play-button.css";
 import { IconButton } from "../controls/Button";
 
-export interface PlayButtonProps {
+interface PlayButtonProps {
   playing: boolean;
   onToggle: () => void;
   /** Why there is nothing to play. */

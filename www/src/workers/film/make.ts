@@ -5,7 +5,7 @@ import { crew, painters } from "./crew";
 import { Frames } from "./frames";
 import { inOrder } from "./order";
 
-export interface FilmRequest extends FilmSettings {
+interface FilmRequest extends FilmSettings {
   space: Space;
   /** From where, where no key says so. */
   view: SpaceView;
@@ -21,7 +21,7 @@ export interface Film extends FileBytes {
 }
 
 /** What has been made so far; now and then with what was drawn last, small. */
-export type OnFrame = (done: number, preview: ImageBitmap | null) => void;
+type OnFrame = (done: number, preview: ImageBitmap | null) => void;
 
 /** Milliseconds from one preview to the next. */
 const PREVIEW = 250;

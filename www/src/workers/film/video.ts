@@ -1,12 +1,12 @@
 import type { FrameSize, Sink } from "./sink";
 
-export type VideoKind = "mp4" | "webm";
+type VideoKind = "mp4" | "webm";
 export type FilmCodec = "avc" | "vp9" | "vp8";
 
 /** What plays almost everywhere comes first. */
 const CODECS: Record<VideoKind, readonly FilmCodec[]> = { mp4: ["avc"], webm: ["vp9", "vp8"] };
 
-export interface VideoSettings extends FrameSize {
+interface VideoSettings extends FrameSize {
   /** Bits a second. */
   bitrate: number;
 }

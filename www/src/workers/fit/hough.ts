@@ -23,7 +23,7 @@ export interface FeatureSets {
 type FiveNumbers = [a: number, b: number, c: number, d: number, e: number];
 
 /** A map that holds on a part of the graph. */
-export interface HoughCandidate {
+interface HoughCandidate {
   map: FiveNumbers;
   domain: [number, number];
   /** Coarse feature points that it copies well, and how well: root mean square, in heights of the graph. */

@@ -14,7 +14,7 @@ export interface TraceWarning {
   message: string;
 }
 
-export type WarningCode =
+type WarningCode =
   /** It was made smaller for the work. */
   | "smaller"
   /** The shape is cut by the border of the picture: said of an outline, not of a mask. */

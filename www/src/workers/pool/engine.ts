@@ -13,7 +13,7 @@ let host: Host | null = null;
 let inline = false;
 const early = new Map<Channel, Job>();
 
-export interface WorkersState {
+interface WorkersState {
   count: number;
   busy: boolean;
   available: boolean;
@@ -48,7 +48,7 @@ export function cancel(channel: Channel): void {
 }
 
 /** All but one core, and at least two where there are two; more than eight gain nothing on a locus. */
-export function workerCount(cores: number): number {
+function workerCount(cores: number): number {
   if (!(cores > 1)) return 1;
   return Math.min(8, Math.max(2, cores - 1));
 }

@@ -10,7 +10,7 @@ export interface WorkerLike {
   onmessageerror: ((event: MessageEvent) => void) | null;
 }
 
-export interface PoolOptions {
+interface PoolOptions {
   count: number;
   spawn: () => WorkerLike;
   modules: Modules;

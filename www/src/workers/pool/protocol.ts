@@ -100,7 +100,7 @@ export interface Tasks {
   buffer: { kind: "buffer"; ifs: Ifs; options: IndexBufferOptions };
 }
 
-export interface Results {
+interface Results {
   /** Full rows r0, r0 + stride, .. below r1; samples that were not asked for are 255 and NaN. */
   locus: { state: Uint8Array; gap: Float32Array };
   patch: { state: Uint8Array; gap: Float32Array };

@@ -8,7 +8,7 @@ import { single } from "#workers/pool/protocol";
 import { preset } from "../../kit/frame/studio-link";
 import type { Ends } from "../../kit/maps/morphs";
 
-export type DragonId = "dragon-3" | "terdragon" | "terdragon-mirrored";
+type DragonId = "dragon-3" | "terdragon" | "terdragon-mirrored";
 
 export const DRAGONS: readonly { value: DragonId; label: string; about: string }[] = [
   {

@@ -18,7 +18,7 @@ import css from "./film.module.css";
 
 const FRAMES = 10;
 
-export interface FilmProps {
+interface FilmProps {
   name: string;
   points: readonly Uv[];
   time: ReturnType<typeof useTime>;

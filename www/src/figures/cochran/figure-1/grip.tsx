@@ -3,7 +3,7 @@ import { addStep, fixed, keyStep } from "#format/numbers";
 import type { PlaceOf } from "../graphs/profile";
 import css from "./grip.module.css";
 
-export interface GripProps {
+interface GripProps {
   name: string;
   t: number;
   x: number;

@@ -18,7 +18,7 @@ const MOST_LEVEL = 7;
 const CLOSEST = 4;
 
 /** Both sides of the place where the two pieces should meet. */
-export function misfit(): { left: number; right: number } {
+function misfit(): { left: number; right: number } {
   const [one, two] = TABLE_1 as [(typeof TABLE_1)[number], (typeof TABLE_1)[number]];
   const fixedPoint = ([a, b, c, d, e]: (typeof one)["map"]): [number, number] => {
     const t = d / (1 - a);

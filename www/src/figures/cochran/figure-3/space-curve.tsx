@@ -10,7 +10,7 @@ export interface Eye {
   tilt: number;
 }
 
-export interface SpaceViewProps {
+interface SpaceViewProps {
   points: readonly SpacePoint[];
   eye: Eye;
   /** Whether the three shadows on the walls are drawn. */
@@ -32,7 +32,7 @@ type Space = readonly [t: number, x: number, y: number];
 type Flat = readonly [left: number, top: number];
 
 /** Where a point of the box is on a canvas of unit size, seen from far away. */
-export function projector({ turn, tilt }: Eye): (p: Space) => Flat {
+function projector({ turn, tilt }: Eye): (p: Space) => Flat {
   const [s, c] = [Math.sin((turn * Math.PI) / 180), Math.cos((turn * Math.PI) / 180)];
   const [up, flat] = [Math.sin((tilt * Math.PI) / 180), Math.cos((tilt * Math.PI) / 180)];
   return ([t, x, y]) => {
@@ -44,7 +44,7 @@ export function projector({ turn, tilt }: Eye): (p: Space) => Flat {
 }
 
 /** The wall of each axis that lies behind: 0 or the far end. */
-export function wallsBehind({ turn, tilt }: Eye): Space {
+function wallsBehind({ turn, tilt }: Eye): Space {
   const [s, c] = [Math.sin((turn * Math.PI) / 180), Math.cos((turn * Math.PI) / 180)];
   return [s >= 0 ? 1 : 0, c >= 0 ? 1 : 0, tilt >= 0 ? 0 : CORNERS.B[1]];
 }
@@ -107,7 +107,7 @@ export function wrapped(turn: number): number {
   return ((((turn + 180) % 360) + 360) % 360) - 180;
 }
 
-export function steep(tilt: number): number {
+function steep(tilt: number): number {
   return Math.min(STEEPEST, Math.max(-STEEPEST, tilt));
 }
 

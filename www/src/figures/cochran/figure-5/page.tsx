@@ -30,7 +30,7 @@ const WIDEST = 30;
 const REACH = 0.8;
 const LETTERS = "abcde";
 
-export function hiddenVariable(): Election {
+function hiddenVariable(): Election {
   const [coarse, fine] = [COARSE, FINE].map((depth) => heightsOf(cornerImages(depth), TOP)) as [
     Float64Array,
     Float64Array,

@@ -15,7 +15,7 @@ export interface OutlineLine {
   dots?: number;
 }
 
-export interface OutlineViewProps {
+interface OutlineViewProps {
   lines: readonly OutlineLine[];
   box: Box;
   label: string | null;

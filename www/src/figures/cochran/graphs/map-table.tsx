@@ -5,7 +5,7 @@ import { Table } from "../../kit/frame/table";
 import tableCss from "../../kit/frame/table.module.css";
 import type { ShearMap } from "./printed-tables";
 
-export interface MapTableProps {
+interface MapTableProps {
   caption: string;
   /** Names of columns before the five numbers and behind them. */
   before?: readonly string[];
@@ -16,7 +16,7 @@ export interface MapTableProps {
   digits?: number;
 }
 
-export interface MapRowProps {
+interface MapRowProps {
   name: ComponentChildren;
   key?: string;
   map: ShearMap;

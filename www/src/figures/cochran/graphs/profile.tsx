@@ -26,7 +26,7 @@ export interface Dots {
 /** From (t, x) to pixels of the page, within the plot. */
 export type PlaceOf = (t: number, x: number) => [left: number, top: number];
 
-export interface ProfileProps {
+interface ProfileProps {
   /** What is seen, in words; null where its surroundings say it. */
   label: string | null;
   x: Scale & { name?: string };

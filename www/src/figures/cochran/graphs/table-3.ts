@@ -5,7 +5,7 @@ import { rangeOfPiece } from "./graphs";
 import type { Piece } from "./printed-tables";
 
 /** Levels of the function of Figure 4 at whose steps it is measured: 2187 steps. */
-export const MEASURED_DEPTH = 7;
+const MEASURED_DEPTH = 7;
 /** Copies of copies; each halves what is not known. */
 const LEVELS = 60;
 

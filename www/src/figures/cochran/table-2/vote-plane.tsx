@@ -7,7 +7,7 @@ import css from "./vote-plane.module.css";
 /** Bins of a and of c. */
 export const BINS = 128;
 
-export interface VotePlaneProps {
+interface VotePlaneProps {
   /** Hits at a * 128 + c; null before anything is counted. */
   plane: Uint32Array | null;
   label: string | null;
@@ -38,7 +38,7 @@ export function VotePlane({ plane, label }: VotePlaneProps) {
 }
 
 /** One colour, the more opaque the more hits; row 0 on top is the largest c. */
-export function planePixels(plane: Uint32Array, onDark: boolean): Uint8ClampedArray<ArrayBuffer> {
+function planePixels(plane: Uint32Array, onDark: boolean): Uint8ClampedArray<ArrayBuffer> {
   const pixels = new Uint8ClampedArray(4 * BINS * BINS);
   let most = 1;
   for (const hits of plane) most = Math.max(most, hits);

@@ -4,7 +4,7 @@ import { Frame, type Heading } from "../../kit/frame/frame";
 import { CUT_OFF, MATRICES, TurnedTriangle, turnedInTool, useTurnedTriangle } from "../space/triangle";
 import type { Angles } from "../space/turning";
 
-export const TURNED: Angles = [25, -35, 40];
+const TURNED: Angles = [25, -35, 40];
 
 /** What must be there before it is shown. */
 export const needs = [loadSpace];

@@ -16,7 +16,7 @@ export interface Layer {
   size: number;
 }
 
-export interface MeetViewProps {
+interface MeetViewProps {
   /** The last lies on top. */
   layers: readonly Layer[];
   view: SpaceView;

@@ -6,7 +6,7 @@ export const REST_MS = 140;
 export const COARSE = 4;
 
 /** Makes one picture, unless it is called off. */
-export type Carve = (request: PictureRequest, signal: AbortSignal) => Promise<ImageData>;
+type Carve = (request: PictureRequest, signal: AbortSignal) => Promise<ImageData>;
 
 export interface Answers {
   paint(image: ImageData, whole: boolean): void;

@@ -1,7 +1,7 @@
 import { Button } from "#ui/controls/Button";
 import type { SpaceView } from "#wasm/api";
 
-export interface LookAgainProps {
+interface LookAgainProps {
   view: SpaceView;
   /** From where the paper looks. */
   home: SpaceView;

@@ -20,7 +20,7 @@ export function useScene() {
   }, []);
 }
 
-export interface SceneryProps {
+interface SceneryProps {
   made: readonly SpaceObject[];
   /** What is done to each of them. */
   by: MapRow3;

@@ -8,7 +8,7 @@ import css from "./space.module.css";
 
 const POINTS = 9000;
 
-export interface SpaceDotsProps {
+interface SpaceDotsProps {
   maps: readonly MapRow3[];
   view: SpaceView;
   /** Taken when somebody turns the view; without it the view stands. */

@@ -12,7 +12,7 @@ import { Carving } from "./carving";
 import { orbitLabel, useOrbit } from "./orbit";
 import css from "./space.module.css";
 
-export interface SpacePictureProps {
+interface SpacePictureProps {
   /** The parameters now. */
   objects: readonly Shown[];
   view: SpaceView;

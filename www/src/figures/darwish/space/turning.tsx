@@ -37,7 +37,7 @@ export function AngleSliders({ angles, onChange }: { angles: Angles; onChange: (
   );
 }
 
-export interface ConjugatedProps {
+interface ConjugatedProps {
   made: readonly MapRow3[];
   by: MapRow3;
   /** The parameters now, where they come of more than one step. */

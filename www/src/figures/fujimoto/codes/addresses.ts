@@ -16,7 +16,7 @@ export const CORNERS: Triangle = [
 ];
 
 /** The map of a word: its first letter is the largest piece, so it is applied last. */
-export function wordMap(maps: readonly MapRow[], word: readonly number[]): MapRow {
+function wordMap(maps: readonly MapRow[], word: readonly number[]): MapRow {
   return word.reduce<MapRow>((map, letter) => after(map, maps[letter] ?? IDENTITY), IDENTITY);
 }
 

@@ -1,7 +1,8 @@
 import css from "./code-row.module.css";
+
 /** Codes written out letter by letter. */
 
-export interface CodeRowProps {
+interface CodeRowProps {
   code: readonly number[];
   /** So many of the first letters count; the others are pale. */
   strong?: number;

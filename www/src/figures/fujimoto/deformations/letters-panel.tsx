@@ -5,7 +5,7 @@ import type { Point } from "../../kit/maps/pieces";
 import { PieceNames } from "../../kit/picture/annotated";
 import { Bent } from "../../kit/picture/deformed";
 
-export interface LettersPanelProps {
+interface LettersPanelProps {
   maps: MapRow[];
   rest: Bend;
   box: Box;

@@ -20,7 +20,7 @@ export interface Lens {
   width: number;
 }
 
-export interface MagnifiedProps {
+interface MagnifiedProps {
   /** The panel that is magnified. */
   name: string;
   maps: MapRow[];

@@ -8,7 +8,7 @@ import { Bent } from "../../kit/picture/deformed";
 import { type BentPanel, numbersOf } from "./deformations";
 import css from "./panels.module.css";
 
-export interface PanelsProps {
+interface PanelsProps {
   panels: readonly BentPanel[];
   maps: MapRow[];
   box: Box;

@@ -18,7 +18,7 @@ const UNIT = SIDE * (1 - 2 * MARGIN);
 /** Names are written to this step. */
 const NAMED = 3;
 
-export interface StepsProps {
+interface StepsProps {
   r: number;
   /** How many steps; null for the attractor itself. */
   depth: number | null;

@@ -21,7 +21,7 @@ export function cellWords({ kb, ke, superposed }: Chosen): string {
   return superposed ? `kb ${kb}, all ke to ${ke} superposed` : `kb ${kb}, ke ${ke}`;
 }
 
-export interface MatrixProps {
+interface MatrixProps {
   subject: Subject;
   chosen: Chosen;
   onChoose: (chosen: Chosen) => void;
@@ -87,7 +87,7 @@ export function Matrix({ subject, chosen, onChoose }: MatrixProps) {
   );
 }
 
-export interface CellProps {
+interface CellProps {
   subject: Subject;
   chosen: Chosen;
   label: string | null;

@@ -8,7 +8,7 @@ const SIDE = 2 ** LETTERS;
 /** What is coloured: the whole square of four letters, or the gasket of three in it, which lacks the fourth. */
 export type Subject = "square" | "gasket";
 
-export interface ShuffledImage {
+interface ShuffledImage {
   side: number;
   /** RGBA, row 0 on top. */
   pixels: Uint8ClampedArray<ArrayBuffer>;

@@ -9,7 +9,7 @@ import css from "./source.module.css";
 
 const SQUARE = { dimensions: 2, parts: 2 } as const;
 
-export interface SourceProps {
+interface SourceProps {
   subject: Subject;
   chosen: Chosen;
   point: Point;

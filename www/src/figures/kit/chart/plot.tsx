@@ -21,7 +21,7 @@ export interface Series {
   raise?: number;
 }
 
-export interface PlotProps {
+interface PlotProps {
   /** What it shows, in a sentence with numbers. */
   label: string;
   x: Scale & { name: string };

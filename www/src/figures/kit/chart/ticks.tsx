@@ -2,7 +2,7 @@ import { formatNumber } from "#format/numbers";
 import type { Size } from "#geometry/coordinates";
 import { along, type Scale } from "./scale";
 
-export interface TicksProps {
+interface TicksProps {
   x: Scale;
   y: Scale;
   size: Size;

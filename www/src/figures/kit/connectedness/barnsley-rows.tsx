@@ -12,7 +12,7 @@ const RIGHT = 1.06;
 const ROW = 50;
 const BAR = 14;
 
-export interface RowsProps {
+interface RowsProps {
   rounds: readonly Round[];
   r: number;
   /** For the index: no words, no numbers. */

@@ -8,7 +8,7 @@ export const SEED = 1;
 export const MARGIN = 0.05;
 
 /** Points of the chaos game, each map as likely as any other, as the paper has it. */
-export function gamePoints(maps: MapRow[], points: number) {
+function gamePoints(maps: MapRow[], points: number) {
   return frond.attractor({ maps, probabilities: maps.map(() => 1) }, { points, seed: SEED });
 }
 

@@ -6,7 +6,7 @@ import { useValue } from "../workers";
 import type { Collisions } from "./collisions";
 import css from "./index-buffer.module.css";
 
-export interface BufferProps {
+interface BufferProps {
   run: Collisions;
   /** How far it is: a new number paints anew. */
   count: number;

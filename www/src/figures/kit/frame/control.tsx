@@ -6,7 +6,7 @@ import css from "./control.module.css";
 import { Formula } from "./formula";
 import layout from "./layout.module.css";
 
-export interface ControlProps {
+interface ControlProps {
   label: string;
   symbol?: string | undefined;
   value: string;
@@ -28,7 +28,7 @@ export function Control({ label, symbol, value, children }: ControlProps) {
   );
 }
 
-export interface SliderControlProps
+interface SliderControlProps
   extends Pick<SliderProps, "label" | "value" | "step" | "valueText" | "onChange" | "children"> {
   symbol?: string | undefined;
   /** What those who hear it are told that it is; its label by default. */

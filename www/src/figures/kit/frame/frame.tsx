@@ -14,7 +14,7 @@ export interface Parameter {
   value: string;
 }
 
-export interface FrameProps extends Heading {
+interface FrameProps extends Heading {
   /** What it teaches, in a sentence or two. */
   lead: ComponentChildren;
   /** The part that moves. */
@@ -82,7 +82,7 @@ export function Frame(props: FrameProps) {
   );
 }
 
-export interface HeadProps extends Heading {
+interface HeadProps extends Heading {
   /** Where the page comes from, in a word or two. */
   badge: string;
   studio?: { href: string; label?: string };

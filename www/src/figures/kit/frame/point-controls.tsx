@@ -3,7 +3,7 @@ import { SliderControl } from "./control";
 
 type Pair = [number, number];
 
-export interface PointControlsProps {
+interface PointControlsProps {
   point: readonly [number, number, number?];
   /** What each of its numbers is; `name` where those who hear it need more than the label. */
   axes: readonly [Axis, Axis];

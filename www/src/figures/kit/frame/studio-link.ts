@@ -2,7 +2,7 @@ import type { Uv } from "#geometry/path";
 import type { Deformation, Fit, MapRow, Mode, Scene, Shape } from "#wasm/api";
 import { frond } from "#wasm/core";
 
-export interface Opening {
+interface Opening {
   a: Shape;
   b: Shape;
   t?: number;

@@ -1,7 +1,7 @@
 import type { ComponentChildren } from "preact";
 import css from "./table.module.css";
 
-export interface TableProps {
+interface TableProps {
   caption?: ComponentChildren;
   columns: readonly ComponentChildren[];
   /** Where it may be wider than the page, and then scrolls sideways: its name. */

@@ -31,7 +31,7 @@ export function Why({ answer }: { answer: Connectedness | undefined }) {
   return reason ? <p class={layout["why"]}>{reasonWords(reason.text)}</p> : null;
 }
 
-export interface ChipProps {
+interface ChipProps {
   tone: VerdictWords["tone"];
   text: string;
   aside?: string;

@@ -8,7 +8,7 @@ export { HOLDS };
 /** From the narrowest gap that counts to one as wide as the shape. */
 export const NARROW: Rgb = ramp(0);
 export const WIDE: Rgb = ramp(1);
-export const NO_SHAPE: Rgb = NONE;
+const NO_SHAPE: Rgb = NONE;
 
 /** How dark a relative gap is drawn, 0 to 1, by its logarithm. */
 export const shade = (gap: number): number => shadeOf(gap);

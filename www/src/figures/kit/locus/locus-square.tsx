@@ -8,7 +8,7 @@ import { pictured } from "../picture/canvas";
 import { fieldPixels } from "./locus-colours";
 import css from "./locus-square.module.css";
 
-export interface SquareProps {
+interface SquareProps {
   field: LocusResult | null;
   /** What it shows, in words; null where its surroundings say it. */
   label: string | null;
@@ -18,7 +18,7 @@ export interface SquareProps {
   onMove?: (point: Uv) => void;
 }
 
-export interface PlaneProps {
+interface PlaneProps {
   field: LocusResult | null;
   label: string | null;
   /** A square part of the plane of parameters. */

@@ -12,7 +12,7 @@ import { useChannel, useValue } from "../workers";
 /** Rows in one slice. */
 const ROWS = 8;
 
-export interface ChartWish {
+interface ChartWish {
   ends: Ends;
   options: MorphOptions;
   /** Samples a side: 3 k + 1, so that both ends are samples. */

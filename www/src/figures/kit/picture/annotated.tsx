@@ -9,7 +9,7 @@ import { Picture, type PictureProps } from "./picture";
 const UNITS = { width: 400, height: 300, flat: 200 };
 const MARGIN = 0.06;
 
-export interface DrawnProps extends PictureProps {
+interface DrawnProps extends PictureProps {
   /** What is drawn over it, with the places of the plane; its units are a 400th of the picture's width. */
   children?: (place: Place, unit: number) => ComponentChildren;
   flat?: boolean;

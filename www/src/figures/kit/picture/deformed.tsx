@@ -13,7 +13,7 @@ import { Picture, type PictureProps } from "./picture";
 const WIDTH = 400;
 const MARGIN = 0.03;
 
-export interface BentProps extends PictureProps {
+interface BentProps extends PictureProps {
   bend: Bend;
   /** Width over height. */
   aspect?: number;

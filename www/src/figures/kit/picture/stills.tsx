@@ -13,7 +13,7 @@ export interface StripFrame {
   maps: MapRow[];
 }
 
-export interface StripProps {
+interface StripProps {
   label: string;
   frames: readonly StripFrame[];
   box: Box;

@@ -29,7 +29,7 @@ export function useTime(start: number) {
   return { t, go, playing: player.playing, toggle };
 }
 
-export interface TimeProps {
+interface TimeProps {
   time: ReturnType<typeof useTime>;
   /** What is said of the moment beside its number. */
   words: string;

@@ -53,7 +53,7 @@ export function Choices<T extends string>({ ask, options, prediction, truth }: C
   );
 }
 
-export interface GuessProps {
+interface GuessProps {
   ask: ComponentChildren;
   /** The name of the slider. */
   label: string;

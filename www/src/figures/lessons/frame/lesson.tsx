@@ -6,7 +6,7 @@ import layout from "../../kit/frame/layout.module.css";
 import css from "./lesson.module.css";
 import type { Prediction } from "./prediction";
 
-export interface LessonProps extends Heading {
+interface LessonProps extends Heading {
   /** Two or three plain paragraphs. */
   text: ComponentChildren;
   /** The finished picture: it is read without touching it. */

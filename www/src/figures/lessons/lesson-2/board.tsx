@@ -7,7 +7,7 @@ import { useValue } from "../../kit/workers";
 import css from "./board.module.css";
 import { CORNERS, type Throws } from "./throws";
 
-export interface BoardProps {
+interface BoardProps {
   game: Throws;
   /** How far it is: a new number paints anew. */
   count: number;

@@ -6,7 +6,7 @@ import type { Deformation, DeformKey } from "#wasm/api";
 
 export { rounder } from "#geometry/mesh";
 
-export type MotionId = "sway" | "breathe" | "wave" | "corner" | "still";
+type MotionId = "sway" | "breathe" | "wave" | "corner" | "still";
 
 export interface Motion {
   id: MotionId;

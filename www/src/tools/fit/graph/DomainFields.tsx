@@ -1,7 +1,7 @@
 import { NumberField } from "#ui/controls/NumberField";
 import css from "./graph.module.css";
 
-export interface DomainFieldsProps {
+interface DomainFieldsProps {
   domain: readonly [from: number, to: number];
   /** Where all of the graph lies. */
   within: readonly [from: number, to: number];

@@ -9,7 +9,7 @@ import { fitStage, panBy, under, zoomBy } from "./camera";
 const PICTURE: PanZoom = { pan: panBy, zoom: zoomBy, fit: fitStage };
 
 /** The pixel of the picture under a point of the stage. */
-export function pixelUnder(at: Screen): { x: number; y: number } {
+function pixelUnder(at: Screen): { x: number; y: number } {
   const { x, y } = under(at);
   const { scale, x: fx, y: fy } = frame.peek();
   const height = opened.peek()?.height ?? 0;

@@ -5,7 +5,7 @@ import equationsCss from "#ui/shapes/equations.module.css";
 import type { MapRow } from "#wasm/api";
 import mapsCss from "./maps.module.css";
 
-export interface MapFieldsProps {
+interface MapFieldsProps {
   map: MapRow;
   /** Takes the map, or says why it cannot be. `field` names what was changed, so that a run of steps is one undo. */
   onChange: (map: MapRow, field: string) => string | undefined;

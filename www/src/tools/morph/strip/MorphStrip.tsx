@@ -39,7 +39,7 @@ function Play() {
 }
 
 /** Whether the picture shows something else than the path at the present moment. */
-export const offPath = computed(
+const offPath = computed(
   () => !curved.value && (locusView.value.at !== undefined || locusView.value.family === "polygon"),
 );
 

@@ -24,7 +24,7 @@ export const MOST_FRAMES = 3600;
 export const LEAST_SIDE = 16;
 export const MOST_SIDE = 3840;
 export const LEAST_FPS = 10;
-export const MOST_FPS = 60;
+const MOST_FPS = 60;
 
 /** The most frames a second that a kind of file can show. */
 export const mostFps = (kind: Kind): number => (kind === "gif" ? MOST_GIF_FPS : MOST_FPS);

@@ -52,7 +52,7 @@ export function holdEye(hold: boolean): void {
   changeView(({ holds: _, ...view }) => (hold ? { ...view, holds: "eye" } : view));
 }
 
-export type ObjectHand = "turn" | "move" | "scale";
+type ObjectHand = "turn" | "move" | "scale";
 
 /** The chosen object, by as many pixels of a hand: to the right and down. False where that cannot be. */
 export function handObject(by: ObjectHand, dx: number, dy: number, gesture: string): boolean {

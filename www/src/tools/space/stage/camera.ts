@@ -16,7 +16,7 @@ export interface Axes {
 
 export const LEAST_ANGLE = (1 * Math.PI) / 180;
 export const MOST_ANGLE = (170 * Math.PI) / 180;
-export const USUAL_ANGLE = (40 * Math.PI) / 180;
+const USUAL_ANGLE = (40 * Math.PI) / 180;
 /** As near and as far as hands and wheels go, in radii of what there is. */
 const NEAREST = 1e-5;
 const FARTHEST = 1e4;
@@ -61,7 +61,7 @@ export function turned(view: SpaceView, turn: number, tilt: number): SpaceView {
 }
 
 /** Units of space for a pixel, at a distance before the eye. */
-export function unitsAt(view: SpaceView, distance: number, height: number): number {
+function unitsAt(view: SpaceView, distance: number, height: number): number {
   return (2 * distance * Math.tan(view.angle / 2)) / Math.max(1, height);
 }
 

@@ -7,7 +7,7 @@ import { flown, neared, panned, turned, withAngle } from "./camera";
 import { sight } from "./sight";
 import { stageSize } from "./state";
 
-export type StageCommand =
+type StageCommand =
   /** As many steps to the right and down: whatever the hand does. */
   | { do: "hand" | "pan"; right: number; down: number }
   | { do: "near" | "angle"; factor: number }

@@ -29,7 +29,7 @@ export function handWords(
   return `${DOES[hand]} ${objects[chosen]?.name ?? "nothing"}`;
 }
 
-export type Trouble = "behind" | "nothing" | null;
+type Trouble = "behind" | "nothing" | null;
 
 /** Why there is nothing to see: by the ball at once, by the complete picture when it is there. */
 export function troubleOf(

@@ -45,7 +45,7 @@ function step(dt: number): void {
 }
 
 /** Only who asks for it sees it move. */
-export function playSpace(): void {
+function playSpace(): void {
   const line = timeline.peek();
   if (spacePlaying.peek() || !line || line.keys.length < 2) return;
   const over = moment.peek() >= line.seconds;

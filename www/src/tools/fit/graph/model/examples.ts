@@ -71,7 +71,7 @@ export function arrowhead(t: number, corners: readonly [number, number, number],
 }
 
 /** From 0 to 1, the same numbers each time. */
-export function noiseFrom(seed: number): () => number {
+function noiseFrom(seed: number): () => number {
   let state = seed >>> 0;
   return () => {
     state = (state + 0x6d2b79f5) >>> 0;

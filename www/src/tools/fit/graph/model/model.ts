@@ -58,7 +58,7 @@ function at(knots: readonly Knot[], t: number): number {
 }
 
 /** The knot at t, if there is one. */
-export function knotAt(knots: readonly Knot[], t: number): number | null {
+function knotAt(knots: readonly Knot[], t: number): number | null {
   const [start, end] = interval(knots);
   const index = knots.findIndex((knot) => Math.abs(knot[0] - t) <= SAME_END * (end - start));
   return index < 0 ? null : index;

@@ -33,7 +33,7 @@ export const smoothing = signal(0);
 /** The largest smoothing that the slider gives, in parts of the interval. */
 export const MOST_SMOOTHING = 0.02;
 
-export const featureCounts: ReadonlySignal<readonly [number, number]> = computed(
+const featureCounts: ReadonlySignal<readonly [number, number]> = computed(
   () => COUNTS.find(({ id }) => id === counts.value)?.features ?? [65, 129],
 );
 

@@ -6,7 +6,7 @@ import type { Job } from "#workers/pool/protocol";
 import { familyMaps } from "../pointer/hover";
 import { family, sides } from "../view/view";
 
-export interface Critical {
+interface Critical {
   sides: number;
   /** Proved to be in pieces here .. */
   broken: number;

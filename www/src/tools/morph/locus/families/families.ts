@@ -48,7 +48,7 @@ export function twins(sides: number, [x, y]: Uv): Uv[] {
   return found;
 }
 
-export interface Landmark {
+interface Landmark {
   name: string;
   about: string;
   s: Uv;

@@ -63,7 +63,7 @@ function Card({ now, known, frame, square }: CardProps) {
   );
 }
 
-export function parameterWords([u, v, w = 0]: Uv): string {
+function parameterWords([u, v, w = 0]: Uv): string {
   if (view.value.family === "polygon") {
     return `s = ${inDigits(u)} ${v < 0 ? "−" : "+"} ${inDigits(Math.abs(v))} i`;
   }

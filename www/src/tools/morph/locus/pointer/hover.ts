@@ -44,7 +44,7 @@ export function familyMaps(sides: number, [x, y]: Uv): MapRow[] | null {
 }
 
 /** The maps at a parameter of what is shown. */
-export function mapsThere(at: Uv): MapRow[] | null {
+function mapsThere(at: Uv): MapRow[] | null {
   const { family, sides } = view.peek();
   return family === "morph" ? mapsAt(at) : familyMaps(sides, at);
 }

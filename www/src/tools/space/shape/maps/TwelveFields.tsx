@@ -3,7 +3,7 @@ import { useProblems } from "#ui/controls/problems";
 import equationsCss from "#ui/shapes/equations.module.css";
 import type { MapRow3 } from "#wasm/api";
 
-export interface TwelveFieldsProps {
+interface TwelveFieldsProps {
   map: MapRow3;
   /** Takes the map, or says why it cannot be; `place` is that of the number that was changed. */
   onChange: (map: MapRow3, place: number) => string | undefined;

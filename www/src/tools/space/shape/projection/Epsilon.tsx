@@ -7,7 +7,7 @@ import { MapBlocks } from "#ui/shapes/MapBlocks";
 import type { EpsilonProjection, MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 
-export interface EpsilonProps {
+interface EpsilonProps {
   maps: MapRow3[];
   direction: Point3;
   format: (value: number) => string;

@@ -1,6 +1,6 @@
 /** How much is drawn while something moves, so that frames come in time. Pure. */
 
-export interface Level {
+interface Level {
   points: number;
   /** So many pixels of the stage are one of the picture, each way. */
   shrink: number;

@@ -13,7 +13,7 @@ export interface Kept {
   view?: SpaceView;
 }
 
-export interface SavedAnimation extends Kept {
+interface SavedAnimation extends Kept {
   frond: "space";
   /** What `packed` says, for people and programs: it is not read. */
   space: Space;
