@@ -7,6 +7,7 @@ use crate::browser;
 use crate::circles;
 use crate::command::{Outcome, cargo, cargo_wasm, run, target};
 use crate::folders;
+use crate::modules::MODULES;
 use crate::node::{self, Tool};
 use crate::site;
 use crate::size;
@@ -235,10 +236,18 @@ fn clippy() -> Outcome {
     run(&mut cargo("clippy --quiet --workspace --all-targets -- --deny warnings"))
 }
 
-/// The crates with code for the browser only, and the tests that run there.
+/// The crates with code for the browser only, and the tests that run there. All of it is compiled for WebGPU, too; what
+/// WebGL2 adds are other people's crates, which take longer than all the rest.
 fn clippy_wasm() -> Outcome {
+    let features: Vec<String> = MODULES
+        .iter()
+        .filter(|(_, feature)| *feature != "webgl2")
+        .map(|(_, feature)| format!("frond-web/{feature}"))
+        .collect();
     let line = format!(
-        "clippy --quiet --target {WASM_TARGET} --package frond-render --package frond-web --lib --tests"
+        "clippy --quiet --target {WASM_TARGET} --package frond-render --package frond-web --lib --tests \
+         --no-default-features --features {}",
+        features.join(",")
     );
     run(&mut cargo_wasm(&format!("{line} -- --deny warnings")))
 }
