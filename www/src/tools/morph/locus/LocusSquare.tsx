@@ -1,6 +1,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import { locusWindow } from "#compute/results";
 import { Field } from "#stage/locus/Field";
+import { LocusProgress } from "#stage/locus/LocusProgress";
 import type { LocusStyle } from "#stage/locus/paint";
 import { CurrentHandle, WayHandle } from "#stage/locus/WayPoints";
 import { FamilyLines } from "../later";
@@ -51,15 +52,7 @@ export function LocusSquare({ style }: { style: LocusStyle }) {
       <Cross />
       <ZoomButtons />
       {problem !== null && <p class="locus-problem">{problem}</p>}
-      {progress < 1 && (
-        <div
-          class="locus-progress"
-          role="progressbar"
-          aria-label="Where it holds together, being worked out"
-          aria-valuenow={Math.round(100 * progress)}
-          style={{ "--progress": String(progress) }}
-        />
-      )}
+      <LocusProgress share={progress} />
       <Preview square={square} />
     </div>
   );

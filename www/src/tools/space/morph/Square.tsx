@@ -4,6 +4,7 @@ import { endGesture } from "#document/scene";
 import type { Uv } from "#geometry/path";
 import { nearestOn, slice } from "#geometry/polyline";
 import { Field } from "#stage/locus/Field";
+import { LocusProgress } from "#stage/locus/LocusProgress";
 import type { LocusStyle } from "#stage/locus/paint";
 import { focusHandle } from "#stage/locus/WayPoints";
 import { EPSILON } from "#workers/space/locus-fill";
@@ -74,15 +75,7 @@ export function Square({ style }: { style: LocusStyle }) {
           {problem}
         </p>
       )}
-      {progress < 1 && problem === null && (
-        <div
-          class="locus-progress"
-          role="progressbar"
-          aria-label="Where it holds together, being worked out"
-          aria-valuenow={Math.round(100 * progress)}
-          style={{ "--progress": String(progress) }}
-        />
-      )}
+      {problem === null && <LocusProgress share={progress} />}
     </div>
   );
 }
