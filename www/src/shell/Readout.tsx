@@ -6,6 +6,7 @@ import { countWords } from "#format/verdict";
 import { fitStage } from "#stage/gestures";
 import { picture } from "#stage/stage";
 import { view, zoom } from "#stage/view";
+import { withKey } from "#ui/commands";
 import { workers } from "#workers/pool/engine";
 import { Glyph } from "./glyphs";
 
@@ -44,7 +45,7 @@ export function Readout() {
         type="button"
         class="button quiet icon-button"
         aria-label="Fit to the stage"
-        title="Fit to the stage (0)"
+        title={withKey("Fit to the stage", "fit")}
         disabled={view.value === null}
         onClick={fitStage}
       >

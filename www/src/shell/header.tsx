@@ -4,14 +4,14 @@ import { selection } from "#document/morph";
 import { setTheme, type Theme, theme } from "#document/preferences";
 import { canRedo, canUndo, redo, undo } from "#document/scene";
 import { openTool, tool } from "#document/tool";
-import { help } from "#ui/commands";
+import { help, withKey } from "#ui/commands";
 import { Icon } from "#ui/controls/Icon";
 import { Menu, type MenuItem } from "#ui/overlay/Menu";
 import type { Tool as ToolName } from "#wasm/api";
 import { CURVE_FILES, curveOnStage, saveCurve, savePicture, shareLink, studioHref } from "./actions";
 import { Glyph, type GlyphName } from "./glyphs";
 import css from "./shell.module.css";
-import { openedTool, TOOLS } from "./tools";
+import { TOOLS } from "./tools";
 
 const NEXT_THEME: Record<Theme, Theme> = { auto: "light", light: "dark", dark: "auto" };
 const THEME_WORDS: Record<Theme, string> = {
@@ -185,15 +185,12 @@ interface ToolProps {
 }
 
 function Tool({ glyph, label, command, class: extra, disabled = false, onClick }: ToolProps) {
-  const key = openedTool()
-    .tool?.commands()
-    .find(({ id }) => id === command)?.keys[0];
   return (
     <button
       type="button"
       class={`button quiet icon-button ${extra ?? ""}`}
       aria-label={label}
-      title={key ? `${label} (${key})` : label}
+      title={withKey(label, command)}
       disabled={disabled}
       onClick={onClick}
     >

@@ -1,5 +1,5 @@
-import { describe, expect, it } from "vitest";
-import { type Command, commandOf, everywhere, groupsOf } from "./commands";
+import { describe, expect, it, vi } from "vitest";
+import { type Command, commandOf, everywhere, groupsOf, listenForCommands, withKey } from "./commands";
 import type { Focus, KeyPress } from "./focus";
 import { timeCommands } from "./strip/timeline";
 
@@ -84,4 +84,18 @@ it("lists all by their headings, each once", () => {
   const groups = groupsOf(commands);
   expect(groups.map(({ title }) => title)).toEqual(["Time", "Handle", "Picture", "Everywhere"]);
   expect(groups.flatMap(({ commands }) => commands)).toHaveLength(commands.length);
+});
+
+describe("withKey", () => {
+  it("names the key of a command while keys are listened for, and no other", () => {
+    vi.stubGlobal("document", new EventTarget());
+    expect(withKey("Play", "play")).toBe("Play");
+    const stop = listenForCommands(() => commands);
+    expect(withKey("Play", "play")).toBe("Play (Space)");
+    expect(withKey("Play", "none such")).toBe("Play");
+    expect(withKey("Play", undefined)).toBe("Play");
+    stop();
+    expect(withKey("Play", "play")).toBe("Play");
+    vi.unstubAllGlobals();
+  });
 });

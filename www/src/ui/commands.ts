@@ -85,8 +85,18 @@ export function commandOf(
   return null;
 }
 
+/** What keys ask for now: nothing where nobody listens. */
+const heard = signal<() => readonly Command[]>(() => []);
+
+/** What a button says of itself, with the key of its command where it has one. */
+export function withKey(words: string, id: string | undefined): string {
+  const key = heard.value().find((command) => command.id === id)?.keys[0];
+  return key === undefined ? words : `${words} (${key})`;
+}
+
 /** Does what keys ask for, until the returned function is called. While a dialog is open they rest. */
 export function listenForCommands(commands: () => readonly Command[]): () => void {
+  heard.value = commands;
   const onKey = (event: KeyboardEvent) => {
     if (event.defaultPrevented || document.querySelector("dialog[open]") !== null) return;
     const found = commandOf(commands(), event, focusOf(event.target));
@@ -101,6 +111,7 @@ export function listenForCommands(commands: () => readonly Command[]): () => voi
   document.addEventListener("keydown", onKey);
   document.addEventListener("keyup", onKeyUp);
   return () => {
+    heard.value = () => [];
     document.removeEventListener("keydown", onKey);
     document.removeEventListener("keyup", onKeyUp);
   };

@@ -1,5 +1,6 @@
 import "./button.css";
 import type { ComponentChildren, Ref } from "preact";
+import { withKey } from "../commands";
 import { Icon, type IconName } from "./Icon";
 
 export interface ButtonProps {
@@ -13,6 +14,8 @@ export interface ButtonProps {
   pressed?: boolean;
   /** More than the label says; shown when pointed at and read after the name. */
   description?: string;
+  /** The command that it stands for, whose key is told with the description. */
+  command?: string;
   class?: string | undefined;
   type?: "button" | "submit";
   role?: "menuitem";
@@ -57,7 +60,7 @@ function Base(props: ButtonProps & { label?: string }) {
       aria-pressed={pressed}
       aria-haspopup={popup}
       aria-expanded={expanded}
-      title={description}
+      title={description === undefined ? undefined : withKey(description, props.command)}
       onClick={props.onClick}
     >
       {icon !== undefined && <Icon name={icon} />}

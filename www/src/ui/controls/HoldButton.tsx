@@ -2,17 +2,20 @@ import "./hold-button.css";
 import type { Signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
+import { withKey } from "../commands";
 
 interface HoldButtonProps {
   /** Whether it is. */
   held: Signal<boolean>;
-  /** What it does, and its key. */
+  /** What it does. */
   title: string;
+  /** The command that it stands for, whose key is told with the title. */
+  command?: string;
   children: ComponentChildren;
 }
 
 /** Something else is seen while it is held, by a pointer or by a key. */
-export function HoldButton({ held, title, children }: HoldButtonProps) {
+export function HoldButton({ held, title, command, children }: HoldButtonProps) {
   const hold = (on: boolean) => {
     held.value = on;
   };
@@ -24,7 +27,7 @@ export function HoldButton({ held, title, children }: HoldButtonProps) {
       type="button"
       class="button hold-button"
       aria-pressed={held.value}
-      title={title}
+      title={withKey(title, command)}
       onPointerDown={(event) => {
         if (event.button !== 0) return;
         event.currentTarget.setPointerCapture(event.pointerId);

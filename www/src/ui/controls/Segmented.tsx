@@ -1,5 +1,6 @@
 import "./choice.css";
 import type { ComponentChildren } from "preact";
+import { withKey } from "../commands";
 import { useOwnId } from "../id";
 
 export interface Option<T extends string> {
@@ -15,16 +16,22 @@ export interface SegmentedProps<T extends string> {
   label: string;
   options: readonly Option<T>[];
   value: T;
+  /** The command that chooses the next one, whose key is told with the descriptions. */
+  command?: string;
   onChange: (value: T) => void;
 }
 
 /** One of a few: a radio group that looks like one divided button. Native radios give it its keys. */
-export function Segmented<T extends string>({ label, options, value, onChange }: SegmentedProps<T>) {
+export function Segmented<T extends string>({ label, options, value, command, onChange }: SegmentedProps<T>) {
   const name = useOwnId("choice");
   return (
     <div class="segmented" role="radiogroup" aria-label={label}>
       {options.map((option) => (
-        <label key={option.value} class="segment" title={option.description}>
+        <label
+          key={option.value}
+          class="segment"
+          title={option.description && withKey(option.description, command)}
+        >
           <input
             type="radio"
             name={name}

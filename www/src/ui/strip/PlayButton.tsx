@@ -12,6 +12,7 @@ export function PlayButton({ playing, onToggle, still }: PlayButtonProps) {
   return (
     <IconButton
       class="play"
+      command="play"
       icon={playing ? "pause" : "play"}
       label={playing ? "Pause" : "Play"}
       disabled={still !== undefined}

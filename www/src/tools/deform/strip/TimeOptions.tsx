@@ -59,6 +59,7 @@ function KeyOptions() {
             ? `There are ${MOST_KEYS} key frames already`
             : "Keep the grid of this moment"
         }
+        command="key"
         onClick={addKey}
       >
         Add key frame

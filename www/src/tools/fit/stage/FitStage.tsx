@@ -101,6 +101,7 @@ function Readout() {
         icon="whole"
         kind="quiet"
         label="Fit to the stage"
+        command="fit"
         disabled={view.value === null}
         onClick={fitStage}
       />

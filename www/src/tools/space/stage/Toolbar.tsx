@@ -7,13 +7,13 @@ import { atOrigin, goToOrigin, showWhole } from "./actions";
 import css from "./stage.module.css";
 
 const HANDS = [
-  { value: "look", label: "Look", description: "Drag to look around; the shapes stay (1)" },
-  { value: "turn", label: "Turn", description: "Drag to turn the object, by its parameters (2)" },
-  { value: "move", label: "Move", description: "Drag to move the object, by its parameters (3)" },
+  { value: "look", label: "Look", description: "Drag to look around; the shapes stay" },
+  { value: "turn", label: "Turn", description: "Drag to turn the object, by its parameters" },
+  { value: "move", label: "Move", description: "Drag to move the object, by its parameters" },
   {
     value: "scale",
     label: "Scale",
-    description: "Drag to make the object larger or smaller, by its parameters (4)",
+    description: "Drag to make the object larger or smaller, by its parameters",
   },
 ] as const;
 
@@ -32,6 +32,7 @@ export function Toolbar() {
         label={objects.value > 1 ? "What a drag does to the view or the chosen object" : "What a drag does"}
         options={HANDS}
         value={hand.value}
+        command="hand"
         onChange={(next) => {
           hand.value = next;
         }}
@@ -40,7 +41,8 @@ export function Toolbar() {
         {small.value ? (
           <Button
             pressed={origin.value}
-            description="The eye at the origin, as the papers have it (O)"
+            description="The eye at the origin, as the papers have it"
+            command="origin"
             onClick={goToOrigin}
           >
             Origin
@@ -48,13 +50,14 @@ export function Toolbar() {
         ) : (
           <Button
             pressed={origin.value}
-            description="As the papers have it: the eye stays at (0, 0, 0), and drags turn it there (O)"
+            description="As the papers have it: the eye stays at (0, 0, 0), and drags turn it there"
+            command="origin"
             onClick={goToOrigin}
           >
             Eye at the origin
           </Button>
         )}
-        <IconButton icon="whole" label="Whole view" description="all of it (0)" onClick={showWhole} />
+        <IconButton icon="whole" label="Whole view" command="fit" onClick={showWhole} />
       </span>
     </div>
   );

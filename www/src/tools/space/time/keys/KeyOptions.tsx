@@ -47,7 +47,7 @@ export function SetKey({ short = false }: { short?: boolean }) {
   const full = line !== null && line.keys.length >= MOST_KEYS && keyHere.value < 0;
   const description = full
     ? `There are ${MOST_KEYS} keys already`
-    : "Keep the view, the place of each object and the morph at this moment (K)";
+    : "Keep the view, the place of each object and the morph at this moment";
   if (short) {
     return (
       <IconButton
@@ -55,6 +55,7 @@ export function SetKey({ short = false }: { short?: boolean }) {
         label="Set key"
         description="keep what is now at this moment"
         disabled={full || !space.value}
+        command="key"
         onClick={setKey}
       />
     );
@@ -66,6 +67,7 @@ export function SetKey({ short = false }: { short?: boolean }) {
       kind={lookingAround.value ? "primary" : "plain"}
       disabled={full || !space.value}
       description={description}
+      command="key"
       onClick={setKey}
     >
       {lookingAround.value ? "Set key to this view" : "Set key"}
