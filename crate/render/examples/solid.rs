@@ -4,7 +4,7 @@ use std::io::Write;
 
 use frond_core::{Affine3, Ifs3};
 use frond_render::solid::{Camera, Lamp, Lighting, Traversal, light};
-use frond_render::{Colouring, Look};
+use frond_render::{Colouring, Colours};
 use glam::{DQuat, DVec3};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -26,9 +26,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     eprintln!("{} of {} pixels are lit", traversal.depth_buffer().lit(), side * side);
 
     // What it leaves is a depth buffer. Light makes a picture of it, in which each twentieth has a colour of its own.
-    let look = Look::new(Colouring::Map, &[], sponge.len());
+    let colours = Colours::new(Colouring::Map, &[], sponge.len());
     let lamp = Lamp::new(&Lighting::default(), &camera, [side, side], 1, traversal.range());
-    let pixels = light(traversal.depth_buffer(), &lamp, &look);
+    let pixels = light(traversal.depth_buffer(), &lamp, &colours);
 
     // RGBA with straight alpha; a PPM has no alpha, so that it is laid on white.
     let mut file = format!("P6 {side} {side} 255\n").into_bytes();

@@ -1,6 +1,6 @@
 // What colour a piece has. CPU twin: src/picture/colour.rs.
 
-struct Look {
+struct Colours {
     palette: array<vec4<f32>, 64>,
     source: vec2<i32>,
     factor: f32,
@@ -12,19 +12,19 @@ struct Look {
     tinted: f32,
 }
 
-@group(0) @binding(1) var<uniform> look: Look;
+@group(0) @binding(1) var<uniform> colours: Colours;
 
 fn colour_of(code: u32) -> vec3<f32> {
     let packed = code - 1u;
-    if look.tinted > 0.5 {
+    if colours.tinted > 0.5 {
         let bytes = vec3<u32>(packed >> 16u, packed >> 8u, packed) & vec3<u32>(255u);
         return vec3<f32>(bytes) / 255.0;
     }
-    let base = look.palette[(packed >> 12u) & 63u].rgb;
+    let base = colours.palette[(packed >> 12u) & 63u].rgb;
     let second = f32((packed >> 6u) & 63u);
     let third = f32(packed & 63u);
-    let at = (second + (third + 0.5) / look.maps) / look.maps;
-    let shift = (at - 0.5) * 2.0 * look.contrast;
+    let at = (second + (third + 0.5) / colours.maps) / colours.maps;
+    let shift = (at - 0.5) * 2.0 * colours.contrast;
     let towards = select(0.0, 1.0, shift > 0.0);
     return base + (vec3<f32>(towards) - base) * abs(shift);
 }

@@ -7,13 +7,13 @@ struct Taps {
 
 fn taps_of(position: vec4<f32>) -> Taps {
     // The position is the middle of the pixel.
-    let at = position.xy * look.factor - 0.5;
+    let at = position.xy * colours.factor - 0.5;
     let base = floor(at);
     return Taps(vec2<i32>(base), at - base);
 }
 
 fn tap(taps: Taps, k: i32) -> vec2<i32> {
-    return clamp(taps.base + vec2<i32>(k & 1, k >> 1u), vec2<i32>(0), look.source - 1);
+    return clamp(taps.base + vec2<i32>(k & 1, k >> 1u), vec2<i32>(0), colours.source - 1);
 }
 
 fn weight_of(taps: Taps, k: i32) -> f32 {
@@ -25,7 +25,7 @@ fn finish(sum: vec4<f32>, alpha: f32, light: f32) -> vec4<f32> {
     if sum.a <= 0.0 {
         return vec4<f32>(0.0);
     }
-    let scale = 1.0 + (alpha - 1.0) * look.premultiply;
+    let scale = 1.0 + (alpha - 1.0) * colours.premultiply;
     let mean = sum.rgb / sum.a;
     return vec4<f32>((mean + (1.0 - mean) * light) * scale, alpha);
 }
@@ -76,7 +76,7 @@ fn density_resolve(@builtin(position) position: vec4<f32>) -> @location(0) vec4<
     // Sums have the size of the picture.
     // Half floats end at 65504; what is beyond would be infinite, and so no colour.
     let sum = min(textureLoad(sums, vec2<i32>(position.xy), 0), vec4<f32>(65504.0));
-    let alpha = tone(sum.a * look.gain);
+    let alpha = tone(sum.a * colours.gain);
     return finish(sum, alpha, glow(alpha));
 }
 
@@ -86,6 +86,6 @@ fn density_resolve(@builtin(position) position: vec4<f32>) -> @location(0) vec4<
 @fragment
 fn picture_resolve(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let pixel = textureLoad(picture, vec2<i32>(position.xy), 0);
-    let scale = 1.0 + (pixel.a - 1.0) * look.premultiply;
+    let scale = 1.0 + (pixel.a - 1.0) * colours.premultiply;
     return vec4<f32>(pixel.rgb * scale, pixel.a);
 }

@@ -1,7 +1,7 @@
 //! How dense the measure lies in each pixel.
 
 use crate::coverage::sweep::Sweep;
-use crate::picture::colour::Look;
+use crate::picture::colour::Colours;
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
@@ -52,7 +52,7 @@ impl Density {
     pub fn accumulate(
         &mut self,
         frame: &Frame,
-        look: &Look,
+        colours: &Colours,
         window: Window,
         samples: &mut Vec<Sample>,
         sums: &mut [[f32; 4]],
@@ -64,7 +64,7 @@ impl Density {
                 let point = piece.map.apply(glam::Vec2::from(sample.position).as_dvec2());
                 let Some((x, y)) = window.pixel(point) else { continue };
                 let weight = sample.mass * heavy;
-                let [r, g, b] = look.colour(piece.letters.join(sample.letters).code());
+                let [r, g, b] = colours.colour(piece.letters.join(sample.letters).code());
                 let sum = &mut sums[y as usize * window.width as usize + x as usize];
                 *sum = [sum[0] + weight * r, sum[1] + weight * g, sum[2] + weight * b, sum[3] + weight];
             }
@@ -88,10 +88,10 @@ mod tests {
         let hull = Hull::of(&ifs);
         let frame = Frame::within(&ifs, &hull);
         let view = view.unwrap_or_else(|| View::fit(&hull, WINDOW.width, WINDOW.height, 0.05));
-        let look = Look::new(Colouring::Density, &[], ifs.len());
+        let colours = Colours::new(Colouring::Density, &[], ifs.len());
         let mut density = Density::new(&frame, view, WINDOW, 200, 500);
         let mut sums = vec![[0.0; 4]; WINDOW.area()];
-        density.accumulate(&frame, &look, WINDOW, &mut Vec::new(), &mut sums);
+        density.accumulate(&frame, &colours, WINDOW, &mut Vec::new(), &mut sums);
         sums
     }
 

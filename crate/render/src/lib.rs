@@ -22,7 +22,7 @@
 //!
 //! # In which order to read it
 //!
-//! 1. `picture`: a [`Window`] of pixels and the [`View`] of the plane in it; a [`Look`] makes colours of codes,
+//! 1. `picture`: a [`Window`] of pixels and the [`View`] of the plane in it; a [`Colours`] makes colours of codes,
 //!    [`tone`] light of densities.
 //! 2. `pieces`: a [`Frame`] is the attractor brought into the unit disc by the smallest ellipse around its hull, so
 //!    that a piece is a matrix, its size is read off the matrix, and its points fit an `f32` however far one zooms in.
@@ -68,7 +68,7 @@ pub use coverage::flood::{CloudPoint, Flood};
 pub use coverage::sweep::{Progress, Sweep};
 pub use density::Density;
 pub use picture::bitmap::Bitmap;
-pub use picture::colour::{Colouring, Look};
+pub use picture::colour::{Colouring, Colours};
 pub use picture::resolve::{resolve_codes, resolve_density, to_bytes};
 pub use picture::tone;
 pub use picture::view::View;

@@ -7,7 +7,7 @@ use thiserror::Error;
 use crate::bent::{AnchorError, Bent, BentSweep};
 use crate::coverage::sweep::{Progress, Sweep};
 use crate::density::Density;
-use crate::picture::colour::{Colouring, Look};
+use crate::picture::colour::{Colouring, Colours};
 use crate::picture::resolve::{picture_of_codes, picture_of_density};
 use crate::picture::view::View;
 use crate::picture::window::Window;
@@ -101,7 +101,7 @@ pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, Rend
     if window.area() == 0 {
         return Ok(Vec::new());
     }
-    let mut look = Look::new(options.colouring, options.palette, ifs.len());
+    let mut colours = Colours::new(options.colouring, options.palette, ifs.len());
     let bent = options.bend.map(|bend| (bend, AnchorError::of(&frame, bend)));
     if options.colouring == Colouring::Density {
         let density = match &bent {
@@ -111,10 +111,10 @@ pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, Rend
             }
             None => Density::new(&frame, view, window, 128, 512),
         };
-        let (sums, gain) = densities(&frame, density, window, &look);
-        look.source = [width as i32, height as i32];
-        look.gain = gain * options.exposure.max(0.0);
-        Ok(picture_of_density(&look, &sums, window))
+        let (sums, gain) = densities(&frame, density, window, &colours);
+        colours.source = [width as i32, height as i32];
+        colours.gain = gain * options.exposure.max(0.0);
+        Ok(picture_of_density(&colours, &sums, window))
     } else {
         let factor = if options.smooth { 2 } else { 1 };
         let fine = Window { width: width * factor, height: height * factor };
@@ -122,7 +122,7 @@ pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, Rend
         let codes = if let Some((bend, anchor_error)) = &bent {
             let bent = Bent::new(&frame, bend, anchor_error, (view, window), (fine, scale));
             let coloured = options.colouring == Colouring::Grid && bent.has_colours();
-            look.tinted = f32::from(u8::from(coloured));
+            colours.tinted = f32::from(u8::from(coloured));
             let mut sweep = BentSweep::new();
             sweep.begin(&bent, detail, coloured);
             sweep.run(&bent, u64::MAX);
@@ -130,9 +130,9 @@ pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, Rend
         } else {
             codes(&frame, view.onto_target(frame.to_world, window, scale), fine, detail).0
         };
-        look.source = [fine.width as i32, fine.height as i32];
-        look.factor = factor as f32;
-        Ok(picture_of_codes(&look, &codes, window))
+        colours.source = [fine.width as i32, fine.height as i32];
+        colours.factor = factor as f32;
+        Ok(picture_of_codes(&colours, &codes, window))
     }
 }
 
@@ -159,13 +159,13 @@ const POINTS_A_PIXEL: usize = 40;
 const MOST_POINTS: usize = 40_000_000;
 
 /// The densities of the pixels, and what multiplied by makes their mean 1.
-fn densities(frame: &Frame, mut density: Density, window: Window, look: &Look) -> (Vec<[f32; 4]>, f32) {
+fn densities(frame: &Frame, mut density: Density, window: Window, colours: &Colours) -> (Vec<[f32; 4]>, f32) {
     let mut sums = vec![[0.0; 4]; window.area()];
     let mut samples = Vec::new();
     let wanted = (density.lit * POINTS_A_PIXEL).min(MOST_POINTS);
     let (mut points, mut passes) = (0, 0_u16);
     while points < wanted && !density.pieces.is_empty() {
-        points += density.accumulate(frame, look, window, &mut samples, &mut sums);
+        points += density.accumulate(frame, colours, window, &mut samples, &mut sums);
         passes += 1;
     }
     (sums, 1.0 / f32::from(passes.max(1)))

@@ -129,7 +129,7 @@ fn lit(at: vec2<i32>) -> vec4<f32> {
     if lamp.height > 0.5 {
         let height = lamp.up.w + dot(lamp.up.xyz, point_at(at, depth));
         let share = clamp((height - lamp.range.z) / max(lamp.range.w - lamp.range.z, 1e-30), 0.0, 1.0);
-        colour = mix(look.palette[1].rgb, look.palette[0].rgb, share);
+        colour = mix(colours.palette[1].rgb, colours.palette[0].rgb, share);
     }
     let normal = normal_at(at, depth);
     let facing = max(dot(normal, lamp.towards.xyz), 0.0);
@@ -153,5 +153,5 @@ fn light_fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f
         return sum;
     }
     let alpha = sum.a / f32(lamp.factor * lamp.factor);
-    return vec4<f32>(sum.rgb / sum.a * (1.0 + (alpha - 1.0) * look.premultiply), alpha);
+    return vec4<f32>(sum.rgb / sum.a * (1.0 + (alpha - 1.0) * colours.premultiply), alpha);
 }

@@ -5,7 +5,7 @@ use super::*;
 use crate::coverage::sweep::Progress;
 use crate::density::Density;
 use crate::picture::bitmap::Bitmap;
-use crate::picture::colour::{Colouring, Look};
+use crate::picture::colour::{Colouring, Colours};
 use crate::plan::Detail;
 use crate::raster::{RasterOptions, rasterize};
 use crate::testing::{ifs, of_rows};
@@ -415,8 +415,8 @@ fn colours_are_carried() {
     plan.begin(&bent, 600_000, true);
     plan.run(&bent, &Fineness::complete(3.0), u64::MAX, None);
     plan.compose(&frame, Detail::LADDER[0]);
-    let look = Look { tinted: 1.0, ..Look::new(Colouring::Grid, &[], 4) };
-    let tints: Vec<[f32; 3]> = plan.plan.instances.iter().map(|i| look.colour(i.tint + 1)).collect();
+    let colours = Colours { tinted: 1.0, ..Colours::new(Colouring::Grid, &[], 4) };
+    let tints: Vec<[f32; 3]> = plan.plan.instances.iter().map(|i| colours.colour(i.tint + 1)).collect();
     assert!(plan.plan.tinted && tints.iter().any(|c| c[0] > 0.95) && tints.iter().any(|c| c[2] > 0.95));
 }
 
@@ -427,10 +427,10 @@ fn densities_are_those_of_the_measure() {
     let mut density = Density::bent(&bent, 16.0, 60_000, 100_000);
     let total: f64 = density.pieces.iter().map(|piece| piece.mass).sum();
     assert!((total - 1.0).abs() < 1e-9 && density.pieces.iter().all(|piece| piece.mass < 0.004), "{total}");
-    let look = Look::new(Colouring::Density, &[], 4);
+    let colours = Colours::new(Colouring::Density, &[], 4);
     let mut sums = vec![[0.0; 4]; WINDOW.area()];
     for _ in 0..4 {
-        density.accumulate(&subject.frame, &look, WINDOW, &mut Vec::new(), &mut sums);
+        density.accumulate(&subject.frame, &colours, WINDOW, &mut Vec::new(), &mut sums);
     }
     let truth = subject.swept();
     let outside =

@@ -12,7 +12,7 @@ use super::passes::plain::PlainPass;
 use super::readback::ReadBack;
 use super::state::{Shown, StageState, Style, Work};
 use super::target::Target;
-use crate::picture::colour::{Colouring, Look};
+use crate::picture::colour::{Colouring, Colours};
 use crate::picture::resolve::{picture_of_codes, picture_of_density};
 use crate::picture::view::View;
 use crate::picture::window::Window;
@@ -46,7 +46,7 @@ pub struct Stage {
     state: StageState,
     frame: Option<Frame>,
     view: Option<View>,
-    straight_look: wgpu::Buffer,
+    straight_colours: wgpu::Buffer,
     plain: PlainPass,
     deformed: Option<DeformedPass>,
     image: Option<ImagePass>,
@@ -59,7 +59,7 @@ impl Stage {
         Self {
             frame: None,
             view: None,
-            straight_look: uniform::<Look>(&gpu.device, "straight look"),
+            straight_colours: uniform::<Colours>(&gpu.device, "straight colours"),
             plain: PlainPass::new(),
             deformed: None,
             image: None,
@@ -194,10 +194,10 @@ impl Stage {
         Drawn { complete: self.state.complete && settled && ready, settled, points: self.state.points }
     }
 
-    /// The look of a picture, tinted where the bend carries colours.
-    fn look(&self, frame: &Frame, source: Window, factor: f64, gain: f32) -> Look {
+    /// What a picture is coloured with, tinted where the bend carries colours.
+    fn colours(&self, frame: &Frame, source: Window, factor: f64, gain: f32) -> Colours {
         let tinted = self.deformed.as_ref().is_some_and(|deformed| deformed.coloured(&self.state, frame));
-        self.state.look(frame, tinted, source, factor, gain)
+        self.state.colours(frame, tinted, source, factor, gain)
     }
 
     /// Makes the picture that is shown, where the processor does it.
@@ -210,11 +210,11 @@ impl Stage {
                     Some(deformed) => deformed.sweeps[back].codes(),
                     None => self.plain.codes(back),
                 };
-                picture_of_codes(&self.look(frame, source, factor, 0.0), codes, self.state.window)
+                picture_of_codes(&self.colours(frame, source, factor, 0.0), codes, self.state.window)
             }
             Shown::SoftSums => {
-                let look = self.look(frame, self.state.window, 1.0, self.state.density.software_gain());
-                picture_of_density(&look, self.state.density.sums(), self.state.window)
+                let colours = self.colours(frame, self.state.window, 1.0, self.state.density.software_gain());
+                picture_of_density(&colours, self.state.density.sums(), self.state.window)
             }
             Shown::Front | Shown::Back | Shown::Sums => return,
         };
@@ -223,8 +223,8 @@ impl Stage {
         self.state.painted = Some(target);
     }
 
-    /// The target that is shown, and the look to show it with.
-    fn picture(&self, frame: &Frame, premultiply: bool) -> Option<(&Target, Look)> {
+    /// The target that is shown, and the colours to show it with.
+    fn picture(&self, frame: &Frame, premultiply: bool) -> Option<(&Target, Colours)> {
         let (shown, factor) = self.state.shown?;
         let target = match shown {
             Shown::Front => &self.state.front,
@@ -233,19 +233,19 @@ impl Stage {
             Shown::SweptFront | Shown::SweptBack | Shown::SoftSums => &self.state.painted,
         };
         let target = target.as_ref()?;
-        let look = self.look(frame, target.window, factor, self.state.density.gain());
-        Some((target, Look { premultiply: if premultiply { 1.0 } else { 0.0 }, ..look }))
+        let colours = self.colours(frame, target.window, factor, self.state.density.gain());
+        Some((target, Colours { premultiply: if premultiply { 1.0 } else { 0.0 }, ..colours }))
     }
 
     /// Puts the picture on the canvas.
     fn present(&mut self, frame: &Frame) {
-        let Some((target, look)) = self.picture(frame, true) else { return };
+        let Some((target, colours)) = self.picture(frame, true) else { return };
         let Some(canvas) = self.state.gpu.frame() else { return };
         let view = canvas.texture.create_view(&wgpu::TextureViewDescriptor::default());
-        self.state.gpu.queue.write_buffer(&self.state.look, 0, bytemuck::bytes_of(&look));
+        self.state.gpu.queue.write_buffer(&self.state.colours, 0, bytemuck::bytes_of(&colours));
         let pipeline = self.state.pipelines.show(target.kind);
         let encoder =
-            target.resolve(&self.state.gpu, &self.state.pipelines, &self.state.look, pipeline, &view);
+            target.resolve(&self.state.gpu, &self.state.pipelines, &self.state.colours, pipeline, &view);
         self.state.gpu.queue.submit([encoder.finish()]);
         self.state.gpu.queue.present(canvas);
         self.state.stale = false;
@@ -259,13 +259,13 @@ impl Stage {
         if let Some(image) = &self.image {
             return image.read(&self.state);
         }
-        let (target, look) = self.picture(frame, false)?;
+        let (target, colours) = self.picture(frame, false)?;
         let texture = ReadBack::texture(&self.state.gpu, self.state.window);
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        self.state.gpu.queue.write_buffer(&self.straight_look, 0, bytemuck::bytes_of(&look));
+        self.state.gpu.queue.write_buffer(&self.straight_colours, 0, bytemuck::bytes_of(&colours));
         let pipeline = self.state.pipelines.read(target.kind);
         let encoder =
-            target.resolve(&self.state.gpu, &self.state.pipelines, &self.straight_look, pipeline, &view);
+            target.resolve(&self.state.gpu, &self.state.pipelines, &self.straight_colours, pipeline, &view);
         Some(ReadBack::begin(&self.state.gpu, encoder, &texture, self.state.window))
     }
 }

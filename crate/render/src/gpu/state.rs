@@ -8,7 +8,7 @@ use super::passes::density::DensityPass;
 use super::passes::points::PointsPass;
 use super::pipelines::{Kind, Pipelines};
 use super::target::Target;
-use crate::picture::colour::{Colouring, Look};
+use crate::picture::colour::{Colouring, Colours};
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
@@ -98,7 +98,7 @@ pub(super) struct StageState {
     pub back: Option<Target>,
     pub sums: Option<Target>,
     pub painted: Option<Target>,
-    pub look: wgpu::Buffer,
+    pub colours: wgpu::Buffer,
     /// What is drawn into the back, bit by bit.
     pub points_pass: PointsPass,
     pub density: DensityPass,
@@ -122,7 +122,7 @@ impl StageState {
             back: None,
             sums: None,
             painted: None,
-            look: uniform::<Look>(&gpu.device, "look"),
+            colours: uniform::<Colours>(&gpu.device, "colours"),
             points_pass: PointsPass::new(&gpu),
             density: DensityPass::new(&gpu),
             halvings: 1,
@@ -161,7 +161,7 @@ impl StageState {
             _ => (self.painted.take(), Kind::Picture),
         };
         let kept = kept.filter(|target| target.window == window);
-        kept.unwrap_or_else(|| Target::new(&self.gpu, &self.pipelines, &self.look, kind, window))
+        kept.unwrap_or_else(|| Target::new(&self.gpu, &self.pipelines, &self.colours, kind, window))
     }
 
     /// Pixels of a picture that is made at once, each way, for each one shown.
@@ -189,15 +189,15 @@ impl StageState {
         finer
     }
 
-    /// The look of a picture: what it is made from, the pixels of that for each one shown, and what sums are
+    /// The colours of a picture: what it is made from, the pixels of that for each one shown, and what sums are
     /// multiplied by. `tinted` says whether its codes are colours.
-    pub fn look(&self, frame: &Frame, tinted: bool, source: Window, factor: f64, gain: f32) -> Look {
-        Look {
+    pub fn colours(&self, frame: &Frame, tinted: bool, source: Window, factor: f64, gain: f32) -> Colours {
+        Colours {
             source: [source.width as i32, source.height as i32],
             factor: factor as f32,
             gain: self.style.exposure.max(0.0) * gain,
             tinted: f32::from(u8::from(tinted)),
-            ..Look::new(self.style.colouring, &self.style.palette, frame.maps.len())
+            ..Colours::new(self.style.colouring, &self.style.palette, frame.maps.len())
         }
     }
 
@@ -216,12 +216,12 @@ impl StageState {
 
     /// Adds samples to a density. Points are coloured as they are drawn.
     pub fn add_density(&mut self, frame: &Frame, budget: u64) {
-        let look = self.look(frame, false, self.window, 1.0, 0.0);
+        let colours = self.colours(frame, false, self.window, 1.0, 0.0);
         let (enough, shown) = if self.gpu.software {
-            (self.density.go_on_without(frame, &look, self.window), Shown::SoftSums)
+            (self.density.go_on_without(frame, &colours, self.window), Shown::SoftSums)
         } else {
             let target = self.fit(Shown::Sums, 1.0);
-            self.gpu.queue.write_buffer(&self.look, 0, bytemuck::bytes_of(&look));
+            self.gpu.queue.write_buffer(&self.colours, 0, bytemuck::bytes_of(&colours));
             let enough = self.density.go_on(&self.gpu, &self.pipelines, frame, &target, budget);
             self.sums = Some(target);
             (enough, Shown::Sums)

@@ -35,7 +35,7 @@ struct Screen {
 
 impl Target {
     /// A target with nothing on it.
-    pub fn new(gpu: &Gpu, pipelines: &Pipelines, look: &wgpu::Buffer, kind: Kind, window: Window) -> Self {
+    pub fn new(gpu: &Gpu, pipelines: &Pipelines, colours: &wgpu::Buffer, kind: Kind, window: Window) -> Self {
         let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT;
         let format = match kind {
             Kind::Codes => CODE_FORMAT,
@@ -51,7 +51,7 @@ impl Target {
             layout: &pipelines.points_layout,
             entries: &[
                 wgpu::BindGroupEntry { binding: 0, resource: screen.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 1, resource: look.as_entire_binding() },
+                wgpu::BindGroupEntry { binding: 1, resource: colours.as_entire_binding() },
             ],
         });
         Self { window, kind, pixels: view(&pixels), texture: pixels, depth, screen, points }
@@ -115,7 +115,7 @@ impl Target {
         &self,
         gpu: &Gpu,
         pipelines: &Pipelines,
-        look: &wgpu::Buffer,
+        colours: &wgpu::Buffer,
         pipeline: &wgpu::RenderPipeline,
         picture: &wgpu::TextureView,
     ) -> wgpu::CommandEncoder {
@@ -123,7 +123,7 @@ impl Target {
             label: Some("resolve"),
             layout: pipelines.resolve_layout(self.kind),
             entries: &[
-                wgpu::BindGroupEntry { binding: 1, resource: look.as_entire_binding() },
+                wgpu::BindGroupEntry { binding: 1, resource: colours.as_entire_binding() },
                 wgpu::BindGroupEntry {
                     binding: Pipelines::texture_binding(self.kind),
                     resource: wgpu::BindingResource::TextureView(&self.pixels),

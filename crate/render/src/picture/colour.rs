@@ -37,7 +37,7 @@ const MOST_SHADING: f32 = 0.5;
 /// Everything that turns codes and densities into colours, as the shader reads it: a uniform buffer.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
-pub struct Look {
+pub struct Colours {
     /// One colour a map, sRGB from 0 to 1, repeated to the end.
     pub palette: [[f32; 4]; 64],
     /// Width and height of the picture that is read.
@@ -56,8 +56,8 @@ pub struct Look {
     pub tinted: f32,
 }
 
-impl Look {
-    /// The look of an IFS of `maps` maps; an empty palette stands for that of Okabe and Ito.
+impl Colours {
+    /// The colours of an IFS of `maps` maps; an empty palette stands for that of Okabe and Ito.
     #[must_use]
     pub fn new(colouring: Colouring, palette: &[[u8; 3]], maps: usize) -> Self {
         let palette = if palette.is_empty() { &OKABE_ITO } else { palette };
@@ -119,38 +119,38 @@ mod tests {
 
     #[test]
     fn by_map_only_the_first_letter_counts() {
-        let look = Look::new(Colouring::Map, &[[255, 0, 0], [0, 0, 255]], 4);
-        assert_eq!(look.colour(code([0, 3, 1])), [1.0, 0.0, 0.0]);
-        assert_eq!(look.colour(code([3, 0, 0])), [0.0, 0.0, 1.0]);
-        assert_eq!(look.colour(code([2, 1, 0])), [1.0, 0.0, 0.0], "the palette repeats");
+        let colours = Colours::new(Colouring::Map, &[[255, 0, 0], [0, 0, 255]], 4);
+        assert_eq!(colours.colour(code([0, 3, 1])), [1.0, 0.0, 0.0]);
+        assert_eq!(colours.colour(code([3, 0, 0])), [0.0, 0.0, 1.0]);
+        assert_eq!(colours.colour(code([2, 1, 0])), [1.0, 0.0, 0.0], "the palette repeats");
     }
 
     #[test]
     fn by_address_later_pieces_are_lighter() {
-        let look = Look::new(Colouring::Address, &[], 3);
-        let light = |letters| look.colour(code(letters)).iter().sum::<f32>();
+        let colours = Colours::new(Colouring::Address, &[], 3);
+        let light = |letters| colours.colour(code(letters)).iter().sum::<f32>();
         let words = [[1, 0, 0], [1, 0, 2], [1, 1, 0], [1, 1, 2], [1, 2, 0], [1, 2, 2]];
         assert!(words.windows(2).all(|pair| light(pair[0]) < light(pair[1])));
         // The middle of the middle is the map's own colour.
-        let by_map = Look::new(Colouring::Map, &[], 3);
-        let (a, b) = (look.colour(code([1, 1, 1])), by_map.colour(code([1, 1, 1])));
+        let by_map = Colours::new(Colouring::Map, &[], 3);
+        let (a, b) = (colours.colour(code([1, 1, 1])), by_map.colour(code([1, 1, 1])));
         assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-6));
-        assert!(look.colour(code([63, 63, 63])).iter().all(|c| c.is_finite()));
+        assert!(colours.colour(code([63, 63, 63])).iter().all(|c| c.is_finite()));
     }
 
     #[test]
     fn colours_of_their_own_come_back_from_their_codes() {
-        let look = Look { tinted: 1.0, ..Look::new(Colouring::Grid, &[], 3) };
+        let colours = Colours { tinted: 1.0, ..Colours::new(Colouring::Grid, &[], 3) };
         for colour in [[0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [1.0, 0.0, 51.0 / 255.0]] {
             let code = code_of_colour(pack_colour(colour));
             assert!(code > 0, "0 is dark");
-            assert_eq!(look.colour(code), colour.map(|c| c as f32));
+            assert_eq!(colours.colour(code), colour.map(|c| c as f32));
         }
         assert_eq!(pack_colour([f64::NAN, -3.0, 9.0]), 255);
     }
 
     #[test]
     fn the_uniform_buffer_has_the_size_that_the_shader_declares() {
-        assert_eq!(size_of::<Look>(), 64 * 16 + 32);
+        assert_eq!(size_of::<Colours>(), 64 * 16 + 32);
     }
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::points::Cloud;
 use super::{Camera, Lighting, Traversal, depths};
-use crate::picture::colour::{Colouring, Look};
+use crate::picture::colour::{Colouring, Colours};
 
 /// Systems with their colours, in units that single precision can hold.
 #[derive(Clone, Debug)]
@@ -80,9 +80,9 @@ impl Objects {
 
     /// The colours of their maps.
     #[must_use]
-    pub fn look(&self, palette: &[[u8; 3]]) -> Look {
+    pub fn colours(&self, palette: &[[u8; 3]]) -> Colours {
         let maps = self.systems.iter().map(Ifs3::len).max().unwrap_or(1);
-        Look::new(Colouring::Map, palette, maps)
+        Colours::new(Colouring::Map, palette, maps)
     }
 
     /// The nearest and the farthest depth before a camera.

@@ -4,7 +4,7 @@ use glam::{Vec3, Vec4};
 
 use super::points::OBJECT_BIT;
 use super::{DepthBuffer, Lamp};
-use crate::picture::colour::Look;
+use crate::picture::colour::Colours;
 
 /// Pixels to each side that the lie of the surface is taken from.
 const NORMAL_REACH: i32 = 2;
@@ -19,8 +19,8 @@ pub(super) const NOTHING_DEPTH: f32 = 1e30;
 /// RGBA pixels of a depth buffer, row 0 on top, as `lamp` has it: `lamp.factor` x `lamp.factor` pixels of the buffer
 /// make one.
 #[must_use]
-pub fn light(buffer: &DepthBuffer, lamp: &Lamp, look: &Look) -> Vec<u8> {
-    let scene = Scene { buffer, lamp, look };
+pub fn light(buffer: &DepthBuffer, lamp: &Lamp, colours: &Colours) -> Vec<u8> {
+    let scene = Scene { buffer, lamp, colours };
     let factor = lamp.factor.max(1);
     let (width, height) = (lamp.size[0] / factor, lamp.size[1] / factor);
     let mut pixels = Vec::with_capacity(4 * (width.max(0) * height.max(0)) as usize);
@@ -30,7 +30,7 @@ pub fn light(buffer: &DepthBuffer, lamp: &Lamp, look: &Look) -> Vec<u8> {
             sum += scene.lit(x * factor + dx, y * factor + dy);
         }
         let alpha = sum.w / (factor * factor) as f32;
-        let scale = if sum.w > 0.0 { (1.0 + (alpha - 1.0) * look.premultiply) / sum.w } else { 0.0 };
+        let scale = if sum.w > 0.0 { (1.0 + (alpha - 1.0) * colours.premultiply) / sum.w } else { 0.0 };
         let colour = (sum.truncate() * scale).extend(alpha);
         pixels.extend(colour.to_array().map(|c| (c.clamp(0.0, 1.0) * 255.0).round() as u8));
     }
@@ -44,7 +44,7 @@ fn to_linear(colour: Vec3) -> Vec3 {
 struct Scene<'a> {
     buffer: &'a DepthBuffer,
     lamp: &'a Lamp,
-    look: &'a Look,
+    colours: &'a Colours,
 }
 
 impl Scene<'_> {
@@ -69,9 +69,9 @@ impl Scene<'_> {
     /// The colour of a pixel of the buffer, and 1 where there is something.
     fn lit(&self, x: i32, y: i32) -> Vec4 {
         let Some(place) = self.code(x, y).checked_sub(1) else { return Vec4::ZERO };
-        let (lamp, look, depth) = (self.lamp, self.look, self.depth(x, y));
+        let (lamp, colours, depth) = (self.lamp, self.colours, self.depth(x, y));
         let tint = Vec4::from(lamp.tints[((place >> OBJECT_BIT) as usize).min(lamp.tints.len() - 1)]);
-        let mut colour = Vec3::from(look.colour((place & 0x3_ffff) + 1));
+        let mut colour = Vec3::from(colours.colour((place & 0x3_ffff) + 1));
         if tint.w > 0.5 {
             colour = tint.truncate();
         }
@@ -80,7 +80,7 @@ impl Scene<'_> {
             let up = Vec4::from(lamp.up);
             let height = up.w + up.truncate().dot(self.point(x, y, depth));
             let share = ((height - low) / (high - low).max(1e-30)).clamp(0.0, 1.0);
-            let paint = |k: usize| Vec4::from(look.palette[k]).truncate();
+            let paint = |k: usize| Vec4::from(colours.palette[k]).truncate();
             colour = paint(1).lerp(paint(0), share);
         }
         let towards = Vec4::from(lamp.towards);
@@ -191,9 +191,9 @@ mod tests {
                 buffer.put(x, y, depth, 1);
             }
         }
-        let look = Look::new(Colouring::Map, &[[200, 200, 200]], 1);
+        let colours = Colours::new(Colouring::Map, &[[200, 200, 200]], 1);
         let lamp = Lamp::new(lighting, &camera(), [side, side], 1, [10.0, 30.0]);
-        let pixels = light(&buffer, &lamp, &look);
+        let pixels = light(&buffer, &lamp, &colours);
         assert_eq!(pixels.len(), (side * side * 4) as usize);
         pixels.chunks(4).map(|p| if p[3] == 0 { 0 } else { p[0].max(1) }).collect()
     }
@@ -229,7 +229,7 @@ mod tests {
         let (whole, part) = (180_u32, 100_u32);
         let margin = (whole - part) / 2;
         let lighting = Lighting { fog: 0.0, ..Lighting::default() };
-        let look = Look::new(Colouring::Map, &[[200, 200, 200]], 1);
+        let colours = Colours::new(Colouring::Map, &[[200, 200, 200]], 1);
         for slant in [0.0, 0.08] {
             let rough = |x: u32, y: u32| {
                 let (x, y) = (x as f32, y as f32);
@@ -241,7 +241,7 @@ mod tests {
                     buffer.put(x, y, rough(x + from, y + from), 1);
                 }
                 let lamp = Lamp::new(&lighting, &camera(), [side, side], 1, [10.0, 30.0]);
-                light(&buffer, &Lamp { focal: 200.0, ..lamp }, &look)
+                light(&buffer, &Lamp { focal: 200.0, ..lamp }, &colours)
             };
             let (wide, narrow) = (picture(whole, 0), picture(part, margin));
             let (mut sum, mut count) = (0.0, 0.0);

@@ -8,7 +8,7 @@ use frond_core::{Affine2, Hull, Ifs};
 use frond_deform::{Bend, Continuity, Mesh, Roughness, Settings, Spin, Tint};
 use frond_render::gpu::{Event, Stage, Style, Wanted};
 use frond_render::{
-    Colouring, Density, Detail, Frame, Look, Plan, RasterOptions, View, Window, rasterize, resolve_codes,
+    Colouring, Colours, Density, Detail, Frame, Plan, RasterOptions, View, Window, rasterize, resolve_codes,
     resolve_density, to_bytes,
 };
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -133,10 +133,10 @@ fn by_twins(subject: &Subject, colouring: Colouring, factor: f64, plan: &Plan) -
             }
         }
     }
-    let mut look = Look::new(colouring, &[], subject.ifs.len());
-    look.source = [target.width as i32, target.height as i32];
-    look.factor = factor as f32;
-    picture(|at| resolve_codes(&look, &codes, at))
+    let mut colours = Colours::new(colouring, &[], subject.ifs.len());
+    colours.source = [target.width as i32, target.height as i32];
+    colours.factor = factor as f32;
+    picture(|at| resolve_codes(&colours, &codes, at))
 }
 
 fn plan(subject: &Subject, factor: f64) -> Plan {
@@ -199,17 +199,18 @@ async fn densities_are_those_of_the_twins() {
             // The same pieces and samples, as often.
             let samples = (budget as usize / (2 * 384)).clamp(32, 2048);
             let mut density = Density::new(&subject.frame, subject.view, WINDOW, 384, samples);
-            let mut look = Look::new(Colouring::Density, &[], subject.ifs.len());
+            let mut colours = Colours::new(Colouring::Density, &[], subject.ifs.len());
             let mut sums = vec![[0.0; 4]; WINDOW.area()];
             let (mut points, mut passes, mut scratch) = (0, 0.0, Vec::new());
             while points < drawn.points {
-                points += density.accumulate(&subject.frame, &look, WINDOW, &mut scratch, &mut sums) as u64;
+                points +=
+                    density.accumulate(&subject.frame, &colours, WINDOW, &mut scratch, &mut sums) as u64;
                 passes += 1.0;
             }
             assert_eq!(points, drawn.points);
-            look.source = [WINDOW.width as i32, WINDOW.height as i32];
-            look.gain = 1.0 / passes;
-            let expected = picture(|at| resolve_density(&look, &sums, at));
+            colours.source = [WINDOW.width as i32, WINDOW.height as i32];
+            colours.gain = 1.0 / passes;
+            let expected = picture(|at| resolve_density(&colours, &sums, at));
             // Half floats keep eleven bits, and lose a little with each sum.
             assert_same(&format!("{wanted:?} software {software}"), &seen, &expected, 6);
             assert_no_fault(&events);

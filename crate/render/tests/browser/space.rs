@@ -5,7 +5,7 @@ use frond_render::gpu::{Event, Stage3, Uniforms3, Wanted};
 use frond_render::solid::{
     Camera, Cloud, DepthBuffer, Eye, Lamp, Lighting, Paint, SplatStep, Traversal, fill_holes, light,
 };
-use frond_render::{Colouring, Look};
+use frond_render::{Colouring, Colours};
 use glam::{DQuat, DVec3};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -19,8 +19,8 @@ async fn open(wanted: Wanted) -> Stage3 {
     Stage3::new(card(SIZE, wanted, quiet).await)
 }
 
-fn look() -> Look {
-    Look::new(Colouring::Address, &[], 4)
+fn colours() -> Colours {
+    Colours::new(Colouring::Address, &[], 4)
 }
 
 fn systems() -> Vec<Ifs3> {
@@ -67,7 +67,7 @@ async fn pictures(wanted: Wanted) {
             .collect();
         stage.resize(SIZE[0], SIZE[1]);
         stage.set_clouds(&clouds);
-        stage.set_uniforms(Uniforms3 { eye, lamp, still_lamp, look: look() });
+        stage.set_uniforms(Uniforms3 { eye, lamp, still_lamp, colours: colours() });
 
         let drawn = stage.draw();
         let right = !drawn.complete && (count as u64 / 2..=count as u64).contains(&drawn.points);
@@ -82,7 +82,7 @@ async fn pictures(wanted: Wanted) {
         let steps = SplatStep::steps(lamp.size, lamp.focal, lamp.range[0], &gaps);
         assert_eq!(steps.is_empty(), count == POINTS, "{steps:?}");
         let splat = steps.iter().fold(buffer, |buffer, splat| splat.apply(&buffer));
-        let twin = light(&fill_holes(&splat, eye.focal), &lamp, &look());
+        let twin = light(&fill_holes(&splat, eye.focal), &lamp, &colours());
         let shown = picture_of(stage.read()).await;
         assert!(lit(&shown) > 2000 && lit(&shown) < shown.len() / 4, "{} lit", lit(&shown));
         // A point that rounding takes to the next pixel changes the light around it.
@@ -93,15 +93,15 @@ async fn pictures(wanted: Wanted) {
         assert!(!stage.put_still(SIZE.map(|side| side + 1), &[], &[]));
         assert!(stage.put_still(size, traversal.depth_buffer().depth(), traversal.depth_buffer().codes()));
         assert!(stage.draw().complete);
-        let twin = light(traversal.depth_buffer(), &still_lamp, &look());
+        let twin = light(traversal.depth_buffer(), &still_lamp, &colours());
         let shown = picture_of(stage.read()).await;
         assert!(differing(&shown, &twin) < 0.005, "{wanted:?}, complete: {}", differing(&shown, &twin));
         // Other light leaves it complete, another eye does not.
         let darker = Lamp::new(&Lighting { ambient: 0.1, ..lighting }, &camera, size, factor, range);
-        stage.set_uniforms(Uniforms3 { eye, lamp, still_lamp: darker, look: look() });
+        stage.set_uniforms(Uniforms3 { eye, lamp, still_lamp: darker, colours: colours() });
         assert!(stage.draw().complete);
         let moved = Eye { focal: eye.focal * 1.1, ..eye };
-        stage.set_uniforms(Uniforms3 { eye: moved, lamp, still_lamp, look: look() });
+        stage.set_uniforms(Uniforms3 { eye: moved, lamp, still_lamp, colours: colours() });
         assert!(!stage.draw().complete);
     }
 }

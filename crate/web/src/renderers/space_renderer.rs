@@ -73,7 +73,7 @@ impl SpaceRenderer {
             eye: one(&bytes, "eye")?,
             lamp: one(&bytes, "lamp")?,
             still_lamp: one(&bytes, "stillLamp")?,
-            look: one(&bytes, "look")?,
+            colours: one(&bytes, "look")?,
         };
         self.stage.set_uniforms(uniforms);
         Ok(())

@@ -174,7 +174,7 @@ impl SpacePicture {
             ("eye", bytes(bytemuck::bytes_of(&eye))),
             ("lamp", bytes(bytemuck::bytes_of(&lamp))),
             ("stillLamp", bytes(bytemuck::bytes_of(&still_lamp))),
-            ("look", bytes(bytemuck::bytes_of(&self.0.look(&look.palette)))),
+            ("look", bytes(bytemuck::bytes_of(&self.0.colours(&look.palette)))),
         ]))
     }
 
@@ -238,6 +238,6 @@ impl SpaceCarve {
         }
         let lighting = self.objects.lit(lighting_of(&read("The light", plain)?, look.ground));
         let lamp = Lamp::new(&lighting, &self.camera, size, look.factor, self.traversal.range());
-        Ok(Uint8ClampedArray::from(&light(buffer, &lamp, &self.objects.look(&look.palette))[..]))
+        Ok(Uint8ClampedArray::from(&light(buffer, &lamp, &self.objects.colours(&look.palette))[..]))
     }
 }

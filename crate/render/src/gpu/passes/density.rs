@@ -5,7 +5,7 @@ use crate::gpu::buffer::Buffer;
 use crate::gpu::device::Gpu;
 use crate::gpu::pipelines::Pipelines;
 use crate::gpu::target::Target;
-use crate::picture::colour::Look;
+use crate::picture::colour::Colours;
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
@@ -109,13 +109,13 @@ impl DensityPass {
     }
 
     /// The same on the processor.
-    pub fn go_on_without(&mut self, frame: &Frame, look: &Look, window: Window) -> bool {
+    pub fn go_on_without(&mut self, frame: &Frame, colours: &Colours, window: Window) -> bool {
         let Some(density) = &mut self.density else { return true };
         self.sums.resize(window.area(), [0.0; 4]);
         let wanted = (density.lit as u64 * POINTS_A_PIXEL).min(MOST_POINTS);
         let end = (self.points + SOFTWARE_POINTS).min(wanted);
         loop {
-            let points = density.accumulate(frame, look, window, &mut self.samples, &mut self.sums) as u64;
+            let points = density.accumulate(frame, colours, window, &mut self.samples, &mut self.sums) as u64;
             self.passes = self.passes.saturating_add(1);
             self.points += points;
             let enough = points == 0 || self.passes == u16::MAX || self.points >= wanted;

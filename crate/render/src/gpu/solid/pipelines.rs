@@ -35,7 +35,7 @@ pub(super) struct Pipelines3 {
     /// The same into a texture that can be read.
     pub read: wgpu::RenderPipeline,
     pub eye_layout: wgpu::BindGroupLayout,
-    /// Lamp, look, codes and depths; what splats them has its steps in the lamp's place.
+    /// Lamp, colours, codes and depths; what splats them has its steps in the lamp's place.
     pub light_layout: wgpu::BindGroupLayout,
 }
 

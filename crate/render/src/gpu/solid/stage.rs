@@ -6,7 +6,7 @@ use crate::gpu::buffer::{Buffer, uniform};
 use crate::gpu::device::Gpu;
 use crate::gpu::pipeline::draw_full_screen;
 use crate::gpu::readback::ReadBack;
-use crate::picture::colour::Look;
+use crate::picture::colour::Colours;
 use crate::picture::window::Window;
 use crate::solid::{Cloud, Eye, Instance3, Lamp, MAX_OBJECTS, SplatStep, Vertex3};
 
@@ -29,7 +29,7 @@ pub struct Uniforms3 {
     /// What lights the carved picture, which may have more pixels.
     pub still_lamp: Lamp,
     /// Their colours.
-    pub look: Look,
+    pub colours: Colours,
 }
 
 /// Draws attractors of space on one canvas.
@@ -51,7 +51,7 @@ pub struct Stage3 {
     lamp: wgpu::Buffer,
     /// One for each length of a step.
     splats: Vec<wgpu::Buffer>,
-    look_buffer: wgpu::Buffer,
+    colours_buffer: wgpu::Buffer,
     stale: bool,
     complete: bool,
 }
@@ -79,7 +79,7 @@ impl Stage3 {
             eye: uniform::<Eye>(&gpu.device, "eye"),
             lamp: uniform::<Lamp>(&gpu.device, "lamp"),
             splats: Vec::new(),
-            look_buffer: uniform::<Look>(&gpu.device, "look"),
+            colours_buffer: uniform::<Colours>(&gpu.device, "colours"),
             stale: true,
             complete: false,
             gpu,
@@ -209,7 +209,7 @@ impl Stage3 {
         self.shown = 0;
         for (pipeline, buffer) in splats.chain([(&self.pipelines.fill_holes, &self.lamp)]) {
             let bindings =
-                targets[self.shown].bindings(&self.gpu, &self.pipelines, buffer, &self.look_buffer);
+                targets[self.shown].bindings(&self.gpu, &self.pipelines, buffer, &self.colours_buffer);
             self.shown = 1 - self.shown;
             let mut pass = targets[self.shown].pass(&mut encoder, false);
             pass.set_pipeline(pipeline);
@@ -233,9 +233,9 @@ impl Stage3 {
             (&self.target.as_ref()?[self.shown], &uniforms.lamp)
         };
         self.gpu.queue.write_buffer(&self.lamp, 0, bytemuck::bytes_of(lamp));
-        let look = Look { premultiply, ..uniforms.look };
-        self.gpu.queue.write_buffer(&self.look_buffer, 0, bytemuck::bytes_of(&look));
-        let bindings = target.bindings(&self.gpu, &self.pipelines, &self.lamp, &self.look_buffer);
+        let colours = Colours { premultiply, ..uniforms.colours };
+        self.gpu.queue.write_buffer(&self.colours_buffer, 0, bytemuck::bytes_of(&colours));
+        let bindings = target.bindings(&self.gpu, &self.pipelines, &self.lamp, &self.colours_buffer);
         Some(draw_full_screen(&self.gpu.device, pipeline, &bindings, picture))
     }
 

@@ -58,7 +58,7 @@ impl Target3 {
         gpu: &Gpu,
         pipelines: &Pipelines3,
         lamp: &wgpu::Buffer,
-        look: &wgpu::Buffer,
+        colours: &wgpu::Buffer,
     ) -> wgpu::BindGroup {
         let [codes, depths] = [0, 1].map(|k| wgpu::BindingResource::TextureView(&self.views[k]));
         gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
@@ -66,7 +66,7 @@ impl Target3 {
             layout: &pipelines.light_layout,
             entries: &[
                 wgpu::BindGroupEntry { binding: 0, resource: lamp.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 1, resource: look.as_entire_binding() },
+                wgpu::BindGroupEntry { binding: 1, resource: colours.as_entire_binding() },
                 wgpu::BindGroupEntry { binding: 2, resource: codes },
                 wgpu::BindGroupEntry { binding: 3, resource: depths },
             ],
