@@ -85,6 +85,7 @@ pub use projection::parallel::{Plane, ProjectError, exact_projection, invariant_
 pub use sample::box_dimension::{BoxCount, box_dimension};
 pub use sample::chaos_game2::ChaosGame;
 pub use sample::chaos_game3::ChaosGame3;
+pub use sample::colouring::Colouring;
 pub use sample::cut2::{CutOutcome, adaptive_cut};
 pub use sample::cut3::adaptive_cut3;
 pub use sort::sort_indices;

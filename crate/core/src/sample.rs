@@ -3,5 +3,6 @@
 pub(crate) mod box_dimension;
 pub(crate) mod chaos_game2;
 pub(crate) mod chaos_game3;
+pub(crate) mod colouring;
 pub(crate) mod cut2;
 pub(crate) mod cut3;

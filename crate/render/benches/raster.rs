@@ -3,8 +3,8 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use frond_core::{Affine2, Ifs};
-use frond_render::{Colouring, Flood, Frame, RasterOptions, rasterize};
+use frond_core::{Affine2, Colouring, Ifs};
+use frond_render::{Flood, Frame, RasterOptions, rasterize};
 use glam::DVec2;
 
 fn shapes() -> [(&'static str, Ifs); 3] {

@@ -2,8 +2,8 @@
 
 use std::io::Write;
 
-use frond_core::{Affine2, Ifs};
-use frond_render::{Colouring, RasterOptions, rasterize};
+use frond_core::{Affine2, Colouring, Ifs};
+use frond_render::{RasterOptions, rasterize};
 use glam::{DMat2, DVec2};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

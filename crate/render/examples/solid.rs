@@ -2,9 +2,9 @@
 
 use std::io::Write;
 
-use frond_core::{Affine3, Ifs3};
+use frond_core::{Affine3, Colouring, Ifs3};
+use frond_render::Colours;
 use frond_render::solid::{Camera, Lamp, Lighting, Traversal, light};
-use frond_render::{Colouring, Colours};
 use glam::{DQuat, DVec3};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

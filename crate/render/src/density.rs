@@ -75,10 +75,9 @@ impl Density {
 
 #[cfg(test)]
 mod tests {
-    use frond_core::Hull;
+    use frond_core::{Colouring, Hull};
 
     use super::*;
-    use crate::picture::colour::Colouring;
     use crate::testing::ifs;
 
     const WINDOW: Window = Window { width: 96, height: 64 };

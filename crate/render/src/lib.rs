@@ -68,7 +68,7 @@ pub use coverage::flood::{CloudPoint, Flood};
 pub use coverage::sweep::{Progress, Sweep};
 pub use density::Density;
 pub use picture::bitmap::Bitmap;
-pub use picture::colour::{Colouring, Colours};
+pub use picture::colour::Colours;
 pub use picture::resolve::{resolve_codes, resolve_density, to_bytes};
 pub use picture::tone;
 pub use picture::view::View;

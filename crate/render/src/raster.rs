@@ -1,13 +1,13 @@
 //! Pictures made on the CPU.
 
-use frond_core::{Affine2, Hull, Ifs};
+use frond_core::{Affine2, Colouring, Hull, Ifs};
 use frond_deform::Bend;
 use thiserror::Error;
 
 use crate::bent::{AnchorError, Bent, BentSweep};
 use crate::coverage::sweep::{Progress, Sweep};
 use crate::density::Density;
-use crate::picture::colour::{Colouring, Colours};
+use crate::picture::colour::Colours;
 use crate::picture::resolve::{picture_of_codes, picture_of_density};
 use crate::picture::view::View;
 use crate::picture::window::Window;

@@ -26,7 +26,7 @@ pub use fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, 
 pub use link::{LinkError, MAX_LINK, VERSION, decode, encode};
 pub use preset::{Preset, Row, preset, presets};
 pub use scene::{
-    Colouring, FamilyName, LocusView, MAX_WAY_POINTS, Path, PathKind, Scene, Shape, Tool, WayPoint, Window,
+    FamilyName, LocusView, MAX_WAY_POINTS, Path, PathKind, Scene, Shape, Tool, WayPoint, Window,
 };
 pub use space::{
     FileError, Film, FilmError, Held, MAX_KEYS3, MAX_OBJECTS3, MAX_PACKED, MeetExample, Moment, Moved,

@@ -13,10 +13,10 @@
 
 use std::fmt::Write as _;
 
-use frond_core::{MAX_MAPS, Mode};
+use frond_core::{Colouring, MAX_MAPS, Mode};
 
 use crate::preset::{Row, preset};
-use crate::scene::{Colouring, PathKind, Scene, Shape, Tool, Window};
+use crate::scene::{PathKind, Scene, Shape, Tool, Window};
 
 mod deform;
 mod error;

@@ -1,6 +1,6 @@
 //! The document.
 
-use frond_core::{Affine2, Ifs, IfsError, Mode, MorphOptions};
+use frond_core::{Affine2, Colouring, Ifs, IfsError, Mode, MorphOptions};
 use serde::{Deserialize, Serialize};
 
 use crate::curve::Curves;
@@ -155,21 +155,6 @@ impl LocusView {
     }
 }
 
-/// What colours mean.
-#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Colouring {
-    /// The first letter of a point's address: its largest piece.
-    #[default]
-    Map,
-    /// More letters.
-    Address,
-    /// How often the chaos game comes by.
-    Density,
-    /// The colours of the deformation grid.
-    Grid,
-}
-
 /// The part of the plane that is looked at.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Window {
@@ -184,7 +169,8 @@ pub struct Window {
 /// Everything that a link holds.
 ///
 /// ```
-/// use frond_scene::{Colouring, Scene, decode, encode};
+/// use frond_core::Colouring;
+/// use frond_scene::{Scene, decode, encode};
 ///
 /// let scene = Scene { colouring: Colouring::Density, ..Scene::default() };
 /// let link = encode(&scene)?;

@@ -1,11 +1,11 @@
-use frond_core::{Hull, Ifs};
+use frond_core::{Colouring, Hull, Ifs};
 use frond_deform::{Continuity, Mesh, Roughness, Settings, Spin, Tint};
 
 use super::*;
 use crate::coverage::sweep::Progress;
 use crate::density::Density;
 use crate::picture::bitmap::Bitmap;
-use crate::picture::colour::{Colouring, Colours};
+use crate::picture::colour::Colours;
 use crate::plan::Detail;
 use crate::raster::{RasterOptions, rasterize};
 use crate::testing::{ifs, of_rows};

@@ -1,6 +1,6 @@
 //! Drawing an attractor, coarse at once and complete after some frames.
 
-use frond_core::{Hull, Ifs};
+use frond_core::{Colouring, Hull, Ifs};
 use frond_deform::Bend;
 use glam::DVec2;
 
@@ -12,7 +12,7 @@ use super::passes::plain::PlainPass;
 use super::readback::ReadBack;
 use super::state::{Shown, StageState, Style, Work};
 use super::target::Target;
-use crate::picture::colour::{Colouring, Colours};
+use crate::picture::colour::Colours;
 use crate::picture::resolve::{picture_of_codes, picture_of_density};
 use crate::picture::view::View;
 use crate::picture::window::Window;

@@ -1,6 +1,6 @@
 //! What a stage and its passes share: the device, what is drawn into, and how far the work is.
 
-use frond_core::Affine2;
+use frond_core::{Affine2, Colouring};
 
 use super::buffer::uniform;
 use super::device::Gpu;
@@ -8,7 +8,7 @@ use super::passes::density::DensityPass;
 use super::passes::points::PointsPass;
 use super::pipelines::{Kind, Pipelines};
 use super::target::Target;
-use crate::picture::colour::{Colouring, Colours};
+use crate::picture::colour::Colours;
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;

@@ -1,24 +1,9 @@
 //! What colour a piece has: the CPU twin of `shader/colour.wgsl`.
 
 use bytemuck::{Pod, Zeroable};
-use serde::Deserialize;
+use frond_core::Colouring;
 
 use crate::pieces::letters::Letters;
-
-/// How pieces are coloured.
-#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
-#[serde(rename_all = "lowercase")]
-pub enum Colouring {
-    /// Each map has a colour.
-    #[default]
-    Map,
-    /// Each map has a colour, and the pieces within pieces are lighter and darker.
-    Address,
-    /// Each map has a colour, and points are the brighter the more of the measure falls on them.
-    Density,
-    /// Each piece has the colour that a bend carries to it (a `Tint`). By map where there is none.
-    Grid,
-}
 
 /// The colours of Okabe & Ito (2008), which most people with colour-blindness can tell apart.
 pub(crate) const OKABE_ITO: [[u8; 3]; 7] = [

@@ -130,8 +130,9 @@ pub fn to_bytes(colour: [f32; 4]) -> [u8; 4] {
 
 #[cfg(test)]
 mod tests {
+    use frond_core::Colouring;
+
     use super::*;
-    use crate::picture::colour::Colouring;
 
     fn colours(source: [i32; 2], factor: f32) -> Colours {
         let palette = [[255, 0, 0], [0, 0, 255]];

@@ -1,11 +1,11 @@
 //! All objects of a moment, as pictures need them.
 
-use frond_core::{Affine3, Bounds3, Ifs3};
+use frond_core::{Affine3, Bounds3, Colouring, Ifs3};
 use glam::DVec3;
 
 use super::points::Cloud;
 use super::{Camera, Lighting, Traversal, depths};
-use crate::picture::colour::{Colouring, Colours};
+use crate::picture::colour::Colours;
 
 /// Systems with their colours, in units that single precision can hold.
 #[derive(Clone, Debug)]

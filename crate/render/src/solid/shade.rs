@@ -172,10 +172,10 @@ impl Scene<'_> {
 
 #[cfg(test)]
 mod tests {
+    use frond_core::Colouring;
     use glam::DVec3;
 
     use super::*;
-    use crate::picture::colour::Colouring;
     use crate::solid::{Camera, Lighting};
 
     fn camera() -> Camera {

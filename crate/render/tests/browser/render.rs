@@ -4,11 +4,11 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use frond_core::{Affine2, Hull, Ifs};
+use frond_core::{Affine2, Colouring, Hull, Ifs};
 use frond_deform::{Bend, Continuity, Mesh, Roughness, Settings, Spin, Tint};
 use frond_render::gpu::{Event, Stage, Style, Wanted};
 use frond_render::{
-    Colouring, Colours, Density, Detail, Frame, Plan, RasterOptions, View, Window, rasterize, resolve_codes,
+    Colours, Density, Detail, Frame, Plan, RasterOptions, View, Window, rasterize, resolve_codes,
     resolve_density, to_bytes,
 };
 use wasm_bindgen_test::wasm_bindgen_test;

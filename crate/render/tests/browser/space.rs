@@ -1,11 +1,11 @@
 //! What the graphics card draws of space: the shaders against their twins, on both backends.
 
-use frond_core::{Affine3, Ifs3};
+use frond_core::{Affine3, Colouring, Ifs3};
+use frond_render::Colours;
 use frond_render::gpu::{Event, Stage3, Uniforms3, Wanted};
 use frond_render::solid::{
     Camera, Cloud, DepthBuffer, Eye, Lamp, Lighting, Paint, SplatStep, Traversal, fill_holes, light,
 };
-use frond_render::{Colouring, Colours};
 use glam::{DQuat, DVec3};
 use wasm_bindgen_test::wasm_bindgen_test;
 

@@ -1,6 +1,7 @@
 //! Pictures without a canvas.
 
-use frond_render::{Colouring, RasterOptions, View, rasterize as draw};
+use frond_core::Colouring;
+use frond_render::{RasterOptions, View, rasterize as draw};
 use js_sys::Uint8ClampedArray;
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;

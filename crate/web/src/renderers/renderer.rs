@@ -1,9 +1,9 @@
 //! The stage's picture: an attractor on a canvas, by the graphics card.
 
-use frond_core::{Affine2, Ifs};
+use frond_core::{Affine2, Colouring, Ifs};
 use frond_deform::{Bend, Continuity, Settings};
+use frond_render::View;
 use frond_render::gpu::{Drawn, Make, Stage, Style};
-use frond_render::{Colouring, View};
 use js_sys::{Promise, Reflect, global};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;

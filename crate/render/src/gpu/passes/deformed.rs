@@ -1,5 +1,6 @@
 //! What a stage draws while the attractor is bent.
 
+use frond_core::Colouring;
 use frond_deform::Bend;
 use glam::DVec2;
 
@@ -8,7 +9,6 @@ use crate::coverage::sweep::Progress;
 use crate::density::Density;
 use crate::gpu::passes::points::PointsPass;
 use crate::gpu::state::{MOST_POINTS, SWEEP_SIZES, Shown, StageState, VISITS_A_FRAME, Work};
-use crate::picture::colour::Colouring;
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;

@@ -1,10 +1,11 @@
 //! What a stage draws while nothing is bent.
 
+use frond_core::Colouring;
+
 use crate::coverage::sweep::Progress;
 use crate::gpu::passes::cpu::CpuPass;
 use crate::gpu::passes::density::DensityPass;
 use crate::gpu::state::{MOST_POINTS, SWEEP_SIZES, Shown, StageState, VISITS_A_FRAME, Work};
-use crate::picture::colour::Colouring;
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
