@@ -1,6 +1,5 @@
 //! Where an attractor of space lies.
 
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use glam::{DMat3, DVec3};
@@ -8,6 +7,7 @@ use glam::{DMat3, DVec3};
 use crate::bounds::support_table3::SupportTable3;
 use crate::ifs::system::Ifs3;
 use crate::linear::affine::Affine3;
+use crate::order::{Ranked, Total};
 
 /// A box and a ball that hold an attractor of space, each tight to about a hundredth of its size where the maps are not
 /// too many and not too slow.
@@ -93,28 +93,6 @@ struct Shape<'a> {
     effort: Effort,
 }
 
-/// A piece with an upper bound of what is sought in it.
-struct Open {
-    bound: f64,
-    map: Affine3,
-}
-impl PartialEq for Open {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-impl Eq for Open {}
-impl PartialOrd for Open {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Open {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.bound.total_cmp(&other.bound)
-    }
-}
-
 impl Shape<'_> {
     /// The largest `direction . linear x` over the attractor, from above.
     fn support(&self, direction: DVec3) -> f64 {
@@ -156,23 +134,24 @@ impl Shape<'_> {
     /// `found` is what some point of it has.
     fn most(&self, bound: impl Fn(&Affine3) -> f64, found: impl Fn(&Affine3) -> f64) -> f64 {
         let whole = Affine3::IDENTITY;
-        let mut heap = BinaryHeap::from([Open { bound: bound(&whole), map: whole }]);
+        // Pieces, by an upper bound of what is sought in each.
+        let mut heap = BinaryHeap::from([Ranked { key: Total(bound(&whole)), item: whole }]);
         let mut best = found(&whole);
         let near = self.effort.near * crate::linear::svd3::norm3(self.linear);
         for _ in 0..self.effort.budget / self.maps.len() {
             let Some(top) = heap.peek() else { break };
-            if top.bound <= best + near {
+            if top.key.0 <= best + near {
                 break;
             }
-            let Some(Open { bound: above, map }) = heap.pop() else { break };
+            let Some(Ranked { key: Total(above), item: map }) = heap.pop() else { break };
             for &letter in self.maps {
                 let part = map * letter;
                 best = best.max(found(&part));
                 // A part has no more than the whole.
-                heap.push(Open { bound: bound(&part).min(above), map: part });
+                heap.push(Ranked { key: Total(bound(&part).min(above)), item: part });
             }
         }
-        heap.peek().map_or(best, |top| top.bound.max(best))
+        heap.peek().map_or(best, |top| top.key.0.max(best))
     }
 }
 

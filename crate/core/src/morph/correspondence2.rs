@@ -1,5 +1,6 @@
 //! Which map becomes which, and by how many turns.
 
+use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap};
 
 use glam::DVec2;
@@ -10,6 +11,7 @@ use crate::linear::affine::Affine2;
 use crate::morph::interpolation::Morph;
 use crate::morph::options::{Kind, MorphError, MorphOptions};
 use crate::morph::pairing::assignment;
+use crate::order::Total;
 
 /// A way to match the maps of two systems, for [`MorphOptions`].
 #[derive(Clone, Debug, PartialEq)]
@@ -208,9 +210,10 @@ impl Costs {
             self.cost.iter().map(|row| row.iter().map(|winding| winding[0]).collect()).collect();
         let first = assignment(&plain);
         let mut seen = BTreeSet::from([first.clone()]);
-        let mut heap = BinaryHeap::from([Near(sum(&first), first)]);
+        // The least cost first.
+        let mut heap = BinaryHeap::from([Reverse((Total(sum(&first)), first))]);
         let mut found = Vec::new();
-        while let Some(Near(_, order)) = heap.pop() {
+        while let Some(Reverse((_, order))) = heap.pop() {
             let plain = self.candidate(order.clone(), vec![0; count]);
             for i in 0..count {
                 for turn in [1, -1] {
@@ -232,27 +235,12 @@ impl Costs {
                         && self.to[order[i]] != self.to[order[k]]
                         && seen.insert(swapped.clone())
                     {
-                        heap.push(Near(cost, swapped));
+                        heap.push(Reverse((Total(cost), swapped)));
                     }
                 }
             }
         }
         found
-    }
-}
-
-/// A matching in a heap, the least cost first.
-#[derive(PartialEq)]
-struct Near(f64, Vec<usize>);
-impl Eq for Near {}
-impl PartialOrd for Near {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Near {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        other.0.total_cmp(&self.0).then_with(|| other.1.cmp(&self.1))
     }
 }
 

@@ -1,35 +1,21 @@
 //! Feature points: polyline splitting.
 
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use frond_core::Total;
 use glam::DVec2;
 
 use super::Outline;
 
-/// A stretch of the outline, with the point of it that is farthest from its chord. The order is that of the distance.
+/// A stretch of the outline, with the point of it that is farthest from its chord, in the order of that distance. Of
+/// equals the first along the outline is the greatest, so that the choice is the same everywhere.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
 struct Stretch {
-    distance: f64,
-    from: usize,
+    distance: Total,
+    from: Reverse<usize>,
     to: usize,
     farthest: usize,
-}
-
-impl PartialEq for Stretch {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-impl Eq for Stretch {}
-impl PartialOrd for Stretch {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Stretch {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        // Of equals the first along the outline, so that the choice is the same everywhere.
-        self.distance.total_cmp(&other.distance).then(other.from.cmp(&self.from))
-    }
 }
 
 /// Indices, in order, of `count` points of the outline (2 or more, at most all): polyline splitting.
@@ -56,7 +42,7 @@ pub fn features(outline: &Outline, count: usize) -> Vec<usize> {
     let mut chosen = vec![first, second];
     let mut heap = BinaryHeap::from([stretch(points, first, second), stretch(points, second, first)]);
     while chosen.len() < count {
-        let Some(Stretch { from, to, farthest, .. }) = heap.pop() else { break };
+        let Some(Stretch { from: Reverse(from), to, farthest, .. }) = heap.pop() else { break };
         if farthest == from {
             continue;
         }
@@ -72,17 +58,17 @@ fn stretch(points: &[DVec2], from: usize, to: usize) -> Stretch {
     let (a, b) = (points[from], points[to]);
     let chord = b - a;
     let scale = chord.length_squared();
-    let mut best = Stretch { distance: -1.0, from, to, farthest: from };
+    let (mut most, mut farthest) = (-1.0, from);
     let mut i = from;
     loop {
         i = if i + 1 == points.len() { 0 } else { i + 1 };
         if i == to {
-            return best;
+            return Stretch { distance: Total(most), from: Reverse(from), to, farthest };
         }
         let share = if scale > 0.0 { ((points[i] - a).dot(chord) / scale).clamp(0.0, 1.0) } else { 0.0 };
         let distance = points[i].distance_squared(a + chord * share);
-        if distance > best.distance {
-            best = Stretch { distance, from, to, farthest: i };
+        if distance > most {
+            (most, farthest) = (distance, i);
         }
     }
 }

@@ -1,5 +1,7 @@
 //! The widest gap of one system, bracketed: the quick way, which `decide` takes for each sample of a locus.
 
+use std::cmp::Reverse;
+
 use crate::gap::pair_descent::{Explore, Known, Pair, PairDescent};
 use crate::gap::spanning_tree::SpanningTree;
 use crate::overlap_graph::Components;
@@ -174,14 +176,14 @@ impl CutSearch {
         let place = descent.places();
         descent.by_distance.clear();
         let is_across = |pair: &mut Pair| across[place(pair.i.into(), pair.j.into())];
-        descent.by_distance.extend(descent.apart.extract_if(.., is_across));
+        descent.by_distance.extend(descent.apart.extract_if(.., is_across).map(Reverse));
         for (edge, _) in descent.edges.iter().zip(across.iter()).filter(|(_, across)| **across) {
             bridge = bridge.min(edge.reach.sqrt());
         }
         let kept = descent.apart.len();
         let mut lower = f64::INFINITY;
-        while let Some(pair) = descent.by_distance.pop() {
-            lower = pair.key;
+        while let Some(Reverse(pair)) = descent.by_distance.pop() {
+            lower = pair.key.0;
             if lower >= (1.0 - BRACKET_WIDTH) * bridge {
                 descent.apart.push(pair);
                 break;
@@ -190,10 +192,10 @@ impl CutSearch {
                 descent.follow_nearest(explore, pair, PAIRS_FOLLOWED);
                 break;
             }
-            bridge = bridge.min(descent.split(explore, pair, pair.key).sqrt());
-            descent.by_distance.extend(descent.apart.drain(kept..));
+            bridge = bridge.min(descent.split(explore, pair, lower).sqrt());
+            descent.by_distance.extend(descent.apart.drain(kept..).map(Reverse));
         }
-        descent.apart.extend(descent.by_distance.drain());
+        descent.apart.extend(descent.by_distance.drain().map(|Reverse(pair)| pair));
         lower
     }
 }

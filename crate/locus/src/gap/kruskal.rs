@@ -4,6 +4,8 @@
 //! with a verdict. Then the others, nearest first, which is Kruskal's algorithm on the distances between pieces: it
 //! ends with the widest edge of their minimum spanning tree.
 
+use std::cmp::Reverse;
+
 use glam::DVec2;
 
 use crate::frame::Frame;
@@ -87,7 +89,7 @@ impl<'a> KruskalSearch<'a> {
         descent.look_at_all(words, |pair| open.push(pair));
         // Without a look more, those that were seen to be apart.
         open.retain(|pair| descent.tell_apart(words, pair.i, pair.j, 0) == Known::Open);
-        open.sort_unstable();
+        open.sort_unstable_by(|p, q| q.cmp(p));
     }
 
     /// Pursues the pairs that are not known to be apart until all pieces are in one component, or none
@@ -186,20 +188,21 @@ impl<'a> KruskalSearch<'a> {
         words.choose_metric(true);
         let mut lower = 0.0_f64;
         while components.count() > 1 {
-            descent.by_distance.extend(descent.apart.drain(..));
-            let Some(pair) = descent.by_distance.pop() else { break };
+            descent.by_distance.extend(descent.apart.drain(..).map(Reverse));
+            let Some(Reverse(pair)) = descent.by_distance.pop() else { break };
             let (i, j) = (usize::from(pair.i), usize::from(pair.j));
             if components.joined(i, j) {
                 continue;
             }
             // Whatever is still to be joined is at least as far apart as the nearest pair left.
-            lower = lower.max(pair.key);
+            let distance = pair.key.0;
+            lower = lower.max(distance);
             let reach = descent.edges[descent.edge(i, j)].reach.sqrt();
-            let known = reach - pair.key <= (relative * reach).max(absolute);
+            let known = reach - distance <= (relative * reach).max(absolute);
             if known || words.is_no_larger_than_rounding(&pair) {
                 components.join(i, j);
             } else if descent.nodes < budget {
-                descent.split(words, pair, pair.key);
+                descent.split(words, pair, distance);
             } else {
                 descent.follow_nearest(words, pair, PAIRS_FOLLOWED);
                 break;

@@ -6,9 +6,11 @@
 //! asks: [`bracket`](crate::gap::bracket) wants no more than the widest gap, [`kruskal`](crate::gap::kruskal) to know
 //! which pieces meet and how far all others are apart.
 
-use std::cmp::Ordering;
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::ops::{ControlFlow, Range};
+
+use frond_core::Total;
 
 use crate::overlap_graph::Components;
 
@@ -40,34 +42,16 @@ pub(crate) struct Sight<P> {
     pub points: P,
 }
 
-/// A pair of pieces in two attractorlets `i < j`.
-#[derive(Clone, Copy, Debug)]
+/// A pair of pieces in two attractorlets `i < j`. Ties of the order go by the pieces, so that nothing depends on how a
+/// heap is built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Pair {
     /// What it is ordered by: how deep the two overlap, or their distance.
-    pub key: f64,
+    pub key: Total,
     pub u: u32,
     pub v: u32,
     pub i: u8,
     pub j: u8,
-}
-
-impl PartialEq for Pair {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-impl Eq for Pair {}
-impl PartialOrd for Pair {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Pair {
-    /// Reversed, since the heap gives the greatest first; ties go by the pieces, so that nothing
-    /// depends on how the heap is built.
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.key.total_cmp(&self.key).then_with(|| (other.u, other.v).cmp(&(self.u, self.v)))
-    }
 }
 
 /// What is known of two attractorlets.
@@ -105,7 +89,7 @@ pub(crate) struct PairDescent<P> {
     /// Pairs that are apart.
     pub apart: Vec<Pair>,
     /// The same while they are taken in the order of their distances.
-    pub by_distance: BinaryHeap<Pair>,
+    pub by_distance: BinaryHeap<Reverse<Pair>>,
     pub count: usize,
     turn: bool,
     /// Whether all parts of a pair are looked at, also when two have met.
@@ -199,7 +183,7 @@ impl<P: Copy + Default> PairDescent<P> {
                     if self.edges[at].reach <= self.near {
                         self.join(i, j as usize);
                     } else {
-                        see(Pair { key: sight.overlap, u: i as u32, v: j, i: i as u8, j: j as u8 });
+                        see(Pair { key: Total(sight.overlap), u: i as u32, v: j, i: i as u8, j: j as u8 });
                     }
                 });
             }
@@ -218,9 +202,9 @@ impl<P: Copy + Default> PairDescent<P> {
         let at = self.edge(i.into(), j.into());
         let found = self.apart.len();
         let (u, v) = explore.root(i, j);
-        let root = Pair { key: self.edges[at].lower, u, v, i, j };
+        let root = Pair { key: Total(self.edges[at].lower), u, v, i, j };
         self.open.clear();
-        if root.key > 0.0 {
+        if root.key.0 > 0.0 {
             self.apart.push(root);
         } else {
             self.open.push(root);
@@ -264,13 +248,13 @@ impl<P: Copy + Default> PairDescent<P> {
             }
             let lower = sight.apart.max(apart);
             if lower > 0.0 {
-                self.apart.push(Pair { key: lower, u, v, ..pair });
+                self.apart.push(Pair { key: Total(lower), u, v, ..pair });
             } else {
-                self.open.push(Pair { key: sight.overlap, u, v, ..pair });
+                self.open.push(Pair { key: Total(sight.overlap), u, v, ..pair });
             }
             ControlFlow::Continue(())
         });
-        self.open[before..].sort_unstable();
+        self.open[before..].sort_unstable_by(|p, q| q.cmp(p));
         self.edges[at].reach
     }
 
@@ -282,7 +266,7 @@ impl<P: Copy + Default> PairDescent<P> {
             let Some(pair) = next else { return };
             self.apart.push(pair);
             self.follow(explore, pair);
-            next = self.by_distance.pop();
+            next = self.by_distance.pop().map(|Reverse(pair)| pair);
         }
         self.apart.extend(next);
     }

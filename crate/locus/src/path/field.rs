@@ -1,8 +1,9 @@
 //! A locus as a landscape to find a way through.
 
-use std::cmp::Ordering;
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use frond_core::Total;
 use glam::DVec3;
 
 use crate::path::distance_transform::distances;
@@ -14,24 +15,6 @@ pub(crate) const GAP_WITHOUT_ATTRACTOR: f64 = 10.0;
 pub(crate) const GAP_UNSEEN: f64 = 20.0;
 /// Nearer to an end than this, clearance is asked for in proportion only: the ends often lie on the very boundary.
 pub(crate) const END_RADIUS: f64 = 0.125;
-
-/// A cell of a heap ordered by cost, the least first.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Reached {
-    cost: f64,
-    cell: usize,
-}
-impl Eq for Reached {}
-impl PartialOrd for Reached {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Reached {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.cost.total_cmp(&self.cost).then_with(|| other.cell.cmp(&self.cell))
-    }
-}
 
 /// The gap that a sample counts as: 0 where it holds together, gaps up to `epsilon` among it.
 pub(crate) fn gap_of(sample: Sample, epsilon: f64) -> f64 {
@@ -288,9 +271,9 @@ impl Field {
     fn bottleneck(&self, start: f64, value: impl Fn(usize, usize) -> f64) -> f64 {
         let [from, to] = self.ends;
         let mut worst = vec![f64::INFINITY; self.gap.len()];
-        let mut heap = BinaryHeap::from([Reached { cost: start, cell: from }]);
+        let mut heap = BinaryHeap::from([Reverse((Total(start), from))]);
         worst[from] = start;
-        while let Some(Reached { cost, cell }) = heap.pop() {
+        while let Some(Reverse((Total(cost), cell))) = heap.pop() {
             if cell == to {
                 return cost;
             }
@@ -305,7 +288,7 @@ impl Field {
                 let through = cost.max(value(cell, next));
                 if through < worst[next] {
                     worst[next] = through;
-                    heap.push(Reached { cost: through, cell: next });
+                    heap.push(Reverse((Total(through), next)));
                 }
             }
         }
@@ -317,9 +300,9 @@ impl Field {
         let [from, to] = self.ends;
         let mut cost = vec![f64::INFINITY; self.gap.len()];
         let mut before: Vec<usize> = (0..self.gap.len()).collect();
-        let mut heap = BinaryHeap::from([Reached { cost: 0.0, cell: from }]);
+        let mut heap = BinaryHeap::from([Reverse((Total(0.0), from))]);
         cost[from] = 0.0;
-        while let Some(Reached { cost: so_far, cell }) = heap.pop() {
+        while let Some(Reverse((Total(so_far), cell))) = heap.pop() {
             if cell == to {
                 break;
             }
@@ -335,7 +318,7 @@ impl Field {
                 if total < cost[next] {
                     cost[next] = total;
                     before[next] = cell;
-                    heap.push(Reached { cost: total, cell: next });
+                    heap.push(Reverse((Total(total), next)));
                 }
             }
         }

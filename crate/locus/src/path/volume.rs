@@ -1,9 +1,9 @@
 //! A way through three parameters, where the plane has none.
 
-use std::cmp::Ordering;
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use frond_core::{Affine2, Morph};
+use frond_core::{Affine2, Morph, Ranked, Total};
 use glam::DVec3;
 
 use crate::decide::{Scratch, decide};
@@ -160,10 +160,11 @@ impl Space {
         let mut before: Vec<usize> = (0..count).collect();
         let mut reached = vec![(f64::INFINITY, f64::INFINITY); count];
         let mut settled = vec![false; count];
+        // Cells to come to, the least gap and then the least estimate first: with what each costs and where from.
         let mut heap =
-            BinaryHeap::from([Step { gap: 0.0, estimate: 0.0, cost: 0.0, cell: from, before: from }]);
+            BinaryHeap::from([Ranked { key: Reverse((Total(0.0), Total(0.0), from)), item: (0.0, from) }]);
         while let Some(step) = heap.pop() {
-            let cell = step.cell;
+            let Ranked { key: Reverse((Total(widest), estimate, cell)), item: (so_far, last) } = step;
             if settled[cell] {
                 continue;
             }
@@ -174,19 +175,19 @@ impl Space {
                 decisions -= 1;
             }
             let own = self.gap(cell);
-            if own > step.gap {
-                heap.push(Step { gap: own, ..step });
+            if own > widest {
+                heap.push(Ranked { key: Reverse((Total(own), estimate, cell)), ..step });
                 continue;
             }
             settled[cell] = true;
-            before[cell] = step.before;
+            before[cell] = last;
             if cell == to {
                 let mut way = vec![to];
                 while way[way.len() - 1] != from {
                     way.push(before[way[way.len() - 1]]);
                 }
                 way.reverse();
-                return Some((step.gap, way));
+                return Some((widest, way));
             }
             let here = self.lattice.place(cell);
             for (next, _) in self.lattice.neighbours(cell) {
@@ -196,12 +197,12 @@ impl Space {
                 let there = self.lattice.place(next);
                 // A little dearer off the plane w = 0, to which a way returns where it can.
                 let off = self.lattice.parameter(there).z.abs();
-                let cost = step.cost + here.distance(there) * (1.0 + 0.25 * off);
-                let gap = if self.gap[next] > step.gap { self.gap[next] } else { step.gap };
+                let cost = so_far + here.distance(there) * (1.0 + 0.25 * off);
+                let gap = if self.gap[next] > widest { self.gap[next] } else { widest };
                 if (gap, cost) < reached[next] {
                     reached[next] = (gap, cost);
-                    let estimate = cost + there.distance(goal);
-                    heap.push(Step { gap, estimate, cost, cell: next, before: cell });
+                    let estimate = Total(cost + there.distance(goal));
+                    heap.push(Ranked { key: Reverse((Total(gap), estimate, next)), item: (cost, cell) });
                 }
             }
         }
@@ -248,29 +249,6 @@ fn lattice(steps: usize) -> Lattice {
 fn ends(lattice: &Lattice) -> [usize; 2] {
     // They are on the lattice.
     ENDS.map(|end| lattice.cell(lattice.fraction(end)).unwrap_or(0))
-}
-
-/// A cell to come to, from the one `before`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Step {
-    gap: f64,
-    estimate: f64,
-    cost: f64,
-    cell: usize,
-    before: usize,
-}
-impl Eq for Step {}
-impl PartialOrd for Step {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Step {
-    fn cmp(&self, other: &Self) -> Ordering {
-        // The least first.
-        let by = other.gap.total_cmp(&self.gap).then_with(|| other.estimate.total_cmp(&self.estimate));
-        by.then_with(|| other.cell.cmp(&self.cell))
-    }
 }
 
 #[cfg(test)]

@@ -1,9 +1,8 @@
 //! A path, proved from end to end.
 
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use frond_core::{Affine2, Morph};
+use frond_core::{Affine2, Morph, Ranked, Total};
 use glam::{DVec2, DVec3};
 
 use crate::decide::{Scratch, decide_bounds};
@@ -67,24 +66,10 @@ impl Segment {
     const fn new(leg: usize, from: f64, to: f64) -> Self {
         Self { gap: f64::INFINITY, leg, from, to, moving: 1.0, deep: false }
     }
-}
 
-impl PartialEq for Segment {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-impl Eq for Segment {}
-impl PartialOrd for Segment {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Segment {
     /// The widest gap first; of equal ones the longest.
-    fn cmp(&self, other: &Self) -> Ordering {
-        let length = |segment: &Self| segment.to - segment.from;
-        self.gap.total_cmp(&other.gap).then_with(|| length(self).total_cmp(&length(other)))
+    const fn ranked(self) -> Ranked<(Total, Total), Self> {
+        Ranked { key: (Total(self.gap), Total(self.to - self.from)), item: self }
     }
 }
 
@@ -157,11 +142,11 @@ pub fn certify_path(morph: &Morph, points: &[DVec3], options: &CertifyOptions) -
         let (from, to) = if length > 0.0 { (part(options.t0), part(options.t1)) } else { (0.0, 1.0) };
         let touches = from < to || length == 0.0 || total == 0.0;
         if touches && (length > 0.0 || legs_without_length(&lengths)) {
-            cover.push(work.look(Segment::new(leg, from, to)));
+            cover.push(work.look(Segment::new(leg, from, to)).ranked());
         }
     }
     let complete = work.shrink(&mut cover, options.budget);
-    let Some(&worst) = cover.peek() else {
+    let Some(&Ranked { item: worst, .. }) = cover.peek() else {
         return PathCertificate { gap: 0.0, holds: true, boxes: 0, worst: options.t0, complete: true };
     };
     let at = starts[worst.leg] + lengths[worst.leg] * worst.from.midpoint(worst.to);
@@ -195,9 +180,9 @@ struct Work<'a> {
 
 impl Work<'_> {
     /// Splits the worst segments; whether the question is answered.
-    fn shrink(&mut self, cover: &mut BinaryHeap<Segment>, budget: usize) -> bool {
+    fn shrink(&mut self, cover: &mut BinaryHeap<Ranked<(Total, Total), Segment>>, budget: usize) -> bool {
         loop {
-            let Some(&worst) = cover.peek() else { return true };
+            let Some(&Ranked { item: worst, .. }) = cover.peek() else { return true };
             if worst.gap <= self.within {
                 return true;
             }
@@ -216,12 +201,12 @@ impl Work<'_> {
             }
             cover.pop();
             if stuck {
-                cover.push(self.look(Segment { deep: true, ..worst }));
+                cover.push(self.look(Segment { deep: true, ..worst }).ranked());
                 continue;
             }
             let middle = from.midpoint(to);
             for (from, to) in [(from, middle), (middle, to)] {
-                cover.push(self.look(Segment { gap, ..Segment::new(leg, from, to) }));
+                cover.push(self.look(Segment { gap, ..Segment::new(leg, from, to) }).ranked());
             }
         }
     }

@@ -1,10 +1,10 @@
 //! How near the pieces of an attractor of space come: bounds of the widest edge of the minimum spanning tree.
 
-use std::cmp::Ordering;
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::ops::Range;
 
-use frond_core::{Affine3, SupportTable3};
+use frond_core::{Affine3, SupportTable3, Total};
 use glam::DVec3;
 
 use crate::gap::spanning_tree::SpanningTree;
@@ -21,31 +21,9 @@ struct Piece {
     parts: u32,
 }
 
-/// A pair of pieces in two attractorlets that may hold their two nearest points.
-#[derive(Clone, Copy, Debug)]
-struct Open {
-    /// A lower bound of their distance, where it is positive; otherwise the deeper they overlap, the less it is.
-    key: f64,
-    u: u32,
-    v: u32,
-}
-impl PartialEq for Open {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-impl Eq for Open {}
-impl PartialOrd for Open {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Open {
-    /// Reversed, since the heap gives the greatest first; ties go by the pieces.
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.key.total_cmp(&self.key).then_with(|| (other.u, other.v).cmp(&(self.u, self.v)))
-    }
-}
+/// A pair of pieces in two attractorlets that may hold their two nearest points: a lower bound of their distance, where
+/// it is positive, otherwise the less the deeper they overlap; and the pieces, which ties go by.
+type Open = (Total, u32, u32);
 
 /// The nearest points known of two attractorlets, in the frame.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +41,7 @@ const UNKNOWN: Nearest = Nearest { reach: f64::INFINITY, from: DVec3::ZERO, to: 
 pub(crate) struct Closest {
     pieces: Vec<Piece>,
     /// Of each pair `i < j`, at `i * count + j`.
-    open: Vec<BinaryHeap<Open>>,
+    open: Vec<BinaryHeap<Reverse<Open>>>,
     pub nearest: Vec<Nearest>,
     /// A lower bound of the distances in pairs that are too small to be split.
     floor: Vec<f64>,
@@ -172,7 +150,7 @@ impl Closest {
     /// A lower bound of the distance of two attractorlets; negative or 0 where they may meet.
     pub fn lower(&self, pair: usize) -> f64 {
         let reach = self.nearest[pair].reach;
-        self.open[pair].peek().map_or(reach, |top| top.key.min(reach)).min(self.floor[pair])
+        self.open[pair].peek().map_or(reach, |Reverse((lower, ..))| lower.0.min(reach)).min(self.floor[pair])
     }
 
     /// The widest edge of the minimum spanning tree of the upper bounds.
@@ -209,7 +187,7 @@ impl Closest {
 
     /// Splits the larger piece of the most promising pair of two attractorlets; `false` if none is left.
     fn refine(&mut self, frame: &Frame3, table: &SupportTable3, pair: usize) -> bool {
-        let Some(Open { u, v, .. }) = self.open[pair].pop() else { return false };
+        let Some(Reverse((_, u, v))) = self.open[pair].pop() else { return false };
         let first = self.pieces[u as usize].size >= self.pieces[v as usize].size;
         for part in self.parts(frame, if first { u } else { v }) {
             let (u, v) = if first { (part, v) } else { (u, part) };
@@ -289,7 +267,7 @@ impl Closest {
             return;
         }
         if seen {
-            self.open[pair].push(Open { key, u, v });
+            self.open[pair].push(Reverse((Total(key), u, v)));
         } else {
             // As far as floating point tells each is a point.
             self.floor[pair] = self.floor[pair].min(key);

@@ -1,9 +1,8 @@
 //! The measure on an attractor, as weighted points.
 
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use frond_core::{Affine2, hash};
+use frond_core::{Affine2, Ranked, Total, hash};
 use glam::DVec2;
 
 use crate::picture::window::Window;
@@ -32,26 +31,6 @@ pub struct Sample {
     pub mass: f32,
 }
 
-/// What has to be taken apart first: pieces that do not fit the window, then the heaviest.
-struct Ranked(f64, MassPiece);
-
-impl PartialEq for Ranked {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-impl Eq for Ranked {}
-impl PartialOrd for Ranked {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Ranked {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.0.total_cmp(&other.0)
-    }
-}
-
 /// Takes the attractor apart into about `count` pieces of nearly equal mass, each of one letter or more.
 /// With a window, `root` is the map to the screen; pieces outside are dropped, and those too large to fit
 /// are taken apart first.
@@ -62,26 +41,28 @@ pub(crate) fn pieces_by_mass(
     window: Option<Window>,
     count: usize,
 ) -> Vec<MassPiece> {
+    // What has to be taken apart first: pieces that do not fit the window, then the heaviest.
     let rank = |piece: MassPiece| {
+        let ranked = |rank| Some(Ranked { key: Total(rank), item: piece });
         if piece.letters.count() == 0 {
-            return Some(Ranked(f64::INFINITY, piece));
+            return ranked(f64::INFINITY);
         }
-        let Some(window) = window else { return Some(Ranked(piece.mass, piece)) };
+        let Some(window) = window else { return ranked(piece.mass) };
         let extent = window.extent(&piece.map)?;
         let over = extent.size > f64::from(window.width.max(window.height));
-        Some(Ranked(if over { 1.0 + piece.mass } else { piece.mass }, piece))
+        ranked(if over { 1.0 + piece.mass } else { piece.mass })
     };
     let mut heap = BinaryHeap::new();
     heap.extend(rank(MassPiece { map: root, letters: Letters::NONE, mass: 1.0 }));
     // Where most parts fall outside of the window the number may not rise for long.
     let mut patience = 4 * count + 4096;
-    while let Some(Ranked(first, _)) = heap.peek() {
-        let enough = heap.len() >= count && *first <= 1.0;
+    while let Some(first) = heap.peek() {
+        let enough = heap.len() >= count && first.key.0 <= 1.0;
         if enough || patience == 0 || heap.len() > 2 * count {
             break;
         }
         patience -= 1;
-        let Some(Ranked(_, piece)) = heap.pop() else { break };
+        let Some(Ranked { item: piece, .. }) = heap.pop() else { break };
         for (letter, map) in frame.maps.iter().enumerate() {
             let part = MassPiece {
                 map: piece.map * *map,
@@ -93,7 +74,7 @@ pub(crate) fn pieces_by_mass(
             }
         }
     }
-    heap.into_iter().map(|Ranked(_, piece)| piece).filter(|piece| piece.letters.count() > 0).collect()
+    heap.into_iter().map(|ranked| ranked.item).filter(|piece| piece.letters.count() > 0).collect()
 }
 
 /// Points of the attractor in unit coordinates, spread after the measure.
