@@ -1,6 +1,7 @@
 /** What keys do to the picture on the stage, in every tool that draws on it. */
 import type { Signal } from "@preact/signals";
 import type { Command } from "#ui/commands";
+import type { Colouring } from "#wasm/api";
 import { fitStage } from "./gestures";
 
 export const fitCommand = (run: () => void = fitStage): Command => ({
@@ -24,4 +25,28 @@ export const handCommand = <Hand>(
     hand.value = hands[next % hands.length] ?? hand.peek();
   },
   ...words,
+});
+
+/** Turns something on and off. */
+export const switchCommand = (
+  on: Signal<boolean>,
+  words: Pick<Command, "id" | "label" | "group" | "keys">,
+): Command => ({
+  ...words,
+  run: () => {
+    on.value = !on.peek();
+  },
+});
+
+/** The first by the key 1, and so on. */
+export const colourCommand = (
+  colours: readonly Colouring[],
+  group: string,
+  choose: (colouring: Colouring) => void,
+): Command => ({
+  id: "colour",
+  label: `Colour by ${colours.join(", ")}`,
+  group,
+  keys: colours.map((_, i) => `${i + 1}`),
+  run: (way) => choose(colours[way] ?? "map"),
 });

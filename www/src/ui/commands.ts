@@ -44,6 +44,12 @@ export const everywhere = (back: Partial<Command> = {}, forth: Partial<Command> 
   },
 ];
 
+/** Keys that a widget has while it has the focus: each by its id, what it does, and how it is pressed. */
+export const widgetKeys = (
+  group: string,
+  rows: readonly (readonly [id: string, label: string, ...keys: string[]])[],
+): Command[] => rows.map(([id, label, ...keys]) => ({ id, label, group, keys }));
+
 const NAMES: Record<string, string> = {
   ArrowLeft: "←",
   ArrowRight: "→",

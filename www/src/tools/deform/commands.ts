@@ -1,10 +1,9 @@
 /** What keys do while the deformation tool is open. */
 import { deformation, phasePlaying } from "#document/deform/bend";
 import { edit } from "#document/scene";
-import { fitCommand, handCommand } from "#stage/commands";
-import { type Command, everywhere } from "#ui/commands";
+import { colourCommand, fitCommand, handCommand, switchCommand } from "#stage/commands";
+import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import { type Timeline, timeCommands } from "#ui/strip/timeline";
-import type { Colouring } from "#wasm/api";
 import { pausePhase, playPhase, scrubPhase } from "./clock";
 import { gallery } from "./dialogs";
 import { hand } from "./mesh/handles/hand";
@@ -31,28 +30,24 @@ const TIME: Timeline = {
   stop: "key frame",
 };
 
-const COLOURS: readonly Colouring[] = ["map", "address", "density", "grid"];
-const KEY = "Key frame, in focus";
-const HANDLE = "Handle of the grid, in focus";
 const SHAPE = "Shape and picture";
 
 export const commands: readonly Command[] = [
   ...timeCommands(TIME),
   { id: "key", label: "Add a key frame", group: "Time", keys: ["K"], run: addKey },
-  { id: "key-move", label: "Move in time; Shift finer, Alt farther", group: KEY, keys: ["←", "→"] },
-  { id: "key-next", label: "To its neighbour", group: KEY, keys: ["[", "]"] },
-  { id: "key-delete", label: "Delete it", group: KEY, keys: ["Delete", "−"] },
-  {
-    id: "handle-move",
-    label: "Move it; Shift farther, Alt finer",
-    group: HANDLE,
-    keys: ["←", "→", "↑", "↓"],
-  },
-  { id: "handle-next", label: "To the handle before, after", group: HANDLE, keys: ["[", "]"] },
-  { id: "handle-neighbour", label: "To its neighbour", group: HANDLE, keys: ["Ctrl+←"] },
-  { id: "handle-choose", label: "Choose it, let it go", group: HANDLE, keys: ["Space"] },
-  { id: "handle-all", label: "Choose all", group: HANDLE, keys: ["Ctrl+A"] },
-  { id: "handle-back", label: "Put it back", group: HANDLE, keys: ["Delete"] },
+  ...widgetKeys("Key frame, in focus", [
+    ["key-move", "Move in time; Shift finer, Alt farther", "←", "→"],
+    ["key-next", "To its neighbour", "[", "]"],
+    ["key-delete", "Delete it", "Delete", "−"],
+  ]),
+  ...widgetKeys("Handle of the grid, in focus", [
+    ["handle-move", "Move it; Shift farther, Alt finer", "←", "→", "↑", "↓"],
+    ["handle-next", "To the handle before, after", "[", "]"],
+    ["handle-neighbour", "To its neighbour", "Ctrl+←"],
+    ["handle-choose", "Choose it, let it go", "Space"],
+    ["handle-all", "Choose all", "Ctrl+A"],
+    ["handle-back", "Put it back", "Delete"],
+  ]),
   {
     id: "gallery",
     label: "Gallery",
@@ -67,22 +62,10 @@ export const commands: readonly Command[] = [
     group: SHAPE,
     enabled: () => gridShown.peek(),
   }),
-  {
-    id: "hide",
-    label: "Hide the grid, show it",
-    group: SHAPE,
-    keys: ["H"],
-    run: () => {
-      gridShown.value = !gridShown.peek();
-    },
-  },
+  switchCommand(gridShown, { id: "hide", label: "Hide the grid, show it", group: SHAPE, keys: ["H"] }),
   fitCommand(),
-  {
-    id: "colour",
-    label: "Colour by map, address, density, grid",
-    group: SHAPE,
-    keys: ["1", "2", "3", "4"],
-    run: (way) => edit((before) => withColouring(before, COLOURS[way] ?? "map", deformation.peek())),
-  },
+  colourCommand(["map", "address", "density", "grid"], SHAPE, (colouring) =>
+    edit((before) => withColouring(before, colouring, deformation.peek())),
+  ),
   ...everywhere(),
 ];

@@ -1,8 +1,8 @@
 /** What keys do while the fit is open. */
 import { fitDocument } from "#document/fit";
 import { redo, undo } from "#document/scene";
-import { fitCommand, handCommand } from "#stage/commands";
-import { type Command, everywhere } from "#ui/commands";
+import { fitCommand, handCommand, switchCommand } from "#stage/commands";
+import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import { brushSize, hand, painting } from "./stage/brush";
 import { fitStage } from "./stage/camera";
 import { comparing, cutting, knotsShown, outlineShown, photoShown } from "./stage/layers";
@@ -24,33 +24,24 @@ const OUTLINE: readonly Command[] = [
       comparing.value = false;
     },
   },
-  {
+  switchCommand(outlineShown, {
     id: "hide",
     label: "Hide the outline, show it",
     group: PICTURE,
     keys: ["H"],
-    run: () => {
-      outlineShown.value = !outlineShown.peek();
-    },
-  },
-  {
+  }),
+  switchCommand(knotsShown, {
     id: "knots",
     label: "Show the knots, hide them",
     group: PICTURE,
     keys: ["N"],
-    run: () => {
-      knotsShown.value = !knotsShown.peek();
-    },
-  },
-  {
+  }),
+  switchCommand(photoShown, {
     id: "picture",
     label: "Hide the picture, show it",
     group: PICTURE,
     keys: ["P"],
-    run: () => {
-      photoShown.value = !photoShown.peek();
-    },
-  },
+  }),
   fitCommand(fitStage),
   handCommand(hand, ["move", "keep", "remove"], {
     label: "What a drag does, the next, the one before: move, keep, remove",
@@ -68,14 +59,11 @@ const OUTLINE: readonly Command[] = [
       brushSize.value = Number(Math.min(20, Math.max(0.2, size)).toFixed(1));
     },
   },
-  {
-    id: "brush-move",
-    label: "Move the brush, where the picture has the focus; Shift finer",
-    group: CUTTING,
-    keys: ["←", "→", "↑", "↓"],
-  },
-  { id: "brush-paint", label: "Paint there; held, while it moves", group: CUTTING, keys: ["Space"] },
-  { id: "brush-drop", label: "Drop the stroke, put the brush away", group: CUTTING, keys: ["Escape"] },
+  ...widgetKeys(CUTTING, [
+    ["brush-move", "Move the brush, where the picture has the focus; Shift finer", "←", "→", "↑", "↓"],
+    ["brush-paint", "Paint there; held, while it moves", "Space"],
+    ["brush-drop", "Drop the stroke, put the brush away", "Escape"],
+  ]),
   // Strokes are no part of the document: while one paints, they are what is taken back.
   ...everywhere(
     {

@@ -3,10 +3,9 @@ import { curved } from "#document/curve/curve";
 import { selection } from "#document/morph";
 import { pause, play, playing } from "#document/playback";
 import { edit, scene } from "#document/scene";
-import { fitCommand } from "#stage/commands";
-import { type Command, everywhere } from "#ui/commands";
+import { colourCommand, fitCommand } from "#stage/commands";
+import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import { type Timeline, timeCommands } from "#ui/strip/timeline";
-import type { Colouring } from "#wasm/api";
 import { gallery } from "./dialogs";
 import { frames } from "./strip/FilmStrip";
 import { scrubTo } from "./strip/scrub";
@@ -30,30 +29,21 @@ const TIME: Timeline = {
   stop: "frame",
 };
 
-const COLOURS: readonly Colouring[] = ["map", "address", "density"];
-const POINT = "Path, with a point in focus";
-const MAP = "Map, in focus";
 const SHAPES = "Shapes and picture";
 
 export const commands: readonly Command[] = [
   ...timeCommands(TIME),
-  {
-    id: "way-move",
-    label: "Move by 0.01; Shift finer, Alt coarser",
-    group: POINT,
-    keys: ["←", "→", "↑", "↓"],
-  },
-  { id: "way-add", label: "Add a way point", group: POINT, keys: ["+", "Enter"] },
-  { id: "way-remove", label: "Remove the way point", group: POINT, keys: ["Delete", "−"] },
-  {
-    id: "cross-move",
-    label: "Move the cross; Shift finer, Alt farther",
-    group: MAP,
-    keys: ["←", "→", "↑", "↓"],
-  },
-  { id: "map-zoom", label: "Nearer, farther, all of it", group: MAP, keys: ["+", "−", "0"] },
-  { id: "cross-show", label: "Show the shape under the cross", group: MAP, keys: ["Enter"] },
-  { id: "cross-way", label: "Make it a way point", group: MAP, keys: ["A"] },
+  ...widgetKeys("Path, with a point in focus", [
+    ["way-move", "Move by 0.01; Shift finer, Alt coarser", "←", "→", "↑", "↓"],
+    ["way-add", "Add a way point", "+", "Enter"],
+    ["way-remove", "Remove the way point", "Delete", "−"],
+  ]),
+  ...widgetKeys("Map, in focus", [
+    ["cross-move", "Move the cross; Shift finer, Alt farther", "←", "→", "↑", "↓"],
+    ["map-zoom", "Nearer, farther, all of it", "+", "−", "0"],
+    ["cross-show", "Show the shape under the cross", "Enter"],
+    ["cross-way", "Make it a way point", "A"],
+  ]),
   {
     id: "gallery",
     label: "Gallery",
@@ -75,15 +65,8 @@ export const commands: readonly Command[] = [
     },
   },
   { ...fitCommand(), group: SHAPES },
-  {
-    id: "colour",
-    label: "Colour by map, address, density",
-    group: SHAPES,
-    keys: ["1", "2", "3"],
-    run(way) {
-      const colouring = COLOURS[way] ?? "map";
-      edit((before) => (before.colouring === colouring ? before : { ...before, colouring }));
-    },
-  },
+  colourCommand(["map", "address", "density"], SHAPES, (colouring) =>
+    edit((before) => (before.colouring === colouring ? before : { ...before, colouring })),
+  ),
   ...everywhere(),
 ];
