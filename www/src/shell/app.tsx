@@ -6,6 +6,7 @@ import { route } from "#document/link";
 import { announcement, dismiss, notices, notify, wordsOf } from "#document/notice";
 import { Stage as SharedStage } from "#stage/stage";
 import type { PainterBackend } from "#stage/surface/painter";
+import { commandsOf } from "#stage/tool";
 import { type Command, help, listenForCommands } from "#ui/commands";
 import { lazily } from "#ui/lazy";
 import { Toasts } from "#ui/overlay/Toasts";
@@ -84,7 +85,10 @@ const shortcuts = () => import("#ui/overlay/ShortcutsDialog").then((module) => m
 const ShortcutsDialog = lazily(shortcuts);
 
 const NOTHING: readonly Command[] = [];
-const commands = () => openedTool().tool?.commands() ?? NOTHING;
+const commands = () => {
+  const { tool } = openedTool();
+  return tool ? commandsOf(tool) : NOTHING;
+};
 
 /** Fetches what tools may ask for later. */
 export function fetchAhead(): void {

@@ -1,20 +1,22 @@
 import { describe, expect, it, vi } from "vitest";
 import { replaceFit } from "#document/fit";
+import { commandsOf } from "#stage/tool";
 import type { Command } from "#ui/commands";
+import type { Timeline } from "#ui/strip/timeline";
 import { TOOLS } from "./tools";
 
 vi.mock("#wasm/core", () => ({ frond: {} }));
 
 /** Every tool lists its commands in a file of this name; where the list hangs on the document, it is a function. */
-const files = import.meta.glob<{ commands: readonly Command[] | (() => readonly Command[]) }>(
-  "../tools/*/commands.ts",
-  { eager: true },
-);
+const files = import.meta.glob<{
+  commands: readonly Command[] | (() => readonly Command[]);
+  timeline?: Timeline;
+}>("../tools/*/commands.ts", { eager: true });
 
 const listsNow = (when = ""): [string, readonly Command[]][] =>
-  Object.entries(files).map(([file, { commands }]) => [
+  Object.entries(files).map(([file, { commands, ...time }]) => [
     `${file.split("/").at(-2)}${when}`,
-    typeof commands === "function" ? commands() : commands,
+    commandsOf({ ...time, commands: typeof commands === "function" ? commands : () => commands }),
   ]);
 
 const lists = listsNow();

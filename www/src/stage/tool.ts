@@ -1,6 +1,8 @@
 /** What a tool has to bring. */
 import type { ComponentType } from "preact";
+import type { Keep } from "#document/history";
 import type { Command } from "#ui/commands";
+import { type Timeline, timeCommands } from "#ui/strip/timeline";
 import type { Tool as ToolName } from "#wasm/api";
 import type { PainterBackend } from "./surface/painter";
 
@@ -17,10 +19,22 @@ export interface Tool {
   Panel: ComponentType;
   /** Below the picture: time, or what takes its place. */
   Strip: ComponentType;
+  /** What moves in it: the keys of time follow. */
+  timeline?: Timeline;
+  /** All other keys. */
   commands: () => readonly Command[];
   /** Saves what a stage of its own shows. */
   savePng?: () => void | Promise<void>;
 }
+
+/** All that keys do in a tool: in time, and else. */
+export const commandsOf = ({
+  timeline,
+  commands,
+}: Pick<Tool, "timeline" | "commands">): readonly Command[] => [
+  ...(timeline ? timeCommands(timeline) : []),
+  ...commands(),
+];
 
 /** A tool as the page knows it before it is opened. */
 export interface ToolEntry {
@@ -37,6 +51,8 @@ export interface ToolEntry {
   tool: Tool | (() => Promise<Tool>);
   /** Said where it could not be fetched. */
   missing?: string;
+  /** What undo leaves to whoever looks, of its part of the document. */
+  keepOnUndo?: Keep;
   /** Fetches what may be asked for later, so that it is there without a network, too. */
   fetchAhead?: () => Promise<unknown>;
 }

@@ -3,7 +3,7 @@ import { deformation, phasePlaying } from "#document/deform/bend";
 import { edit } from "#document/scene";
 import { colourCommand, fitCommand, handCommand, switchCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
-import { type Timeline, timeCommands } from "#ui/strip/timeline";
+import type { Timeline } from "#ui/strip/timeline";
 import { pausePhase, playPhase, scrubPhase } from "./clock";
 import { gallery } from "./dialogs";
 import { hand } from "./mesh/handles/hand";
@@ -17,7 +17,7 @@ export function nextKey(moments: readonly number[], phase: number, by: 1 | -1, l
   return ahead ?? (loop ? moments.at(by > 0 ? 0 : -1) : undefined) ?? phase;
 }
 
-const TIME: Timeline = {
+export const timeline: Timeline = {
   now: () => deformation.peek().phase,
   length: () => 1,
   seek: scrubPhase,
@@ -33,7 +33,6 @@ const TIME: Timeline = {
 const SHAPE = "Shape and picture";
 
 export const commands: readonly Command[] = [
-  ...timeCommands(TIME),
   { id: "key", label: "Add a key frame", group: "Time", keys: ["K"], run: addKey },
   ...widgetKeys("Key frame, in focus", [
     ["key-move", "Move in time; Shift finer, Alt farther", "←", "→"],

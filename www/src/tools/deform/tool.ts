@@ -1,5 +1,5 @@
 import type { Tool } from "#stage/tool";
-import { commands } from "./commands";
+import { commands, timeline } from "./commands";
 import { DeformPanel } from "./index";
 import { DeformOverlay } from "./mesh/Overlay";
 import { DeformStrip } from "./strip/DeformStrip";
@@ -8,5 +8,6 @@ export const tool: Tool = {
   Overlay: DeformOverlay,
   Panel: DeformPanel,
   Strip: DeformStrip,
+  timeline,
   commands: () => commands,
 };

@@ -5,7 +5,7 @@ import { pause, play, playing } from "#document/playback";
 import { edit, scene } from "#document/scene";
 import { colourCommand, fitCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
-import { type Timeline, timeCommands } from "#ui/strip/timeline";
+import type { Timeline } from "#ui/strip/timeline";
 import { gallery } from "./dialogs";
 import { frames } from "./strip/FilmStrip";
 import { scrubTo } from "./strip/scrub";
@@ -17,7 +17,7 @@ export function nextFrame(moments: readonly number[], t: number, by: 1 | -1): nu
   return ahead ?? (by > 0 ? 1 : 0);
 }
 
-const TIME: Timeline = {
+export const timeline: Timeline = {
   now: () => scene.peek().t,
   length: () => 1,
   seek: scrubTo,
@@ -32,7 +32,6 @@ const TIME: Timeline = {
 const SHAPES = "Shapes and picture";
 
 export const commands: readonly Command[] = [
-  ...timeCommands(TIME),
   ...widgetKeys("Path, with a point in focus", [
     ["way-move", "Move by 0.01; Shift finer, Alt coarser", "←", "→", "↑", "↓"],
     ["way-add", "Add a way point", "+", "Enter"],

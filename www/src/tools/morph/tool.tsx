@@ -3,7 +3,7 @@ import { curved } from "#document/curve/curve";
 import { evidenceOpen } from "#stage/marks";
 import { MapOverlay } from "#stage/stage";
 import type { ToolEntry } from "#stage/tool";
-import { commands } from "./commands";
+import { commands, timeline } from "./commands";
 import { MorphPanel } from "./index";
 import { EvidencePanel, fetchAhead } from "./later";
 import { MorphStrip } from "./strip/MorphStrip";
@@ -20,6 +20,7 @@ export const morph: ToolEntry = {
     Evidence: () => (curved.value ? <CurveEvidence /> : evidenceOpen.value && <EvidencePanel />),
     Panel: MorphPanel,
     Strip: MorphStrip,
+    timeline,
     commands: () => commands,
   },
   fetchAhead,

@@ -1,16 +1,16 @@
 /** What keys do while space is open. */
 import { EMPTY_LINE } from "#document/space/edits";
-import { hand, moment, timeline } from "#document/space/space";
+import { hand, timeline as line, moment } from "#document/space/space";
 import { fitCommand, handCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
-import { type Timeline, timeCommands } from "#ui/strip/timeline";
+import type { Timeline } from "#ui/strip/timeline";
 import { goToOrigin, showWhole } from "./stage/actions";
 import { scrubSpace, togglePlay } from "./time/clock";
 import { goToKey, setKey } from "./time/keys/keys";
 
-const TIME: Timeline = {
+export const timeline: Timeline = {
   now: () => moment.peek(),
-  length: () => (timeline.peek() ?? EMPTY_LINE).seconds,
+  length: () => (line.peek() ?? EMPTY_LINE).seconds,
   seek: scrubSpace,
   toggle: togglePlay,
   step: goToKey,
@@ -35,7 +35,6 @@ export const commands: readonly Command[] = [
   ]),
   { ...fitCommand(showWhole), label: "All of it", group: PLACES, keys: ["0", "F"] },
   { id: "origin", label: "From the origin", group: PLACES, keys: ["O"], run: goToOrigin },
-  ...timeCommands(TIME),
   { id: "key", label: "Set a key", group: "Time", keys: ["K"], run: setKey },
   ...widgetKeys("Key, in focus", [
     ["key-move", "Move it by 0.1 s; Shift finer, Alt farther", "←", "→"],

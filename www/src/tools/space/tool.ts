@@ -1,6 +1,6 @@
 import { openSpace } from "#document/space/space";
 import type { Tool } from "#stage/tool";
-import { commands } from "./commands";
+import { commands, timeline } from "./commands";
 import { SpacePanel } from "./index";
 import { savePng } from "./save";
 import { SpaceStage } from "./stage/SpaceStage";
@@ -9,5 +9,12 @@ import { TimeStrip } from "./time/TimeStrip";
 /** With what computes it. */
 export async function openTool(): Promise<Tool> {
   await openSpace();
-  return { Stage: SpaceStage, Panel: SpacePanel, Strip: TimeStrip, commands: () => commands, savePng };
+  return {
+    Stage: SpaceStage,
+    Panel: SpacePanel,
+    Strip: TimeStrip,
+    timeline,
+    commands: () => commands,
+    savePng,
+  };
 }
