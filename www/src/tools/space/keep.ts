@@ -1,4 +1,4 @@
-import type { Keep } from "../history";
+import type { Keep } from "#document/history";
 
 /** The moment of space, and where it is seen from. */
 export const keepLook: Keep = (target, other, { space: present }) => {

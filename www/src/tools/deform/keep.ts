@@ -1,4 +1,4 @@
-import type { Keep } from "../history";
+import type { Keep } from "#document/history";
 
 /** The moment of the grid. */
 export const keepPhase: Keep = (target, other, { deform }) =>
