@@ -1,6 +1,5 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { Scene } from "#wasm/api";
-import { AT_REST } from "./deform/bend";
 import { LONGEST } from "./history";
 import { canRedo, canUndo, edit, endGesture, inGesture, redo, replace, scene, start, undo } from "./scene";
 
@@ -47,15 +46,12 @@ describe("edit", () => {
     expect(scene.value.turns).toEqual([2]);
   });
 
-  it("leaves the tool and the moment of the grid to whoever looks", () => {
-    replace({ ...scene.peek(), tool: "deform", deform: AT_REST });
-    edit((before) => ({ ...before, deform: { ...(before.deform ?? AT_REST), kb: 3 } }));
-    replace({ ...scene.peek(), tool: "morph", deform: { ...AT_REST, kb: 3, phase: 0.5 } });
+  it("leaves the tool to whoever looks", () => {
+    replace({ ...scene.peek(), tool: "deform" });
+    edit(turn([1]));
+    replace({ ...scene.peek(), tool: "fit" });
     undo();
-    expect(scene.value.tool).toBe("morph");
-    expect(scene.value.deform).toEqual({ ...AT_REST, kb: 0, phase: 0.5 });
-    redo();
-    expect(scene.value.deform).toEqual({ ...AT_REST, kb: 3, phase: 0.5 });
+    expect(scene.value).toMatchObject({ tool: "fit", turns: [] });
   });
 
   it("does nothing when nothing changes", () => {
@@ -105,25 +101,5 @@ describe("undo and the moment", () => {
     undo();
     redo();
     expect(scene.value).toEqual(first);
-  });
-});
-
-describe("undo in space", () => {
-  const view = { target: [0, 0, 0] as [number, number, number], distance: 5, turn: 1, tilt: 0, angle: 1 };
-
-  it("leaves the view and the moment where they are", () => {
-    edit((now) => ({ ...now, space: { packed: "o:tree", at: 0 } }));
-    replace({ ...scene.peek(), space: { packed: "o:tree", at: 2, view } });
-    undo();
-    expect(scene.value.space).toEqual({ packed: "", at: 2, view });
-    redo();
-    expect(scene.value.space).toEqual({ packed: "o:tree", at: 2, view });
-  });
-
-  it("brings them back where the step changed them", () => {
-    replace({ ...scene.peek(), space: { packed: "o:tree", at: 2, view } });
-    edit((now) => ({ ...now, space: { packed: "o:fern", at: 0 } }));
-    undo();
-    expect(scene.value.space).toEqual({ packed: "o:tree", at: 2, view });
   });
 });

@@ -1,8 +1,6 @@
 /** What undo leaves to whoever looks. */
 import type { Scene } from "#wasm/api";
-import { keepPhase } from "./deform/keep";
 import type { Keep } from "./history";
-import { keepLook } from "./space/keep";
 
 /** The moment of the morph, the view and the tool. */
 const keepPlace: Keep = (target, other, present) => {
@@ -16,7 +14,12 @@ const keepPlace: Keep = (target, other, present) => {
   return scene;
 };
 
-const KEEP: readonly Keep[] = [keepPlace, keepPhase, keepLook];
+const parts: Keep[] = [keepPlace];
+
+/** A tool has something in its part of the document that is to be left, too. */
+export function keepToo(part: Keep): void {
+  parts.push(part);
+}
 
 export const keep: Keep = (target, other, present) =>
-  KEEP.reduce((scene, part) => part(scene, other, present), target);
+  parts.reduce((scene, part) => part(scene, other, present), target);

@@ -1,5 +1,6 @@
 /** The tools of the studio, in the order of the bar on top. */
 import { effect, signal } from "@preact/signals";
+import { keepToo } from "#document/keep";
 import { notify, wordsOf } from "#document/notice";
 import { tool as opened } from "#document/tool";
 import type { Tool, ToolEntry } from "#stage/tool";
@@ -9,6 +10,8 @@ import { morph } from "#tools/morph/tool";
 import { space } from "#tools/space/entry";
 
 export const TOOLS: readonly ToolEntry[] = [morph, deform, fit, space];
+
+for (const { keepOnUndo } of TOOLS) if (keepOnUndo) keepToo(keepOnUndo);
 
 const entryOf = (id: ToolEntry["id"]): ToolEntry => TOOLS.find((entry) => entry.id === id) ?? morph;
 

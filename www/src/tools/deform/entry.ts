@@ -1,4 +1,5 @@
 import type { ToolEntry } from "#stage/tool";
+import { keepPhase } from "./keep";
 
 export const deform: ToolEntry = {
   id: "deform",
@@ -6,5 +7,6 @@ export const deform: ToolEntry = {
   title: "Frond: bend a fractal by a grid",
   side: "Shape and grid",
   tool: () => import("./tool").then((module) => module.tool),
+  keepOnUndo: keepPhase,
   missing: "The deformation grid could not be loaded",
 };

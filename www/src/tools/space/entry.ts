@@ -1,4 +1,5 @@
 import type { ToolEntry } from "#stage/tool";
+import { keepLook } from "./keep";
 
 export const space: ToolEntry = {
   id: "space",
@@ -7,5 +8,6 @@ export const space: ToolEntry = {
   side: "Shapes, morph and light",
   stage: "Space",
   tool: () => import("./tool").then((module) => module.openTool()),
+  keepOnUndo: keepLook,
   missing: "Space could not be loaded",
 };
