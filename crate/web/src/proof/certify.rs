@@ -25,7 +25,7 @@ const MOST_BOXES: f64 = 200_000.0;
 pub fn certify_path(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "PathPoint[]")] points: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "readonly PathPoint[]")] points: JsValue,
     #[wasm_bindgen(unchecked_param_type = "CertifyOptions | undefined")] options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph(&from, &to, &options)?;
