@@ -50,3 +50,11 @@ export const colourCommand = (
   keys: colours.map((_, i) => `${i + 1}`),
   run: (way) => choose(colours[way] ?? "map"),
 });
+
+export const galleryCommand = (group: string, run: () => void): Command => ({
+  id: "gallery",
+  label: "Gallery",
+  group,
+  keys: ["G"],
+  run,
+});

@@ -1,7 +1,7 @@
 /** What keys do while the deformation tool is open. */
 import { deformation, phasePlaying } from "#document/deform/bend";
 import { edit } from "#document/scene";
-import { colourCommand, fitCommand, handCommand, switchCommand } from "#stage/commands";
+import { colourCommand, fitCommand, galleryCommand, handCommand, switchCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import type { Timeline } from "#ui/strip/timeline";
 import { pausePhase, playPhase, scrubPhase } from "./clock";
@@ -47,15 +47,9 @@ export const commands: readonly Command[] = [
     ["handle-all", "Choose all", "Ctrl+A"],
     ["handle-back", "Put it back", "Delete"],
   ]),
-  {
-    id: "gallery",
-    label: "Gallery",
-    group: SHAPE,
-    keys: ["G"],
-    run: () => {
-      gallery.value = true;
-    },
-  },
+  galleryCommand(SHAPE, () => {
+    gallery.value = true;
+  }),
   handCommand(hand, ["move", "pull", "choose"], {
     label: "What a drag does, the next, the one before: move, pull, select",
     group: SHAPE,

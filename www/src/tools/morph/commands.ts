@@ -3,7 +3,7 @@ import { curved } from "#document/curve/curve";
 import { selection } from "#document/morph";
 import { pause, play, playing } from "#document/playback";
 import { edit, scene } from "#document/scene";
-import { colourCommand, fitCommand } from "#stage/commands";
+import { colourCommand, fitCommand, galleryCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import type { Timeline } from "#ui/strip/timeline";
 import { gallery } from "./dialogs";
@@ -43,15 +43,9 @@ export const commands: readonly Command[] = [
     ["cross-show", "Show the shape under the cross", "Enter"],
     ["cross-way", "Make it a way point", "A"],
   ]),
-  {
-    id: "gallery",
-    label: "Gallery",
-    group: SHAPES,
-    keys: ["G"],
-    run: () => {
-      gallery.value = selection.peek()?.target ?? "a";
-    },
-  },
+  galleryCommand(SHAPES, () => {
+    gallery.value = selection.peek()?.target ?? "a";
+  }),
   {
     id: "edit",
     label: "Edit the maps",

@@ -14,6 +14,8 @@ export interface NumberFieldProps {
   max?: number;
   /** Decimals shown; the value itself keeps all it has. */
   digits?: number;
+  /** By steps of 1, and without decimals. */
+  whole?: boolean;
   unit?: string;
   /** Show only the symbol; the name is still read out and is the tooltip. */
   terse?: boolean;
@@ -29,7 +31,8 @@ export interface NumberFieldProps {
 
 /** A number that can be typed, as a fraction too, or stepped with the arrow keys (shift finer, alt coarser). */
 export function NumberField(props: NumberFieldProps) {
-  const { label, symbol, value, step = 0.01, min, max, digits = 4, unit, terse = false } = props;
+  const { label, symbol, value, min, max, whole = false, unit, terse = false } = props;
+  const { step = whole ? 1 : 0.01, digits = whole ? 0 : 4 } = props;
   const id = useOwnId("number");
   const [draft, setDraft] = useState<string | null>(null);
   const [problem, setProblem] = useState<string | null>(null);

@@ -1,13 +1,12 @@
 import { computed } from "@preact/signals";
 import { curveFilm, strip, thumbnails } from "#compute/results";
-import { Shelf } from "#curve/parts";
+import { PresetGallery } from "#curve/PresetGallery";
 import { sameCurves } from "#document/curve/changes";
 import { curved, curveMorph, curves } from "#document/curve/curve";
 import { aroundStanding, boxAround, changeDeformation, deformation } from "#document/deform/bend";
 import { pictureMaps } from "#document/deform/picture";
 import { announce } from "#document/notice";
 import { pause, setT } from "#document/playback";
-import { originOf, presets } from "#document/presets";
 import { edit, replace, scene } from "#document/scene";
 import { formatNumber } from "#format/numbers";
 import { CurveThumb } from "#stage/curve/CurveThumb";
@@ -15,9 +14,8 @@ import { Button } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { Slider } from "#ui/controls/Slider";
 import { Switch } from "#ui/controls/Switch";
-import { Dialog } from "#ui/overlay/Dialog";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
-import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
+import { mapsNote } from "#ui/shapes/ShapeGrid";
 import { SubjectCard } from "#ui/shapes/SubjectCard";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { choose, inBox, onPath, sameBox, sameShapes } from "../changes";
@@ -158,28 +156,19 @@ function frameAt(at: number): ImageBitmap | null {
 /** Every preset, and the closed curves, to be bent. */
 export function Gallery() {
   if (!gallery.value) return null;
-  const close = () => {
-    gallery.value = false;
-  };
   return (
-    <Dialog
-      wide
+    <PresetGallery
       title="A shape to bend"
       about="The grid is put around it. Shape A of the morph becomes it, too."
-      onClose={close}
-    >
-      <ShapeGrid
-        presets={presets()}
-        pictures={thumbnails.value}
-        noteOf={mapsNote}
-        chosen={curved.value ? undefined : originOf(a.value)?.id}
-        onChoose={(preset) => {
-          edit((before) => choose(before, preset, boxAround(preset.maps)));
-          announce(`${preset.name}, with the grid around it.`);
-          close();
-        }}
-      />
-      <Shelf end="bent" onChosen={close} />
-    </Dialog>
+      end="bent"
+      now={a.value}
+      onChoose={(preset) => {
+        edit((before) => choose(before, preset, boxAround(preset.maps)));
+        announce(`${preset.name}, with the grid around it.`);
+      }}
+      onClose={() => {
+        gallery.value = false;
+      }}
+    />
   );
 }

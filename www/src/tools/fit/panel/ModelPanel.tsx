@@ -67,8 +67,7 @@ function Collage() {
             value={now.maps}
             min={2}
             max={400}
-            step={1}
-            digits={0}
+            whole
             onChange={(maps) => change({ maps: Math.round(maps) })}
           />
           <NumberField
@@ -76,8 +75,7 @@ function Collage() {
             value={now.features}
             min={8}
             max={4000}
-            step={1}
-            digits={0}
+            whole
             onChange={(features) => change({ features: Math.round(features) })}
           />
         </span>

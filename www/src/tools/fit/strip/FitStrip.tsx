@@ -78,8 +78,7 @@ function Maps() {
         value={maps}
         min={LEAST_MAPS}
         max={400}
-        step={1}
-        digits={0}
+        whole
         onChange={(next) => change(Math.round(next))}
       />
       <Slider

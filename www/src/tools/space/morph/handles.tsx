@@ -4,39 +4,17 @@ import type { Uv } from "#geometry/path";
 import { nearestOn } from "#geometry/polyline";
 import { CurrentHandle, focusHandle, WayHandle, type WayPath } from "#stage/locus/WayPoints";
 import { MOST_POINTS } from "./changes";
-import {
-  addAfter,
-  addHere,
-  chosen,
-  goTo,
-  moveTo,
-  pick,
-  place,
-  pointWords,
-  removeAt,
-  stateAt,
-  stateNow,
-  way,
-} from "./way";
+import * as changes from "./way";
+import { addHere, goTo, moveTo, removeAt, way } from "./way";
 import { moment, pathPoints, uv } from "./work";
 
 /** The path of a morph in space as its handles and its editor have it. */
 export const PATH: WayPath = {
-  way,
-  chosen,
+  ...changes,
   most: MOST_POINTS,
-  pick,
-  moveTo,
-  addAfter,
-  addHere,
-  removeAt,
   moment,
   uv,
-  goTo,
-  wayWords: stateAt,
-  stateNow,
-  pointWords,
-  place,
+  wayWords: changes.stateAt,
 };
 
 type ToUv = (event: PointerEvent) => Uv;

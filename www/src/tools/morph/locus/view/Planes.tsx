@@ -39,8 +39,7 @@ export function Planes() {
           value={sides.value}
           min={3}
           max={64}
-          step={1}
-          digits={0}
+          whole
           onChange={(next) => {
             if (!Number.isInteger(next)) return "A whole number, please.";
             lastSides = next;
