@@ -1,8 +1,10 @@
 //! Echoes: where F is made of copies by two maps, it is also made, in part, of copies by one after the inverse of
 //! another.
 
+use serde::Serialize;
+
 /// One map of a composition.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Eq, PartialEq, Serialize)]
 pub struct Letter {
     /// Index of the cluster.
     pub cluster: usize,

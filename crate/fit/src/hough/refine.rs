@@ -1,11 +1,12 @@
 //! From the middle of a bin to the map itself, and the part of the graph on which it holds.
 
 use glam::{DMat3, DVec3};
+use serde::{Deserialize, Serialize};
 
 use super::pairing::Pairing;
 
 /// A map that holds on a part of the graph.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Candidate {
     /// a, b, c, d, e of eq 1.
     pub map: [f64; 5],

@@ -1,5 +1,7 @@
 //! The space of clusters: most of what votes tell lies in two or three of its five dimensions (section 5.1).
 
+use serde::Serialize;
+
 use super::cluster::Cluster;
 use super::options::{BINS, PLANE};
 
@@ -9,7 +11,7 @@ const JACOBI_ROUNDS: usize = 40;
 /// The principal components of clusters, each weighted by its hits.
 ///
 /// a, b, c, d and e have other units, so each is first measured in the range in which it is counted: from -1 to 1.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Components {
     /// Where the weight's middle is.
     pub mean: [f64; 5],

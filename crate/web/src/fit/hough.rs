@@ -5,8 +5,8 @@
 
 use frond_fit::{
     Assembly, BINS, Candidate, Cluster, Components, Features, FirstPass, FunctionError, HoughError,
-    HoughOptions, HoughProgress, Kind, Model, Pick, SecondPass, Series, assemble, assemble_picked, gather,
-    in_range, name_clusters, refine_map, share_cells,
+    HoughOptions, HoughProgress, Kind, Letter, Model, Pick, SecondPass, Series, assemble, assemble_picked,
+    gather, in_range, name_clusters, refine_map, share_cells,
 };
 use js_sys::{Array, Float64Array, Uint32Array};
 use serde::{Deserialize, Serialize};
@@ -192,26 +192,6 @@ fn read_clusters(flat: &[f64]) -> Vec<Cluster> {
     flat.chunks_exact(NUMBERS_A_CLUSTER).map(cluster).collect()
 }
 
-#[derive(Serialize, Deserialize)]
-struct PlainCandidate {
-    map: [f64; 5],
-    domain: [f64; 2],
-    points: usize,
-    rms: f64,
-}
-
-impl From<Candidate> for PlainCandidate {
-    fn from(Candidate { map, domain, points, rms }: Candidate) -> Self {
-        Self { map, domain, points, rms }
-    }
-}
-
-#[derive(Serialize)]
-struct PlainLetter {
-    cluster: usize,
-    inverse: bool,
-}
-
 #[derive(Serialize)]
 struct PlainFound {
     hits: u32,
@@ -221,21 +201,14 @@ struct PlainFound {
     /// Along the principal axes.
     place: [f64; 5],
     kind: &'static str,
-    echo: Vec<PlainLetter>,
-    candidate: Option<PlainCandidate>,
-}
-
-#[derive(Serialize)]
-struct PlainSpace {
-    mean: [f64; 5],
-    axes: [[f64; 5]; 5],
-    shares: [f64; 5],
+    echo: Vec<Letter>,
+    candidate: Option<Candidate>,
 }
 
 #[derive(Serialize)]
 struct PlainClusters {
     found: Vec<PlainFound>,
-    space: Option<PlainSpace>,
+    space: Option<Components>,
 }
 
 /// The clusters among the peaks of all parts, the most hits first: named, refined, and laid out along the principal
@@ -256,20 +229,17 @@ pub fn hough_clusters(
             Kind::Echo(word) => ("echo", word),
             Kind::Clutter => ("clutter", Vec::new()),
         };
-        let letter =
-            |letter: frond_fit::Letter| PlainLetter { cluster: letter.cluster, inverse: letter.inverse };
         PlainFound {
             hits: found.cluster.hits,
             map: found.cluster.map,
             at: in_range(&found.cluster),
             place: components.map_or([0.0; 5], |components| components.place(&found.cluster)),
             kind,
-            echo: echo.into_iter().map(letter).collect(),
-            candidate: found.candidate.map(PlainCandidate::from),
+            echo,
+            candidate: found.candidate,
         }
     });
-    let space = components.map(|Components { mean, axes, shares }| PlainSpace { mean, axes, shares });
-    write(&PlainClusters { found: found.collect(), space })
+    write(&PlainClusters { found: found.collect(), space: components })
 }
 
 /// The part of the graph on which a map holds, and b, c and e of least squares there; null where it holds nowhere.
@@ -277,7 +247,7 @@ pub fn hough_clusters(
 pub fn hough_refine(coarse: &[f64], fine: &[f64], map: &[f64]) -> Result<JsValue, JsValue> {
     let map: [f64; 5] = map.try_into().map_err(|_| bad_input("The map", "it has five numbers"))?;
     match refine_map(&features(coarse)?, &features(fine)?, map) {
-        Some(candidate) => write(&PlainCandidate::from(candidate)),
+        Some(candidate) => write(&candidate),
         None => Ok(JsValue::NULL),
     }
 }
@@ -324,11 +294,7 @@ impl From<Assembly> for PlainAssembly {
 /// A whole function of the candidates that do it best.
 #[wasm_bindgen(js_name = houghAssemble)]
 pub fn hough_assemble(coarse: &[f64], fine: &[f64], candidates: JsValue) -> Result<JsValue, JsValue> {
-    let plain: Vec<PlainCandidate> = read("The list of candidates", candidates)?;
-    let candidates: Vec<_> = plain
-        .into_iter()
-        .map(|PlainCandidate { map, domain, points, rms }| Candidate { map, domain, points, rms })
-        .collect();
+    let candidates: Vec<Candidate> = read("The list of candidates", candidates)?;
     let whole = assemble(&features(coarse)?, &features(fine)?, &candidates).map_err(of_function)?;
     write(&PlainAssembly::from(whole))
 }
