@@ -14,7 +14,7 @@ const { notices } = await import("../../www/src/document/notice");
 const state = await import("../../www/src/document/space/space");
 const edits = await import("../../www/src/document/space/edits");
 const { exportTasks } = await import("../../www/src/workers/space/export");
-const { timesOf } = await import("../../www/src/tools/space/export/plan");
+const { timesOf } = await import("../../www/src/film/plan");
 const { takeAnimation } = await import("../../www/src/tools/space/time/saved/open");
 
 const first = { ...scene.peek() };

@@ -3,7 +3,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { describe, expect, it } from "vitest";
-import { NIGHT, PAPER } from "#style/colours";
+import { NIGHT, PAPER } from "../../www/src/style/colours";
 
 const root = fileURLToPath(new URL("../../www/src", import.meta.url));
 const tools = readdirSync(join(root, "tools")).filter((tool) => tool !== "morph");

@@ -265,7 +265,7 @@ test("the moment is saved as a drawing, as points, as numbers and as a picture",
   expect(png.subarray(1, 4).toString()).toBe("PNG");
   expect(Math.max(png.readUInt32BE(16), png.readUInt32BE(20))).toBe(2400);
 
-  const menu = page.getByRole("button", { name: "Save the curve" });
+  const menu = page.getByRole("button", { name: "Save", exact: true });
   const download = page.waitForEvent("download");
   await menu.click();
   await page.getByRole("menuitem", { name: "Save as SVG" }).click();
@@ -289,7 +289,7 @@ test("axe finds nothing", async ({ studio, page }) => {
     await page.keyboard.press("Escape");
   });
   await test.step("menu", async () => {
-    await page.getByRole("button", { name: "Save the curve" }).click();
+    await page.getByRole("button", { name: "Save", exact: true }).click();
     await expectClean(page);
     await page.keyboard.press("Escape");
   });

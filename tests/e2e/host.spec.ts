@@ -40,7 +40,8 @@ test("a picture is saved", async ({ studio, page }) => {
   await studio.open("a=gasket&b=gasket");
   await studio.drawn();
   const saving = page.waitForEvent("download");
-  await page.getByRole("button", { name: "Save as PNG" }).click();
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await page.getByRole("menuitem", { name: "Save as PNG" }).click();
   const file = await saving;
   expect(file.suggestedFilename()).toBe("frond-gasket-gasket-0.00.png");
   const size = await page.evaluate(

@@ -4,8 +4,9 @@ import { sameCurves } from "#document/curve/changes";
 import { curveMorph, curves, curveTime } from "#document/curve/curve";
 import { bend } from "#document/deform/bend";
 import { notify, wordsOf } from "#document/notice";
-import { lookOf, paintCurve } from "#stage/curve/paint";
-import { moved, TOLERANCE } from "#stage/curve/painter";
+import { dark } from "#document/preferences";
+import { moved } from "#stage/curve/painter";
+import { stillCurve } from "#stage/curve/still";
 import { stageStyle } from "#stage/look";
 import { effectiveView, stageSize } from "#stage/view";
 import { GREY } from "#style/colours";
@@ -74,19 +75,16 @@ async function picture(): Promise<Blob> {
   const width = Math.max(1, Math.round(size.width * larger));
   const height = Math.max(1, Math.round(size.height * larger));
   const shown = effectiveView.peek();
-  const view = { ...shown, scale: shown.scale * larger };
-  const [across, up] = [(0.55 * width) / view.scale, (0.55 * height) / view.scale];
-  const points = morph.polyline(curveTime.peek(), {
-    tolerance: TOLERANCE / view.scale,
-    window: [view.x - across, view.y - up, view.x + across, view.y + up],
-    bend: moved(bend.peek()),
-    most: MOST_POINTS,
+  const canvas = stillCurve({
+    morph,
+    s: curveTime.peek(),
+    bend: bend.peek(),
+    view: { ...shown, scale: shown.scale * larger },
+    width,
+    height,
+    ...stageStyle.peek(),
+    dark: dark.peek(),
+    lineWidth: LINE_WIDTH * larger,
   });
-  const canvas = new OffscreenCanvas(width, height);
-  const context = canvas.getContext("2d");
-  if (!context) throw new Error("The browser has no canvas.");
-  const { colouring, palette } = stageStyle.peek();
-  const look = lookOf(morph, curveTime.peek(), colouring, palette, LINE_WIDTH * larger);
-  paintCurve(context, points, { view, width, height }, look);
   return canvas.convertToBlob({ type: "image/png" });
 }

@@ -4,6 +4,7 @@ import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
 import { route } from "#document/link";
 import { announcement, dismiss, notices, notify, wordsOf } from "#document/notice";
+import { filmOpen } from "#film/open";
 import { Stage as SharedStage } from "#stage/stage";
 import type { PainterBackend } from "#stage/surface/painter";
 import { commandsOf } from "#stage/tool";
@@ -11,6 +12,7 @@ import { type Command, help, listenForCommands } from "#ui/commands";
 import { lazily } from "#ui/lazy";
 import { Toasts } from "#ui/overlay/Toasts";
 import { curvesFetched } from "#wasm/curve";
+import { fetchSave } from "./actions";
 import { Header } from "./header";
 import { Readout } from "./Readout";
 import css from "./shell.module.css";
@@ -77,12 +79,16 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
       </aside>
       <div class="time">{Strip && <Strip />}</div>
       {help.value && <ShortcutsDialog commands={commands} />}
+      {filmOpen.value && tool?.films && <FilmDialog films={tool.films} />}
     </main>
   );
 }
 
 const shortcuts = () => import("#ui/overlay/ShortcutsDialog").then((module) => module.ShortcutsDialog);
 const ShortcutsDialog = lazily(shortcuts);
+
+const filmDialog = () => import("#film/FilmDialog").then((module) => module.FilmDialog);
+const FilmDialog = lazily(filmDialog);
 
 const NOTHING: readonly Command[] = [];
 const commands = () => {
@@ -95,7 +101,10 @@ export function fetchAhead(): void {
   const tried = () => {
     curvesFetched.value = true;
   };
-  Promise.all([shortcuts(), ...TOOLS.map((entry) => entry.fetchAhead?.())]).then(tried, tried);
+  Promise.all([shortcuts(), filmDialog(), fetchSave(), ...TOOLS.map((entry) => entry.fetchAhead?.())]).then(
+    tried,
+    tried,
+  );
 }
 
 type FiguresComponent = ComponentType<{ figure: string | null }>;

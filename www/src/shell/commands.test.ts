@@ -13,10 +13,16 @@ const files = import.meta.glob<{
   timeline?: Timeline;
 }>("../tools/*/commands.ts", { eager: true });
 
+const NO_FILMS = async () => ({ subjects: [] });
+
 const listsNow = (when = ""): [string, readonly Command[]][] =>
   Object.entries(files).map(([file, { commands, ...time }]) => [
     `${file.split("/").at(-2)}${when}`,
-    commandsOf({ ...time, commands: typeof commands === "function" ? commands : () => commands }),
+    commandsOf({
+      ...time,
+      films: NO_FILMS,
+      commands: typeof commands === "function" ? commands : () => commands,
+    }),
   ]);
 
 const lists = listsNow();

@@ -4,6 +4,7 @@ import { selection } from "#document/morph";
 import { setTheme, type Theme, theme } from "#document/preferences";
 import { canRedo, canUndo, redo, undo } from "#document/scene";
 import { openTool, tool } from "#document/tool";
+import { filmProgress, openFilm } from "#film/open";
 import { help, withKey } from "#ui/commands";
 import { Icon } from "#ui/controls/Icon";
 import { Menu, type MenuItem } from "#ui/overlay/Menu";
@@ -11,7 +12,7 @@ import type { Tool as ToolName } from "#wasm/api";
 import { CURVE_FILES, curveOnStage, saveCurve, savePicture, shareLink, studioHref } from "./actions";
 import { Glyph, type GlyphName } from "./glyphs";
 import css from "./shell.module.css";
-import { TOOLS } from "./tools";
+import { openedTool, TOOLS } from "./tools";
 
 const NEXT_THEME: Record<Theme, Theme> = { auto: "light", light: "dark", dark: "auto" };
 const THEME_WORDS: Record<Theme, string> = {
@@ -70,8 +71,16 @@ function moreItems(studio: boolean): MenuItem[] {
     onSelect: () => setTheme(choice),
   }));
   if (!studio) return themes;
-  const saves = curveOnStage.value ? curveItems() : [{ label: "Save as PNG", onSelect: savePicture }];
-  return [...saves, ...themes];
+  return [...saveItems(), ...themes];
+}
+
+/** The files that what is open can be saved as. */
+function saveItems(): MenuItem[] {
+  const pictures = curveOnStage.value ? curveItems() : [{ label: "Save as PNG", onSelect: savePicture }];
+  if (!openedTool().tool?.films) return pictures;
+  const done = filmProgress.value;
+  const film = done === null ? "Film …" : `Film, ${Math.floor(100 * done)}% made`;
+  return [...pictures, { label: film, icon: "play", onSelect: openFilm }];
 }
 
 function curveItems(): MenuItem[] {
@@ -86,13 +95,9 @@ function StudioTools() {
     <>
       <Tool glyph="undo" label="Undo" command="undo" disabled={!canUndo.value} onClick={undo} />
       <Tool glyph="redo" label="Redo" command="redo" disabled={!canRedo.value} onClick={redo} />
-      {curveOnStage.value ? (
-        <div class="wide">
-          <Menu label="Save the curve" icon="save" items={curveItems()} />
-        </div>
-      ) : (
-        <Tool glyph="save" label="Save as PNG" class="wide" onClick={savePicture} />
-      )}
+      <div class="wide">
+        <Menu label="Save" icon="save" items={saveItems()} />
+      </div>
       <Tool
         glyph="help"
         command="help"

@@ -1,6 +1,8 @@
 /** What a tool has to bring. */
 import type { ComponentType } from "preact";
 import type { Keep } from "#document/history";
+import { FILM } from "#film/open";
+import type { Films } from "#film/subject";
 import type { Command } from "#ui/commands";
 import { type Timeline, timeCommands } from "#ui/strip/timeline";
 import type { Tool as ToolName } from "#wasm/api";
@@ -25,15 +27,19 @@ export interface Tool {
   commands: () => readonly Command[];
   /** Saves what a stage of its own shows. */
   savePng?: () => void | Promise<void>;
+  /** What moves in it, to be filmed. */
+  films?: () => Promise<Films>;
 }
 
 /** All that keys do in a tool: in time, and else. */
 export const commandsOf = ({
   timeline,
   commands,
-}: Pick<Tool, "timeline" | "commands">): readonly Command[] => [
+  films,
+}: Pick<Tool, "timeline" | "commands" | "films">): readonly Command[] => [
   ...(timeline ? timeCommands(timeline) : []),
   ...commands(),
+  ...(films ? [FILM] : []),
 ];
 
 /** A tool as the page knows it before it is opened. */

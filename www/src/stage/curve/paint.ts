@@ -28,9 +28,10 @@ export function lookOf(
   colouring: Colouring,
   palette: readonly string[],
   width: number,
+  night = dark.peek(),
 ): CurveLook {
   const colour = palette[0] ?? GREY;
-  const soft = SOFT[dark.peek() ? "dark" : "light"];
+  const soft = SOFT[night ? "dark" : "light"];
   const edges = edgeColours(morph.arcs(), s, colouring, palette);
   if (!edges) return { colour, outline: null, width, soft };
   const kinds = Uint16Array.from(morph.edges(), (edge) => edges.kinds[edge] ?? 0);

@@ -1,5 +1,6 @@
 import type { Tool } from "#stage/tool";
 import { commands, timeline } from "./commands";
+import { films } from "./film";
 import { DeformPanel } from "./index";
 import { DeformOverlay } from "./mesh/Overlay";
 import { DeformStrip } from "./strip/DeformStrip";
@@ -10,4 +11,5 @@ export const tool: Tool = {
   Strip: DeformStrip,
   timeline,
   commands: () => commands,
+  films,
 };

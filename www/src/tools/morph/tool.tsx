@@ -22,6 +22,7 @@ export const morph: ToolEntry = {
     Strip: MorphStrip,
     timeline,
     commands: () => commands,
+    films: () => import("./film").then((module) => module.films()),
   },
   fetchAhead,
 };

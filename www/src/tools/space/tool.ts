@@ -1,6 +1,7 @@
 import { openSpace } from "#document/space/space";
 import type { Tool } from "#stage/tool";
 import { commands, timeline } from "./commands";
+import { films } from "./film";
 import { SpacePanel } from "./index";
 import { savePng } from "./save";
 import { SpaceStage } from "./stage/SpaceStage";
@@ -16,5 +17,6 @@ export async function openTool(): Promise<Tool> {
     timeline,
     commands: () => commands,
     savePng,
+    films,
   };
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { changesSince, gifDelay, gifSink } from "./gif";
+import { changesSince, dithered, gifDelay, gifSink } from "./gif";
 import { channels, layOn } from "./opaque";
 
 describe("a GIF", () => {
@@ -20,7 +20,7 @@ describe("a GIF", () => {
     const frame = (red: number) =>
       Uint8ClampedArray.from([red, 0, 0, 255, 9, 9, 9, 255, 0, 0, 200, 255, 9, 9, 9, 255]);
     const samples = new Uint8ClampedArray([...frame(250), ...frame(120)]);
-    const sink = await gifSink({ width: 2, height: 2, fps: 30, ground: "#090909", samples });
+    const sink = await gifSink({ width: 2, height: 2, fps: 30, ground: "#090909", dither: false, samples });
     for (const red of [250, 120, 250]) await sink.add(frame(red));
     const bytes = await sink.finish();
     const text = String.fromCharCode(...bytes);
@@ -34,6 +34,26 @@ describe("a GIF", () => {
     // Drawn over what is there; from the second on, what stays is left out.
     expect(controls.map(({ flags }) => flags)).toEqual([4, 5, 5]);
     expect(bytes.at(-1)).toBe(0x3b);
+  });
+
+  it("has holes where nothing is, and each frame is drawn on an empty one", async () => {
+    const frame = Uint8ClampedArray.from([250, 0, 0, 255, 9, 9, 9, 0]);
+    const sink = await gifSink({ width: 2, height: 1, fps: 10, ground: null, dither: true, samples: frame });
+    for (let i = 0; i < 2; i++) await sink.add(frame.slice());
+    // Restore to what was before the first; colour 255 is clear.
+    expect(controlsOf(await sink.finish()).map(({ flags }) => flags)).toEqual([9, 9]);
+  });
+
+  it("mixes a colour from dots that are right on the whole, and leaves the ground alone", () => {
+    const grey = new Uint8ClampedArray(4 * 64).fill(100);
+    grey.set([7, 8, 9, 255]);
+    const made = dithered(grey, 8, [7, 8, 9]);
+    expect([...made.subarray(0, 4)]).toEqual([7, 8, 9, 255]);
+    const reds = Array.from({ length: 63 }, (_, i) => made[4 * (i + 1)] ?? 0);
+    expect(new Set(reds).size).toBeGreaterThan(15);
+    expect(Math.abs(reds.reduce((a, b) => a + b, 0) / 63 - 100)).toBeLessThan(0.5);
+    // No two neighbours in a row are alike: that would be a stripe.
+    for (let i = 1; i < 7; i++) expect(made[4 * i]).not.toBe(made[4 * (i + 1)]);
   });
 });
 

@@ -1,5 +1,5 @@
 import { channels } from "./opaque";
-import type { FrameSize, Sink } from "./sink";
+import type { FilmSettings, Sink } from "./sink";
 
 /** One of the 256 means: as it was in the frame before. */
 const COLOURS = 255;
@@ -19,26 +19,32 @@ export async function gifSink({
   height,
   fps,
   ground,
-  samples,
-}: FrameSize & { ground: string; samples: Uint8ClampedArray }): Promise<Sink> {
+  dither,
+  samples = new Uint8ClampedArray(4),
+}: Omit<FilmSettings, "kind" | "bitrate">): Promise<Sink> {
   const { GIFEncoder, applyPalette, quantize } = await import("gifenc");
   const gif = GIFEncoder();
+  const behind = ground === null ? null : channels(ground);
   // The ground is most of many pictures: it is exactly what it is on the page.
-  const palette = [channels(ground), ...quantize(samples, COLOURS - 1).slice(0, COLOURS - 1)];
+  const palette = [
+    ...(behind ? [behind] : []),
+    ...quantize(visible(samples), COLOURS - 1).slice(0, COLOURS - 1),
+  ];
   const table = [...palette];
   while (table.length <= SAME) table.push([0, 0, 0]);
   let before: Uint8Array | null = null;
   let frame = 0;
   return {
     async add(pixels) {
-      const index = applyPalette(pixels, palette);
-      const written = before ? changesSince(before, index) : index;
-      const delay = 10 * gifDelay(frame, fps);
-      const first = before === null;
+      const index = applyPalette(dither ? dithered(pixels, width, behind) : pixels, palette);
+      // Nothing of a frame before shines through where this one is clear.
+      if (!behind) clearOf(pixels, index);
+      const written = before && behind ? changesSince(before, index) : index;
       gif.writeFrame(written, width, height, {
-        delay,
-        dispose: 1,
-        ...(first ? { palette: table, repeat: 0 } : { transparent: true, transparentIndex: SAME }),
+        delay: 10 * gifDelay(frame, fps),
+        dispose: behind ? 1 : 2,
+        ...(before === null ? { palette: table, repeat: 0 } : {}),
+        ...(before === null && behind ? {} : { transparent: true, transparentIndex: SAME }),
       });
       before = index;
       frame++;
@@ -49,6 +55,57 @@ export async function gifSink({
     },
     async drop() {},
   };
+}
+
+/** A pixel of a GIF is there or not: half and more is there. */
+const THERE = 128;
+
+/** What is to be seen of some pictures; at least one pixel. */
+function visible(samples: Uint8ClampedArray): Uint8ClampedArray {
+  const seen = new Uint8ClampedArray(samples.length);
+  let at = 0;
+  for (let i = 0; i < samples.length; i += 4) {
+    if ((samples[i + 3] ?? 0) < THERE) continue;
+    seen.set(samples.subarray(i, i + 4), at);
+    at += 4;
+  }
+  return at > 0 ? seen.slice(0, at) : new Uint8ClampedArray(4);
+}
+
+function clearOf(pixels: Uint8ClampedArray, index: Uint8Array): void {
+  for (let i = 0; i < index.length; i++) if ((pixels[4 * i + 3] ?? 0) < THERE) index[i] = SAME;
+}
+
+/** How far dots reach beyond a colour, of 255: about as far as the next colour of a palette is. */
+const REACH = 24;
+/** The order in which the dots of a square of 8 by 8 appear (Bayer 1973), 0 to 63. */
+const BAYER = Uint8Array.from({ length: 64 }, (_, i) => {
+  const [x, y] = [i & 7, i >> 3];
+  let order = 0;
+  for (let bit = 0; bit < 3; bit++) {
+    const [p, q] = [(x >> bit) & 1, (y >> bit) & 1];
+    order |= (((p ^ q) << 1) | q) << (2 * (2 - bit));
+  }
+  return order;
+});
+
+/**
+ * Colours in between become dots of both. The dots stand still from frame to frame, which neither shimmers nor takes
+ * much room; the ground has none.
+ */
+export function dithered(
+  pixels: Uint8ClampedArray,
+  width: number,
+  ground: readonly [number, number, number] | null,
+): Uint8ClampedArray {
+  const made = new Uint8ClampedArray(pixels);
+  for (let i = 0; i < made.length; i += 4) {
+    if (ground?.every((channel, k) => pixels[i + k] === channel)) continue;
+    const [x, y] = [(i / 4) % width, Math.floor(i / 4 / width)];
+    const shift = REACH * (((BAYER[8 * (y & 7) + (x & 7)] ?? 0) + 0.5) / 64 - 0.5);
+    for (let k = 0; k < 3; k++) made[i + k] = (pixels[i + k] ?? 0) + shift;
+  }
+  return made;
 }
 
 /** The frame where it differs from the one before; elsewhere nothing, which takes little room. */

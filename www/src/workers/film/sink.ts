@@ -1,6 +1,6 @@
 /** What takes frames one after the other and becomes a file. */
 export interface Sink {
-  /** Opaque RGBA, row 0 on top. It is not kept. */
+  /** RGBA, row 0 on top: opaque, but where the film has no ground. It is not kept. */
   add(pixels: Uint8ClampedArray<ArrayBuffer>): Promise<void>;
   finish(): Promise<Uint8Array<ArrayBuffer>>;
   /** Leaves it unfinished. */
@@ -13,3 +13,19 @@ export interface FrameSize {
   /** Frames a second. */
   fps: number;
 }
+
+/** Which kind of file, and how. */
+export interface FilmSettings extends FrameSize {
+  kind: FilmKind;
+  /** Bits a second, of videos. */
+  bitrate: number;
+  /** "#rrggbb"; null leaves clear what is clear, where the kind can. */
+  ground: string | null;
+  /** Of a GIF: whether colours that it does not have are mixed from dots. */
+  dither: boolean;
+  /** Pixels of some frames, which choose the colours of a GIF. */
+  samples?: Uint8ClampedArray<ArrayBuffer>;
+}
+
+/** Videos, moving pictures, and the frames one by one. */
+export type FilmKind = "mp4" | "webm" | "gif" | "apng" | "zip";

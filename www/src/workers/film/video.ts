@@ -9,19 +9,22 @@ const CODECS: Record<VideoKind, readonly FilmCodec[]> = { mp4: ["avc"], webm: ["
 interface VideoSettings extends FrameSize {
   /** Bits a second. */
   bitrate: number;
+  /** null: what is clear stays clear. */
+  ground?: string | null;
 }
 
 /** What this browser can write such a video with, or null. */
 export async function codecFor(kind: VideoKind, settings: VideoSettings): Promise<FilmCodec | null> {
   if (typeof VideoEncoder === "undefined") return null;
   const { Quality, canEncodeVideo } = await import("mediabunny");
-  const { width, height, fps, bitrate } = settings;
+  const { width, height, fps, bitrate, ground } = settings;
   for (const codec of CODECS[kind]) {
     const able = canEncodeVideo(codec, {
       width,
       height,
       frameRate: fps,
       quality: new Quality({ bitrate }),
+      ...alphaOf(ground),
     });
     if (await able.catch(() => false)) return codec;
   }
@@ -32,7 +35,7 @@ export async function codecFor(kind: VideoKind, settings: VideoSettings): Promis
 export async function videoSink(
   kind: VideoKind,
   codec: FilmCodec,
-  { width, height, fps, bitrate }: VideoSettings,
+  { width, height, fps, bitrate, ground }: VideoSettings,
 ): Promise<Sink> {
   const { BufferTarget, Mp4OutputFormat, Output, Quality, VideoSample, VideoSampleSource, WebMOutputFormat } =
     await import("mediabunny");
@@ -40,14 +43,19 @@ export async function videoSink(
   // What is played while it is still fetched begins at once where its index comes first.
   const format = kind === "mp4" ? new Mp4OutputFormat({ fastStart: "in-memory" }) : new WebMOutputFormat();
   const output = new Output({ format, target });
-  const source = new VideoSampleSource({ codec, quality: new Quality({ bitrate }), keyFrameInterval: 2 });
+  const source = new VideoSampleSource({
+    codec,
+    quality: new Quality({ bitrate }),
+    keyFrameInterval: 2,
+    ...alphaOf(ground),
+  });
   output.addVideoTrack(source, { frameRate: fps });
   await output.start();
   let frame = 0;
   return {
     async add(pixels) {
       const sample = new VideoSample(pixels, {
-        format: "RGBX",
+        format: ground === null ? "RGBA" : "RGBX",
         codedWidth: width,
         codedHeight: height,
         timestamp: frame / fps,
@@ -71,3 +79,5 @@ export async function videoSink(
     },
   };
 }
+
+const alphaOf = (ground: string | null | undefined) => (ground === null ? { alpha: "keep" as const } : {});

@@ -1,13 +1,10 @@
 import { compileSpace } from "#wasm/space";
+import { crew } from "../film/crew";
 import { client } from "../lanes/client";
 import { performer } from "./performer";
 import type { Tasks } from "./tasks";
 
-/**
- * Asks the workers of space for something. Lane 0 is the stage's own, so that a picture never waits; 1, where a task
- * goes that does not say, is for what is short; 2 and 3 are for what is long.
- */
-export const spaceTask = client<Tasks, 0 | 1 | 2 | 3>({
+const workers = {
   module: compileSpace,
   worker: () =>
     new Worker(new URL("./space.worker.ts", import.meta.url), {
@@ -15,5 +12,13 @@ export const spaceTask = client<Tasks, 0 | 1 | 2 | 3>({
       name: "frond-space",
     }),
   performer,
-  lane: 1,
-});
+};
+
+/**
+ * Asks the workers of space for something. Lane 0 is the stage's own, so that a picture never waits; 1, where a task
+ * goes that does not say, is for what is short; 2 and 3 are for what is long.
+ */
+export const spaceTask = client<Tasks, 0 | 1 | 2 | 3>({ ...workers, lane: 1 });
+
+/** Workers for one film. */
+export const spaceCrew = () => crew<Tasks>(workers);

@@ -43,6 +43,12 @@ export function MotionPanel() {
   );
 }
 
+/** The first of all motions, for whoever has none yet. */
+export function sway(): void {
+  const [first] = MOTIONS.filter(({ id }) => id === "sway");
+  if (first) apply(first);
+}
+
 function apply({ id, name, about }: Motion): void {
   if (now.peek() === id) {
     // Space on the button that was just pressed is play and pause, as everywhere.

@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import { NIGHT, PAPER } from "#style/colours";
-import { choiceOf, chosenBackground, groundOf, isDark } from "./background";
+import { isDark } from "#style/ground";
+import { choiceOf, chosenBackground, groundOf } from "./background";
 
 test("the background of the document is shown whatever the page is like", () => {
   for (const page of [PAPER, NIGHT]) {

@@ -6,11 +6,12 @@ import { keepBackground } from "#document/space/edits";
 import { chosen, space, spaceFrame } from "#document/space/space";
 import { apply3 } from "#geometry/maps/affine3";
 import { PAPER } from "#style/colours";
+import { isDark } from "#style/ground";
 import { palette } from "#style/palette";
 import type { Point3 } from "#wasm/api";
 import { type SpacePictureHandle, solid } from "#wasm/space";
 import type { Shown } from "#workers/space/complete-picture";
-import { groundOf, isDark } from "../light/background";
+import { groundOf } from "../light/background";
 import type { Ball } from "./camera";
 import { standFor } from "./samples";
 

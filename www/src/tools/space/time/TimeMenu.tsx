@@ -1,7 +1,7 @@
 import { changeTimeline } from "#document/space/edits";
 import { timeline } from "#document/space/space";
+import { openFilm } from "#film/open";
 import { Menu } from "#ui/overlay/Menu";
-import { openExport } from "./exporting";
 import { fly } from "./flight/fly";
 import { attempt, removeAllKeys, stretch } from "./keys/keys";
 import { openAnimation } from "./saved/open";
@@ -29,7 +29,7 @@ export function TimeMenu({ all = false }: { all?: boolean }) {
           { label: "All of it slower by half", disabled: !line, onSelect: () => stretch(1.5) },
           { label: "Twice as fast", disabled: !line, onSelect: () => stretch(0.5) },
           { label: "Open a saved animation …", onSelect: openAnimation },
-          ...(all ? [{ label: "Export …", icon: "save" as const, onSelect: openExport }] : []),
+          ...(all ? [{ label: "Export …", icon: "save" as const, onSelect: openFilm }] : []),
           { label: "Remove all keys", icon: "bin", disabled: !line, onSelect: removeAllKeys },
         ]}
       />

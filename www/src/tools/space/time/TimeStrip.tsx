@@ -3,13 +3,12 @@ import "#ui/strip/strip.css";
 import { useEffect, useState } from "preact/hooks";
 import { EMPTY_LINE } from "#document/space/edits";
 import { moment, space, spacePlaying, timeline } from "#document/space/space";
+import { filmProgress, openFilm } from "#film/open";
 import { Button } from "#ui/controls/Button";
 import { Slider } from "#ui/controls/Slider";
 import { useOwnId } from "#ui/id";
-import { lazily } from "#ui/lazy";
 import { narrow } from "#ui/media";
 import { pauseSpace, scrubSpace, togglePlay } from "./clock";
-import { exportOpen, exportProgress, openExport } from "./exporting";
 import { fly } from "./flight/fly";
 import { KeyOptions, SetKey } from "./keys/KeyOptions";
 import { Keys } from "./keys/Keys";
@@ -19,8 +18,6 @@ import { TimeMenu } from "./TimeMenu";
 import { TimeNumbers } from "./TimeNumbers";
 import css from "./time.module.css";
 import { momentWords } from "./words";
-
-const ExportDialog = lazily(() => import("../export/index").then((module) => module.ExportDialog));
 
 /** Time: play, scrub, and the keys. */
 export function TimeStrip() {
@@ -39,7 +36,6 @@ export function TimeStrip() {
         <Track />
       </div>
       {narrow.value ? <FewOptions /> : <AllOptions />}
-      {exportOpen.value && <ExportDialog />}
     </section>
   );
 }
@@ -125,14 +121,14 @@ function FewOptions() {
 }
 
 export function ExportButton() {
-  const done = exportProgress.value;
+  const done = filmProgress.value;
   return (
     <Button
       class={css["export-button"]}
       popup="dialog"
       description="Save it as a film, as a moving picture, or as numbers"
       disabled={!space.value}
-      onClick={openExport}
+      onClick={openFilm}
     >
       {done === null ? "Export …" : `Film ${Math.floor(100 * done)}%`}
     </Button>

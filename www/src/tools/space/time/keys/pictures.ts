@@ -2,8 +2,8 @@
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
 import { space, spacePlaying, spaceView } from "#document/space/space";
 import type { Space } from "#wasm/api";
-import { Frames } from "#workers/film/frames";
 import { type PictureRequest, pictureOf } from "#workers/space/complete-picture";
+import { Frames } from "#workers/space/frames";
 import { colours, ground } from "../../stage/sight";
 
 const shown = signal<readonly (ImageData | null)[]>([]);

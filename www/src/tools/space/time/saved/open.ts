@@ -2,7 +2,7 @@ import { notify, wordsOf } from "#document/notice";
 import { edit } from "#document/scene";
 import type { Space } from "#wasm/api";
 import { solid } from "#wasm/space";
-import { Frames } from "#workers/film/frames";
+import { Frames } from "#workers/space/frames";
 import { pauseSpace } from "../clock";
 import { type Kept, MOST_BYTES, readSaved, type SavedFrames } from "./saved";
 import { keysOf, madeOf } from "./saved-frames";

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { MapRow3, Space, SpaceFrame, SpaceLight, SpaceView } from "#wasm/api";
-import { frameRecord, framesText } from "#workers/film/frames";
+import { frameRecord, framesText } from "#workers/space/frames";
 import { readSaved, type SavedFrames } from "./saved";
 import { keysOf, madeOf } from "./saved-frames";
 

@@ -1,7 +1,7 @@
 /** The parameters of every frame, read from a file: what they were made of, or else keys that say the same. */
 
 import type { MapRow3, Repeat, Space, SpaceFrame, SpaceKey, SpaceView } from "#wasm/api";
-import { type FrameRecord, frameRecord } from "#workers/film/frames";
+import { type FrameRecord, frameRecord } from "#workers/space/frames";
 import { MOST_KEYS, SHORTEST } from "../changes";
 import { viewIn } from "./saved-view";
 

@@ -1,8 +1,8 @@
 import "#ui/panel/progress.css";
 import { Button } from "#ui/controls/Button";
-import css from "./export.module.css";
+import css from "./film.module.css";
 import { cancel, type Job } from "./job";
-import { Picture } from "./Picture";
+import { Picture } from "./Preview";
 import { grouped, isFilm, timeWords } from "./plan";
 
 /** How far it is, what was drawn last, and a way to end it. */

@@ -3,8 +3,11 @@
 import { formatNumber } from "#format/numbers";
 import type { Repeat } from "#wasm/api";
 import { MOST_GIF_FPS } from "#workers/film/gif";
+import type { FilmKind } from "#workers/film/sink";
 
-export type Kind = "mp4" | "webm" | "gif" | "frames" | "keys";
+/** Every frame as numbers, or what they are made from. */
+export type NumbersKind = "frames" | "keys";
+export type Kind = FilmKind | NumbersKind;
 export type Quality = "small" | "good" | "best";
 
 export interface Plan {
@@ -16,19 +19,32 @@ export interface Plan {
   from: number;
   to: number;
   quality: Quality;
-  /** Whether edges are smoothed, by carving four pixels for each. */
+  /** Whether edges are smoothed, by drawing four pixels for each. */
   smooth: boolean;
+  /** "#rrggbb"; null: as on the stage. */
+  ground: string | null;
+  /** Whether what is clear stays clear, where the kind of file can. */
+  clear: boolean;
+  /** Of a GIF: colours in between as dots of others. */
+  dither: boolean;
+  /** Whether each frame says its moment. */
+  captions: boolean;
 }
 
 export const MOST_FRAMES = 3600;
+/** Of one film, once through. */
+export const MOST_SECONDS = 120;
 export const LEAST_SIDE = 16;
-export const MOST_SIDE = 3840;
+export const MOST_SIDE = 4096;
 export const LEAST_FPS = 10;
 const MOST_FPS = 60;
 
 /** The most frames a second that a kind of file can show. */
 export const mostFps = (kind: Kind): number => (kind === "gif" ? MOST_GIF_FPS : MOST_FPS);
-export const isFilm = (kind: Kind): kind is "mp4" | "webm" | "gif" => kind !== "frames" && kind !== "keys";
+export const isFilm = (kind: Kind): kind is FilmKind => kind !== "frames" && kind !== "keys";
+export const isVideo = (kind: Kind): kind is "mp4" | "webm" => kind === "mp4" || kind === "webm";
+/** Whether a kind of file can be clear where nothing is. */
+export const canBeClear = (kind: Kind): boolean => kind !== "mp4";
 /** Codecs halve the sides for colours. */
 export const even = (side: number): number => 2 * Math.round(side / 2);
 
@@ -81,8 +97,16 @@ export function planProblem(plan: Plan, loop: Repeat): string | null {
       return `Each side has ${LEAST_SIDE} to ${grouped(MOST_SIDE)} pixels, an even number.`;
     }
   }
+  if (filmBytes(plan, loop) > MOST_BYTES) {
+    return `That would be about ${bytesWords(filmBytes(plan, loop))}, more than a browser can hold. Choose a smaller size, or fewer frames.`;
+  }
   return null;
 }
+
+/** A file is made in the memory of the page. */
+const MOST_BYTES = 1.5e9;
+/** Bytes of a PNG for each pixel that shows something. */
+const PNG_BYTES = 1.2;
 
 /** Bits for each pixel of a frame: fractals are rough, and need many. */
 const BITS: Record<Quality, number> = { small: 0.08, good: 0.2, best: 0.5 };
@@ -110,6 +134,9 @@ const GIF_BYTES = 0.6;
  */
 export function filmBytes(plan: Plan, loop: Repeat, lit = 0.5): number {
   const count = frameCount(plan, loop);
+  if (plan.kind === "apng" || plan.kind === "zip") {
+    return 300 + (PNG_BYTES * lit + 0.01) * plan.width * plan.height * count;
+  }
   if (plan.kind === "gif") return 800 + (GIF_BYTES * lit + 0.003) * plan.width * plan.height * count;
   return (bitrateOf(plan) / 8) * (count / plan.fps) + 2000;
 }
@@ -137,15 +164,14 @@ export function secondsLeft(done: number, of: number, elapsed: number): number |
   return (elapsed / done) * (of - done);
 }
 
+const ENDINGS: Partial<Record<Kind, string>> = {
+  apng: ".png",
+  zip: ".zip",
+  frames: "-frames.json",
+  keys: ".json",
+};
+
 /** Where it is kept under. */
-export function fileName(objects: readonly { name: string }[], plan: Plan): string {
-  // A scene of several has no name.
-  const plain = (objects.length === 1 ? (objects[0]?.name ?? "") : "")
-    .toLowerCase()
-    .replace(/[^a-z0-9]+/g, "-")
-    .replace(/^-|-$/g, "")
-    .slice(0, 32);
-  const ending = plan.kind === "frames" || plan.kind === "keys" ? "json" : plan.kind;
-  const what = plan.kind === "frames" ? "-frames" : "";
-  return `frond-${plain || "space"}${what}.${ending}`;
+export function fileName(name: string, { kind }: Pick<Plan, "kind">): string {
+  return `frond-${name}${ENDINGS[kind] ?? `.${kind}`}`;
 }

@@ -25,6 +25,10 @@ const plan: Plan = {
   to: 2,
   quality: "good",
   smooth: true,
+  ground: null,
+  clear: false,
+  dither: true,
+  captions: false,
 };
 
 describe("frames", () => {
@@ -71,11 +75,17 @@ describe("a plan", () => {
     expect(planProblem({ ...plan, fps: 9 }, "once")).toContain("10 to 60");
     expect(planProblem({ ...plan, kind: "gif", fps: 60 }, "once")).toContain("at most 50");
     expect(planProblem({ ...plan, kind: "gif", fps: 50 }, "once")).toBeNull();
-    for (const width of [14, 3842, 101])
-      expect(planProblem({ ...plan, width }, "once")).toContain("16 to 3,840");
+    for (const width of [14, 4098, 101])
+      expect(planProblem({ ...plan, width }, "once")).toContain("16 to 4,096");
     // Numbers have no size, and keys no frames.
     expect(planProblem({ ...plan, kind: "frames", width: 101 }, "once")).toBeNull();
     expect(planProblem({ ...plan, kind: "keys", to: 0 }, "once")).toBeNull();
+  });
+
+  it("is refused where its file would be larger than a browser holds", () => {
+    const large = { ...plan, kind: "zip" as const, width: 3840, height: 2160, from: 0, to: 60, fps: 60 };
+    expect(planProblem(large, "once")).toContain("more than a browser can hold");
+    expect(planProblem({ ...large, kind: "mp4" }, "once")).toBeNull();
   });
 
   it("has even sides", () => {
@@ -122,9 +132,15 @@ describe("words", () => {
   });
 
   it("for the file", () => {
-    expect(fileName([{ name: "Menger Sponge!" }], plan)).toBe("frond-menger-sponge.mp4");
-    expect(fileName([{ name: "Oak" }, { name: "Fern" }], plan)).toBe("frond-space.mp4");
-    expect(fileName([], { ...plan, kind: "frames" })).toBe("frond-space-frames.json");
-    expect(fileName([{ name: "★" }], { ...plan, kind: "keys" })).toBe("frond-space.json");
+    const kinds = ["mp4", "webm", "gif", "apng", "zip", "frames", "keys"] as const;
+    expect(kinds.map((kind) => fileName("fern", { kind }))).toEqual([
+      "frond-fern.mp4",
+      "frond-fern.webm",
+      "frond-fern.gif",
+      "frond-fern.png",
+      "frond-fern.zip",
+      "frond-fern-frames.json",
+      "frond-fern.json",
+    ]);
   });
 });

@@ -1,7 +1,7 @@
 import { Button } from "#ui/controls/Button";
-import css from "./export.module.css";
+import css from "./film.module.css";
 import { forget, type Made, save } from "./job";
-import { bytesWords, grouped } from "./plan";
+import { bytesWords, grouped, isVideo } from "./plan";
 
 /** What was made, to look at and to save once more. */
 export function Finished({ made }: { made: Made }) {
@@ -12,7 +12,7 @@ export function Finished({ made }: { made: Made }) {
   };
   return (
     <div class={css["export-running"]}>
-      {(plan.kind === "mp4" || plan.kind === "webm") && (
+      {isVideo(plan.kind) && (
         // biome-ignore lint/a11y/useMediaCaption: nothing is heard in it
         <video
           class={css["export-picture"]}
@@ -24,7 +24,9 @@ export function Finished({ made }: { made: Made }) {
           aria-label="The film"
         />
       )}
-      {plan.kind === "gif" && <img class={css["export-picture"]} src={url} style={ratio} alt="The film" />}
+      {(plan.kind === "gif" || plan.kind === "apng") && (
+        <img class={css["export-picture"]} src={url} style={ratio} alt="The film" />
+      )}
       <p class={css["export-made"]}>
         <strong>{name}</strong>
         <span class="hint">

@@ -2,15 +2,12 @@
 
 import { type ReadonlySignal, signal } from "@preact/signals";
 import { notify, wordsOf } from "#document/notice";
-import { space, spacePart, spaceView } from "#document/space/space";
 import { downloadFrom } from "#ui/files/download";
-import { type Film, makeFilm } from "#workers/film/make";
-import { spaceTask } from "#workers/space/client";
-import { colours, ground } from "../stage/sight";
-import { exportOpen, exportProgress, openExport } from "../time/exporting";
-import { savedText } from "../time/saved/saved";
-import { bitrateOf, bytesWords, fileName, isFilm, type Plan, secondsLeft, timesOf } from "./plan";
-import { framesGo, loop } from "./settings";
+import { type Film, makeFilm } from "#workers/film/film";
+import { filmOpen, filmProgress, openFilm } from "./open";
+import { bitrateOf, bytesWords, canBeClear, fileName, isFilm, type Plan, secondsLeft, timesOf } from "./plan";
+import { framesGo } from "./settings";
+import type { FilmSubject } from "./subject";
 
 export interface Job {
   plan: Plan;
@@ -40,23 +37,15 @@ export const made: ReadonlySignal<Made | null> = finished;
 let stop: AbortController | null = null;
 
 /** Makes it, and saves it. */
-export async function make(plan: Plan): Promise<void> {
-  const scene = space.peek();
-  const view = spaceView.peek();
-  if (running.peek() || !scene || !view) return;
-  const name = fileName(scene.objects, plan);
-  const { packed, at } = spacePart.peek();
-  if (plan.kind === "keys") {
-    const bytes = new TextEncoder().encode(savedText({ packed, at, view, space: scene }));
-    finish({ plan, name, frames: 0 }, { bytes, type: "application/json", missing: 0 });
-    return;
-  }
-  const times = timesOf(plan, framesGo.peek());
+export async function make(subject: FilmSubject, plan: Plan): Promise<void> {
+  if (running.peek()) return;
+  const name = fileName(subject.name, plan);
+  const times = plan.kind === "keys" ? [] : timesOf(plan, framesGo.peek());
   const began = performance.now();
   const ending = new AbortController();
   stop = ending;
   running.value = { plan, name, done: 0, of: times.length, left: null, preview: null };
-  exportProgress.value = 0;
+  filmProgress.value = 0;
   addEventListener("beforeunload", warn);
   const onFrame = (done: number, preview: ImageBitmap | null = null) => {
     const now = running.peek();
@@ -67,30 +56,10 @@ export async function make(plan: Plan): Promise<void> {
     if (preview) now.preview?.close();
     const left = secondsLeft(done, now.of, (performance.now() - began) / 1000);
     running.value = { ...now, done, left, preview: preview ?? now.preview };
-    exportProgress.value = done / now.of;
+    filmProgress.value = done / now.of;
   };
-  const moving = { space: scene, view, times };
-  const { signal } = ending;
   try {
-    const film = isFilm(plan.kind)
-      ? await makeFilm(
-          {
-            ...moving,
-            ...sizeOf(plan),
-            kind: plan.kind,
-            bitrate: bitrateOf(plan),
-            factor: plan.smooth ? 2 : 1,
-            palette: colours.peek(),
-            ground: ground.peek(),
-          },
-          signal,
-          onFrame,
-        )
-      : await spaceTask(
-          "parameters",
-          { ...moving, packed, at, loop: loop.peek(), fps: plan.fps, seconds: plan.to - plan.from },
-          { lane: 1, signal, onProgress: (done) => onFrame(done) },
-        );
+    const film = await filmOf(subject, plan, times, ending.signal, onFrame);
     finish({ plan, name, frames: times.length }, film);
   } catch (problem) {
     if (!ending.signal.aborted) {
@@ -100,12 +69,27 @@ export async function make(plan: Plan): Promise<void> {
     removeEventListener("beforeunload", warn);
     running.peek()?.preview?.close();
     running.value = null;
-    exportProgress.value = null;
+    filmProgress.value = null;
     stop = null;
   }
 }
 
-const sizeOf = ({ width, height, fps }: Plan) => ({ width, height, fps });
+function filmOf(
+  subject: FilmSubject,
+  plan: Plan,
+  times: number[],
+  signal: AbortSignal,
+  onFrame: (done: number, preview?: ImageBitmap | null) => void,
+): Promise<Film> {
+  const { kind, width, height, fps, smooth, captions, dither } = plan;
+  if (!isFilm(kind)) {
+    if (!subject.numbers) throw new Error("This has no numbers.");
+    return subject.numbers.make(plan, times, signal, onFrame);
+  }
+  const ground = plan.clear && canBeClear(kind) ? null : (plan.ground ?? subject.ground);
+  const settings = { kind, width, height, fps, bitrate: bitrateOf(plan), ground, dither };
+  return makeFilm({ subject, times, settings, smooth, captions }, signal, onFrame);
+}
 
 export function cancel(): void {
   stop?.abort();
@@ -117,11 +101,11 @@ function finish(what: Pick<Made, "plan" | "name" | "frames">, { bytes, type, mis
   const result = { ...what, blob, url: URL.createObjectURL(blob), missing };
   finished.value = result;
   save(result);
-  if (exportOpen.peek()) return;
+  if (filmOpen.peek()) return;
   notify({
     kind: "info",
     text: `${result.name} is made: ${bytesWords(blob.size)}.`,
-    action: { label: "Show it", run: openExport },
+    action: { label: "Show it", run: openFilm },
   });
 }
 

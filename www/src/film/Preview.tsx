@@ -1,6 +1,5 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { ground } from "../stage/sight";
-import css from "./export.module.css";
+import css from "./film.module.css";
 
 export interface PictureProps {
   image: ImageData | ImageBitmap | null;
@@ -9,7 +8,7 @@ export interface PictureProps {
   ratio: number;
 }
 
-/** A frame, small, on the ground that it is filmed on. */
+/** A frame, small. */
 export function Picture({ image, label, ratio }: PictureProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   useLayoutEffect(() => {
@@ -27,7 +26,7 @@ export function Picture({ image, label, ratio }: PictureProps) {
       class={css["export-picture"]}
       role="img"
       aria-label={label}
-      style={{ aspectRatio: String(ratio), "--ratio": String(ratio), background: ground.value }}
+      style={{ aspectRatio: String(ratio), "--ratio": String(ratio) }}
     />
   );
 }

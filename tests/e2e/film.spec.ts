@@ -1,0 +1,115 @@
+/** Films of the plane: the dialog, and what comes out of it. Their files' forms are tested beside the code. */
+import { readFile } from "node:fs/promises";
+import type { Page } from "@playwright/test";
+import { expectClean } from "./axe";
+import { expect, test } from "./fixture";
+
+/** Chooses a kind and numbers, and makes the film. */
+async function film(page: Page, kind: string, numbers: Record<string, string>): Promise<Buffer> {
+  const dialog = page.getByRole("dialog", { name: "Export" });
+  await dialog.getByRole("radio", { name: kind, exact: true }).check({ force: true });
+  for (const [name, value] of Object.entries(numbers)) {
+    const field = dialog.getByRole("spinbutton", { name, exact: true });
+    await field.fill(value);
+    await field.press("Enter");
+  }
+  const download = page.waitForEvent("download", { timeout: 120_000 });
+  await dialog.getByRole("button", { name: "Make the film" }).click();
+  return readFile(await (await download).path());
+}
+
+/** The frames of a moving picture as the browser sees them: how long each stands, and what is lit of it. */
+async function framesOf(page: Page, bytes: Buffer, type: string) {
+  return page.evaluate(
+    async ({ base64, type }) => {
+      const data = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const decoder = new ImageDecoder({ data, type });
+      await decoder.tracks.ready;
+      const frames: { milliseconds: number; hash: number; clear: number; lit: number }[] = [];
+      for (let frameIndex = 0; frameIndex < (decoder.tracks.selectedTrack?.frameCount ?? 0); frameIndex++) {
+        const { image } = await decoder.decode({ frameIndex });
+        const canvas = new OffscreenCanvas(image.displayWidth, image.displayHeight);
+        const context = canvas.getContext("2d", { willReadFrequently: true });
+        context?.drawImage(image, 0, 0);
+        const pixels =
+          context?.getImageData(0, 0, canvas.width, canvas.height).data ?? new Uint8ClampedArray();
+        let [hash, clear, lit] = [0, 0, 0];
+        for (let i = 0; i < pixels.length; i += 4) {
+          hash = (Math.imul(hash, 31) + (pixels[i] ?? 0) + 256 * (pixels[i + 1] ?? 0)) | 0;
+          if (pixels[i + 3] === 0) clear++;
+          else if ([0, 1, 2].some((k) => pixels[i + k] !== pixels[k])) lit++;
+        }
+        frames.push({ milliseconds: (image.duration ?? 0) / 1000, hash, clear, lit });
+        image.close();
+      }
+      return frames;
+    },
+    { base64: bytes.toString("base64"), type },
+  );
+}
+
+test("a morph becomes a film that goes to and fro, and a clear one, frame by frame", async ({
+  studio,
+  page,
+}) => {
+  await studio.open("a=fern&b=tree");
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await page.getByRole("menuitem", { name: "Film …" }).click();
+  const dialog = page.getByRole("dialog", { name: "Export" });
+  await dialog.getByRole("img", { name: "The first frame" }).waitFor();
+  await expectClean(page);
+
+  const small = { Width: "96", Height: "64", "Frames a second": "10", Length: "1" };
+  const gif = await framesOf(page, await film(page, "GIF", small), "image/gif");
+  expect(gif.map(({ milliseconds }) => milliseconds)).toEqual(Array.from({ length: 20 }, () => 100));
+  expect(Math.min(...gif.map(({ lit }) => lit))).toBeGreaterThan(60);
+  // The way back is the way there, and the last frame goes on to the first.
+  for (let i = 1; i < 10; i++) expect(gif[20 - i]?.hash).toBe(gif[i]?.hash);
+  expect(new Set(gif.slice(0, 11).map(({ hash }) => hash)).size).toBe(11);
+  await expect(dialog.getByText("20 frames")).toBeVisible();
+
+  await dialog.getByRole("button", { name: "Make another" }).click();
+  await dialog.getByRole("radio", { name: "Once" }).check({ force: true });
+  await dialog.getByRole("combobox", { name: "Background" }).selectOption("clear");
+  const apng = await framesOf(page, await film(page, "APNG", {}), "image/png");
+  expect(apng).toHaveLength(10);
+  expect(Math.min(...apng.map(({ clear }) => clear))).toBeGreaterThan(1000);
+
+  // A shape in the making: each step stands for a second, and is one frame.
+  await dialog.getByRole("button", { name: "Make another" }).click();
+  await dialog.getByRole("radio", { name: "Step by step" }).check({ force: true });
+  const steps = await framesOf(page, await film(page, "APNG", {}), "image/png");
+  expect(steps.length).toBeGreaterThan(5);
+  expect(steps.every(({ milliseconds }) => milliseconds === 1000)).toBe(true);
+
+  // What is not wanted any more ends, and the dialog is as it was.
+  await dialog.getByRole("button", { name: "Make another" }).click();
+  await dialog.getByRole("radio", { name: "The morph" }).check({ force: true });
+  await dialog.getByRole("combobox", { name: "Size" }).selectOption("full");
+  await dialog.getByRole("button", { name: "Make the film" }).click();
+  await dialog.getByRole("button", { name: "Cancel" }).click();
+  await expect(dialog.getByRole("button", { name: "Make the film" })).toBeVisible();
+  await page.keyboard.press("Escape");
+  await expect(dialog).toHaveCount(0);
+});
+
+test("a bend is filmed once round; where nothing moves the way to it is offered", async ({
+  studio,
+  page,
+}) => {
+  await studio.open("a=fern&b=fern&tool=deform");
+  const open = async () => {
+    await page.getByRole("button", { name: "Save", exact: true }).click();
+    await page.getByRole("menuitem", { name: "Film …" }).click();
+  };
+  await open();
+  const dialog = page.getByRole("dialog", { name: "Export" });
+  await dialog.getByRole("button", { name: "Let it sway" }).click();
+  await page.getByRole("button", { name: "Pause", exact: true }).click();
+  await open();
+  const small = { Width: "96", Height: "64", "Frames a second": "10", to: "1" };
+  const frames = await framesOf(page, await film(page, "GIF", small), "image/gif");
+  expect(frames).toHaveLength(10);
+  expect(new Set(frames.map(({ hash }) => hash)).size).toBeGreaterThan(7);
+  expect(Math.min(...frames.map(({ lit }) => lit))).toBeGreaterThan(60);
+});

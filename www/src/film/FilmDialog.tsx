@@ -1,0 +1,73 @@
+import { useEffect, useState } from "preact/hooks";
+import { wordsOf } from "#document/notice";
+import { Button } from "#ui/controls/Button";
+import { Dialog } from "#ui/overlay/Dialog";
+import { Finished } from "./Finished";
+import css from "./film.module.css";
+import { job, made } from "./job";
+import { filmOpen } from "./open";
+import { isFilm } from "./plan";
+import { Running } from "./Running";
+import { Settings } from "./Settings";
+import { offer, plan, subject } from "./settings";
+import type { Films } from "./subject";
+
+const close = () => {
+  filmOpen.value = false;
+};
+
+/** A film of what moves, or its numbers: choose, watch it being made, and have it. */
+export function FilmDialog({ films }: { films: () => Promise<Films> }) {
+  return (
+    <Dialog title="Export" about={about()} onClose={close} wide>
+      {job.value ? (
+        <Running job={job.value} />
+      ) : made.value ? (
+        <Finished made={made.value} />
+      ) : (
+        <Choose films={films} />
+      )}
+    </Dialog>
+  );
+}
+
+function about(): string {
+  if (job.value) return "You can close this, and go on working: it is made all the same.";
+  if (made.value) return "It is in your downloads.";
+  return isFilm(plan.value.kind)
+    ? "Every frame is complete, however long that takes."
+    : "Numbers, not pixels: each frame is a set of parameters.";
+}
+
+function Choose({ films }: { films: () => Promise<Films> }) {
+  const [found, setFound] = useState<Films | { problem: string } | null>(null);
+  useEffect(() => {
+    films().then(
+      (now) => {
+        offer(now.subjects);
+        setFound(now);
+      },
+      (problem) => setFound({ problem: wordsOf(problem) }),
+    );
+  }, [films]);
+  if (!found) return <p class={css["export-nothing"]}>Getting ready …</p>;
+  if ("problem" in found) return <p class={css["export-problem"]}>{found.problem}</p>;
+  if (subject.value) return <Settings of={subject.value} />;
+  const { nothing } = found;
+  if (!nothing) return null;
+  return (
+    <div class={css["export-nothing"]}>
+      <p>{nothing.words}</p>
+      <Button
+        kind="primary"
+        disabled={nothing.disabled}
+        onClick={() => {
+          close();
+          nothing.run();
+        }}
+      >
+        {nothing.label}
+      </Button>
+    </div>
+  );
+}

@@ -1,0 +1,402 @@
+import { useEffect, useMemo } from "preact/hooks";
+import { formatNumber } from "#format/numbers";
+import { NIGHT, PAPER } from "#style/colours";
+import { ownFrom } from "#style/ground";
+import { Button } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
+import { Segmented } from "#ui/controls/Segmented";
+import { Select } from "#ui/controls/Select";
+import { Switch } from "#ui/controls/Switch";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
+import type { Repeat } from "#wasm/api";
+import { secondsFor, usePreview } from "./estimate";
+import css from "./film.module.css";
+import { make } from "./job";
+import { Picture } from "./Preview";
+import {
+  bytesWords,
+  canBeClear,
+  filmBytes,
+  filmSeconds,
+  frameCount,
+  grouped,
+  isFilm,
+  isVideo,
+  type Kind,
+  LEAST_FPS,
+  LEAST_SIDE,
+  MOST_SECONDS,
+  MOST_SIDE,
+  mostFps,
+  type Plan,
+  planProblem,
+  timeWords,
+} from "./plan";
+import {
+  able,
+  askAble,
+  choose,
+  chooseAll,
+  chooseLength,
+  chooseLoop,
+  framesGo,
+  loop,
+  pick,
+  plan,
+  SIZES,
+  subjects,
+} from "./settings";
+import type { FilmSubject, Numbers } from "./subject";
+
+const QUALITIES = [
+  { value: "small", label: "Small" },
+  { value: "good", label: "Good" },
+  { value: "best", label: "Best" },
+] as const;
+
+const ENDS: readonly { value: Repeat; label: string; description: string }[] = [
+  { value: "once", label: "Once", description: "It stops at its end" },
+  {
+    value: "round",
+    label: "Round",
+    description: "It begins again without a jump, where it ends as it began",
+  },
+  {
+    value: "pingpong",
+    label: "To and fro",
+    description: "It goes back the way it came: a loop without a jump",
+  },
+];
+
+/** What is chosen of a subject, and the first frame beside it. */
+export function Settings({ of: subject }: { of: FilmSubject }) {
+  const now = plan.value;
+  const { width, height, fps } = now;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: what can be written depends on the size
+  useEffect(() => void askAble(), [width, height, fps]);
+  const preview = usePreview(subject, now);
+  const problem = planProblem(now, framesGo.value) ?? preview.problem;
+  const film = isFilm(now.kind);
+  return (
+    <div class={css["export-sheet"]}>
+      <div class={css["export-kinds"]}>
+        <Subjects of={subject} />
+        <Kinds numbers={subject.numbers} />
+      </div>
+      <div class={css["export-settings"]}>
+        {film ? (
+          <FilmFields of={now} subject={subject} />
+        ) : (
+          <NumbersFields of={now} numbers={subject.numbers} />
+        )}
+        {now.kind !== "keys" && !subject.anyLength && <Part of={now} seconds={subject.seconds} />}
+      </div>
+      {film && (
+        <div class={css["export-preview"]}>
+          <Picture image={preview.image} label="The first frame" ratio={width / height} />
+        </div>
+      )}
+      <footer class={css["export-foot"]}>
+        {problem === null ? (
+          <Estimate of={now} subject={subject} go={framesGo.value} cost={preview.cost} lit={preview.lit} />
+        ) : (
+          <p class={css["export-problem"]} role="status">
+            {problem}
+          </p>
+        )}
+        <Button
+          kind="primary"
+          icon="save"
+          disabled={problem !== null}
+          onClick={() => void make(subject, now)}
+        >
+          {film ? "Make the film" : "Save"}
+        </Button>
+      </footer>
+    </div>
+  );
+}
+
+/** What there is to be filmed, where there is a choice. */
+function Subjects({ of: subject }: { of: FilmSubject }) {
+  if (subjects.value.length < 2) return null;
+  return (
+    <Segmented
+      label="What is filmed"
+      options={subjects.value.map(({ id, label }) => ({ value: id, label }))}
+      value={subject.id}
+      onChange={pick}
+    />
+  );
+}
+
+/** Only what the browser can write can be chosen; what it cannot is said. */
+function Kinds({ numbers }: { numbers: Numbers | undefined }) {
+  const { kind } = plan.value;
+  const found = able.value;
+  const none = typeof VideoEncoder === "undefined";
+  const missing = found
+    ? ([found.mp4 ? null : "MP4", found.webm ? null : "WebM"].filter(Boolean) as string[])
+    : [];
+  const option = (value: Kind, label: string, description: string) => ({
+    value,
+    label,
+    description,
+    disabled: isVideo(value) && (none || (found !== null && found[value] === null)),
+  });
+  return (
+    <>
+      <Segmented<Kind>
+        label="Kind of file"
+        options={[
+          option("mp4", "MP4", "A video that plays almost everywhere"),
+          option("webm", "WebM", "A video for the web, clear where it may be"),
+          option("gif", "GIF", "A moving picture of 256 colours, for messages and old programs"),
+          option("apng", "APNG", "A moving picture in all colours, clear where it may be"),
+          option("zip", "Frames", "Every frame as a PNG, in one ZIP file"),
+          ...(numbers ? [option("frames", "JSON", "Numbers: parameters, not pixels")] : []),
+        ]}
+        value={kind === "keys" ? "frames" : kind}
+        onChange={(next) => choose({ kind: next })}
+      />
+      {missing.length > 0 && (
+        <p class="hint" role="status">
+          {none
+            ? "This browser has no WebCodecs, so it cannot write videos. The other kinds stay."
+            : `This browser cannot write ${missing.join(" or ")} at this size.`}
+        </p>
+      )}
+    </>
+  );
+}
+
+function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
+  const { width, height, fps, kind, quality, smooth, dither, captions } = of;
+  const size = SIZES.find((one) => one.width === width && one.height === height);
+  return (
+    <>
+      <label class={css["export-size"]}>
+        <span class="field-label">Size</span>
+        <Select
+          value={size?.id ?? "own"}
+          onChange={(event) => {
+            const next = SIZES.find((one) => one.id === event.currentTarget.value);
+            if (next) choose({ width: next.width, height: next.height });
+          }}
+        >
+          {SIZES.map(({ id, name }) => (
+            <option key={id} value={id}>
+              {name}
+            </option>
+          ))}
+          {!size && <option value="own">Your own</option>}
+        </Select>
+      </label>
+      <div class={css["export-pair"]}>
+        {(["width", "height"] as const).map((side) => (
+          <NumberField
+            key={side}
+            label={side === "width" ? "Width" : "Height"}
+            value={side === "width" ? width : height}
+            min={LEAST_SIDE}
+            max={MOST_SIDE}
+            step={2}
+            digits={0}
+            onChange={(next) => choose({ [side]: next })}
+          />
+        ))}
+        <NumberField
+          label="Frames a second"
+          value={fps}
+          min={LEAST_FPS}
+          max={mostFps(kind)}
+          step={1}
+          digits={2}
+          onChange={(next) => choose({ fps: next })}
+        />
+        {subject.anyLength && (
+          <NumberField
+            label="Length"
+            value={subject.seconds}
+            min={0.5}
+            max={MOST_SECONDS}
+            step={0.5}
+            digits={2}
+            unit="s"
+            onChange={chooseLength}
+          />
+        )}
+      </div>
+      {subject.loops.length > 1 && (
+        <ChoiceRow
+          label="At the end"
+          options={ENDS.filter(({ value }) => subject.loops.includes(value))}
+          value={loop.value}
+          onChange={chooseLoop}
+        />
+      )}
+      {isVideo(kind) && (
+        <ChoiceRow
+          label="Quality"
+          options={QUALITIES}
+          value={quality}
+          onChange={(next) => choose({ quality: next })}
+        />
+      )}
+      <Ground of={of} stage={subject.ground} />
+      {kind === "gif" && (
+        <Switch
+          checked={dither}
+          description="Smoother, and a larger file"
+          onChange={(next) => choose({ dither: next })}
+        >
+          Mix colours from dots
+        </Switch>
+      )}
+      {subject.choosesSmooth && (
+        <Switch
+          checked={smooth}
+          description="Four pixels are drawn for each one"
+          onChange={(next) => choose({ smooth: next })}
+        >
+          Smooth edges, in about four times the time
+        </Switch>
+      )}
+      {subject.caption && (
+        <Switch
+          checked={captions}
+          description="In the corner of each frame"
+          onChange={(next) => choose({ captions: next })}
+        >
+          Say the moment, and whether it is in one piece
+        </Switch>
+      )}
+    </>
+  );
+}
+
+/** What is behind the picture. */
+function Ground({ of, stage }: { of: Plan; stage: string }) {
+  const { ground, clear, kind } = of;
+  const named = ground === null ? "stage" : ground === PAPER ? "paper" : ground === NIGHT ? "night" : "own";
+  const value = clear && canBeClear(kind) ? "clear" : named;
+  return (
+    <label class={css["export-size"]}>
+      <span class="field-label">Background</span>
+      <Select
+        value={value}
+        onChange={(event) => {
+          const next = event.currentTarget.value;
+          const colours: Record<string, string | null> = {
+            stage: null,
+            paper: PAPER,
+            night: NIGHT,
+            own: ownFrom(ground ?? stage),
+          };
+          if (next === "clear") choose({ clear: true });
+          else choose({ clear: false, ground: colours[next] ?? null });
+        }}
+      >
+        <option value="stage">As it is here</option>
+        <option value="paper">Paper</option>
+        <option value="night">Night</option>
+        <option value="own">Your own</option>
+        {canBeClear(kind) && <option value="clear">None, clear</option>}
+      </Select>
+      {value === "own" && (
+        <input
+          type="color"
+          class={css["ground-colour"]}
+          aria-label="Colour of the background"
+          value={ground ?? stage}
+          onInput={(event) => choose({ ground: event.currentTarget.value })}
+        />
+      )}
+    </label>
+  );
+}
+
+function NumbersFields({ of, numbers }: { of: Plan; numbers: Numbers | undefined }) {
+  const { kind } = of;
+  if (!numbers || isFilm(kind)) return null;
+  return (
+    <>
+      <div class="row">
+        <Segmented<Kind>
+          label="Which numbers"
+          options={numbers.kinds}
+          value={kind}
+          onChange={(next) => choose({ kind: next })}
+        />
+      </div>
+      <p class="hint">{numbers.about[kind]}</p>
+      {kind === "frames" && (
+        <NumberField
+          label="Frames a second"
+          value={of.fps}
+          min={LEAST_FPS}
+          max={mostFps(of.kind)}
+          step={1}
+          digits={2}
+          onChange={(next) => choose({ fps: next })}
+        />
+      )}
+    </>
+  );
+}
+
+/** From when to when. */
+function Part({ of, seconds }: { of: Plan; seconds: number }) {
+  const all = of.from === 0 && of.to === seconds;
+  return (
+    <div class={`${css["export-pair"]} ${css["part"]}`}>
+      {(["from", "to"] as const).map((end) => (
+        <NumberField
+          key={end}
+          label={end === "from" ? "From" : "to"}
+          value={of[end]}
+          min={0}
+          max={seconds}
+          step={0.1}
+          digits={2}
+          unit="s"
+          onChange={(next) => choose({ [end]: next })}
+        />
+      ))}
+      <Button kind="quiet" disabled={all} onClick={chooseAll}>
+        All of it
+      </Button>
+    </div>
+  );
+}
+
+interface EstimateProps {
+  of: Plan;
+  subject: FilmSubject;
+  go: Repeat;
+  cost: number | null;
+  lit: number;
+}
+
+function Estimate({ of, subject, go, cost, lit }: EstimateProps) {
+  const { numbers } = subject;
+  const bytes = useMemo(
+    () => (isFilm(of.kind) ? filmBytes(of, go, lit) : (numbers?.bytes(of, go) ?? null)),
+    [of, go, lit, numbers],
+  );
+  if (of.kind === "keys") return <p class="hint">A small file.</p>;
+  const film = isFilm(of.kind);
+  const count = frameCount(of, go);
+  const end = ENDS.find(({ value }) => value === loop.value)?.label.toLowerCase();
+  const parts = [
+    `${grouped(count)} ${count === 1 ? "frame" : "frames"}, ${formatNumber(filmSeconds(of, go), 2)} s${go === "once" ? "" : `, ${end}`}`,
+    ...(bytes === null ? [] : [`about ${bytesWords(bytes)}`]),
+    ...(!film && numbers && bytes !== null && bytes > numbers.mostBytes
+      ? ["too large to be opened here again"]
+      : []),
+    ...(film && cost !== null
+      ? [`about ${timeWords(secondsFor(subject, of, go, cost))} on this device`]
+      : []),
+  ];
+  return <p class="hint number">{parts.join(" · ")}</p>;
+}

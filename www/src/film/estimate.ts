@@ -1,0 +1,80 @@
+/** How much it will be, measured on this device. */
+import { useEffect, useState } from "preact/hooks";
+import { wordsOf } from "#document/notice";
+import type { Repeat } from "#wasm/api";
+import { painters } from "#workers/film/crew";
+import { channels, layOn } from "#workers/film/opaque";
+import type { Subject } from "#workers/film/subject";
+import { canBeClear, frameCount, isFilm, litPart, type Plan } from "./plan";
+
+export interface Preview {
+  image: ImageData | null;
+  /** The part of it that shows something. */
+  lit: number;
+  /** Milliseconds for one pixel of it that is drawn. */
+  cost: number | null;
+  problem: string | null;
+}
+
+const NOTHING: Preview = { image: null, lit: 0.5, cost: null, problem: null };
+const BOX = { width: 416, height: 234 };
+/** So long after the last change, in milliseconds. */
+const REST_MS = 200;
+
+/** The first frame, small. */
+export function usePreview(subject: Subject | null, plan: Plan): Preview {
+  const { kind, width, height, from } = plan;
+  const [preview, setPreview] = useState(NOTHING);
+  const film = isFilm(kind);
+  const ground = plan.ground ?? subject?.ground ?? "";
+  const clear = plan.clear && canBeClear(kind);
+  useEffect(() => {
+    if (!film || !subject) return;
+    const stop = new AbortController();
+    const scale = Math.min(1, BOX.width / width, BOX.height / height);
+    const size = {
+      width: Math.max(1, Math.round(width * scale)),
+      height: Math.max(1, Math.round(height * scale)),
+    };
+    const draw = async () => {
+      const drawer = subject.drawer({ ...size, smooth: false, ground }, { alone: true });
+      try {
+        const picture = await drawer.frame(from, stop.signal);
+        if (!picture) throw new Error("There is no picture at that moment. Choose another beginning.");
+        const { data, took } = picture;
+        const lit = litPart(data, channels(ground));
+        if (!clear) layOn(data, ground);
+        const cost = leastCost(subject, took / (size.width * size.height));
+        setPreview({ image: new ImageData(data, size.width, size.height), lit, cost, problem: null });
+      } catch (problem) {
+        if (!stop.signal.aborted) setPreview({ ...NOTHING, problem: wordsOf(problem) });
+      } finally {
+        drawer.end();
+      }
+    };
+    const timer = setTimeout(() => void draw(), REST_MS);
+    return () => {
+      clearTimeout(timer);
+      stop.abort();
+    };
+  }, [film, subject, width, height, from, ground, clear]);
+  return preview;
+}
+
+const costs = new Map<string, { cost: number; name: string }>();
+
+/** What else the device had to do does not count. */
+function leastCost({ id, name }: Subject, cost: number): number {
+  const known = costs.get(id);
+  const least = known?.name === name ? Math.min(cost, known.cost) : cost;
+  costs.set(id, { cost: least, name });
+  return least;
+}
+
+/** About how many seconds all frames take. */
+export function secondsFor(subject: Subject, plan: Plan, loop: Repeat, cost: number): number {
+  const drawn = plan.width * plan.height * (subject.choosesSmooth && plan.smooth ? 4 : 1);
+  // Colouring and writing take about as long again as a picture that is easily drawn.
+  const each = 0.7 * cost * drawn + plan.width * plan.height * 4e-5;
+  return (each * frameCount(plan, loop)) / painters(drawn) / 1000;
+}

@@ -1,0 +1,136 @@
+/** What was chosen last stays for the visit. */
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import type { Repeat } from "#wasm/api";
+import { filmTask } from "#workers/film/client";
+import type { Encodable } from "#workers/film/encode";
+import { lasting } from "#workers/film/subject";
+import { bitrateOf, even, isVideo, type Plan } from "./plan";
+import type { FilmSubject } from "./subject";
+
+export const SIZES: readonly { id: string; name: string; width: number; height: number }[] = [
+  { id: "small", name: "Small, 480 × 270", width: 480, height: 270 },
+  { id: "medium", name: "Medium, 854 × 480", width: 854, height: 480 },
+  { id: "hd", name: "HD, 1280 × 720", width: 1280, height: 720 },
+  { id: "full", name: "Full HD, 1920 × 1080", width: 1920, height: 1080 },
+  { id: "4k", name: "4K, 3840 × 2160", width: 3840, height: 2160 },
+  { id: "square", name: "Square, 720 × 720", width: 720, height: 720 },
+  { id: "upright", name: "Upright, 720 × 1280", width: 720, height: 1280 },
+];
+
+/** Fewer cores would be at it for long. */
+const MANY_CORES = 8;
+
+const chosen = signal<Omit<Plan, "from" | "to">>({
+  kind: "mp4",
+  width: 854,
+  height: 480,
+  fps: 30,
+  quality: "good",
+  smooth: navigator.hardwareConcurrency >= MANY_CORES,
+  ground: null,
+  clear: false,
+  dither: true,
+  captions: false,
+});
+/** null: the whole time line. */
+const part = signal<{ from: number; to: number } | null>(null);
+/** Seconds, where a subject takes as long as one likes; null: as long as by itself. */
+const length = signal<number | null>(null);
+const way = signal<Repeat | null>(null);
+
+const offered = signal<readonly FilmSubject[]>([]);
+const picked = signal("");
+
+/** What there is to be filmed. */
+export const subjects: ReadonlySignal<readonly FilmSubject[]> = offered;
+
+/** What is filmed. */
+export const subject: ReadonlySignal<FilmSubject | null> = computed(() => {
+  const found = offered.value.find(({ id }) => id === picked.value) ?? offered.value[0] ?? null;
+  const seconds = length.value;
+  return found?.anyLength && seconds !== null ? { ...found, ...lasting(found, seconds) } : found;
+});
+
+/** The dialog opens: what was chosen before holds where it can. */
+export function offer(list: readonly FilmSubject[]): void {
+  const before = subject.peek()?.id;
+  offered.value = list;
+  if (subject.peek()?.id !== before) pick(list[0]?.id ?? "");
+}
+
+export function pick(id: string): void {
+  picked.value = id;
+  part.value = null;
+  length.value = null;
+  way.value = null;
+}
+
+export const plan = computed<Plan>(() => {
+  const { seconds = 0, numbers } = subject.value ?? {};
+  const { from, to } = part.value ?? { from: 0, to: seconds };
+  const { kind, ...rest } = chosen.value;
+  // Not every subject can be had as numbers.
+  const possible = !numbers && (kind === "frames" || kind === "keys") ? "mp4" : kind;
+  return { ...rest, kind: possible, from: Math.min(from, seconds), to: Math.min(to, seconds) };
+});
+
+/** What comes after the end of what is filmed: a part of a loop does not go round. */
+export const loop = computed<Repeat>(() => {
+  const now = subject.value;
+  if (!now) return "once";
+  const { from, to } = plan.value;
+  const wish = way.value !== null && now.loops.includes(way.value) ? way.value : now.loop;
+  return wish === "round" && (from !== 0 || to !== now.seconds) ? "once" : wish;
+});
+
+/** How its frames go. On the way back, numbers would be the same once more. */
+export const framesGo = computed<Repeat>(() =>
+  plan.value.kind === "frames" && loop.value === "pingpong" ? "once" : loop.value,
+);
+
+export function choose(change: Partial<Plan>): void {
+  const { from, to, width, height, ...rest } = change;
+  chosen.value = {
+    ...chosen.peek(),
+    ...rest,
+    ...(width === undefined ? {} : { width: even(width) }),
+    ...(height === undefined ? {} : { height: even(height) }),
+  };
+  const now = plan.peek();
+  if (from !== undefined || to !== undefined) part.value = { from: from ?? now.from, to: to ?? now.to };
+}
+
+export function chooseLoop(next: Repeat): void {
+  way.value = next;
+}
+
+export function chooseLength(seconds: number): void {
+  length.value = seconds;
+  part.value = null;
+}
+
+export function chooseAll(): void {
+  part.value = null;
+}
+
+/** What this browser can write at the chosen size; null until it has told. */
+export const able = signal<Encodable | null>(null);
+let asked = 0;
+
+/** Asks the browser. A kind that it cannot write is not chosen any longer. */
+export async function askAble(): Promise<void> {
+  const ask = ++asked;
+  const { width, height, fps } = plan.peek();
+  const settings = { width, height, fps, bitrate: bitrateOf(plan.peek()) };
+  const nothing = { mp4: null, webm: null };
+  const told =
+    typeof VideoEncoder === "undefined"
+      ? nothing
+      : await filmTask("encodable", settings).catch(() => nothing);
+  if (ask !== asked) return;
+  able.value = told;
+  const { kind } = plan.peek();
+  if (isVideo(kind) && told[kind] === null) {
+    choose({ kind: (["mp4", "webm"] as const).find((other) => told[other] !== null) ?? "gif" });
+  }
+}

@@ -1,0 +1,28 @@
+import { expect, it } from "vitest";
+import type { MapRow } from "#wasm/api";
+import { stepsOf } from "./steps";
+
+const GASKET: MapRow[] = [
+  [0.5, 0, 0, 0.5, 0, 0],
+  [0.5, 0, 0, 0.5, 0.5, 0],
+  [0.5, 0, 0, 0.5, 0, 0.5],
+];
+
+it("has three times as many copies after each step, half as large, coloured by their first map", () => {
+  const steps = stepsOf(GASKET);
+  expect(steps.slice(0, 4).map((copies) => copies.length)).toEqual([1, 3, 9, 27]);
+  expect(steps[2]?.map(({ by }) => by)).toEqual([0, 0, 0, 1, 1, 1, 2, 2, 2]);
+  // Map 1 of map 2: the inner one first.
+  expect(steps[2]?.[1]?.map).toEqual([0.25, 0, 0, 0.25, 0.25, 0]);
+  // No more than can be drawn, and none that cannot be seen.
+  expect(Math.max(...steps.map((copies) => copies.length))).toBeLessThanOrEqual(60_000);
+});
+
+it("ends with maps that are many, one, none, points or no numbers", () => {
+  const small: MapRow = [1e-9, 0, 0, 1e-9, 0.1, 0.2];
+  expect(stepsOf(Array.from({ length: 64 }, () => GASKET[0] as MapRow)).length).toBeLessThan(4);
+  expect(stepsOf([[0.9, 0, 0, 0.9, 0, 0]]).length).toBeLessThan(20);
+  expect(stepsOf([])).toHaveLength(1);
+  expect(stepsOf([small, small])).toHaveLength(2);
+  expect(stepsOf([[Number.NaN, 0, 0, 1, 0, 0]]).length).toBeLessThan(4);
+});

@@ -1,0 +1,28 @@
+import type { Repeat } from "#wasm/api";
+import type { Film } from "#workers/film/film";
+import type { Subject } from "#workers/film/subject";
+import type { NumbersKind, Plan } from "./plan";
+
+/** Something that can be filmed, and what else can be had of its time line. */
+export interface FilmSubject extends Subject {
+  numbers?: Numbers;
+}
+
+/** What moves as numbers. */
+export interface Numbers {
+  kinds: readonly { value: NumbersKind; label: string; description: string }[];
+  /** What such a file is for, in a sentence or two. */
+  about: Readonly<Record<NumbersKind, string>>;
+  /** About how large it is; null where that cannot be told. */
+  bytes(plan: Plan, loop: Repeat): number | null;
+  /** Larger files are not opened here again. */
+  mostBytes: number;
+  make(plan: Plan, times: number[], signal: AbortSignal, onDone: (frames: number) => void): Promise<Film>;
+}
+
+/** What a tool has to film. */
+export interface Films {
+  subjects: readonly FilmSubject[];
+  /** What to do where there is nothing. */
+  nothing?: { words: string; label: string; disabled: boolean; run: () => void };
+}

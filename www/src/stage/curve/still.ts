@@ -1,0 +1,39 @@
+/** A closed curve as a picture of its own size: for files, and for the frames of films. */
+import type { CurveMorph } from "#document/curve/curve";
+import type { View } from "#geometry/coordinates";
+import type { Bend, Colouring } from "#wasm/api";
+import { lookOf, paintCurve } from "./paint";
+import { moved, TOLERANCE, windowOf } from "./painter";
+
+export interface CurveStill {
+  morph: CurveMorph;
+  s: number;
+  bend: Bend | null;
+  view: View;
+  width: number;
+  height: number;
+  colouring: Colouring;
+  palette: readonly string[];
+  /** Whether it is seen before something dark. */
+  dark: boolean;
+  /** Of the outline, in pixels. */
+  lineWidth: number;
+}
+
+const MOST_POINTS = 100_000;
+
+/** Throws where there is no canvas, or no such bend. */
+export function stillCurve(still: CurveStill): OffscreenCanvas {
+  const { morph, s, bend, view, width, height, colouring, palette, dark, lineWidth } = still;
+  const points = morph.polyline(s, {
+    tolerance: TOLERANCE / view.scale,
+    window: windowOf({ view, width, height, ratio: 1 }),
+    bend: moved(bend),
+    most: MOST_POINTS,
+  });
+  const canvas = new OffscreenCanvas(width, height);
+  const context = canvas.getContext("2d", { willReadFrequently: true });
+  if (!context) throw new Error("The browser has no canvas.");
+  paintCurve(context, points, { view, width, height }, lookOf(morph, s, colouring, palette, lineWidth, dark));
+  return canvas;
+}

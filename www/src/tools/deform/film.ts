@@ -1,0 +1,73 @@
+/** What there is to film of a deformation: its key frames, once through. */
+import { curveDrawer } from "#curve/film";
+import { curved, curveTime } from "#document/curve/curve";
+import { bendAt, deformation } from "#document/deform/bend";
+import { pictureShown } from "#document/deform/picture";
+import { stageTrack } from "#document/framing";
+import { standing } from "#document/morph";
+import { dark } from "#document/preferences";
+import { scene } from "#document/scene";
+import type { Films } from "#film/subject";
+import { boxAt } from "#geometry/boxes";
+import { frameView } from "#stage/frame-view";
+import { NIGHT, PAPER } from "#style/colours";
+import { isDark } from "#style/ground";
+import { palette } from "#style/palette";
+import { plainName } from "#ui/files/download";
+import { planeDrawer } from "#workers/film/plane-drawer";
+import { sheetDrawer } from "#workers/film/sheet-drawer";
+import type { Drawer, FrameLook } from "#workers/film/subject";
+import { sway } from "./motion/MotionPanel";
+
+export async function films(): Promise<Films> {
+  const bent = deformation.peek();
+  if (bent.keys.length < 2) {
+    return {
+      subjects: [],
+      nothing: {
+        words:
+          "Nothing moves yet: one key frame stands still at all times. Choose a motion, or add another key frame.",
+        label: "Let it sway",
+        disabled: false,
+        run: sway,
+      },
+    };
+  }
+  const { a, b, t, colouring } = scene.peek();
+  const { seconds } = bent;
+  const box = boxAt(stageTrack.peek(), t);
+  const maps = standing.peek();
+  const photograph = pictureShown.peek();
+  const s = curveTime.peek();
+  const bendOf = (at: number) => bendAt(bent, Math.min(1, at / seconds));
+
+  const drawer = (look: FrameLook, how?: { alone: boolean }): Drawer => {
+    const alone = how?.alone ?? false;
+    const view = frameView(box, look);
+    if (photograph) return sheetDrawer(look, alone, { picture: photograph, parts: bent.parts, view }, bendOf);
+    if (curved.peek()) return curveDrawer(look, colouring, (at) => ({ s, bend: bendOf(at), view }));
+    const colours = palette(isDark(look.ground) ? "dark" : "light");
+    return planeDrawer(look, alone, (at) => ({
+      maps,
+      options: { view, colouring, palette: colours, bend: bendOf(at) },
+    }));
+  };
+
+  const shape = photograph ? photograph.name : t < 0.5 ? a.name : b.name;
+  return {
+    subjects: [
+      {
+        id: "deform",
+        label: "The bend",
+        name: `${plainName(shape, "shape", 24)}-bent`,
+        seconds,
+        anyLength: false,
+        loops: bent.loop ? ["round", "once", "pingpong"] : ["once", "pingpong"],
+        loop: bent.loop ? "round" : "once",
+        ground: dark.peek() ? NIGHT : PAPER,
+        choosesSmooth: false,
+        drawer,
+      },
+    ],
+  };
+}

@@ -1,0 +1,79 @@
+/** What there is to film of a morph: its way from the first shape to the last, and a shape in the making. */
+import { along } from "#compute/results";
+import { curveDrawer } from "#curve/film";
+import { curved, curveMorph } from "#document/curve/curve";
+import { bend } from "#document/deform/bend";
+import { pathTrack } from "#document/framing";
+import { mapsAt, morphOptions, pathPoints, shown, uvAt } from "#document/morph";
+import { loop, SECONDS, speed } from "#document/playback";
+import { dark } from "#document/preferences";
+import { scene } from "#document/scene";
+import { stepsSubject } from "#film/steps";
+import type { FilmSubject, Films } from "#film/subject";
+import { percent } from "#format/path-words";
+import { verdictPhrase } from "#format/verdict";
+import { boxAt } from "#geometry/boxes";
+import { frameView } from "#stage/frame-view";
+import { NIGHT, PAPER } from "#style/colours";
+import { isDark } from "#style/ground";
+import { palette } from "#style/palette";
+import { plainName } from "#ui/files/download";
+import { planeDrawer } from "#workers/film/plane-drawer";
+import type { Drawer, FrameLook } from "#workers/film/subject";
+
+export async function films(): Promise<Films> {
+  const { a, b, colouring } = scene.peek();
+  const track = pathTrack.peek();
+  const bent = bend.peek();
+  const seconds = SECONDS / speed.peek();
+  const ground = dark.peek() ? NIGHT : PAPER;
+  const curve = curved.peek() ? curveMorph.peek() : null;
+  const points = pathPoints.peek();
+  const options = morphOptions.peek();
+  const told = along.peek()?.told;
+  const moment = (at: number) => Math.min(1, Math.max(0, at / seconds));
+
+  const drawer = (look: FrameLook, how?: { alone: boolean }): Drawer => {
+    const view = (t: number) => frameView(boxAt(track, t), look);
+    if (curve) {
+      return curveDrawer(look, colouring, (at) => ({ s: moment(at), bend: bent, view: view(moment(at)) }));
+    }
+    const colours = palette(isDark(look.ground) ? "dark" : "light");
+    return planeDrawer(look, how?.alone ?? false, (at) => {
+      const t = moment(at);
+      return {
+        maps: mapsAt(uvAt(points, t), options),
+        options: { view: view(t), colouring, palette: colours, ...(bent ? { bend: bent } : {}) },
+      };
+    });
+  };
+
+  const name = `${plainName(a.name, "shape", 24)}-${plainName(b.name, "shape", 24)}`;
+  const morph: FilmSubject = {
+    id: "morph",
+    label: "The morph",
+    name,
+    seconds,
+    anyLength: true,
+    loops: ["once", "pingpong"],
+    loop: loop.peek() ? "pingpong" : "once",
+    ground,
+    choosesSmooth: false,
+    caption: (at) => {
+      const t = moment(at);
+      const known = curve ? null : told?.[Math.round(t * (told.length - 1))];
+      const words = curve ? "one closed curve" : known ? verdictPhrase(known) : null;
+      return words === null ? percent(t) : `${percent(t)}, ${words}`;
+    },
+    drawer,
+  };
+  const steps = curve ? null : stepsSubject(shown.peek(), plainName(nearer(), "shape", 24), ground);
+  return { subjects: steps ? [morph, steps] : [morph] };
+}
+
+/** The name of the end that is on the stage, or on the way. */
+function nearer(): string {
+  const { a, b, t } = scene.peek();
+  if (t === 0) return a.name;
+  return t === 1 ? b.name : `${a.name} to ${b.name}`;
+}

@@ -1,2 +1,0 @@
-/** The export of space: loaded when it is first asked for. */
-export { ExportDialog } from "./ExportDialog";

@@ -1,0 +1,110 @@
+/** What there is to film in space: its time line, which can be had as numbers, too. */
+import { space, spacePart, spaceView, timeline } from "#document/space/space";
+import { frameCount, type Plan } from "#film/plan";
+import { loop } from "#film/settings";
+import type { Films, Numbers } from "#film/subject";
+import { isDark } from "#style/ground";
+import { palette } from "#style/palette";
+import { plainName } from "#ui/files/download";
+import type { Repeat, Space, SpaceView } from "#wasm/api";
+import { spaceTask } from "#workers/space/client";
+import { spaceDrawer } from "#workers/space/drawer";
+import { Frames, frameRecord } from "#workers/space/frames";
+import { ground } from "./stage/sight";
+import { fly } from "./time/flight/fly";
+import { MOST_BYTES, savedText } from "./time/saved/saved";
+
+export async function films(): Promise<Films> {
+  const now = space.peek();
+  const view = spaceView.peek();
+  const line = timeline.peek();
+  if (!now || !view || !line) {
+    return {
+      subjects: [],
+      nothing: {
+        words: "Nothing moves yet, so there is nothing to film. Set two keys, or begin with a ready flight.",
+        label: "Fly through",
+        disabled: !now,
+        run: () => void fly("through"),
+      },
+    };
+  }
+  // A scene of several has no name.
+  const name = now.objects.length === 1 ? (now.objects[0]?.name ?? "") : "";
+  return {
+    subjects: [
+      {
+        id: "space",
+        label: "Space",
+        name: plainName(name, "space", 32),
+        seconds: line.seconds,
+        anyLength: false,
+        loops: ["once", "round", "pingpong"],
+        loop: line.loop,
+        ground: ground.peek(),
+        choosesSmooth: true,
+        drawer: (look, how) =>
+          spaceDrawer(look, how?.alone ?? false, {
+            space: now,
+            view,
+            palette: palette(isDark(look.ground) ? "dark" : "light"),
+          }),
+        numbers: numbersOf(now, view),
+      },
+    ],
+  };
+}
+
+const KINDS: Numbers["kinds"] = [
+  {
+    value: "frames",
+    label: "Every frame",
+    description: "The parameters of each frame, for other programs and for Frond",
+  },
+  { value: "keys", label: "Shapes and keys", description: "A small file for Frond" },
+];
+
+const ABOUT: Numbers["about"] = {
+  keys: "The shapes, the light and the keys as they are here. Frond opens it again: More of time, Open a saved animation.",
+  frames:
+    "For each frame its time, the view, and the parameters of every object: 12 numbers a map, the rows of its matrix and then its translation. Frond opens it again, with its keys.",
+};
+
+function numbersOf(now: Space, view: SpaceView): Numbers {
+  const { packed, at } = spacePart.peek();
+  return {
+    kinds: KINDS,
+    about: ABOUT,
+    mostBytes: MOST_BYTES,
+    bytes: (plan, go) => (plan.kind === "frames" ? parametersBytes(now, view, plan, go) : null),
+    async make(plan, times, signal, onDone) {
+      if (plan.kind === "keys") {
+        const bytes = new TextEncoder().encode(savedText({ packed, at, view, space: now }));
+        return { bytes, type: "application/json", missing: 0 };
+      }
+      const about = { packed, at, loop: loop.peek(), fps: plan.fps, seconds: plan.to - plan.from };
+      return spaceTask(
+        "parameters",
+        { space: now, view, times, ...about },
+        { lane: 1, signal, onProgress: onDone },
+      );
+    },
+  };
+}
+
+/** How many bytes the parameters of all frames are, from some of them; null where they cannot be told. */
+function parametersBytes(now: Space, view: SpaceView, plan: Plan, go: Repeat): number | null {
+  let frames: Frames | null = null;
+  try {
+    frames = new Frames(now);
+    const tried = [0, 0.21, 0.43, 0.68, 1].map((part) => plan.from + part * (plan.to - plan.from));
+    let bytes = 0;
+    for (const time of tried) bytes += JSON.stringify(frameRecord(now, time, frames.at(time), view)).length;
+    const head = spacePart.peek().packed.length + 300;
+    return (bytes / tried.length + 2) * frameCount(plan, go) + head;
+  } catch {
+    return null;
+  } finally {
+    frames?.free();
+  }
+}

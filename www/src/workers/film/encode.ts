@@ -1,0 +1,89 @@
+/** The tasks of the worker that writes a film: its frames come one by one, to the same lane. */
+import type { Context } from "../lanes/task";
+import { apngSink } from "./apng";
+import { captioned } from "./caption";
+import { gifSink } from "./gif";
+import { layOn } from "./opaque";
+import type { FilmSettings, FrameSize, Sink } from "./sink";
+import { codecFor, type FilmCodec, videoSink } from "./video";
+import { zipSink } from "./zip";
+
+export interface FileBytes {
+  bytes: Uint8Array<ArrayBuffer>;
+  type: string;
+}
+
+/** Which kinds of video this browser can write. */
+export interface Encodable {
+  mp4: FilmCodec | null;
+  webm: FilmCodec | null;
+}
+
+interface Film {
+  sink: Sink;
+  settings: FilmSettings;
+  /** The frame before, on its ground. */
+  last: Uint8ClampedArray<ArrayBuffer> | null;
+}
+
+const TYPES = {
+  mp4: "video/mp4",
+  webm: "video/webm",
+  gif: "image/gif",
+  apng: "image/png",
+  zip: "application/zip",
+} as const;
+const UNABLE = {
+  code: "export-unable",
+  message: "This browser cannot write such a video. Choose another size, WebM or GIF.",
+};
+const FILM = "film";
+
+export const encodeTasks = {
+  async encodable(_: Context, settings: FrameSize & { bitrate: number }): Promise<Encodable> {
+    return { mp4: await codecFor("mp4", settings), webm: await codecFor("webm", settings) };
+  },
+
+  async filmBegin({ keep }: Context, settings: FilmSettings): Promise<void> {
+    keep.set(FILM, { sink: await sinkFor(settings), settings, last: null } satisfies Film);
+  },
+
+  /** The next frame, RGBA with straight alpha; none: the last one once more. */
+  async filmAdd(
+    { keep }: Context,
+    { pixels, caption }: { pixels?: Uint8ClampedArray<ArrayBuffer>; caption?: string },
+  ): Promise<void> {
+    const film = filmIn(keep);
+    const { settings } = film;
+    if (pixels) {
+      if (settings.ground !== null) layOn(pixels, settings.ground);
+      film.last = pixels;
+    }
+    if (!film.last) return;
+    await film.sink.add(caption ? captioned(film.last, settings, caption) : film.last);
+  },
+
+  async filmEnd({ keep, transfer }: Context, _: Record<string, never>): Promise<FileBytes> {
+    const { sink, settings } = filmIn(keep);
+    keep.delete(FILM);
+    const bytes = await sink.finish();
+    transfer(bytes.buffer);
+    return { bytes, type: TYPES[settings.kind] };
+  },
+};
+
+function filmIn(keep: Context["keep"]): Film {
+  const film = keep.get(FILM) as Film | undefined;
+  if (!film) throw { code: "export-lost", message: "The film was lost on the way. Make it again." };
+  return film;
+}
+
+async function sinkFor(settings: FilmSettings): Promise<Sink> {
+  const { kind } = settings;
+  if (kind === "gif") return gifSink(settings);
+  if (kind === "apng") return apngSink(settings);
+  if (kind === "zip") return zipSink(settings);
+  const codec = await codecFor(kind, settings);
+  if (!codec) throw UNABLE;
+  return videoSink(kind, codec, settings);
+}

@@ -1,0 +1,109 @@
+import { filmCrew } from "./client";
+import type { FileBytes } from "./encode";
+import { inOrder } from "./order";
+import type { FilmSettings } from "./sink";
+import type { FramePixels, Subject } from "./subject";
+
+export interface FilmRequest {
+  subject: Subject;
+  /** Seconds, of each frame. */
+  times: number[];
+  settings: FilmSettings;
+  smooth: boolean;
+  captions: boolean;
+}
+
+export interface Film extends FileBytes {
+  /** Frames that stand for moments without an attractor. */
+  missing: number;
+}
+
+/** What has been made so far; now and then with what was drawn last, small. */
+type OnFrame = (done: number, preview: ImageBitmap | null) => void;
+
+/** Milliseconds from one preview to the next. */
+const PREVIEW = 250;
+const PREVIEW_SIDE = 720;
+/** So many small frames choose the colours of a GIF. */
+const SAMPLES = 8;
+const SAMPLE_SIDE = 160;
+
+/** Complete pictures, frame by frame, and the file of them. Rejected when called off. */
+export async function makeFilm(request: FilmRequest, signal: AbortSignal, onFrame: OnFrame): Promise<Film> {
+  const { subject, times, settings, smooth, captions } = request;
+  const { width, height } = settings;
+  const ground = settings.ground ?? subject.ground;
+  const { task, end } = filmCrew();
+  const drawer = subject.drawer({ width, height, smooth, ground });
+  const options = { signal };
+  try {
+    const samples = settings.kind === "gif" ? { samples: await sampled(request, ground, signal) } : {};
+    await task("filmBegin", { ...settings, ...samples }, options);
+    let told = 0;
+    await inOrder<FramePixels | null>(
+      times.length,
+      2 * drawer.hands,
+      (i) => drawer.frame(times[i] ?? 0, signal),
+      async (i, picture) => {
+        const now = performance.now();
+        let preview: ImageBitmap | null = null;
+        if (picture && (now - told >= PREVIEW || i === times.length - 1)) {
+          told = now;
+          preview = await small(picture.data, width, height);
+        }
+        const words = captions ? subject.caption?.(times[i] ?? 0) : undefined;
+        const caption = words === undefined ? {} : { caption: words };
+        if (picture) {
+          const transfer = [picture.data.buffer];
+          await task("filmAdd", { pixels: picture.data, ...caption }, { signal, transfer });
+        } else await task("filmAdd", caption, options);
+        onFrame(i + 1, preview);
+      },
+    );
+    const file = await task("filmEnd", {}, options);
+    return { ...file, missing: drawer.missing };
+  } finally {
+    end();
+    drawer.end();
+  }
+}
+
+/** Some frames of all, small, one below the other. */
+async function sampled(
+  { subject, times, settings, smooth }: FilmRequest,
+  ground: string,
+  signal: AbortSignal,
+) {
+  const scale = Math.min(1, SAMPLE_SIDE / Math.max(settings.width, settings.height));
+  const width = Math.max(1, Math.round(settings.width * scale));
+  const height = Math.max(1, Math.round(settings.height * scale));
+  const count = Math.min(SAMPLES, times.length);
+  const all = new Uint8ClampedArray(4 * width * height * count);
+  const drawer = subject.drawer({ width, height, smooth, ground }, { alone: true });
+  try {
+    let data = new Uint8ClampedArray(4 * width * height);
+    for (let i = 0; i < count; i++) {
+      const picture = await drawer.frame(times[Math.floor((i * times.length) / count)] ?? 0, signal);
+      data = picture?.data ?? data;
+      all.set(data, i * data.length);
+    }
+  } finally {
+    drawer.end();
+  }
+  return all;
+}
+
+async function small(
+  pixels: Uint8ClampedArray<ArrayBuffer>,
+  width: number,
+  height: number,
+): Promise<ImageBitmap | null> {
+  if (typeof createImageBitmap === "undefined") return null;
+  const scale = Math.min(1, PREVIEW_SIDE / Math.max(width, height));
+  const size = {
+    resizeWidth: Math.max(1, Math.round(width * scale)),
+    resizeHeight: Math.max(1, Math.round(height * scale)),
+    resizeQuality: "medium" as const,
+  };
+  return createImageBitmap(new ImageData(pixels, width, height), size).catch(() => null);
+}

@@ -1,0 +1,78 @@
+import type { Repeat } from "#wasm/api";
+
+/** A picture of a moment. */
+export interface FramePixels {
+  width: number;
+  height: number;
+  /** RGBA, straight alpha, row 0 on top. */
+  data: Uint8ClampedArray<ArrayBuffer>;
+  /** Milliseconds that it took a worker. */
+  took: number;
+}
+
+/** How all frames of a film look. */
+export interface FrameLook {
+  width: number;
+  height: number;
+  /** Edges smoothed at four times the cost, where the subject leaves the choice. */
+  smooth: boolean;
+  /** What it is seen before, "#rrggbb": colours are to stand out from it. It is not part of the picture. */
+  ground: string;
+}
+
+/** Draws the frames of one film. */
+export interface Drawer {
+  /** How many frames are drawn side by side. */
+  readonly hands: number;
+  /** Moments without a picture, so far: there the frame before stands. */
+  readonly missing: number;
+  /** The complete picture of a moment; null where it is that of the frame before. Asked for in the order of the film. */
+  frame(seconds: number, signal: AbortSignal): Promise<FramePixels | null>;
+  end(): void;
+}
+
+/** Something that moves, as films know it. */
+export interface Subject {
+  id: string;
+  /** As it is chosen among others. */
+  label: string;
+  /** What its files are called. */
+  name: string;
+  /** How long it takes once through. */
+  seconds: number;
+  /** Whether it may take as long as one likes. */
+  anyLength: boolean;
+  /** What it can do at its end, and what it does by itself. */
+  loops: readonly Repeat[];
+  loop: Repeat;
+  /** What is behind it on the stage, "#rrggbb". */
+  ground: string;
+  /** Whether smooth edges are a choice; else they are always smooth. */
+  choosesSmooth: boolean;
+  /** What can be said of a moment, over the picture. */
+  caption?: (seconds: number) => string;
+  /** `alone`: one frame, now and again, while other things are done. */
+  drawer(look: FrameLook, how?: { alone: boolean }): Drawer;
+}
+
+/** The same, drawn as if it took `seconds` once through. */
+export function lasting(subject: Subject, seconds: number): Subject {
+  const part = subject.seconds / seconds;
+  const { caption } = subject;
+  return {
+    ...subject,
+    seconds,
+    ...(caption ? { caption: (at: number) => caption(at * part) } : {}),
+    drawer(look, how) {
+      const drawer = subject.drawer(look, how);
+      return {
+        hands: drawer.hands,
+        get missing() {
+          return drawer.missing;
+        },
+        frame: (at, signal) => drawer.frame(at * part, signal),
+        end: () => drawer.end(),
+      };
+    },
+  };
+}
