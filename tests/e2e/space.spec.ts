@@ -136,8 +136,11 @@ test("a flight through the natural scene is keyed, exported as a film that plays
   expect([...bytes.subarray(0, 4)]).toEqual([0x1a, 0x45, 0xdf, 0xa3]);
   const film = dialog.locator("video");
   const played = await film.evaluate(async (video: HTMLVideoElement) => {
+    const moving = new Promise((resolve) => {
+      video.addEventListener("timeupdate", () => video.currentTime > 0 && resolve(null));
+    });
     await video.play();
-    await new Promise((resolve) => setTimeout(resolve, 400));
+    await moving;
     return { width: video.videoWidth, height: video.videoHeight, at: video.currentTime };
   });
   expect(played).toMatchObject({ width: 160, height: 90 });
