@@ -112,4 +112,28 @@ test("a bend is filmed once round; where nothing moves the way to it is offered"
   expect(frames).toHaveLength(10);
   expect(new Set(frames.map(({ hash }) => hash)).size).toBeGreaterThan(7);
   expect(Math.min(...frames.map(({ lit }) => lit))).toBeGreaterThan(60);
+  await page.keyboard.press("Escape");
+
+  // The moment itself, in strips: more rows than are drawn at a time.
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await page.getByRole("menuitem", { name: "Picture of any size …" }).click();
+  const pictures = page.getByRole("dialog", { name: "Save the picture" });
+  for (const [name, value] of [
+    ["Width", "8192"],
+    ["Height", "600"],
+  ] as const) {
+    const field = pictures.getByRole("spinbutton", { name });
+    await field.fill(value);
+    await field.press("Enter");
+  }
+  await pictures.getByRole("combobox", { name: "Background" }).selectOption("night");
+  await expectClean(page);
+  const download = page.waitForEvent("download");
+  await pictures.getByRole("button", { name: "Save as PNG" }).click();
+  const png = await readFile(await (await download).path());
+  expect([png.readUInt32BE(16), png.readUInt32BE(20)]).toEqual([8192, 600]);
+  const [whole] = await framesOf(page, png, "image/png");
+  expect(whole?.clear).toBe(0);
+  expect(whole?.lit).toBeGreaterThan(1000);
+  await expect(pictures).toHaveCount(0);
 });

@@ -44,6 +44,10 @@ test("a picture is saved", async ({ studio, page }) => {
   await page.getByRole("menuitem", { name: "Save as PNG" }).click();
   const file = await saving;
   expect(file.suggestedFilename()).toBe("frond-gasket-gasket-0.00.png");
+  const bytes = await read(await file.createReadStream());
+  // It carries the address of what it shows.
+  const address = await page.evaluate(() => location.href.split("#")[0]);
+  expect(bytes.toString("latin1")).toContain(`Frond link\0\0\0\0\0${address}#v=1&a=gasket&b=gasket`);
   const size = await page.evaluate(
     async (bytes) => {
       const bitmap = await createImageBitmap(new Blob([new Uint8Array(bytes)], { type: "image/png" }));
@@ -55,7 +59,7 @@ test("a picture is saved", async ({ studio, page }) => {
       for (let i = 3; i < data.length; i += 4) if (data[i]) lit++;
       return { long: Math.max(bitmap.width, bitmap.height), share: lit / (bitmap.width * bitmap.height) };
     },
-    [...(await read(await file.createReadStream()))],
+    [...bytes],
   );
   expect(size.long).toBe(2400);
   expect(size.share).toBeGreaterThan(0.005);

@@ -5,7 +5,7 @@ import { Dialog } from "#ui/overlay/Dialog";
 import { Finished } from "./Finished";
 import css from "./film.module.css";
 import { job, made } from "./job";
-import { filmOpen } from "./open";
+import { exportOpen } from "./open";
 import { isFilm } from "./plan";
 import { Running } from "./Running";
 import { Settings } from "./Settings";
@@ -13,7 +13,7 @@ import { offer, plan, subject } from "./settings";
 import type { Films } from "./subject";
 
 const close = () => {
-  filmOpen.value = false;
+  exportOpen.value = null;
 };
 
 /** A film of what moves, or its numbers: choose, watch it being made, and have it. */

@@ -1,7 +1,5 @@
 import { useEffect, useMemo } from "preact/hooks";
 import { formatNumber } from "#format/numbers";
-import { NIGHT, PAPER } from "#style/colours";
-import { ownFrom } from "#style/ground";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
@@ -11,6 +9,7 @@ import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Repeat } from "#wasm/api";
 import { secondsFor, usePreview } from "./estimate";
 import css from "./film.module.css";
+import { Ground } from "./Ground";
 import { make } from "./job";
 import { Picture } from "./Preview";
 import {
@@ -74,7 +73,11 @@ export function Settings({ of: subject }: { of: FilmSubject }) {
   const { width, height, fps } = now;
   // biome-ignore lint/correctness/useExhaustiveDependencies: what can be written depends on the size
   useEffect(() => void askAble(), [width, height, fps]);
-  const preview = usePreview(subject, now);
+  const preview = usePreview(isFilm(now.kind) ? subject : null, {
+    ...now,
+    clear: now.clear && canBeClear(now.kind),
+    at: now.from,
+  });
   const problem = planProblem(now, framesGo.value) ?? preview.problem;
   const film = isFilm(now.kind);
   return (
@@ -243,7 +246,7 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
           onChange={(next) => choose({ quality: next })}
         />
       )}
-      <Ground of={of} stage={subject.ground} />
+      <Ground of={of} stage={subject.ground} canBeClear={canBeClear(kind)} choose={choose} />
       {kind === "gif" && (
         <Switch
           checked={dither}
@@ -272,47 +275,6 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
         </Switch>
       )}
     </>
-  );
-}
-
-/** What is behind the picture. */
-function Ground({ of, stage }: { of: Plan; stage: string }) {
-  const { ground, clear, kind } = of;
-  const named = ground === null ? "stage" : ground === PAPER ? "paper" : ground === NIGHT ? "night" : "own";
-  const value = clear && canBeClear(kind) ? "clear" : named;
-  return (
-    <label class={css["export-size"]}>
-      <span class="field-label">Background</span>
-      <Select
-        value={value}
-        onChange={(event) => {
-          const next = event.currentTarget.value;
-          const colours: Record<string, string | null> = {
-            stage: null,
-            paper: PAPER,
-            night: NIGHT,
-            own: ownFrom(ground ?? stage),
-          };
-          if (next === "clear") choose({ clear: true });
-          else choose({ clear: false, ground: colours[next] ?? null });
-        }}
-      >
-        <option value="stage">As it is here</option>
-        <option value="paper">Paper</option>
-        <option value="night">Night</option>
-        <option value="own">Your own</option>
-        {canBeClear(kind) && <option value="clear">None, clear</option>}
-      </Select>
-      {value === "own" && (
-        <input
-          type="color"
-          class={css["ground-colour"]}
-          aria-label="Colour of the background"
-          value={ground ?? stage}
-          onInput={(event) => choose({ ground: event.currentTarget.value })}
-        />
-      )}
-    </label>
   );
 }
 

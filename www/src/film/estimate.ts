@@ -5,7 +5,7 @@ import type { Repeat } from "#wasm/api";
 import { painters } from "#workers/film/crew";
 import { channels, layOn } from "#workers/film/opaque";
 import type { Subject } from "#workers/film/subject";
-import { canBeClear, frameCount, isFilm, litPart, type Plan } from "./plan";
+import { frameCount, litPart, type Plan } from "./plan";
 
 export interface Preview {
   image: ImageData | null;
@@ -21,15 +21,24 @@ const BOX = { width: 416, height: 234 };
 /** So long after the last change, in milliseconds. */
 const REST_MS = 200;
 
-/** The first frame, small. */
-export function usePreview(subject: Subject | null, plan: Plan): Preview {
-  const { kind, width, height, from } = plan;
+interface Shown {
+  width: number;
+  height: number;
+  /** Seconds. */
+  at: number;
+  ground: string | null;
+  clear: boolean;
+}
+
+/** A moment, small. */
+export function usePreview(
+  subject: Subject | null,
+  { width, height, at, clear, ground: own }: Shown,
+): Preview {
   const [preview, setPreview] = useState(NOTHING);
-  const film = isFilm(kind);
-  const ground = plan.ground ?? subject?.ground ?? "";
-  const clear = plan.clear && canBeClear(kind);
+  const ground = own ?? subject?.ground ?? "";
   useEffect(() => {
-    if (!film || !subject) return;
+    if (!subject) return;
     const stop = new AbortController();
     const scale = Math.min(1, BOX.width / width, BOX.height / height);
     const size = {
@@ -39,8 +48,8 @@ export function usePreview(subject: Subject | null, plan: Plan): Preview {
     const draw = async () => {
       const drawer = subject.drawer({ ...size, smooth: false, ground }, { alone: true });
       try {
-        const picture = await drawer.frame(from, stop.signal);
-        if (!picture) throw new Error("There is no picture at that moment. Choose another beginning.");
+        const picture = await drawer.frame(at, stop.signal);
+        if (!picture) throw new Error("There is no picture at that moment. Choose another.");
         const { data, took } = picture;
         const lit = litPart(data, channels(ground));
         if (!clear) layOn(data, ground);
@@ -57,7 +66,7 @@ export function usePreview(subject: Subject | null, plan: Plan): Preview {
       clearTimeout(timer);
       stop.abort();
     };
-  }, [film, subject, width, height, from, ground, clear]);
+  }, [subject, width, height, at, ground, clear]);
   return preview;
 }
 

@@ -4,7 +4,7 @@ import { type ReadonlySignal, signal } from "@preact/signals";
 import { notify, wordsOf } from "#document/notice";
 import { downloadFrom } from "#ui/files/download";
 import { type Film, makeFilm } from "#workers/film/film";
-import { filmOpen, filmProgress, openFilm } from "./open";
+import { exportOpen, filmProgress, openFilm } from "./open";
 import { bitrateOf, bytesWords, canBeClear, fileName, isFilm, type Plan, secondsLeft, timesOf } from "./plan";
 import { framesGo } from "./settings";
 import type { FilmSubject } from "./subject";
@@ -101,7 +101,7 @@ function finish(what: Pick<Made, "plan" | "name" | "frames">, { bytes, type, mis
   const result = { ...what, blob, url: URL.createObjectURL(blob), missing };
   finished.value = result;
   save(result);
-  if (filmOpen.peek()) return;
+  if (exportOpen.peek() === "film") return;
   notify({
     kind: "info",
     text: `${result.name} is made: ${bytesWords(blob.size)}.`,

@@ -1,15 +1,19 @@
-/** What the page knows of the dialog of films: the rest is loaded when it is asked for. */
+/** What the page knows of the dialogs of films and pictures: the rest is loaded when it is asked for. */
 import { signal } from "@preact/signals";
 import type { Command } from "#ui/commands";
 
-/** Whether it is open. */
-export const filmOpen = signal(false);
+/** Which is open. */
+export const exportOpen = signal<"film" | "picture" | null>(null);
 
 /** How far the film is that is being made, 0 to 1; null while none is. */
 export const filmProgress = signal<number | null>(null);
 
 export function openFilm(): void {
-  filmOpen.value = true;
+  exportOpen.value = "film";
+}
+
+export function openPicture(): void {
+  exportOpen.value = "picture";
 }
 
 /** In every tool in which something moves. */

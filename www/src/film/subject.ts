@@ -20,6 +20,17 @@ export interface Numbers {
   make(plan: Plan, times: number[], signal: AbortSignal, onDone: (frames: number) => void): Promise<Film>;
 }
 
+/** What the stage shows now. */
+export interface Still {
+  subject: Subject;
+  /** Seconds. */
+  at: number;
+  /** Of the stage, in CSS pixels. */
+  stage: { width: number; height: number };
+  /** Whether it can be drawn in strips, and so be larger. */
+  inStrips: boolean;
+}
+
 /** What a tool has to film. */
 export interface Films {
   subjects: readonly FilmSubject[];

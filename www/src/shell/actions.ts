@@ -68,11 +68,11 @@ export const curveOnStage = computed(() => curved.value && !pictureShown.value);
 export async function savePicture(): Promise<void> {
   const { entry, tool } = openedTool();
   if (entry.stage !== undefined) await tool?.savePng?.();
-  else await fetched(fetchSave, (module) => module.savePicture());
+  else await fetched(fetchSave, (module) => module.savePicture(link.fragment()));
 }
 
-/** What saves pictures is not part of the first script. */
-export const fetchSave = () => import("./save");
+/** It is not part of the first script. */
+const fetchSave = () => import("./save");
 
 async function fetched<T>(module: () => Promise<T>, use: (module: T) => void | Promise<void>): Promise<void> {
   try {

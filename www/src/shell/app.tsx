@@ -4,7 +4,7 @@ import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
 import { route } from "#document/link";
 import { announcement, dismiss, notices, notify, wordsOf } from "#document/notice";
-import { filmOpen } from "#film/open";
+import { exportOpen } from "#film/open";
 import { Stage as SharedStage } from "#stage/stage";
 import type { PainterBackend } from "#stage/surface/painter";
 import { commandsOf } from "#stage/tool";
@@ -12,7 +12,6 @@ import { type Command, help, listenForCommands } from "#ui/commands";
 import { lazily } from "#ui/lazy";
 import { Toasts } from "#ui/overlay/Toasts";
 import { curvesFetched } from "#wasm/curve";
-import { fetchSave } from "./actions";
 import { Header } from "./header";
 import { Readout } from "./Readout";
 import css from "./shell.module.css";
@@ -79,7 +78,7 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
       </aside>
       <div class="time">{Strip && <Strip />}</div>
       {help.value && <ShortcutsDialog commands={commands} />}
-      {filmOpen.value && tool?.films && <FilmDialog films={tool.films} />}
+      {exportOpen.value && <Exports />}
     </main>
   );
 }
@@ -87,8 +86,8 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
 const shortcuts = () => import("#ui/overlay/ShortcutsDialog").then((module) => module.ShortcutsDialog);
 const ShortcutsDialog = lazily(shortcuts);
 
-const filmDialog = () => import("#film/FilmDialog").then((module) => module.FilmDialog);
-const FilmDialog = lazily(filmDialog);
+const exports = () => import("./Exports").then((module) => module.Exports);
+const Exports = lazily(exports);
 
 const NOTHING: readonly Command[] = [];
 const commands = () => {
@@ -101,10 +100,7 @@ export function fetchAhead(): void {
   const tried = () => {
     curvesFetched.value = true;
   };
-  Promise.all([shortcuts(), filmDialog(), fetchSave(), ...TOOLS.map((entry) => entry.fetchAhead?.())]).then(
-    tried,
-    tried,
-  );
+  Promise.all([shortcuts(), exports(), ...TOOLS.map((entry) => entry.fetchAhead?.())]).then(tried, tried);
 }
 
 type FiguresComponent = ComponentType<{ figure: string | null }>;

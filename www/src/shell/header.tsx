@@ -4,7 +4,7 @@ import { selection } from "#document/morph";
 import { setTheme, type Theme, theme } from "#document/preferences";
 import { canRedo, canUndo, redo, undo } from "#document/scene";
 import { openTool, tool } from "#document/tool";
-import { filmProgress, openFilm } from "#film/open";
+import { filmProgress, openFilm, openPicture } from "#film/open";
 import { help, withKey } from "#ui/commands";
 import { Icon } from "#ui/controls/Icon";
 import { Menu, type MenuItem } from "#ui/overlay/Menu";
@@ -77,7 +77,11 @@ function moreItems(studio: boolean): MenuItem[] {
 /** The files that what is open can be saved as. */
 function saveItems(): MenuItem[] {
   const pictures = curveOnStage.value ? curveItems() : [{ label: "Save as PNG", onSelect: savePicture }];
-  if (!openedTool().tool?.films) return pictures;
+  const { entry, tool } = openedTool();
+  if (entry.stage === undefined || tool?.still) {
+    pictures.push({ label: "Picture of any size …", onSelect: openPicture });
+  }
+  if (!tool?.films) return pictures;
   const done = filmProgress.value;
   const film = done === null ? "Film …" : `Film, ${Math.floor(100 * done)}% made`;
   return [...pictures, { label: film, icon: "play", onSelect: openFilm }];

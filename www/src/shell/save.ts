@@ -1,79 +1,101 @@
 /** The picture on the stage as a file. */
+import { curveDrawer } from "#curve/film";
+import { curveMorph, curveTime } from "#document/curve/curve";
 import { bend, deformation } from "#document/deform/bend";
-import type { Photograph } from "#document/deform/photograph";
 import { pictureShown } from "#document/deform/picture";
 import { selection, shown } from "#document/morph";
-import { notify, wordsOf } from "#document/notice";
+import { dismiss, notify, wordsOf } from "#document/notice";
+import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
-import { stageStyle } from "#stage/look";
-import { bentPicture, type SheetRequest } from "#stage/surface/sheet";
+import type { Still } from "#film/subject";
 import { effectiveView, stageSize } from "#stage/view";
-import { download, plainName, pngOf } from "#ui/files/download";
-import { submit } from "#workers/pool/engine";
-import { single } from "#workers/pool/protocol";
+import { NIGHT, PAPER } from "#style/colours";
+import { isDark } from "#style/ground";
+import { palette } from "#style/palette";
+import { download, plainName } from "#ui/files/download";
+import { makePicture } from "#workers/film/picture";
+import { planeDrawer } from "#workers/film/plane-drawer";
+import { sheetDrawer } from "#workers/film/sheet-drawer";
+import type { Drawer, FrameLook } from "#workers/film/subject";
+
+/** What the stage that tools share shows now, to be drawn at any size. */
+export async function stageStill(): Promise<Still> {
+  const stage = stageSize.peek();
+  const seen = effectiveView.peek();
+  const { colouring } = scene.peek();
+  const photograph = pictureShown.peek();
+  const curve = photograph ? null : curveMorph.peek();
+  const bent = selection.peek() ? null : bend.peek();
+  const maps = shown.peek();
+  const { parts } = deformation.peek();
+  const s = curveTime.peek();
+
+  const drawer = (look: FrameLook, how?: { alone: boolean }): Drawer => {
+    const alone = how?.alone ?? false;
+    // All that is on the stage, and more on two sides where the picture has another shape.
+    const larger = Math.min(look.width / Math.max(1, stage.width), look.height / Math.max(1, stage.height));
+    const view = { ...seen, scale: seen.scale * larger };
+    if (photograph) return sheetDrawer(look, alone, { picture: photograph, parts, view }, () => bent);
+    if (curve) return curveDrawer(look, colouring, () => ({ s, bend: bent, view }));
+    const colours = palette(isDark(look.ground) ? "dark" : "light");
+    const options = { view, colouring, palette: colours, ...(bent ? { bend: bent } : {}) };
+    return planeDrawer(look, alone, () => ({ maps, options }));
+  };
+
+  return {
+    subject: {
+      id: "still",
+      label: "The picture",
+      name: pictureName(),
+      seconds: 1,
+      anyLength: false,
+      loops: ["once"],
+      loop: "once",
+      ground: dark.peek() ? NIGHT : PAPER,
+      choosesSmooth: false,
+      drawer,
+    },
+    at: 0,
+    stage,
+    inStrips: !curve && (photograph !== null || colouring !== "density"),
+  };
+}
+
+/** The whole address of a document, for a picture to carry; null where no link can hold it. */
+export function addressOf(fragment: string | null): string | null {
+  return fragment === null ? null : `${location.origin}${location.pathname}#${fragment}`;
+}
 
 const LONG_SIDE = 2400;
 
-/** The picture as it stands on the stage, larger, complete, on a transparent ground. */
-export function savePicture(): void {
-  const size = stageSize.peek();
-  const view = effectiveView.peek();
-  const larger = LONG_SIDE / Math.max(size.width, size.height, 1);
-  const width = Math.max(1, Math.round(size.width * larger));
-  const height = Math.max(1, Math.round(size.height * larger));
-  const { colouring, palette } = stageStyle.peek();
-  const bent = selection.peek() ? null : bend.peek();
-  const shownView = { ...view, scale: view.scale * larger };
-  const options = { width, height, view: shownView, colouring, palette, ...(bent ? { bend: bent } : {}) };
-  notify({ kind: "info", text: "Drawing the picture to save …" });
-  const photograph = pictureShown.peek();
-  if (photograph) {
-    saveBent(photograph, { bend: bent, parts: deformation.peek().parts, view: shownView, width, height });
-    return;
-  }
-  submit(
-    single<"picture">(
-      "export",
-      45,
-      { kind: "picture", maps: shown.peek(), options },
-      {
-        accept: (bitmap) => void saveBitmap(bitmap),
-        fail: notSaved,
-      },
-    ),
-  );
-}
-
-/** Once the notice is seen. */
-function saveBent(photograph: Photograph, request: SheetRequest): void {
-  setTimeout(() => {
-    try {
-      createImageBitmap(bentPicture(photograph, request)).then(saveBitmap, notSaved);
-    } catch (problem) {
-      notSaved(problem);
-    }
+/** The picture as it stands on the stage, larger, complete, on a transparent ground, with its link. */
+export async function savePicture(fragment: string | null): Promise<void> {
+  const calledOff = new AbortController();
+  const notice = notify({
+    kind: "info",
+    text: "Drawing the picture to save …",
+    action: { label: "Cancel", run: () => calledOff.abort() },
+    stays: true,
   });
-}
-
-function notSaved(problem: unknown): void {
-  notify({ kind: "error", text: `The picture could not be saved: ${wordsOf(problem)}` });
-}
-
-async function saveBitmap(bitmap: ImageBitmap): Promise<void> {
   try {
-    const canvas = document.createElement("canvas");
-    canvas.width = bitmap.width;
-    canvas.height = bitmap.height;
-    canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
-    bitmap.close();
-    download(await pngOf(canvas), fileName());
+    const { subject, at, stage } = await stageStill();
+    const larger = LONG_SIDE / Math.max(stage.width, stage.height, 1);
+    const width = Math.max(1, Math.round(stage.width * larger));
+    const height = Math.max(1, Math.round(stage.height * larger));
+    const settings = { width, height, ground: null, link: addressOf(fragment) };
+    const request = { subject, at, settings, smooth: true };
+    const { bytes, type } = await makePicture(request, calledOff.signal, () => {});
+    download(new Blob([bytes], { type }), `frond-${subject.name}.png`);
   } catch (problem) {
-    notSaved(problem);
+    if (calledOff.signal.aborted) return;
+    notify({ kind: "error", text: `The picture could not be saved: ${wordsOf(problem)}` });
+  } finally {
+    dismiss(notice);
   }
 }
 
-function fileName(): string {
+function pictureName(): string {
   const { a, b, t } = scene.peek();
   const plain = (name: string) => plainName(name, "shape", 24);
-  return `frond-${plain(a.name)}-${plain(b.name)}-${t.toFixed(2)}.png`;
+  return `${plain(a.name)}-${plain(b.name)}-${t.toFixed(2)}`;
 }

@@ -2,7 +2,7 @@
 import type { ComponentType } from "preact";
 import type { Keep } from "#document/history";
 import { FILM } from "#film/open";
-import type { Films } from "#film/subject";
+import type { Films, Still } from "#film/subject";
 import type { Command } from "#ui/commands";
 import { type Timeline, timeCommands } from "#ui/strip/timeline";
 import type { Tool as ToolName } from "#wasm/api";
@@ -27,6 +27,8 @@ export interface Tool {
   commands: () => readonly Command[];
   /** Saves what a stage of its own shows. */
   savePng?: () => void | Promise<void>;
+  /** What a stage of its own shows, to be drawn at any size. */
+  still?: () => Promise<Still>;
   /** What moves in it, to be filmed. */
   films?: () => Promise<Films>;
 }

@@ -1,16 +1,18 @@
 /** What there is to film in space: its time line, which can be had as numbers, too. */
-import { space, spacePart, spaceView, timeline } from "#document/space/space";
+import { moment, space, spacePart, spaceView, timeline } from "#document/space/space";
 import { frameCount, type Plan } from "#film/plan";
 import { loop } from "#film/settings";
-import type { Films, Numbers } from "#film/subject";
+import type { Films, Numbers, Still } from "#film/subject";
 import { isDark } from "#style/ground";
 import { palette } from "#style/palette";
 import { plainName } from "#ui/files/download";
-import type { Repeat, Space, SpaceView } from "#wasm/api";
+import type { Repeat, Space, SpaceTimeline, SpaceView } from "#wasm/api";
+import type { Subject } from "#workers/film/subject";
 import { spaceTask } from "#workers/space/client";
 import { spaceDrawer } from "#workers/space/drawer";
 import { Frames, frameRecord } from "#workers/space/frames";
 import { ground } from "./stage/sight";
+import { stageSize } from "./stage/state";
 import { fly } from "./time/flight/fly";
 import { MOST_BYTES, savedText } from "./time/saved/saved";
 
@@ -29,29 +31,49 @@ export async function films(): Promise<Films> {
       },
     };
   }
+  const subject = subjectOf(now, view, line);
+  return { subjects: [{ ...subject, numbers: numbersOf(now, view) }] };
+}
+
+/** What the stage shows: the time line at its moment, seen as it is seen now. */
+export async function still(): Promise<Still> {
+  const now = space.peek();
+  const view = spaceView.peek();
+  if (!now || !view) throw new Error("There is nothing to be seen yet.");
+  const line = timeline.peek() ?? { seconds: 1, loop: "once" as const };
+  return {
+    subject: subjectOf(now, view, line, true),
+    at: moment.peek(),
+    stage: stageSize.peek(),
+    inStrips: false,
+  };
+}
+
+function subjectOf(
+  now: Space,
+  view: SpaceView,
+  { seconds, loop }: Pick<SpaceTimeline, "seconds" | "loop">,
+  still = false,
+): Subject {
   // A scene of several has no name.
   const name = now.objects.length === 1 ? (now.objects[0]?.name ?? "") : "";
   return {
-    subjects: [
-      {
-        id: "space",
-        label: "Space",
-        name: plainName(name, "space", 32),
-        seconds: line.seconds,
-        anyLength: false,
-        loops: ["once", "round", "pingpong"],
-        loop: line.loop,
-        ground: ground.peek(),
-        choosesSmooth: true,
-        drawer: (look, how) =>
-          spaceDrawer(look, how?.alone ?? false, {
-            space: now,
-            view,
-            palette: palette(isDark(look.ground) ? "dark" : "light"),
-          }),
-        numbers: numbersOf(now, view),
-      },
-    ],
+    id: "space",
+    label: "Space",
+    name: plainName(name, "space", 32),
+    seconds,
+    anyLength: false,
+    loops: ["once", "round", "pingpong"],
+    loop,
+    ground: ground.peek(),
+    choosesSmooth: true,
+    drawer: (look, how) =>
+      spaceDrawer(look, how?.alone ?? false, {
+        space: now,
+        view,
+        still,
+        palette: palette(isDark(look.ground) ? "dark" : "light"),
+      }),
   };
 }
 

@@ -1,7 +1,7 @@
 import { openSpace } from "#document/space/space";
 import type { Tool } from "#stage/tool";
 import { commands, timeline } from "./commands";
-import { films } from "./film";
+import { films, still } from "./film";
 import { SpacePanel } from "./index";
 import { savePng } from "./save";
 import { SpaceStage } from "./stage/SpaceStage";
@@ -17,6 +17,7 @@ export async function openTool(): Promise<Tool> {
     timeline,
     commands: () => commands,
     savePng,
+    still,
     films,
   };
 }

@@ -4,6 +4,7 @@ import { apngSink } from "./apng";
 import { captioned } from "./caption";
 import { gifSink } from "./gif";
 import { layOn } from "./opaque";
+import { PngFile } from "./png-file";
 import type { FilmSettings, FrameSize, Sink } from "./sink";
 import { codecFor, type FilmCodec, videoSink } from "./video";
 import { zipSink } from "./zip";
@@ -26,6 +27,21 @@ interface Film {
   last: Uint8ClampedArray<ArrayBuffer> | null;
 }
 
+/** A picture in the making. */
+interface Picture {
+  file: PngFile;
+  ground: string | null;
+}
+
+export interface PictureSettings {
+  width: number;
+  height: number;
+  /** "#rrggbb"; null leaves clear what is clear. */
+  ground: string | null;
+  /** The address that it carries, if it is to. */
+  link: string | null;
+}
+
 const TYPES = {
   mp4: "video/mp4",
   webm: "video/webm",
@@ -38,6 +54,7 @@ const UNABLE = {
   message: "This browser cannot write such a video. Choose another size, WebM or GIF.",
 };
 const FILM = "film";
+const PICTURE = "picture-file";
 
 export const encodeTasks = {
   async encodable(_: Context, settings: FrameSize & { bitrate: number }): Promise<Encodable> {
@@ -46,6 +63,28 @@ export const encodeTasks = {
 
   async filmBegin({ keep }: Context, settings: FilmSettings): Promise<void> {
     keep.set(FILM, { sink: await sinkFor(settings), settings, last: null } satisfies Film);
+  },
+
+  /** Begins a picture, whose rows come from the top, to the same lane. */
+  async pictureBegin({ keep }: Context, settings: PictureSettings): Promise<void> {
+    const { ground } = settings;
+    const file = new PngFile({ ...settings, opaque: ground !== null });
+    keep.set(PICTURE, { file, ground } satisfies Picture);
+  },
+
+  /** The next rows of the picture, RGBA with straight alpha. */
+  async pictureAdd({ keep }: Context, pixels: Uint8ClampedArray<ArrayBuffer>): Promise<void> {
+    const { file, ground } = pictureIn(keep);
+    if (ground !== null) layOn(pixels, ground);
+    await file.add(pixels);
+  },
+
+  async pictureEnd({ keep, transfer }: Context, _: Record<string, never>): Promise<FileBytes> {
+    const { file } = pictureIn(keep);
+    keep.delete(PICTURE);
+    const bytes = await file.finish();
+    transfer(bytes.buffer);
+    return { bytes, type: TYPES.apng };
   },
 
   /** The next frame, RGBA with straight alpha; none: the last one once more. */
@@ -76,6 +115,12 @@ function filmIn(keep: Context["keep"]): Film {
   const film = keep.get(FILM) as Film | undefined;
   if (!film) throw { code: "export-lost", message: "The film was lost on the way. Make it again." };
   return film;
+}
+
+function pictureIn(keep: Context["keep"]): Picture {
+  const picture = keep.get(PICTURE) as Picture | undefined;
+  if (!picture) throw { code: "export-lost", message: "The picture was lost on the way. Save it again." };
+  return picture;
 }
 
 async function sinkFor(settings: FilmSettings): Promise<Sink> {

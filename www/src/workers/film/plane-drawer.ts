@@ -1,12 +1,15 @@
 import type { MapRow, RasterOptions } from "#wasm/api";
 import { filmCrew, filmTask } from "./client";
 import { painters } from "./crew";
-import type { Drawer, FrameLook, FramePixels } from "./subject";
+import { stripView } from "./strip";
+import type { Drawer, FrameLook } from "./subject";
+
+type View = NonNullable<RasterOptions["view"]>;
 
 /** What there is to be drawn of a moment. */
 export interface PlaneMoment {
   maps: MapRow[];
-  options: Pick<RasterOptions, "view" | "colouring" | "palette" | "bend">;
+  options: Pick<RasterOptions, "colouring" | "palette" | "bend"> & { view: View };
 }
 
 /** Draws attractors of the plane, side by side. */
@@ -20,22 +23,24 @@ export function planeDrawer(
   let next = 0;
   let before = "";
   let missing = 0;
-  return {
+  const drawn = ({ maps, options }: PlaneMoment, rows: number, signal: AbortSignal) => {
+    const request = { maps, options: { ...options, width, height: rows } };
+    return crew
+      ? crew.task("attractor", request, { signal, lane: next++ % hands })
+      : filmTask("attractor", request, { signal });
+  };
+  const drawer: Drawer = {
     hands,
     get missing() {
       return missing;
     },
-    async frame(seconds, signal): Promise<FramePixels | null> {
-      const { maps, options } = at(seconds);
-      const key = JSON.stringify([maps, options]);
+    async frame(seconds, signal) {
+      const moment = at(seconds);
+      const key = JSON.stringify(moment);
       // What stays as it was is not drawn again.
       if (key === before) return null;
       before = key;
-      const request = { maps, options: { ...options, width, height } };
-      const drawn = crew
-        ? crew.task("attractor", request, { signal, lane: next++ % hands })
-        : filmTask("attractor", request, { signal });
-      return drawn.catch((problem: unknown) => {
+      return drawn(moment, height, signal).catch((problem: unknown) => {
         if (signal.aborted || alone) throw problem;
         // Maps without an attractor.
         missing++;
@@ -43,5 +48,18 @@ export function planeDrawer(
       });
     },
     end: () => crew?.end(),
+  };
+  // How bright a density is depends on all of the picture.
+  if (at(0).options.colouring === "density") return drawer;
+  return {
+    ...drawer,
+    get missing() {
+      return missing;
+    },
+    async strip(seconds, rows, signal) {
+      const { maps, options } = at(seconds);
+      const view = stripView(options.view, height, rows);
+      return drawn({ maps, options: { ...options, view } }, rows.count, signal);
+    },
   };
 }

@@ -11,7 +11,7 @@ export interface SheetPicture {
   height: number;
 }
 
-interface SheetFrame {
+export interface SheetFrame {
   bend: Bend | null;
   /** Each way of the maps of its rectangle. */
   parts: number;

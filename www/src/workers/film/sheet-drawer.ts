@@ -1,8 +1,11 @@
 import type { Bend, RasterOptions } from "#wasm/api";
 import { filmCrew, filmTask } from "./client";
 import { painters } from "./crew";
-import type { SheetPicture } from "./plane";
+import type { SheetFrame, SheetPicture } from "./plane";
+import { stripView } from "./strip";
 import type { Drawer, FrameLook } from "./subject";
+
+type Crew = ReturnType<typeof filmCrew>;
 
 /** Draws a picture that is bent, side by side. */
 export function sheetDrawer(
@@ -20,6 +23,13 @@ export function sheetDrawer(
   const begun = new Set<number>();
   let next = 0;
   let before = "";
+  const sheet = (from: Crew, request: SheetFrame, lane: number, signal: AbortSignal) => {
+    // A lane does one thing after the other: the picture is there before the first frame.
+    const ready = begun.has(lane) ? null : from.task("sheetBegin", picture, { signal, lane });
+    begun.add(lane);
+    ready?.catch(() => {});
+    return from.task("sheet", request, { signal, lane });
+  };
   return {
     hands,
     missing: 0,
@@ -34,11 +44,12 @@ export function sheetDrawer(
         await filmTask("sheetBegin", picture, { signal });
         return filmTask("sheet", { bend, parts, options }, { signal });
       }
-      // A lane does one thing after the other: the picture is there before the first frame.
-      const ready = begun.has(lane) ? null : crew.task("sheetBegin", picture, { signal, lane });
-      begun.add(lane);
-      ready?.catch(() => {});
-      return crew.task("sheet", { bend, parts, options }, { signal, lane });
+      return sheet(crew, { bend, parts, options }, lane, signal);
+    },
+    async strip(seconds, rows, signal) {
+      const options = { width, height: rows.count, view: stripView(view, height, rows) };
+      const request = { bend: bendAt(seconds), parts, options };
+      return crew ? sheet(crew, request, next++ % hands, signal) : filmTask("sheet", request, { signal });
     },
     end: () => crew?.end(),
   };

@@ -28,6 +28,11 @@ export interface Drawer {
   readonly missing: number;
   /** The complete picture of a moment; null where it is that of the frame before. Asked for in the order of the film. */
   frame(seconds: number, signal: AbortSignal): Promise<FramePixels | null>;
+  /**
+   * The same rows of the picture as if it were drawn whole, from `top` on: for pictures too large to be drawn at once.
+   * Where it is missing there is only the whole.
+   */
+  strip?(seconds: number, rows: { top: number; count: number }, signal: AbortSignal): Promise<FramePixels>;
   end(): void;
 }
 

@@ -9,6 +9,8 @@ export interface SpaceMoments {
   space: Space;
   /** From where, where no key says so. */
   view: SpaceView;
+  /** From there, whatever keys say. */
+  still?: boolean;
   palette: string[];
 }
 
@@ -16,7 +18,7 @@ export interface SpaceMoments {
 export function spaceDrawer(
   { width, height, smooth, ground }: FrameLook,
   alone: boolean,
-  { space, view, palette }: SpaceMoments,
+  { space, view, still = false, palette }: SpaceMoments,
 ): Drawer {
   const crew = alone ? null : spaceCrew();
   const factor = smooth ? 2 : 1;
@@ -30,7 +32,7 @@ export function spaceDrawer(
       const tint = space.objects[i]?.tint;
       return tint === undefined ? { maps: now } : { maps: now, tint };
     });
-    const seen = frame.view ?? view;
+    const seen = still ? view : (frame.view ?? view);
     return { objects, view: seen, light: space.light, width, height, factor, palette, ground };
   };
   return {

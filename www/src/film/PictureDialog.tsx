@@ -1,0 +1,213 @@
+import { signal } from "@preact/signals";
+import { useEffect, useState } from "preact/hooks";
+import { notify, wordsOf } from "#document/notice";
+import { Button } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
+import { Select } from "#ui/controls/Select";
+import { Switch } from "#ui/controls/Switch";
+import { download } from "#ui/files/download";
+import { Dialog } from "#ui/overlay/Dialog";
+import "#ui/panel/progress.css";
+import { makePicture } from "#workers/film/picture";
+import { usePreview } from "./estimate";
+import css from "./film.module.css";
+import { Ground } from "./Ground";
+import { exportOpen } from "./open";
+import { Picture } from "./Preview";
+import { MOST_PICTURE_SIDE, type PicturePlan, pictureProblem, pictureWords } from "./picture-plan";
+import { LEAST_SIDE } from "./plan";
+import type { Still } from "./subject";
+
+const LONG_SIDE = 2400;
+/** Fewer cores would be at it for long. */
+const MANY_CORES = 8;
+
+/** What was chosen last stays for the visit; no size: that of the stage, larger. */
+const chosen = signal<Omit<PicturePlan, "width" | "height"> & { width?: number; height?: number }>({
+  ground: null,
+  clear: true,
+  link: true,
+  smooth: navigator.hardwareConcurrency >= MANY_CORES,
+});
+/** How far the picture is that is being made, 0 to 1, and how to end it. */
+const running = signal<{ done: number; stop: AbortController } | null>(null);
+
+const close = () => {
+  running.peek()?.stop.abort();
+  exportOpen.value = null;
+};
+
+/** The picture on the stage as a PNG of any size. `link` is the address of the document, where there is one. */
+export function PictureDialog({ still, link }: { still: () => Promise<Still>; link: () => string | null }) {
+  const [found, setFound] = useState<Still | { problem: string } | null>(null);
+  useEffect(() => {
+    still().then(setFound, (problem) => setFound({ problem: wordsOf(problem) }));
+  }, [still]);
+  return (
+    <Dialog
+      title="Save the picture"
+      about="Drawn anew at this size, complete and sharp."
+      onClose={close}
+      wide
+    >
+      {!found ? (
+        <p class={css["export-nothing"]}>Getting ready …</p>
+      ) : "problem" in found ? (
+        <p class={css["export-problem"]}>{found.problem}</p>
+      ) : (
+        <Choices still={found} link={link} />
+      )}
+    </Dialog>
+  );
+}
+
+function Choices({ still, link }: { still: Still; link: () => string | null }) {
+  const { subject, at, stage, inStrips } = still;
+  const plan = planOf(stage);
+  const { width, height } = plan;
+  const preview = usePreview(subject, { ...plan, at });
+  const problem = pictureProblem(plan, inStrips) ?? preview.problem;
+  const now = running.value;
+  return (
+    <div class={css["export-sheet"]}>
+      <div class={css["export-settings"]}>
+        <Size plan={plan} stage={stage} />
+        <Ground of={plan} stage={subject.ground} canBeClear choose={change} />
+        {subject.choosesSmooth && (
+          <Switch checked={plan.smooth} onChange={(smooth) => change({ smooth })}>
+            Smooth edges, in about four times the time
+          </Switch>
+        )}
+        <Switch
+          checked={plan.link}
+          description="Dropped on Frond, the picture opens what it shows"
+          onChange={(next) => change({ link: next })}
+        >
+          Keep the link in the picture
+        </Switch>
+      </div>
+      <div class={css["export-preview"]}>
+        <Picture image={preview.image} label="The picture" ratio={width / height} />
+      </div>
+      <footer class={css["export-foot"]}>
+        {now ? (
+          <progress
+            class="progress"
+            max={1}
+            {...(inStrips ? { value: now.done } : {})}
+            aria-label="Part of the picture that is drawn"
+          />
+        ) : problem === null ? (
+          <p class="hint number">{pictureWords(plan, preview.lit)}</p>
+        ) : (
+          <p class={css["export-problem"]} role="status">
+            {problem}
+          </p>
+        )}
+        {now ? (
+          <Button onClick={() => now.stop.abort()}>Cancel</Button>
+        ) : (
+          <Button
+            kind="primary"
+            icon="save"
+            disabled={problem !== null}
+            onClick={() => void save(still, plan, plan.link ? link() : null)}
+          >
+            Save as PNG
+          </Button>
+        )}
+      </footer>
+    </div>
+  );
+}
+
+/** The size of the stage, larger; or what was chosen. */
+function planOf(stage: Still["stage"]): PicturePlan {
+  const larger = LONG_SIDE / Math.max(stage.width, stage.height, 1);
+  const { width, height, ...rest } = chosen.value;
+  return {
+    ...rest,
+    width: width ?? Math.max(LEAST_SIDE, Math.round(stage.width * larger)),
+    height: height ?? Math.max(LEAST_SIDE, Math.round(stage.height * larger)),
+  };
+}
+
+function change(part: Partial<PicturePlan>): void {
+  chosen.value = { ...chosen.peek(), ...part };
+}
+
+const SIZES: readonly { id: string; name: string; width: number; height: number }[] = [
+  { id: "full", name: "Full HD, 1920 × 1080", width: 1920, height: 1080 },
+  { id: "4k", name: "4K, 3840 × 2160", width: 3840, height: 2160 },
+  { id: "square", name: "Square, 2048 × 2048", width: 2048, height: 2048 },
+  { id: "poster", name: "Poster, 5793 × 8192", width: 5793, height: 8192 },
+  { id: "largest", name: "Largest, 8192 × 8192", width: 8192, height: 8192 },
+];
+
+function Size({ plan, stage }: { plan: PicturePlan; stage: Still["stage"] }) {
+  const { width, height } = chosen.value;
+  const named = SIZES.find((one) => one.width === plan.width && one.height === plan.height);
+  const value = width === undefined && height === undefined ? "stage" : (named?.id ?? "own");
+  const here = planOf(stage);
+  return (
+    <>
+      <label class={css["export-size"]}>
+        <span class="field-label">Size</span>
+        <Select
+          value={value}
+          onChange={(event) => {
+            const next = SIZES.find((one) => one.id === event.currentTarget.value);
+            const { width: _w, height: _h, ...rest } = chosen.peek();
+            chosen.value = next ? { ...rest, width: next.width, height: next.height } : rest;
+          }}
+        >
+          <option value="stage">As on the stage, larger</option>
+          {SIZES.map(({ id, name }) => (
+            <option key={id} value={id}>
+              {name}
+            </option>
+          ))}
+          {value === "own" && <option value="own">Your own</option>}
+        </Select>
+      </label>
+      <div class={css["export-pair"]}>
+        {(["width", "height"] as const).map((side) => (
+          <NumberField
+            key={side}
+            label={side === "width" ? "Width" : "Height"}
+            value={here[side]}
+            min={LEAST_SIDE}
+            max={MOST_PICTURE_SIDE}
+            step={1}
+            digits={0}
+            onChange={(next) => change({ width: here.width, height: here.height, [side]: next })}
+          />
+        ))}
+      </div>
+    </>
+  );
+}
+
+async function save({ subject, at }: Still, plan: PicturePlan, link: string | null): Promise<void> {
+  const stop = new AbortController();
+  running.value = { done: 0, stop };
+  const { width, height, smooth } = plan;
+  const ground = plan.clear ? null : (plan.ground ?? subject.ground);
+  try {
+    const { bytes, type } = await makePicture(
+      { subject, at, smooth, settings: { width, height, ground, link } },
+      stop.signal,
+      (done) => {
+        running.value = { done, stop };
+      },
+    );
+    download(new Blob([bytes], { type }), `frond-${subject.name}.png`);
+    exportOpen.value = null;
+  } catch (problem) {
+    if (!stop.signal.aborted) {
+      notify({ kind: "error", text: `The picture could not be saved: ${wordsOf(problem)}` });
+    }
+  } finally {
+    running.value = null;
+  }
+}
