@@ -2,7 +2,7 @@
 import { adopt, frond } from "#wasm/core";
 import { toError } from "#wasm/error";
 import init, * as bindings from "../../../pkg/frond-proof.js";
-import { executor } from "./execute";
+import { executor } from "./tasks";
 import type { Request, Response } from "./protocol";
 
 /** The task under way, and whether its answer is still wanted. */

@@ -2,7 +2,7 @@
 import { type ReadonlySignal, signal } from "@preact/signals";
 import { frond } from "#wasm/core";
 import { loadProof } from "#wasm/proof";
-import { executor } from "./execute";
+import { executor } from "./tasks";
 import { Inline } from "./inline";
 import { Pool, type WorkerLike } from "./pool";
 import type { Channel, Job, Modules } from "./protocol";

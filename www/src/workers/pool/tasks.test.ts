@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { Connectedness, MapRow } from "#wasm/api";
 import type { Frond } from "#wasm/core";
 import type { Proof } from "#wasm/proof";
-import { executor } from "./execute";
+import { executor } from "./tasks";
 
 const maps: MapRow[] = [
   [0.5, 0, 0, 0.5, 0, 0],
