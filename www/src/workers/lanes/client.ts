@@ -1,6 +1,7 @@
-import { Lane, type WorkerLike } from "./lane";
+import { Lane } from "./lane";
+import { OnPage } from "./on-page";
 import type { Performer } from "./performer";
-import type { Answer, Args, Name, ProgressOf, Result, Table } from "./task";
+import type { Args, Name, ProgressOf, Result, Table, WorkerLike } from "./task";
 
 export interface Options<T extends Table, K extends keyof T, L extends number> {
   /** Calls it off: the promise is rejected with `{ code: "stopped" }`. */
@@ -56,19 +57,4 @@ export function client<T extends Table, L extends number>(workers: Workers<L>) {
 function spawn<L extends number>({ worker, performer }: Workers<L>): WorkerLike {
   const none = new URL(location.href).searchParams.get("workers") === "0" || typeof Worker === "undefined";
   return none ? new OnPage(performer) : (worker() as WorkerLike);
-}
-
-/** Stands in for a worker where none can be had. */
-class OnPage implements WorkerLike {
-  onmessage: WorkerLike["onmessage"] = null;
-  onerror: WorkerLike["onerror"] = null;
-  readonly postMessage: WorkerLike["postMessage"];
-
-  constructor(performer: Performer) {
-    this.postMessage = performer((data) => this.onmessage?.({ data } as MessageEvent<Answer>));
-  }
-
-  terminate(): void {
-    this.onmessage = null;
-  }
 }

@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { Lane, type Order, type WorkerLike } from "./lane";
-import type { Answer, Ask } from "./task";
+import { Lane, type Order } from "./lane";
+import type { Answer, Ask, WorkerLike } from "./task";
 
 class Fake implements WorkerLike {
   readonly heard: Ask[] = [];
@@ -76,7 +76,7 @@ describe("a lane", () => {
     expect(workers[0]?.heard.map((ask) => ask.type)).toEqual(["start"]);
     workers[0]?.say({ type: "ready" });
     expect(runs(workers[0])).toEqual([1]);
-    workers[0]?.say({ type: "done", id: 1, result: "one" });
+    workers[0]?.say({ type: "done", id: 1, result: "one", milliseconds: 1 });
     expect(runs(workers[0])).toEqual([1, 2]);
     workers[0]?.say({ type: "progress", id: 2, value: 0.5 });
     workers[0]?.say({ type: "failed", id: 2, error: { code: "no", message: "No." }, fatal: false });
@@ -95,7 +95,7 @@ describe("a lane", () => {
     expect(workers[0]?.ended).toBe(true);
     workers[1]?.say({ type: "ready" });
     expect(runs(workers[1])).toEqual([2]);
-    workers[1]?.say({ type: "done", id: 2, result: null });
+    workers[1]?.say({ type: "done", id: 2, result: null, milliseconds: 1 });
     await expect(second.outcome).resolves.toBe(null);
   });
 

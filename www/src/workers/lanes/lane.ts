@@ -1,12 +1,4 @@
-import type { Answer, Ask } from "./task";
-
-/** As much of a `Worker` as a lane needs; the tests put their own in its place. */
-export interface WorkerLike {
-  postMessage(message: Ask, transfer?: Transferable[]): void;
-  terminate(): void;
-  onmessage: ((event: MessageEvent<Answer>) => void) | null;
-  onerror: ((event: ErrorEvent) => void) | null;
-}
+import type { Answer, Ask, WorkerLike } from "./task";
 
 export interface Order {
   ask: Extract<Ask, { type: "run" }>;

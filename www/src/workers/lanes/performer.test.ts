@@ -31,7 +31,7 @@ describe("a performer", () => {
     await Promise.resolve();
     perform(run(1, 3));
     await all;
-    expect(answers).toEqual([{ type: "ready" }, { type: "done", id: 1, result: "slow" }]);
+    expect(answers).toMatchObject([{ type: "ready" }, { type: "done", id: 1, result: "slow" }]);
   });
 
   it("stops the one under way when it breathes, and does the next", async () => {
@@ -54,7 +54,7 @@ describe("a performer", () => {
     perform(start);
     perform({ type: "run", id: 1, name: "tell", args: {} });
     await all;
-    expect(answers.at(-1)).toEqual({ type: "done", id: 1, result: "at hand" });
+    expect(answers.at(-1)).toMatchObject({ type: "done", id: 1, result: "at hand" });
   });
 
   it("says so where it cannot start", async () => {

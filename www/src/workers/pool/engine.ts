@@ -1,15 +1,10 @@
 /** Where work is handed in: to a pool of workers, or, where there are none, to this thread. */
 import { type ReadonlySignal, signal } from "@preact/signals";
-import { frond } from "#wasm/core";
-import { loadProof } from "#wasm/proof";
-import { executor } from "./tasks";
-import { Inline } from "./inline";
-import { Pool, type WorkerLike } from "./pool";
+import type { WorkerLike } from "../lanes/task";
+import { Pool } from "./pool";
 import type { Channel, Job, Modules } from "./protocol";
 
-type Host = Pick<Pool, "submit" | "cancel" | "killOne" | "busy">;
-
-let host: Host | null = null;
+let host: Pool | null = null;
 let inline = false;
 const early = new Map<Channel, Job>();
 
@@ -57,7 +52,7 @@ function workerCount(cores: number): number {
 export function startEngine(modules: Modules, options: { workers: number | null }, watch: Watch): void {
   if (host || inline) return;
   if (options.workers === 0 || typeof Worker === "undefined") {
-    goInline(watch);
+    goInline(modules, watch);
     return;
   }
   const pool = new Pool({
@@ -67,12 +62,12 @@ export function startEngine(modules: Modules, options: { workers: number | null 
       new Worker(new URL("./compute.worker.ts", import.meta.url), {
         type: "module",
         name: "frond",
-      }) as WorkerLike,
+      }) as WorkerLike<Modules>,
     onChange: (now) => {
       state.value = { ...now, available: true };
     },
     onUnavailable: () => {
-      goInline(watch);
+      goInline(modules, watch);
       epoch.value++;
     },
   });
@@ -83,21 +78,23 @@ export function startEngine(modules: Modules, options: { workers: number | null 
 }
 
 /** What is asked for until this thread has what it needs is kept, as before the start. */
-function goInline(watch: Watch): void {
+function goInline(modules: Modules, watch: Watch): void {
   watch.inline();
   inline = true;
   host = null;
   state.value = { count: 0, busy: true, available: false };
-  loadProof().then(
-    (proof) => {
-      host = new Inline(executor({ ...frond, ...proof }), ({ busy }) => {
+  import("./inline").then(({ onPage }) => {
+    host = new Pool({
+      modules,
+      count: 1,
+      spawn: onPage,
+      onChange: ({ busy }) => {
         state.value = { count: 0, busy, available: false };
-      });
-      state.value = { count: 0, busy: false, available: false };
-      flush();
-    },
-    (problem) => watch.failed(problem),
-  );
+      },
+      onUnavailable: watch.failed,
+    });
+    flush();
+  }, watch.failed);
 }
 
 function flush(): void {

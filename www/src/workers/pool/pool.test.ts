@@ -1,19 +1,20 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
+import { OnPage } from "../lanes/on-page";
+import { performerOf } from "../lanes/performer";
+import type { Answer, Ask, WorkerLike } from "../lanes/task";
 import { Coalesce } from "./coalesce";
-import { Inline } from "./inline";
-import { Pool, type WorkerLike } from "./pool";
-import type { Channel, Job, Modules, Request, Response, Task } from "./protocol";
+import { Pool } from "./pool";
+import type { Channel, Job, Modules, Task } from "./protocol";
 
 /** A worker that answers when told to. */
-class FakeWorker implements WorkerLike {
-  onmessage: WorkerLike["onmessage"] = null;
-  onerror: WorkerLike["onerror"] = null;
-  onmessageerror: WorkerLike["onmessageerror"] = null;
+class FakeWorker implements WorkerLike<Modules> {
+  onmessage: WorkerLike<Modules>["onmessage"] = null;
+  onerror: WorkerLike<Modules>["onerror"] = null;
   terminated = false;
-  work: { id: number; task: Task }[] = [];
+  work: { id: number; args: unknown }[] = [];
   stopped: number[] = [];
 
-  postMessage(message: Request): void {
+  postMessage(message: Ask<Modules>): void {
     if (message.type === "run") this.work.push(message);
     if (message.type === "stop") this.stopped.push(message.id);
   }
@@ -22,8 +23,8 @@ class FakeWorker implements WorkerLike {
     this.terminated = true;
   }
 
-  say(response: Response): void {
-    this.onmessage?.({ data: response } as MessageEvent<Response>);
+  say(answer: Answer): void {
+    this.onmessage?.({ data: answer } as MessageEvent<Answer>);
   }
 
   finish(): void {
@@ -129,7 +130,7 @@ describe("Pool", () => {
     p.submit(slow.job);
     p.submit(urgent.job);
     workers[0]?.finish();
-    expect(workers[0]?.work[0]?.task).toMatchObject({ n: "verdict0" });
+    expect(workers[0]?.work[0]?.args).toMatchObject({ n: "verdict0" });
   });
 
   it("replaces a dead worker and does its slice again", () => {
@@ -180,7 +181,7 @@ describe("Pool", () => {
     const id = worker?.work[0]?.id ?? -1;
     for (let seconds = 0; seconds < 60; seconds += 15) {
       vi.advanceTimersByTime(15_000);
-      worker?.say({ type: "alive", id });
+      worker?.say({ type: "progress", id, value: null });
     }
     expect([workers.length, worker?.terminated, worker?.stopped]).toEqual([1, false, []]);
     // The latest request wins.
@@ -242,39 +243,48 @@ describe("Coalesce", () => {
   });
 });
 
-describe("Inline", () => {
-  const execute = async () => ({ result: new Uint8Array() });
-  const settled = async (inline: Inline) => {
-    while (inline.busy) await new Promise((resolve) => setTimeout(resolve));
+describe("a pool without workers", () => {
+  const onPage = (plan: () => unknown) =>
+    new Pool({ count: 1, modules, spawn: () => new OnPage(performerOf({ plan }, async () => ({}))) });
+  const settled = async (made: Pool) => {
+    while (made.busy) await new Promise((resolve) => setTimeout(resolve));
   };
 
   it("does the same on one thread", async () => {
-    const inline = new Inline(execute);
+    const made = onPage(() => null);
     const { job: j, log } = job("locus", 3);
-    inline.submit(j);
-    await settled(inline);
+    made.submit(j);
+    await settled(made);
     expect(log.accepted).toHaveLength(3);
     expect(log.done).toBe(1);
   });
 
   it("hears only the latest job of a channel", async () => {
-    const inline = new Inline(execute);
+    const made = onPage(() => null);
     const old = job("locus", 3);
     const now = job("locus", 2);
-    inline.submit(old.job);
-    inline.submit(now.job);
-    await settled(inline);
+    made.submit(old.job);
+    made.submit(now.job);
+    await settled(made);
     expect(old.log.accepted).toEqual([]);
     expect(now.log.accepted).toHaveLength(2);
   });
 
   it("tells a failure to the job and goes on", async () => {
-    const inline = new Inline(async () => {
+    const made = onPage(() => {
       throw { code: "no-attractor", message: "None." };
     });
     const { job: j, log } = job("locus", 2);
-    inline.submit(j);
-    await settled(inline);
+    made.submit(j);
+    await settled(made);
     expect(log.failed).toEqual(["no-attractor", "no-attractor"]);
+  });
+
+  it("says so, and why, when it cannot start", async () => {
+    const why = await new Promise((resolve) => {
+      const performer = performerOf({}, () => Promise.reject({ code: "offline", message: "Offline." }));
+      new Pool({ count: 1, modules, spawn: () => new OnPage(performer), onUnavailable: resolve });
+    });
+    expect(why).toEqual({ code: "offline", message: "Offline." });
   });
 });

@@ -1,22 +1,14 @@
 import type { FrondError } from "#wasm/api";
-import type { Channel, Job, Modules, Request, Response, Task } from "./protocol";
-
-/** As much of a `Worker` as the pool needs; the tests put their own in its place. */
-export interface WorkerLike {
-  postMessage(message: Request, transfer?: Transferable[]): void;
-  terminate(): void;
-  onmessage: ((event: MessageEvent<Response>) => void) | null;
-  onerror: ((event: ErrorEvent) => void) | null;
-  onmessageerror: ((event: MessageEvent) => void) | null;
-}
+import type { Answer, WorkerLike } from "../lanes/task";
+import type { Channel, Job, Modules, Result, Task } from "./protocol";
 
 interface PoolOptions {
   count: number;
-  spawn: () => WorkerLike;
+  spawn: () => WorkerLike<Modules>;
   modules: Modules;
   onChange?: (state: { count: number; busy: boolean }) => void;
-  /** No worker could be started: nothing will be handed out any more. */
-  onUnavailable?: (jobs: Job[]) => void;
+  /** No worker could be started, and maybe why: nothing will be handed out any more. */
+  onUnavailable?: (problem: unknown) => void;
 }
 
 interface Entry {
@@ -28,7 +20,7 @@ interface Entry {
 }
 
 interface Seat {
-  worker: WorkerLike;
+  worker: WorkerLike<Modules>;
   ready: boolean;
   work: { id: number; entry: Entry; task: Task; tries: number } | null;
   watch: ReturnType<typeof setTimeout> | null;
@@ -45,6 +37,7 @@ export class Pool {
   #seats: Seat[] = [];
   #nextId = 1;
   #failedStarts = 0;
+  #problem: unknown = null;
   #closed = false;
 
   constructor(options: PoolOptions) {
@@ -88,10 +81,11 @@ export class Pool {
   }
 
   #seat(): void {
-    let worker: WorkerLike;
+    let worker: WorkerLike<Modules>;
     try {
       worker = this.#options.spawn();
-    } catch {
+    } catch (problem) {
+      this.#problem = problem;
       this.#startFailed();
       return;
     }
@@ -102,9 +96,8 @@ export class Pool {
       event.preventDefault?.();
       this.#replace(seat);
     };
-    worker.onmessageerror = () => this.#replace(seat);
     this.#watch(seat);
-    worker.postMessage({ type: "start", modules: this.#options.modules });
+    worker.postMessage({ type: "start", module: this.#options.modules });
   }
 
   #watch(seat: Seat): void {
@@ -112,30 +105,36 @@ export class Pool {
     seat.watch = setTimeout(() => this.#replace(seat), SILENCE_MS);
   }
 
-  #hear(seat: Seat, response: Response): void {
-    if (response.type === "alive") {
-      if (seat.work?.id === response.id) this.#watch(seat);
+  #hear(seat: Seat, answer: Answer): void {
+    if (answer.type === "progress") {
+      if (seat.work?.id === answer.id) this.#watch(seat);
       return;
     }
     if (seat.watch) clearTimeout(seat.watch);
     seat.watch = null;
-    if (response.type === "ready") {
+    if (answer.type === "ready") {
       seat.ready = true;
       this.#failedStarts = 0;
       this.#pump();
       return;
     }
+    if (answer.type === "unable") {
+      this.#problem = answer.error;
+      this.#replace(seat);
+      return;
+    }
     const work = seat.work;
-    if (!work || work.id !== response.id) return;
-    if (response.type === "failed" && response.fatal) {
+    if (!work || work.id !== answer.id) return;
+    if (answer.type === "failed" && answer.fatal) {
       this.#replace(seat);
       return;
     }
     seat.work = null;
     work.entry.inFlight--;
     if (work.entry.live) {
-      if (response.type === "done") work.entry.job.accept(work.task, response.result, response.milliseconds);
-      else work.entry.job.fail(work.task, response.error);
+      const { job } = work.entry;
+      if (answer.type === "done") job.accept(work.task, answer.result as Result, answer.milliseconds);
+      else job.fail(work.task, answer.error);
       this.#settle(work.entry);
     }
     this.#pump();
@@ -168,7 +167,6 @@ export class Pool {
     if (seat.watch) clearTimeout(seat.watch);
     seat.worker.onmessage = null;
     seat.worker.onerror = null;
-    seat.worker.onmessageerror = null;
     seat.worker.terminate();
   }
 
@@ -185,9 +183,8 @@ export class Pool {
     }
     if (this.#closed) return;
     this.#closed = true;
-    const jobs = [...this.#entries.values()].map((e) => e.job);
     this.#entries.clear();
-    this.#options.onUnavailable?.(jobs);
+    this.#options.onUnavailable?.(this.#problem);
   }
 
   #pump(): void {
@@ -199,7 +196,7 @@ export class Pool {
       pick.entry.inFlight++;
       seat.work = { id, ...pick };
       this.#watch(seat);
-      seat.worker.postMessage({ type: "run", id, task: pick.task });
+      seat.worker.postMessage({ type: "run", id, name: pick.task.kind, args: pick.task });
     }
     this.#report();
   }

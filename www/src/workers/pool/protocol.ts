@@ -128,21 +128,6 @@ export interface Modules {
   proof: WebAssembly.Module;
 }
 
-/** Main thread to worker. */
-export type Request =
-  | { type: "start"; modules: Modules }
-  | { type: "run"; id: number; task: Task }
-  /** The answer is not wanted any more: a long task ends at its next breath. */
-  | { type: "stop"; id: number };
-
-/** Worker to main thread. `fatal`: the instance cannot be trusted any more and asks to be replaced. */
-export type Response =
-  | { type: "ready" }
-  /** A long task is under way still. */
-  | { type: "alive"; id: number }
-  | { type: "done"; id: number; result: Result; milliseconds: number }
-  | { type: "failed"; id: number; error: FrondError; fatal: boolean };
-
 /** The latest request of a channel replaces the one before it. */
 export type Channel =
   | "locus"

@@ -2,7 +2,8 @@ import { describe, expect, it } from "vitest";
 import type { Connectedness, MapRow } from "#wasm/api";
 import type { Frond } from "#wasm/core";
 import type { Proof } from "#wasm/proof";
-import { executor } from "./tasks";
+import type { Task } from "./protocol";
+import { tasks } from "./tasks";
 
 const maps: MapRow[] = [
   [0.5, 0, 0, 0.5, 0, 0],
@@ -26,20 +27,22 @@ function program(sample: { state: number; gap: number }) {
     locus: () => ({ state: [sample.state], gap: [sample.gap] }),
     interpolate: () => ({ maps }),
   } as unknown as Frond & Proof;
-  return { asked, run: executor(frond) };
+  const context = { frond, keep: new Map(), breathe: async () => {}, progress: () => {}, transfer: () => {} };
+  const run = <K extends "verdict" | "along">(task: Task<K>) => tasks[task.kind as K](context, task);
+  return { asked, run };
 }
 
 describe("the answer about one shape", () => {
   it("looks closer where the map has seen a gap and the search has not", async () => {
     const { run, asked } = program({ state: 2, gap: 8e-4 });
-    const { result } = await run({ kind: "verdict", maps, epsilon: 1 / 600 });
+    const result = await run({ kind: "verdict", maps, epsilon: 1 / 600 });
     expect(result).toMatchObject({ verdict: "disconnected" });
     expect(asked).toEqual([1 / 600, 2e-4]);
   });
 
   it("is left as it is where the map has seen none", async () => {
     const { run, asked } = program({ state: 1, gap: 0 });
-    const { result } = await run({ kind: "verdict", maps, epsilon: 1 / 600 });
+    const result = await run({ kind: "verdict", maps, epsilon: 1 / 600 });
     expect(result).toMatchObject({ verdict: "touching" });
     expect(asked).toHaveLength(1);
   });
@@ -47,7 +50,7 @@ describe("the answer about one shape", () => {
   it("is the same along a path", async () => {
     const { run } = program({ state: 2, gap: 8e-4 });
     const points: [number, number][] = [[0.5, 0.5]];
-    const { result } = await run({
+    const result = await run({
       kind: "along",
       from: maps,
       to: maps,
@@ -61,7 +64,7 @@ describe("the answer about one shape", () => {
     const { run } = program({ state: 1, gap: 0 });
     const polygon = { sides: 3, s: [0.45, 0.45] as [number, number] };
     const found = { kind: "verdict", maps, epsilon: 1 / 600, polygon } as const;
-    const { result } = await run({ ...found, maps });
+    const result = await run({ ...found, maps });
     expect(result).toMatchObject({ verdict: "connected" });
   });
 });
