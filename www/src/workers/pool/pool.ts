@@ -30,7 +30,10 @@ interface Seat {
 const SILENCE_MS = 20_000;
 const TRIES = 3;
 
-/** Hands slices of the most urgent jobs to workers. A job replaces the earlier one of its channel at once. */
+/**
+ * Hands slices of the most urgent jobs to workers. A job replaces the earlier one of its channel at once. Unlike a lane,
+ * which keeps what it was asked in the order that it came, it chooses anew whenever a worker comes free.
+ */
 export class Pool {
   readonly #options: PoolOptions;
   readonly #entries = new Map<Channel, Entry>();
