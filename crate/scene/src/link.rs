@@ -47,8 +47,6 @@ const COLOURS: [(&str, Colouring); 4] = [
     ("density", Colouring::Density),
     ("grid", Colouring::Grid),
 ];
-const TOOLS: [(&str, Tool); 4] =
-    [("morph", Tool::Morph), ("deform", Tool::Deform), ("fit", Tool::Fit), ("space", Tool::Space)];
 
 /// The link of a document, without the `#`: it opens again.
 ///
@@ -102,7 +100,7 @@ fn write(scene: &Scene) -> Result<String, LinkError> {
         write_locus(&mut link, &view);
     }
     if scene.tool != Tool::Morph {
-        let _ = write!(link, "&tool={}", name_of(&TOOLS, &scene.tool));
+        let _ = write!(link, "&tool={}", name_of(&Tool::NAMES, &scene.tool));
     }
     if let Some(deform) = &scene.deform {
         write_deform(&mut link, deform);
@@ -197,7 +195,7 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
         scene.view = Some(Window { x, y, zoom });
     }
     scene.locus = read_locus(&get)?;
-    scene.tool = choice("tool", get("tool"), &TOOLS)?;
+    scene.tool = choice("tool", get("tool"), &Tool::NAMES)?;
     scene.deform = read_deform(&get)?;
     scene.curves = read_curves(&get)?;
     scene.fit = read_fit(&get)?;

@@ -246,6 +246,12 @@ pub enum Tool {
     Space,
 }
 
+impl Tool {
+    /// What they are called in links; the first is open where a link says nothing.
+    pub(crate) const NAMES: [(&str, Self); 4] =
+        [("morph", Self::Morph), ("deform", Self::Deform), ("fit", Self::Fit), ("space", Self::Space)];
+}
+
 fn is_morph(tool: &Tool) -> bool {
     *tool == Tool::Morph
 }

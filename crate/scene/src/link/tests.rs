@@ -185,7 +185,7 @@ prop_compose! {
             proptest::option::of(any_fit()),
             proptest::option::of(any_space()),
         ),
-        tool in proptest::sample::select(TOOLS.map(|(_, tool)| tool).to_vec()),
+        tool in proptest::sample::select(Tool::NAMES.map(|(_, tool)| tool).to_vec()),
     ) -> Scene {
         let maps = a.maps.len().max(b.maps.len());
         Scene {
