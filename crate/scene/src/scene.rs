@@ -1,6 +1,6 @@
 //! The document.
 
-use frond_core::{Affine2, Colouring, Ifs, IfsError, Mode, MorphOptions};
+use frond_core::{Affine2, Colouring, Ifs, IfsError, Mode};
 use serde::{Deserialize, Serialize};
 
 use crate::curve::Curves;
@@ -277,18 +277,6 @@ impl Default for Scene {
             curves: None,
             fit: None,
             space: None,
-        }
-    }
-}
-
-impl Scene {
-    /// The choices of the morph.
-    #[must_use]
-    pub fn morph_options(&self) -> MorphOptions {
-        MorphOptions {
-            mode: self.mode,
-            correspondence: self.correspondence.clone(),
-            turns: self.turns.clone(),
         }
     }
 }

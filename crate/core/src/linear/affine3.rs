@@ -1,6 +1,6 @@
 //! Affine maps of space: their rows, and those that are made of turns, scales or a shear.
 
-use glam::{DMat3, DQuat, DVec3, EulerRot};
+use glam::{DMat3, DQuat, DVec3};
 
 use crate::linear::affine::{Affine2, Affine3};
 use crate::linear::sin_cos::sin_cos;
@@ -64,13 +64,6 @@ impl Affine3 {
     pub fn euler(angles: DVec3) -> Result<Self, TransformError> {
         let about = |axis, angle| Self::rotation(axis, angle);
         Ok(about(DVec3::Z, angles.z)? * about(DVec3::Y, angles.y)? * about(DVec3::X, angles.x)?)
-    }
-
-    /// The angles that [`Affine3::euler`] takes for the turn of a unit quaternion.
-    #[must_use]
-    pub fn euler_of(turn: DQuat) -> DVec3 {
-        let (z, y, x) = turn.to_euler(EulerRot::ZYX);
-        DVec3::new(x, y, z)
     }
 
     /// Turns by a quaternion of any length but 0.

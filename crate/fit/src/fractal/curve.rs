@@ -166,14 +166,6 @@ impl FractalCurve {
         f64::midpoint(1.0, a).max(self.gain)
     }
 
-    /// The weight of heights in the metric of eq 2: (1 - A) / 2B, for a B just above the largest |b|.
-    #[must_use]
-    pub fn height_weight(&self) -> f64 {
-        let a = self.pieces.iter().map(|piece| piece.a().abs()).fold(0.0, f64::max);
-        let b = self.pieces.iter().map(|piece| piece.shear.length()).fold(0.0, f64::max);
-        (1.0 - a) / (2.0 * b.max(f64::MIN_POSITIVE) * (1.0 + 1e-12))
-    }
-
     /// Index of the piece that holds `t`, seen from a side.
     pub(crate) fn piece_at(&self, t: f64, side: Side) -> usize {
         let index = match side {

@@ -8,7 +8,6 @@ use thiserror::Error;
 #[derive(Clone, Debug)]
 pub struct Photo {
     levels: Vec<Level>,
-    opaque: bool,
 }
 
 /// One size of a picture: premultiplied alpha, row 0 on top.
@@ -78,12 +77,11 @@ impl Photo {
             [times(r), times(g), times(b), a]
         };
         let pixels: Vec<[u8; 4]> = rgba.as_chunks::<4>().0.iter().map(premultiplied).collect();
-        let opaque = pixels.iter().all(|pixel| pixel[3] == 255);
         let mut levels = vec![Level { width, height, pixels }];
         while let Some(next) = levels.last().and_then(Level::halved) {
             levels.push(next);
         }
-        Ok(Self { levels, opaque })
+        Ok(Self { levels })
     }
 
     /// Its sizes, the largest first; each next one is half as large, rounded down, the last one pixel.
@@ -97,12 +95,6 @@ impl Photo {
     pub fn aspect(&self) -> f64 {
         let size = self.size();
         size.x / size.y
-    }
-
-    /// Whether nothing can be seen through it.
-    #[must_use]
-    pub const fn is_opaque(&self) -> bool {
-        self.opaque
     }
 
     pub(super) fn size(&self) -> DVec2 {
@@ -220,7 +212,6 @@ mod tests {
     #[test]
     fn what_cannot_be_seen_has_no_colour() {
         let photo = Photo::new(&[255, 0, 0, 0, 0, 0, 255, 255], 2, 1).unwrap();
-        assert!(!photo.is_opaque());
         // Half-way: the red of the pixel that is not there does not bleed in.
         assert_eq!(photo.sample(DVec2::new(0.5, 0.5), 0.0), [0.0, 0.0, 127.5, 127.5]);
     }
