@@ -10,7 +10,7 @@ import { App, fetchAhead } from "./shell/app";
 import { installHook } from "./shell/hook";
 import { readParameters } from "./shell/parameters";
 import { reportTrouble, showFailure } from "./shell/trouble";
-import { whenFirstPicture } from "./stage/first";
+import { whenFirstPicture } from "./stage/first-picture";
 import { adoptPath, watchAutomaticPath } from "./tools/morph/locus/path/automatic";
 import { load } from "./wasm/core";
 import { compileProof } from "./wasm/proof";

@@ -4,7 +4,7 @@ import { sameCurves } from "#document/curve/changes";
 import { curves } from "#document/curve/curve";
 import { EvidenceChip } from "#stage/EvidenceChip";
 import panelCss from "#stage/evidence-panel.module.css";
-import { evidenceOpen } from "#stage/marks";
+import { evidenceOpen } from "#stage/evidence-shown";
 import stageCss from "#stage/stage.module.css";
 import { IconButton } from "#ui/controls/Button";
 import { VerdictSign } from "#ui/shapes/VerdictSign";

@@ -3,7 +3,7 @@ import { curveBoxAt, curves } from "#document/curve/curve";
 import { bendCurve, chooseCurve, curvePresets, fitted, shapeOf } from "#document/curve/edits";
 import { announce, notify } from "#document/notice";
 import { curveThumb } from "#stage/curve/thumb";
-import { stageStyle } from "#stage/look";
+import { stageStyle } from "#stage/picture-style";
 import { useOwnId } from "#ui/id";
 import { ShapeGrid, type ShapeItem } from "#ui/shapes/ShapeGrid";
 import type { Curve, CurveShape } from "#wasm/api";

@@ -7,7 +7,7 @@ import { notify, wordsOf } from "#document/notice";
 import { dark } from "#document/preferences";
 import { moved } from "#stage/curve/painter";
 import { stillCurve } from "#stage/curve/still";
-import { stageStyle } from "#stage/look";
+import { stageStyle } from "#stage/picture-style";
 import { effectiveView, stageSize } from "#stage/view";
 import { GREY } from "#style/colours";
 import { download } from "#ui/files/download";

@@ -6,7 +6,7 @@ import { pictureShown } from "#document/deform/picture";
 import { linear, selection, shown } from "#document/morph";
 import { spaceShown } from "#document/playback";
 import { scene } from "#document/scene";
-import { stageStyle } from "#stage/look";
+import { stageStyle } from "#stage/picture-style";
 import { linearPainter, linearPicture, mainPainter, picture } from "#stage/stage";
 import { bentPicture } from "#stage/surface/sheet";
 import type { Pixels } from "#stage/surface/surface";

@@ -1,5 +1,5 @@
 import type { ComponentChildren } from "preact";
-import { evidenceOpen } from "./marks";
+import { evidenceOpen } from "./evidence-shown";
 import css from "./stage.module.css";
 
 interface EvidenceChipProps {

@@ -6,8 +6,8 @@ import { shareOf, shareWords, stateOf } from "#format/verdict";
 import { toScreen, world } from "#geometry/coordinates";
 import { STATE } from "#geometry/states";
 import type { Certificate, Connectedness, Link, MapRow } from "#wasm/api";
-import { stageStyle } from "./look";
-import { evidenceMarked } from "./marks";
+import { evidenceMarked } from "./evidence-shown";
+import { stageStyle } from "./picture-style";
 import css from "./stage.module.css";
 import { effectiveView, stageSize } from "./view";
 

@@ -9,7 +9,7 @@ import { type Screen, screen, toScreen, toWorld, type World } from "#geometry/co
 import { type Corners, cornersOf, dragged, GRIPS, type Grip } from "#geometry/parallelogram";
 import type { MapRow, Shape } from "#wasm/api";
 import { useGrip } from "./grip";
-import { stageStyle } from "./look";
+import { stageStyle } from "./picture-style";
 import css from "./stage.module.css";
 import { effectiveView, stageSize } from "./view";
 

@@ -5,7 +5,7 @@ import { bendProblem } from "#document/deform/bend";
 import type { Photograph } from "#document/deform/photograph";
 import type { Bend, MapRow } from "#wasm/api";
 import { attachGestures } from "./gestures";
-import { stageStyle } from "./look";
+import { stageStyle } from "./picture-style";
 import { Painter, type PainterBackend, type PainterState } from "./surface/painter";
 import { effectiveView, stageSize } from "./view";
 

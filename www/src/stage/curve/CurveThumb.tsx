@@ -1,7 +1,7 @@
 import { useMemo } from "preact/hooks";
 import { type CurveMorph, curveBoxAt } from "#document/curve/curve";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
-import { stageStyle } from "../look";
+import { stageStyle } from "../picture-style";
 import { curveThumb } from "./thumb";
 
 const SIZE = { width: 160, height: 104 };

@@ -10,7 +10,7 @@ import { pathTrack } from "#document/framing";
 import { toldOf } from "#format/verdict";
 import { boxAt } from "#geometry/boxes";
 import { STATE } from "#geometry/states";
-import { stageStyle } from "../look";
+import { stageStyle } from "../picture-style";
 import { curveThumb } from "./thumb";
 
 const SETTLE_MS = 90;

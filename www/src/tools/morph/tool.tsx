@@ -1,6 +1,6 @@
 import { CurveChip, CurveEvidence } from "#curve/parts";
 import { curved } from "#document/curve/curve";
-import { evidenceOpen } from "#stage/marks";
+import { evidenceOpen } from "#stage/evidence-shown";
 import { MapOverlay } from "#stage/stage";
 import type { ToolEntry } from "#stage/tool";
 import { commands, timeline } from "./commands";

@@ -4,7 +4,7 @@ import { shown } from "#document/morph";
 import { dark } from "#document/preferences";
 import { verdictWords } from "#format/verdict";
 import panelCss from "#stage/evidence-panel.module.css";
-import { evidenceKept, evidenceOpen } from "#stage/marks";
+import { evidenceKept, evidenceOpen } from "#stage/evidence-shown";
 import { palette } from "#style/palette";
 import { IconButton } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
