@@ -26,7 +26,7 @@ use crate::linear::affine::Affine3;
 
 /// Why the product of two systems cannot be worked out.
 #[derive(Clone, Debug, Error, PartialEq)]
-pub enum MeetError {
+pub enum IntersectionError {
     /// Their maps do not share one linear part.
     #[error("The maps of both shapes must all share one matrix; map {} of the {which} shape has another.", .map + 1)]
     Linear {
@@ -51,7 +51,7 @@ pub enum MeetError {
     Ifs(#[from] IfsError),
 }
 
-impl MeetError {
+impl IntersectionError {
     /// A name that stays the same over versions, for programs.
     #[must_use]
     pub const fn code(&self) -> &'static str {
@@ -147,18 +147,18 @@ impl Intersection {
 /// The product of two systems whose maps share one linear part.
 ///
 /// # Errors
-/// [`MeetError`] where they do not, or where the shifts do not come to an end.
-pub fn intersection(first: &[Affine3], second: &[Affine3]) -> Result<Intersection, MeetError> {
+/// [`IntersectionError`] where they do not, or where the shifts do not come to an end.
+pub fn intersection(first: &[Affine3], second: &[Affine3]) -> Result<Intersection, IntersectionError> {
     let bounds = [first, second].map(|maps| Ifs3::new(maps.to_vec()).map(|ifs| Bounds3::of(&ifs)));
     let [a, b] = bounds;
     let (a, b) = (a?, b?);
     let shared = first[0].linear;
     for (which, maps) in [("first", first), ("second", second)] {
         if let Some(map) = maps.iter().position(|map| !map.linear.abs_diff_eq(shared, 1e-12)) {
-            return Err(MeetError::Linear { which, map });
+            return Err(IntersectionError::Linear { which, map });
         }
     }
-    let back = Affine3::new(shared, DVec3::ZERO).undo().map_err(|_| MeetError::Singular)?.linear;
+    let back = Affine3::new(shared, DVec3::ZERO).undo().map_err(|_| IntersectionError::Singular)?.linear;
     let size = a.radius.max(b.radius).max(f64::MIN_POSITIVE);
     // x - d lies in the second shape and x in the first, so that d lies between their boxes.
     let slack = DVec3::splat(2e-3 * size);
@@ -188,7 +188,7 @@ pub fn intersection(first: &[Affine3], second: &[Affine3]) -> Result<Intersectio
                 let to = match found {
                     Some(to) => to,
                     None if shifts.len() >= MOST_SHIFTS => {
-                        return Err(MeetError::TooMany { most: MOST_SHIFTS });
+                        return Err(IntersectionError::TooMany { most: MOST_SHIFTS });
                     }
                     None => {
                         shifts.push(d);

@@ -29,8 +29,8 @@ pub use scene::{
     FamilyName, LocusView, MAX_WAY_POINTS, Path, PathKind, Scene, Shape, Tool, WayPoint, Window,
 };
 pub use space::{
-    FileError, Film, FilmError, Held, MAX_KEYS3, MAX_OBJECTS3, MAX_PACKED, MeetExample, Moment, Moved,
-    PackedError, PaintName, Preset3, Repeat, Row3, Shape3, Space, SpaceFile, SpaceKey, SpaceLight,
-    SpaceMorph, SpaceObject, SpacePart, SpaceSystems, SpaceView, Thing, Timeline, meet_examples,
+    FileError, Film, FilmError, Held, IntersectionExample, MAX_KEYS3, MAX_OBJECTS3, MAX_PACKED, Moment,
+    Moved, PackedError, PaintName, Preset3, Repeat, Row3, Shape3, Space, SpaceFile, SpaceKey, SpaceLight,
+    SpaceMorph, SpaceObject, SpacePart, SpaceSystems, SpaceView, Thing, Timeline, intersection_examples,
     natural_objects, natural_scene, pack, parse_ifs3, preset3, presets3, unpack, write_ifs3,
 };

@@ -3,7 +3,7 @@
 mod document;
 mod file;
 mod film;
-mod meet_examples;
+mod intersection_examples;
 mod natural;
 mod packed;
 mod part;
@@ -15,7 +15,7 @@ pub use document::{
 };
 pub use file::{FileError, SpaceFile, SpaceSystems, parse_ifs3, write_ifs3};
 pub use film::{Film, FilmError, Moment, Moved};
-pub use meet_examples::{MeetExample, meet_examples};
+pub use intersection_examples::{IntersectionExample, intersection_examples};
 pub use natural::{Thing, natural_scene};
 pub use packed::{MAX_PACKED, PackedError, pack, unpack};
 pub(crate) use packed::{view_numbers, view_of};

@@ -1,14 +1,14 @@
 //! Space: what its tool and its workers compute.
 
 mod document;
-mod meet;
+mod intersection;
 mod morph;
 mod picture;
 mod plane;
 mod shape;
 
 pub use document::*;
-pub use meet::*;
+pub use intersection::*;
 pub use morph::*;
 pub use picture::*;
 pub use plane::*;

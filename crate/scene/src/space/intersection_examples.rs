@@ -4,7 +4,7 @@ use crate::space::preset::Row3;
 
 /// Two shapes, and whether their intersection is an attractor.
 #[derive(Clone, Debug, PartialEq)]
-pub struct MeetExample {
+pub struct IntersectionExample {
     /// Its name on screen.
     pub name: &'static str,
     /// The first shape.
@@ -28,7 +28,7 @@ fn fifths(places: &[[u8; 3]]) -> Vec<Row3> {
 
 /// One example where the intersection is an attractor, and one where it is not.
 #[must_use]
-pub fn meet_examples() -> Vec<MeetExample> {
+pub fn intersection_examples() -> Vec<IntersectionExample> {
     // Places with even numbers: no two of them are neighbours.
     let even: Vec<[u8; 3]> = (0..27).map(|k| [2 * (k % 3), 2 * (k / 3 % 3), 2 * (k / 9)]).collect();
     let middles = |p: &[u8; 3]| p.iter().filter(|&&k| k == 2).count();
@@ -39,7 +39,7 @@ pub fn meet_examples() -> Vec<MeetExample> {
     let second =
         [[0, 4, 0], [1, 4, 0], [2, 4, 0], [3, 4, 0], [4, 4, 0], [7, 0, 0], [9, 0, 0], [5, 1, 0], [1, 2, 0]];
     vec![
-        MeetExample {
+        IntersectionExample {
             name: "A sponge and a shell",
             first: fifths(&sponge),
             second: fifths(&shell),
@@ -48,7 +48,7 @@ pub fn meet_examples() -> Vec<MeetExample> {
                   piece, so that a point of both has one address, of letters that both have. The intersection is the \
                   attractor of the twelve maps that the two share.",
         },
-        MeetExample {
+        IntersectionExample {
             name: "A bar and dust on one line",
             first: fifths(&first),
             second: fifths(&second),
@@ -70,14 +70,14 @@ mod tests {
 
     use super::*;
 
-    fn product(example: &MeetExample) -> Intersection {
+    fn product(example: &IntersectionExample) -> Intersection {
         let maps = |rows: &[Row3]| rows.iter().copied().map(Affine3::from_row).collect::<Vec<_>>();
         intersection(&maps(&example.first), &maps(&example.second)).unwrap()
     }
 
     #[test]
     fn the_sponge_and_the_shell_share_twelve_maps_and_nothing_else() {
-        let example = &meet_examples()[0];
+        let example = &intersection_examples()[0];
         let found = product(example);
         assert!(example.is_attractor);
         assert_eq!(found.shifts, [DVec3::ZERO]);
@@ -90,7 +90,7 @@ mod tests {
 
     #[test]
     fn the_bar_and_the_dust_are_what_is_said_of_them() {
-        let example = &meet_examples()[1];
+        let example = &intersection_examples()[1];
         let found = product(example);
         assert!(!example.is_attractor && found.attractor().is_none() && !found.is_empty());
         // Two ways from no shift: up to the dust, and down to the bar.

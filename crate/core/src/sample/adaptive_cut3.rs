@@ -1,10 +1,10 @@
-//! Words of space: pieces of one size, to place copies of one cloud of points by.
+//! The adaptive cut in space: pieces of one size, to place copies of one cloud of points by.
 
 use std::collections::VecDeque;
 
 use crate::ifs::system::Ifs3;
 use crate::linear::affine::Affine3;
-use crate::sample::cut2::CutOutcome;
+use crate::sample::adaptive_cut2::CutOutcome;
 
 /// Visits pieces `w_word(A)` of the attractor that together are all of it: a word is prolonged while its map stretches
 /// by `size` or more, the shorter ones first, as long as no more than `most` pieces come of it (Hepting, Prusinkiewicz

@@ -23,7 +23,7 @@ struct Example {
 /// One example where the intersection of two attractors is one, and one where it is not.
 #[wasm_bindgen(js_name = meetExamples, unchecked_return_type = "MeetExample[]")]
 pub fn examples() -> Result<JsValue, JsValue> {
-    let examples: Vec<Example> = frond_scene::meet_examples()
+    let examples: Vec<Example> = frond_scene::intersection_examples()
         .into_iter()
         .map(|e| Example {
             name: e.name,
