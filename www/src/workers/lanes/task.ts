@@ -29,8 +29,8 @@ export type Ask<M = WebAssembly.Module> =
   | { type: "stop"; id: number };
 
 /**
- * From the worker: that it has its module, or why not; then of the task under way. `fatal`: its module cannot be trusted
- * any more, and it asks to be replaced.
+ * From the worker: that it has its module, or why not; then of the task under way. `fatal`: its module cannot be
+ * trusted any more, and it asks to be replaced.
  */
 export type Answer =
   | { type: "ready" }

@@ -31,8 +31,8 @@ const SILENCE_MS = 20_000;
 const TRIES = 3;
 
 /**
- * Hands slices of the most urgent jobs to workers. A job replaces the earlier one of its channel at once. Unlike a lane,
- * which keeps what it was asked in the order that it came, it chooses anew whenever a worker comes free.
+ * Hands slices of the most urgent jobs to workers. A job replaces the earlier one of its channel at once. Unlike a
+ * lane, which keeps what it was asked in the order that it came, it chooses anew whenever a worker comes free.
  */
 export class Pool {
   readonly #options: PoolOptions;
