@@ -2,8 +2,8 @@
 
 import { formatNumber } from "#format/numbers";
 import type { Repeat } from "#wasm/api";
-import { MOST_GIF_FPS } from "#workers/film/gif";
-import type { FilmKind } from "#workers/film/sink";
+import { MOST_GIF_FPS } from "#workers/film/format/gif";
+import type { FilmKind } from "#workers/film/format/sink";
 
 /** Every frame as numbers, or what they are made from. */
 export type NumbersKind = "frames" | "keys";

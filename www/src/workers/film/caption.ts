@@ -1,5 +1,5 @@
 import { NIGHT, WHITE } from "#style/colours";
-import type { FrameSize } from "./sink";
+import type { FrameSize } from "./format/sink";
 
 /** Of the shorter side of a frame. */
 const TEXT_SIZE = 0.045;

@@ -1,13 +1,13 @@
 /** The tasks of the worker that writes a film: its frames come one by one, to the same lane. */
 import type { Context } from "../lanes/task";
-import { apngSink } from "./apng";
 import { captioned } from "./caption";
-import { gifSink } from "./gif";
+import { apngSink } from "./format/apng";
+import { gifSink } from "./format/gif";
+import { PngFile } from "./format/png-file";
+import type { FilmSettings, FrameSize, Sink } from "./format/sink";
+import { codecFor, type FilmCodec, videoSink } from "./format/video";
+import { zipSink } from "./format/zip";
 import { layOn } from "./opaque";
-import { PngFile } from "./png-file";
-import type { FilmSettings, FrameSize, Sink } from "./sink";
-import { codecFor, type FilmCodec, videoSink } from "./video";
-import { zipSink } from "./zip";
 
 export interface FileBytes {
   bytes: Uint8Array<ArrayBuffer>;

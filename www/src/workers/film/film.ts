@@ -1,7 +1,7 @@
 import { filmCrew } from "./client";
 import type { FileBytes } from "./encode";
+import type { FilmSettings } from "./format/sink";
 import { inOrder } from "./order";
-import type { FilmSettings } from "./sink";
 import type { FramePixels, Subject } from "./subject";
 
 export interface FilmRequest {

@@ -1,4 +1,4 @@
-import type { FrameSize } from "./sink";
+import type { FrameSize } from "./format/sink";
 
 /** What writes frames of one size as PNG, each a file; all opaque, or all with what is clear left clear. */
 export function stillOf(

@@ -26,7 +26,7 @@ export interface Drawer {
   readonly hands: number;
   /** Moments without a picture, so far: there the frame before stands. */
   readonly missing: number;
-  /** The complete picture of a moment; null where it is that of the frame before. Asked for in the order of the film. */
+  /** The complete picture of a moment; null where it is that of the frame before. Asked for in the film's order. */
   frame(seconds: number, signal: AbortSignal): Promise<FramePixels | null>;
   /**
    * The same rows of the picture as if it were drawn whole, from `top` on: for pictures too large to be drawn at once.

@@ -1,5 +1,5 @@
 /** A PNG written row by row, so that a picture may be larger than what memory holds at a time. */
-import { chunkBytes, joined, PNG_SIGNATURE } from "../image/png";
+import { chunkBytes, joined, PNG_SIGNATURE } from "../../image/png";
 
 export interface PngSettings {
   width: number;

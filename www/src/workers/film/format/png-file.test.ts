@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { chunksOf, joined } from "../image/png";
+import { chunksOf, joined } from "../../image/png";
 import { PngFile } from "./png-file";
 
 /** The pixels of a file as another reader finds them: unpacked, and its filters undone as the specification says. */

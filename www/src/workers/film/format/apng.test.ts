@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { chunkBytes, chunksOf } from "../image/png";
+import { chunkBytes, chunksOf } from "../../image/png";
 import { apngBytes } from "./apng";
 
 const HEAD = Uint8Array.of(0, 0, 0, 2, 0, 0, 0, 1, 8, 6, 0, 0, 0);

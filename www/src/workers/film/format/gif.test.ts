@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
+import { channels, layOn } from "../opaque";
 import { changesSince, dithered, gifDelay, gifSink } from "./gif";
-import { channels, layOn } from "./opaque";
 
 describe("a GIF", () => {
   it("keeps time: delays are whole hundredths and add up", () => {

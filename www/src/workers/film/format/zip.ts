@@ -1,6 +1,6 @@
-import { joined } from "../image/png";
+import { joined } from "../../image/png";
+import { stillOf } from "../still";
 import type { FrameSize, Sink } from "./sink";
-import { stillOf } from "./still";
 
 /** Every frame as a PNG of its own, in one ZIP file: frame-0001.png and on. */
 export async function zipSink(size: FrameSize & { ground: string | null }): Promise<Sink> {

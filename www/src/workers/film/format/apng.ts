@@ -1,6 +1,6 @@
-import { chunkBytes, chunksOf, joined, PNG_SIGNATURE } from "../image/png";
+import { chunkBytes, chunksOf, joined, PNG_SIGNATURE } from "../../image/png";
+import { stillOf } from "../still";
 import type { FrameSize, Sink } from "./sink";
-import { stillOf } from "./still";
 
 export interface ApngFrame {
   /** Of its picture, as PNG holds it. */

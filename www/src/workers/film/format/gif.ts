@@ -1,4 +1,4 @@
-import { channels } from "./opaque";
+import { channels } from "../opaque";
 import type { FilmSettings, Sink } from "./sink";
 
 /** One of the 256 means: as it was in the frame before. */
