@@ -42,8 +42,11 @@ test("axe finds nothing", async ({ studio, page }) => {
     await page.getByRole("button", { name: "Edit the maps of B" }).click();
     await expectClean(page);
   });
-  await test.step("a notice and a menu", async () => {
-    await page.getByRole("button", { name: "Share link" }).click();
+  await test.step("sharing and a menu", async () => {
+    await page.getByRole("button", { name: "Share", exact: true }).click();
+    await page.getByRole("dialog", { name: "Share" }).getByRole("img").waitFor();
+    await expectClean(page);
+    await page.keyboard.press("Escape");
     await page.getByRole("button", { name: "More for shape B" }).click();
     await expectClean(page);
   });

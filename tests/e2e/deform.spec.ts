@@ -170,7 +170,8 @@ test("a shape of the gallery has the grid around it, and the link brings all of 
   await page.getByRole("radio", { name: "Smallest only" }).check();
   const look = await studio.look();
   const before = await studio.scene();
-  await page.getByRole("button", { name: "Share link" }).click();
+  await page.getByRole("button", { name: "Share", exact: true }).click();
+  await page.getByRole("dialog", { name: "Share" }).waitFor();
   await studio.open(new URL(page.url()).hash.slice(1));
   expect(await studio.scene()).toEqual(before);
   expect((await studio.look()).hash).toBe(look.hash);

@@ -31,11 +31,20 @@ test("the link that is shared opens the same elsewhere", async ({ studio, page, 
   await studio.open("a=levy&b=twindragon&t=0.4&colour=address");
   await studio.time.press("ArrowRight");
   await studio.idle();
-  await page.getByRole("button", { name: "Share link" }).click();
-  await expect.poll(() => studio.said()).toEqual([expect.stringContaining("Link copied")]);
+  await page.getByRole("button", { name: "Share", exact: true }).click();
+  const sheet = page.getByRole("dialog", { name: "Share" });
+  await expect(sheet.getByText("Link copied.")).toBeVisible();
   const shared = await page.evaluate(() => navigator.clipboard.readText());
   const mine = [await studio.scene(), await studio.look()];
   expect(shared).toBe(page.url());
+  await expect(sheet.getByRole("img", { name: "QR code of the link" })).toBeVisible();
+  // Another link plays from the beginning.
+  await sheet.getByRole("radio", { name: "At the beginning" }).check({ force: true });
+  await sheet.getByRole("switch", { name: "Plays when it is opened" }).check({ force: true });
+  await sheet.getByRole("button", { name: "Copy" }).click();
+  await expect(sheet.getByText("Link copied.")).toBeVisible();
+  const playing = await page.evaluate(() => navigator.clipboard.readText());
+  await page.keyboard.press("Escape");
 
   const other = await browser.newContext({ viewport: page.viewportSize() });
   const second = new (
@@ -46,6 +55,14 @@ test("the link that is shared opens the same elsewhere", async ({ studio, page, 
   await second.page.goto(shared);
   await second.time.waitFor();
   expect([await second.scene(), await second.look()]).toEqual(mine);
+  await second.page.goto(playing);
+  await second.page.getByRole("button", { name: "Pause", exact: true }).waitFor();
+  await expect.poll(async () => (await second.scene()).t).toBeGreaterThan(0);
+  await second.page.emulateMedia({ reducedMotion: "reduce" });
+  await second.page.reload();
+  await second.time.waitFor();
+  await second.idle();
+  await expect(second.page.getByRole("button", { name: "Play", exact: true })).toBeVisible();
   await other.close();
 });
 

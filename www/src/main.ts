@@ -9,6 +9,7 @@ import { link } from "./shell/actions";
 import { App, fetchAhead } from "./shell/app";
 import { installHook } from "./shell/hook";
 import { readParameters } from "./shell/parameters";
+import { playOnce } from "./shell/tools";
 import { reportTrouble, showFailure } from "./shell/trouble";
 import { whenFirstPicture } from "./stage/first-picture";
 import { adoptPath, watchAutomaticPath } from "./tools/morph/locus/path/automatic";
@@ -47,6 +48,7 @@ async function begin(root: HTMLElement): Promise<void> {
   startSchedules({ card: parameters.card });
   watchAutomaticPath();
   fetchAhead();
+  if (parameters.play) playOnce();
 }
 
 const root = document.getElementById("app");

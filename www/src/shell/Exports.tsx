@@ -1,12 +1,14 @@
-/** The dialogs of films and pictures, for the tool that is open. Loaded when one is first opened. */
+/** The dialogs of what goes out: films, pictures and the link, for the tool that is open. Loaded when one is first opened. */
 import { FilmDialog } from "#film/FilmDialog";
 import { exportOpen } from "#film/open";
 import { PictureDialog } from "#film/PictureDialog";
 import { link } from "./actions";
+import { ShareDialog } from "./ShareDialog";
 import { addressOf, stageStill } from "./save";
 import { openedTool } from "./tools";
 
 export function Exports() {
+  if (exportOpen.value === "share") return <ShareDialog />;
   const { entry, tool } = openedTool();
   if (exportOpen.value === "film") return tool?.films ? <FilmDialog films={tool.films} /> : null;
   const still = entry.stage === undefined ? stageStill : tool?.still;

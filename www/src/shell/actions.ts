@@ -1,12 +1,11 @@
 /** What can be done with the document as a whole: its link, and files of it. */
 import { computed } from "@preact/signals";
 import { curved } from "#document/curve/curve";
-import { ownPicture, pictureShown } from "#document/deform/picture";
+import { pictureShown } from "#document/deform/picture";
 import { addressBar, Link } from "#document/link";
 import { selection } from "#document/morph";
 import { notify, wordsOf } from "#document/notice";
 import { spacePlaying } from "#document/playback";
-import { scene } from "#document/scene";
 import { adoptPath } from "#tools/morph/locus/path/automatic";
 import type { Tool } from "#wasm/api";
 import { frond } from "#wasm/core";
@@ -22,33 +21,6 @@ export const link = new Link(frond, addressBar, () => {
 /** Where the studio is, with the document as it stands now and a tool, that which is open by default. */
 export function studioHref(tool?: Tool): string {
   return `#${link.fragment(tool ? { tool } : {}) ?? ""}`;
-}
-
-/** Puts the address of the present document on the clipboard; not that of an earlier one, where none can hold it. */
-export async function shareLink(): Promise<void> {
-  if (!link.flush()) return;
-  const { href } = location;
-  try {
-    await navigator.clipboard.writeText(href);
-    const whole = pictureShown.peek() === null || !ownPicture.peek();
-    notify({
-      kind: "info",
-      text: whole
-        ? `Link copied. Whoever opens it sees ${await seen()}.`
-        : "Link copied. It holds the bend, and not the picture: that stays here.",
-    });
-  } catch {
-    notify({ kind: "info", text: "The link is in the address bar: copying it was not allowed here." });
-  }
-}
-
-/** What is the same for all who open the link: the background belongs to a picture of space, and else to the page. */
-async function seen(): Promise<string> {
-  if (scene.peek().tool !== "space") return "the same, light or dark as their page is";
-  const { space } = await import("#document/space/space");
-  const background = space.peek()?.background;
-  const page = background === undefined || background === "page";
-  return page ? "the same shapes, before the colour of their own page" : "the same picture";
 }
 
 /** The files that a closed curve can be saved as. */

@@ -4,12 +4,12 @@ import { selection } from "#document/morph";
 import { setTheme, type Theme, theme } from "#document/preferences";
 import { canRedo, canUndo, redo, undo } from "#document/scene";
 import { openTool, tool } from "#document/tool";
-import { filmProgress, openFilm, openPicture } from "#film/open";
+import { filmProgress, openFilm, openPicture, openShare } from "#film/open";
 import { help, withKey } from "#ui/commands";
 import { Icon } from "#ui/controls/Icon";
 import { Menu, type MenuItem } from "#ui/overlay/Menu";
 import type { Tool as ToolName } from "#wasm/api";
-import { CURVE_FILES, curveOnStage, saveCurve, savePicture, shareLink, studioHref } from "./actions";
+import { CURVE_FILES, curveOnStage, saveCurve, savePicture, studioHref } from "./actions";
 import { Glyph, type GlyphName } from "./glyphs";
 import css from "./shell.module.css";
 import { openedTool, TOOLS } from "./tools";
@@ -50,9 +50,9 @@ export function Header() {
           onClick={() => setTheme(NEXT_THEME[theme.peek()])}
         />
         {studio && (
-          <button type="button" class="button quiet share" onClick={shareLink} aria-label="Share link">
+          <button type="button" class="button quiet share" onClick={openShare} aria-label="Share">
             <Glyph name="link" />
-            <span>Share link</span>
+            <span>Share</span>
           </button>
         )}
         <div class={css["narrow-only"]}>

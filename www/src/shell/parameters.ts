@@ -1,4 +1,4 @@
-/** What the address may say before the `#`, to try the page as on another machine. */
+/** What the address may say before the `#`. */
 import type { CardChoice } from "#compute/locus/card-trial";
 import type { PainterBackend } from "#stage/surface/painter";
 
@@ -8,6 +8,8 @@ export interface Parameters {
   workers: number | null;
   /** What decides loci besides the workers. */
   card: CardChoice;
+  /** Whether what moves is to play at once. */
+  play: boolean;
 }
 
 const BACKENDS: readonly string[] = ["webgpu", "webgl2", "canvas"];
@@ -17,7 +19,10 @@ const CARDS: readonly string[] = ["auto", "software", "none"];
 const cardBeside = (backend: string): CardChoice =>
   backend === "webgl2" || backend === "canvas" ? "none" : "auto";
 
-/** `?backend=webgl2`, `?workers=0`, `?card=none`: for trying the page as another machine would run it. */
+/**
+ * `?play`: as somebody shared it. `?backend=webgl2`, `?workers=0`, `?card=none`: for trying the page as another machine
+ * would run it.
+ */
 export function readParameters(search: string): Parameters {
   const query = new URLSearchParams(search);
   const backend = query.get("backend") ?? "";
@@ -25,6 +30,7 @@ export function readParameters(search: string): Parameters {
   return {
     backend: BACKENDS.includes(backend) ? (backend as PainterBackend) : "auto",
     workers: /^[0-8]$/.test(query.get("workers") ?? "") ? Number(query.get("workers")) : null,
+    play: query.has("play"),
     card: CARDS.includes(card) ? (card as CardChoice) : cardBeside(backend),
   };
 }

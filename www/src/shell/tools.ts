@@ -2,6 +2,7 @@
 import { effect, signal } from "@preact/signals";
 import { keepToo } from "#document/keep";
 import { notify, wordsOf } from "#document/notice";
+import { reducedMotion } from "#document/preferences";
 import { tool as opened } from "#document/tool";
 import type { Tool, ToolEntry } from "#stage/tool";
 import { deform } from "#tools/deform/entry";
@@ -35,5 +36,18 @@ export function watchTools(): () => void {
       },
       (problem) => notify({ kind: "error", text: `${entry.missing}: ${wordsOf(problem)}` }),
     );
+  });
+}
+
+/** Plays what moves as soon as its tool is there; not for those who want less motion. */
+export function playOnce(): void {
+  if (reducedMotion.peek()) return;
+  const stop = effect(() => {
+    const { tool } = openedTool();
+    if (!tool) return;
+    queueMicrotask(() => {
+      stop();
+      tool.timeline?.toggle();
+    });
   });
 }

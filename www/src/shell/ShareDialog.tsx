@@ -1,0 +1,163 @@
+/** The link of the document, and the ways in which it goes to others. */
+import { useEffect, useMemo, useState } from "preact/hooks";
+import { encode } from "uqr";
+import { ownPicture, pictureShown } from "#document/deform/picture";
+import { notify, wordsOf } from "#document/notice";
+import { scene } from "#document/scene";
+import { exportOpen } from "#film/open";
+import { NIGHT, WHITE } from "#style/colours";
+import { Button } from "#ui/controls/Button";
+import { Switch } from "#ui/controls/Switch";
+import { Dialog } from "#ui/overlay/Dialog";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
+import { link } from "./actions";
+import css from "./share.module.css";
+import { openedTool } from "./tools";
+
+const STARTS = [
+  { value: "here", label: "Where it stands" },
+  { value: "first", label: "At the beginning" },
+] as const;
+
+const close = () => {
+  exportOpen.value = null;
+};
+
+/** What somebody is sent: a link, copied at once, as a QR code, or by what the system has for it. */
+export function ShareDialog() {
+  const [start, setStart] = useState<(typeof STARTS)[number]["value"]>("here");
+  const [plays, setPlays] = useState(false);
+  const [told, setTold] = useState("");
+  const [seen, setSeen] = useState("");
+  const address = addressWith(start, plays);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: once, for the link as it is first
+  useEffect(() => {
+    // The address bar has the same.
+    if (link.flush() && address !== null) void copy(address).then(setTold);
+    void seenWords().then(setSeen);
+  }, []);
+  if (address === null) {
+    return (
+      <Dialog title="Share" onClose={close}>
+        <p>No link can hold this document. Make it simpler, or scale what is very large or very small.</p>
+      </Dialog>
+    );
+  }
+  return (
+    <Dialog title="Share" about={seen} onClose={close}>
+      <div class={css["share"]}>
+        <div class={css["share-link"]}>
+          <input
+            class={css["address"]}
+            aria-label="The link"
+            readOnly
+            value={address}
+            onFocus={(event) => event.currentTarget.select()}
+          />
+          <Button kind="primary" icon="copy" onClick={() => void copy(address).then(setTold)}>
+            Copy
+          </Button>
+        </div>
+        <p class="hint" role="status">
+          {told}
+        </p>
+        {openedTool().tool?.timeline && (
+          <>
+            <ChoiceRow
+              label="It starts"
+              options={STARTS}
+              value={start}
+              onChange={(next) => {
+                setStart(next);
+                setTold(CHANGED);
+              }}
+            />
+            <Switch
+              checked={plays}
+              description="But not for those who asked their system for less motion"
+              onChange={(next) => {
+                setPlays(next);
+                setTold(CHANGED);
+              }}
+            >
+              Plays when it is opened
+            </Switch>
+          </>
+        )}
+        <Code address={address} />
+        {"share" in navigator && <Button onClick={() => void send(address)}>Send …</Button>}
+      </div>
+    </Dialog>
+  );
+}
+
+const CHANGED = "The link has changed: copy it again.";
+
+/** What is the same for all who open the link: the background belongs to a picture of space, and else to the page. */
+async function seenWords(): Promise<string> {
+  if (pictureShown.peek() !== null && ownPicture.peek()) {
+    return "The link holds the bend, and not the picture: that stays here.";
+  }
+  if (scene.peek().tool !== "space")
+    return "Whoever opens the link sees the same, light or dark as their page is.";
+  const { space } = await import("#document/space/space");
+  const background = space.peek()?.background;
+  return background === undefined || background === "page"
+    ? "Whoever opens the link sees the same shapes, before the colour of their own page."
+    : "Whoever opens the link sees the same picture.";
+}
+
+/** For a telephone that is held before the screen. */
+function Code({ address }: { address: string }) {
+  const code = useMemo(() => {
+    try {
+      return encode(address, { ecc: "L", border: 4 });
+    } catch {
+      return null;
+    }
+  }, [address]);
+  if (!code) return <p class="hint">The link is too long for a QR code. Send it as text.</p>;
+  const { size, data } = code;
+  const path = data
+    .flatMap((row, y) => row.flatMap((dark, x) => (dark ? [`M${x} ${y}h1v1h-1z`] : [])))
+    .join("");
+  return (
+    <svg class={css["code"]} viewBox={`0 0 ${size} ${size}`} role="img" aria-label="QR code of the link">
+      <rect width={size} height={size} fill={WHITE} />
+      <path d={path} fill={NIGHT} shape-rendering="crispEdges" />
+    </svg>
+  );
+}
+
+function addressWith(start: "here" | "first", plays: boolean): string | null {
+  const { deform, space } = scene.peek();
+  const first = {
+    t: 0,
+    ...(deform ? { deform: { ...deform, phase: 0 } } : {}),
+    ...(space ? { space: { ...space, at: 0 } } : {}),
+  };
+  const fragment = link.fragment(start === "first" ? first : {});
+  if (fragment === null) return null;
+  return `${location.origin}${location.pathname}${plays ? "?play" : ""}#${fragment}`;
+}
+
+/** What came of it, in words. */
+async function copy(address: string): Promise<string> {
+  try {
+    await navigator.clipboard.writeText(address);
+    return "Link copied.";
+  } catch {
+    return "Copying was not allowed here: choose the link, and copy it yourself.";
+  }
+}
+
+async function send(url: string): Promise<void> {
+  try {
+    await navigator.share({ title: "Frond", url });
+  } catch (problem) {
+    // Who changes their mind needs no word of it.
+    if (!(problem instanceof DOMException && problem.name === "AbortError")) {
+      notify({ kind: "error", text: `It could not be sent: ${wordsOf(problem)}` });
+    }
+  }
+}
