@@ -113,6 +113,8 @@ export default defineConfig({
     testTimeout: 60_000,
     include: ["www/src/**/*.test.{ts,tsx}", "tests/api/**/*.test.ts"],
     environment: "node",
+    // Each file has a thread of its own: as much apart as processes are for what is tested here, and sooner there.
+    pool: "threads",
     restoreMocks: true,
   },
 });
