@@ -53,7 +53,7 @@ fn seen(maps: &[Affine2], points: &[DVec2]) -> f64 {
 #[test]
 fn bounds_hold_the_gap_and_the_ellipse_the_attractor() {
     let mut scratch = Scratch::default();
-    let (mut counts, count) = ([0; 5], frond_testing::cases(200));
+    let (mut counts, count) = ([0; 5], frond_testing::cases(80));
     for seed in 0..count {
         let maps = system(seed);
         let Ok(ifs) = Ifs::new(maps.clone()) else { continue };

@@ -142,7 +142,7 @@ impl Tally {
 
 #[test]
 fn every_disconnected_verdict_has_a_certificate() {
-    let (mut tally, count) = (Tally::default(), cases(400));
+    let (mut tally, count) = (Tally::default(), cases(150));
     for seed in 0..count {
         if let Some(ifs) = (Dice { seed, count: 0 }).system() {
             tally.add(seed, &ifs, &Options { epsilon: 1e-5, budget: 30_000 });
@@ -155,7 +155,7 @@ fn every_disconnected_verdict_has_a_certificate() {
 /// Two to five copies on a polygon, a little too small to meet, moved, turned and sheared: gaps of 1e-2 to 1e-11.
 #[test]
 fn narrow_gaps_have_certificates_down_to_rounding() {
-    let (mut tally, count) = (Tally::default(), cases(60));
+    let (mut tally, count) = (Tally::default(), cases(30));
     for seed in 0..count {
         let mut dice = Dice { seed: 77_000 + seed, count: 0 };
         let corners = 2 + dice.below(4);

@@ -161,7 +161,7 @@ fn widest_gap(clouds: &[Vec<DVec2>]) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: frond_testing::cases(150), failure_persistence: None, rng_seed: RngSeed::Fixed(1997), ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: frond_testing::cases(50), failure_persistence: None, rng_seed: RngSeed::Fixed(1997), ..ProptestConfig::default() })]
 
     #[test]
     fn answers_are_well_formed_and_no_gap_is_wider_than_points_show(ifs in any_ifs()) {

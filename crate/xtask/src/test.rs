@@ -34,7 +34,7 @@ enum Work {
 const ON_DEMAND: &str = "deep";
 
 /// How many times as many examples `deep` tries.
-const DEEP_FACTOR: u32 = 20;
+const DEEP_FACTOR: u32 = 50;
 
 const CHECKS: &[Check] = &[
     Check {
