@@ -1,4 +1,4 @@
-/** The dialogs of what goes out: films, pictures and the link, for the tool that is open. Loaded when one is first opened. */
+/** The dialogs of what goes out: films, pictures and the link, for the open tool. Loaded when one is first opened. */
 import { FilmDialog } from "#film/FilmDialog";
 import { exportOpen } from "#film/open";
 import { PictureDialog } from "#film/PictureDialog";
