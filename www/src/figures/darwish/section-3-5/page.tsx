@@ -5,7 +5,7 @@ import { axisWords, divergingWords, unit } from "#format/placement";
 import { turns3 } from "#geometry/maps/affine3";
 import { ShadowPicture } from "#stage/ShadowPicture";
 import { Segmented } from "#ui/controls/Segmented";
-import { MapBlocks } from "#ui/shapes/MapBlocks";
+import { FlattenedMaps } from "#ui/shapes/FlattenedMaps";
 import type { EpsilonProjection, MapRow3, Point3, SpaceView } from "#wasm/api";
 import { loadSpace, solid } from "#wasm/space";
 import { SliderControl } from "../../kit/frame/control";
@@ -188,15 +188,7 @@ export function Page(heading: Heading) {
             The largest number is <strong class="number">{formatNumber(flat.largest, 3)}</strong>.{" "}
             {divergingWords(flat.diverging)}
           </p>
-          <MapBlocks
-            label="Parameters of the flattened shape"
-            maps={flat.maps.slice(0, MAPS_SHOWN)}
-            digits={3}
-            mark="grows"
-            marked={(map, place) =>
-              flat.diverging.some(([other, row]) => other === map && place === 3 * row + 2)
-            }
-          />
+          <FlattenedMaps of={flat} most={MAPS_SHOWN} />
           {flat.maps.length > MAPS_SHOWN && (
             <p class={layout["choice-label"]}>
               The first {MAPS_SHOWN} of {flat.maps.length} maps. x to the right, y up, z along the line of

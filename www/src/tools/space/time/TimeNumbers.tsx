@@ -12,22 +12,30 @@ export interface Problems {
   problems?: NonNullable<NumberFieldProps["problems"]>;
 }
 
+interface MomentFieldProps extends Problems, Pick<NumberFieldProps, "label" | "value" | "onChange"> {
+  /** How long the time line is. */
+  seconds: number;
+  terse?: boolean;
+  onDone?: () => void;
+}
+
+/** A moment of the time line. */
+export function MomentField({ seconds, ...field }: MomentFieldProps) {
+  return <NumberField {...field} min={0} max={seconds} step={0.1} digits={2} unit="s" />;
+}
+
 /** The moment and the length as numbers. */
 export function TimeNumbers({ terse = true, problems }: Problems & { terse?: boolean }) {
   const line = timeline.value ?? space.value?.timeline ?? EMPTY_LINE;
   const told = problems ? { problems } : {};
   return (
     <>
-      <NumberField
+      <MomentField
         {...told}
         terse={terse}
         label="Moment"
         value={moment.value}
-        min={0}
-        max={line.seconds}
-        step={0.1}
-        digits={2}
-        unit="s"
+        seconds={line.seconds}
         onChange={scrubSpace}
       />
       {terse && (

@@ -3,9 +3,11 @@ import { wordsOf } from "#document/notice";
 import { divergingWords } from "#format/placement";
 import { SliderField } from "#ui/controls/SliderField";
 import { Problem } from "#ui/panel/Problem";
-import { MapBlocks } from "#ui/shapes/MapBlocks";
+import { FlattenedMaps } from "#ui/shapes/FlattenedMaps";
 import type { EpsilonProjection, MapRow3, Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
+
+const MAPS_SHOWN = 3;
 
 interface EpsilonProps {
   maps: MapRow3[];
@@ -13,7 +15,6 @@ interface EpsilonProps {
   format: (value: number) => string;
 }
 
-const MAPS_SHOWN = 3;
 const POWERS = {
   to: (value: number) => Math.log10(value),
   from: (at: number) => Number((10 ** at).toPrecision(2)),
@@ -48,13 +49,7 @@ export function Epsilon({ maps, direction, format }: EpsilonProps) {
           <p class="hint" role="status">
             The largest number is {format(found.largest)}. {divergingWords(found.diverging)}
           </p>
-          <MapBlocks
-            label="Parameters of the flattened shape"
-            maps={found.maps.slice(0, MAPS_SHOWN)}
-            digits={3}
-            mark="grows"
-            marked={(map, place) => found.diverging.some(([m, row]) => m === map && place === 3 * row + 2)}
-          />
+          <FlattenedMaps of={found} most={MAPS_SHOWN} />
           {found.maps.length > MAPS_SHOWN && (
             <p class="hint">
               The first {MAPS_SHOWN} of {found.maps.length} maps; z runs along the light.

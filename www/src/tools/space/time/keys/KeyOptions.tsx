@@ -2,10 +2,9 @@ import { endGesture } from "#document/scene";
 import { changeTimeline } from "#document/space/edits";
 import { lookingAround, space, timeline } from "#document/space/space";
 import { Button, IconButton } from "#ui/controls/Button";
-import { NumberField } from "#ui/controls/NumberField";
 import { MOST_KEYS, withKeyAt } from "../changes";
 import { pauseSpace, scrubSpace } from "../clock";
-import type { Problems } from "../TimeNumbers";
+import { MomentField, type Problems } from "../TimeNumbers";
 import timeCss from "../time.module.css";
 import { EaseMenu } from "./EaseMenu";
 import { keyHere } from "./Keys";
@@ -19,15 +18,11 @@ export function KeyOptions({ problems }: Problems) {
   if (!line || !key || lookingAround.value) return <SetKey />;
   return (
     <div class={timeCss["key-numbers"]}>
-      <NumberField
+      <MomentField
         {...(problems ? { problems } : {})}
         label={`Key ${here + 1} of ${line.keys.length}`}
         value={key.at}
-        min={0}
-        max={line.seconds}
-        step={0.1}
-        digits={2}
-        unit="s"
+        seconds={line.seconds}
         onChange={(to) => {
           pauseSpace();
           attempt(() => changeTimeline((now) => withKeyAt(now, here, to), { gesture: `space key ${here}` }));
