@@ -1,4 +1,4 @@
-//! Reasons that prove an attractor connected.
+//! Reasons to be connected that cost next to nothing to see: equal maps, a common fixed point, areas that fill.
 
 use frond_core::Affine2;
 use glam::DVec2;

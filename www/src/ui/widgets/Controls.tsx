@@ -23,36 +23,30 @@ export function Controls() {
   return (
     <>
       <Buttons />
-      <Widget name="IconButton">
-        <State name="plain, on, off, disabled">
-          <div class="row">
-            <IconButton icon="swap" label="Swap" />
-            <IconButton icon="loop" label="Loop" pressed />
-            <IconButton icon="loop" label="Once" pressed={false} />
-            <IconButton icon="bin" label="Delete" disabled />
-          </div>
-        </State>
+      <Widget name="IconButton" state="plain, on, off, disabled">
+        <div class="row">
+          <IconButton icon="swap" label="Swap" />
+          <IconButton icon="loop" label="Loop" pressed />
+          <IconButton icon="loop" label="Once" pressed={false} />
+          <IconButton icon="bin" label="Delete" disabled />
+        </div>
       </Widget>
-      <Widget name="PlayButton">
-        <State name="still, playing, nothing to play">
-          <div class="row">
-            <PlayButton playing={false} onToggle={nothing} />
-            <PlayButton playing onToggle={nothing} />
-            <PlayButton playing={false} onToggle={nothing} still="Nothing moves yet" />
-          </div>
-        </State>
+      <Widget name="PlayButton" state="still, playing, nothing to play">
+        <div class="row">
+          <PlayButton playing={false} onToggle={nothing} />
+          <PlayButton playing onToggle={nothing} />
+          <PlayButton playing={false} onToggle={nothing} still="Nothing moves yet" />
+        </div>
       </Widget>
-      <Widget name="HoldButton">
-        <State name="let go, held">
-          <div class="row">
-            <HoldButton held={free} title="Hold to compare">
-              Compare
-            </HoldButton>
-            <HoldButton held={held} title="Hold to compare">
-              Compare
-            </HoldButton>
-          </div>
-        </State>
+      <Widget name="HoldButton" state="let go, held">
+        <div class="row">
+          <HoldButton held={free} title="Hold to compare">
+            Compare
+          </HoldButton>
+          <HoldButton held={held} title="Hold to compare">
+            Compare
+          </HoldButton>
+        </div>
       </Widget>
       <Widget name="FileButton">
         <State name="plain">
@@ -177,10 +171,8 @@ function Numbers() {
           <NumberField label={LONG} value={-123456.789012} digits={6} onChange={nothing} />
         </State>
       </Widget>
-      <Widget name="PercentField">
-        <State name="plain">
-          <PercentField label="Moment" value={value} onChange={change} />
-        </State>
+      <Widget name="PercentField" state="plain">
+        <PercentField label="Moment" value={value} onChange={change} />
       </Widget>
       <Widget name="Slider">
         <State name="plain" wide>

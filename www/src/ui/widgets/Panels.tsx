@@ -45,50 +45,40 @@ export function Panels() {
           </Fold>
         </State>
       </Widget>
-      <Widget name="ChoiceRow">
-        <State name="plain" wide>
-          <ChoiceRow
-            label="Ends"
-            options={[
-              { value: "free", label: "Free" },
-              { value: "tied", label: "Tied" },
-            ]}
-            value="free"
-            onChange={nothing}
-          />
-        </State>
+      <Widget name="ChoiceRow" state="plain" wide>
+        <ChoiceRow
+          label="Ends"
+          options={[
+            { value: "free", label: "Free" },
+            { value: "tied", label: "Tied" },
+          ]}
+          value="free"
+          onChange={nothing}
+        />
       </Widget>
-      <Widget name="PanelFoot">
-        <State name="with a button" wide>
-          <PanelFoot>
-            <Button kind="quiet" icon="reset">
-              Reset
-            </Button>
-          </PanelFoot>
-        </State>
+      <Widget name="PanelFoot" state="with a button" wide>
+        <PanelFoot>
+          <Button kind="quiet" icon="reset">
+            Reset
+          </Button>
+        </PanelFoot>
       </Widget>
-      <Widget name="Problem">
-        <State name="long words" wide>
-          <Problem words={`${LONG}.`} />
-        </State>
+      <Widget name="Problem" state="long words" wide>
+        <Problem words={`${LONG}.`} />
       </Widget>
-      <Widget name="Progress">
-        <State name="a third, and nobody knows how far" wide>
-          <progress class="progress" aria-label="A third" value={1} max={3} />
-          <progress class="progress" aria-label="Unknown" />
-        </State>
+      <Widget name="Progress" state="a third, and nobody knows how far" wide>
+        <progress class="progress" aria-label="A third" value={1} max={3} />
+        <progress class="progress" aria-label="Unknown" />
       </Widget>
-      <Widget name="Menu">
-        <State name="press to open">
-          <Menu
-            label="More"
-            items={[
-              { label: "Copy", icon: "copy", onSelect: nothing },
-              { label: "Not now", icon: "bin", disabled: true, onSelect: nothing },
-              { label: LONG, onSelect: nothing },
-            ]}
-          />
-        </State>
+      <Widget name="Menu" state="press to open">
+        <Menu
+          label="More"
+          items={[
+            { label: "Copy", icon: "copy", onSelect: nothing },
+            { label: "Not now", icon: "bin", disabled: true, onSelect: nothing },
+            { label: LONG, onSelect: nothing },
+          ]}
+        />
       </Widget>
       <Dialogs />
       <Widget name="Toasts">
@@ -140,24 +130,22 @@ function Keys() {
   const [here, go] = useState(1);
   const keys = [{ at: 0 }, { at: 0.4 }, { at: 1 }];
   return (
-    <Widget name="KeyTrack">
-      <State name="three keys, one of them here" wide>
-        <div class={css["track"]}>
-          <KeyTrack
-            label="Keys"
-            keys={keys}
-            length={1}
-            here={here}
-            reach={here}
-            step={0.1}
-            about={(index) => ({ "aria-label": `Key ${index + 1}` })}
-            go={go}
-            move={nothing}
-            remove={nothing}
-            Picture={({ index }) => <span>{index + 1}</span>}
-          />
-        </div>
-      </State>
+    <Widget name="KeyTrack" state="three keys, one of them here" wide>
+      <div class={css["track"]}>
+        <KeyTrack
+          label="Keys"
+          keys={keys}
+          length={1}
+          here={here}
+          reach={here}
+          step={0.1}
+          about={(index) => ({ "aria-label": `Key ${index + 1}` })}
+          go={go}
+          move={nothing}
+          remove={nothing}
+          Picture={({ index }) => <span>{index + 1}</span>}
+        />
+      </div>
     </Widget>
   );
 }

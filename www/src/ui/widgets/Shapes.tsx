@@ -51,55 +51,41 @@ export function Shapes() {
           <EndCard {...card} name={LONG} edited editing onChoose={nothing} />
         </State>
       </Widget>
-      <Widget name="Graph">
-        <State name="one piece, two that are apart" wide>
-          <Graph
-            count={1}
-            angles={[0]}
-            edges={[]}
-            colours={[palette("light")[1] ?? GREY]}
-            label="One piece"
-          />
-          <Graph
-            count={3}
-            angles={[0, 2, 4]}
-            edges={[[0, 1]]}
-            colours={palette("light").slice(0, 3)}
-            label="Three pieces, two of which are joined"
-          />
-        </State>
+      <Widget name="Graph" state="one piece, two that are apart" wide>
+        <Graph count={1} angles={[0]} edges={[]} colours={[palette("light")[1] ?? GREY]} label="One piece" />
+        <Graph
+          count={3}
+          angles={[0, 2, 4]}
+          edges={[[0, 1]]}
+          colours={palette("light").slice(0, 3)}
+          label="Three pieces, two of which are joined"
+        />
       </Widget>
-      <Widget name="MapBlocks">
-        <State name="two maps, one number set apart" wide>
-          <MapBlocks
-            label="Maps"
-            maps={[MAP, MAP]}
-            marked={(map, place) => map === 1 && place === 0}
-            mark="changed"
-          />
-        </State>
+      <Widget name="MapBlocks" state="two maps, one number set apart" wide>
+        <MapBlocks
+          label="Maps"
+          maps={[MAP, MAP]}
+          marked={(map, place) => map === 1 && place === 0}
+          mark="changed"
+        />
       </Widget>
-      <Widget name="MapList">
-        <State name="one of three is open, long words" wide>
-          <MapList
-            maps={["half as large", LONG, "turned"]}
-            open={open}
-            onOpen={setOpen}
-            swatch={() => <VerdictSign tone="whole" />}
-            fields={(index) => <MapTools maps={[1, 2, 3]} index={index} most={3} onPress={nothing} />}
-          />
-        </State>
+      <Widget name="MapList" state="one of three is open, long words" wide>
+        <MapList
+          maps={["half as large", LONG, "turned"]}
+          open={open}
+          onOpen={setOpen}
+          swatch={() => <VerdictSign tone="whole" />}
+          fields={(index) => <MapTools maps={[1, 2, 3]} index={index} most={3} onPress={nothing} />}
+        />
       </Widget>
-      <Widget name="ShapeGrid">
-        <State name="one chosen, no picture yet, long words" wide>
-          <ShapeGrid
-            presets={SHAPES}
-            noteOf={() => "2 maps"}
-            pictures={new Map()}
-            chosen={chosen}
-            onChoose={({ id }) => choose(id)}
-          />
-        </State>
+      <Widget name="ShapeGrid" state="one chosen, no picture yet, long words" wide>
+        <ShapeGrid
+          presets={SHAPES}
+          noteOf={() => "2 maps"}
+          pictures={new Map()}
+          chosen={chosen}
+          onChoose={({ id }) => choose(id)}
+        />
       </Widget>
     </>
   );

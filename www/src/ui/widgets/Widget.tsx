@@ -1,12 +1,26 @@
 import type { ComponentChildren } from "preact";
 import css from "./widgets.module.css";
 
+interface WidgetProps {
+  name: string;
+  /** Where there is only one. */
+  state?: string;
+  wide?: boolean;
+  children: ComponentChildren;
+}
+
 /** The states of one widget, under its name in the code. */
-export function Widget({ name, children }: { name: string; children: ComponentChildren }) {
+export function Widget({ name, state, wide = false, children }: WidgetProps) {
   return (
     <section class={css["widget"]} aria-label={name}>
       <h3>{name}</h3>
-      {children}
+      {state === undefined ? (
+        children
+      ) : (
+        <State name={state} wide={wide}>
+          {children}
+        </State>
+      )}
     </section>
   );
 }
