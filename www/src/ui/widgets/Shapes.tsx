@@ -1,8 +1,10 @@
 import { useState } from "preact/hooks";
 import { GREY } from "#style/colours";
 import { palette } from "#style/palette";
+import type { MapRow3 } from "#wasm/api";
 import { IconButton } from "../controls/Button";
 import { EndCard } from "../shapes/EndCard";
+import { FlattenedMaps } from "../shapes/FlattenedMaps";
 import { Graph } from "../shapes/Graph";
 import { MapBlocks } from "../shapes/MapBlocks";
 import { MapList, MapTools } from "../shapes/MapList";
@@ -18,7 +20,7 @@ const SHAPES = [
   { id: "dragon", name: "Dragon", about: "Two maps that turn." },
   { id: "long", name: LONG, about: `${LONG}.` },
 ];
-const MAP = [0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5, 0.25, -0.25, 12];
+const MAP: MapRow3 = [0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5, 0.25, -0.25, 12];
 
 export function Shapes() {
   const [chosen, choose] = useState("dragon");
@@ -68,6 +70,9 @@ export function Shapes() {
           marked={(map, place) => map === 1 && place === 0}
           mark="changed"
         />
+      </Widget>
+      <Widget name="FlattenedMaps" state="a number that grows" wide>
+        <FlattenedMaps of={{ maps: [MAP], largest: 40, diverging: [[0, 1]] }} most={3} />
       </Widget>
       <Widget name="MapList" state="one of three is open, long words" wide>
         <MapList
