@@ -4,127 +4,35 @@ use glam::DVec3;
 
 use crate::hash;
 use crate::ifs::system::Ifs3;
-use crate::sample::chaos_game2::table;
+use crate::sample::chaos_game::{LANES, SLOTS, STEPS_APART, chaos_game, table};
 
-/// How many orbits run side by side, so that no step waits for the one before it.
-const LANES: usize = 8;
-/// Slots of the table that turns random bits into a map.
-const SLOTS: usize = 4096;
-/// Steps of each orbit before the first point is given out.
-const STEPS_APART: usize = 24;
-
-/// Points of an attractor of space, by Barnsley's chaos game: the twin of [`ChaosGame`](crate::ChaosGame).
-///
-/// Probabilities are kept to 1/4096, and no map gets less. The same system and seed give the same points on every
-/// machine, however the calls are cut.
-#[derive(Clone, Debug)]
-pub struct ChaosGame3 {
-    table: Box<[u8; SLOTS]>,
-    /// Columns of the maps, then the translation, each filled up to four numbers, so that one step is a few operations
-    /// on four lanes.
-    columns: Box<[[[f32; 4]; 4]; 64]>,
-    state: State,
-    /// Points made but not given out yet: a call may ask for a number that is no multiple of 8.
-    left: usize,
-    pieces: [u8; LANES],
+chaos_game! {
+    /// Points of an attractor of space, by Barnsley's chaos game: the twin of [`ChaosGame`](crate::ChaosGame).
+    ///
+    /// Probabilities are kept to 1/4096, and no map gets less. The same system and seed give the same points on every
+    /// machine, however the calls are cut.
+    ChaosGame3, Ifs3, 3
 }
 
-impl ChaosGame3 {
-    /// A game on the maps of `ifs` with its probabilities.
-    #[must_use]
-    pub fn new(ifs: &Ifs3, seed: u32) -> Self {
-        let mut columns = Box::new([[[0.0; 4]; 4]; 64]);
-        for (columns, map) in columns.iter_mut().zip(ifs.maps()) {
-            let m = map.linear;
-            *columns = [m.x_axis, m.y_axis, m.z_axis, map.translation]
-                .map(|v| [v.x as f32, v.y as f32, v.z as f32, 0.0]);
-        }
-        let start = ifs.maps()[0].fixed_point().unwrap_or(DVec3::ZERO).as_vec3();
-        let orbit = [start.x, start.y, start.z, 0.0];
-        let mut game = Self {
-            table: table(ifs.probabilities()),
-            columns,
-            state: State { orbits: [orbit; LANES], key: hash::pcg(seed), step: 0 },
-            left: 0,
-            pieces: [0; LANES],
-        };
-        for _ in 0..STEPS_APART {
-            game.advance();
-        }
-        game
-    }
+/// The columns of a map, then its translation, each filled up to four numbers, so that one step is a few operations on
+/// four lanes.
+type Map = [[f32; 4]; 4];
+type Orbit = [f32; 4];
 
-    /// Writes points as `x0, y0, z0, x1, ..` and for each the map of its last step: the attractorlet that it lies in.
-    /// As many points are written as both slices have room for; their number is returned.
-    pub fn fill(&mut self, positions: &mut [f32], pieces: &mut [u8]) -> usize {
-        let count = (positions.len() / 3).min(pieces.len());
-        let (positions, pieces) = (&mut positions[..3 * count], &mut pieces[..count]);
-        let first = self.left.min(count);
-        self.give(&mut positions[..3 * first], &mut pieces[..first]);
-        let (positions, pieces) = (&mut positions[3 * first..], &mut pieces[first..]);
-        let mut points = positions.chunks_exact_mut(3 * LANES);
-        let mut letters = pieces.chunks_exact_mut(LANES);
-        // In locals, so that the compiler keeps them in registers.
-        let (table, columns) = (&*self.table, &*self.columns);
-        let mut state = self.state;
-        for (points, letters) in points.by_ref().zip(letters.by_ref()) {
-            let chosen = state.advance(table, columns);
-            for (point, orbit) in points.as_chunks_mut::<3>().0.iter_mut().zip(&state.orbits) {
-                *point = [orbit[0], orbit[1], orbit[2]];
-            }
-            letters.copy_from_slice(&chosen);
-        }
-        self.state = state;
-        let (points, letters) = (points.into_remainder(), letters.into_remainder());
-        if !letters.is_empty() {
-            self.advance();
-            self.left = LANES;
-            self.give(points, letters);
-        }
-        count
+fn start(ifs: &Ifs3) -> (Box<[Map; 64]>, Orbit) {
+    let mut columns = Box::new([[[0.0; 4]; 4]; 64]);
+    for (columns, map) in columns.iter_mut().zip(ifs.maps()) {
+        let m = map.linear;
+        *columns = [m.x_axis, m.y_axis, m.z_axis, map.translation]
+            .map(|v| [v.x as f32, v.y as f32, v.z as f32, 0.0]);
     }
-
-    /// Hands out points of the last step that were left over.
-    fn give(&mut self, points: &mut [f32], letters: &mut [u8]) {
-        let from = LANES - self.left;
-        for (i, (point, letter)) in points.chunks_exact_mut(3).zip(letters.iter_mut()).enumerate() {
-            point.copy_from_slice(&self.state.orbits[from + i][..3]);
-            *letter = self.pieces[from + i];
-        }
-        self.left -= letters.len();
-    }
-
-    fn advance(&mut self) {
-        self.pieces = self.state.advance(&self.table, &self.columns);
-    }
+    let start = ifs.maps()[0].fixed_point().unwrap_or(DVec3::ZERO).as_vec3();
+    (columns, [start.x, start.y, start.z, 0.0])
 }
 
-/// What changes from step to step.
-#[derive(Clone, Copy, Debug)]
-struct State {
-    orbits: [[f32; 4]; LANES],
-    key: u32,
-    step: u32,
-}
-
-impl State {
-    /// One step of all orbits: the map chosen for each.
-    #[inline(always)]
-    fn advance(&mut self, table: &[u8; SLOTS], columns: &[[[f32; 4]; 4]; 64]) -> [u8; LANES] {
-        let mut letters = [0; LANES];
-        for pair in 0..LANES / 2 {
-            let bits = hash::pcg(self.key ^ self.step);
-            self.step = self.step.wrapping_add(1);
-            for (lane, bits) in [(2 * pair, bits), (2 * pair + 1, bits >> 16)] {
-                let letter = table[bits as usize % SLOTS];
-                let [a, b, c, t] = columns[usize::from(letter) % 64];
-                let [x, y, z, _] = self.orbits[lane];
-                self.orbits[lane] = std::array::from_fn(|k| (a[k] * x + b[k] * y) + (c[k] * z + t[k]));
-                letters[lane] = letter;
-            }
-        }
-        letters
-    }
+#[inline(always)]
+fn step([a, b, c, t]: Map, [x, y, z, _]: Orbit) -> Orbit {
+    std::array::from_fn(|k| (a[k] * x + b[k] * y) + (c[k] * z + t[k]))
 }
 
 #[cfg(test)]
