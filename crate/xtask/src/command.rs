@@ -2,8 +2,9 @@
 
 use std::error::Error;
 use std::ffi::OsString;
+use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Command, ExitStatus, Stdio};
 
 /// What every task returns; the error is a sentence for the person at the terminal.
 pub type Outcome<T = ()> = Result<T, Box<dyn Error>>;
@@ -73,7 +74,17 @@ pub fn own_flags(command: &mut Command) {
 /// Runs it to the end, with its output on the terminal.
 pub fn run(command: &mut Command) -> Outcome {
     let status = command.status().map_err(|error| not_started(command, &error))?;
-    if status.success() { Ok(()) } else { Err(format!("`{}` failed ({status})", shown(command)).into()) }
+    ended(command, status)
+}
+
+/// As [`run`], for what runs beside others: its output is printed in one piece, at its end.
+pub fn run_beside(command: &mut Command) -> Outcome {
+    let output = command.stdin(Stdio::null()).output().map_err(|error| not_started(command, &error))?;
+    let mut terminal = std::io::stdout().lock();
+    terminal.write_all(&output.stdout)?;
+    terminal.write_all(&output.stderr)?;
+    terminal.flush()?;
+    ended(command, output.status)
 }
 
 /// What it prints, or nothing where it cannot be run: for asking whether a tool is there.
@@ -96,6 +107,10 @@ fn shown(command: &Command) -> String {
     let words = std::iter::once(name).chain(command.get_args());
     let line = words.map(|word| word.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" ");
     line.replace(&format!("{}/", root().display()), "")
+}
+
+fn ended(command: &Command, status: ExitStatus) -> Outcome {
+    if status.success() { Ok(()) } else { Err(format!("`{}` failed ({status})", shown(command)).into()) }
 }
 
 fn not_started(command: &Command, error: &std::io::Error) -> String {

@@ -1,11 +1,13 @@
 //! Every check, as named steps in groups: the cheap ones first.
 
 use std::net::TcpListener;
+use std::path::Path;
 use std::process::Command;
+use std::thread;
 
 use crate::browser;
 use crate::circles;
-use crate::command::{Outcome, cargo, cargo_wasm, run, target};
+use crate::command::{Outcome, cargo, cargo_wasm, run, run_beside, target};
 use crate::folders;
 use crate::modules::MODULES;
 use crate::node::{self, Tool};
@@ -302,21 +304,34 @@ fn vitest(names: &[String]) -> Outcome {
 }
 
 /// Tests of what draws on a graphics card, in the browser that it is for. Each backend is a program of its own: it
-/// shares all that is compiled with the module of that backend.
+/// shares all that is compiled with the module of that backend. They run side by side: most of what the software GPU
+/// does for one is done by one core.
 fn shaders(names: &[String]) -> Outcome {
     let driver = browser::driver()?;
-    for backend in ["webgl2", "webgpu"] {
-        run(cargo_wasm(&format!(
-            "test --release --target {WASM_TARGET} --package frond-render --test browser --no-default-features \
-             --features {backend}"
-        ))
-        .args(names)
-        .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", tools::path("wasm-bindgen-test-runner"))
-        // Of the system: one that is loaded would fit another browser.
-        .env("CHROMEDRIVER", &driver)
-        .env("WASM_BINDGEN_TEST_TIMEOUT", "900"))?;
-    }
-    Ok(())
+    thread::scope(|scope| {
+        let running = ["webgl2", "webgpu"].map(|backend| {
+            let driver = &driver;
+            // An error of this kind does not go from thread to thread: its words do.
+            scope.spawn(move || shaders_by(backend, names, driver).map_err(|problem| problem.to_string()))
+        });
+        for run in running {
+            run.join().map_err(|_| "the tests of the shaders could not be run")??;
+        }
+        Ok(())
+    })
+}
+
+fn shaders_by(backend: &str, names: &[String], driver: &Path) -> Outcome {
+    let line = format!(
+        "test --release --target {WASM_TARGET} --package frond-render --test browser --no-default-features \
+         --features {backend}"
+    );
+    let mut command = cargo_wasm(&line);
+    command.args(names);
+    command.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", tools::path("wasm-bindgen-test-runner"));
+    // Of the system: one that is loaded would fit another browser.
+    command.env("CHROMEDRIVER", driver).env("WASM_BINDGEN_TEST_TIMEOUT", "900");
+    run_beside(&mut command)
 }
 
 /// One project of tests/e2e/playwright.config.ts.
