@@ -5,7 +5,7 @@ import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 
 /** Pages of the site, each of which becomes a file of its own in dist/. */
-const pages = ["index.html", "figures/index.html"].filter((page) => existsSync(page));
+const pages = ["index.html", "embed.html", "figures/index.html"].filter((page) => existsSync(page));
 
 const root = fileURLToPath(new URL(".", import.meta.url));
 

@@ -41,8 +41,8 @@ test("the link that is shared opens the same elsewhere", async ({ studio, page, 
   // Another link plays from the beginning.
   await sheet.getByRole("radio", { name: "At the beginning" }).check({ force: true });
   await sheet.getByRole("switch", { name: "Plays when it is opened" }).check({ force: true });
-  await sheet.getByRole("button", { name: "Copy" }).click();
-  await expect(sheet.getByText("Link copied.")).toBeVisible();
+  await sheet.getByRole("button", { name: "Copy", exact: true }).click();
+  await expect(sheet.getByText("Copied.", { exact: true })).toBeVisible();
   const playing = await page.evaluate(() => navigator.clipboard.readText());
   await page.keyboard.press("Escape");
 

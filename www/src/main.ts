@@ -34,7 +34,10 @@ async function begin(root: HTMLElement): Promise<void> {
   installHook();
 
   root.textContent = "";
-  render(h(App, { backend: parameters.backend }), root);
+  // In a frame of another page there is less of it.
+  const embedded = document.documentElement.dataset["page"] === "embed";
+  const View = embedded ? (await import("./shell/embed/Embed")).Embed : App;
+  render(h(View, { backend: parameters.backend }), root);
   await whenFirstPicture();
   startEngine(
     { page, proof: await proof },

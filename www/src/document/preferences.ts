@@ -26,10 +26,12 @@ export const dark: ReadonlySignal<boolean> = computed(() =>
 /** Nothing moves by itself, and nothing eases. */
 export const reducedMotion: ReadonlySignal<boolean> = media("(prefers-reduced-motion: reduce)");
 
-export function setTheme(next: Theme): void {
+/** Without `keep` it holds for this visit only. */
+export function setTheme(next: Theme, { keep = true }: { keep?: boolean } = {}): void {
   chosen.value = next;
   if (next === "auto") delete document.documentElement.dataset["theme"];
   else document.documentElement.dataset["theme"] = next;
+  if (!keep) return;
   try {
     if (next === "auto") localStorage.removeItem(KEY);
     else localStorage.setItem(KEY, next);

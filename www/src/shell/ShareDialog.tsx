@@ -33,7 +33,9 @@ export function ShareDialog() {
   // biome-ignore lint/correctness/useExhaustiveDependencies: once, for the link as it is first
   useEffect(() => {
     // The address bar has the same.
-    if (link.flush() && address !== null) void copy(address).then(setTold);
+    if (link.flush() && address !== null) {
+      void copy(address).then((words) => setTold(words === COPIED ? "Link copied." : words));
+    }
     void seenWords().then(setSeen);
   }, []);
   if (address === null) {
@@ -85,12 +87,22 @@ export function ShareDialog() {
           </>
         )}
         <Code address={address} />
-        {"share" in navigator && <Button onClick={() => void send(address)}>Send …</Button>}
+        <div class={css["share-more"]}>
+          <Button
+            icon="copy"
+            description="A frame for a page, a blog or a slide: the picture and a slider"
+            onClick={() => void copy(frameOf(address)).then(setTold)}
+          >
+            Copy embed code
+          </Button>
+          {"share" in navigator && <Button onClick={() => void send(address)}>Send …</Button>}
+        </div>
       </div>
     </Dialog>
   );
 }
 
+const COPIED = "Copied.";
 const CHANGED = "The link has changed: copy it again.";
 
 /** What is the same for all who open the link: the background belongs to a picture of space, and else to the page. */
@@ -141,11 +153,20 @@ function addressWith(start: "here" | "first", plays: boolean): string | null {
   return `${location.origin}${location.pathname}${plays ? "?play" : ""}#${fragment}`;
 }
 
+/** The document in a frame of another page: what stands in the address goes on in `embed.html`. */
+export function frameOf(address: string): string {
+  const url = new URL(address);
+  url.pathname = url.pathname.replace(/[^/]*$/, "embed.html");
+  // Quotes and ampersands end or begin something in an attribute.
+  const src = url.href.replace(/&/g, "&amp;").replace(/"/g, "&quot;").replace(/</g, "&lt;");
+  return `<iframe src="${src}" title="A fractal in Frond" width="640" height="400" loading="lazy"></iframe>`;
+}
+
 /** What came of it, in words. */
 async function copy(address: string): Promise<string> {
   try {
     await navigator.clipboard.writeText(address);
-    return "Link copied.";
+    return COPIED;
   } catch {
     return "Copying was not allowed here: choose the link, and copy it yourself.";
   }

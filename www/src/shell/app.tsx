@@ -3,16 +3,16 @@ import { signal, useSignalEffect } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
 import { route } from "#document/link";
-import { announcement, dismiss, notices, notify, wordsOf } from "#document/notice";
+import { notify, wordsOf } from "#document/notice";
 import { exportOpen } from "#film/open";
 import { Stage as SharedStage } from "#stage/stage";
 import type { PainterBackend } from "#stage/surface/painter";
 import { commandsOf } from "#stage/tool";
 import { type Command, help, listenForCommands } from "#ui/commands";
 import { lazily } from "#ui/lazy";
-import { Toasts } from "#ui/overlay/Toasts";
 import { curvesFetched } from "#wasm/curve";
 import { Header } from "./header";
+import { Notices } from "./Notices";
 import { Readout } from "./Readout";
 import css from "./shell.module.css";
 import { openedTool, TOOLS, watchTools } from "./tools";
@@ -27,20 +27,6 @@ export function App({ backend }: { backend: "auto" | PainterBackend }) {
       <Header />
       {at.page === "studio" ? <Studio backend={backend} /> : <FiguresPage figure={at.figure} />}
       <Notices />
-    </>
-  );
-}
-
-/** What is said, on screen and aloud. */
-function Notices() {
-  return (
-    <>
-      <div class="notices">
-        <Toasts toasts={notices.value} onDismiss={dismiss} />
-      </div>
-      <p class="unseen" role="status" aria-live="polite">
-        {announcement.value}
-      </p>
     </>
   );
 }
