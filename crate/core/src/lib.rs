@@ -32,6 +32,7 @@
 //!    other maps of the same shapes may be morphed instead ([`routes`]).
 //! 6. `animation/`: key frames ([`Motion3`]) and places ([`Place3`]). `projection/` and `intersection`: shadows of
 //!    shapes of space ([`exact_projection`]), and where two shapes meet ([`intersection()`]).
+//!    [`closed_form`]: which fractions and roots doubles come near.
 //!
 //! # The papers
 //!
@@ -43,6 +44,7 @@
 
 mod animation;
 mod bounds;
+pub mod closed_form;
 mod dimension;
 mod error;
 pub mod hash;

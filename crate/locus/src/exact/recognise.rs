@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use frond_core::Affine2;
+use frond_core::closed_form::{simplest_fraction, simplest_root};
 use num_bigint::BigInt;
 
 use crate::exact::quadratic::{Quadratic, QuadraticSystem, dyadic};
@@ -46,11 +47,6 @@ const GUESSES: [Guess; 5] = [
     Guess { d: 5, axis: Some(0) },
     Guess { d: 5, axis: Some(1) },
 ];
-/// The largest denominator of a fraction, and of a number with a root.
-const LARGEST_DENOMINATOR: i64 = 1000;
-const LARGEST_ROOT_DENOMINATOR: i64 = 48;
-/// The largest factor of a root.
-const LARGEST_ROOT_FACTOR: f64 = 4.0;
 /// Numbers with no more binary digits than this mean what they say.
 const SHORT_BITS: i64 = 20;
 /// Numbers of a system that fit nothing, after which none of it is read.
@@ -129,7 +125,7 @@ fn in_sines(x: f64, off: f64) -> Option<Value> {
         return Some(Value { p: 0, r: 0, q: 1, d: 0, of_pentagon: false });
     }
     let short = |(p, q)| Value { p, r: 0, q, d: 5, of_pentagon: true };
-    let value = short_fraction(x, off).map(short).or_else(|| with_root(x, off, 5))?;
+    let value = simplest_fraction(x, off).map(short).or_else(|| with_root(x, off, 5))?;
     Some(Value { of_pentagon: true, ..value })
 }
 
@@ -215,31 +211,9 @@ fn of_fraction(x: f64, off: f64) -> Option<Read> {
     Some(if p as f64 / q as f64 == x && q.count_ones() == 1 { Read::Itself } else { Read::As(value) })
 }
 
-/// The simplest fraction of small numbers within `off` of `x`, by the continued fraction.
-fn short_fraction(x: f64, off: f64) -> Option<(i64, i64)> {
-    let ((mut p0, mut q0), (mut p1, mut q1)) = ((0_i64, 1_i64), (1_i64, 0_i64));
-    let mut rest = x.abs();
-    for _ in 0..16 {
-        let whole = rest.floor();
-        if whole > 1e9 {
-            break;
-        }
-        let (p, q) = (whole as i64 * p1 + p0, whole as i64 * q1 + q0);
-        if q > LARGEST_DENOMINATOR || p > 1 << 40 {
-            break;
-        }
-        if (x.abs() - p as f64 / q as f64).abs() <= off {
-            return Some((if x < 0.0 { -p } else { p }, q));
-        }
-        ((p0, q0), (p1, q1)) = ((p1, q1), (p, q));
-        rest = 1.0 / (rest - whole);
-    }
-    None
-}
-
-/// The same, or a fraction that is written in a few decimals.
+/// The simplest fraction of small numbers, or one that is written in a few decimals.
 fn fraction(x: f64, off: f64) -> Option<(i64, i64)> {
-    if let Some(short) = short_fraction(x, off) {
+    if let Some(short) = simplest_fraction(x, off) {
         return Some(short);
     }
     // The shortest decimal that is this double: what a person typed has few digits.
@@ -263,23 +237,10 @@ fn gcd_i64(mut a: i64, mut b: i64) -> i64 {
     a.max(1)
 }
 
-/// `(p + r sqrt(d)) / q` within `off`, of the least `q`, then `r`.
+/// As [`simplest_root`] has it.
 fn with_root(x: f64, off: f64, d: u8) -> Option<Value> {
-    let root = f64::from(d).sqrt();
-    for q in 1..=LARGEST_ROOT_DENOMINATOR {
-        let scaled = x * q as f64;
-        for r in 1..=(LARGEST_ROOT_FACTOR * q as f64) as i64 {
-            for r in [r, -r] {
-                let p = (scaled - r as f64 * root).round();
-                let away = (scaled - r as f64 * root - p).abs();
-                // The root itself is rounded, too.
-                if away <= off * q as f64 + 2.0 * f64::EPSILON * (r as f64).abs() && p.abs() < 1e6 {
-                    return Some(Value { p: p as i64, r, q, d, of_pentagon: false });
-                }
-            }
-        }
-    }
-    None
+    let (p, r, q) = simplest_root(x, off, d)?;
+    Some(Value { p, r, q, d, of_pentagon: false })
 }
 
 impl Value {
