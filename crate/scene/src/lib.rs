@@ -6,8 +6,8 @@
 //! # The order in which to read it
 //!
 //! 1. `scene`: the document, and `preset`, the gallery of shapes it begins with.
-//! 2. `deformation`, `curve`, `fit` and `space/`: what the tools keep in it. `space/` has a gallery ([`presets3`]),
-//!    files ([`parse_ifs3`]) and key frames ([`Film`]) of its own.
+//! 2. `deformation`, `curve`, `fit` and `space/`: what the tools keep in it. `space/` has a gallery ([`presets3`])
+//!    and key frames ([`Film`]) of its own.
 //! 3. `link`: how each part is written and read, and that old links stay what they were.
 //!
 //! A link is a promise: what this crate writes today opens for ever. `tests/links.txt` holds links of every version.
@@ -29,8 +29,8 @@ pub use scene::{
     FamilyName, LocusView, MAX_WAY_POINTS, Path, PathKind, Scene, Shape, Tool, WayPoint, Window,
 };
 pub use space::{
-    FileError, Film, FilmError, Held, IntersectionExample, MAX_KEYS3, MAX_OBJECTS3, MAX_PACKED, Moment,
-    Moved, PackedError, PaintName, Preset3, Repeat, Row3, Shape3, Space, SpaceFile, SpaceKey, SpaceLight,
-    SpaceMorph, SpaceObject, SpacePart, SpaceSystems, SpaceView, Thing, Timeline, intersection_examples,
-    natural_objects, natural_scene, pack, parse_ifs3, preset3, presets3, unpack, write_ifs3,
+    Film, FilmError, Held, IntersectionExample, MAX_KEYS3, MAX_OBJECTS3, MAX_PACKED, Moment, Moved,
+    PackedError, PaintName, Preset3, Repeat, Row3, Shape3, Space, SpaceKey, SpaceLight, SpaceMorph,
+    SpaceObject, SpacePart, SpaceView, Thing, Timeline, intersection_examples, natural_objects,
+    natural_scene, pack, preset3, presets3, unpack,
 };

@@ -1,7 +1,6 @@
-//! Space: its document, its gallery, its files and its links.
+//! Space: its document, its gallery and its links.
 
 mod document;
-mod file;
 mod film;
 mod intersection_examples;
 mod natural;
@@ -13,7 +12,6 @@ pub use document::{
     MAX_KEYS3, MAX_OBJECTS3, PaintName, Repeat, Shape3, Space, SpaceKey, SpaceLight, SpaceMorph, SpaceObject,
     Timeline, natural_objects,
 };
-pub use file::{FileError, SpaceFile, SpaceSystems, parse_ifs3, write_ifs3};
 pub use film::{Film, FilmError, Moment, Moved};
 pub use intersection_examples::{IntersectionExample, intersection_examples};
 pub use natural::{Thing, natural_scene};

@@ -4,7 +4,8 @@ use frond_core::{
     Affine2, Affine3, Bounds3, ChaosGame3, Contraction3, Place3, affinity_dimension, box_dimension,
     similarity_dimension,
 };
-use frond_scene::{FileError, Row3, SpaceFile};
+use frond_exchange::{FileError, SpaceFile};
+use frond_scene::Row3;
 use glam::{DMat3, DVec3};
 use js_sys::{Float32Array, Uint8Array};
 use serde::{Deserialize, Serialize};
@@ -176,7 +177,7 @@ struct PlainFile {
     unchecked_return_type = "{ name: string; maps: MapRow3[]; probabilities: number[] }[]"
 )]
 pub fn parse_file(text: &str) -> Result<JsValue, JsValue> {
-    let found = frond_scene::parse_ifs3(text).map_err(|error| of_file(&error))?;
+    let found = frond_exchange::parse_ifs3(text).map_err(|error| of_file(&error))?;
     let plain =
         |file: SpaceFile| PlainFile { name: file.name, maps: file.maps, probabilities: file.probabilities };
     write(&found.systems.into_iter().map(plain).collect::<Vec<_>>())
@@ -186,7 +187,7 @@ pub fn parse_file(text: &str) -> Result<JsValue, JsValue> {
 /// file of these alone.
 #[wasm_bindgen(js_name = countFlat)]
 pub fn count_flat(text: &str) -> Result<usize, JsValue> {
-    match frond_scene::parse_ifs3(text) {
+    match frond_exchange::parse_ifs3(text) {
         Ok(found) => Ok(found.flat),
         Err(FileError::Flat { count, .. }) => Ok(count),
         Err(error) => Err(of_file(&error)),
@@ -209,7 +210,7 @@ pub fn write_file(
         maps: ifs.maps().iter().map(|map| map.to_row()).collect(),
         probabilities: ifs.probabilities().to_vec(),
     };
-    Ok(frond_scene::write_ifs3(&file))
+    Ok(frond_exchange::write_ifs3(&file))
 }
 
 /// Maps of the plane as maps of space, flat at z = 0: across the plane each shrinks as it does along it on the whole.

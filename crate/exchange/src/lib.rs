@@ -1,0 +1,52 @@
+//! Maps from the files of other programs, and for them.
+//!
+//! [`import`] says what a file is by what is in it, and reads the systems that it has; [`export`] writes one as text.
+//! What is written as the text of doubles comes back to the last bit.
+//!
+//! ```
+//! use frond_exchange::{ExportFormat, export, import};
+//!
+//! let found = import(b"binary { ; two halves\n .5 0 0 .5 0 0 .5\n .5, 0, 0, .5, .5, 0, .5 }")?;
+//! assert_eq!(found.systems[0].name, "binary");
+//! let python = export(&found.systems[0], ExportFormat::Python)?;
+//! assert!(python.contains("import numpy"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # What is read
+//!
+//! | file | what of it |
+//! |---|---|
+//! | Fractint's `.ifs`, and that of other programs | systems of the plane, six or seven numbers a map, and of space (`(3D)`), twelve or thirteen; remarks, commas, names of several words |
+//! | `.flame` (flam3, Apophysis) | transforms with a linear part, their `post` composed; y is turned up. What else there is, is counted and said |
+//! | `.aifs` (IFStile) | maps of numbers, their products and one equation of a set; `read/ifstile.rs` says what else |
+//! | JSON | `{ maps }` as the programming interface has it, alone or several; whole documents |
+//! | tables | six or seven columns, in space twelve or thirteen |
+//! | PNG | the link that Frond wrote into it |
+//!
+//! Nothing in a file is run. Sizes are looked at before anything is read, and no input takes more than a few times its
+//! own size.
+//!
+//! # In which order to read it
+//!
+//! 1. `system`: what is exchanged. `number`: how its numbers are written where exact ones are wanted.
+//! 2. `read/`: a file a format; `import` tells which it is, `problem` says what can be wrong.
+//! 3. `write/`: a file a format; `export` chooses, and says what each is called.
+//! 4. `png`: the link in a picture. `locus`: the samples of a locus, for other programs to work on.
+
+mod locus;
+mod number;
+mod png;
+mod read;
+mod system;
+mod text;
+mod write;
+
+pub use locus::{LocusSamples, locus_csv, locus_npy};
+pub use png::{link_in_png, png_with_link};
+pub use read::fractint::{FileError, SpaceFile, SpaceSystems, parse_ifs3};
+pub use read::import::{FileFormat, Imported, import};
+pub use read::problem::ImportError;
+pub use system::{Maps, Row, Row3, System};
+pub use write::export::{ExportError, ExportFormat, export};
+pub use write::fractint::write_ifs3;

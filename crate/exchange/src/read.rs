@@ -1,0 +1,9 @@
+//! Files, a format each.
+
+pub(crate) mod flame;
+pub(crate) mod fractint;
+pub(crate) mod ifstile;
+pub(crate) mod import;
+pub(crate) mod json;
+pub(crate) mod problem;
+pub(crate) mod table;

@@ -1,0 +1,407 @@
+//! `.flame` files of flam3, Apophysis and others: XML, a `flame` with an `xform` for each transform.
+//!
+//! A transform is an affine map, `coefs`, a sum of functions of the plane ("variations"), each with its weight, and
+//! perhaps a second affine map, `post`. Of the functions only `linear` is affine: with its weight it is read, with all
+//! others it is not. Numbers stand in columns, `a d b e c f` for x' = a x + b y + c and y' = d x + e y + f, and y points
+//! down.
+
+use frond_core::{Affine2, MAX_MAPS};
+use quick_xml::Reader;
+use quick_xml::escape::unescape;
+use quick_xml::events::attributes::Attributes;
+use quick_xml::events::{BytesStart, Event};
+
+use super::problem::{Gathered, ImportError, MAX_SYSTEMS};
+use crate::system::{Row, System};
+use crate::text::{name_or, number, short};
+
+/// The function that is affine, under all its names.
+const LINEAR: [&str; 3] = ["linear", "linear3D", "linear2D"];
+/// What moves only a third coordinate, or nothing at all.
+const STILL: [&str; 6] = ["flatten", "zscale", "ztranslate", "pre_zscale", "pre_ztranslate", "flatten3D"];
+/// What a transform says besides its functions.
+const OTHER: [&str; 20] = [
+    "weight",
+    "color",
+    "color_speed",
+    "symmetry",
+    "animate",
+    "opacity",
+    "coefs",
+    "post",
+    "chaos",
+    "name",
+    "plotmode",
+    "var",
+    "var1",
+    "var_color",
+    "index",
+    "motion_frequency",
+    "motion_function",
+    "coefs_angle",
+    "post_angle",
+    "mutation_weight",
+];
+/// Names of functions that a remark tells.
+const MOST_TOLD: usize = 5;
+
+/// Reads the linear part of each flame.
+pub fn read_flames(text: &str) -> Result<Gathered, ImportError> {
+    let mut reader = Reader::from_str(text);
+    // What stands between tags is not looked at.
+    reader.config_mut().allow_dangling_amp = true;
+    let line_at = |at: u64| {
+        let before = &text.as_bytes()[..text.len().min(usize::try_from(at).unwrap_or(usize::MAX))];
+        1 + before.iter().filter(|&&byte| byte == b'\n').count()
+    };
+    let (mut all, mut open, mut count): (Gathered, Option<Flame>, usize) = (Gathered::default(), None, 0);
+    let mut finish = |flame: Flame, line: &dyn Fn(u64) -> usize| {
+        count += 1;
+        if count <= MAX_SYSTEMS {
+            all.take(flame.finish(line));
+        }
+    };
+    loop {
+        let event = reader.read_event().map_err(|error| ImportError::At {
+            code: "flame-broken",
+            line: line_at(reader.error_position()),
+            why: format!(
+                "The XML breaks off or is miswritten there ({}). Save it again.",
+                short(&error.to_string(), 100)
+            ),
+        })?;
+        let at = reader.buffer_position();
+        match event {
+            Event::Start(tag) | Event::Empty(tag) if tag.name().as_ref() == "flame" => {
+                if let Some(flame) = open.replace(Flame::new(&tag, at)) {
+                    finish(flame, &line_at);
+                }
+            }
+            Event::Start(tag) | Event::Empty(tag) => {
+                if let Some(flame) = &mut open {
+                    flame.take(&tag, at);
+                }
+            }
+            Event::End(tag) if tag.name().as_ref() == "flame" => {
+                if let Some(flame) = open.take() {
+                    finish(flame, &line_at);
+                }
+            }
+            Event::Eof => break,
+            _ => {}
+        }
+    }
+    // An empty tag, or a file that was cut off.
+    if let Some(flame) = open {
+        finish(flame, &line_at);
+    }
+    if count > MAX_SYSTEMS {
+        all.remarks.push(format!("The file has {count} flames: the first {MAX_SYSTEMS} are looked at."));
+    }
+    all.finish(ImportError::Within {
+        code: "flame-nothing",
+        why: "There is no flame in this file. One looks so: <flame name=\"..\"><xform weight=\"1\" linear=\"1\" coefs=\"..\"/></flame>."
+            .into(),
+    })
+}
+
+/// A flame that is being read.
+#[derive(Default)]
+struct Flame {
+    name: String,
+    at: u64,
+    maps: Vec<Row>,
+    weights: Vec<Option<f64>>,
+    /// Transforms there are, those without a linear part or a weight, and those with more than it.
+    count: usize,
+    bent: usize,
+    unused: usize,
+    partly: usize,
+    functions: Vec<String>,
+    left: Vec<&'static str>,
+    wrong: Option<(u64, String)>,
+}
+
+impl Flame {
+    fn new(tag: &BytesStart<'_>, at: u64) -> Self {
+        let mut flame = Self { at, ..Self::default() };
+        for (key, value) in attributes(tag) {
+            match key {
+                "name" => {
+                    flame.name =
+                        unescape(value).map_or_else(|_| name_or(value, ""), |name| name_or(&name, ""))
+                }
+                "palette" => flame.leave("its palette, since shapes have no colours of their own"),
+                _ => {}
+            }
+        }
+        flame
+    }
+
+    fn leave(&mut self, what: &'static str) {
+        if !self.left.contains(&what) {
+            self.left.push(what);
+        }
+    }
+
+    fn take(&mut self, tag: &BytesStart<'_>, at: u64) {
+        match tag.name().as_ref() {
+            "xform" => {
+                self.count += 1;
+                if self.wrong.is_none() && self.maps.len() <= MAX_MAPS {
+                    self.wrong = self.transform(tag).err().map(|why| (at, why));
+                }
+            }
+            "finalxform" => self.leave("its final transform"),
+            "color" | "colors" | "palette" | "gradient" => {
+                self.leave("its palette, since shapes have no colours of their own");
+            }
+            "symmetry" => self.leave("its symmetry"),
+            _ => {}
+        }
+    }
+
+    fn transform(&mut self, tag: &BytesStart<'_>) -> Result<(), String> {
+        let (mut coefs, mut post, mut weight) = (None, None, None);
+        let (mut linear, mut functions, mut any) = (0.0, Vec::new(), false);
+        for (key, value) in attributes(tag) {
+            let one = || {
+                number(value.trim()).ok_or_else(|| format!("{key}=\"{}\" is no number.", short(value, 40)))
+            };
+            match key {
+                "coefs" => coefs = Some(columns(key, value)?),
+                "post" => post = Some(columns(key, value)?),
+                "weight" => weight = Some(one()?),
+                "chaos" => self.leave("which transform may follow which (xaos)"),
+                // Of old: the weights of all functions in their order, or the number of one.
+                "var" => {
+                    any = true;
+                    let mut list = value.split_ascii_whitespace().map(number);
+                    linear += list.next().flatten().unwrap_or(0.0);
+                    functions.extend(list.flatten().any(|x| x != 0.0).then_some("others"));
+                }
+                "var1" => {
+                    any = true;
+                    if number(value.trim()) == Some(0.0) { linear += 1.0 } else { functions.push("others") }
+                }
+                _ if LINEAR.contains(&key) => {
+                    any = true;
+                    linear += one()?;
+                }
+                _ if OTHER.contains(&key) || STILL.contains(&key) => {}
+                _ => {
+                    if let Some(x) = number(value.trim()) {
+                        any = true;
+                        if x != 0.0 && functions.len() < 200 {
+                            functions.push(key);
+                        }
+                    }
+                }
+            }
+        }
+        // Where nothing is said, a transform is affine.
+        if !any {
+            linear = 1.0;
+        }
+        // The settings of a function begin with its name.
+        let names = functions.clone();
+        let setting = |key: &str| key.match_indices('_').any(|(at, _)| names.contains(&&key[..at]));
+        functions.retain(|key| !setting(key));
+        for name in &functions {
+            if self.functions.len() <= MOST_TOLD && !self.functions.iter().any(|known| known == name) {
+                self.functions.push(short(name, 24));
+            }
+        }
+        if weight == Some(0.0) {
+            self.unused += 1;
+            return Ok(());
+        }
+        if linear == 0.0 {
+            self.bent += 1;
+            return Ok(());
+        }
+        self.partly += usize::from(!functions.is_empty());
+        let mut map = coefs.unwrap_or(Affine2::IDENTITY);
+        if linear != 1.0 {
+            map = Affine2::from_row(map.to_row().map(|x| linear * x));
+        }
+        if let Some(post) = post.filter(|post| *post != Affine2::IDENTITY) {
+            map = post * map;
+        }
+        self.maps.push(turned_over(map.to_row()));
+        self.weights.push(weight);
+        Ok(())
+    }
+
+    fn finish(self, line_at: &dyn Fn(u64) -> usize) -> Result<System, ImportError> {
+        let Self { name, maps, weights, count, bent, unused, partly, functions, left, wrong, at } = self;
+        let whose = if name.is_empty() { "The flame".to_owned() } else { format!("“{name}”") };
+        let fail = |code, at, why| Err(ImportError::At { code, line: line_at(at), why });
+        if let Some((at, why)) = wrong {
+            return fail("flame-number", at, format!("{why} Mend it, or leave the transform out."));
+        }
+        if maps.len() > MAX_MAPS {
+            let why = format!("{whose} has more than 64 transforms, and the most is 64. Leave some out.");
+            return fail("flame-maps", at, why);
+        }
+        let told = if functions.len() > MOST_TOLD {
+            format!("{} ..", functions[..MOST_TOLD].join(", "))
+        } else {
+            functions.join(", ")
+        };
+        if maps.is_empty() {
+            let why = match count {
+                0 => format!("{whose} has no transform."),
+                _ => format!(
+                    "None of the {count} transforms of {} has a linear part ({told}), so that nothing of it is affine.",
+                    if name.is_empty() { "the flame" } else { &whose }
+                ),
+            };
+            return fail("flame-not-affine", at, why);
+        }
+        let mut system = System::plane(name, maps);
+        if bent > 0 {
+            let kept = system.maps.len();
+            let which = if bent == 1 { "One has".into() } else { format!("{bent} have") };
+            system
+                .remarks
+                .push(format!("{kept} of {count} transforms are kept. {which} no linear part ({told})."));
+        }
+        if partly > 0 {
+            let which = if partly == 1 { "one transform".into() } else { format!("{partly} transforms") };
+            system
+                .remarks
+                .push(format!("Of {which} only the linear part is kept, not what is added to it ({told})."));
+        }
+        if unused > 0 {
+            let which =
+                if unused == 1 { "One transform has".into() } else { format!("{unused} transforms have") };
+            system.remarks.push(format!("{which} the weight 0: left out."));
+        }
+        if !left.is_empty() {
+            system.remarks.push(format!("Left out: {}.", left.join("; ")));
+        }
+        system.take_weights(&weights);
+        Ok(system)
+    }
+}
+
+/// The map whose six numbers stand in columns; y still points down.
+fn columns(key: &str, text: &str) -> Result<Affine2, String> {
+    let mut row = [0.0; 6];
+    let mut words = text.split_ascii_whitespace();
+    // a d b e c f, to rows.
+    for k in [0, 2, 1, 3, 4, 5] {
+        let word = words.next().unwrap_or_default();
+        row[k] = number(word).ok_or_else(|| format!("{key}=\"{}\" is not six numbers.", short(text, 60)))?;
+    }
+    match words.next() {
+        None => Ok(Affine2::from_row(row)),
+        Some(_) => Err(format!("{key}=\"{}\" is more than six numbers.", short(text, 60))),
+    }
+}
+
+/// The same map where y points the other way. Zeros keep their sign, which means nothing and would be written.
+pub fn turned_over([a, b, c, d, e, f]: Row) -> Row {
+    let negative = |x: f64| if x == 0.0 { x } else { -x };
+    [a, negative(b), negative(c), d, e, negative(f)]
+}
+
+/// The attributes of a tag, as they are written. That none comes twice is not asked, which would take the square of
+/// their number.
+fn attributes<'a>(tag: &'a BytesStart<'_>) -> impl Iterator<Item = (&'a str, &'a str)> {
+    let text: &str = tag;
+    let mut all = Attributes::new(text, tag.name().as_ref().len());
+    all.with_checks(false);
+    all.flatten().filter_map(|attribute| match attribute.value {
+        std::borrow::Cow::Borrowed(value) => Some((attribute.key.into_inner(), value)),
+        std::borrow::Cow::Owned(_) => None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::system::Maps;
+
+    fn flames(text: &str) -> Vec<System> {
+        read_flames(text).unwrap().systems
+    }
+
+    fn told(text: &str) -> String {
+        read_flames(text).map(|_| ()).unwrap_err().to_string()
+    }
+
+    const FILE: &str = "<?xml version='1.0'?>
+        <Flames name='pack'>
+        <flame name='A &amp; B' size='10 10' palette='3'>
+          <xform weight='0.5' color='0' linear='1' coefs='1 2 3 4 5 6'/>
+          <xform weight='2' linear3D='0.5' coefs='1 0 0 1 2 4' post='0 1 -1 0 1 0'/>
+        </flame>
+        <flame>
+          <xform weight='-1' linear='1' julian='0.25' julian_power='2' julian_dist='1' coefs='.5 0 0 .5 0 0'/>
+          <xform weight='1' spherical='1' coefs='.5 0 0 .5 0 0'/>
+          <xform weight='0' linear='1' coefs='.5 0 0 .5 0 0'/>
+          <finalxform linear='1' coefs='1 0 0 1 0 0'/>
+          <color index='0' rgb='1 2 3'/>
+        </flame>
+        </Flames>";
+
+    #[test]
+    fn columns_are_rows_and_y_points_up() {
+        let [first, _] = &flames(FILE)[..] else { panic!() };
+        assert_eq!(first.name, "A & B");
+        let Maps::Plane(rows) = &first.maps else { panic!() };
+        // x' = x + 3 y + 5, y' = 2 x + 4 y + 6 with y down.
+        assert_eq!(rows[0], [1.0, -3.0, -2.0, 4.0, 5.0, -6.0]);
+        // Halved, then turned by a quarter and moved by 1: x' = -(y + 4)/2 + 1, y' = (x + 2)/2 with y down.
+        assert_eq!(rows[1], [0.0, 0.5, -0.5, 0.0, -1.0, -1.0]);
+        assert_eq!(first.probabilities, [0.5, 2.0]);
+        assert_eq!(first.remarks, ["Left out: its palette, since shapes have no colours of their own."]);
+    }
+
+    #[test]
+    fn what_is_not_affine_is_counted_and_said() {
+        let [_, second] = &flames(FILE)[..] else { panic!() };
+        assert_eq!(second.maps.len(), 1);
+        assert_eq!(
+            second.remarks,
+            [
+                "1 of 3 transforms are kept. One has no linear part (julian, spherical).",
+                "Of one transform only the linear part is kept, not what is added to it (julian, spherical).",
+                "One transform has the weight 0: left out.",
+                "Left out: its final transform; its palette, since shapes have no colours of their own.",
+                "One weight is negative: taken without the sign.",
+            ]
+        );
+    }
+
+    #[test]
+    fn transforms_of_old_are_read() {
+        let old = |more: &str| format!("<flame><xform {more} coefs='.5 0 0 .5 1 0'/></flame>");
+        for linear in ["", "var='1 0 0'", "var1='0'", "linear='1'"] {
+            let Maps::Plane(rows) = &flames(&old(linear))[0].maps else { panic!() };
+            assert_eq!(rows[0], [0.5, 0.0, 0.0, 0.5, 1.0, 0.0], "{linear}");
+        }
+        for bent in ["var='0 1 0'", "var1='2'", "swirl='1'", "linear='0'"] {
+            assert!(told(&old(bent)).starts_with("Line 1: None of the 1 transforms"), "{bent}");
+        }
+    }
+
+    #[test]
+    fn mistakes_are_named_with_their_line() {
+        assert!(
+            told("<flame>\n<xform coefs='1 2 3'/></flame>")
+                .starts_with("Line 2: coefs=\"1 2 3\" is not six numbers.")
+        );
+        assert!(
+            told("<flame>\n\n<xform weight='x' coefs='1 2 3 4 5 6'/></flame>")
+                .starts_with("Line 3: weight=\"x\" is no number.")
+        );
+        assert!(told("<flame name='a'></flame>").starts_with("Line 1: “a” has no transform."));
+        assert!(told("<flames></flames>").starts_with("There is no flame"));
+        assert!(told("<flame>\n</flames>").starts_with("Line 2: The XML breaks off"));
+        let many = format!("<flame>{}</flame>", "<xform coefs='.1 0 0 .1 0 0'/>".repeat(65));
+        assert!(told(&many).contains("more than 64 transforms"));
+    }
+}

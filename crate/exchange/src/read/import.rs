@@ -1,0 +1,181 @@
+//! A file of any kind: what it is, and the systems in it.
+
+use super::problem::{Gathered, ImportError};
+use super::{flame, fractint, ifstile, json, table};
+use crate::png::{is_png, link_in_png};
+use crate::system::System;
+use crate::text::decode;
+
+/// What a file is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileFormat {
+    /// Fractint's, and of programs that write like it.
+    Fractint,
+    /// XML of flam3, Apophysis and others.
+    Flame,
+    /// IFStile's.
+    IfsTile,
+    /// Frond's own maps, or a document.
+    Json,
+    /// A map a line.
+    Table,
+    /// A picture with a link in it.
+    Png,
+}
+
+impl FileFormat {
+    /// A name that stays the same over versions, for programs.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Fractint => "fractint",
+            Self::Flame => "flame",
+            Self::IfsTile => "ifstile",
+            Self::Json => "json",
+            Self::Table => "table",
+            Self::Png => "png",
+        }
+    }
+
+    /// The most MiB that are read of it.
+    const fn most(self) -> usize {
+        match self {
+            Self::Fractint | Self::Table => 1,
+            Self::Json | Self::IfsTile => 2,
+            Self::Flame => 8,
+            Self::Png => 256,
+        }
+    }
+
+    const fn words(self) -> &'static str {
+        match self {
+            Self::Fractint => "an .ifs file",
+            Self::Flame => "a .flame file",
+            Self::IfsTile => "an .aifs file",
+            Self::Json => "JSON",
+            Self::Table => "a table",
+            Self::Png => "a PNG",
+        }
+    }
+}
+
+/// What was in a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Imported {
+    /// What it is.
+    pub format: FileFormat,
+    /// Its systems, in their order; none where it holds a document.
+    pub systems: Vec<System>,
+    /// What is to be said of the file as a whole, a sentence or two each.
+    pub remarks: Vec<String>,
+    /// The fragment of the link of a document.
+    pub link: Option<String>,
+}
+
+/// As much of a text as says what it is.
+const HEAD_BYTES: usize = 64 << 10;
+
+/// Reads a file, whatever its name is.
+///
+/// # Errors
+/// [`ImportError`], with the line where there are lines. Where several systems are in a file, one that is miswritten is
+/// passed over and said.
+pub fn import(bytes: &[u8]) -> Result<Imported, ImportError> {
+    let format = format_of(bytes)?;
+    let most = format.most();
+    if bytes.len() > most << 20 {
+        let megabytes = bytes.len().div_ceil(1 << 20);
+        return Err(ImportError::TooLarge { format: format.words(), megabytes, most });
+    }
+    let document = |link| Imported { format, systems: Vec::new(), remarks: Vec::new(), link: Some(link) };
+    if format == FileFormat::Png {
+        return link_in_png(bytes).map(document).ok_or(ImportError::NoLink);
+    }
+    let text = decode(bytes);
+    let read = match format {
+        FileFormat::Fractint => fractint::read_fractint(&text),
+        FileFormat::Flame => flame::read_flames(&text),
+        FileFormat::IfsTile => ifstile::read_ifstile(&text),
+        FileFormat::Table => table::read_table(&text),
+        FileFormat::Json | FileFormat::Png => match json::read_json(&text)? {
+            json::Content::Link(link) => return Ok(document(link)),
+            json::Content::Systems(systems) => Ok(systems),
+        },
+    };
+    let Gathered { systems, remarks, .. } = read?;
+    Ok(Imported { format, systems, remarks, link: None })
+}
+
+fn format_of(bytes: &[u8]) -> Result<FileFormat, ImportError> {
+    if is_png(bytes) {
+        return Ok(FileFormat::Png);
+    }
+    let head = decode(&bytes[..bytes.len().min(HEAD_BYTES)]);
+    let text = head.trim_start();
+    if text.is_empty() {
+        return Err(if bytes.len() > HEAD_BYTES { ImportError::Unknown } else { ImportError::Empty });
+    }
+    // Text has no bytes that steer machines of old, but for tabs and ends of lines, pages and files.
+    if text
+        .chars()
+        .any(|c| c.is_control() && !matches!(c, '\t' | '\n' | '\r' | '\u{c}' | '\u{1a}' | '\u{80}'..))
+    {
+        return Err(ImportError::Unknown);
+    }
+    if text.starts_with('<') {
+        let known = ["<flame", "<Flame", "<flames"].iter().any(|tag| text.contains(tag));
+        return if known { Ok(FileFormat::Flame) } else { Err(ImportError::Unknown) };
+    }
+    // A system of Fractint without a name begins with a brace, too.
+    let object = text.strip_prefix('{').is_some_and(|rest| rest.trim_start().starts_with(['"', '}']));
+    if text.starts_with('[') || object {
+        return Ok(FileFormat::Json);
+    }
+    let mut lines = text.lines().map(str::trim_start);
+    if lines.any(|line| line.starts_with('@') || line.starts_with("$dim")) {
+        return Ok(FileFormat::IfsTile);
+    }
+    let braces =
+        text.lines().any(|line| line.split(';').next().is_some_and(|line| line.contains(['{', '}'])));
+    Ok(if braces { FileFormat::Fractint } else { FileFormat::Table })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_are_known_by_what_is_in_them() {
+        for (text, wanted) in [
+            (&b"; a remark\nfern { 1 2 3 4 5 6 }"[..], "fractint"),
+            (b"{ .5 0 0 .5 0 0 }", "fractint"),
+            (b"\xef\xbb\xbffern\r\n{\r\n}", "fractint"),
+            (b"<?xml version='1.0'?>\n<flames><flame/></flames>", "flame"),
+            (b"<html><body>", "file-unknown"),
+            (b"<svg xmlns='http://www.w3.org/2000/svg'/>", "file-unknown"),
+            (b" {\"maps\": []}", "json"),
+            (b"[[1,2,3,4,5,6]]", "json"),
+            (b"# by hand\n@\n$dim=2\nA=A", "ifstile"),
+            (b"a,b,c,d,e,f\n1,2,3,4,5,6\n", "table"),
+            (b"\x89PNG\r\n\x1a\n", "png"),
+            (b"", "file-empty"),
+            (b" \r\n\t", "file-empty"),
+            (b"\0\0\0\x18ftypmp42", "file-unknown"),
+        ] {
+            let known = format_of(text).map_or_else(|error| error.code(), FileFormat::id);
+            assert_eq!(known, wanted, "{:?}", String::from_utf8_lossy(text));
+        }
+    }
+
+    #[test]
+    fn sizes_are_looked_at_first() {
+        let mut large = b"fern { ".to_vec();
+        large.resize(3 << 20, b' ');
+        let told = import(&large).unwrap_err();
+        assert_eq!(told.code(), "file-too-large");
+        assert_eq!(
+            told.to_string(),
+            "The file has 3 MB, and of an .ifs file at most 1 MB are read. Cut it into several."
+        );
+    }
+}

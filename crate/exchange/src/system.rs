@@ -1,0 +1,115 @@
+//! What is exchanged: the maps of one system.
+
+use frond_core::{Affine2, Affine3, Ifs, Ifs3, IfsError};
+pub use frond_scene::{Row, Row3};
+
+/// The maps of a system.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Maps {
+    /// Of the plane.
+    Plane(Vec<Row>),
+    /// Of space.
+    Space(Vec<Row3>),
+}
+
+impl Maps {
+    /// How many there are.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        match self {
+            Self::Plane(rows) => rows.len(),
+            Self::Space(rows) => rows.len(),
+        }
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The numbers of each map.
+    pub(crate) fn rows(&self) -> Vec<&[f64]> {
+        match self {
+            Self::Plane(rows) => rows.iter().map(|row| &row[..]).collect(),
+            Self::Space(rows) => rows.iter().map(|row| &row[..]).collect(),
+        }
+    }
+}
+
+/// A system of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct System {
+    /// Its name there.
+    pub name: String,
+    /// Its maps.
+    pub maps: Maps,
+    /// How often each is chosen in the chaos game, as it is given: none is negative, their sum need not be 1. Empty
+    /// where nothing is said.
+    pub probabilities: Vec<f64>,
+    /// What was left out or changed in reading it, a sentence each.
+    pub remarks: Vec<String>,
+}
+
+impl System {
+    /// A system of the plane.
+    #[must_use]
+    pub const fn plane(name: String, maps: Vec<Row>) -> Self {
+        Self { name, maps: Maps::Plane(maps), probabilities: Vec::new(), remarks: Vec::new() }
+    }
+
+    /// A system of space.
+    #[must_use]
+    pub const fn space(name: String, maps: Vec<Row3>) -> Self {
+        Self { name, maps: Maps::Space(maps), probabilities: Vec::new(), remarks: Vec::new() }
+    }
+
+    /// Whether it has an attractor that can be drawn.
+    ///
+    /// # Errors
+    /// [`IfsError`] where it has none.
+    pub fn check(&self) -> Result<(), IfsError> {
+        self.found_probabilities().map(|_| ())
+    }
+
+    /// The probabilities: those given, else in proportion to what each map leaves of areas; equal where there is no
+    /// attractor.
+    pub(crate) fn weights(&self) -> Vec<f64> {
+        let count = self.maps.len();
+        let sum: f64 = self.probabilities.iter().sum();
+        if self.probabilities.len() == count && sum > 0.0 && sum.is_finite() {
+            return self.probabilities.clone();
+        }
+        self.found_probabilities().unwrap_or_else(|_| vec![1.0 / count.max(1) as f64; count])
+    }
+
+    /// Takes the weights of a file, where each map has one. What is negative counts as if it were not, which is said.
+    pub(crate) fn take_weights(&mut self, weights: &[Option<f64>]) {
+        let Some(given) = weights.iter().copied().collect::<Option<Vec<f64>>>() else { return };
+        let negative = given.iter().filter(|weight| **weight < 0.0).count();
+        if negative > 0 {
+            let which =
+                if negative == 1 { "One weight is".into() } else { format!("{negative} weights are") };
+            self.remarks.push(format!("{which} negative: taken without the sign."));
+        }
+        let given: Vec<f64> = given.into_iter().map(f64::abs).collect();
+        let sum: f64 = given.iter().sum();
+        // All zero, or too large together: such weights say nothing.
+        if sum > 0.0 && sum.is_finite() {
+            self.probabilities = given;
+        }
+    }
+
+    fn found_probabilities(&self) -> Result<Vec<f64>, IfsError> {
+        match &self.maps {
+            Maps::Plane(rows) => {
+                let maps = rows.iter().map(|&row| Affine2::from_row(row)).collect();
+                Ifs::new(maps).map(|ifs| ifs.probabilities().to_vec())
+            }
+            Maps::Space(rows) => {
+                let maps = rows.iter().map(|&row| Affine3::from_row(row)).collect();
+                Ifs3::new(maps).map(|ifs| ifs.probabilities().to_vec())
+            }
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! Bytes as text.
+
+use std::borrow::Cow;
+
+/// Reads bytes as UTF-8, as UTF-16 where a mark says so, or else as Latin-1: old files name their shapes in it.
+pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
+    let wide = |rest: &[u8], unit: fn([u8; 2]) -> u16| {
+        let units = rest.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
+        char::decode_utf16(units).map(|letter| letter.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
+    };
+    if let Some(rest) = bytes.strip_prefix(b"\xff\xfe") {
+        return Cow::Owned(wide(rest, u16::from_le_bytes));
+    }
+    if let Some(rest) = bytes.strip_prefix(b"\xfe\xff") {
+        return Cow::Owned(wide(rest, u16::from_be_bytes));
+    }
+    let rest = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    str::from_utf8(rest)
+        .map_or_else(|_| Cow::Owned(rest.iter().map(|&byte| char::from(byte)).collect()), Cow::Borrowed)
+}
+
+/// The most letters of a name.
+pub const MAX_NAME: usize = 60;
+
+/// At most so many letters in one line, for names and messages.
+pub fn short(text: &str, most: usize) -> String {
+    let mut kept = String::new();
+    let mut count = 0;
+    // What is longer is cut before it is looked at: a name may be a whole file.
+    for word in text.split(|c: char| c.is_whitespace() || c.is_control()).filter(|word| !word.is_empty()) {
+        let gap = usize::from(count > 0);
+        for letter in (0..gap).map(|_| ' ').chain(word.chars()) {
+            if count == most {
+                kept.pop();
+                kept.push('…');
+                return kept;
+            }
+            kept.push(letter);
+            count += 1;
+        }
+    }
+    kept
+}
+
+/// A name, or what stands for one.
+pub fn name_or(text: &str, otherwise: &str) -> String {
+    let name = short(text, MAX_NAME);
+    if name.is_empty() { otherwise.to_owned() } else { name }
+}
+
+/// A finite number, as most programs write it.
+pub fn number(word: &str) -> Option<f64> {
+    // What Rust reads besides: "inf", "nan", "infinity".
+    if word.bytes().any(|byte| byte.is_ascii_alphabetic() && !matches!(byte, b'e' | b'E')) {
+        return None;
+    }
+    word.parse().ok().filter(|x: &f64| x.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn marks_say_how_text_is_written() {
+        assert_eq!(decode(b"\xef\xbb\xbfa { 1 }"), "a { 1 }");
+        assert_eq!(decode(b"\xff\xfe1\0,\x002\0\n"), "1,2");
+        assert_eq!(decode(b"\xfe\xff\x001\0,"), "1,");
+        assert_eq!(decode(b"Foug\xe8re"), "Fougère");
+        assert_eq!(decode("Fougère".as_bytes()), "Fougère");
+    }
+
+    #[test]
+    fn long_names_are_cut() {
+        assert_eq!(short(" a  b\tc\u{7}d ", 9), "a b c d");
+        assert_eq!(short("abcdef", 4), "abc…");
+        assert_eq!(short("abcd", 4), "abcd");
+        assert_eq!(name_or(" \n ", "unnamed"), "unnamed");
+    }
+
+    #[test]
+    fn numbers_are_finite() {
+        for (word, wanted) in
+            [(".5", Some(0.5)), ("-1.", Some(-1.0)), ("+2e-3", Some(2e-3)), ("1E2", Some(100.0))]
+        {
+            assert_eq!(number(word), wanted, "{word}");
+        }
+        for word in ["", ".", "nan", "inf", "-infinity", "1e999", "1d3", "0x1", "1,5", "e", "1e"] {
+            assert_eq!(number(word), None, "{word}");
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! Texts, a format each.
+
+mod csv;
+mod desmos;
+pub(crate) mod export;
+mod flame;
+pub(crate) mod fractint;
+mod geogebra;
+mod json;
+mod latex;
+mod python;
+mod tikz;

@@ -1,0 +1,34 @@
+//! Fractint's `.ifs` files.
+
+use crate::number::decimal;
+use crate::read::fractint::SpaceFile;
+use crate::system::{Maps, System};
+
+/// Writes a system of space as Fractint reads it. Numbers come back to the last bit.
+#[must_use]
+pub fn write_ifs3(file: &SpaceFile) -> String {
+    let mut system = System::space(file.name.clone(), file.maps.clone());
+    let equal = 1.0 / file.maps.len() as f64;
+    let probability = |k: usize| file.probabilities.get(k).copied().unwrap_or(equal);
+    system.probabilities = (0..file.maps.len()).map(probability).collect();
+    write(&system)
+}
+
+pub fn write(system: &System) -> String {
+    let word = |c: char| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' };
+    let name: String = system.name.chars().map(word).collect();
+    // Fractint would take it for words.
+    let name =
+        if name.is_empty() || name.eq_ignore_ascii_case("comment") { format!("unnamed{name}") } else { name };
+    let sign = if matches!(system.maps, Maps::Space(_)) { " (3D)" } else { "" };
+    let mut text = format!("{name}{sign} {{\n");
+    for (row, weight) in system.maps.rows().into_iter().zip(system.weights()) {
+        for x in row.iter().chain([&weight]) {
+            text.push(' ');
+            text.push_str(&decimal(*x));
+        }
+        text.push('\n');
+    }
+    text.push_str("}\n");
+    text
+}
