@@ -792,3 +792,52 @@ export interface MeetExample {
   isAttractor: boolean;
   why: string;
 }
+
+/** What `importFile` knows. `table`: a map a line. */
+export type ImportFormat = "fractint" | "flame" | "ifstile" | "json" | "table" | "png";
+
+/** A system that was in a file. */
+export type ImportedSystem = {
+  /** Empty where the file gives none. */
+  name: string;
+  /** As the file gives them, none negative; their sum need not be 1. */
+  probabilities?: number[];
+  /** What was left out or changed in reading it, a sentence each. */
+  remarks: string[];
+  /** Why it cannot be drawn; absent where it can. */
+  problem?: string;
+} & ({ dimension: 2; maps: MapRow[] } | { dimension: 3; maps: MapRow3[] });
+
+/** What was in a file. */
+export interface ImportedFile {
+  format: ImportFormat;
+  /** At most 1000. Empty where the file holds a document. */
+  systems: ImportedSystem[];
+  /** What is to be said of the file as a whole. */
+  remarks: string[];
+  /** The document that it holds, as the fragment of a link: `decodeScene` reads it. */
+  link?: string;
+}
+
+/** What `exportMaps` writes. JSON, Fractint, flame and CSV come back through `importFile` to the last bit. */
+export type ExportFormat =
+  | "json"
+  | "fractint"
+  | "flame"
+  | "csv"
+  | "latex"
+  | "tikz"
+  | "python"
+  | "geogebra"
+  | "desmos";
+
+export interface ExportFormatInfo {
+  id: ExportFormat;
+  label: string;
+  /** A sentence that says what it is for. */
+  about: string;
+  /** How names of such files end, without the dot. */
+  extension: string;
+  /** Whether maps of space can be written so. */
+  space: boolean;
+}

@@ -9,7 +9,7 @@
 //!
 //! 1. `boundary`: how values cross. `value` reads and writes maps and options, `error` is what is thrown.
 //! 2. `compute`: what describes and draws. `shape` shows best how a function is exported.
-//! 3. `proof`, `curve`, `fit`, `space`: a folder for each of the other modules, a file for what belongs together.
+//! 3. `proof`, `curve`, `fit`, `space`, `exchange`: a folder for each of the other modules, a file for what belongs together.
 //! 4. `renderers`: the stages of `frond-render` on a canvas, for WebGPU and for WebGL2.
 //!
 //! Each folder is a feature of the crate, and `cargo xtask build` makes a module of each: crate/xtask/src/modules.rs
@@ -18,7 +18,14 @@
 //! [`LocusTiles`]: crate::LocusTiles
 #![allow(clippy::missing_errors_doc)]
 #![cfg_attr(
-    not(all(feature = "compute", feature = "curve", feature = "proof", feature = "fit", feature = "space")),
+    not(all(
+        feature = "compute",
+        feature = "curve",
+        feature = "proof",
+        feature = "fit",
+        feature = "space",
+        feature = "exchange"
+    )),
     allow(dead_code, reason = "no module alone needs all conversions")
 )]
 
@@ -27,6 +34,8 @@ mod boundary;
 mod compute;
 #[cfg(feature = "curve")]
 mod curve;
+#[cfg(feature = "exchange")]
+pub mod exchange;
 #[cfg(feature = "fit")]
 pub mod fit;
 #[cfg(feature = "proof")]
@@ -51,7 +60,13 @@ use wasm_bindgen::prelude::*;
 
 #[cfg(any(
     feature = "compute",
-    not(any(feature = "curve", feature = "proof", feature = "fit", feature = "space"))
+    not(any(
+        feature = "curve",
+        feature = "proof",
+        feature = "fit",
+        feature = "space",
+        feature = "exchange"
+    ))
 ))]
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("api.d.ts");
@@ -79,6 +94,12 @@ const SPACE_TYPES: &str = r#"import type {
   PathCheck, PathPlan, PathPoint, Place3, Point3, Preset3, Shadow, ShapeFacts3, Space, SpaceFrame, SpaceLight,
   SpaceObject, SpaceView
 } from "./frond.js";"#;
+
+/// And what reads and writes files.
+#[cfg(all(feature = "exchange", not(feature = "compute")))]
+#[wasm_bindgen(typescript_custom_section)]
+const EXCHANGE_TYPES: &str =
+    r#"import type { ExportFormat, ExportFormatInfo, ImportedFile, MapRow, MapRow3 } from "./frond.js";"#;
 
 /// So do closed curves and graphs.
 #[cfg(all(feature = "curve", not(feature = "compute")))]

@@ -19,8 +19,8 @@ const MOST_SCRIPT_BYTES: usize = 80_000;
 
 /// Weighs dist/ and fails where it is too heavy.
 ///
-/// What comes after the first picture is only weighed: the workers' module, which decides and proves, those of the fit
-/// and of space, and the renderer for WebGL2, which brings wgpu's own validation and translation of shaders.
+/// What comes after the first picture is only weighed: the workers' module, which decides and proves, those of the fit,
+/// of space and of files, and the renderer for WebGL2, which brings wgpu's own validation and translation of shaders.
 pub fn gate() -> Outcome {
     let dist = root().join("dist");
     let weigh = |name: &str| -> Outcome<usize> {
@@ -38,6 +38,7 @@ pub fn gate() -> Outcome {
     };
     let (first, proof, fit) = (weigh("frond_bg")?, weigh("frond-proof_bg")?, weigh("frond-fit_bg")?);
     let (curve, space) = (weigh("frond-curve_bg")?, weigh("frond-space_bg")?);
+    let exchange = weigh("frond-exchange_bg")?;
     let (webgpu, webgl2) = (weigh("frond-webgpu_bg")?, weigh("frond-webgl2_bg")?);
     let mut script = 0;
     for file in loaded(&dist)? {
@@ -52,6 +53,7 @@ pub fn gate() -> Outcome {
         ("wasm of closed curves", curve, None),
         ("wasm that fits outlines", fit, None),
         ("wasm of space", space, None),
+        ("wasm of files", exchange, None),
         ("script", script, Some(MOST_SCRIPT_BYTES)),
     ] {
         let limit = most.map_or(String::new(), |most| format!(" of {:>5.1} kB", kilo(most)));

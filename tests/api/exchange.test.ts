@@ -1,0 +1,78 @@
+import { readFile } from "node:fs/promises";
+import { beforeAll, describe, expect, it } from "vitest";
+import init, * as exchange from "../../www/pkg/frond-exchange.js";
+import { load, refused, shape, wrong } from "./frond";
+
+const bytes = (text: string) => new TextEncoder().encode(text);
+
+/** A PNG of one pixel. */
+const DOT = Buffer.from(
+  "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg==",
+  "base64",
+);
+
+describe("files of other programs", () => {
+  beforeAll(async () => {
+    const file = new URL("../../www/pkg/frond-exchange_bg.wasm", import.meta.url);
+    await Promise.all([load(), init({ module_or_path: readFile(file) })]);
+  });
+
+  it("are told by their content, with their systems", () => {
+    const found = exchange.importFile(
+      bytes("one { .5 0 0 .5 0 0 -1 }\nsponge (3D) { .5 0 0 0 .5 0 0 0 .5 0 0 0 1 }\nwide { 2 0 0 2 0 0 1 }"),
+    );
+    expect(found.format).toBe("fractint");
+    const [one, sponge, wide] = found.systems;
+    expect(one).toMatchObject({
+      name: "one",
+      dimension: 2,
+      maps: [[0.5, 0, 0, 0.5, 0, 0]],
+      probabilities: [1],
+    });
+    expect(one?.remarks.join()).toContain("negative");
+    expect(one).not.toHaveProperty("problem");
+    expect(sponge).toMatchObject({ name: "sponge", dimension: 3 });
+    expect(wide?.problem).toContain("no attractor");
+  });
+
+  it("come back as they were written, in every form that is a text of doubles", () => {
+    const gasket = shape("gasket");
+    for (const form of ["json", "fractint", "flame", "csv"] as const) {
+      const { systems } = exchange.importFile(
+        bytes(exchange.exportMaps({ name: "G", maps: gasket.maps }, form)),
+      );
+      expect(systems[0]?.maps, form).toEqual(gasket.maps);
+    }
+    expect(exchange.exportMaps(gasket, "latex")).toContain("\\frac{\\sqrt{3}}{4}");
+    expect(exchange.exportFormats().map(({ id }) => id)).toContain("python");
+  });
+
+  it("hold a document in a picture", () => {
+    const made = exchange.pngWithLink(DOT, "https://example.org/#v=1&a=fern");
+    expect(exchange.importFile(made)).toMatchObject({ format: "png", systems: [], link: "v=1&a=fern" });
+    expect(exchange.linkInPng(DOT)).toBeUndefined();
+  });
+
+  it("have the samples of a locus", () => {
+    const [bounds, state, gap] = [Float64Array.of(0, 1, 0, 1), Uint8Array.of(0, 2), Float32Array.of(0, 0.5)];
+    expect(exchange.locusCsv(bounds, 2, state, gap)).toBe("u,v,state,gap\n0,0,0,0\n1,0,2,0.5\n");
+    expect(exchange.locusNpy(bounds, 2, state, gap).slice(0, 8)).toEqual(
+      Uint8Array.from(Buffer.from("\x93NUMPY\x01\0", "latin1")),
+    );
+  });
+
+  it("are refused with a code and a word that helps", () => {
+    expect(refused(() => exchange.importFile(bytes("")))).toBe("file-empty");
+    expect(refused(() => exchange.importFile(bytes("a {\n1 2 x }")))).toBe("ifs-number");
+    expect(refused(() => exchange.importFile(DOT))).toBe("file-no-link");
+    expect(refused(() => exchange.exportMaps({ maps: [] }, "json"))).toBe("export-nothing");
+    expect(refused(() => exchange.exportMaps({ maps: wrong([[1, 2]]) }, "json"))).toBe("bad-input");
+    expect(refused(() => exchange.exportMaps({ maps: [[0.5, 0, 0, 0.5, 0, 0]] }, wrong("pdf")))).toBe(
+      "bad-input",
+    );
+    expect(refused(() => exchange.pngWithLink(bytes("GIF8"), "v=1"))).toBe("bad-input");
+    expect(
+      refused(() => exchange.locusCsv(new Float64Array(3), 0, new Uint8Array(), new Float32Array())),
+    ).toBe("bad-input");
+  });
+});
