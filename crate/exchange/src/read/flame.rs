@@ -129,7 +129,7 @@ impl Flame {
             match key {
                 "name" => {
                     flame.name =
-                        unescape(value).map_or_else(|_| name_or(value, ""), |name| name_or(&name, ""))
+                        unescape(value).map_or_else(|_| name_or(value, ""), |name| name_or(&name, ""));
                 }
                 "palette" => flame.leave("its palette, since shapes have no colours of their own"),
                 _ => {}

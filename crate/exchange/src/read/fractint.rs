@@ -204,7 +204,7 @@ fn entries(text: &str) -> Result<Vec<Entry<'_>>, FileError> {
             match (rest.find(['{', '}']), &mut open) {
                 // What is only told has any words, and ends with the next brace.
                 (Some(at), Some(entry)) if entry.told && rest[at..].starts_with('{') => {
-                    rest = &rest[at + 1..]
+                    rest = &rest[at + 1..];
                 }
                 (None, Some(entry)) => {
                     entry.take(rest, line_number);
@@ -238,6 +238,9 @@ fn entries(text: &str) -> Result<Vec<Entry<'_>>, FileError> {
         None => Ok(entries),
     }
 }
+
+/// What the maps weigh in the chaos game, where that is said.
+type Weights = Vec<Option<f64>>;
 
 /// A system that is being read.
 struct Entry<'a> {
@@ -287,7 +290,7 @@ impl<'a> Entry<'a> {
     }
 
     /// Its maps of `N` numbers, and the weight of each that has one.
-    fn rows<const N: usize>(&self) -> Result<(Vec<[f64; N]>, Vec<Option<f64>>), FileError> {
+    fn rows<const N: usize>(&self) -> Result<(Vec<[f64; N]>, Weights), FileError> {
         let Self { name, line, words, .. } = self;
         let read = |&(word, line): &(&str, u32)| {
             number(word).ok_or_else(|| FileError::Number { line: line as usize, word: short(word, 40) })

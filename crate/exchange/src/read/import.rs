@@ -40,8 +40,8 @@ impl FileFormat {
     /// The most MiB that are read of it.
     const fn most(self) -> usize {
         match self {
-            Self::Fractint | Self::Table => 1,
-            Self::Json | Self::IfsTile => 2,
+            Self::Fractint | Self::Table | Self::Json => 1,
+            Self::IfsTile => 2,
             Self::Flame => 8,
             Self::Png => 256,
         }

@@ -1,29 +1,21 @@
 //! JSON, a map a line.
 
+use crate::number::decimal;
 use crate::system::System;
 
 pub fn write(system: &System) -> String {
-    // Numbers and texts are always written.
-    let text = |value: &dyn Fn() -> serde_json::Result<String>| value().unwrap_or_default();
-    let mut lines = vec!["{".to_owned()];
+    let list = |numbers: &[f64]| {
+        let words: Vec<String> = numbers.iter().map(|&x| decimal(x)).collect();
+        format!("[{}]", words.join(", "))
+    };
+    let rows: Vec<String> = system.maps.rows().into_iter().map(|row| format!("    {}", list(row))).collect();
+    let mut fields = Vec::new();
     if !system.name.is_empty() {
-        lines.push(format!("  \"name\": {},", text(&|| serde_json::to_string(&system.name))));
+        fields.push(format!("  \"name\": {}", serde_json::Value::from(system.name.as_str())));
     }
-    let rows: Vec<String> = system
-        .maps
-        .rows()
-        .into_iter()
-        .map(|row| format!("    {}", text(&|| serde_json::to_string(row))))
-        .collect();
-    lines.push(format!(
-        "  \"maps\": [\n{}\n  ]{}",
-        rows.join(",\n"),
-        if system.probabilities.is_empty() { "" } else { "," }
-    ));
+    fields.push(format!("  \"maps\": [\n{}\n  ]", rows.join(",\n")));
     if !system.probabilities.is_empty() {
-        lines
-            .push(format!("  \"probabilities\": {}", text(&|| serde_json::to_string(&system.probabilities))));
+        fields.push(format!("  \"probabilities\": {}", list(&system.probabilities)));
     }
-    lines.push("}\n".into());
-    lines.join("\n")
+    format!("{{\n{}\n}}\n", fields.join(",\n"))
 }

@@ -14,7 +14,7 @@ fn samples<'a>(
 ) -> Result<LocusSamples<'a>, JsValue> {
     let bounds =
         bounds.try_into().map_err(|_| bad_input("bounds", "four numbers are needed: u0, u1, v0, v1"))?;
-    if width == 0 || state.len() % width != 0 || state.len() != gap.len() {
+    if width == 0 || !state.len().is_multiple_of(width) || state.len() != gap.len() {
         return Err(bad_input(
             "The locus",
             "`state` and `gap` have a value for each sample, in rows of `width`",
