@@ -7,11 +7,13 @@ import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { Legend } from "#stage/locus/Legend";
 import type { LocusStyle } from "#stage/locus/paint";
+import { Menu, type MenuItem } from "#ui/overlay/Menu";
 import { FamilyNotes } from "../later";
 import { followCritical } from "./families/critical";
 import fieldCss from "./field.module.css";
 import { LocusSquare } from "./LocusSquare";
 import { Now } from "./pointer/Now";
+import type { LocusFile } from "./save/save";
 import { Planes } from "./view/Planes";
 import { Slice } from "./view/Slice";
 import { shownField } from "./view/shown";
@@ -23,6 +25,15 @@ import { WindowNumbers } from "./view/WindowNumbers";
 const style = signal<LocusStyle>("gap");
 
 const states = statesIn(shownField);
+
+const save = (kind: LocusFile) => () => {
+  void import("./save/save").then(({ saveLocus }) => saveLocus(kind, style.peek()));
+};
+const SAVES: readonly MenuItem[] = [
+  { label: "Picture with axes (PNG)", onSelect: save("png") },
+  { label: "Table (CSV)", onSelect: save("csv") },
+  { label: "Array for NumPy (.npy)", onSelect: save("npy") },
+];
 
 /** The map alone, to be watched while a shape is changed. */
 export function LocusBeside() {
@@ -42,7 +53,10 @@ export function LocusPanel() {
   return (
     <section class="locus" aria-labelledby="locus-title">
       <LocusHead id="locus-title" style={style} />
-      <Planes />
+      <div class="row">
+        <Planes />
+        <Menu label="Save the map" icon="save" items={SAVES} />
+      </div>
       <Plot />
       <Now />
       {family.value === "morph" ? <Slice /> : <FamilyNotes />}
