@@ -242,14 +242,13 @@ test("what cannot be is refused, and the work stays", async ({ studio, page }) =
   expect((await studio.look()).lit).toBeGreaterThan(1000);
   // A file that is none.
   const before = await packed(studio);
-  await page
-    .locator('input[type="file"]')
-    .first()
-    .setInputFiles({
-      name: "bad.ifs",
-      mimeType: "text/plain",
-      buffer: Buffer.from("broken (3D) { 1 2 3 }"),
-    });
+  const chooser = page.waitForEvent("filechooser");
+  await page.getByRole("button", { name: "Open .ifs…" }).click();
+  await (await chooser).setFiles({
+    name: "bad.ifs",
+    mimeType: "text/plain",
+    buffer: Buffer.from("broken (3D) { 1 2 3 }"),
+  });
   await expect.poll(async () => (await studio.said()).join()).toContain("broken");
   expect(await packed(studio)).toBe(before);
 });

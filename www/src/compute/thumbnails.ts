@@ -48,6 +48,25 @@ export function scheduleThumbnails(): void {
   });
 }
 
+/** Has pictures made of shapes that are no part of the document, until the returned function is called. */
+export function thumbnailsOf(shapes: readonly { id: string; maps: MapRow[] }[]): () => void {
+  const stop = effect(() => {
+    dark.value;
+    epoch.value;
+    untracked(() => {
+      for (const { id, maps } of shapes) want(id, maps);
+    });
+  });
+  return () => {
+    stop();
+    const left = new Map(publish.thumbnails.peek());
+    for (const { id } of shapes) {
+      for (const list of [wanted, todo, left]) list.delete(id);
+    }
+    publish.thumbnails.value = left;
+  };
+}
+
 function want(id: string, maps: MapRow[]): void {
   const colours = palette(dark.peek() ? "dark" : "light");
   const before = wanted.get(id);

@@ -9,6 +9,7 @@ import { Stage as SharedStage } from "#stage/stage";
 import type { PainterBackend } from "#stage/surface/painter";
 import { commandsOf } from "#stage/tool";
 import { type Command, help, listenForCommands } from "#ui/commands";
+import { exporting } from "#ui/files/exporting";
 import { lazily } from "#ui/lazy";
 import { curvesFetched } from "#wasm/curve";
 import { Header } from "./header";
@@ -65,6 +66,8 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
       <div class="time">{Strip && <Strip />}</div>
       {help.value && <ShortcutsDialog commands={commands} />}
       {exportOpen.value && <Exports />}
+      {settled.value && <Door />}
+      {exporting.value && tool?.maps && <ExportDialog maps={tool.maps} onClose={endExport} />}
     </main>
   );
 }
@@ -74,6 +77,17 @@ const ShortcutsDialog = lazily(shortcuts);
 
 const exports = () => import("./Exports").then((module) => module.Exports);
 const Exports = lazily(exports);
+const exportDialog = () => import("#ui/files/ExportDialog").then((module) => module.ExportDialog);
+const ExportDialog = lazily(exportDialog);
+const endExport = () => {
+  exporting.value = false;
+};
+
+const door = () => import("./door/Door").then((module) => module.Door);
+/** What opens files. */
+const Door = lazily(door);
+/** Whether the first picture is there, so that others may be fetched. */
+const settled = signal(false);
 
 const NOTHING: readonly Command[] = [];
 const commands = () => {
@@ -86,7 +100,14 @@ export function fetchAhead(): void {
   const tried = () => {
     curvesFetched.value = true;
   };
-  Promise.all([shortcuts(), exports(), ...TOOLS.map((entry) => entry.fetchAhead?.())]).then(tried, tried);
+  settled.value = true;
+  Promise.all([
+    shortcuts(),
+    exports(),
+    door(),
+    exportDialog(),
+    ...TOOLS.map((entry) => entry.fetchAhead?.()),
+  ]).then(tried, tried);
 }
 
 type FiguresComponent = ComponentType<{ figure: string | null }>;

@@ -7,6 +7,8 @@ import { openTool, tool } from "#document/tool";
 import { filmProgress, openFilm, openPicture, openShare } from "#film/open";
 import { help, withKey } from "#ui/commands";
 import { Icon } from "#ui/controls/Icon";
+import { askForFile } from "#ui/files/door";
+import { startExport } from "#ui/files/exporting";
 import { Menu, type MenuItem } from "#ui/overlay/Menu";
 import type { Tool as ToolName } from "#wasm/api";
 import { CURVE_FILES, curveOnStage, saveCurve, savePicture, studioHref } from "./actions";
@@ -71,20 +73,23 @@ function moreItems(studio: boolean): MenuItem[] {
     onSelect: () => setTheme(choice),
   }));
   if (!studio) return themes;
-  return [...saveItems(), ...themes];
+  return [OPEN, ...saveItems(), ...themes];
 }
+
+const OPEN: MenuItem = { label: "Open a file …", icon: "open", onSelect: () => askForFile() };
 
 /** The files that what is open can be saved as. */
 function saveItems(): MenuItem[] {
-  const pictures = curveOnStage.value ? curveItems() : [{ label: "Save as PNG", onSelect: savePicture }];
+  const items = curveOnStage.value ? curveItems() : [{ label: "Save as PNG", onSelect: savePicture }];
   const { entry, tool } = openedTool();
   if (entry.stage === undefined || tool?.still) {
-    pictures.push({ label: "Picture of any size …", onSelect: openPicture });
+    items.push({ label: "Picture of any size …", onSelect: openPicture });
   }
-  if (!tool?.films) return pictures;
+  if (tool?.maps && !curveOnStage.value) items.push({ label: "Maps as text …", onSelect: startExport });
+  if (!tool?.films) return items;
   const done = filmProgress.value;
   const film = done === null ? "Film …" : `Film, ${Math.floor(100 * done)}% made`;
-  return [...pictures, { label: film, icon: "play", onSelect: openFilm }];
+  return [...items, { label: film, icon: "play", onSelect: openFilm }];
 }
 
 function curveItems(): MenuItem[] {
@@ -99,6 +104,7 @@ function StudioTools() {
     <>
       <Tool glyph="undo" label="Undo" command="undo" disabled={!canUndo.value} onClick={undo} />
       <Tool glyph="redo" label="Redo" command="redo" disabled={!canRedo.value} onClick={redo} />
+      <Tool glyph="open" label="Open a file" command="open" class="wide" onClick={() => askForFile()} />
       <div class="wide">
         <Menu label="Save" icon="save" items={saveItems()} />
       </div>

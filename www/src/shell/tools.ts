@@ -3,7 +3,7 @@ import { effect, signal } from "@preact/signals";
 import { keepToo } from "#document/keep";
 import { notify, wordsOf } from "#document/notice";
 import { reducedMotion } from "#document/preferences";
-import { tool as opened } from "#document/tool";
+import { tool as opened, openTool } from "#document/tool";
 import type { Tool, ToolEntry } from "#stage/tool";
 import { deform } from "#tools/deform/entry";
 import { fit } from "#tools/fit/entry";
@@ -23,6 +23,20 @@ export function openedTool(): { entry: ToolEntry; tool: Tool | null } {
   const entry = entryOf(opened.value);
   const tool = typeof entry.tool === "function" ? (fetched.value.get(entry) ?? null) : entry.tool;
   return { entry, tool };
+}
+
+/** Opens a tool, and has it once it is there. */
+export function whenOpen(id: ToolEntry["id"]): Promise<Tool> {
+  openTool(id);
+  return new Promise((resolve) => {
+    const stop = effect(() => {
+      const { entry, tool } = openedTool();
+      // Whoever goes elsewhere meanwhile does not wait for it any more.
+      if (entry.id !== id || !tool) return;
+      queueMicrotask(() => stop());
+      resolve(tool);
+    });
+  });
 }
 
 /** Fetches tools when they are first opened, until the returned function is called. */

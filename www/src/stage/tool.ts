@@ -4,6 +4,7 @@ import type { Keep } from "#document/history";
 import { FILM } from "#film/open";
 import type { Films, Still } from "#film/subject";
 import type { Command } from "#ui/commands";
+import type { NamedMaps } from "#ui/files/exporting";
 import { type Timeline, timeCommands } from "#ui/strip/timeline";
 import type { Tool as ToolName } from "#wasm/api";
 import type { PainterBackend } from "./surface/painter";
@@ -25,6 +26,10 @@ export interface Tool {
   timeline?: Timeline;
   /** All other keys. */
   commands: () => readonly Command[];
+  /** Its maps, to be written for other programs. */
+  maps?: () => readonly NamedMaps[];
+  /** Takes a file of the kind that it reads itself. */
+  open?: (file: File) => void | Promise<void>;
   /** Saves what a stage of its own shows. */
   savePng?: () => void | Promise<void>;
   /** What a stage of its own shows, to be drawn at any size. */

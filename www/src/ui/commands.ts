@@ -1,6 +1,7 @@
 /** What can be done by a key: keyboard, help and tool tips come from the one list that a tool has. */
 import { signal } from "@preact/signals";
 import { redo, undo } from "#document/scene";
+import { askForFile } from "./files/door";
 import { type Focus, focusOf, type KeyPress } from "./focus";
 
 export interface Command {
@@ -33,6 +34,7 @@ export const everywhere = (back: Partial<Command> = {}, forth: Partial<Command> 
     run: redo,
     ...forth,
   },
+  { id: "open", label: "Open a file", group: "Everywhere", keys: ["Ctrl+O"], run: () => askForFile() },
   {
     id: "help",
     label: "This list",

@@ -19,16 +19,22 @@ const SUBSET: &str = "Of .aifs files Frond reads numbers, translations [x, y], m
 const MAX_DEPTH: usize = 32;
 /// Said where they go on beyond that.
 const ENDLESS: &str = "Names or brackets go on without end.";
+/// Blocks that are looked at: files may have millions.
+const MAX_BLOCKS: usize = 4 * MAX_SYSTEMS;
 /// Steps of arithmetic for one block.
 const MAX_STEPS: usize = 20_000;
 
 /// Reads the blocks that have an equation of a set.
 pub fn read_ifstile(text: &str) -> Result<Gathered, ImportError> {
     let blocks = blocks(text)?;
-    // What others are built on has no equation of its own that is complete.
-    let mut all = Gathered::of(blocks.len());
-    for k in (0..blocks.len()).take(MAX_SYSTEMS) {
-        if !blocks[k].hidden() {
+    let mut all = Gathered::default();
+    let count = text.lines().filter(|line| line.trim_start().starts_with('@')).count();
+    if count > MAX_BLOCKS {
+        all.remarks.push(format!("The file has {count} blocks: the first {MAX_BLOCKS} are looked at."));
+    }
+    for k in 0..blocks.len() {
+        // What others are built on is hidden, and may not be complete.
+        if !blocks[k].hidden() && all.systems.len() < MAX_SYSTEMS {
             all.extend_with(Block::system(&blocks, k));
         }
     }
@@ -60,6 +66,9 @@ fn blocks(text: &str) -> Result<Vec<Block<'_>>, ImportError> {
             return Err(refused("aifs-unread", number, "Other files are not fetched."));
         }
         if let Some(head) = line.strip_prefix('@') {
+            if blocks.len() == MAX_BLOCKS {
+                break;
+            }
             let (id, parent) = head.split_once(':').unwrap_or((head, ""));
             let (id, parent) = (id.trim(), parent.trim());
             let parent = ids.get(parent).copied().filter(|_| !parent.is_empty());

@@ -1,8 +1,10 @@
 /** What keys do while the deformation tool is open. */
+import { curved } from "#document/curve/curve";
 import { deformation, phasePlaying } from "#document/deform/bend";
 import { edit } from "#document/scene";
 import { colourCommand, fitCommand, galleryCommand, handCommand, switchCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
+import { exportCommand } from "#ui/files/exporting";
 import type { Timeline } from "#ui/strip/timeline";
 import { pausePhase, playPhase, scrubPhase } from "./clock";
 import { gallery } from "./dialogs";
@@ -60,5 +62,6 @@ export const commands: readonly Command[] = [
   colourCommand(["map", "address", "density", "grid"], SHAPE, (colouring) =>
     edit((before) => withColouring(before, colouring, deformation.peek())),
   ),
+  exportCommand(() => !curved.peek()),
   ...everywhere(),
 ];

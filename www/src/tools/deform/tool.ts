@@ -1,9 +1,12 @@
+import { standing } from "#document/morph";
+import { scene } from "#document/scene";
 import type { Tool } from "#stage/tool";
 import { commands, timeline } from "./commands";
 import { films } from "./film";
 import { DeformPanel } from "./index";
 import { DeformOverlay } from "./mesh/Overlay";
 import { DeformStrip } from "./strip/DeformStrip";
+import { openPhotograph } from "./subject";
 
 export const tool: Tool = {
   Overlay: DeformOverlay,
@@ -12,4 +15,6 @@ export const tool: Tool = {
   timeline,
   commands: () => commands,
   films,
+  maps: () => [{ label: "Shape", name: scene.peek().a.name, maps: standing.peek() }],
+  open: openPhotograph,
 };

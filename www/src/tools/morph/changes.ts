@@ -18,6 +18,11 @@ export function choose(scene: Scene, end: End, preset: Preset): Scene {
   return withShape(scene, end, { preset: preset.id, name: preset.name, maps: preset.maps });
 }
 
+/** A shape from elsewhere at one end. */
+export function chooseOwn(scene: Scene, end: End, { name, maps }: Shape): Scene {
+  return withShape(scene, end, { name, maps });
+}
+
 /** The shape of one end at both. */
 export function asBoth(scene: Scene, end: End): Scene {
   return withShape(scene, other(end), scene[end]);

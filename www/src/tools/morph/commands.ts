@@ -5,6 +5,7 @@ import { pause, play, playing } from "#document/playback";
 import { edit, scene } from "#document/scene";
 import { colourCommand, fitCommand, galleryCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
+import { exportCommand } from "#ui/files/exporting";
 import type { Timeline } from "#ui/strip/timeline";
 import { gallery } from "./dialogs";
 import { frames } from "./strip/FilmStrip";
@@ -61,5 +62,7 @@ export const commands: readonly Command[] = [
   colourCommand(["map", "address", "density"], SHAPES, (colouring) =>
     edit((before) => (before.colouring === colouring ? before : { ...before, colouring })),
   ),
+  // A closed curve has no systems to write.
+  exportCommand(() => !curved.peek()),
   ...everywhere(),
 ];

@@ -1,6 +1,8 @@
 /** Parts of the document, so that what shows a part is not drawn again at every moment of a morph that plays. */
 import { computed, type ReadonlySignal } from "@preact/signals";
+import { current } from "#document/morph";
 import { scene } from "#document/scene";
+import type { NamedMaps } from "#ui/files/exporting";
 import type { Colouring, Mode, PathKind, Shape } from "#wasm/api";
 import type { End } from "./changes";
 
@@ -14,3 +16,15 @@ export const compare: ReadonlySignal<boolean> = computed(() => scene.value.compa
 export const colouring: ReadonlySignal<Colouring> = computed(() => scene.value.colouring);
 export const correspondence: ReadonlySignal<number[]> = computed(() => scene.value.correspondence);
 export const turns: ReadonlySignal<number[]> = computed(() => scene.value.turns);
+
+/** The maps of both ends, and of the moment where that is neither. */
+export function namedMaps(): NamedMaps[] {
+  const { a, b, t } = scene.peek();
+  const ends = [
+    { label: "A", name: a.name, maps: a.maps },
+    { label: "B", name: b.name, maps: b.maps },
+  ];
+  if (t === 0 || t === 1) return ends;
+  const name = `${a.name} to ${b.name} at ${t.toFixed(2)}`;
+  return [...ends, { label: `t = ${t.toFixed(2)}`, name, maps: current.peek() }];
+}

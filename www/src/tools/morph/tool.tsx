@@ -6,6 +6,7 @@ import type { ToolEntry } from "#stage/tool";
 import { commands, timeline } from "./commands";
 import { MorphPanel } from "./index";
 import { EvidencePanel, fetchAhead } from "./later";
+import { namedMaps } from "./parts";
 import { MorphStrip } from "./strip/MorphStrip";
 import { VerdictChip } from "./VerdictChip";
 
@@ -23,6 +24,7 @@ export const morph: ToolEntry = {
     timeline,
     commands: () => commands,
     films: () => import("./film").then((module) => module.films()),
+    maps: namedMaps,
   },
   fetchAhead,
 };

@@ -3,6 +3,7 @@ import { EMPTY_LINE } from "#document/space/edits";
 import { hand, timeline as line, moment } from "#document/space/space";
 import { fitCommand, handCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
+import { exportCommand } from "#ui/files/exporting";
 import type { Timeline } from "#ui/strip/timeline";
 import { goToOrigin, showWhole } from "./stage/actions";
 import { scrubSpace, togglePlay } from "./time/clock";
@@ -42,5 +43,6 @@ export const commands: readonly Command[] = [
     ["key-next", "To its neighbour", "[", "]"],
     ["key-delete", "Delete it", "Delete", "−"],
   ]),
+  exportCommand(),
   ...everywhere(),
 ];

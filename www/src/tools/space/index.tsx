@@ -4,12 +4,10 @@ import { effect, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { spaceShown } from "#document/playback";
 import { Segmented } from "#ui/controls/Segmented";
-import { listenForFiles } from "#ui/files/dropFiles";
 import { PanelFoot } from "#ui/panel/PanelFoot";
 import { LightPanel } from "./light/LightPanel";
 import { MorphPanel3 } from "./morph/MorphPanel3";
 import { watchMorph } from "./morph/work";
-import { openFile } from "./shape/object/files";
 import { ShapePanel } from "./shape/ShapePanel";
 import css from "./space.module.css";
 import { spaceDrawn } from "./stage/state";
@@ -34,15 +32,15 @@ const PARTS: { value: Part; label: string; description: string }[] = [
 /** Everything beside the picture. */
 export function SpacePanel() {
   useEffect(() => {
-    // A path is looked for, and a file taken, whichever part is open.
-    const stops = [watchMorph(), listenForFiles(([file]) => void openFile(file))];
+    // A path is looked for whichever part is open.
+    const stop = watchMorph();
     const toShape = (event: DragEvent) => {
       if (event.dataTransfer?.types.includes("Files")) part.value = "shape";
     };
     addEventListener("drop", toShape);
     return () => {
       removeEventListener("drop", toShape);
-      for (const stop of stops) stop();
+      stop();
     };
   }, []);
   const now = part.value;

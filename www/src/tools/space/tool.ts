@@ -4,8 +4,13 @@ import { commands, timeline } from "./commands";
 import { films, still } from "./film";
 import { SpacePanel } from "./index";
 import { savePng } from "./save";
+import { object, parameters } from "./shape/now";
 import { SpaceStage } from "./stage/SpaceStage";
+import { takeAnimation } from "./time/saved/open";
 import { TimeStrip } from "./time/TimeStrip";
+
+/** The object that is worked on, as it is now. */
+const maps = () => [{ label: "Object", name: object.peek()?.name ?? "Shape", maps: parameters.peek() }];
 
 /** With what computes it. */
 export async function openTool(): Promise<Tool> {
@@ -16,6 +21,8 @@ export async function openTool(): Promise<Tool> {
     Strip: TimeStrip,
     timeline,
     commands: () => commands,
+    maps,
+    open: takeAnimation,
     savePng,
     still,
     films,

@@ -22,6 +22,8 @@ const STROKES = {
   down: "M6 9.5l6 6 6-6",
   whole: "M4.5 9V4.5H9M15 4.5h4.5V9M4.5 15v4.5H9M15 19.5h4.5V15",
   save: "M12 4v11M7.5 11l4.5 4.5L16.5 11M5 19.5h14",
+  file: "M7 3.5h6.5l4.5 4.5v12.5H7zM13.5 3.5V8H18M10 12.5h5M10 16h5",
+  open: "M12 15V4M7.5 8.5L12 4l4.5 4.5M5 19.5h14",
   warning: "M12 4.5l8.5 15h-17zM12 10v4.5M12 17h.01",
 } as const;
 

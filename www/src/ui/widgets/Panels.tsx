@@ -1,6 +1,8 @@
 import { useState } from "preact/hooks";
+import type { MapRow } from "#wasm/api";
 import { help } from "../commands";
 import { Button } from "../controls/Button";
+import { ExportDialog } from "../files/ExportDialog";
 import { Dialog } from "../overlay/Dialog";
 import { Menu } from "../overlay/Menu";
 import { ShortcutsDialog } from "../overlay/ShortcutsDialog";
@@ -17,6 +19,11 @@ const nothing = () => {};
 const COMMANDS = [
   { id: "play", label: "Play and pause", group: "Time", keys: ["Space"] },
   { id: "undo", label: LONG, group: "Document", keys: ["Ctrl+Z", "Shift+←"] },
+];
+const HALF: MapRow = [0.5, 0, 0, 0.5, 0, 0];
+const MAPS = [
+  { label: "A", name: "Half", maps: [HALF] },
+  { label: "B", name: LONG, maps: [HALF, HALF] },
 ];
 const TOASTS = [
   { id: 1, kind: "info", text: "The link is in the clipboard." },
@@ -95,7 +102,7 @@ export function Panels() {
 }
 
 function Dialogs() {
-  const [open, setOpen] = useState<"narrow" | "wide" | null>(null);
+  const [open, setOpen] = useState<"narrow" | "wide" | "export" | null>(null);
   return (
     <Widget name="Dialog">
       <State name="press to open">
@@ -105,6 +112,9 @@ function Dialogs() {
           </Button>
           <Button popup="dialog" onClick={() => setOpen("wide")}>
             Wide
+          </Button>
+          <Button popup="dialog" onClick={() => setOpen("export")}>
+            Export
           </Button>
           <Button
             popup="dialog"
@@ -116,7 +126,8 @@ function Dialogs() {
           </Button>
         </div>
       </State>
-      {open && (
+      {open === "export" && <ExportDialog maps={() => MAPS} onClose={() => setOpen(null)} />}
+      {open && open !== "export" && (
         <Dialog title="A dialog" about={LONG} wide={open === "wide"} onClose={() => setOpen(null)}>
           <p>{`${LONG}. `.repeat(open === "wide" ? 60 : 3)}</p>
         </Dialog>

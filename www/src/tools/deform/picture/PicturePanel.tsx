@@ -1,7 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
 import { ownPicture, type Photograph, photograph } from "#document/deform/picture";
 import { Button } from "#ui/controls/Button";
-import { listenForFiles } from "#ui/files/dropFiles";
 import { FileButton } from "#ui/files/FileButton";
 import { SubjectCard } from "#ui/shapes/SubjectCard";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
@@ -12,7 +11,6 @@ const ACCEPT = "image/png,image/jpeg,image/webp,image/avif,image/gif,image/bmp";
 
 /** The picture that is bent, and how to take another. */
 export function PicturePanel() {
-  useEffect(() => listenForFiles(take), []);
   const shown = photograph.value;
   return (
     <section class={`${css["picture-panel"]} stack`} aria-label="Your picture">
@@ -65,10 +63,4 @@ function useThumbnail(shown: Photograph | null): ImageBitmap | null {
     };
   }, [shown]);
   return bitmap;
-}
-
-/** The first of several that is called a picture, or else the first. */
-function take(files: readonly [File, ...File[]]): void {
-  const file = files.find((one) => one.type.startsWith("image/")) ?? files[0];
-  void takeFile(file, file.name);
 }

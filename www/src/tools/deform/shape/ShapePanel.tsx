@@ -3,8 +3,7 @@ import { curveFilm, strip, thumbnails } from "#compute/results";
 import { PresetGallery } from "#curve/PresetGallery";
 import { sameCurves } from "#document/curve/changes";
 import { curved, curveMorph, curves } from "#document/curve/curve";
-import { aroundStanding, boxAround, changeDeformation, deformation } from "#document/deform/bend";
-import { pictureMaps } from "#document/deform/picture";
+import { boxAround, changeDeformation, deformation } from "#document/deform/bend";
 import { announce } from "#document/notice";
 import { pause, setT } from "#document/playback";
 import { edit, replace, scene } from "#document/scene";
@@ -23,6 +22,7 @@ import deformCss from "../deform.module.css";
 import { gallery } from "../dialogs";
 import { around } from "../facts";
 import { PicturePanel } from "../picture/PicturePanel";
+import { setSubject } from "../subject";
 
 const subject = computed(() => deformation.value.subject);
 const parts = computed(() => deformation.value.parts);
@@ -44,12 +44,7 @@ export function ShapePanel() {
           { value: "shape", label: "A shape" },
           { value: "picture", label: "A picture" },
         ]}
-        onChange={(next) =>
-          changeDeformation((d) => {
-            const box = next === "picture" ? boxAround(pictureMaps.peek()) : aroundStanding.peek();
-            return inBox({ ...d, subject: next }, box);
-          })
-        }
+        onChange={setSubject}
       />
       {subject.value === "picture" ? <Picture /> : <Shape />}
       {bent.value && !sameBox(box.value, around.value) && (

@@ -1,6 +1,4 @@
-import { useEffect } from "preact/hooks";
 import { Button } from "#ui/controls/Button";
-import { listenForFiles } from "#ui/files/dropFiles";
 import { FileButton } from "#ui/files/FileButton";
 import type { Grown } from "#workers/fit/curve";
 import fitCss from "../fit.module.css";
@@ -15,7 +13,6 @@ const take = (file: File) => void takeFile(file, file.name, takeSeries);
 
 /** What is fitted, and how to take something else. */
 export function SourcePanel() {
-  useEffect(() => listenForFiles(([file]) => take(file)), []);
   const now = source.value;
   const back = former.value;
   return (

@@ -3,6 +3,7 @@ import { selection } from "#document/morph";
 import { announce } from "#document/notice";
 import { edit, scene } from "#document/scene";
 import { IconButton } from "#ui/controls/Button";
+import { startExport } from "#ui/files/exporting";
 import { Menu } from "#ui/overlay/Menu";
 import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
 import endsCss from "#ui/shapes/ends.module.css";
@@ -63,6 +64,11 @@ function Card({ end }: { end: End }) {
             onSelect: () => {
               gallery.value = end;
             },
+          },
+          {
+            label: "Export the maps …",
+            icon: "file",
+            onSelect: startExport,
           },
           {
             label: `Use as ${nameOf(other(end))} too`,

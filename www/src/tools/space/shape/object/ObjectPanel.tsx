@@ -5,16 +5,15 @@ import { changeSpace, reshapeSpace } from "#document/space/edits";
 import { choose, chosen, space } from "#document/space/space";
 import { GREY } from "#style/colours";
 import { Button, IconButton } from "#ui/controls/Button";
-import { FileButton } from "#ui/files/FileButton";
+import { askForFile } from "#ui/files/door";
 import { useOwnId } from "#ui/id";
-import { Dialog } from "#ui/overlay/Dialog";
 import { mapsNote } from "#ui/shapes/ShapeGrid";
 import { SubjectCard } from "#ui/shapes/SubjectCard";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { MOST_OBJECTS, withoutObject, withTint } from "../changes";
 import { object } from "../now";
 import shapeCss from "../shape.module.css";
-import { leftOut, opened, openFile, saveFile, takeFound } from "./files";
+import { saveFile } from "./files";
 import { Gallery } from "./Gallery";
 import { Swatch } from "./Swatch";
 import type { How } from "./take";
@@ -56,14 +55,13 @@ export function ObjectPanel() {
         >
           Add
         </Button>
-        <FileButton
+        <Button
           kind="quiet"
-          label="File of maps"
-          accept=".ifs,.txt,text/plain"
-          onFile={(file) => void openFile(file)}
+          description="Maps of space from Fractint and other programs; maps of the plane open in Morph"
+          onClick={() => askForFile()}
         >
           Open .ifs…
-        </FileButton>
+        </Button>
         <Button
           kind="quiet"
           icon="save"
@@ -74,7 +72,6 @@ export function ObjectPanel() {
         </Button>
       </div>
       {gallery && <Gallery how={gallery} onClose={() => setGallery(null)} />}
-      {opened.value && <Systems />}
     </section>
   );
 }
@@ -144,31 +141,3 @@ function ObjectTools({ index, tint, name }: { index: number; tint: string | unde
 }
 
 /** The systems of a file with several. */
-function Systems() {
-  const { file, systems, flat } = opened.value ?? { file: "", systems: [], flat: 0 };
-  const close = () => {
-    opened.value = null;
-  };
-  return (
-    <Dialog
-      title={file}
-      about={`${systems.length} systems of space are in it. Which one shall it be? ${leftOut(flat)}`}
-      onClose={close}
-    >
-      <ul class={shapeCss["solid-systems"]}>
-        {systems.map((system, i) => (
-          <li key={i}>
-            <Button
-              onClick={() => {
-                takeFound(system);
-                close();
-              }}
-            >
-              {system.name} <span class="dim">{mapsNote(system)}</span>
-            </Button>
-          </li>
-        ))}
-      </ul>
-    </Dialog>
-  );
-}

@@ -1,0 +1,107 @@
+/** Files that come in, however they are given, and maps that go out. */
+import { readFile } from "node:fs/promises";
+import type { Page } from "@playwright/test";
+import { expectClean } from "./axe";
+import { expect, test } from "./fixture";
+
+/** Gives the page a file, as a hand would. */
+function arrive(page: Page, how: "drop" | "paste", name: string, text: string): Promise<boolean> {
+  return page.evaluate(
+    ({ how, name, text }) => {
+      const data = new DataTransfer();
+      data.items.add(new File([text], name));
+      const event =
+        how === "drop"
+          ? new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })
+          : new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true });
+      return !document.body.dispatchEvent(event);
+    },
+    { how, name, text },
+  );
+}
+
+const BINARY = "binary { ; two halves\n .5, 0, 0, .5, 0, 0, -.5\n .5, 0, 0, .5, .5, 0, .5\n}\n";
+const SPONGE = "sponge (3D) { .4 0 0 0 .4 0 0 0 .4 0 0 0 1  .4 0 0 0 .4 0 0 0 .4 1 0 0 1 }\n";
+
+test("a system of the plane opens in Morph from wherever it is dropped, as one step to undo", async ({
+  studio,
+  page,
+}) => {
+  await studio.open("a=fern&b=tree&tool=fit");
+  await studio.idle();
+  expect(await arrive(page, "drop", "whatever.png", BINARY)).toBe(true);
+  await expect.poll(async () => (await studio.scene()).a.name).toBe("binary");
+  const scene = await studio.scene();
+  expect([scene.tool ?? "morph", scene.t, scene.b.preset]).toEqual(["morph", 0, "tree"]);
+  expect((await studio.said()).join()).toContain("negative");
+  await page.getByRole("button", { name: "As B instead" }).click();
+  await expect.poll(async () => (await studio.scene()).b.name).toBe("binary");
+  expect((await studio.scene()).a.preset).toBe("fern");
+  await page.getByRole("button", { name: "Undo", exact: true }).first().click();
+  await expect.poll(async () => (await studio.scene()).b.preset).toBe("tree");
+});
+
+test("of several systems one is chosen by its picture or its name", async ({ studio, page }) => {
+  await studio.open("a=fern&b=tree");
+  await studio.idle();
+  const many = Array.from({ length: 14 }, (_, k) => BINARY.replace("binary", `leaf ${k}`)).join("");
+  expect(await arrive(page, "paste", "forest.ifs", many + SPONGE)).toBe(true);
+  const dialog = page.getByRole("dialog", { name: "forest.ifs" });
+  await expect(dialog).toContainText("15 systems are in it");
+  await dialog.getByRole("searchbox").fill("leaf 13");
+  await expect(dialog.getByRole("listitem")).toHaveCount(1);
+  await expect(dialog.getByRole("searchbox")).toBeFocused();
+  await expectClean(page);
+  await dialog.getByRole("radio", { name: "As both" }).check({ force: true });
+  await dialog.getByRole("button", { name: /leaf 13/ }).click();
+  await expect.poll(async () => (await studio.scene()).b.name).toBe("leaf 13");
+  expect((await studio.scene()).a.name).toBe("leaf 13");
+});
+
+test("a system of space opens there, and what is none is refused with its line", async ({ studio, page }) => {
+  await studio.open("a=fern&b=tree");
+  await studio.idle();
+  await arrive(page, "drop", "bad.ifs", "bad {\n .5 0 0 .5 0 zero\n}");
+  await expect.poll(async () => (await studio.said()).join()).toContain('Line 2: "zero" is no number.');
+  expect((await studio.scene()).a.preset).toBe("fern");
+  await arrive(page, "drop", "sponge.txt", SPONGE);
+  await expect.poll(async () => (await studio.said()).join()).toContain("sponge is there, with 2 maps");
+  expect((await studio.scene()).tool).toBe("space");
+});
+
+test("maps are exported, and what is saved opens again; a picture holds its document", async ({
+  studio,
+  page,
+}) => {
+  await studio.open("a=fern&b=tree&t=0.5");
+  await studio.idle();
+  await page.keyboard.press("x");
+  const dialog = page.getByRole("dialog", { name: "Export the maps" });
+  await dialog.getByRole("radio", { name: "LaTeX" }).check({ force: true });
+  await expect(dialog.getByRole("textbox")).toHaveValue(/begin\{align\*\}/);
+  await expectClean(page);
+  await dialog.getByRole("radio", { name: "Fractint" }).check({ force: true });
+  const download = page.waitForEvent("download");
+  await dialog.getByRole("button", { name: "Save .ifs" }).click();
+  const file = await download;
+  expect(file.suggestedFilename()).toBe("frond-fern.ifs");
+  const text = (await readFile((await file.path()) ?? "")).toString();
+  const before = (await studio.scene()).a.maps;
+  await arrive(page, "drop", "fern.ifs", text);
+  await expect.poll(async () => (await studio.scene()).a.name).toBe("Fern");
+  expect((await studio.scene()).a).toEqual({ name: "Fern", maps: before });
+
+  const picture = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save as PNG" }).click();
+  const bytes = [...(await readFile((await (await picture).path()) ?? ""))];
+  await studio.open("a=carpet&b=tree");
+  await studio.idle();
+  await page.evaluate((bytes) => {
+    const data = new DataTransfer();
+    data.items.add(new File([new Uint8Array(bytes)], "fern.png", { type: "image/png" }));
+    document.body.dispatchEvent(
+      new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }),
+    );
+  }, bytes);
+  await expect.poll(async () => (await studio.scene()).a.name).toBe("Fern");
+});

@@ -1,0 +1,104 @@
+import { useEffect, useMemo, useState } from "preact/hooks";
+import { thumbnails } from "#compute/results";
+import { thumbnailsOf } from "#compute/thumbnails";
+import { Segmented } from "#ui/controls/Segmented";
+import { Dialog } from "#ui/overlay/Dialog";
+import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
+import type { ImportedSystem } from "#wasm/api";
+import { type Choice, choice, take } from "./door";
+import type { Where } from "./morph";
+import css from "./picker.module.css";
+
+/** Pictures that are made at a time: more are found by their name. */
+const MOST_SHOWN = 60;
+/** From so many on, a field looks for names. */
+const MANY = 13;
+
+type Item = ImportedSystem & { id: string; about: string };
+
+/** The systems of a file, one of which is opened. */
+export function Picker() {
+  const { file, systems, remarks } = choice.value ?? NOTHING;
+  const [where, setWhere] = useState<Where>("a");
+  const [sought, setSought] = useState("");
+  const items: Item[] = useMemo(
+    () =>
+      systems.map((system, i) => ({
+        ...system,
+        id: `file-${i}`,
+        name: system.name || `System ${i + 1}`,
+        about: system.problem ?? system.remarks.join(" ") ?? "",
+      })),
+    [systems],
+  );
+  const found = useMemo(() => named(items, sought), [items, sought]);
+  const shown = useMemo(() => found.slice(0, MOST_SHOWN), [found]);
+  useEffect(
+    () => thumbnailsOf(shown.flatMap((one) => (one.dimension === 2 ? [{ id: one.id, maps: one.maps }] : []))),
+    [shown],
+  );
+  const close = () => {
+    choice.value = null;
+  };
+  return (
+    <Dialog
+      wide
+      title={file}
+      about={[`${systems.length} systems are in it. Which one shall it be?`, ...remarks].join(" ")}
+      onClose={close}
+    >
+      <div class={css["head"]}>
+        {items.some(({ dimension }) => dimension === 2) && (
+          <Segmented<Where>
+            label="What it becomes"
+            value={where}
+            onChange={setWhere}
+            options={[
+              { value: "a", label: "As A", description: "The shape that the morph begins with" },
+              { value: "b", label: "As B", description: "The shape that it becomes" },
+              { value: "both", label: "As both", description: "At both ends" },
+            ]}
+          />
+        )}
+        {items.length >= MANY && (
+          <input
+            type="search"
+            class={css["search"]}
+            aria-label="Look for a name"
+            placeholder="Look for a name"
+            value={sought}
+            onInput={(event) => setSought(event.currentTarget.value)}
+          />
+        )}
+      </div>
+      {found.length > shown.length && (
+        <p class="hint">
+          {shown.length} of {found.length} are shown: look for others by their name.
+        </p>
+      )}
+      <p class="unseen" role="status">
+        {sought && `${found.length} found`}
+      </p>
+      {found.length === 0 && <p class="hint">No system has that in its name.</p>}
+      <ShapeGrid
+        key={sought}
+        presets={shown}
+        pictures={thumbnails.value}
+        noteOf={(item) => (item.dimension === 3 ? `space, ${mapsNote(item)}` : mapsNote(item))}
+        chosen={undefined}
+        onChoose={(item) => {
+          close();
+          void take(file, item, [], where);
+        }}
+      />
+    </Dialog>
+  );
+}
+
+/** Those with these letters in their name. */
+function named(items: readonly Item[], sought: string): Item[] {
+  const wanted = sought.trim().toLowerCase();
+  return items.filter(({ name }) => name.toLowerCase().includes(wanted));
+}
+
+const NOTHING: Choice = { file: "", systems: [], remarks: [] };

@@ -1,0 +1,148 @@
+/**
+ * Whatever is dropped on the page, pasted or chosen comes in here: what it is is told by what is in it, and it opens in
+ * the tool it belongs to, as one step to undo.
+ */
+import { signal } from "@preact/signals";
+import { notify, wordsOf } from "#document/notice";
+import { edit } from "#document/scene";
+import { tool } from "#document/tool";
+import { openFile, takeFiles } from "#ui/files/door";
+import { listenForFiles } from "#ui/files/dropFiles";
+import { focusOf } from "#ui/focus";
+import type { ImportedFile, ImportedSystem, Tool } from "#wasm/api";
+import { frond } from "#wasm/core";
+import { loadExchange } from "#wasm/exchange";
+import { whenOpen } from "../tools";
+import { intoMorph, type Where } from "./morph";
+import { HEAD_BYTES, mayHoldLink, tellFile } from "./tell";
+
+/** A file of several systems, of which one is to be chosen. */
+export interface Choice {
+  file: string;
+  systems: readonly ImportedSystem[];
+  remarks: readonly string[];
+}
+
+export const choice = signal<Choice | null>(null);
+
+/** Nothing larger is read at all: of texts less is. */
+const MOST_BYTES = 256 << 20;
+/** The longest text that is taken from the clipboard. */
+const MOST_PASTED = 1 << 20;
+
+/** Opens what comes in, until the returned function is called. */
+export function listen(): () => void {
+  const stops = [takeFiles((files) => void open(files)), listenForFiles(openFile), listenForText()];
+  return () => {
+    for (const stop of stops) stop();
+  };
+}
+
+/** Maps that are pasted as text are a file, too. */
+function listenForText(): () => void {
+  const onPaste = (event: ClipboardEvent) => {
+    if (event.defaultPrevented || event.clipboardData?.files.length || focusOf(event.target) === "typing")
+      return;
+    const text = event.clipboardData?.getData("text/plain") ?? "";
+    const kind = text.length <= MOST_PASTED ? tellFile(new TextEncoder().encode(text)) : "other";
+    if (kind !== "maps") return;
+    event.preventDefault();
+    openFile([new File([text], "Pasted maps", { type: "text/plain" })]);
+  };
+  document.addEventListener("paste", onPaste);
+  return () => document.removeEventListener("paste", onPaste);
+}
+
+async function open([first, ...others]: readonly [File, ...File[]]): Promise<void> {
+  if (others.length > 0) {
+    notify({
+      kind: "info",
+      text: `${first.name} is opened. Of several files one is taken: open the others after it.`,
+    });
+  }
+  try {
+    await openOne(first);
+  } catch (problem) {
+    notify({ kind: "error", text: `${first.name}: ${wordsOf(problem)} Your work stays as it is.` });
+  }
+}
+
+async function openOne(file: File): Promise<void> {
+  if (file.size > MOST_BYTES) throw new Error("This is larger than 256 MB, and no file that Frond reads.");
+  const head = new Uint8Array(await file.slice(0, HEAD_BYTES).arrayBuffer());
+  const kind = tellFile(head);
+  switch (kind) {
+    case "empty":
+      throw new Error("The file is empty. Choose another.");
+    case "other":
+      throw new Error(
+        "This is no file that Frond reads. It reads maps (.ifs, .flame, .aifs, JSON, tables), its own PNG, outlines (SVG, CSV, GeoJSON) and photographs.",
+      );
+    case "animation":
+      return hand("space", file);
+    case "picture":
+      return openPicture(file, head);
+    case "outline":
+      return hand("fit", file);
+    case "maps":
+      return openMaps(file.name, await imported(file));
+  }
+}
+
+async function imported(file: Blob): Promise<ImportedFile> {
+  const exchange = await loadExchange();
+  return exchange.importFile(new Uint8Array(await file.arrayBuffer()));
+}
+
+/** To a tool that reads it itself. */
+async function hand(to: Tool, file: File): Promise<void> {
+  const { open } = await whenOpen(to);
+  await open?.(file);
+}
+
+/** A picture that Frond saved is its document; any other is bent where pictures are bent, and else fitted. */
+async function openPicture(file: File, head: Uint8Array): Promise<void> {
+  const link = mayHoldLink(head) ? (await imported(file)).link : undefined;
+  if (link !== undefined) openDocument(file.name, link);
+  else await hand(tool.peek() === "deform" ? "deform" : "fit", file);
+}
+
+function openDocument(name: string, link: string): void {
+  const { scene, problem } = frond.decodeScene(link);
+  if (problem) throw problem;
+  edit(() => scene);
+  notify({ kind: "info", text: `Opened what ${name} was saved from. Undo brings back what was there.` });
+}
+
+function openMaps(file: string, { systems, remarks, link }: ImportedFile): void {
+  const [first, ...others] = systems;
+  if (link !== undefined) openDocument(file, link);
+  else if (others.length > 0) choice.value = { file, systems, remarks };
+  else if (first) void take(file, first, remarks);
+}
+
+/** Opens a system: of the plane in Morph, of space there. What was said of it is said once it is there. */
+export async function take(
+  file: string,
+  system: ImportedSystem,
+  remarks: readonly string[] = [],
+  where: Where = "a",
+): Promise<void> {
+  const name = system.name || file.replace(/\.[a-z0-9]{1,8}$/i, "") || "Maps";
+  const said = [...system.remarks, ...remarks].join(" ");
+  try {
+    if (system.problem) throw new Error(system.problem);
+    if (system.dimension === 3) {
+      await whenOpen("space");
+      const { takeFound } = await import("#tools/space/shape/object/files");
+      takeFound({ name, maps: system.maps }, said);
+    } else {
+      await intoMorph({ name, maps: system.maps }, where, said);
+    }
+  } catch (problem) {
+    notify({
+      kind: "error",
+      text: `${name} cannot be opened: ${wordsOf(problem)} Your work stays as it is.`,
+    });
+  }
+}

@@ -1,0 +1,48 @@
+/** A system of a file becomes a shape of the morph. */
+import { editSystems } from "#document/curve/systems";
+import { selection } from "#document/morph";
+import { notify } from "#document/notice";
+import { scene, undo } from "#document/scene";
+import { chooseOwn, type End } from "#tools/morph/changes";
+import type { MapRow, Scene } from "#wasm/api";
+
+/** Which end of the morph a system becomes. */
+export type Where = "a" | "b" | "both";
+
+interface Own {
+  name: string;
+  maps: MapRow[];
+}
+
+/** The document with the system at one end or both, and the moment where it is seen. */
+export function withSystem(before: Scene, system: Own, where: Where): Scene {
+  const ends: End[] = where === "both" ? ["a", "b"] : [where];
+  const { tool: _tool, ...taken } = ends.reduce((now, end) => chooseOwn(now, end, system), before);
+  const { at: _at, ...locus } = taken.locus ?? {};
+  return {
+    ...taken,
+    tool: "morph",
+    t: where === "b" ? 1 : 0,
+    // What was looked at off the path is not what was opened.
+    ...(taken.locus ? { locus: locus as NonNullable<Scene["locus"]> } : {}),
+  };
+}
+
+const WORDS: Record<Where, string> = { a: "now shape A", b: "now shape B", both: "at both ends" };
+
+/** Takes it in as one step, and says so: where it became A unasked, with a way to have it as B. */
+export async function intoMorph(system: Own, where: Where, said: string): Promise<void> {
+  await editSystems((before) => withSystem(before, system, where));
+  selection.value = null;
+  const after = scene.peek();
+  const instead = () => {
+    if (scene.peek().a === after.a) undo();
+    void editSystems((before) => withSystem(before, system, "b"));
+  };
+  const text = `${system.name} is ${WORDS[where]}, with ${system.maps.length} maps. ${said}`.trim();
+  notify({
+    kind: "info",
+    text,
+    ...(where === "a" ? { action: { label: "As B instead", run: instead } } : {}),
+  });
+}

@@ -1,0 +1,31 @@
+/** Maps as text for other programs: whether that is asked for, and of which. */
+import { signal } from "@preact/signals";
+import type { MapRow, MapRow3 } from "#wasm/api";
+import type { Command } from "../commands";
+
+/** Maps that can be written. */
+export interface NamedMaps {
+  /** In a word, among others: "A". */
+  label: string;
+  name: string;
+  maps: readonly MapRow[] | readonly MapRow3[];
+}
+
+/** Whether the dialog is open. */
+export const exporting = signal(false);
+
+export function startExport(): void {
+  exporting.value = true;
+}
+
+/** In every tool that has maps. */
+export function exportCommand(enabled: () => boolean = () => true): Command {
+  return {
+    id: "export",
+    label: "Export the maps",
+    group: "Everywhere",
+    keys: ["X"],
+    enabled,
+    run: startExport,
+  };
+}
