@@ -27,7 +27,7 @@ test("a system of the plane opens in Morph from wherever it is dropped, as one s
   studio,
   page,
 }) => {
-  await studio.open("a=fern&b=tree&tool=fit");
+  await studio.open("a=fern&b=tree&tool=deform");
   await studio.idle();
   expect(await arrive(page, "drop", "whatever.png", BINARY)).toBe(true);
   await expect.poll(async () => (await studio.scene()).a.name).toBe("binary");
@@ -75,8 +75,8 @@ test("maps are exported, and what is saved opens again; a picture holds its docu
 }) => {
   await studio.open("a=fern&b=tree&t=0.5");
   await studio.idle();
-  await page.keyboard.press("x");
-  const dialog = page.getByRole("dialog", { name: "Export the maps" });
+  await page.keyboard.press("t");
+  const dialog = page.getByRole("dialog", { name: "Maps as text" });
   await dialog.getByRole("radio", { name: "LaTeX" }).check({ force: true });
   await expect(dialog.getByRole("textbox")).toHaveValue(/begin\{align\*\}/);
   await expectClean(page);
@@ -92,7 +92,8 @@ test("maps are exported, and what is saved opens again; a picture holds its docu
   expect((await studio.scene()).a).toEqual({ name: "Fern", maps: before });
 
   const picture = page.waitForEvent("download");
-  await page.getByRole("button", { name: "Save as PNG" }).click();
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await page.getByRole("menuitem", { name: "Save as PNG" }).click();
   const bytes = [...(await readFile((await (await picture).path()) ?? ""))];
   await studio.open("a=carpet&b=tree");
   await studio.idle();

@@ -28,8 +28,8 @@ export function ExportDialog({ maps, onClose }: { maps: () => readonly NamedMaps
   }, []);
   return (
     <Dialog
-      title="Export the maps"
-      about="As text, to be copied or saved. Exact numbers stay exact."
+      title="Maps as text"
+      about="For papers and other programs. Exact numbers stay exact."
       onClose={onClose}
     >
       {exchange ? (

@@ -22,9 +22,9 @@ export function startExport(): void {
 export function exportCommand(enabled: () => boolean = () => true): Command {
   return {
     id: "export",
-    label: "Export the maps",
+    label: "Maps as text",
     group: "Everywhere",
-    keys: ["X"],
+    keys: ["T"],
     enabled,
     run: startExport,
   };

@@ -66,7 +66,7 @@ function Card({ end }: { end: End }) {
             },
           },
           {
-            label: "Export the maps …",
+            label: "Maps as text …",
             icon: "file",
             onSelect: startExport,
           },
