@@ -17,8 +17,8 @@
 //!
 //! | file | what of it |
 //! |---|---|
-//! | Fractint's `.ifs`, and that of other programs | systems of the plane, six or seven numbers a map, and of space (`(3D)`), twelve or thirteen; remarks, commas, names of several words |
-//! | `.flame` (flam3, Apophysis) | transforms with a linear part, their `post` composed; y is turned up. What else there is, is counted and said |
+//! | Fractint's `.ifs`, and others like it | six or seven numbers a map, in space (`(3D)`) twelve or thirteen |
+//! | `.flame` (flam3, Apophysis) | transforms with a linear part, their `post` composed; all else is said |
 //! | `.aifs` (IFStile) | maps of numbers, their products and one equation of a set; `read/ifstile.rs` says what else |
 //! | JSON | `{ maps }` as the programming interface has it, alone or several; whole documents |
 //! | tables | six or seven columns, in space twelve or thirteen |
@@ -44,7 +44,8 @@ mod write;
 
 pub use locus::{LocusSamples, locus_csv, locus_npy};
 pub use png::{link_in_png, png_with_link};
-pub use read::fractint::{FileError, SpaceFile, SpaceSystems, parse_ifs3};
+pub use read::fractint::{SpaceFile, SpaceSystems, parse_ifs3};
+pub use read::fractint_error::FileError;
 pub use read::import::{FileFormat, Imported, import};
 pub use read::problem::ImportError;
 pub use system::{Maps, Row, Row3, System};

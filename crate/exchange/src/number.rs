@@ -1,4 +1,5 @@
-//! Numbers as people write them: 1/3 and sqrt(3)/2 where that is exactly the double, else decimals that come back to it.
+//! Numbers as people write them: 1/3 and sqrt(3)/2 where that is exactly the double, else decimals that come back to
+//! it.
 
 use std::fmt;
 

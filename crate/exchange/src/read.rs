@@ -2,6 +2,7 @@
 
 pub(crate) mod flame;
 pub(crate) mod fractint;
+pub(crate) mod fractint_error;
 pub(crate) mod ifstile;
 pub(crate) mod import;
 pub(crate) mod json;

@@ -3,6 +3,8 @@
 use frond_core::{Affine2, Affine3, Ifs, Ifs3, IfsError};
 pub use frond_scene::{Row, Row3};
 
+use crate::text::name_or;
+
 /// The maps of a system.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Maps {
@@ -70,6 +72,11 @@ impl System {
     /// [`IfsError`] where it has none.
     pub fn check(&self) -> Result<(), IfsError> {
         self.found_probabilities().map(|_| ())
+    }
+
+    /// Its name in one line, fit for a remark of a program.
+    pub(crate) fn title(&self) -> String {
+        name_or(&self.name, "Maps")
     }
 
     /// The probabilities: those given, else in proportion to what each map leaves of areas; equal where there is no

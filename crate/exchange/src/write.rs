@@ -1,6 +1,7 @@
 //! Texts, a format each.
 
 mod csv;
+mod depth;
 mod desmos;
 pub(crate) mod export;
 mod flame;

@@ -3,7 +3,8 @@
 /// The name of the files and the feature that makes them. The first describes and draws, and is all that the first
 /// picture needs; the second has closed curves and graphs, where the page shows some; the third decides and proves, in
 /// the workers; the fourth traces and fits outlines, in workers of its own; the fifth is for space, where its tool is
-/// open; the sixth reads and writes files of other programs, when one is opened or saved; of the others, which draw on a graphics card, a visitor gets one.
+/// open; the sixth reads and writes files of other programs, when one is opened or saved; of the others, which draw on
+/// a graphics card, a visitor gets one.
 pub const MODULES: [(&str, &str); 8] = [
     ("frond", "compute"),
     ("frond-curve", "curve"),

@@ -1,7 +1,7 @@
 import wasmUrl from "../../pkg/frond-exchange_bg.wasm?url";
 import { compiled, once } from "./module";
 
-/** Maps from the files of other programs and for them, in a module of its own: fetched when a file is opened or saved. */
+/** Maps from the files of other programs and for them, in a module that is fetched when a file is opened or saved. */
 export type Exchange = typeof import("../../pkg/frond-exchange.js");
 
 /** Fetches and starts it. */

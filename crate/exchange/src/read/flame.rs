@@ -2,8 +2,8 @@
 //!
 //! A transform is an affine map, `coefs`, a sum of functions of the plane ("variations"), each with its weight, and
 //! perhaps a second affine map, `post`. Of the functions only `linear` is affine: with its weight it is read, with all
-//! others it is not. Numbers stand in columns, `a d b e c f` for x' = a x + b y + c and y' = d x + e y + f, and y points
-//! down.
+//! others it is not. Numbers stand in columns, `a d b e c f` for x' = a x + b y + c and y' = d x + e y + f, and y
+//! points down.
 
 use frond_core::{Affine2, MAX_MAPS};
 use quick_xml::Reader;

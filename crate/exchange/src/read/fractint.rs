@@ -1,13 +1,13 @@
 //! Fractint's `.ifs` files, and those that other programs write like them.
 //!
-//! `name { .. }`, with `(3D)` beside the name where it is of space. A map of the plane has six numbers,
-//! x' = a x + b y + e and y' = c x + d y + f, and one of space twelve; one more is its weight in the chaos game. Blanks
-//! and commas part numbers, and what follows a semicolon is a remark. Fractint counts numbers and does not look at lines;
-//! others have a map a line. Both are read: by lines where each has as many as a map.
+//! `name { .. }`, with `(3D)` beside the name where it is of space. A map of the plane has six numbers, x' = a x + b y
+//! + e and y' = c x + d y + f, and one of space twelve; one more is its weight in the chaos game. Blanks and commas
+//! part numbers, and what follows a semicolon is a remark. Fractint counts numbers and does not look at lines; others
+//! have a map a line. Both are read: by lines where each has as many as a map.
 
 use frond_core::MAX_MAPS;
-use thiserror::Error;
 
+use super::fractint_error::FileError;
 use super::problem::{Gathered, ImportError, MAX_SYSTEMS};
 use crate::system::{Maps, Row3, System};
 use crate::text::{name_or, number, short};
@@ -30,115 +30,6 @@ pub struct SpaceSystems {
     pub systems: Vec<SpaceFile>,
     /// How many systems of the plane were passed over.
     pub flat: usize,
-}
-
-/// Why a file cannot be read.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum FileError {
-    /// It is too long.
-    #[error("The file has {bytes} bytes, and the most is 1 MiB. Cut it into several.")]
-    TooLong {
-        /// Its length.
-        bytes: usize,
-    },
-    /// There is no system of space in it.
-    #[error("There is no system in this file. One looks so: name (3D) {{ a b c d e f g h i x y z p .. }}")]
-    Empty,
-    /// There is no system in it.
-    #[error(
-        "There is no system in this file. One looks so: name {{ a b c d e f p .. }}, with a line for each map."
-    )]
-    None,
-    /// There are systems, but all of the plane.
-    #[error(
-        "{} of the plane: no (3D) stands behind the name. Space opens systems of space: open the file in Morph. If they \
-         are of space, write (3D) there.",
-        whose(name, *count)
-    )]
-    Flat {
-        /// The first of them.
-        name: String,
-        /// How many there are.
-        count: usize,
-    },
-    /// A word where a number should be.
-    #[error("Line {line}: \"{word}\" is no number. Mend it, or set a semicolon before a remark.")]
-    Number {
-        /// The line, from 1.
-        line: usize,
-        /// The word.
-        word: String,
-    },
-    /// Maps with more or fewer numbers than they have.
-    #[error("\"{name}\" at line {line} has {count} numbers. {}", needs(*needed))]
-    Count {
-        /// The system.
-        name: String,
-        /// The line where it begins, from 1.
-        line: usize,
-        /// How many numbers it has.
-        count: usize,
-        /// How many a map has, without its weight: 6 or 12.
-        needed: usize,
-    },
-    /// A system with more than 64 maps.
-    #[error("\"{name}\" at line {line} has {count} maps, and the most is 64.")]
-    Maps {
-        /// The system.
-        name: String,
-        /// The line where it begins, from 1.
-        line: usize,
-        /// How many maps it has.
-        count: usize,
-    },
-    /// A brace that is not closed, or one too many.
-    #[error("Line {line}: a brace is missing its partner.")]
-    Brace {
-        /// The line, from 1.
-        line: usize,
-    },
-    /// A probability that is negative.
-    #[error("\"{name}\" at line {line} has a negative probability.")]
-    Probability {
-        /// The system.
-        name: String,
-        /// The line where it begins, from 1.
-        line: usize,
-    },
-}
-
-const fn needs(needed: usize) -> &'static str {
-    match needed {
-        12 => "Each map has 13: nine of the matrix, three of the shift, one probability.",
-        _ => {
-            "Each map has six, a b c d e f, or seven with its weight, in a line of its own. Decimals have a point."
-        }
-    }
-}
-
-fn whose(name: &str, count: usize) -> String {
-    if count == 1 {
-        format!("\"{name}\", the only system in this file, is")
-    } else {
-        format!("All {count} systems in this file, from \"{name}\" on, are")
-    }
-}
-
-impl FileError {
-    /// A name that stays the same over versions, for programs.
-    #[must_use]
-    pub const fn code(&self) -> &'static str {
-        match self {
-            Self::TooLong { .. } => "ifs-too-long",
-            Self::Empty | Self::None => "ifs-empty",
-            Self::Flat { .. } => "ifs-flat",
-            Self::Number { .. } => "ifs-number",
-            Self::Count { .. } => "ifs-count",
-            Self::Maps { .. } => "ifs-maps",
-            Self::Brace { .. } => "ifs-brace",
-            Self::Probability { .. } => "ifs-probability",
-        }
-    }
 }
 
 /// The longest file.

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::fractint::FileError;
+use super::fractint_error::FileError;
 use crate::system::System;
 
 /// Why a file has no maps that can be read.

@@ -170,18 +170,7 @@ pub fn export(system: &System, format: ExportFormat) -> Result<String, ExportErr
         (ExportFormat::Flame, Maps::Plane(rows)) => Ok(flame::write(system, rows)),
         (ExportFormat::Geogebra, Maps::Plane(rows)) => Ok(geogebra::write(rows)),
         (ExportFormat::Desmos, Maps::Plane(rows)) => Ok(desmos::write(rows)),
-        (ExportFormat::Tikz, Maps::Plane(rows)) => tikz::write(system, rows),
+        (ExportFormat::Tikz, Maps::Plane(rows)) => tikz::write(system, rows).ok_or(ExportError::NoAttractor),
         (format, Maps::Space(_)) => Err(ExportError::OfPlane { format: format.label() }),
     }
-}
-
-/// How often all maps can be applied to a point until there are more points than this.
-pub fn depth(maps: usize, most: usize) -> u32 {
-    if maps < 2 { 12 } else { most.ilog(maps).max(1) }
-}
-
-/// A name in one line, fit for a remark of a program.
-pub fn title(system: &System) -> String {
-    let name = crate::text::short(&system.name, crate::text::MAX_NAME);
-    if name.is_empty() { "Maps".into() } else { name }
 }

@@ -3,7 +3,6 @@
 use frond_core::{Affine2, Hull, Ifs};
 use quick_xml::escape::escape;
 
-use super::export::title;
 use crate::number::decimal;
 use crate::read::flame::turned_over;
 use crate::system::{Row, System};
@@ -19,7 +18,7 @@ pub fn write(system: &System, rows: &[Row]) -> String {
         let size = hull.max() - hull.min();
         (0.5 * (hull.min() + hull.max()), 0.9 * SIZE / size.max_element().max(1e-6))
     });
-    let name = title(system);
+    let name = system.title();
     let mut text = format!(
         "<flames name=\"Frond\">\n<flame name=\"{}\" version=\"Frond\" size=\"{SIZE} {SIZE}\" center=\"{:.6} {:.6}\" scale=\"{:.4}\" \
          background=\"0 0 0\" brightness=\"4\" gamma=\"4\">\n",

@@ -1,6 +1,6 @@
 //! GeoGebra: one command that makes lists of points, each the images of the one before.
 
-use super::export::depth;
+use super::depth::depth;
 use crate::number::Number;
 use crate::system::Row;
 

@@ -1,6 +1,5 @@
 //! LaTeX: the maps as matrices.
 
-use super::export::title;
 use crate::number::Number;
 use crate::system::{Maps, System};
 
@@ -26,7 +25,7 @@ pub fn write(system: &System) -> String {
             format!("  f_{{{}}}(x) &= {} x + {}", k + 1, matrix(linear, size), matrix(shift, 1))
         })
         .collect();
-    let name: String = title(system).chars().filter(|c| !matches!(c, '\\' | '{' | '}')).collect();
+    let name: String = system.title().chars().filter(|c| !matches!(c, '\\' | '{' | '}')).collect();
     format!(
         "% {name}. Needs \\usepackage{{amsmath}}.\n\\begin{{align*}}\n{}\n\\end{{align*}}\n",
         lines.join(" \\\\[2pt]\n")

@@ -1,6 +1,5 @@
 //! A Python program that draws the shape by the chaos game, many points at once.
 
-use super::export::title;
 use crate::number::Number;
 use crate::system::{Maps, System};
 
@@ -55,7 +54,7 @@ pub fn write(system: &System) -> String {
              points = np.einsum(\"nij,nj->ni\", linear[last], points) + shift[last]\n\
          \n\
          {draw}plt.show()\n",
-        title = title(system),
+        title = system.title(),
         rows = rows.join("\n"),
         weights = weights.join(", "),
         squared = size * size,

@@ -3,7 +3,6 @@
 use frond_core::{Affine2, Hull, Ifs, adaptive_cut};
 use glam::DVec2;
 
-use super::export::{ExportError, title};
 use crate::system::{Row, System};
 
 /// The most pieces of a figure, and the words that are looked at for them.
@@ -12,9 +11,9 @@ const MAX_WORDS: usize = 20_000;
 /// The longer side of the figure, in centimetres.
 const SIDE: f64 = 8.0;
 
-pub fn write(system: &System, rows: &[Row]) -> Result<String, ExportError> {
+pub fn write(system: &System, rows: &[Row]) -> Option<String> {
     let maps: Vec<Affine2> = rows.iter().map(|&row| Affine2::from_row(row)).collect();
-    let ifs = Ifs::new(maps.clone()).map_err(|_| ExportError::NoAttractor)?;
+    let ifs = Ifs::new(maps.clone()).ok()?;
     let hull = Hull::of(&ifs);
     let (min, max) = (hull.min(), hull.max());
     let scale = SIDE / (max - min).max_element().max(1e-9);
@@ -46,7 +45,7 @@ pub fn write(system: &System, rows: &[Row]) -> Result<String, ExportError> {
     }
     let mut text = format!(
         "% {}. Needs \\usepackage{{tikz}}.\n\\begin{{tikzpicture}}[line width=0.2pt, line join=round]\n",
-        title(system).replace('%', "")
+        system.title().replace('%', "")
     );
     // A circle of hues: one for each map.
     for k in 0..rows.len() {
@@ -65,5 +64,5 @@ pub fn write(system: &System, rows: &[Row]) -> Result<String, ExportError> {
         text.push_str(&format!("  \\draw[gray, thin] {};\n", parallelogram(map)));
     }
     text.push_str("\\end{tikzpicture}\n");
-    Ok(text)
+    Some(text)
 }

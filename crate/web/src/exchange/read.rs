@@ -40,8 +40,8 @@ struct PlainFile {
     link: Option<String>,
 }
 
-/// What is in a file: the systems of a Fractint, flame, IFStile, JSON or table file, or the document in a PNG or JSON of
-/// Frond. It is known by its content. Throws with the line where it is wrong.
+/// What is in a file: the systems of a Fractint, flame, IFStile, JSON or table file, or the document in a PNG or JSON
+/// of Frond. It is known by its content. Throws with the line where it is wrong.
 #[wasm_bindgen(js_name = importFile, unchecked_return_type = "ImportedFile")]
 pub fn import_file(bytes: &[u8]) -> Result<JsValue, JsValue> {
     let Imported { format, systems, remarks, link } = import(bytes).map_err(|error| of_import(&error))?;

@@ -11,7 +11,7 @@ export const HEAD_BYTES = 64 << 10;
 
 const PICTURES = ["\x89PNG\r\n", "\xff\xd8\xff", "GIF8", "RIFF....WEBP", "....ftypavi", "BM....\0\0\0\0"];
 
-/** A byte of text may be any; those that steer old machines are not in it, but for tabs and ends of lines, pages, files. */
+/** What steers old machines is in no text, but for tabs and ends of lines, pages and files. */
 // biome-ignore lint/suspicious/noControlCharactersInRegex: these are what is looked for
 const NO_TEXT = /[\x00-\x08\x0b\x0e-\x19\x1b-\x1f]/;
 
