@@ -2,8 +2,6 @@ import { signal } from "@preact/signals";
 import { useEffect, useState } from "preact/hooks";
 import { notify, wordsOf } from "#document/notice";
 import { Button } from "#ui/controls/Button";
-import { NumberField } from "#ui/controls/NumberField";
-import { Select } from "#ui/controls/Select";
 import { Switch } from "#ui/controls/Switch";
 import { download } from "#ui/files/download";
 import { Dialog } from "#ui/overlay/Dialog";
@@ -16,6 +14,7 @@ import { exportOpen } from "./open";
 import { Picture } from "./Preview";
 import { MOST_PICTURE_SIDE, type PicturePlan, pictureProblem, pictureWords } from "./picture-plan";
 import { LEAST_SIDE } from "./plan";
+import { type NamedSize, SizeFields } from "./SizeFields";
 import type { Still } from "./subject";
 
 const LONG_SIDE = 2400;
@@ -71,7 +70,22 @@ function Choices({ still, link }: { still: Still; link: () => string | null }) {
   return (
     <div class={css["export-sheet"]}>
       <div class={css["export-settings"]}>
-        <Size plan={plan} stage={stage} />
+        <SizeFields
+          width={width}
+          height={height}
+          sizes={SIZES}
+          first={{
+            name: "As on the stage, larger",
+            chosen: chosen.value.width === undefined,
+            choose: () => {
+              const { width: _width, height: _height, ...rest } = chosen.peek();
+              chosen.value = rest;
+            },
+          }}
+          most={MOST_PICTURE_SIDE}
+          step={1}
+          choose={(size) => change({ width, height, ...size })}
+        />
         <Ground of={plan} stage={subject.ground} canBeClear choose={change} />
         {subject.choosesSmooth && (
           <Switch checked={plan.smooth} onChange={(smooth) => change({ smooth })}>
@@ -136,57 +150,13 @@ function change(part: Partial<PicturePlan>): void {
   chosen.value = { ...chosen.peek(), ...part };
 }
 
-const SIZES: readonly { id: string; name: string; width: number; height: number }[] = [
+const SIZES: readonly NamedSize[] = [
   { id: "full", name: "Full HD, 1920 × 1080", width: 1920, height: 1080 },
   { id: "4k", name: "4K, 3840 × 2160", width: 3840, height: 2160 },
   { id: "square", name: "Square, 2048 × 2048", width: 2048, height: 2048 },
   { id: "poster", name: "Poster, 5793 × 8192", width: 5793, height: 8192 },
   { id: "largest", name: "Largest, 8192 × 8192", width: 8192, height: 8192 },
 ];
-
-function Size({ plan, stage }: { plan: PicturePlan; stage: Still["stage"] }) {
-  const { width, height } = chosen.value;
-  const named = SIZES.find((one) => one.width === plan.width && one.height === plan.height);
-  const value = width === undefined && height === undefined ? "stage" : (named?.id ?? "own");
-  const here = planOf(stage);
-  return (
-    <>
-      <label class={css["export-size"]}>
-        <span class="field-label">Size</span>
-        <Select
-          value={value}
-          onChange={(event) => {
-            const next = SIZES.find((one) => one.id === event.currentTarget.value);
-            const { width: _w, height: _h, ...rest } = chosen.peek();
-            chosen.value = next ? { ...rest, width: next.width, height: next.height } : rest;
-          }}
-        >
-          <option value="stage">As on the stage, larger</option>
-          {SIZES.map(({ id, name }) => (
-            <option key={id} value={id}>
-              {name}
-            </option>
-          ))}
-          {value === "own" && <option value="own">Your own</option>}
-        </Select>
-      </label>
-      <div class={css["export-pair"]}>
-        {(["width", "height"] as const).map((side) => (
-          <NumberField
-            key={side}
-            label={side === "width" ? "Width" : "Height"}
-            value={here[side]}
-            min={LEAST_SIDE}
-            max={MOST_PICTURE_SIDE}
-            step={1}
-            digits={0}
-            onChange={(next) => change({ width: here.width, height: here.height, [side]: next })}
-          />
-        ))}
-      </div>
-    </>
-  );
-}
 
 async function save({ subject, at }: Still, plan: PicturePlan, link: string | null): Promise<void> {
   const stop = new AbortController();

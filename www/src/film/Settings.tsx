@@ -3,7 +3,6 @@ import { formatNumber } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
-import { Select } from "#ui/controls/Select";
 import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Repeat } from "#wasm/api";
@@ -23,7 +22,6 @@ import {
   isVideo,
   type Kind,
   LEAST_FPS,
-  LEAST_SIDE,
   MOST_SECONDS,
   MOST_SIDE,
   mostFps,
@@ -31,6 +29,7 @@ import {
   planProblem,
   timeWords,
 } from "./plan";
+import { SizeFields } from "./SizeFields";
 import {
   able,
   askAble,
@@ -175,39 +174,9 @@ function Kinds({ numbers }: { numbers: Numbers | undefined }) {
 
 function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
   const { width, height, fps, kind, quality, smooth, dither, captions } = of;
-  const size = SIZES.find((one) => one.width === width && one.height === height);
   return (
     <>
-      <label class={css["export-size"]}>
-        <span class="field-label">Size</span>
-        <Select
-          value={size?.id ?? "own"}
-          onChange={(event) => {
-            const next = SIZES.find((one) => one.id === event.currentTarget.value);
-            if (next) choose({ width: next.width, height: next.height });
-          }}
-        >
-          {SIZES.map(({ id, name }) => (
-            <option key={id} value={id}>
-              {name}
-            </option>
-          ))}
-          {!size && <option value="own">Your own</option>}
-        </Select>
-      </label>
-      <div class={css["export-pair"]}>
-        {(["width", "height"] as const).map((side) => (
-          <NumberField
-            key={side}
-            label={side === "width" ? "Width" : "Height"}
-            value={side === "width" ? width : height}
-            min={LEAST_SIDE}
-            max={MOST_SIDE}
-            step={2}
-            digits={0}
-            onChange={(next) => choose({ [side]: next })}
-          />
-        ))}
+      <SizeFields width={width} height={height} sizes={SIZES} most={MOST_SIDE} step={2} choose={choose}>
         <NumberField
           label="Frames a second"
           value={fps}
@@ -229,7 +198,7 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
             onChange={chooseLength}
           />
         )}
-      </div>
+      </SizeFields>
       {subject.loops.length > 1 && (
         <ChoiceRow
           label="At the end"

@@ -5,9 +5,10 @@ import { filmTask } from "#workers/film/client";
 import type { Encodable } from "#workers/film/encode";
 import { lasting } from "#workers/film/subject";
 import { bitrateOf, even, isVideo, type Plan } from "./plan";
+import type { NamedSize } from "./SizeFields";
 import type { FilmSubject } from "./subject";
 
-export const SIZES: readonly { id: string; name: string; width: number; height: number }[] = [
+export const SIZES: readonly NamedSize[] = [
   { id: "small", name: "Small, 480 × 270", width: 480, height: 270 },
   { id: "medium", name: "Medium, 854 × 480", width: 854, height: 480 },
   { id: "hd", name: "HD, 1280 × 720", width: 1280, height: 720 },
