@@ -41,51 +41,59 @@ test(
   },
 );
 
-test("looking round is another picture, and nothing to undo", async ({ studio, page }) => {
+test("it is looked at from all round, turned by hand, and undo brings every bit back", async ({
+  studio,
+  page,
+}) => {
   await studio.open(TETRAHEDRON);
   await complete(page);
   const first = await studio.look();
-  await stage(page).focus();
-  await page.keyboard.press("ArrowLeft");
-  await expect(status(page)).toHaveText(/points|Complete/);
-  await complete(page);
-  const turned = await studio.look();
-  expect(turned.hash).not.toBe(first.hash);
-  await expect(page.getByRole("button", { name: "Undo", exact: true })).toBeDisabled();
-  await page.keyboard.press("0");
-  await complete(page);
-  expect((await studio.look()).hash).toBe(first.hash);
-});
-
-test("a hand turns a shape by its parameters, and undo brings every bit back", async ({ studio, page }) => {
-  await studio.open(TETRAHEDRON);
-  await complete(page);
-  const made = [await packed(studio), (await studio.look()).hash];
-  const table = page.getByRole("region", { name: "Its parameters", exact: true });
-  await expect(table).toContainText("All as made");
-  await page.getByRole("radio", { name: "Turn", exact: true }).first().check({ force: true });
-  const box = await stage(page).boundingBox();
-  if (!box) throw new Error("no stage");
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + 60, y + 20, { steps: 4 });
-  await page.mouse.move(x + 120, y - 30, { steps: 4 });
-  await page.mouse.up();
-  await expect(table).toContainText(/of 48 numbers are not as made/);
-  await expect(table).toContainText("is the same picture");
-  await complete(page);
-  const turned = (await studio.look()).hash;
-  expect(turned).not.toBe(made[1]);
-  // The whole drag is one step, and exactly undone.
-  await page.getByRole("button", { name: "Undo", exact: true }).click();
-  await expect(table).toContainText("All as made");
-  expect(await packed(studio)).toBe(made[0]);
-  await complete(page);
-  expect((await studio.look()).hash).toBe(made[1]);
-  await page.getByRole("button", { name: "Redo", exact: true }).click();
-  await complete(page);
-  expect((await studio.look()).hash).toBe(turned);
+  await test.step("looking round is another picture, and nothing to undo", async () => {
+    await stage(page).focus();
+    await page.keyboard.press("ArrowLeft");
+    await expect(status(page)).toHaveText(/points|Complete/);
+    await complete(page);
+    const turned = await studio.look();
+    expect(turned.hash).not.toBe(first.hash);
+    await expect(page.getByRole("button", { name: "Undo", exact: true })).toBeDisabled();
+    await page.keyboard.press("0");
+    await complete(page);
+    expect((await studio.look()).hash).toBe(first.hash);
+  });
+  await test.step("a hand turns it by its parameters", async () => {
+    const made = [await packed(studio), first.hash];
+    const table = page.getByRole("region", { name: "Its parameters", exact: true });
+    await expect(table).toContainText("All as made");
+    await page.getByRole("radio", { name: "Turn", exact: true }).first().check({ force: true });
+    const box = await stage(page).boundingBox();
+    if (!box) throw new Error("no stage");
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 60, y + 20, { steps: 4 });
+    await page.mouse.move(x + 120, y - 30, { steps: 4 });
+    await page.mouse.up();
+    await expect(table).toContainText(/of 48 numbers are not as made/);
+    await expect(table).toContainText("is the same picture");
+    await complete(page);
+    const turned = (await studio.look()).hash;
+    expect(turned).not.toBe(made[1]);
+    // The whole drag is one step, and exactly undone.
+    await page.getByRole("button", { name: "Undo", exact: true }).click();
+    await expect(table).toContainText("All as made");
+    expect(await packed(studio)).toBe(made[0]);
+    await complete(page);
+    expect((await studio.look()).hash).toBe(made[1]);
+    await page.getByRole("button", { name: "Redo", exact: true }).click();
+    await complete(page);
+    expect((await studio.look()).hash).toBe(turned);
+  });
+  await test.step("nothing of it stands in the way of anybody", async () => {
+    for (const part of ["Shape", "Morph", "Light", "Time"]) {
+      await page.getByRole("radio", { name: part, exact: true }).check({ force: true });
+      await expectClean(page);
+    }
+  });
 });
 
 test("a flight through the natural scene is keyed, exported as a film that plays, and sent as a link", async ({
@@ -264,13 +272,4 @@ test("a lost device is replaced, and the picture is the same", { tag: "@webgpu" 
   await expect.poll(async () => (await studio.said()).join()).toContain("was lost");
   await complete(page);
   expect((await studio.look()).hash).toBe(before);
-});
-
-test("nothing of it stands in the way of anybody", async ({ studio, page }) => {
-  await studio.open(TETRAHEDRON);
-  await whole(page);
-  for (const part of ["Shape", "Morph", "Light", "Time"]) {
-    await page.getByRole("radio", { name: part, exact: true }).check({ force: true });
-    await expectClean(page);
-  }
 });
