@@ -34,6 +34,11 @@ it("are those of all tools", () => {
   expect(Object.keys(files)).toHaveLength(TOOLS.length);
 });
 
+it("have the keys of time where something moves", () => {
+  const playing = lists.filter(([, commands]) => commands.some(({ id }) => id === "play"));
+  expect(playing.map(([name]) => name)).toEqual(["deform", "morph", "space"]);
+});
+
 describe.each(lists)("the keys of %s", (_, commands) => {
   it("do one thing each", () => {
     const keys = commands.flatMap((command) => (command.run ? command.keys : []));
