@@ -66,7 +66,8 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
       <div class="time">{Strip && <Strip />}</div>
       {help.value && <ShortcutsDialog commands={commands} />}
       {exportOpen.value && <Exports />}
-      {settled.value && <Door />}
+      {/* Tools that take files are fetched themselves: it comes with them. */}
+      {(settled.value || typeof entry.tool === "function") && <Door />}
       {exporting.value && tool?.maps && <ExportDialog maps={tool.maps} onClose={endExport} />}
     </main>
   );
