@@ -3,6 +3,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
+import { securityPolicy } from "./www/build/policy";
 
 /** Pages of the site, each of which becomes a file of its own in dist/. */
 const pages = ["index.html", "embed.html", "figures/index.html"].filter((page) => existsSync(page));
@@ -72,7 +73,7 @@ export default defineConfig({
   appType: "mpa",
   resolve: { tsconfigPaths: true },
   publicDir: "www/public",
-  plugins: [classNames, keptStyles],
+  plugins: [classNames, keptStyles, securityPolicy],
   css: { modules: { generateScopedName: scopedName } },
   worker: { format: "es" },
   build: {
