@@ -53,7 +53,7 @@ export function LocusPanel() {
   return (
     <section class="locus" aria-labelledby="locus-title">
       <LocusHead id="locus-title" style={style} />
-      <div class="row">
+      <div class={fieldCss["which"]}>
         <Planes />
         <Menu label="Save the map" icon="save" items={SAVES} />
       </div>
