@@ -3,7 +3,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
-import { securityPolicy } from "./www/build/policy";
+import { securityPolicy } from "./www/build/policy.ts";
 
 /** Pages of the site, each of which becomes a file of its own in dist/. */
 const pages = ["index.html", "embed.html", "figures/index.html"].filter((page) => existsSync(page));

@@ -9,6 +9,8 @@ import { Stage as SharedStage } from "#stage/stage";
 import type { PainterBackend } from "#stage/surface/painter";
 import { commandsOf } from "#stage/tool";
 import { type Command, help, listenForCommands } from "#ui/commands";
+import { openFile } from "#ui/files/door";
+import { listenForFiles } from "#ui/files/dropFiles";
 import { exporting } from "#ui/files/exporting";
 import { lazily } from "#ui/lazy";
 import { curvesFetched } from "#wasm/curve";
@@ -35,7 +37,7 @@ export function App({ backend }: { backend: "auto" | PainterBackend }) {
 /** The tools share the stage, unless they have their own; each brings its own panel and its own strip. */
 function Studio({ backend }: { backend: "auto" | PainterBackend }) {
   useEffect(() => {
-    const stops = [watchTools(), listenForCommands(commands)];
+    const stops = [watchTools(), listenForCommands(commands), listenForFiles(openFile)];
     return () => {
       for (const stop of stops) stop();
     };

@@ -7,7 +7,6 @@ import { notify, wordsOf } from "#document/notice";
 import { edit } from "#document/scene";
 import { tool } from "#document/tool";
 import { openFile, takeFiles } from "#ui/files/door";
-import { listenForFiles } from "#ui/files/dropFiles";
 import { focusOf } from "#ui/focus";
 import type { ImportedFile, ImportedSystem, Tool } from "#wasm/api";
 import { frond } from "#wasm/core";
@@ -32,7 +31,7 @@ const MOST_PASTED = 1 << 20;
 
 /** Opens what comes in, until the returned function is called. */
 export function listen(): () => void {
-  const stops = [takeFiles((files) => void open(files)), listenForFiles(openFile), listenForText()];
+  const stops = [takeFiles((files) => void open(files)), listenForText()];
   return () => {
     for (const stop of stops) stop();
   };
