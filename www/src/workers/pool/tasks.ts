@@ -87,7 +87,7 @@ export const tasks: { [K in Kind]: (hand: Hand, task: Task<K>) => Result<K> | Pr
     }
   },
   certify: ({ frond }, { from, to, points, options }) =>
-    frond.certifyPath({ maps: from }, { maps: to }, [...points], options),
+    frond.certifyPath({ maps: from }, { maps: to }, points, options),
   certificate({ frond }, { maps, epsilon }) {
     const certificate = frond.certificate({ maps }, { epsilon });
     return certificate && { certificate, check: frond.checkCertificate(certificate) };
