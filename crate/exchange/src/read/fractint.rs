@@ -1,9 +1,9 @@
 //! Fractint's `.ifs` files, and those that other programs write like them.
 //!
-//! `name { .. }`, with `(3D)` beside the name where it is of space. A map of the plane has six numbers, x' = a x + b y
-//! + e and y' = c x + d y + f, and one of space twelve; one more is its weight in the chaos game. Blanks and commas
-//! part numbers, and what follows a semicolon is a remark. Fractint counts numbers and does not look at lines; others
-//! have a map a line. Both are read: by lines where each has as many as a map.
+//! `name { .. }`, with `(3D)` beside the name where it is of space. A map of the plane has six numbers,
+//! x' = a x + b y + e and y' = c x + d y + f, and one of space twelve; one more is its weight in the chaos game. Blanks
+//! and commas part numbers, and what follows a semicolon is a remark. Fractint counts numbers and does not look at
+//! lines; others have a map a line. Both are read: by lines where each has as many as a map.
 
 use frond_core::MAX_MAPS;
 
