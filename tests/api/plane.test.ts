@@ -35,6 +35,18 @@ describe("a shape", () => {
       expect(refused(() => frond.attractor(shape("fern"), wrong(bad)))).toBe("bad-input");
   });
 
+  it("takes a field that is undefined as one that is absent", () => {
+    const gasket = shape("gasket");
+    const absent = { probabilities: undefined, seed: undefined, w: undefined };
+    expect(frond.attractor(wrong({ ...gasket, ...absent }), wrong({ points: 9, ...absent }))).toEqual(
+      frond.attractor(gasket, { points: 9 }),
+    );
+    expect(frond.interpolate(gasket, gasket, wrong({ u: 0, v: 0.5, ...absent })).maps).toHaveLength(3);
+    expect(() => frond.attractor(gasket, wrong({ points: undefined }))).toThrow(
+      "The options cannot be read: missing field `points`.",
+    );
+  });
+
   it("is moved by conjugation", () => {
     const { min, dimension } = frond.bounds(frond.conjugate(shape("gasket"), [2, 0, 0, 2, 5, 7]));
     expect(Math.abs(min[0] - 5)).toBeLessThan(0.02);

@@ -15,7 +15,7 @@ pub(crate) fn failure(code: &str, message: &str) -> JsValue {
 
 /// A value of the wrong form: a wrong type, a missing field.
 pub(crate) fn bad_input(what: &str, why: &str) -> JsValue {
-    failure("bad-input", &format!("{what} is not of the form that is documented: {why}."))
+    failure("bad-input", &format!("{what} cannot be read: {why}."))
 }
 
 pub(crate) fn of_ifs(error: &IfsError) -> JsValue {

@@ -2,7 +2,7 @@
 
 use frond_core::{Affine2, Ifs, IfsError, MAX_MAPS, Mode, Morph, MorphOptions};
 use glam::DVec2;
-use js_sys::{Array, Object, Reflect};
+use js_sys::{Array, ArrayBuffer, Object, Reflect};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::{JsCast, JsValue};
@@ -12,10 +12,35 @@ use crate::boundary::error::{bad_input, of_ifs, of_morph};
 /// A row of six numbers.
 pub(crate) type Row = [f64; 6];
 
-/// Reads a plain object; `undefined` and `null` are read as the empty one.
+/// Reads a plain object; `undefined` and `null` are read as the empty one, and a field that is `undefined` as absent.
 pub(crate) fn read<T: DeserializeOwned>(what: &str, value: JsValue) -> Result<T, JsValue> {
-    let value = if value.is_undefined() || value.is_null() { Object::new().into() } else { value };
-    serde_wasm_bindgen::from_value(value).map_err(|error| bad_input(what, &error.to_string()))
+    let value = if value.is_undefined() || value.is_null() { Object::new().into() } else { defined(value) };
+    serde_wasm_bindgen::from_value(value).map_err(|error| {
+        let why = error.to_string();
+        bad_input(what, why.strip_prefix("Error: ").unwrap_or(&why))
+    })
+}
+
+/// The object, or a copy without the fields that are `undefined`: `{ seed: options.seed }` is how options are handed
+/// on.
+fn defined(value: JsValue) -> JsValue {
+    let Some(object) = value.dyn_ref::<Object>() else { return value };
+    if Array::is_array(&value) || ArrayBuffer::is_view(&value) {
+        return value;
+    }
+    let absent: Vec<JsValue> = Object::keys(object)
+        .iter()
+        .filter(|key| Reflect::get(object, key).is_ok_and(|field| field.is_undefined()))
+        .collect();
+    if absent.is_empty() {
+        return value;
+    }
+    let copy = Object::assign(&Object::new(), object);
+    for key in &absent {
+        // Deleting a property of a fresh object cannot fail.
+        let _ = Reflect::delete_property(&copy, key);
+    }
+    copy.into()
 }
 
 /// Writes a plain object.
