@@ -7,7 +7,7 @@ import { percent } from "#format/path-words";
 import { fitCommand } from "#stage/commands";
 import { Stage as SharedStage } from "#stage/stage";
 import type { PainterBackend } from "#stage/surface/painter";
-import { LocusPanel } from "#tools/morph/locus/LocusPanel";
+import { LocusBeside } from "#tools/morph/locus/LocusPanel";
 import { listenForCommands } from "#ui/commands";
 import { Icon } from "#ui/controls/Icon";
 import { Slider } from "#ui/controls/Slider";
@@ -59,7 +59,7 @@ export function Embed({ backend }: { backend: "auto" | PainterBackend }) {
         </section>
         {beside && (
           <aside class={css["side"]} aria-label={entry.side}>
-            {options.panel && Panel ? <Panel /> : <LocusPanel />}
+            {options.panel && Panel ? <Panel /> : <LocusBeside />}
           </aside>
         )}
         <footer class={css["foot"]}>
