@@ -87,52 +87,92 @@ impl RenderError {
 /// # Errors
 /// [`RenderError::TooLarge`] and [`RenderError::View`].
 pub fn rasterize(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, RenderError> {
-    let &RasterOptions { width, height, .. } = options;
-    if width > MAX_SIDE || height > MAX_SIDE {
-        return Err(RenderError::TooLarge { width, height });
-    }
-    if options.view.is_some_and(|view| !view.is_valid()) {
-        return Err(RenderError::View);
-    }
-    let hull = Hull::of(ifs);
-    let frame = Frame::within(ifs, &hull);
-    let view = options.view.unwrap_or_else(|| View::fit(&hull, width, height, 0.05));
-    let window = Window { width, height };
-    if window.area() == 0 {
-        return Ok(Vec::new());
-    }
-    let mut colours = Colours::new(options.colouring, options.palette, ifs.len());
-    let bent = options.bend.map(|bend| (bend, AnchorError::of(&frame, bend)));
+    let Some(bend) = options.bend else { return rasterize_unbent(ifs, options) };
+    let Some(mut ground) = Ground::new(ifs, options)? else { return Ok(Vec::new()) };
+    let anchor_error = AnchorError::of(&ground.frame, bend);
+    let bent = |(view, window), fine| Bent::new(&ground.frame, bend, &anchor_error, (view, window), fine);
+    let place = (ground.view, ground.window);
     if options.colouring == Colouring::Density {
-        let density = match &bent {
-            Some((bend, anchor_error)) => {
-                let bent = Bent::new(&frame, bend, anchor_error, (view, window), (window, 1.0));
-                Density::bent(&bent, BENT_DENSITY.0, BENT_DENSITY.1, BENT_DENSITY.2)
-            }
-            None => Density::new(&frame, view, window, 128, 512),
-        };
-        let (sums, gain) = densities(&frame, density, window, &colours);
-        colours.source = [width as i32, height as i32];
-        colours.gain = gain * options.exposure.max(0.0);
-        Ok(picture_of_density(&colours, &sums, window))
+        let bent = bent(place, (ground.window, 1.0));
+        let density = Density::bent(&bent, BENT_DENSITY.0, BENT_DENSITY.1, BENT_DENSITY.2);
+        Ok(ground.picture_of_density(density, options))
     } else {
+        let (fine, scale) = ground.fine(options);
+        let bent = bent(place, (fine, scale));
+        let coloured = options.colouring == Colouring::Grid && bent.has_colours();
+        let mut sweep = BentSweep::new();
+        sweep.begin(&bent, CERTAIN_REACH * scale, coloured);
+        sweep.run(&bent, u64::MAX);
+        ground.colours.tinted = f32::from(u8::from(coloured));
+        Ok(ground.picture_of_codes(&sweep.into_codes(), options))
+    }
+}
+
+/// The same of an attractor at rest, whatever bends it: what draws nothing else has no need of the rest of the program.
+///
+/// # Errors
+/// [`RenderError::TooLarge`] and [`RenderError::View`].
+pub fn rasterize_unbent(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Vec<u8>, RenderError> {
+    let Some(mut ground) = Ground::new(ifs, options)? else { return Ok(Vec::new()) };
+    let Ground { frame, view, window, .. } = &ground;
+    if options.colouring == Colouring::Density {
+        let density = Density::new(frame, *view, *window, 128, 512);
+        Ok(ground.picture_of_density(density, options))
+    } else {
+        let (fine, scale) = ground.fine(options);
+        let to_fine = view.onto_target(frame.to_world, *window, scale);
+        let (codes, _) = codes(frame, to_fine, fine, CERTAIN_REACH * scale);
+        Ok(ground.picture_of_codes(&codes, options))
+    }
+}
+
+/// What every picture begins with.
+struct Ground {
+    frame: Frame,
+    view: View,
+    window: Window,
+    colours: Colours,
+}
+
+impl Ground {
+    /// None where there are no pixels.
+    fn new(ifs: &Ifs, options: &RasterOptions<'_>) -> Result<Option<Self>, RenderError> {
+        let &RasterOptions { width, height, .. } = options;
+        if width > MAX_SIDE || height > MAX_SIDE {
+            return Err(RenderError::TooLarge { width, height });
+        }
+        if options.view.is_some_and(|view| !view.is_valid()) {
+            return Err(RenderError::View);
+        }
+        let hull = Hull::of(ifs);
+        let window = Window { width, height };
+        if window.area() == 0 {
+            return Ok(None);
+        }
+        let view = options.view.unwrap_or_else(|| View::fit(&hull, width, height, 0.05));
+        let colours = Colours::new(options.colouring, options.palette, ifs.len());
+        Ok(Some(Self { frame: Frame::within(ifs, &hull), view, window, colours }))
+    }
+
+    /// The pixels that codes are found for, and how many there are each way for one of the picture.
+    fn fine(&self, options: &RasterOptions<'_>) -> (Window, f64) {
         let factor = if options.smooth { 2 } else { 1 };
-        let fine = Window { width: width * factor, height: height * factor };
-        let (scale, detail) = (f64::from(factor), CERTAIN_REACH * f64::from(factor));
-        let codes = if let Some((bend, anchor_error)) = &bent {
-            let bent = Bent::new(&frame, bend, anchor_error, (view, window), (fine, scale));
-            let coloured = options.colouring == Colouring::Grid && bent.has_colours();
-            colours.tinted = f32::from(u8::from(coloured));
-            let mut sweep = BentSweep::new();
-            sweep.begin(&bent, detail, coloured);
-            sweep.run(&bent, u64::MAX);
-            sweep.into_codes()
-        } else {
-            codes(&frame, view.onto_target(frame.to_world, window, scale), fine, detail).0
-        };
-        colours.source = [fine.width as i32, fine.height as i32];
-        colours.factor = factor as f32;
-        Ok(picture_of_codes(&colours, &codes, window))
+        let Window { width, height } = self.window;
+        (Window { width: width * factor, height: height * factor }, f64::from(factor))
+    }
+
+    fn picture_of_codes(&mut self, codes: &[u32], options: &RasterOptions<'_>) -> Vec<u8> {
+        let (fine, scale) = self.fine(options);
+        self.colours.source = [fine.width as i32, fine.height as i32];
+        self.colours.factor = scale as f32;
+        picture_of_codes(&self.colours, codes, self.window)
+    }
+
+    fn picture_of_density(&mut self, density: Density, options: &RasterOptions<'_>) -> Vec<u8> {
+        let (sums, gain) = densities(&self.frame, density, self.window, &self.colours);
+        self.colours.source = [self.window.width as i32, self.window.height as i32];
+        self.colours.gain = gain * options.exposure.max(0.0);
+        picture_of_density(&self.colours, &sums, self.window)
     }
 }
 

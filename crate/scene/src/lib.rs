@@ -23,7 +23,7 @@ mod space;
 pub use curve::{Curve, CurveEdge, CurveShape, Curves};
 pub use deformation::{Deformation, Key, MAX_KEYS, MAX_SIDE, Subject, Tint};
 pub use fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS};
-pub use link::{LinkError, MAX_LINK, VERSION, decode, encode};
+pub use link::{LinkError, MAX_LINK, VERSION, decode, decode_morph, encode};
 pub use preset::{Preset, Row, preset, presets};
 pub use scene::{
     FamilyName, LocusView, MAX_WAY_POINTS, Path, PathKind, Scene, Shape, Tool, WayPoint, Window,

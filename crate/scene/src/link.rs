@@ -131,13 +131,28 @@ pub fn decode(link: &str) -> (Scene, Option<LinkError>) {
     }
 }
 
+/// The morph of a link alone: both shapes, the way between them, the moment and the colours, and which tool is open.
+/// All else is passed over, damaged or not: for views that show nothing else, and are to be small.
+///
+/// # Errors
+/// Where one of these cannot be read.
+pub fn decode_morph(link: &str) -> Result<Scene, LinkError> {
+    let link = link.strip_prefix('#').unwrap_or(link);
+    if link.len() > MAX_LINK {
+        return Err(LinkError::TooLong { bytes: link.len() });
+    }
+    read_morph(&|key| value_of(link, key))
+}
+
+fn value_of<'a>(link: &'a str, key: &str) -> Option<&'a str> {
+    link.split('&').find_map(|pair| pair.strip_prefix(key).and_then(|rest| rest.strip_prefix('=')))
+}
+
 fn read(link: &str) -> Result<(Scene, bool), LinkError> {
     if link.len() > MAX_LINK {
         return Err(LinkError::TooLong { bytes: link.len() });
     }
-    let get = |key: &str| {
-        link.split('&').find_map(|pair| pair.strip_prefix(key).and_then(|rest| rest.strip_prefix('=')))
-    };
+    let get = |key: &str| value_of(link, key);
     let later = match get("v") {
         None => false,
         Some(text) => match text.parse::<u32>() {
@@ -145,6 +160,24 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
             _ => return Err(damaged("v", text)),
         },
     };
+    let mut scene = read_morph(&get)?;
+    scene.compare = choice("compare", get("compare"), &[("0", false), ("1", true)])?;
+    if let Some(text) = get("view") {
+        let [x, y, zoom] = read_numbers::<3>("view", text)?;
+        if !(within(&[x, y], 1e100) && (1e-6..=1e15).contains(&zoom)) {
+            return Err(damaged("view", text));
+        }
+        scene.view = Some(Window { x, y, zoom });
+    }
+    scene.locus = read_locus(&get)?;
+    scene.deform = read_deform(&get)?;
+    scene.curves = read_curves(&get)?;
+    scene.fit = read_fit(&get)?;
+    scene.space = read_space(&get)?;
+    Ok((scene, later))
+}
+
+fn read_morph<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Scene, LinkError> {
     let mut scene = Scene::default();
     for (key, name_key, end, shape) in
         [("a", "a-name", 'A', &mut scene.a), ("b", "b-name", 'B', &mut scene.b)]
@@ -186,21 +219,8 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
         }
     }
     scene.colouring = choice("colour", get("colour"), &COLOURS)?;
-    scene.compare = choice("compare", get("compare"), &[("0", false), ("1", true)])?;
-    if let Some(text) = get("view") {
-        let [x, y, zoom] = read_numbers::<3>("view", text)?;
-        if !(within(&[x, y], 1e100) && (1e-6..=1e15).contains(&zoom)) {
-            return Err(damaged("view", text));
-        }
-        scene.view = Some(Window { x, y, zoom });
-    }
-    scene.locus = read_locus(&get)?;
     scene.tool = choice("tool", get("tool"), &Tool::NAMES)?;
-    scene.deform = read_deform(&get)?;
-    scene.curves = read_curves(&get)?;
-    scene.fit = read_fit(&get)?;
-    scene.space = read_space(&get)?;
-    Ok((scene, later))
+    Ok(scene)
 }
 
 fn write_shape(link: &mut String, key: &str, shape: &Shape) {

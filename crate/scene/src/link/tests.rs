@@ -532,3 +532,18 @@ fn curves_of_the_gallery_are_written_by_their_names() {
         assert!(problem.to_string().contains(words), "{problem}");
     }
 }
+
+#[test]
+fn the_morph_of_a_link_is_read_alone_and_passes_over_the_rest() {
+    let link = "v=1&a=koch&b=gasket&mode=linear&path=drawn:0.2,0.8&t=0.3&colour=address";
+    let (scene, _) = decode(link);
+    assert_eq!(decode_morph(&format!("#{link}")), Ok(scene.clone()));
+    // What it does not show may be damaged or of a later version.
+    let rest = "&view=nowhere&locus=?&mesh=x&curve-a=maple&space=!";
+    assert_eq!(decode_morph(&format!("{link}{rest}")), Ok(scene));
+    assert_eq!(decode_morph("tool=space").map(|scene| scene.tool), Ok(Tool::Space));
+    for damaged in ["a=nobody", "t=x", "path=drawn:1", "match=2", "a=maps:2,0,0,2,0,0", "tool=hammer"] {
+        assert!(decode_morph(damaged).is_err(), "{damaged}");
+    }
+    assert!(matches!(decode_morph(&"a".repeat(MAX_LINK + 1)), Err(LinkError::TooLong { .. })));
+}
