@@ -1,8 +1,17 @@
+import { execFileSync } from "node:child_process";
+import { existsSync, readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
 import { beforeAll, describe, expect, it } from "vitest";
 import init, * as frond from "../../www/pkg/index.js";
 
 const read = (name: string) => readFile(new URL(`../../www/pkg/${name}`, import.meta.url));
+
+const pkg = fileURLToPath(new URL("../../www/pkg", import.meta.url));
+const manifest: { exports: Record<string, string | Record<string, string>> } = JSON.parse(
+  readFileSync(join(pkg, "package.json"), "utf8"),
+);
 
 /** What README.md promises of the package's first entry. */
 const PROMISED = `presets validate attractor rasterize bounds connectedness certificate checkCertificate indexBuffer
@@ -66,10 +75,25 @@ describe("the package", () => {
     );
   });
 
-  it("finds its modules by itself in Node", async () => {
-    const entry: string = "../../www/pkg/node.js";
-    const node = await import(/* @vite-ignore */ entry);
-    await node.default();
-    expect(node.presets().length).toBeGreaterThan(10);
+  it("finds its modules by itself in Node, at every entry that draws on no graphics card", () => {
+    const entries = Object.keys(manifest.exports).filter((entry) => !/\.(wasm|json)$|renderer/.test(entry));
+    expect(entries).toContain("./exchange");
+    const program = `
+      for (const entry of ${JSON.stringify(entries)}) {
+        const { default: init, ...rest } = await import(entry.replace(".", "frond"));
+        await init();
+        rest.start?.();
+        console.log(entry, "initSync" in rest);
+      }`;
+    // A program beside the package's manifest may import it by its name.
+    const said = execFileSync(process.execPath, ["--input-type=module", "--eval", program], { cwd: pkg });
+    expect(said.toString()).toBe(entries.map((entry) => `${entry} true\n`).join(""));
+  });
+
+  it("has every file that its entries name", () => {
+    const named = Object.values(manifest.exports).flatMap((entry) =>
+      typeof entry === "string" ? [entry] : Object.values(entry),
+    );
+    expect(named.filter((file) => !existsSync(join(pkg, file)))).toEqual([]);
   });
 });

@@ -9,8 +9,8 @@
 //!
 //! 1. `boundary`: how values cross. `value` reads and writes maps and options, `error` is what is thrown.
 //! 2. `compute`: what describes and draws. `shape` shows best how a function is exported.
-//! 3. `proof`, `curve`, `fit`, `space`, `exchange`: a folder for each of the other modules, a file for what belongs
-//!    together.
+//! 3. `proof`, `curve`, `fit`, `space`, `exchange`, `morph`: a folder or a file for each of the other modules, a file
+//!    for what belongs together.
 //! 4. `renderers`: the stages of `frond-render` on a canvas, for WebGPU and for WebGL2.
 //!
 //! Each folder is a feature of the crate, and `cargo xtask build` makes a module of each: crate/xtask/src/modules.rs
@@ -39,6 +39,8 @@ mod curve;
 pub mod exchange;
 #[cfg(feature = "fit")]
 pub mod fit;
+#[cfg(feature = "morph")]
+mod morph;
 #[cfg(feature = "proof")]
 mod proof;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
@@ -52,11 +54,12 @@ pub use boundary::polygon::*;
 pub use compute::*;
 #[cfg(feature = "curve")]
 pub use curve::*;
+#[cfg(feature = "morph")]
+pub use morph::*;
 #[cfg(feature = "proof")]
 pub use proof::*;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 pub use renderers::*;
-
 use wasm_bindgen::prelude::*;
 
 #[cfg(any(
@@ -66,7 +69,8 @@ use wasm_bindgen::prelude::*;
         feature = "proof",
         feature = "fit",
         feature = "space",
-        feature = "exchange"
+        feature = "exchange",
+        feature = "morph"
     ))
 ))]
 #[wasm_bindgen(typescript_custom_section)]

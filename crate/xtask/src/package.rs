@@ -8,12 +8,24 @@ use crate::modules::files;
 use crate::stamp;
 
 const MANIFEST: &str = include_str!("package/package.json");
-/// The entries: all that needs no graphics card, in the browser and in Node.
-const ENTRIES: [(&str, &str); 3] = [
+/// The first entry: all that needs no graphics card, in the browser and in Node.
+const FIRST: [(&str, &str); 3] = [
     ("index.js", include_str!("package/index.js")),
     ("index.d.ts", include_str!("package/index.d.ts")),
-    ("node.js", include_str!("package/node.js")),
+    ("node/index.js", include_str!("package/node.js")),
 ];
+/// The other entries that work in Node, and the modules that they are.
+const OTHERS: [(&str, &str); 7] = [
+    ("draw", "frond"),
+    ("curve", "frond-curve"),
+    ("proof", "frond-proof"),
+    ("fit", "frond-fit"),
+    ("space", "frond-space"),
+    ("exchange", "frond-exchange"),
+    ("morph", "frond-morph"),
+];
+/// Such an entry for Node.
+const OTHER: &str = include_str!("package/node-module.js");
 
 /// Writes what makes a folder with wasm-bindgen's files a package: its manifest and its entries.
 pub fn write_manifest(folder: &Path) -> Outcome {
@@ -21,8 +33,12 @@ pub fn write_manifest(folder: &Path) -> Outcome {
         &folder.join("package.json"),
         &MANIFEST.replace("0.0.0", env!("CARGO_PKG_VERSION")),
     )?;
-    for (name, text) in ENTRIES {
+    fs::create_dir_all(folder.join("node"))?;
+    for (name, text) in FIRST {
         stamp::write_changed(&folder.join(name), text)?;
+    }
+    for (name, module) in OTHERS {
+        stamp::write_changed(&folder.join(format!("node/{name}.js")), &OTHER.replace("MODULE", module))?;
     }
     Ok(())
 }
@@ -37,11 +53,12 @@ pub fn write() -> Outcome {
     for file in files() {
         fs::copy(root().join("www/pkg").join(&file), package.join(&file))?;
     }
-    for file in ["LICENSE-MIT", "LICENSE-APACHE", "README.md"] {
+    for file in ["LICENSE-MIT", "LICENSE-APACHE"] {
         let path = root().join(file);
         if path.is_file() {
             fs::copy(path, package.join(file))?;
         }
     }
+    stamp::write_changed(&package.join("README.md"), include_str!("package/README.md"))?;
     write_manifest(&package)
 }

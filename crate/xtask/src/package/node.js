@@ -1,15 +1,15 @@
-// The entry for Node, whose fetch() opens no files: without an argument, the modules are read from beside this file.
+// The entry for Node, whose fetch() opens no files: without an argument, the modules are read from the folder above.
 import { readFile } from "node:fs/promises";
-import load from "./index.js";
+import load from "../index.js";
 
-export * from "./index.js";
+export * from "../index.js";
 
-const beside = (name) => readFile(new URL(`./${name}`, import.meta.url));
+const above = (name) => readFile(new URL(`../${name}`, import.meta.url));
 
 export default async function init({ frond, curve, proof } = {}) {
   await load({
-    frond: frond ?? (await beside("frond_bg.wasm")),
-    curve: curve ?? (await beside("frond-curve_bg.wasm")),
-    proof: proof ?? (await beside("frond-proof_bg.wasm")),
+    frond: frond ?? (await above("frond_bg.wasm")),
+    curve: curve ?? (await above("frond-curve_bg.wasm")),
+    proof: proof ?? (await above("frond-proof_bg.wasm")),
   });
 }
