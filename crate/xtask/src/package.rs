@@ -8,10 +8,12 @@ use crate::modules::files;
 use crate::stamp;
 
 const MANIFEST: &str = include_str!("package/package.json");
-/// The first entry: all that needs no graphics card, in the browser and in Node.
-const FIRST: [(&str, &str); 3] = [
+/// The first entry: all that needs no graphics card, in the browser and in Node; and the types of the element, which
+/// the site builds.
+const FIRST: [(&str, &str); 4] = [
     ("index.js", include_str!("package/index.js")),
     ("index.d.ts", include_str!("package/index.d.ts")),
+    ("frond-view.d.ts", include_str!("package/frond-view.d.ts")),
     ("node/index.js", include_str!("package/node.js")),
 ];
 /// The other entries that work in Node, and the modules that they are.
@@ -53,6 +55,7 @@ pub fn write() -> Outcome {
     for file in files() {
         fs::copy(root().join("www/pkg").join(&file), package.join(&file))?;
     }
+    fs::copy(root().join("dist/frond-view.js"), package.join("frond-view.js"))?;
     for file in ["LICENSE-MIT", "LICENSE-APACHE"] {
         let path = root().join(file);
         if path.is_file() {

@@ -17,25 +17,30 @@ const MOST_PICTURE_BYTES: usize = 650_000;
 /// Bytes of the scripts that index.html loads by itself, at most; what is loaded when asked for is not among them.
 const MOST_SCRIPT_BYTES: usize = 80_000;
 
+/// Bytes of the script of `<frond-view>`, which holds all that an attractor needs, at most.
+const MOST_ELEMENT_BYTES: usize = 150_000;
+
 /// Weighs dist/ and fails where it is too heavy.
 ///
 /// What comes after the first picture is only weighed: the workers' module, which decides and proves, those of the fit,
 /// of space and of files, and the renderer for WebGL2, which brings wgpu's own validation and translation of shaders.
 pub fn gate() -> Outcome {
     let dist = root().join("dist");
-    let weigh = |name: &str| -> Outcome<usize> {
-        let modules: Vec<PathBuf> = stamp::files(&dist)?
-            .into_iter()
-            .filter(|file| {
-                let file = file.file_name().unwrap_or_default().to_string_lossy();
-                file.starts_with(name) && file.ends_with(".wasm")
-            })
-            .collect();
-        match &modules[..] {
-            [module] => gzipped(module),
-            _ => Err(format!("dist/ holds {} modules {name}*.wasm: it must be one", modules.len()).into()),
-        }
-    };
+    let weigh =
+        |name: &str| -> Outcome<usize> {
+            let modules: Vec<PathBuf> = stamp::files(&dist.join("assets"))?
+                .into_iter()
+                .filter(|file| {
+                    let file = file.file_name().unwrap_or_default().to_string_lossy();
+                    file.starts_with(name) && file.ends_with(".wasm")
+                })
+                .collect();
+            match &modules[..] {
+                [module] => gzipped(module),
+                _ => Err(format!("dist/assets holds {} modules {name}*.wasm: it must be one", modules.len())
+                    .into()),
+            }
+        };
     let (first, proof, fit) = (weigh("frond_bg")?, weigh("frond-proof_bg")?, weigh("frond-fit_bg")?);
     let (curve, space) = (weigh("frond-curve_bg")?, weigh("frond-space_bg")?);
     let exchange = weigh("frond-exchange_bg")?;
@@ -54,6 +59,7 @@ pub fn gate() -> Outcome {
         ("wasm that fits outlines", fit, None),
         ("wasm of space", space, None),
         ("wasm of files", exchange, None),
+        ("<frond-view>", gzipped(&dist.join("frond-view.js"))?, Some(MOST_ELEMENT_BYTES)),
         ("script", script, Some(MOST_SCRIPT_BYTES)),
     ] {
         let limit = most.map_or(String::new(), |most| format!(" of {:>5.1} kB", kilo(most)));

@@ -1,36 +1,17 @@
 /** The moment of the morph as it plays. */
 import { signal } from "@preact/signals";
+import { advance } from "#geometry/moment";
 import { whilePlaying } from "./frames";
 import { replace, scene } from "./scene";
 
 export const playing = signal(false);
 /** Back and forth for ever; else it stops at the end. */
 export const loop = signal(true);
-/** 1 takes `SECONDS` from one end to the other. */
+/** 1 takes as long as `SECONDS` of geometry/moment says from one end to the other. */
 export const speed = signal(1);
-export const SECONDS = 8;
 const FINEST = 1e4;
 
 let direction = 1;
-
-/** Where the moment is after `dt` seconds, and which way it then goes. Pure, for the tests. */
-export function advance(
-  t: number,
-  dt: number,
-  way: number,
-  options: { speed: number; loop: boolean },
-): { t: number; way: number; ended: boolean } {
-  let next = t + (way * dt * options.speed) / SECONDS;
-  let onward = way;
-  if (!options.loop) return { t: Math.min(1, Math.max(0, next)), way, ended: next >= 1 || next < 0 };
-  // Reflect at both ends; a long pause may pass several.
-  next = ((next % 2) + 2) % 2;
-  if (next > 1) {
-    next = 2 - next;
-    onward = -way;
-  }
-  return { t: next, way: onward, ended: false };
-}
 
 function step(dt: number): void {
   const before = scene.peek();

@@ -95,6 +95,13 @@ export function ShareDialog() {
           >
             Copy embed code
           </Button>
+          <Button
+            icon="copy"
+            description="Two lines for a page of one's own: a script, and the element that shows this"
+            onClick={() => void copy(elementOf(address)).then(setTold)}
+          >
+            Copy element
+          </Button>
           {"share" in navigator && <Button onClick={() => void send(address)}>Send …</Button>}
         </div>
       </div>
@@ -157,10 +164,18 @@ function addressWith(start: "here" | "first", plays: boolean): string | null {
 export function frameOf(address: string): string {
   const url = new URL(address);
   url.pathname = url.pathname.replace(/[^/]*$/, "embed.html");
-  // Quotes and ampersands end or begin something in an attribute.
-  const src = url.href.replace(/&/g, "&amp;").replace(/"/g, "&quot;").replace(/</g, "&lt;");
-  return `<iframe src="${src}" title="A fractal in Frond" width="640" height="400" loading="lazy"></iframe>`;
+  return `<iframe src="${quoted(url.href)}" title="A fractal in Frond" width="640" height="400" loading="lazy"></iframe>`;
 }
+
+/** The same as an element, with the script that defines it. */
+export function elementOf(address: string): string {
+  const script = new URL("frond-view.js", address).href;
+  const plays = new URL(address).searchParams.has("play") ? " autoplay loop" : "";
+  return `<script src="${quoted(script)}"></script>\n<frond-view src="${quoted(address)}" controls${plays}></frond-view>`;
+}
+
+/** Quotes and ampersands end or begin something in an attribute. */
+const quoted = (text: string) => text.replace(/&/g, "&amp;").replace(/"/g, "&quot;").replace(/</g, "&lt;");
 
 /** What came of it, in words. */
 async function copy(address: string): Promise<string> {

@@ -1,6 +1,7 @@
 /** Frond in a frame of another page: a picture and a slider, and nothing else unless asked. */
 import { useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { route } from "#document/link";
 import { setTheme } from "#document/preferences";
 import { scene } from "#document/scene";
 import { percent } from "#format/path-words";
@@ -11,6 +12,7 @@ import { LocusBeside } from "#tools/morph/locus/LocusPanel";
 import { listenForCommands } from "#ui/commands";
 import { Icon } from "#ui/controls/Icon";
 import { Slider } from "#ui/controls/Slider";
+import { lazily } from "#ui/lazy";
 import { PlayButton } from "#ui/strip/PlayButton";
 import { timeCommands } from "#ui/strip/timeline";
 import { studioHref } from "../actions";
@@ -39,8 +41,10 @@ export function Embed({ backend }: { backend: "auto" | PainterBackend }) {
     };
   }, []);
   useSignalEffect(() => {
-    document.title = openedTool().entry.title;
+    if (route.value.page === "studio") document.title = openedTool().entry.title;
   });
+  const at = route.value;
+  if (at.page === "figures") return <Page figure={at.figure} />;
   const { entry, tool } = openedTool();
   const { Stage, Verdict, Panel } = tool ?? {};
   const beside = (options.panel && Panel) || (options.locus && entry.id === "morph");
@@ -72,6 +76,25 @@ export function Embed({ backend }: { backend: "auto" | PainterBackend }) {
   );
 }
 
+/** A figure or a lesson. */
+function Page({ figure }: { figure: string | null }) {
+  return (
+    <>
+      <main class={css["embed"]}>
+        <div class={css["page"]}>
+          <Figures figure={figure} />
+        </div>
+        <footer class={css["foot"]}>
+          <OutLink to={`#figures/${figure ?? ""}`} />
+        </footer>
+      </main>
+      <Notices />
+    </>
+  );
+}
+
+const Figures = lazily(() => import("#figures/index").then((module) => module.Figures));
+
 function Time() {
   const t = momentNow();
   return (
@@ -94,8 +117,12 @@ function Out() {
   const rested = useRef("");
   scene.value;
   if (!moving()) rested.current = studioHref();
+  return <OutLink to={rested.current} />;
+}
+
+function OutLink({ to }: { to: string }) {
   return (
-    <a class={css["out"]} href={`./${rested.current}`} target="_blank" rel="noopener">
+    <a class={css["out"]} href={`./${to}`} target="_blank" rel="noopener">
       Open in Frond
       <Icon name="arrow" size={14} />
     </a>

@@ -1,8 +1,8 @@
 import { signal } from "@preact/signals";
 import { whilePlaying } from "#document/frames";
-import { advance } from "#document/playback";
 import { endGesture } from "#document/scene";
 import { spacePart, spacePlaying } from "#document/space/space";
+import { advance } from "#geometry/moment";
 import { goTo } from "./way";
 import { moment } from "./work";
 

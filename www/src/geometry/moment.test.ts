@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { advance, SECONDS } from "./playback";
+import { advance, SECONDS } from "./moment";
 
 describe("advance", () => {
   it("takes as long as it says", () => {

@@ -1,0 +1,491 @@
+/**
+ * `<frond-view>`: a morph, or whatever else the studio shows, on any page. It loads nothing until it is near the
+ * screen, and what goes wrong is an `error` event and a word in its place.
+ */
+
+import { percent } from "#format/path-words";
+import sheet from "#style/element.css?inline";
+import { palette } from "#style/palette";
+import { Frame } from "./frame";
+import { Picture } from "./picture";
+import { failureOf } from "./protocol";
+import type { PictureOptions, Shown, Teller, Told } from "./shown";
+import { momentOf, WishError, wishOf } from "./wish";
+
+const PLAY = "M8 5.2v13.6a.8.8 0 0 0 1.2.7l10.6-6.8a.8.8 0 0 0 0-1.4L9.2 4.5A.8.8 0 0 0 8 5.2z";
+const PAUSE = "M7 5h3.5v14H7zM13.5 5H17v14h-3.5z";
+
+/** So far from the screen it begins to load. */
+const NEAR = "300px";
+/** It rests so long before anybody is told in words where it is. */
+const REST_MS = 500;
+/** Seconds from one end to the other. */
+const SECONDS = { default: 8, least: 0.5, most: 600 };
+
+/** Where this script came from: the studio's files are beside it. Null inside of a bundle. */
+const beside = originOfScript();
+
+function originOfScript(): string | null {
+  if (typeof document === "undefined") return null;
+  const own = document.currentScript as HTMLScriptElement | null;
+  const script = own ?? document.querySelector<HTMLScriptElement>('script[src*="frond-view.js"]');
+  return script?.src ? new URL("./", script.src).href : null;
+}
+
+const OBSERVED = [
+  "src",
+  "a",
+  "b",
+  "path",
+  "t",
+  "tool",
+  "controls",
+  "autoplay",
+  "loop",
+  "seconds",
+  "locus",
+  "panel",
+  "verdict",
+  "theme",
+  "poster",
+  "label",
+  "studio",
+] as const;
+/** What changes how it looks or plays, without anything being opened anew. */
+const LIGHT: readonly string[] = ["t", "controls", "loop", "seconds", "theme", "poster", "label"];
+
+export class FrondView extends HTMLElement {
+  static readonly observedAttributes: readonly string[] = OBSERVED;
+
+  readonly #ui: Ui;
+  #shown: Shown | null = null;
+  #opening = 0;
+  #near = false;
+  #due = false;
+  #watching: (() => void) | null = null;
+  #resting: ReturnType<typeof setTimeout> | undefined;
+
+  constructor() {
+    super();
+    const root = this.attachShadow({ mode: "open", delegatesFocus: true });
+    this.#ui = new Ui(root, {
+      seek: (t) => this.seek(t),
+      toggle: () => (this.playing ? this.pause() : this.play()),
+    });
+  }
+
+  connectedCallback(): void {
+    const near = new IntersectionObserver(
+      (entries) => {
+        this.#near = entries.at(-1)?.isIntersecting ?? false;
+        this.#shown?.rest(!this.#near);
+        if (this.#near && !this.#shown) this.#later();
+      },
+      { rootMargin: NEAR },
+    );
+    near.observe(this);
+    const sizes = new ResizeObserver(() => this.#fit());
+    sizes.observe(this.#ui.stage);
+    const dark = this.ownerDocument.defaultView?.matchMedia("(prefers-color-scheme: dark)");
+    const restyle = () => this.#restyle();
+    dark?.addEventListener("change", restyle);
+    this.#watching = () => {
+      near.disconnect();
+      sizes.disconnect();
+      dark?.removeEventListener("change", restyle);
+    };
+    this.#lay();
+  }
+
+  disconnectedCallback(): void {
+    this.#watching?.();
+    this.#watching = null;
+    this.#near = false;
+    this.#close();
+  }
+
+  attributeChangedCallback(name: string, before: string | null, after: string | null): void {
+    if (before === after || !this.isConnected) return;
+    if (!LIGHT.includes(name)) {
+      this.#close();
+      this.#later();
+      return;
+    }
+    this.#lay();
+    if (name === "t") this.#guard(() => this.#moment() !== null && this.seek(this.#moment() ?? 0));
+    else if (name === "theme") this.#restyle();
+    else if (this.#shown instanceof Picture) this.#shown.choose(this.#play());
+  }
+
+  /** 0 to 1. */
+  get t(): number {
+    return this.#shown?.t ?? 0;
+  }
+
+  set t(moment: number) {
+    this.seek(moment);
+  }
+
+  get playing(): boolean {
+    return this.#shown?.playing ?? false;
+  }
+
+  get src(): string | null {
+    return this.getAttribute("src");
+  }
+
+  set src(link: string | null) {
+    if (link === null) this.removeAttribute("src");
+    else this.setAttribute("src", link);
+  }
+
+  /** To a moment, 0 to 1; what plays stops. */
+  seek(t: number): void {
+    if (Number.isFinite(t)) this.#shown?.seek(Math.min(1, Math.max(0, t)));
+  }
+
+  play(): void {
+    this.#shown?.play();
+  }
+
+  pause(): void {
+    this.#shown?.pause();
+  }
+
+  /** Whether it holds together at this moment. */
+  async verdict(): Promise<Told> {
+    return this.#ready().verdict();
+  }
+
+  /** The maps at this moment: rows [a, b, c, d, e, f]. */
+  maps(): number[][] {
+    return this.#ready().maps();
+  }
+
+  /** A picture of this moment, on no ground. */
+  async toPNG(options: PictureOptions = {}): Promise<Blob> {
+    return this.#ready().picture(options);
+  }
+
+  #ready(): Shown {
+    if (this.#shown) return this.#shown;
+    throw { code: "not-ready", message: "It is not there yet: wait for the event ready." };
+  }
+
+  #moment(): number | null {
+    return momentOf(this.getAttribute("t"));
+  }
+
+  #play() {
+    const asked = Number(this.getAttribute("seconds") ?? SECONDS.default);
+    const seconds = Number.isFinite(asked)
+      ? Math.min(SECONDS.most, Math.max(SECONDS.least, asked))
+      : SECONDS.default;
+    return { seconds, loop: this.hasAttribute("loop") };
+  }
+
+  /** Once for all attributes that change together. */
+  #later(): void {
+    if (this.#due) return;
+    this.#due = true;
+    queueMicrotask(() => {
+      this.#due = false;
+      if (this.isConnected && this.#near && !this.#shown) void this.#open();
+    });
+  }
+
+  #guard(act: () => unknown): void {
+    try {
+      act();
+    } catch (problem) {
+      this.#fail(problem);
+    }
+  }
+
+  #fail(problem: unknown): void {
+    const { code, message } = problem instanceof WishError ? problem : failureOf(problem);
+    this.#ui.say(message);
+    this.#send("error", { code, message });
+  }
+
+  #send(type: string, detail: unknown): void {
+    this.dispatchEvent(new CustomEvent(type, { detail }));
+  }
+
+  async #open(): Promise<void> {
+    const turn = ++this.#opening;
+    this.#ui.say("");
+    const tell: Teller = {
+      ready: () => turn === this.#opening && this.#arrived(),
+      change: () => turn === this.#opening && this.#changed(),
+      verdict: (told) => turn === this.#opening && this.#decided(told),
+      error: (code, message) => {
+        if (turn !== this.#opening) return;
+        // A straight way is still a picture.
+        if (code !== "straight") this.#ui.say(message);
+        this.#send("error", { code, message });
+      },
+    };
+    try {
+      const wish = wishOf((name) => this.getAttribute(name));
+      const t = this.#moment();
+      if (wish.where !== "here") {
+        this.#shown = new Frame(this.#ui.framed(this.#label()), wish, this.#framed(), t, tell);
+        return;
+      }
+      const base = this.#studio();
+      const choices = { ...this.#play(), palette: this.#colours(), proof: base && `${base}frond-proof.js` };
+      const picture = await Picture.open(this.#ui.drawn(), { fragment: wish.fragment, t, ...choices }, tell);
+      if (turn !== this.#opening || !this.isConnected) {
+        picture.close();
+        return;
+      }
+      this.#shown = picture;
+      this.#fit();
+      this.#changed();
+    } catch (problem) {
+      if (turn === this.#opening) this.#fail(problem);
+    }
+  }
+
+  #framed() {
+    const studio = this.#studio();
+    if (!studio)
+      throw new WishError('Say where the studio is: studio="https://..", the folder of its embed.html.');
+    const has = (name: string) => this.hasAttribute(name);
+    return {
+      studio,
+      controls: has("controls"),
+      locus: has("locus"),
+      panel: has("panel"),
+      verdict: has("verdict"),
+      theme: this.getAttribute("theme"),
+      autoplay: has("autoplay"),
+    };
+  }
+
+  #studio(): string | null {
+    const said = this.getAttribute("studio");
+    if (said === null) return beside;
+    try {
+      const url = new URL("./", new URL(said, this.baseURI));
+      if (url.protocol === "http:" || url.protocol === "https:" || url.protocol === "file:") return url.href;
+    } catch {
+      // Said below.
+    }
+    throw new WishError("studio is the address of the folder that Frond's embed.html is in.");
+  }
+
+  #close(): void {
+    this.#opening++;
+    clearTimeout(this.#resting);
+    this.#shown?.close();
+    this.#shown = null;
+    this.#ui.clear();
+  }
+
+  #arrived(): void {
+    this.#ui.arrived();
+    this.#send("ready", { t: this.t });
+    const calm =
+      this.ownerDocument.defaultView?.matchMedia("(prefers-reduced-motion: reduce)").matches ?? false;
+    if (this.hasAttribute("autoplay") && !calm && this.#shown instanceof Picture) this.play();
+    this.#changed();
+  }
+
+  #changed(): void {
+    this.#ui.moment(this.t, this.playing);
+    this.#send("change", { t: this.t, playing: this.playing });
+    clearTimeout(this.#resting);
+    if (!this.playing) this.#resting = setTimeout(() => this.#rested(), REST_MS);
+  }
+
+  #rested(): void {
+    this.#ui.describe(this.#label());
+    if (this.hasAttribute("verdict") && this.#shown instanceof Picture)
+      this.#shown.verdict().catch((problem) => this.#send("error", failureOf(problem)));
+  }
+
+  #decided(told: Told): void {
+    this.#ui.verdict(this.hasAttribute("verdict") && this.#shown instanceof Picture ? told.words : "");
+    this.#send("verdict", told);
+  }
+
+  #label(): string {
+    return this.getAttribute("label") ?? (this.#shown instanceof Picture ? this.#shown.words : "Frond");
+  }
+
+  #lay(): void {
+    this.#ui.themed();
+    this.#ui.lay(this.hasAttribute("controls"), this.getAttribute("poster"), this.#label());
+  }
+
+  #colours(): number[] {
+    const own = getComputedStyle(this)
+      .getPropertyValue("--frond-palette")
+      .match(/#[0-9a-f]{6}\b/gi);
+    const theme = this.#ui.themed();
+    return (own ?? palette(theme)).map((colour) => Number.parseInt(colour.slice(1), 16));
+  }
+
+  #restyle(): void {
+    if (this.#shown instanceof Picture) this.#shown.choose({ palette: this.#colours() });
+    else if (this.#shown) {
+      this.#close();
+      this.#later();
+    }
+  }
+
+  #fit(): void {
+    if (!(this.#shown instanceof Picture)) return;
+    const { width, height } = this.#ui.stage.getBoundingClientRect();
+    const ratio = Math.min(2, this.ownerDocument.defaultView?.devicePixelRatio ?? 1);
+    this.#shown.resize(width * ratio, height * ratio);
+  }
+}
+
+interface Acts {
+  seek(t: number): void;
+  toggle(): void;
+}
+
+/** What stands in the shadow of the element. */
+class Ui {
+  readonly stage: HTMLElement;
+  readonly #all: HTMLElement;
+  readonly #probe: HTMLElement;
+  readonly #canvas: HTMLCanvasElement;
+  readonly #poster: HTMLImageElement;
+  readonly #message: HTMLElement;
+  readonly #verdict: HTMLElement;
+  readonly #controls: HTMLElement;
+  readonly #play: HTMLButtonElement;
+  readonly #sign: SVGPathElement;
+  readonly #slider: HTMLInputElement;
+  #frame: HTMLIFrameElement | null = null;
+  #asked = false;
+
+  constructor(root: ShadowRoot, acts: Acts) {
+    root.innerHTML = `<style></style>
+      <div class="all" part="all">
+        <span class="probe" hidden></span>
+        <div class="stage" part="stage">
+          <img part="poster" alt="" hidden>
+          <canvas part="picture" role="img" hidden></canvas>
+          <p class="verdict" part="verdict" role="status" hidden></p>
+          <p class="message" part="message" role="alert" hidden></p>
+        </div>
+        <div class="controls" part="controls" hidden>
+          <button type="button" part="play"><svg viewBox="0 0 24 24" aria-hidden="true"><path/></svg></button>
+          <input type="range" part="slider" min="0" max="1" step="0.001" aria-label="Time">
+        </div>
+      </div>`;
+    const find = <E extends Element>(name: string): E => {
+      const found = root.querySelector<E>(name);
+      if (!found) throw new Error(name);
+      return found;
+    };
+    find<HTMLStyleElement>("style").textContent = sheet;
+    this.#all = find(".all");
+    this.#probe = find(".probe");
+    this.stage = find(".stage");
+    this.#poster = find("img");
+    this.#canvas = find("canvas");
+    this.#verdict = find(".verdict");
+    this.#message = find(".message");
+    this.#controls = find(".controls");
+    this.#play = find("button");
+    this.#sign = find("path");
+    this.#slider = find("input");
+    this.#play.addEventListener("click", () => acts.toggle());
+    this.#slider.addEventListener("input", () => acts.seek(Number(this.#slider.value)));
+    this.#slider.addEventListener("keydown", (event) => {
+      if (event.key !== " ") return;
+      event.preventDefault();
+      acts.toggle();
+    });
+    this.moment(0, false);
+  }
+
+  lay(controls: boolean, poster: string | null, label: string): void {
+    this.#asked = controls;
+    this.#controls.hidden = !controls || this.#frame !== null;
+    if (poster === null) this.#poster.removeAttribute("src");
+    else if (this.#poster.getAttribute("src") !== poster) this.#poster.src = poster;
+    this.#poster.hidden = poster === null || !this.#canvas.hidden || this.#frame !== null;
+    this.describe(label);
+  }
+
+  /** Takes on the theme that is wanted where it stands. */
+  themed(): "light" | "dark" {
+    const channels = (getComputedStyle(this.#probe).color.match(/[\d.]+/g) ?? []).map(Number);
+    const dark = channels.slice(0, 3).reduce((sum, channel) => sum + channel, 0) > 1.5 * 255;
+    this.#all.classList.toggle("dark", dark);
+    return dark ? "dark" : "light";
+  }
+
+  describe(label: string): void {
+    this.#canvas.setAttribute("aria-label", label);
+    this.#poster.alt = label;
+    if (this.#frame) this.#frame.title = label;
+  }
+
+  moment(t: number, playing: boolean): void {
+    this.#slider.value = String(t);
+    this.#slider.setAttribute("aria-valuetext", percent(t));
+    this.#play.setAttribute("aria-label", playing ? "Pause" : "Play");
+    this.#sign.setAttribute("d", playing ? PAUSE : PLAY);
+    if (playing) this.verdict("");
+  }
+
+  verdict(words: string): void {
+    this.#verdict.textContent = words;
+    this.#verdict.hidden = words === "";
+  }
+
+  say(message: string): void {
+    this.#message.textContent = message;
+    this.#message.hidden = message === "";
+  }
+
+  /** The canvas, to be drawn on. */
+  drawn(): HTMLCanvasElement {
+    return this.#canvas;
+  }
+
+  /** A frame in place of the canvas. */
+  framed(label: string): HTMLIFrameElement {
+    this.#frame = this.#canvas.ownerDocument.createElement("iframe");
+    this.#frame.setAttribute("part", "frame");
+    this.#frame.title = label;
+    this.stage.append(this.#frame);
+    this.#controls.hidden = true;
+    return this.#frame;
+  }
+
+  /** There is something to be seen. */
+  arrived(): void {
+    this.#canvas.hidden = this.#frame !== null;
+    this.#poster.hidden = true;
+  }
+
+  clear(): void {
+    this.#frame?.remove();
+    this.#frame = null;
+    this.#canvas.hidden = true;
+    this.#poster.hidden = !this.#poster.hasAttribute("src");
+    this.#controls.hidden = !this.#asked;
+    this.verdict("");
+    this.say("");
+    this.moment(0, false);
+  }
+}
+
+if (typeof customElements !== "undefined" && !customElements.get("frond-view"))
+  customElements.define("frond-view", FrondView);
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "frond-view": FrondView;
+  }
+}
