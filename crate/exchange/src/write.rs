@@ -9,5 +9,7 @@ pub(crate) mod fractint;
 mod geogebra;
 mod json;
 mod latex;
+mod pieces;
 mod python;
+mod svg;
 mod tikz;

@@ -825,6 +825,7 @@ export type ExportFormat =
   | "fractint"
   | "flame"
   | "csv"
+  | "svg"
   | "latex"
   | "tikz"
   | "python"

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::{csv, desmos, flame, fractint, geogebra, json, latex, python, tikz};
+use super::{csv, desmos, flame, fractint, geogebra, json, latex, python, svg, tikz};
 use crate::system::{Maps, System};
 
 /// A form in which maps are written.
@@ -24,17 +24,20 @@ pub enum ExportFormat {
     Geogebra,
     /// Expressions for Desmos.
     Desmos,
+    /// A drawing.
+    Svg,
     /// A table.
     Csv,
 }
 
 impl ExportFormat {
     /// All of them, the most asked for first.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Json,
         Self::Fractint,
         Self::Flame,
         Self::Csv,
+        Self::Svg,
         Self::Latex,
         Self::Tikz,
         Self::Python,
@@ -51,6 +54,7 @@ impl ExportFormat {
             Self::Flame => "flame",
             Self::Latex => "latex",
             Self::Tikz => "tikz",
+            Self::Svg => "svg",
             Self::Python => "python",
             Self::Geogebra => "geogebra",
             Self::Desmos => "desmos",
@@ -67,6 +71,7 @@ impl ExportFormat {
             Self::Flame => "Flame",
             Self::Latex => "LaTeX",
             Self::Tikz => "TikZ",
+            Self::Svg => "SVG",
             Self::Python => "Python",
             Self::Geogebra => "GeoGebra",
             Self::Desmos => "Desmos",
@@ -82,6 +87,7 @@ impl ExportFormat {
             Self::Fractint => "For Fractint and many other programs; opens here again. Every bit is kept.",
             Self::Flame => "For Apophysis, flam3 and their like; opens here again. Every bit is kept.",
             Self::Latex => "The maps as matrices, for a paper. Needs amsmath.",
+            Self::Svg => "A drawing of up to ten thousand pieces, for Inkscape, Illustrator and their like.",
             Self::Tikz => "A figure for a paper, of a thousand pieces or so.",
             Self::Python => "Runs as it stands and draws the shape, with NumPy and Matplotlib.",
             Self::Geogebra => "Paste it into the input bar of GeoGebra: it makes points of the shape.",
@@ -99,6 +105,7 @@ impl ExportFormat {
             Self::Flame => "flame",
             Self::Latex | Self::Tikz => "tex",
             Self::Python => "py",
+            Self::Svg => "svg",
             Self::Geogebra | Self::Desmos => "txt",
             Self::Csv => "csv",
         }
@@ -171,6 +178,7 @@ pub fn export(system: &System, format: ExportFormat) -> Result<String, ExportErr
         (ExportFormat::Geogebra, Maps::Plane(rows)) => Ok(geogebra::write(rows)),
         (ExportFormat::Desmos, Maps::Plane(rows)) => Ok(desmos::write(rows)),
         (ExportFormat::Tikz, Maps::Plane(rows)) => tikz::write(system, rows).ok_or(ExportError::NoAttractor),
+        (ExportFormat::Svg, Maps::Plane(rows)) => svg::write(system, rows).ok_or(ExportError::NoAttractor),
         (format, Maps::Space(_)) => Err(ExportError::OfPlane { format: format.label() }),
     }
 }
