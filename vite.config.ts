@@ -3,6 +3,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
+import { pages as sitePages } from "./www/build/pages.ts";
 import { securityPolicy } from "./www/build/policy.ts";
 
 /** Pages of the site, each of which becomes a file of its own in dist/. */
@@ -73,7 +74,7 @@ export default defineConfig({
   appType: "mpa",
   resolve: { tsconfigPaths: true },
   publicDir: "www/public",
-  plugins: [classNames, keptStyles, securityPolicy],
+  plugins: [classNames, keptStyles, sitePages, securityPolicy],
   css: { modules: { generateScopedName: scopedName } },
   worker: { format: "es" },
   build: {

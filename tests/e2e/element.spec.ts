@@ -113,3 +113,12 @@ test("a plain page shows morphs in a few lines, and leaves nothing behind", asyn
   server.close();
   server.closeAllConnections();
 });
+
+test("the page of a shape shows it, and leads into the studio", async ({ page }) => {
+  await page.goto("./shape/koch.html");
+  await expect(page.getByRole("heading", { level: 1 })).toHaveText("Koch curve");
+  await expect(page.locator("frond-view canvas")).toBeVisible();
+  await expectClean(page);
+  await page.getByRole("link", { name: "Open it in Frond" }).click();
+  await expect(page.getByRole("button", { name: "Koch curve" }).first()).toBeVisible();
+});

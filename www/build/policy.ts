@@ -17,14 +17,20 @@ const POLICY: Readonly<Record<string, readonly string[]>> = {
   "form-action": ["'none'"],
 };
 
-/** The policy of a page. */
-export function policyOf(html: string): string {
+/** The policy of a page, with what this one lets in besides. */
+export function policyOf(html: string, besides: Readonly<Record<string, readonly string[]>> = {}): string {
   const inline: Record<string, string[]> = {
     "script-src": [...html.matchAll(/<script>(.*?)<\/script>/gs)].map(([, text = ""]) => hashOf(text)),
     "style-src": [...html.matchAll(/<style>(.*?)<\/style>/gs)].map(([, text = ""]) => hashOf(text)),
   };
-  return Object.entries(POLICY)
-    .map(([directive, sources]) => [directive, ...sources, ...(inline[directive] ?? [])].join(" "))
+  const policy = {
+    ...POLICY,
+    ...Object.fromEntries(Object.keys(besides).map((key) => [key, POLICY[key] ?? []])),
+  };
+  return Object.entries(policy)
+    .map(([directive, sources]) =>
+      [directive, ...sources, ...(besides[directive] ?? []), ...(inline[directive] ?? [])].join(" "),
+    )
     .join("; ");
 }
 

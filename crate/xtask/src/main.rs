@@ -41,7 +41,8 @@ Usage: cargo xtask <command>
 
   build
       Write the site into dist/: plain files that work from any folder of any static host, without
-      special headers. Write the JavaScript API as a package into target/package/frond, too:
+      special headers. FROND_SITE is the address that it will have, such as https://example.org/frond/: with it
+      pages that are sent unfold with their picture, and there is a sitemap. Write the JavaScript API as a package into target/package/frond, too:
       `npm install path/to/target/package/frond`, then `import init, { attractor } from \"frond\"`.
 
   test [name ..] [-- test ..]

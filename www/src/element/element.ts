@@ -94,6 +94,7 @@ export class FrondView extends HTMLElement {
       sizes.disconnect();
       dark?.removeEventListener("change", restyle);
     };
+    this.#ui.dress();
     this.#lay();
   }
 
@@ -352,6 +353,7 @@ interface Acts {
 /** What stands in the shadow of the element. */
 class Ui {
   readonly stage: HTMLElement;
+  readonly #root: ShadowRoot;
   readonly #all: HTMLElement;
   readonly #probe: HTMLElement;
   readonly #canvas: HTMLCanvasElement;
@@ -366,7 +368,7 @@ class Ui {
   #asked = false;
 
   constructor(root: ShadowRoot, acts: Acts) {
-    root.innerHTML = `<style></style>
+    root.innerHTML = `
       <div class="all" part="all">
         <span class="probe" hidden></span>
         <div class="stage" part="stage">
@@ -385,7 +387,7 @@ class Ui {
       if (!found) throw new Error(name);
       return found;
     };
-    find<HTMLStyleElement>("style").textContent = sheet;
+    this.#root = root;
     this.#all = find(".all");
     this.#probe = find(".probe");
     this.stage = find(".stage");
@@ -405,6 +407,15 @@ class Ui {
       acts.toggle();
     });
     this.moment(0, false);
+  }
+
+  /** Each document has its own sheets; a page may forbid styles that stand in elements. */
+  dress(): void {
+    const view = this.stage.ownerDocument.defaultView as (Window & typeof globalThis) | null;
+    if (!view || this.#root.adoptedStyleSheets.length > 0) return;
+    const own = new view.CSSStyleSheet();
+    own.replaceSync(sheet);
+    this.#root.adoptedStyleSheets = [own];
   }
 
   lay(controls: boolean, poster: string | null, label: string): void {

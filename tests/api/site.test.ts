@@ -1,0 +1,80 @@
+/** The pages that unfold where a link is sent: each shape, figure and lesson has one. */
+import { beforeAll, describe, expect, it } from "vitest";
+import { listedFigures } from "../../www/build/figures";
+import { type SiteFile, siteOf, sitePages } from "../../www/build/pages";
+import { drawer } from "../../www/build/pictures";
+import { ROWS } from "../../www/src/figures/list";
+
+const DOT = new Uint8Array(1);
+let files: (site: string) => SiteFile[];
+
+describe("the pages of the site", () => {
+  beforeAll(async () => {
+    // Each picture takes a while: one is drawn below.
+    const drawing = { ...(await drawer()), picture: () => DOT };
+    files = (site) => sitePages(site, drawing);
+  });
+
+  const text = (all: SiteFile[], name: string) =>
+    String(all.find(({ fileName }) => fileName === name)?.source);
+
+  it("are one for each figure that the list names", () => {
+    const listed = ROWS.flatMap(({ figures }) =>
+      figures.map(({ id, number, title, about }) => ({ id, number, title, about })),
+    );
+    expect(listedFigures()).toEqual(listed);
+    const names = files("").map(({ fileName }) => fileName);
+    for (const { id } of listed) expect(names).toContain(`figure/${id}.html`);
+    expect(names).toContain("shape/fern.html");
+    expect(names).not.toContain("sitemap.xml");
+    expect(new Set(names).size).toBe(names.length);
+  });
+
+  it("name nothing that is not there, wherever the site is", () => {
+    for (const site of ["", "https://example.org/frond/"]) {
+      const all = files(site);
+      // What the rest of the build makes.
+      const names = new Set([...all.map(({ fileName }) => fileName), "", "index.html", "frond-view.js"]);
+      for (const { fileName, source } of all) {
+        if (!fileName.endsWith(".html")) continue;
+        const html = String(source);
+        const named = [...html.matchAll(/(?:src|href|poster|content)="([^"#]*)(?:#[^"]*)?"/g)]
+          .map(([, address = ""]) => address)
+          .filter((address) => /^(\.|https:)/.test(address));
+        expect(named.length).toBeGreaterThan(5);
+        for (const address of named) {
+          const path = address.startsWith("https:")
+            ? address.replace(site, "")
+            : new URL(address, `https://here/${fileName}`).pathname.slice(1);
+          expect(names, `${fileName}: ${address}`).toContain(path);
+        }
+      }
+    }
+  });
+
+  it("unfold with a title, a sentence and a picture, whose address is whole where the site's is known", () => {
+    const fern = text(files("https://example.org/frond/"), "shape/fern.html");
+    for (const tag of [
+      '<link rel="canonical" href="https://example.org/frond/shape/fern.html" />',
+      '<meta property="og:title" content="Fern" />',
+      '<meta property="og:image" content="https://example.org/frond/shape/fern.png" />',
+      '<a href="../index.html#a=fern&amp;b=fern">',
+    ])
+      expect(fern).toContain(tag);
+    expect(text(files("https://example.org/frond/"), "sitemap.xml")).toContain("/figure/e1.html</loc>");
+    expect(text(files(""), "shape/fern.html")).not.toContain("canonical");
+    expect(siteOf("https://example.org/frond")).toBe("https://example.org/frond/");
+    expect(siteOf("https://example.org/a/?x#y")).toBe("https://example.org/a/");
+    expect(siteOf(undefined)).toBe("");
+    for (const wrong of ["example.org", "ftp://example.org/"])
+      expect(() => siteOf(wrong)).toThrow("FROND_SITE");
+  });
+
+  it("have pictures of the shape, as PNG", async () => {
+    const { picture, shapes } = await drawer();
+    const png = Buffer.from(picture(shapes()[0]?.maps ?? [], 120, 63, 0.1));
+    expect(png.subarray(1, 4).toString()).toBe("PNG");
+    expect([png.readUInt32BE(16), png.readUInt32BE(20)]).toEqual([120, 63]);
+    expect(png.length).toBeGreaterThan(500);
+  });
+});

@@ -1,0 +1,193 @@
+/**
+ * What a messenger, a search engine or a browser's home screen sees of the site: a page for each shape, figure and
+ * lesson, with a picture that the program made; icons and the manifest. Where the site will be is told by FROND_SITE,
+ * for addresses that have to be whole; without it they are relative, and few messengers follow them.
+ */
+import { listedFigures } from "./figures.ts";
+import { type Drawer, drawer, type Shape } from "./pictures.ts";
+import { policyOf } from "./policy.ts";
+
+const NAME = "Frond";
+const ABOUT =
+  "A studio for shapes made of smaller copies of themselves: morph one fractal into another without letting it fall apart.";
+/** Of pictures that unfold, as most messengers want them. */
+const [WIDE, HIGH] = [1200, 630];
+const ICONS = [
+  { name: "icon-192.png", side: 192, free: 0.06 },
+  { name: "icon-512.png", side: 512, free: 0.06 },
+  // A system may cut a circle out of it.
+  { name: "icon-maskable.png", side: 512, free: 0.2 },
+  { name: "apple-touch-icon.png", side: 180, free: 0.1 },
+];
+
+interface Described {
+  /** From the root of the site. */
+  path: string;
+  title: string;
+  about: string;
+  picture: string;
+}
+
+export interface SiteFile {
+  fileName: string;
+  source: string | Uint8Array;
+}
+
+const escaped = (text: string) =>
+  text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;").replace(/"/g, "&quot;");
+
+/** What unfolds where a link to a page is sent. `site` ends with a slash, or is empty. */
+export function tags({ path, title, about, picture: image }: Described, site: string): string {
+  const up = "../".repeat(path.split("/").length - 1);
+  const whole = (file: string) => escaped(site === "" ? `${up}${file}` || "./" : `${site}${file}`);
+  const property = (name: string, content: string) => `<meta property="og:${name}" content="${content}" />`;
+  return [
+    ...(site === "" ? [] : [`<link rel="canonical" href="${whole(path)}" />`, property("url", whole(path))]),
+    property("type", "website"),
+    property("site_name", NAME),
+    property("title", escaped(title)),
+    property("description", escaped(about)),
+    property("image", whole(image)),
+    property("image:width", String(WIDE)),
+    property("image:height", String(HIGH)),
+    '<meta name="twitter:card" content="summary_large_image" />',
+    `<link rel="manifest" href="${up}manifest.webmanifest" />`,
+    `<link rel="apple-touch-icon" href="${up}apple-touch-icon.png" />`,
+  ].join("\n    ");
+}
+
+const STYLE =
+  "body{max-width:60rem;margin:0 auto;padding:1.5rem;background:Canvas;color:CanvasText;font:1rem/1.5 system-ui,sans-serif}" +
+  "frond-view{width:100%;aspect-ratio:16/10}frond-view[src]{aspect-ratio:auto;height:80vh}a{color:LinkText}img{width:100%}";
+
+/** A page that can be read without a program, and shows the real thing where there may be one. */
+function page(described: Described, site: string, view: string, fragment: string): string {
+  const { title, about, path } = described;
+  const up = "../".repeat(path.split("/").length - 1);
+  const html = `<!doctype html>
+<html lang="en">
+  <head>
+    <meta charset="utf-8" />
+    <meta name="viewport" content="width=device-width, initial-scale=1" />
+    <meta name="color-scheme" content="light dark" />
+    <title>${escaped(title)} · ${NAME}</title>
+    <meta name="description" content="${escaped(about)}" />
+    <link rel="icon" href="${up === "" ? "./" : up}icon-192.png" />
+    ${tags(described, site)}
+    <style>${STYLE}</style>
+    <script type="module" src="${up}frond-view.js"></script>
+  </head>
+  <body>
+    <main>
+      <h1>${escaped(title)}</h1>
+      <p>${escaped(about)}</p>
+      <frond-view ${view} poster="${up}${described.picture}" label="${escaped(title)}" theme="auto" studio="${up === "" ? "./" : up}"></frond-view>
+      <noscript><img src="${up}${described.picture}" alt="${escaped(title)}" /></noscript>
+      <p><a href="${up === "" ? "./" : up}index.html#${escaped(fragment)}">Open it in ${NAME}</a></p>
+    </main>
+  </body>
+</html>
+`;
+  // The element works in a worker of its own making, and shows figures in a frame.
+  const policy = policyOf(html, { "worker-src": ["blob:"], "frame-src": ["'self'"] });
+  return html.replace(
+    '<meta charset="utf-8" />',
+    `<meta charset="utf-8" />\n    <meta http-equiv="Content-Security-Policy" content="${policy}" />`,
+  );
+}
+
+/** All of them. */
+export function sitePages(site: string, { between, picture, shapes }: Drawer): SiteFile[] {
+  const gallery = shapes();
+  const named = (id: string): Shape => {
+    const found = gallery.find((shape) => shape.id === id);
+    if (!found) throw new Error(`there is no shape ${id}`);
+    return found;
+  };
+  const files: SiteFile[] = [
+    {
+      fileName: "frond.png",
+      source: picture(between(named("fern"), named("maple"), 0.06), WIDE, HIGH, 0.07),
+    },
+    ...ICONS.map(({ name, side, free }) => ({
+      fileName: name,
+      source: picture(named("maple").maps, side, side, free),
+    })),
+    { fileName: "manifest.webmanifest", source: manifest() },
+  ];
+  const described: Described[] = [];
+  for (const { id, name, about, maps } of gallery) {
+    const shape = { path: `shape/${id}.html`, title: name, about, picture: `shape/${id}.png` };
+    files.push({ fileName: shape.picture, source: picture(maps, WIDE, HIGH, 0.07) });
+    files.push({ fileName: shape.path, source: page(shape, site, `a="${id}"`, `a=${id}&b=${id}`) });
+    described.push(shape);
+  }
+  for (const { id, number, title, about } of listedFigures()) {
+    const figure = { path: `figure/${id}.html`, title: `${number}: ${title}`, about, picture: "frond.png" };
+    const fragment = `figures/${id}`;
+    files.push({ fileName: figure.path, source: page(figure, site, `src="#${fragment}"`, fragment) });
+    described.push(figure);
+  }
+  if (site !== "") {
+    const urls = ["", ...described.map(({ path }) => path)].map(
+      (path) => `<url><loc>${escaped(site + path)}</loc></url>`,
+    );
+    const source = `<?xml version="1.0" encoding="UTF-8"?>\n<urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">\n${urls.join("\n")}\n</urlset>\n`;
+    files.push({ fileName: "sitemap.xml", source });
+  }
+  return files;
+}
+
+function manifest(): string {
+  const png = (src: string, side: number, purpose: string) => ({
+    src,
+    sizes: `${side}x${side}`,
+    type: "image/png",
+    purpose,
+  });
+  return JSON.stringify({
+    name: NAME,
+    short_name: NAME,
+    description: ABOUT,
+    start_url: "./",
+    scope: "./",
+    display: "standalone",
+    icons: [
+      png("icon-192.png", 192, "any"),
+      png("icon-512.png", 512, "any"),
+      png("icon-maskable.png", 512, "maskable"),
+    ],
+  });
+}
+
+/** FROND_SITE as it is used: with a slash at its end, or empty. */
+export function siteOf(text: string | undefined): string {
+  if (!text) return "";
+  const url = URL.canParse(text) ? new URL(text) : null;
+  if (!url || !/^https?:$/.test(url.protocol))
+    throw new Error(
+      `FROND_SITE is the address that the site will have, such as https://example.org/frond/, and not ${text}`,
+    );
+  return url.href.replace(/[^/]*$/, (rest) => (rest === "" ? "" : `${rest}/`)).replace(/[?#].*$/, "");
+}
+
+const site = () => siteOf(process.env["FROND_SITE"]);
+
+/** Adds them to the site while it is built. */
+export const pages = {
+  name: "site-pages",
+  apply: "build" as const,
+  async generateBundle(this: { emitFile(file: SiteFile & { type: "asset" }): void }) {
+    for (const file of sitePages(site(), await drawer())) this.emitFile({ type: "asset", ...file });
+  },
+  transformIndexHtml: {
+    order: "post" as const,
+    handler: (html: string, { path }: { path: string }) =>
+      path.endsWith("index.html")
+        ? html.replace(
+            "</title>",
+            `</title>\n    ${tags({ path: "", title: NAME, about: ABOUT, picture: "frond.png" }, site())}`,
+          )
+        : html,
+  },
+};
