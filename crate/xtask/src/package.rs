@@ -11,10 +11,10 @@ const MANIFEST: &str = include_str!("package/package.json");
 /// The first entry: all that needs no graphics card, in the browser and in Node; and the types of the element, which
 /// the site builds.
 const FIRST: [(&str, &str); 4] = [
-    ("index.js", include_str!("package/index.js")),
-    ("index.d.ts", include_str!("package/index.d.ts")),
-    ("frond-view.d.ts", include_str!("package/frond-view.d.ts")),
-    ("node/index.js", include_str!("package/node.js")),
+    ("index.js", include_str!("package/entries/index.js")),
+    ("index.d.ts", include_str!("package/entries/index.d.ts")),
+    ("frond-view.d.ts", include_str!("package/entries/frond-view.d.ts")),
+    ("node/index.js", include_str!("package/entries/node/index.js")),
 ];
 /// The other entries that work in Node, and the modules that they are.
 const OTHERS: [(&str, &str); 7] = [
@@ -62,6 +62,6 @@ pub fn write() -> Outcome {
             fs::copy(path, package.join(file))?;
         }
     }
-    stamp::write_changed(&package.join("README.md"), include_str!("package/README.md"))?;
+    stamp::write_changed(&package.join("README.md"), include_str!("package/entries/README.md"))?;
     write_manifest(&package)
 }
