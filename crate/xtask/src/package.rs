@@ -8,15 +8,9 @@ use crate::modules::files;
 use crate::stamp;
 
 const MANIFEST: &str = include_str!("package/package.json");
-/// The first entry: all that needs no graphics card, in the browser and in Node; and the types of the element, which
-/// the site builds.
-const FIRST: [(&str, &str); 4] = [
-    ("index.js", include_str!("package/entries/index.js")),
-    ("index.d.ts", include_str!("package/entries/index.d.ts")),
-    ("frond-view.d.ts", include_str!("package/entries/frond-view.d.ts")),
-    ("node/index.js", include_str!("package/entries/node/index.js")),
-];
-/// The other entries that work in Node, and the modules that they are.
+/// What is written by hand, as it lies in the package.
+const ENTRIES: &str = "crate/xtask/src/package/entries";
+/// The entries for Node that are a module each, and these modules.
 const OTHERS: [(&str, &str); 7] = [
     ("draw", "frond"),
     ("curve", "frond-curve"),
@@ -35,9 +29,9 @@ pub fn write_manifest(folder: &Path) -> Outcome {
         &folder.join("package.json"),
         &MANIFEST.replace("0.0.0", env!("CARGO_PKG_VERSION")),
     )?;
-    fs::create_dir_all(folder.join("node"))?;
-    for (name, text) in FIRST {
-        stamp::write_changed(&folder.join(name), text)?;
+    let entries = root().join(ENTRIES);
+    for file in stamp::files(&entries)? {
+        stamp::write_changed(&folder.join(file.strip_prefix(&entries)?), &fs::read_to_string(&file)?)?;
     }
     for (name, module) in OTHERS {
         stamp::write_changed(&folder.join(format!("node/{name}.js")), &OTHER.replace("MODULE", module))?;
@@ -62,6 +56,5 @@ pub fn write() -> Outcome {
             fs::copy(path, package.join(file))?;
         }
     }
-    stamp::write_changed(&package.join("README.md"), include_str!("package/entries/README.md"))?;
     write_manifest(&package)
 }

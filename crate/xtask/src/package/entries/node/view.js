@@ -1,0 +1,2 @@
+// There are no elements in Node: a page that is drawn on a server imports the element all the same.
+export {};

@@ -1,0 +1,97 @@
+/** The package as it is published: packed, installed elsewhere, and asked for each of its entries. */
+import { execFileSync } from "node:child_process";
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { checkPackage, createPackageFromTarballData } from "@arethetypeswrong/core";
+import { publint } from "publint";
+import { formatMessage } from "publint/utils";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+const scratch = mkdtempSync(join(tmpdir(), "frond-package-"));
+const folder = join(scratch, "frond");
+const app = join(scratch, "app");
+let tarball: Buffer;
+let manifest: { version: string; exports: Record<string, string | Record<string, string>> };
+
+const node = (program: string) =>
+  execFileSync(process.execPath, ["--input-type=module", "--eval", program], { cwd: app }).toString();
+
+beforeAll(() => {
+  cpSync(join(root, "www/pkg"), folder, { recursive: true });
+  // What is written by hand is taken from where it is written, the newest at all times.
+  cpSync(join(root, "crate/xtask/src/package/entries"), folder, { recursive: true });
+  const { version } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
+  const text = readFileSync(join(root, "crate/xtask/src/package/package.json"), "utf8");
+  writeFileSync(join(folder, "package.json"), text.replace("0.0.0", version));
+  // The element is built with the site, and tested there.
+  if (!existsSync(join(folder, "frond-view.js"))) writeFileSync(join(folder, "frond-view.js"), "void 0;\n");
+  for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) cpSync(join(root, name), join(folder, name));
+  const pack = ["pack", "--json", "--pack-destination", scratch];
+  execFileSync("npm", pack, { cwd: folder, stdio: ["ignore", "ignore", "ignore"] });
+  manifest = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+  const file = join(scratch, `frond-${manifest.version}.tgz`);
+  tarball = readFileSync(file);
+  mkdirSync(app);
+  writeFileSync(join(app, "package.json"), '{ "private": true }');
+  const install = ["install", "--offline", "--no-audit", "--no-fund", file];
+  execFileSync("npm", install, { cwd: app, stdio: ["ignore", "ignore", "ignore"] });
+});
+
+afterAll(() => rmSync(scratch, { recursive: true, force: true }));
+
+describe("the packed package", () => {
+  it("is as publint wants it", async () => {
+    const { buffer, byteOffset, byteLength } = tarball;
+    const packed = buffer.slice(byteOffset, byteOffset + byteLength) as ArrayBuffer;
+    const { messages, pkg } = await publint({ pack: { tarball: packed }, strict: true });
+    expect(messages.map((message) => formatMessage(message, pkg))).toEqual([]);
+  });
+
+  it("has the right types at each entry, for Node and for bundlers", async () => {
+    const found = await checkPackage(createPackageFromTarballData(tarball), {
+      excludeEntrypoints: Object.keys(manifest.exports).filter((entry) => entry.endsWith(".wasm")),
+    });
+    if (!found.types) throw new Error("There are no types.");
+    // It is for those who know `import`: it has nothing for older ways.
+    const wrong = found.problems.filter(
+      (problem) => !("resolutionKind" in problem) || !/node10|node16-cjs/.test(problem.resolutionKind),
+    );
+    expect(wrong).toEqual([]);
+  });
+
+  it("brings its licences and a README, and none of its parts is missing", () => {
+    const files = execFileSync("tar", ["-tzf", join(scratch, `frond-${manifest.version}.tgz`)]).toString();
+    const named = Object.values(manifest.exports).flatMap((entry) =>
+      typeof entry === "string" ? [entry] : Object.values(entry),
+    );
+    const wanted = [...named.map((file) => file.slice(2)), "README.md", "LICENSE-MIT", "LICENSE-APACHE"];
+    const there = new Set(files.trim().split("\n"));
+    expect(wanted.filter((file) => !there.has(`package/${file}`))).toEqual([]);
+  });
+
+  it("can be imported at each entry in Node, also where there is nothing to draw on", () => {
+    const entries = Object.keys(manifest.exports).filter((entry) => !/\.(wasm|json)$/.test(entry));
+    const said = node(`
+      for (const entry of ${JSON.stringify(entries)}) {
+        const { default: init } = await import(entry.replace(".", "frond"));
+        await init?.();
+        console.log(entry);
+      }
+      const { createRenderer, createLocusCompute } = await import("frond/renderer");
+      console.log(await createLocusCompute());
+      await createRenderer({}).catch(({ code }) => console.log(code));`);
+    expect(said.trim().split("\n")).toEqual([...entries, "undefined", "no-canvas"]);
+  });
+
+  it("is found by those who still say require", () => {
+    const program = `
+      const { createRequire } = await import("node:module");
+      const { presets, default: init } = createRequire(${JSON.stringify(join(app, "app.cjs"))})("frond/draw");
+      await init();
+      console.log(presets().length > 10);`;
+    expect(node(program).trim()).toBe("true");
+  });
+});
