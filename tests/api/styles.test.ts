@@ -95,7 +95,7 @@ describe("modules of style", () => {
 
 /** Words that several rooms share, or refine for themselves; ARCHITECTURE.md says what they are. */
 const SHARED: Record<string, string> = {
-  "style/": "base element layout locus stage tokens",
+  "style/": "base element layout locus print stage tokens",
   "stage/locus/": "handles locus path",
   "ui/controls/": "button choice field hold-button select slider",
   "ui/files/": "drop-files",

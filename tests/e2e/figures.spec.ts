@@ -167,3 +167,13 @@ test.describe("without a connection", () => {
     await expect(page.getByRole("alert")).toHaveCount(0);
   });
 });
+
+test("a lesson is printed to its end, and the page around it is not", async ({ page }) => {
+  await openFigure(page, "e1");
+  // On paper this small it takes several sheets; what is clipped to the window takes one.
+  const pdf = (await page.pdf({ format: "A5" })).toString("latin1");
+  expect(pdf.match(/\/Type \/Page\b/g)?.length).toBeGreaterThan(1);
+  await page.emulateMedia({ media: "print" });
+  await expect(page.getByRole("banner")).toBeHidden();
+  await page.emulateMedia({ media: "screen" });
+});

@@ -2,6 +2,7 @@ import "./style/tokens.css";
 import "./style/base.css";
 import "./style/layout.css";
 import "./style/stage.css";
+import "./style/print.css";
 import { h, render } from "preact";
 import { startSchedules } from "./compute/start";
 import { notify, wordsOf } from "./document/notice";
