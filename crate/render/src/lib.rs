@@ -35,7 +35,8 @@
 //! 5. [`bent`] draws what a [`Bend`](frond_deform::Bend) deforms: in pieces that are even in themselves. `sheet` does
 //!    it to a photograph.
 //! 6. [`solid`] is space: a [`Traversal`](solid::Traversal) leaves a depth buffer, which is shaded; points are splats.
-//! 7. `gpu` draws on a card: a `Stage` chooses between passes, which share one `StageState`; `locus` decides the
+//! 7. [`mesh`] makes a surface around shapes of space, watertight, and files of it.
+//! 8. `gpu` draws on a card: a `Stage` chooses between passes, which share one `StageState`; `locus` decides the
 //!    samples of a connectedness locus.
 //!
 //! Each shader in `shader/` has a twin of the same name and the same arithmetic, and tests that compare them. The twin
@@ -46,6 +47,7 @@
 //! - Burch and Hart, "Linear Fractal Shape Interpolation": the attractors, and colours by the first map.
 //! - Fujimoto, Ohno, Muraoka and Chiba, "Fractal Deformation": what [`bent`] and `sheet` draw.
 //! - Darwish and Abd-El-Wahab, "IFS Fractal Animation": what [`solid`] draws.
+//! - Gibson, "Constrained Elastic Surface Nets" (1998), and Latecki, "3D well-composed pictures" (1997): [`mesh`].
 //! - Greene, Kass and Miller, "Hierarchical Z-buffer visibility" (1993): how [`solid`] passes over what is hidden.
 
 pub mod bent;
@@ -53,6 +55,7 @@ mod coverage;
 mod density;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 pub mod gpu;
+pub mod mesh;
 mod picture;
 mod pieces;
 mod plan;
