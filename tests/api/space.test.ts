@@ -141,6 +141,52 @@ describe("a view", () => {
   });
 });
 
+describe("a mesh", () => {
+  const tetrahedron = () => solid.presets3().find(({ id }) => id === "tetrahedron")?.maps ?? [];
+
+  it("is made in steps and written as three kinds of file", () => {
+    const mesher = new solid.SpaceMesher([{ maps: tetrahedron(), tint: "#ff8000" }], {
+      fineness: 32,
+      size: 50,
+      wall: 4,
+    });
+    while (!mesher.run(500)) expect(mesher.found).toBeGreaterThan(0);
+    const mesh = mesher.finish();
+    const facts = mesh.facts();
+    expect(facts).toMatchObject({ parts: 1 });
+    expect(facts.size.map(Math.round)).toEqual([50, 50, 50]);
+    expect(facts.wall).toBeCloseTo(4.6875);
+    const [stl, ply, glb] = (["stl", "ply", "glb"] as const).map((format) => mesh.file(format, ["#000000"]));
+    expect(stl?.length).toBe(84 + 50 * facts.triangles);
+    expect(solid.meshBytes("stl", facts.triangles)).toBe(stl?.length);
+    const head = new TextDecoder().decode(ply?.slice(0, 400));
+    expect(head).toContain(`element face ${facts.triangles}\n`);
+    // The first vertex has the colour of its object.
+    const vertex = head.indexOf("end_header\n") + 11;
+    expect([...(ply?.slice(vertex + 24, vertex + 27) ?? [])]).toEqual([255, 128, 0]);
+    expect(new TextDecoder().decode(glb?.slice(0, 4))).toBe("glTF");
+    mesh.free();
+  });
+
+  it("is refused with what to do", () => {
+    const make = (objects: { maps: MapRow3[] }[], options: object) => {
+      try {
+        new solid.SpaceMesher(objects, { fineness: 64, size: 100, wall: 1, ...options }).free();
+        return "";
+      } catch (problem) {
+        const { code, message } = problem as { code: string; message: string };
+        return `${code}: ${message}`;
+      }
+    };
+    const objects = [{ maps: tetrahedron() }];
+    expect(make(objects, {})).toBe("");
+    expect(make([], {})).toMatch(/^bad-input: /);
+    expect(make(objects, { fineness: 600 })).toMatch(/^mesh-too-fine: .*lower fineness/);
+    expect(make(objects, { wall: 95 })).toMatch(/^mesh-wall: .*thinner/);
+    expect(make(objects, { size: Number.NaN })).toMatch(/^mesh-size: /);
+  });
+});
+
 describe("the whole view", () => {
   it("misses no corner of a shape, in a picture of any form", () => {
     const cube = solid.unpackSpace("o:sponge").objects[0];

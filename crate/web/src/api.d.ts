@@ -730,6 +730,32 @@ export interface ShapeFacts3 {
   radius: number;
 }
 
+/** Files of a mesh: binary STL, binary PLY and binary glTF. */
+export type MeshFormat = "stl" | "ply" | "glb";
+
+/** How a mesh is made. */
+export interface MeshOptions {
+  /** Samples along the longest side, 16 to 640. */
+  fineness: number;
+  /** The longest side, in millimetres. */
+  size: number;
+  /** How thick it is at least, in millimetres; three samples are the least. */
+  wall?: number;
+}
+
+/** What there is to say of a mesh. */
+export interface MeshFacts {
+  triangles: number;
+  /** In how many pieces it is. */
+  parts: number;
+  /** Along x, y and z, in millimetres. */
+  size: Point3;
+  /** In cubic millimetres. */
+  volume: number;
+  /** How thick it is at least, in millimetres. */
+  wall: number;
+}
+
 export interface BoxCount3 {
   dimension: number;
   /** The side of the boxes and how many were met, the largest first. */

@@ -95,8 +95,8 @@ const FIT_TYPES: &str = r#"import type { Curve, CurveEdge, Graph, GraphPiece } f
 #[cfg(all(feature = "space", not(feature = "compute")))]
 #[wasm_bindgen(typescript_custom_section)]
 const SPACE_TYPES: &str = r#"import type {
-  Bounds, BoxCount3, Connectedness3, EpsilonProjection, Intersection3, MapRow, MapRow3, MeetExample, MorphOptions,
-  PathCheck, PathPlan, PathPoint, Place3, Point3, Preset3, Shadow, ShapeFacts3, Space, SpaceFrame, SpaceLight,
+  Bounds, BoxCount3, Connectedness3, EpsilonProjection, Intersection3, MapRow, MapRow3, MeetExample, MeshFacts,
+  MeshFormat, MeshOptions, MorphOptions, PathCheck, PathPlan, PathPoint, Place3, Point3, Preset3, Shadow, ShapeFacts3, Space, SpaceFrame, SpaceLight,
   SpaceObject, SpaceView
 } from "./frond.js";"#;
 

@@ -2,6 +2,7 @@
 
 mod document;
 mod intersection;
+mod mesh;
 mod morph;
 mod picture;
 mod plane;
@@ -9,6 +10,7 @@ mod shape;
 
 pub use document::*;
 pub use intersection::*;
+pub use mesh::*;
 pub use morph::*;
 pub use picture::*;
 pub use plane::*;

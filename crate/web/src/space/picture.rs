@@ -95,6 +95,29 @@ fn lighting_of(plain: &SpaceLight, ground: [f32; 3]) -> Lighting {
     }
 }
 
+/// Systems, and the colours of those that have one for all of it.
+type Systems = (Vec<Ifs3>, Vec<Option<[u8; 3]>>);
+
+/// The objects of one moment.
+pub(super) fn read_objects(objects: &Array) -> Result<Systems, JsValue> {
+    let count = objects.length() as usize;
+    if count == 0 || count > MAX_OBJECTS {
+        return Err(bad_input("The objects", "1 to 60 are allowed"));
+    }
+    let (mut systems, mut tints) = (Vec::with_capacity(count), Vec::with_capacity(count));
+    for value in objects.iter() {
+        let plain: PlainObject = read("An object", value)?;
+        if plain.maps.len() > MAX_MAPS {
+            return Err(of_ifs(&IfsError::TooManyMaps { count: plain.maps.len() }));
+        }
+        let maps = plain.maps.into_iter().map(Affine3::from_row).collect();
+        systems.push(Ifs3::new(maps).map_err(|error| of_ifs(&error))?);
+        let tint = plain.tint.map(|tint| read_palette(&[tint])).transpose()?;
+        tints.push(tint.map(|tint| tint[0]));
+    }
+    Ok((systems, tints))
+}
+
 /// The objects of one moment, ready to be drawn.
 #[wasm_bindgen]
 pub struct SpacePicture(Objects);
@@ -106,21 +129,9 @@ impl SpacePicture {
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "{ maps: MapRow3[]; tint?: string }[]")] objects: Array,
     ) -> Result<Self, JsValue> {
-        let count = objects.length() as usize;
-        if count == 0 || count > MAX_OBJECTS {
-            return Err(bad_input("The objects", "1 to 60 are allowed"));
-        }
-        let (mut systems, mut tints) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        for value in objects.iter() {
-            let plain: PlainObject = read("An object", value)?;
-            if plain.maps.len() > MAX_MAPS {
-                return Err(of_ifs(&IfsError::TooManyMaps { count: plain.maps.len() }));
-            }
-            let maps = plain.maps.into_iter().map(Affine3::from_row).collect();
-            systems.push(Ifs3::new(maps).map_err(|error| of_ifs(&error))?);
-            let tint = plain.tint.map(|tint| read_palette(&[tint])).transpose()?;
-            tints.push(tint.map(|tint| tint[0].map(|c| f32::from(c) / 255.0)));
-        }
+        let (systems, tints) = read_objects(&objects)?;
+        let tints =
+            tints.into_iter().map(|tint| tint.map(|tint| tint.map(|c| f32::from(c) / 255.0))).collect();
         Ok(Self(Objects::new(systems, tints)))
     }
 
