@@ -1,4 +1,7 @@
-/** The dialogs of what goes out: films, pictures and the link, for the open tool. Loaded when one is first opened. */
+/**
+ * The dialogs of what goes out: films, pictures, meshes and the link, for the open tool. Loaded when one is
+ * first opened.
+ */
 import { FilmDialog } from "#film/FilmDialog";
 import { exportOpen } from "#film/open";
 import { PictureDialog } from "#film/PictureDialog";
@@ -11,6 +14,7 @@ export function Exports() {
   if (exportOpen.value === "share") return <ShareDialog />;
   const { entry, tool } = openedTool();
   if (exportOpen.value === "film") return tool?.films ? <FilmDialog films={tool.films} /> : null;
+  if (exportOpen.value === "mesh") return tool?.MeshDialog ? <tool.MeshDialog /> : null;
   const still = entry.stage === undefined ? stageStill : tool?.still;
   return still ? <PictureDialog still={still} link={() => addressOf(link.fragment())} /> : null;
 }

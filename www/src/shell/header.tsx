@@ -4,7 +4,7 @@ import { selection } from "#document/morph";
 import { setTheme, type Theme, theme } from "#document/preferences";
 import { canRedo, canUndo, redo, undo } from "#document/scene";
 import { openTool, tool } from "#document/tool";
-import { filmProgress, openFilm, openPicture, openShare } from "#film/open";
+import { filmProgress, openFilm, openMesh, openPicture, openShare } from "#film/open";
 import { help, withKey } from "#ui/commands";
 import { Icon } from "#ui/controls/Icon";
 import { askForFile } from "#ui/files/door";
@@ -86,6 +86,7 @@ function saveItems(): MenuItem[] {
     items.push({ label: "Picture of any size …", onSelect: openPicture });
   }
   if (tool?.maps && !curveOnStage.value) items.push({ label: "Maps as text …", onSelect: startExport });
+  if (tool?.MeshDialog) items.push({ label: "Mesh for 3-D printing …", onSelect: openMesh });
   if (!tool?.films) return items;
   const done = filmProgress.value;
   const film = done === null ? "Film …" : `Film, ${Math.floor(100 * done)}% made`;

@@ -34,6 +34,8 @@ export interface Tool {
   savePng?: () => void | Promise<void>;
   /** What a stage of its own shows, to be drawn at any size. */
   still?: () => Promise<Still>;
+  /** The dialog in which its bodies are saved for other programs. */
+  MeshDialog?: ComponentType;
   /** What moves in it, to be filmed. */
   films?: () => Promise<Films>;
 }

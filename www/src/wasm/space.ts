@@ -23,6 +23,8 @@ export type SpaceModule = typeof import("../../pkg/frond-space.js");
 export type SpacePictureHandle = InstanceType<SpaceModule["SpacePicture"]>;
 /** A complete picture in the making. `free()` it. */
 export type SpaceCarveHandle = ReturnType<SpacePictureHandle["carve"]>;
+/** A surface around objects. `free()` it. */
+export type SpaceMeshHandle = ReturnType<InstanceType<SpaceModule["SpaceMesher"]>["finish"]>;
 /** A `Space` at any moment. `free()` it. */
 export type SpaceMotionHandle = InstanceType<SpaceModule["SpaceMotion"]>;
 

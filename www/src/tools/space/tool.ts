@@ -3,6 +3,7 @@ import type { Tool } from "#stage/tool";
 import { commands, timeline } from "./commands";
 import { films, still } from "./film";
 import { SpacePanel } from "./index";
+import { MeshDialog } from "./mesh/MeshDialog";
 import { savePng } from "./save";
 import { object, parameters } from "./shape/now";
 import { SpaceStage } from "./stage/SpaceStage";
@@ -24,6 +25,7 @@ export async function openTool(): Promise<Tool> {
     maps,
     open: takeAnimation,
     savePng,
+    MeshDialog,
     still,
     films,
   };

@@ -1,5 +1,6 @@
 import type { Context } from "../lanes/task";
 import { exportTasks } from "./export";
+import { meshTasks } from "./mesh";
 import { morphTasks } from "./morph";
 import { pictureTasks } from "./picture";
 import { shapeTasks } from "./shape";
@@ -9,6 +10,7 @@ export const tasks = {
   /** Nothing: so that the first real one finds the worker ready. */
   wake: (_context: Context, _args: Record<string, never>): null => null,
   ...exportTasks,
+  ...meshTasks,
   ...morphTasks,
   ...pictureTasks,
   ...shapeTasks,
