@@ -88,6 +88,25 @@ test("it is looked at from all round, turned by hand, and undo brings every bit 
     await complete(page);
     expect((await studio.look()).hash).toBe(turned);
   });
+  await test.step("a mesh of it is as large as was told before", async () => {
+    await page.getByRole("button", { name: "Save", exact: true }).click();
+    await page.getByRole("menuitem", { name: "Mesh for 3-D printing …" }).click();
+    const dialog = page.getByRole("dialog", { name: "Mesh for 3-D printing" });
+    const fineness = dialog.getByLabel("Fineness");
+    await fineness.fill("48");
+    await fineness.press("Enter");
+    const told = dialog.getByText(/ mm · \d+ 000 triangles · /);
+    await expect(told).toBeVisible({ timeout: 60_000 });
+    await expectClean(page);
+    const thousands = Number(/(\d+) 000 triangles/.exec(await told.innerText())?.[1]);
+    const download = page.waitForEvent("download");
+    await dialog.getByRole("button", { name: "Save the mesh" }).click();
+    const stl = await readFile(await (await download).path());
+    const triangles = stl.readUInt32LE(80);
+    expect(stl.length).toBe(84 + 50 * triangles);
+    expect(Math.round(triangles / 1000)).toBe(thousands);
+    await expect(dialog).toHaveCount(0);
+  });
   await test.step("nothing of it stands in the way of anybody", async () => {
     for (const part of ["Shape", "Morph", "Light", "Time"]) {
       await page.getByRole("radio", { name: part, exact: true }).check({ force: true });

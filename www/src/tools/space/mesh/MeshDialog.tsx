@@ -87,7 +87,7 @@ function Choices({ objects }: { objects: Shown[] }) {
         onChange={(next) => change({ format: next })}
       />
       <p class="hint">{FORMATS.find(({ value }) => value === format)?.description}.</p>
-      <div class={css["mesh-fields"]}>
+      <div class={css["mesh-measures"]}>
         <NumberField
           label="Longest side"
           unit="mm"
