@@ -77,7 +77,7 @@ describe("the package", () => {
 
   it("finds its modules by itself in Node, at every entry that draws on no graphics card", () => {
     const entries = Object.keys(manifest.exports).filter(
-      (entry) => !/\.(wasm|json)$|renderer|view/.test(entry),
+      (entry) => !/\.(wasm|json)$|renderer|view|pool/.test(entry),
     );
     expect(entries).toContain("./exchange");
     const program = `

@@ -7,6 +7,7 @@ import { fileURLToPath } from "node:url";
 import { checkPackage, createPackageFromTarballData } from "@arethetypeswrong/core";
 import { publint } from "publint";
 import { formatMessage } from "publint/utils";
+import { build } from "vite";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
@@ -19,13 +20,18 @@ let manifest: { version: string; exports: Record<string, string | Record<string,
 const node = (program: string) =>
   execFileSync(process.execPath, ["--input-type=module", "--eval", program], { cwd: app }).toString();
 
-beforeAll(() => {
+beforeAll(async () => {
   cpSync(join(root, "www/pkg"), folder, { recursive: true });
   // What is written by hand is taken from where it is written, the newest at all times.
   cpSync(join(root, "crate/xtask/src/package/entries"), folder, { recursive: true });
   const { version } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
   const text = readFileSync(join(root, "crate/xtask/src/package/package.json"), "utf8");
   writeFileSync(join(folder, "package.json"), text.replace("0.0.0", version));
+  await build({
+    configFile: join(root, "www/build/package.config.ts"),
+    logLevel: "silent",
+    build: { outDir: folder, emptyOutDir: false },
+  });
   // The element is built with the site, and tested there.
   if (!existsSync(join(folder, "frond-view.js"))) writeFileSync(join(folder, "frond-view.js"), "void 0;\n");
   for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) cpSync(join(root, name), join(folder, name));
@@ -93,5 +99,49 @@ describe("the packed package", () => {
       await init();
       console.log(presets().length > 10);`;
     expect(node(program).trim()).toBe("true");
+  });
+
+  it("computes in workers what it computes at once, and says how far it is", () => {
+    const said = node(`
+      import { createPool } from "frond/pool";
+      import init, { connectedness, locus, planPath, presets } from "frond";
+      import initFit, { fitCurve } from "frond/fit";
+      await Promise.all([init(), initFit()]);
+      const shape = (name) => presets().find(({ id }) => id === name);
+      const [from, to] = [shape("dragon-3"), shape("gasket")];
+      const pool = createPool({ size: 2 });
+      const same = (p, q) => JSON.stringify(p) === JSON.stringify(q);
+      const shares = [];
+      const options = { width: 31, height: 31 };
+      const whole = await pool.locus(from, to, options, { onProgress: (share) => shares.push(share) });
+      const rising = shares.every((share, i) => share > (shares[i - 1] ?? 0));
+      console.log(same(whole, locus(from, to, options)), shares.length > 8, rising, shares.at(-1));
+      console.log(same(await pool.planPath(from, to), planPath(from, to)));
+      console.log(same(await pool.connectedness(from), connectedness(from)));
+      const round = Array.from({ length: 240 }, (_, i) => (i % 2 ? Math.sin : Math.cos)((i >> 1) / 19.1));
+      const fit = { numbers: 24 };
+      console.log(same(await pool.fitCurve(round, fit), fitCurve(round, fit)));
+      console.log(await pool.connectedness({ maps: [] }).catch(({ code }) => code));`);
+    expect(said.trim().split("\n")).toEqual(["true true true 1", "true", "true", "true", "no-maps"]);
+  });
+
+  it("leaves work in workers at once when it is called off, and ends with the program", () => {
+    const said = node(`
+      import { createPool } from "frond/pool";
+      const pool = createPool({ size: 1 });
+      const gasket = [[0.5, 0, 0, 0.5, 0, 0], [0.5, 0, 0, 0.5, 0.5, 0], [0.5, 0, 0, 0.5, 0.25, 0.433]];
+      const turned = { maps: gasket.map(([a, , , d, e, f]) => [0, a, -d, 0, e, f]) };
+      const calling = new AbortController();
+      const size = { width: 400, height: 400 };
+      const work = pool.locus({ maps: gasket }, turned, size, { signal: calling.signal, onProgress: () => calling.abort() });
+      console.log(await work.catch(({ name }) => name));
+      const gone = pool.connectedness({ maps: gasket }, undefined, { signal: AbortSignal.abort() });
+      console.log(await gone.catch(({ name }) => name));
+      const closed = pool.connectedness({ maps: gasket });
+      pool.close();
+      console.log(await closed.catch(({ code }) => code));
+      console.log(await pool.routes(turned, turned).catch(({ code }) => code));
+      console.log((await createPool().connectedness({ maps: gasket })).verdict.length > 0);`);
+    expect(said.trim().split("\n")).toEqual(["AbortError", "AbortError", "stopped", "closed", "true"]);
   });
 });

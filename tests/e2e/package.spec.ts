@@ -238,3 +238,41 @@ test.describe("a card that computes", { tag: "@webgpu" }, () => {
     expect(states).toEqual([2, 2, 2, 2, 2, 1, 1, 1, 0]);
   });
 });
+
+/** The whole package, as the build writes it. */
+const built = fileURLToPath(new URL("../../target/package/frond/", import.meta.url));
+const ELSEWHERE = "http://elsewhere.example/frond/";
+
+test("the package's pool works from plain files, and from another host", async ({ page, baseURL }) => {
+  const answer = { headers: { "access-control-allow-origin": "*" } };
+  await page.route(/\/frond\/[\w.-]+$/, (route) =>
+    route.fulfill({
+      ...answer,
+      path: `${built}${new URL(route.request().url()).pathname.split("/").at(-1)}`,
+    }),
+  );
+  for (const folder of [`${baseURL}frond/`, ELSEWHERE]) {
+    const seen = await page.evaluate(
+      async ({ folder, from, to }) => {
+        const { createPool }: typeof import("../../crate/xtask/src/package/entries/pool.js") = await import(
+          `${folder}pool.js`
+        );
+        const pool = createPool({ size: 2 });
+        const shares: number[] = [];
+        const how = { onProgress: (share: number) => void shares.push(share) };
+        const [a, b] = [{ maps: from }, { maps: to }] as [never, never];
+        const locus = await pool.locus(a, b, { width: 31, height: 31 }, how);
+        const { verdict } = await pool.connectedness(a, undefined);
+        pool.close();
+        return {
+          samples: locus.state.length,
+          seen: new Set(locus.state).size > 1,
+          verdict,
+          last: shares.at(-1),
+        };
+      },
+      { folder, from: dragon, to: gasket },
+    );
+    expect(seen).toEqual({ samples: 961, seen: true, verdict: "connected", last: 1 });
+  }
+});

@@ -50,6 +50,9 @@ pub fn write() -> Outcome {
         fs::copy(root().join("www/pkg").join(&file), package.join(&file))?;
     }
     fs::copy(root().join("dist/frond-view.js"), package.join("frond-view.js"))?;
+    for part in stamp::files(&target().join("package/parts"))? {
+        fs::copy(&part, package.join(part.file_name().ok_or("a part of the package has no name")?))?;
+    }
     for file in ["LICENSE-MIT", "LICENSE-APACHE"] {
         let path = root().join(file);
         if path.is_file() {

@@ -20,16 +20,18 @@ interface Running {
   /** It is called off, and the one who asked has been told. */
   stopped: boolean;
   overdue: boolean;
+  /** Until it is. */
+  grace?: ReturnType<typeof setTimeout>;
 }
 
 /**
  * One worker and what it has been asked, one task after the other. It is started when first needed, and again when it
  * has died. What waits, waits here: a worker that ends takes nothing with it but the task under way.
  */
-export class Lane {
-  readonly #spawn: () => WorkerLike;
-  readonly #module: () => Promise<WebAssembly.Module>;
-  #worker: WorkerLike | null = null;
+export class Lane<M = WebAssembly.Module> {
+  readonly #spawn: () => WorkerLike<M>;
+  readonly #module: () => Promise<M>;
+  #worker: WorkerLike<M> | null = null;
   #fetching = false;
   /** The worker has its module. One that is slow to start has nothing to answer for. */
   #ready = false;
@@ -38,7 +40,7 @@ export class Lane {
   /** Asked once more because their worker died. */
   readonly #again = new WeakSet<Order>();
 
-  constructor(spawn: () => WorkerLike, module: () => Promise<WebAssembly.Module>) {
+  constructor(spawn: () => WorkerLike<M>, module: () => Promise<M>) {
     this.#spawn = spawn;
     this.#module = module;
   }
@@ -55,7 +57,7 @@ export class Lane {
       running.stopped = true;
       running.order.reject(STOPPED);
       this.#worker?.postMessage({ type: "stop", id });
-      setTimeout(() => {
+      running.grace = setTimeout(() => {
         running.overdue = true;
         this.#pump();
       }, GRACE_MS);
@@ -64,6 +66,14 @@ export class Lane {
     const order = this.#waiting.find((waiting) => waiting.ask.id === id);
     this.#waiting = this.#waiting.filter((waiting) => waiting !== order);
     order?.reject(STOPPED);
+  }
+
+  /** Ends the worker. Whoever waits hears that it is stopped. */
+  close(): void {
+    const running = this.#running;
+    this.#end();
+    if (running && !running.stopped) running.order.reject(STOPPED);
+    this.#fail(STOPPED);
   }
 
   #pump(): void {
@@ -117,6 +127,7 @@ export class Lane {
         if (!stopped) order.onProgress(answer.value);
         return;
       }
+      clearTimeout(this.#running.grace);
       this.#running = null;
       if (answer.type === "done") order.resolve(answer.result);
       else order.reject(answer.error);
@@ -146,6 +157,7 @@ export class Lane {
     const worker = this.#worker;
     this.#worker = null;
     this.#ready = false;
+    clearTimeout(this.#running?.grace);
     this.#running = null;
     if (!worker) return;
     worker.onmessage = null;

@@ -1,0 +1,83 @@
+/** What a worker of the package's pool does: any function of the package, long ones in parts. */
+
+import type { LocusOptions } from "#wasm/api";
+import { performerOf } from "#workers/lanes/performer";
+import type { Context } from "#workers/lanes/task";
+import type { Name } from "./names";
+
+type Proof = typeof import("../../pkg/frond-proof.js");
+type Fit = typeof import("../../pkg/frond-fit.js");
+// biome-ignore lint/suspicious/noExplicitAny: functions are called as they were by the one who asked
+type Functions = Record<string, (...args: any[]) => unknown>;
+
+/** The modules, started when first asked for. */
+export type Sources = Record<"draw" | "proof" | "fit" | "space", () => Promise<unknown>>;
+type Hand = Context<number> & { sources: Sources };
+
+interface Rows {
+  /** Tells loci apart, so that a worker prepares each only once. */
+  key: number;
+  ends: [from: unknown, to: unknown, options: LocusOptions];
+  r0: number;
+  r1: number;
+}
+
+/** Milliseconds of a fit between two words of how far it is. */
+const PART_MS = 100;
+
+const tasks = {
+  async call(
+    { sources }: Hand,
+    { source, name, args }: { source: keyof Sources; name: Name; args: unknown[] },
+  ) {
+    return ((await sources[source]()) as Functions)[name]?.(...args);
+  },
+  async locus({ sources, keep, transfer }: Hand, { key, ends, r0, r1 }: Rows) {
+    const proof = (await sources.proof()) as Proof;
+    const last = keep.get("tiles") as { key: number; tiles: InstanceType<Proof["LocusTiles"]> } | undefined;
+    let tiles = last?.tiles;
+    if (!tiles || last?.key !== key) {
+      keep.delete("tiles");
+      tiles?.free();
+      tiles = new proof.LocusTiles(...(ends as ConstructorParameters<Proof["LocusTiles"]>));
+      keep.set("tiles", { key, tiles });
+    }
+    const { state, gap } = tiles.run(r0, r1, 1, true);
+    transfer(state.buffer as ArrayBuffer, gap.buffer as ArrayBuffer);
+    return { state, gap };
+  },
+  async planPath({ sources, breathe }: Hand, args: unknown[]) {
+    const { PathSearch } = (await sources.proof()) as Proof;
+    const search = new PathSearch(...(args as ConstructorParameters<Proof["PathSearch"]>));
+    try {
+      for (;;) {
+        const plan = search.step();
+        if (plan) return plan;
+        await breathe();
+      }
+    } finally {
+      search.free();
+    }
+  },
+  async fitCurve({ sources, breathe, progress }: Hand, args: unknown[]) {
+    const { CurveFit, fitCurve } = (await sources.fit()) as Fit;
+    const [outline, { model = "closed", numbers = 260 } = {}] = args as Parameters<Fit["fitCurve"]>;
+    if (model !== "closed") return fitCurve(...(args as Parameters<Fit["fitCurve"]>));
+    const fit = new CurveFit(outline, numbers);
+    try {
+      for (;;) {
+        const { share, done } = fit.step(PART_MS);
+        if (done) return fit.measured();
+        progress(share);
+        await breathe();
+      }
+    } finally {
+      fit.free();
+    }
+  },
+};
+
+export type Tasks = typeof tasks;
+
+/** The inside of a worker. */
+export const performerFrom = (sources: Sources) => performerOf(tasks, async () => ({ sources }));
