@@ -3,6 +3,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
+import { licenses } from "./www/build/licenses.ts";
 import { pages as sitePages } from "./www/build/pages.ts";
 import { securityPolicy } from "./www/build/policy.ts";
 
@@ -74,7 +75,7 @@ export default defineConfig({
   appType: "mpa",
   resolve: { tsconfigPaths: true },
   publicDir: "www/public",
-  plugins: [classNames, keptStyles, sitePages, securityPolicy],
+  plugins: [classNames, keptStyles, sitePages, licenses, securityPolicy],
   css: { modules: { generateScopedName: scopedName } },
   worker: { format: "es" },
   build: {

@@ -9,6 +9,7 @@ import { publint } from "publint";
 import { formatMessage } from "publint/utils";
 import { build } from "vite";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { crates, licenseText, scripts } from "../../www/build/licenses";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const scratch = mkdtempSync(join(tmpdir(), "frond-package-"));
@@ -35,6 +36,7 @@ beforeAll(async () => {
   // The element is built with the site, and tested there.
   if (!existsSync(join(folder, "frond-view.js"))) writeFileSync(join(folder, "frond-view.js"), "void 0;\n");
   for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) cpSync(join(root, name), join(folder, name));
+  writeFileSync(join(folder, "licenses.txt"), licenseText([...crates(), ...scripts()]));
   const pack = ["pack", "--json", "--pack-destination", scratch];
   execFileSync("npm", pack, { cwd: folder, stdio: ["ignore", "ignore", "ignore"] });
   manifest = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
@@ -73,7 +75,13 @@ describe("the packed package", () => {
     const named = Object.values(manifest.exports).flatMap((entry) =>
       typeof entry === "string" ? [entry] : Object.values(entry),
     );
-    const wanted = [...named.map((file) => file.slice(2)), "README.md", "LICENSE-MIT", "LICENSE-APACHE"];
+    const wanted = [
+      ...named.map((file) => file.slice(2)),
+      "README.md",
+      "LICENSE-MIT",
+      "LICENSE-APACHE",
+      "licenses.txt",
+    ];
     const there = new Set(files.trim().split("\n"));
     expect(wanted.filter((file) => !there.has(`package/${file}`))).toEqual([]);
   });

@@ -8,6 +8,9 @@ test("keys do what their list says, and rest in a dialog and in a field", async 
     const list = page.getByRole("dialog", { name: "Keyboard" });
     await expect(list).toBeVisible();
     await expect(list).toContainText("Play, pause");
+    const licences = await list.getByRole("link", { name: /Licences/ }).getAttribute("href");
+    const answer = await page.request.get(new URL(licences ?? "", page.url()).href);
+    expect(await answer.text()).toContain("wgpu");
     // Keys of the page rest while a dialog is open.
     await page.keyboard.press("g");
     await page.keyboard.press("2");

@@ -49,7 +49,9 @@ pub fn write() -> Outcome {
     for file in files() {
         fs::copy(root().join("www/pkg").join(&file), package.join(&file))?;
     }
-    fs::copy(root().join("dist/frond-view.js"), package.join("frond-view.js"))?;
+    for file in ["frond-view.js", "licenses.txt"] {
+        fs::copy(root().join("dist").join(file), package.join(file))?;
+    }
     for part in stamp::files(&target().join("package/parts"))? {
         fs::copy(&part, package.join(part.file_name().ok_or("a part of the package has no name")?))?;
     }

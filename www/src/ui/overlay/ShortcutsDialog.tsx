@@ -40,6 +40,11 @@ export function ShortcutsDialog({ commands }: { commands: () => readonly Command
           </section>
         ))}
       </div>
+      <p class="hint">
+        <a href="./licenses.txt" target="_blank" rel="noreferrer">
+          Licences of Frond and its parts
+        </a>
+      </p>
     </Dialog>
   );
 }
