@@ -1,5 +1,5 @@
 /** The package as it is published: packed, installed elsewhere, and asked for each of its entries. */
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -151,5 +151,49 @@ describe("the packed package", () => {
       console.log(await pool.routes(turned, turned).catch(({ code }) => code));
       console.log((await createPool().connectedness({ maps: gasket })).verdict.length > 0);`);
     expect(said.trim().split("\n")).toEqual(["AbortError", "AbortError", "stopped", "closed", "true"]);
+  });
+
+  it("has a command that draws, decides, exports and checks", () => {
+    const frond = (...words: string[]) => {
+      const command = join(app, "node_modules/.bin/frond");
+      const { status, stdout, stderr } = spawnSync(command, words, { cwd: app, encoding: "utf8" });
+      expect(`${stdout}${stderr}`).not.toMatch(/^ +at /m);
+      return { status, stdout, stderr };
+    };
+    const bytes = (file: string) => readFileSync(join(app, file));
+    const link = "a=dragon-3&b=gasket&path=straight";
+    const size = ["--width", "60", "--height", "40"];
+    expect(frond("--help").stdout).toContain("frond render <link>");
+    expect(frond("render", link, "--out", "x.png", "--t", "0.5", ...size).status).toBe(0);
+    expect([bytes("x.png").readUInt32BE(16), bytes("x.png").readUInt32BE(20)]).toEqual([60, 40]);
+    // The picture holds its link, and so opens as maps.
+    expect(JSON.parse(frond("export", "x.png", "--as", "json").stdout).maps ?? []).not.toEqual([]);
+    for (const [file, starts] of [
+      ["x.gif", "GIF89a"],
+      ["x.zip", "PK"],
+      ["x.apng", "\x89PNG"],
+    ] as const) {
+      const film = ["--seconds", "0.3", "--fps", "10", "--background", "#ffffff"];
+      expect(frond("render", link, "--out", file, ...film, ...size)).toMatchObject({ status: 0 });
+      expect(bytes(file).toString("latin1", 0, starts.length)).toBe(starts);
+    }
+    expect(frond("render", link, "--out", "x.mp4")).toMatchObject({
+      status: 2,
+      stderr: expect.stringMatching(/ffmpeg/),
+    });
+    expect(frond("locus", link, "--out", "x.csv", "--width", "7", "--height", "7").status).toBe(0);
+    expect(bytes("x.csv").toString().trim().split("\n").length).toBeGreaterThanOrEqual(49);
+    writeFileSync(join(app, "dust.json"), '{ "maps": [[0.3,0,0,0.3,0,0],[0.3,0,0,0.3,0.7,0]] }');
+    const decided = frond("connectedness", "dust.json");
+    expect([decided.status, JSON.parse(decided.stdout).verdict]).toEqual([1, "disconnected"]);
+    writeFileSync(join(app, "bad.json"), "{}");
+    expect(frond("check", "bad.json").status).toBeGreaterThan(0);
+    expect(frond("render", "a=%%%", "--out", "y.png", "--width", "-3").status).toBe(2);
+    expect(frond("render", "fern", "--out", "y.png").stderr).toMatch(/^frond: "fern" is no link/);
+    expect(frond("connectedness", "none.ifs")).toMatchObject({
+      status: 2,
+      stderr: "frond: There is no none.ifs.\n",
+    });
+    expect(frond("dance").stderr).toBe('frond: There is no command "dance". See frond --help.\n');
   });
 });

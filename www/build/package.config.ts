@@ -10,6 +10,11 @@ export default defineConfig({
     target: "baseline-widely-available",
     outDir: "target/package/parts",
     reportCompressedSize: false,
-    lib: { entry: { "pool-lanes": "www/src/package/pool.ts" }, formats: ["es"] },
+    lib: {
+      entry: { "pool-lanes": "www/src/package/pool.ts", command: "www/src/package/command.ts" },
+      formats: ["es"],
+    },
+    // The licences of what is taken along.
+    license: { fileName: "LICENSE-PARTS.md" },
   },
 });
