@@ -163,7 +163,7 @@ impl Flame {
 
     fn transform(&mut self, tag: &BytesStart<'_>) -> Result<(), String> {
         let (mut coefs, mut post, mut weight) = (None, None, None);
-        let (mut linear, mut functions, mut any) = (0.0, Vec::new(), false);
+        let (mut linear, mut functions, mut named, mut any) = (0.0, Vec::new(), Vec::new(), false);
         for (key, value) in attributes(tag) {
             let one = || {
                 number(value.trim()).ok_or_else(|| format!("{key}=\"{}\" is no number.", short(value, 40)))
@@ -192,8 +192,9 @@ impl Flame {
                 _ => {
                     if let Some(x) = number(value.trim()) {
                         any = true;
-                        if x != 0.0 && functions.len() < 200 {
-                            functions.push(key);
+                        if named.len() < 200 {
+                            named.push(key);
+                            functions.extend((x != 0.0).then_some(key));
                         }
                     }
                 }
@@ -203,9 +204,8 @@ impl Flame {
         if !any {
             linear = 1.0;
         }
-        // The settings of a function begin with its name.
-        let names = functions.clone();
-        let setting = |key: &str| key.match_indices('_').any(|(at, _)| names.contains(&&key[..at]));
+        // The settings of a function begin with its name, and stand there where it weighs nothing, too.
+        let setting = |key: &str| key.match_indices('_').any(|(at, _)| named.contains(&&key[..at]));
         functions.retain(|key| !setting(key));
         for name in &functions {
             if self.functions.len() <= MOST_TOLD && !self.functions.iter().any(|known| known == name) {
@@ -373,6 +373,16 @@ mod tests {
                 "Left out: its final transform; its palette, since shapes have no colours of their own.",
                 "One weight is negative: taken without the sign.",
             ]
+        );
+    }
+
+    #[test]
+    fn settings_of_functions_are_none_themselves() {
+        let xform = "linear='1' julian='0' julian_power='2' pre_blur='0' curl='0.1' curl_c1='3' coefs='.5 0 0 .5 0 0'";
+        let found = flames(&format!("<flame><xform {xform}/></flame>"));
+        assert_eq!(
+            found[0].remarks,
+            ["Of one transform only the linear part is kept, not what is added to it (curl)."]
         );
     }
 

@@ -106,10 +106,23 @@ pub fn import(bytes: &[u8]) -> Result<Imported, ImportError> {
     Ok(Imported { format, systems, remarks, link: None })
 }
 
+/// What follows the remarks that a file begins with: there may be more of them than is looked at.
+fn past_remarks(bytes: &[u8]) -> &[u8] {
+    let mut rest = bytes.trim_ascii_start();
+    while rest.first() == Some(&b';') {
+        let line = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());
+        rest = rest[line..].trim_ascii_start();
+    }
+    rest
+}
+
 fn format_of(bytes: &[u8]) -> Result<FileFormat, ImportError> {
     if is_png(bytes) {
         return Ok(FileFormat::Png);
     }
+    let said = past_remarks(bytes);
+    // What marks how text is written stands before everything.
+    let bytes = if said.is_empty() { bytes } else { said };
     let head = decode(&bytes[..bytes.len().min(HEAD_BYTES)]);
     let text = head.trim_start();
     if text.is_empty() {
@@ -143,6 +156,18 @@ fn format_of(bytes: &[u8]) -> Result<FileFormat, ImportError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn long_remarks_hide_no_system() {
+        let remarks = "; a line\r\n".repeat(90_000);
+        for (entry, format) in
+            [("a { .5 0 0 .5 0 0 1 }", FileFormat::Fractint), (".5 0 0 .5 0 0\n", FileFormat::Table)]
+        {
+            let found = import(format!("{remarks}{entry}").as_bytes()).unwrap();
+            assert_eq!((found.format, found.systems.len()), (format, 1));
+        }
+        assert!(import(remarks.as_bytes()).is_err());
+    }
 
     #[test]
     fn files_are_known_by_what_is_in_them() {

@@ -66,6 +66,8 @@ function ofTable(text: string): FileKind {
     if (words.length > 0 && words.every((word) => /^\s*[-+]?[\d.][\d.,eE+-]*\s*$/.test(word)))
       return words.length >= 6 ? "maps" : "outline";
   }
+  // The signs of remarks in files of maps: what follows is farther on than is looked at.
+  if (text.startsWith(";")) return "maps";
   // Whoever reads outlines says best what is missing.
   return "outline";
 }
