@@ -73,6 +73,9 @@ export function replace(next: Scene): void {
   present.value = next;
 }
 
+/** What undo would take back: the same one for as long as nothing else was done. */
+export const lastStep = (): object | undefined => history.peek().past.at(-1);
+
 export function undo(): void {
   move(stepBack(history.peek(), present.peek(), keep));
 }

@@ -1,6 +1,8 @@
-import { expect, test, vi } from "vitest";
+import { beforeEach, expect, test, vi } from "vitest";
+import { notices } from "#document/notice";
+import { edit, redo, scene, start, undo } from "#document/scene";
 import type { MapRow, Scene } from "#wasm/api";
-import { withSystem } from "./morph";
+import { intoMorph, withSystem } from "./morph";
 
 vi.mock("#wasm/core", () => ({ frond: {} }));
 
@@ -33,4 +35,31 @@ test.each([
   // Which map becomes which is asked anew, and what was looked at off the path is left.
   expect([after.correspondence, after.turns, after.locus?.at]).toEqual([[], [], undefined]);
   expect(after.path).toBe(before.path);
+});
+
+const ends = () => [scene.peek().a.name, scene.peek().b.name];
+const asB = () => notices.peek().at(-1)?.action?.run();
+
+beforeEach(() => start(before));
+
+test("as B instead is one step, and undo brings back what was there before the file", async () => {
+  await intoMorph(system, "a", "");
+  expect(ends()).toEqual(["Mine", "tree"]);
+  asB();
+  await Promise.resolve();
+  expect(ends()).toEqual(["fern", "Mine"]);
+  undo();
+  expect(ends()).toEqual(["fern", "tree"]);
+  redo();
+  expect(ends()).toEqual(["fern", "Mine"]);
+});
+
+test("as B instead keeps what was done since", async () => {
+  await intoMorph(system, "a", "");
+  edit((now) => ({ ...now, compare: true }));
+  asB();
+  await Promise.resolve();
+  expect([...ends(), scene.peek().compare]).toEqual(["fern", "Mine", true]);
+  undo();
+  expect([...ends(), scene.peek().compare]).toEqual(["Mine", "tree", true]);
 });

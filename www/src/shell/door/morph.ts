@@ -1,8 +1,8 @@
 /** A system of a file becomes a shape of the morph. */
 import { editSystems } from "#document/curve/systems";
 import { selection } from "#document/morph";
-import { notify } from "#document/notice";
-import { scene, undo } from "#document/scene";
+import { dismiss, notify } from "#document/notice";
+import { lastStep, scene, undo } from "#document/scene";
 import { chooseOwn, type End } from "#tools/morph/changes";
 import type { MapRow, Scene } from "#wasm/api";
 
@@ -30,17 +30,25 @@ export function withSystem(before: Scene, system: Own, where: Where): Scene {
 
 const WORDS: Record<Where, string> = { a: "now shape A", b: "now shape B", both: "at both ends" };
 
+/** The notice of the last one. */
+let told: number | null = null;
+
 /** Takes it in as one step, and says so: where it became A unasked, with a way to have it as B. */
 export async function intoMorph(system: Own, where: Where, said: string): Promise<void> {
+  const { a: replaced } = scene.peek();
   await editSystems((before) => withSystem(before, system, where));
   selection.value = null;
-  const after = scene.peek();
+  const { a: taken } = scene.peek();
+  const step = lastStep();
   const instead = () => {
-    if (scene.peek().a === after.a) undo();
-    void editSystems((before) => withSystem(before, system, "b"));
+    // One step in all where nothing else was done; else what was done stays, and only A is as it was.
+    if (lastStep() === step) undo();
+    void editSystems((now) => withSystem(now.a === taken ? { ...now, a: replaced } : now, system, "b"));
   };
+  // The same words again would keep the old way back.
+  if (told !== null) dismiss(told);
   const text = `${system.name} is ${WORDS[where]}, with ${system.maps.length} maps. ${said}`.trim();
-  notify({
+  told = notify({
     kind: "info",
     text,
     ...(where === "a" ? { action: { label: "As B instead", run: instead } } : {}),
