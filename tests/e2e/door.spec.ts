@@ -5,18 +5,24 @@ import { expectClean } from "./axe";
 import { expect, test } from "./fixture";
 
 /** Gives the page a file, as a hand would. */
-function arrive(page: Page, how: "drop" | "paste", name: string, text: string): Promise<boolean> {
+function arrive(
+  page: Page,
+  how: "drop" | "paste",
+  name: string,
+  text: string,
+  more: [name: string, text: string][] = [],
+): Promise<boolean> {
   return page.evaluate(
-    ({ how, name, text }) => {
+    ({ how, name, text, more }) => {
       const data = new DataTransfer();
-      data.items.add(new File([text], name));
+      for (const [title, words] of [[name, text] as const, ...more]) data.items.add(new File([words], title));
       const event =
         how === "drop"
           ? new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })
           : new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true });
       return !document.body.dispatchEvent(event);
     },
-    { how, name, text },
+    { how, name, text, more },
   );
 }
 
@@ -39,6 +45,21 @@ test("a system of the plane opens in Morph from wherever it is dropped, as one s
   expect((await studio.scene()).a.preset).toBe("fern");
   await page.getByRole("button", { name: "Undo", exact: true }).first().click();
   await expect.poll(async () => (await studio.scene()).b.preset).toBe("tree");
+  // All of several files are there to choose from, also where figures were looked at.
+  await page.evaluate(() => {
+    location.hash = "#figures";
+  });
+  await expect(page).toHaveTitle(/^Figures/);
+  const others: [string, string][] = [
+    ["second.ifs", BINARY.replace("binary", "other")],
+    ["letter.pdf", "%PDF-1.4\n\0\0"],
+  ];
+  await arrive(page, "drop", "first.ifs", BINARY, others);
+  const dialog = page.getByRole("dialog", { name: "2 files" });
+  await expect(dialog).toContainText("2 systems are in it");
+  expect((await studio.said()).join()).toContain("Left out: letter.pdf.");
+  await dialog.getByRole("button", { name: /other/ }).click();
+  await expect.poll(async () => (await studio.scene()).a.name).toBe("other");
 });
 
 test("of several systems one is chosen by its picture or its name", async ({ studio, page }) => {

@@ -14,6 +14,7 @@ import { listenForFiles } from "#ui/files/dropFiles";
 import { exporting } from "#ui/files/exporting";
 import { lazily } from "#ui/lazy";
 import { curvesFetched } from "#wasm/curve";
+import { studioHref } from "./actions";
 import { Header } from "./header";
 import { Notices } from "./Notices";
 import { Readout } from "./Readout";
@@ -118,6 +119,15 @@ const figures = signal<FiguresComponent | null>(null);
 
 /** The figures are loaded when they are first asked for. */
 function FiguresPage({ figure }: { figure: string | null }) {
+  // The studio opens them.
+  useEffect(
+    () =>
+      listenForFiles((files) => {
+        location.hash = studioHref();
+        openFile(files);
+      }),
+    [],
+  );
   useEffect(() => {
     if (figures.peek()) return;
     import("#figures/index").then(

@@ -52,23 +52,57 @@ function listenForText(): () => void {
   return () => document.removeEventListener("paste", onPaste);
 }
 
-async function open([first, ...others]: readonly [File, ...File[]]): Promise<void> {
-  if (others.length > 0) {
-    notify({
-      kind: "info",
-      text: `${first.name} is opened. Of several files one is taken: open the others after it.`,
-    });
-  }
+async function open(files: readonly [File, ...File[]]): Promise<void> {
+  const [first, ...others] = files;
   try {
-    await openOne(first);
+    if (others.length === 0) await openOne(first);
+    else await openSeveral(files);
   } catch (problem) {
     notify({ kind: "error", text: `${first.name}: ${wordsOf(problem)} Your work stays as it is.` });
   }
 }
 
+/** So many files at once are looked at. */
+const MOST_FILES = 100;
+
+/** The systems of all files with maps, to choose from; without such files the first is opened. What is left is said. */
+async function openSeveral(files: readonly [File, ...File[]]): Promise<void> {
+  const kinds = await Promise.all(
+    files.slice(0, MOST_FILES).map(async (file) => ({ file, kind: tellFile(await headOf(file)) })),
+  );
+  const maps = kinds.filter(({ file, kind }) => kind === "maps" && file.size <= MOST_BYTES);
+  const taken = new Set<File>(maps.length > 0 ? maps.map(({ file }) => file) : files.slice(0, 1));
+  const left = files.filter((file) => !taken.has(file));
+  if (left.length > 0) {
+    const names = left.slice(0, 5).map(({ name }) => name);
+    const more = left.length > names.length ? ` and ${left.length - names.length} more` : "";
+    notify({ kind: "info", text: `Left out: ${names.join(", ")}${more}. Open each by itself.` });
+  }
+  const [only] = taken;
+  if (taken.size === 1 && only) return openOne(only);
+  const systems: ImportedSystem[] = [];
+  const remarks: string[] = [];
+  for (const file of taken) {
+    try {
+      const found = await imported(file);
+      const name = file.name.replace(ENDING, "");
+      systems.push(...found.systems.map((system) => ({ ...system, name: system.name || name })));
+      remarks.push(...found.remarks.map((remark) => `${file.name}: ${remark}`));
+      if (found.link !== undefined) remarks.push(`${file.name} holds a whole document: open it by itself.`);
+    } catch (problem) {
+      remarks.push(`${file.name}: ${wordsOf(problem)}`);
+    }
+  }
+  if (systems.length === 0) throw new Error(remarks.join(" "));
+  choice.value = { file: `${taken.size} files`, systems, remarks };
+}
+
+const headOf = async (file: Blob) => new Uint8Array(await file.slice(0, HEAD_BYTES).arrayBuffer());
+const ENDING = /\.[a-z0-9]{1,8}$/i;
+
 async function openOne(file: File): Promise<void> {
   if (file.size > MOST_BYTES) throw new Error("This is larger than 256 MB, and no file that Frond reads.");
-  const head = new Uint8Array(await file.slice(0, HEAD_BYTES).arrayBuffer());
+  const head = await headOf(file);
   const kind = tellFile(head);
   switch (kind) {
     case "empty":
@@ -120,6 +154,12 @@ function openMaps(file: string, { systems, remarks, link }: ImportedFile): void 
   else if (first) void take(file, first, remarks);
 }
 
+/** Shapes are drawn whole: how often the chaos game takes a map is no part of a document. */
+function weightsWords({ probabilities = [] }: ImportedSystem): string[] {
+  const uneven = probabilities.some((weight) => weight !== probabilities[0]);
+  return uneven ? ["Its weights are not kept: shapes are drawn whole, however often a map is taken."] : [];
+}
+
 /** Opens a system: of the plane in Morph, of space there. What was said of it is said once it is there. */
 export async function take(
   file: string,
@@ -127,8 +167,8 @@ export async function take(
   remarks: readonly string[] = [],
   where: Where = "a",
 ): Promise<void> {
-  const name = system.name || file.replace(/\.[a-z0-9]{1,8}$/i, "") || "Maps";
-  const said = [...system.remarks, ...remarks].join(" ");
+  const name = system.name || file.replace(ENDING, "") || "Maps";
+  const said = [...system.remarks, ...remarks, ...weightsWords(system)].join(" ");
   try {
     if (system.problem) throw new Error(system.problem);
     if (system.dimension === 3) {
