@@ -37,11 +37,12 @@ describe("the pages of the site", () => {
       const names = new Set([...all.map(({ fileName }) => fileName), "", "index.html", "frond-view.js"]);
       for (const { fileName, source } of all) {
         if (!fileName.endsWith(".html")) continue;
-        const html = String(source);
+        // What stands in samples is text.
+        const html = String(source).replace(/<code>.*?<\/code>/gs, "");
         const named = [...html.matchAll(/(?:src|href|poster|content)="([^"#]*)(?:#[^"]*)?"/g)]
           .map(([, address = ""]) => address)
           .filter((address) => /^(\.|https:)/.test(address));
-        expect(named.length).toBeGreaterThan(5);
+        expect(named.length).toBeGreaterThan(2);
         for (const address of named) {
           const path = address.startsWith("https:")
             ? address.replace(site, "")

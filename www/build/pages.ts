@@ -3,6 +3,7 @@
  * lesson, with a picture that the program made; icons and the manifest. Where the site will be is told by FROND_SITE,
  * for addresses that have to be whole; without it they are relative, and few messengers follow them.
  */
+import { ways } from "./elsewhere.ts";
 import { listedFigures } from "./figures.ts";
 import { type Drawer, drawer, type Shape } from "./pictures.ts";
 import { policyOf } from "./policy.ts";
@@ -58,12 +59,26 @@ export function tags({ path, title, about, picture: image }: Described, site: st
 
 const STYLE =
   "body{max-width:60rem;margin:0 auto;padding:1.5rem;background:Canvas;color:CanvasText;font:1rem/1.5 system-ui,sans-serif}" +
-  "frond-view{width:100%;aspect-ratio:16/10}frond-view[src]{aspect-ratio:auto;height:80vh}a{color:LinkText}img{width:100%}";
+  "frond-view{width:100%;aspect-ratio:16/9}frond-view[src]{aspect-ratio:auto;height:80vh}a{color:LinkText}img{width:100%}" +
+  "h2{margin:2.5rem 0 0.25rem;font-size:1.125rem}p{margin:0.25rem 0 0.75rem}" +
+  "pre{overflow:auto;padding:0.75rem 1rem;border:1px solid GrayText;border-radius:0.5rem;font-size:0.875rem}";
 
-/** A page that can be read without a program, and shows the real thing where there may be one. */
-function page(described: Described, site: string, view: string, fragment: string): string {
+/** The page of a shape or a figure: read without a program, and with the real thing where there may be one. */
+function viewPage(described: Described, site: string, view: string, fragment: string): string {
+  const { title, picture } = described;
+  const label = escaped(title);
+  return page(
+    described,
+    site,
+    `<frond-view ${view} poster="../${picture}" label="${label}" theme="auto" studio="../"></frond-view>
+      <noscript><img src="../${picture}" alt="${label}" /></noscript>
+      <p><a href="../index.html#${escaped(fragment)}">Open it in ${NAME}</a></p>`,
+  );
+}
+
+function page(described: Described, site: string, content: string): string {
   const { title, about, path } = described;
-  const up = "../".repeat(path.split("/").length - 1);
+  const up = "../".repeat(path.split("/").length - 1) || "./";
   const html = `<!doctype html>
 <html lang="en">
   <head>
@@ -72,7 +87,7 @@ function page(described: Described, site: string, view: string, fragment: string
     <meta name="color-scheme" content="light dark" />
     <title>${escaped(title)} · ${NAME}</title>
     <meta name="description" content="${escaped(about)}" />
-    <link rel="icon" href="${up === "" ? "./" : up}icon-192.png" />
+    <link rel="icon" href="${up}icon-192.png" />
     ${tags(described, site)}
     <style>${STYLE}</style>
     <script type="module" src="${up}frond-view.js"></script>
@@ -81,9 +96,7 @@ function page(described: Described, site: string, view: string, fragment: string
     <main>
       <h1>${escaped(title)}</h1>
       <p>${escaped(about)}</p>
-      <frond-view ${view} poster="${up}${described.picture}" label="${escaped(title)}" theme="auto" studio="${up === "" ? "./" : up}"></frond-view>
-      <noscript><img src="${up}${described.picture}" alt="${escaped(title)}" /></noscript>
-      <p><a href="${up === "" ? "./" : up}index.html#${escaped(fragment)}">Open it in ${NAME}</a></p>
+      ${content}
     </main>
   </body>
 </html>
@@ -119,15 +132,24 @@ export function sitePages(site: string, { between, picture, shapes }: Drawer): S
   for (const { id, name, about, maps } of gallery) {
     const shape = { path: `shape/${id}.html`, title: name, about, picture: `shape/${id}.png` };
     files.push({ fileName: shape.picture, source: picture(maps, WIDE, HIGH, 0.07) });
-    files.push({ fileName: shape.path, source: page(shape, site, `a="${id}"`, `a=${id}&b=${id}`) });
+    files.push({ fileName: shape.path, source: viewPage(shape, site, `a="${id}"`, `a=${id}&b=${id}`) });
     described.push(shape);
   }
   for (const { id, number, title, about } of listedFigures()) {
     const figure = { path: `figure/${id}.html`, title: `${number}: ${title}`, about, picture: "frond.png" };
     const fragment = `figures/${id}`;
-    files.push({ fileName: figure.path, source: page(figure, site, `src="#${fragment}"`, fragment) });
+    files.push({ fileName: figure.path, source: viewPage(figure, site, `src="#${fragment}"`, fragment) });
     described.push(figure);
   }
+  const elsewhere = {
+    path: "elsewhere.html",
+    title: "Use it elsewhere",
+    about: "Frond on pages, in blogs, slides, notebooks and programs: each way with the lines that it takes.",
+    picture: "frond.png",
+  };
+  const out = '<p><a href="./index.html">Open the studio</a></p>';
+  files.push({ fileName: elsewhere.path, source: page(elsewhere, site, `${ways(site)}\n      ${out}`) });
+  described.push(elsewhere);
   if (site !== "") {
     const urls = ["", ...described.map(({ path }) => path)].map(
       (path) => `<url><loc>${escaped(site + path)}</loc></url>`,

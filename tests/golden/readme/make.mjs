@@ -97,6 +97,26 @@ await space(`#v=1&tool=space&space=${natural}/time:6,0,smooth/${flight}&space-at
   colorScheme: "light",
 });
 
+// Only the built site has it: `cargo xtask build`, and any server of files for dist/.
+const elsewhere = await open("elsewhere.html", { viewport: { width: 1000, height: 900 }, colorScheme: "light" });
+await elsewhere.locator("frond-view canvas").first().waitFor();
+await elsewhere.waitForTimeout(3000);
+await elsewhere.screenshot({ path: path("elsewhere") });
+await elsewhere.context().close();
+
+// A fern on its way to a tree, as a film, and the sheet to share from.
+const film = await studio("#v=1&a=fern&b=tree");
+await film.keyboard.press("x");
+await film.getByRole("dialog").waitFor();
+await film.waitForTimeout(3000);
+await film.screenshot({ path: path("film") });
+await film.keyboard.press("Escape");
+await film.getByRole("button", { name: "Share" }).click();
+await film.getByRole("dialog").waitFor();
+await film.waitForTimeout(800);
+await film.screenshot({ path: path("share") });
+await film.context().close();
+
 const figure = await open("#figures/7");
 await figure.getByRole("heading", { level: 1 }).waitFor();
 await figure.waitForTimeout(8000);

@@ -102,6 +102,9 @@ export function ShareDialog() {
           >
             Copy element
           </Button>
+          <a class="button" href="./elsewhere.html" target="_blank" rel="noopener">
+            More ways …
+          </a>
           {"share" in navigator && <Button onClick={() => void send(address)}>Send …</Button>}
         </div>
       </div>
