@@ -9,10 +9,10 @@ import {
 import { listen, Studio } from "./studio";
 
 /**
- * What the software GPU's driver says about its own speed, and Chromium about canvases that the tests themselves read
- * more than once.
+ * What the software GPU's driver says about its own speed, Chromium about canvases that the tests themselves read more
+ * than once, and Playwright about the service worker that it does not let in.
  */
-const driver = /GL Driver Message|GroupMarkerNotSet|willReadFrequently/;
+const driver = /GL Driver Message|GroupMarkerNotSet|willReadFrequently|registration blocked by Playwright/;
 /** Chromium where it has no WebGPU, each time that it is asked: a page asks once. */
 const noWebGpu = /No available adapters/;
 
@@ -109,7 +109,8 @@ export const test = base.extend<Fixtures, { tab: Tab }>({
 });
 
 async function newTab(browser: Browser): Promise<Page> {
-  const page = await browser.newPage();
+  // What a service worker keeps would go from one test to the next; it has tests of its own.
+  const page = await browser.newPage({ serviceWorkers: "block" });
   await listen(page);
   return page;
 }

@@ -46,7 +46,7 @@ test("the link that is shared opens the same elsewhere", async ({ studio, page, 
   const playing = await page.evaluate(() => navigator.clipboard.readText());
   await page.keyboard.press("Escape");
 
-  const other = await browser.newContext({ viewport: page.viewportSize() });
+  const other = await browser.newContext({ viewport: page.viewportSize(), serviceWorkers: "block" });
   const second = new (
     studio.constructor as new (
       page: Awaited<ReturnType<typeof other.newPage>>,

@@ -180,7 +180,7 @@ test("a flight through the natural scene is keyed, exported as a film that plays
   await page.waitForTimeout(600);
   await expect(page).toHaveURL(/space=/);
   const mine = await studio.scene();
-  const other = await browser.newPage({ viewport: page.viewportSize() });
+  const other = await browser.newPage({ viewport: page.viewportSize(), serviceWorkers: "block" });
   await other.goto(page.url());
   await expect.poll(() => other.evaluate(() => window.frond?.scene())).toEqual(mine);
   await other.close();
@@ -220,7 +220,11 @@ test("no object of several leaves unasked, and the background goes with the link
   const colour = (on: Page) => stage(on).evaluate((element) => getComputedStyle(element).backgroundColor);
   expect(await colour(page)).toBe("rgb(14, 16, 21)");
   await page.waitForTimeout(600);
-  const other = await browser.newPage({ viewport: page.viewportSize(), colorScheme: "light" });
+  const other = await browser.newPage({
+    viewport: page.viewportSize(),
+    colorScheme: "light",
+    serviceWorkers: "block",
+  });
   await other.goto(page.url());
   await stage(other).waitFor();
   await expect.poll(() => colour(other)).toBe("rgb(14, 16, 21)");

@@ -174,6 +174,17 @@ function manifest(): string {
     start_url: "./",
     scope: "./",
     display: "standalone",
+    file_handlers: [
+      {
+        action: "./",
+        accept: {
+          "text/plain": [".ifs", ".aifs"],
+          "application/xml": [".flame"],
+          "application/json": [".json"],
+          "image/png": [".png"],
+        },
+      },
+    ],
     icons: [
       png("icon-192.png", 192, "any"),
       png("icon-512.png", 512, "any"),

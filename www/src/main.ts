@@ -52,6 +52,10 @@ async function begin(root: HTMLElement): Promise<void> {
   startSchedules({ card: parameters.card });
   watchAutomaticPath();
   fetchAhead();
+  import("./shell/installed").then(
+    ({ beInstalled }) => beInstalled(),
+    () => undefined,
+  );
   if (parameters.play) playOnce();
 }
 

@@ -1,0 +1,50 @@
+/** Frond at home: off line, told of newer versions, and opening files that the system hands to it. */
+import { notify } from "#document/notice";
+import { openFile } from "#ui/files/door";
+
+/** What an installed page is given by the system, where there is such a thing. */
+interface LaunchQueue {
+  setConsumer(take: (launch: { files: readonly { getFile(): Promise<File> }[] }) => void): void;
+}
+
+/** Long enough for what is fetched ahead. */
+const SETTLED_MS = 4000;
+
+export function beInstalled(): void {
+  const { launchQueue } = window as { launchQueue?: LaunchQueue };
+  launchQueue?.setConsumer(({ files }) => {
+    Promise.all(files.map((file) => file.getFile())).then(
+      ([first, ...others]) => first && openFile([first, ...others]),
+      () => notify({ kind: "error", text: "The file could not be read. Drop it onto the page instead." }),
+    );
+  });
+  if (import.meta.env.DEV || !("serviceWorker" in navigator)) return;
+  const workers = navigator.serviceWorker;
+  const before = workers.controller;
+  workers.addEventListener("controllerchange", () => {
+    // The first one is no news.
+    if (before) tellOfUpdate();
+  });
+  // Without it everything works, but off line: private windows and old browsers have none.
+  workers.register("./sw.js").then(
+    () => setTimeout(keepLoaded, SETTLED_MS),
+    () => undefined,
+  );
+}
+
+/** The document stands in the address, which loading again brings back. */
+function tellOfUpdate(): void {
+  notify({
+    kind: "info",
+    text: "A newer Frond is there. What you made stays in the address.",
+    stays: true,
+    action: { label: "Load it", run: () => location.reload() },
+  });
+}
+
+/** What was loaded before there was a worker is kept as well. */
+async function keepLoaded(): Promise<void> {
+  const { active } = await navigator.serviceWorker.ready;
+  const loaded = performance.getEntriesByType("resource").map(({ name }) => name);
+  active?.postMessage({ keep: [location.href, ...loaded] });
+}
