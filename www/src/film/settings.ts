@@ -6,6 +6,7 @@ import type { Encodable } from "#workers/film/encode";
 import { lasting } from "#workers/film/subject";
 import { bitrateOf, even, isVideo, type Plan } from "./plan";
 import type { NamedSize } from "./SizeFields";
+import type { SeedName } from "./seed";
 import type { FilmSubject } from "./subject";
 
 export const SIZES: readonly NamedSize[] = [
@@ -39,6 +40,9 @@ const part = signal<{ from: number; to: number } | null>(null);
 const length = signal<number | null>(null);
 const way = signal<Repeat | null>(null);
 
+/** What a shape in the making begins with. */
+const seed = signal<SeedName>("frame");
+
 const offered = signal<readonly FilmSubject[]>([]);
 const picked = signal("");
 
@@ -47,7 +51,8 @@ export const subjects: ReadonlySignal<readonly FilmSubject[]> = offered;
 
 /** What is filmed. */
 export const subject: ReadonlySignal<FilmSubject | null> = computed(() => {
-  const found = offered.value.find(({ id }) => id === picked.value) ?? offered.value[0] ?? null;
+  const first = offered.value.find(({ id }) => id === picked.value) ?? offered.value[0] ?? null;
+  const found = first?.seeds ? (first.seeds.begin(seed.value) ?? first) : first;
   const seconds = length.value;
   return found?.anyLength && seconds !== null ? { ...found, ...lasting(found, seconds) } : found;
 });
@@ -103,6 +108,10 @@ export function choose(change: Partial<Plan>): void {
 
 export function chooseLoop(next: Repeat): void {
   way.value = next;
+}
+
+export function chooseSeed(next: SeedName): void {
+  seed.value = next;
 }
 
 export function chooseLength(seconds: number): void {

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { MapRow } from "#wasm/api";
-import { stepsOf } from "./steps";
+import { seenBox, stepsOf } from "./steps";
 
 const GASKET: MapRow[] = [
   [0.5, 0, 0, 0.5, 0, 0],
@@ -25,4 +25,10 @@ it("ends with maps that are many, one, none, points or no numbers", () => {
   expect(stepsOf([])).toHaveLength(1);
   expect(stepsOf([small, small])).toHaveLength(2);
   expect(stepsOf([[Number.NaN, 0, 0, 1, 0, 0]]).length).toBeLessThan(4);
+});
+
+it("leaves room for the attractor and for the copies of the first steps", () => {
+  const attractor = { x0: 0, y0: 0, x1: 1, y1: 1 };
+  expect(seenBox(stepsOf(GASKET), [[0.5, 0.5]], attractor)).toEqual(attractor);
+  expect(seenBox(stepsOf(GASKET), [[3, 0.5]], attractor)).toEqual({ ...attractor, x1: 3 });
 });

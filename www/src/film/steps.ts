@@ -1,10 +1,12 @@
-/** A shape in the making: a rectangle, its copies under all maps, their copies, and so on. */
+/** A shape in the making: a figure, its copies under all maps, their copies, and so on. */
 import { boxOf, fitFor } from "#document/framing";
 import type { Box } from "#geometry/boxes";
 import { isDark } from "#style/ground";
 import { palette } from "#style/palette";
 import type { MapRow } from "#wasm/api";
+import { frond } from "#wasm/core";
 import type { Drawer, FrameLook, FramePixels } from "#workers/film/subject";
+import { SEEDS, type SeedName, seedCorners } from "./seed";
 import type { FilmSubject } from "./subject";
 
 /** Copies at most in a frame. */
@@ -12,6 +14,8 @@ const MOST_COPIES = 60_000;
 const MOST_STEPS = 14;
 /** Copies smaller than this part of the first figure are dots: further steps show nothing new. */
 const DOT = 1 / 1500;
+/** Of the mark for a point, as a part of the shorter side of a frame. */
+const DOT_RADIUS = 1 / 500;
 /** Free on each side, as a part of it. */
 const MARGIN = 0.08;
 
@@ -38,11 +42,19 @@ function composed([a, b, c, d, e, f]: MapRow, [p, q, r, s, t, u]: MapRow): MapRo
   return [a * p + b * r, a * q + b * s, c * p + d * r, c * q + d * s, a * t + b * u + e, c * t + d * u + f];
 }
 
+type Corners = ReturnType<typeof seedCorners>;
+
 /** Each step stands for a second. Null where there is no attractor. */
-export function stepsSubject(maps: MapRow[], name: string, ground: string): FilmSubject | null {
+export function stepsSubject(
+  maps: MapRow[],
+  name: string,
+  ground: string,
+  seed: SeedName = "frame",
+): FilmSubject | null {
   const box = boxOf(maps);
   if (!box || maps.length === 0) return null;
   const steps = stepsOf(maps);
+  const corners = seedCorners(seed, box, frond.bounds({ maps }).hull);
   return {
     id: "steps",
     label: "Step by step",
@@ -53,11 +65,16 @@ export function stepsSubject(maps: MapRow[], name: string, ground: string): Film
     loop: "once",
     ground,
     choosesSmooth: false,
-    drawer: (look) => stepsDrawer(look, steps, box),
+    seeds: {
+      options: SEEDS,
+      value: seed,
+      begin: (other) => stepsSubject(maps, name, ground, other),
+    },
+    drawer: (look) => stepsDrawer(look, steps, corners, seenBox(steps, corners, box)),
   };
 }
 
-function stepsDrawer(look: FrameLook, steps: readonly Copy[][], box: Box): Drawer {
+function stepsDrawer(look: FrameLook, steps: readonly Copy[][], corners: Corners, seen: Box): Drawer {
   let shown = -1;
   return {
     hands: 1,
@@ -69,7 +86,7 @@ function stepsDrawer(look: FrameLook, steps: readonly Copy[][], box: Box): Drawe
       // The page has its turn between two frames.
       await new Promise((resolve) => setTimeout(resolve));
       signal.throwIfAborted();
-      return drawn(look, steps[step] ?? [], box, steps);
+      return drawn(look, steps[step] ?? [], corners, seen);
     },
     end() {},
   };
@@ -78,22 +95,24 @@ function stepsDrawer(look: FrameLook, steps: readonly Copy[][], box: Box): Drawe
 function drawn(
   { width, height, ground }: FrameLook,
   copies: readonly Copy[],
-  box: Box,
-  steps: readonly Copy[][],
+  corners: Corners,
+  seen: Box,
 ): FramePixels {
   const began = performance.now();
   const canvas = new OffscreenCanvas(width, height);
   const context = canvas.getContext("2d", { willReadFrequently: true });
   if (!context) throw new Error("This browser has no canvas to draw on.");
   const colours = palette(isDark(ground) ? "dark" : "light");
-  const { x, y, scale } = fitFor(seenBox(steps, box), { width, height }, MARGIN);
+  const { x, y, scale } = fitFor(seen, { width, height }, MARGIN);
+  const dot = Math.max(1, DOT_RADIUS * Math.min(width, height));
   const paths = new Map<number, Path2D>();
   for (const { map, by } of copies) {
     const path = paths.get(by) ?? new Path2D();
     paths.set(by, path);
-    for (const [i, [px, py]] of cornersOf(map, box).entries()) {
+    for (const [i, [px, py]] of imageOf(map, corners).entries()) {
       const [across, down] = [width / 2 + (px - x) * scale, height / 2 - (py - y) * scale];
-      if (i === 0) path.moveTo(across, down);
+      if (corners.length === 1) path.rect(across - dot, down - dot, 2 * dot, 2 * dot);
+      else if (i === 0) path.moveTo(across, down);
       else path.lineTo(across, down);
     }
     path.closePath();
@@ -113,19 +132,19 @@ function drawn(
   return { width, height, data: data as Uint8ClampedArray<ArrayBuffer>, took: performance.now() - began };
 }
 
-const cornersOf = ([a, b, c, d, e, f]: MapRow, { x0, y0, x1, y1 }: Box): [number, number][] =>
-  (
-    [
-      [x0, y0],
-      [x1, y0],
-      [x1, y1],
-      [x0, y1],
-    ] as const
-  ).map(([x, y]) => [a * x + b * y + e, c * x + d * y + f]);
+const imageOf = ([a, b, c, d, e, f]: MapRow, corners: Corners): [number, number][] =>
+  corners.map(([x, y]) => [a * x + b * y + e, c * x + d * y + f]);
 
-/** All that is to be seen in any of the first steps: copies may stand out from the figure. */
-function seenBox(steps: readonly Copy[][], box: Box): Box {
-  const corners = steps.slice(0, 3).flatMap((copies) => copies.flatMap(({ map }) => cornersOf(map, box)));
-  const [xs, ys] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
-  return { x0: Math.min(...xs), y0: Math.min(...ys), x1: Math.max(...xs), y1: Math.max(...ys) };
+/** The attractor, and all that is to be seen in any of the first steps: copies may stand out from the figure. */
+export function seenBox(steps: readonly Copy[][], corners: Corners, attractor: Box): Box {
+  const box = { ...attractor };
+  for (const { map } of steps.slice(0, 3).flat()) {
+    for (const [x, y] of imageOf(map, corners)) {
+      box.x0 = Math.min(box.x0, x);
+      box.y0 = Math.min(box.y0, y);
+      box.x1 = Math.max(box.x1, x);
+      box.y1 = Math.max(box.y1, y);
+    }
+  }
+  return box;
 }

@@ -2,10 +2,20 @@ import type { Repeat } from "#wasm/api";
 import type { Film } from "#workers/film/film";
 import type { Subject } from "#workers/film/subject";
 import type { NumbersKind, Plan } from "./plan";
+import type { SEEDS, SeedName } from "./seed";
 
 /** Something that can be filmed, and what else can be had of its time line. */
 export interface FilmSubject extends Subject {
   numbers?: Numbers;
+  seeds?: Seeds;
+}
+
+/** The figure that a shape in the making begins with. */
+export interface Seeds {
+  options: typeof SEEDS;
+  value: SeedName;
+  /** The same from another figure. */
+  begin(other: SeedName): FilmSubject | null;
 }
 
 /** What moves as numbers. */
