@@ -71,8 +71,9 @@ describe("a plan", () => {
     expect(planProblem(plan, "once")).toBeNull();
     expect(planProblem({ ...plan, to: 0 }, "once")).toContain("later end");
     expect(planProblem({ ...plan, to: Number.NaN }, "once")).toContain("later end");
-    expect(planProblem({ ...plan, fps: 61 }, "once")).toContain("10 to 60");
-    expect(planProblem({ ...plan, fps: 9 }, "once")).toContain("10 to 60");
+    expect(planProblem({ ...plan, fps: 61 }, "once")).toContain("1 to 60");
+    expect(planProblem({ ...plan, fps: 0.5 }, "once")).toContain("1 to 60");
+    expect(planProblem({ ...plan, fps: 1 }, "once")).toBeNull();
     expect(planProblem({ ...plan, kind: "gif", fps: 60 }, "once")).toContain("at most 50");
     expect(planProblem({ ...plan, kind: "gif", fps: 50 }, "once")).toBeNull();
     for (const width of [14, 4098, 101])

@@ -36,7 +36,7 @@ export const MOST_FRAMES = 3600;
 export const MOST_SECONDS = 120;
 export const LEAST_SIDE = 16;
 export const MOST_SIDE = 4096;
-export const LEAST_FPS = 10;
+export const LEAST_FPS = 1;
 const MOST_FPS = 60;
 
 /** The most frames a second that a kind of file can show. */
