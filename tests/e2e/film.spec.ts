@@ -68,7 +68,14 @@ test("a morph becomes a film that goes to and fro, and a clear one, frame by fra
   expect(new Set(gif.slice(0, 11).map(({ hash }) => hash)).size).toBe(11);
   await expect(dialog.getByText("20 frames")).toBeVisible();
 
+  // The map is on top, on the right, and the mark moves on it.
   await dialog.getByRole("button", { name: "Make another" }).click();
+  await dialog.getByText("Show where on the map it is").click();
+  const mapped = await framesOf(page, await film(page, "GIF", small), "image/gif");
+  expect(Math.min(...mapped.map(({ lit }, i) => lit - (gif[i]?.lit ?? 0)))).toBeGreaterThan(200);
+  expect(new Set(mapped.slice(0, 11).map(({ hash }) => hash)).size).toBe(11);
+  await dialog.getByRole("button", { name: "Make another" }).click();
+  await dialog.getByText("Show where on the map it is").click();
   await dialog.getByRole("radio", { name: "Once" }).check({ force: true });
   await dialog.getByRole("combobox", { name: "Background" }).selectOption("clear");
   const apng = await framesOf(page, await film(page, "APNG", {}), "image/png");

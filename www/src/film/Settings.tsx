@@ -176,7 +176,7 @@ function Kinds({ numbers }: { numbers: Numbers | undefined }) {
 }
 
 function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
-  const { width, height, fps, kind, quality, smooth, dither, captions } = of;
+  const { width, height, fps, kind, quality, smooth, dither, captions, inset } = of;
   return (
     <>
       {subject.seeds && (
@@ -259,6 +259,15 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
           onChange={(next) => choose({ captions: next })}
         >
           Say the moment, and whether it is in one piece
+        </Switch>
+      )}
+      {subject.inset && (
+        <Switch
+          checked={inset}
+          description="The map of parameters with the path, small, in a corner of each frame"
+          onChange={(next) => choose({ inset: next })}
+        >
+          Show where on the map it is
         </Switch>
       )}
     </>

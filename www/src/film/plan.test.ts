@@ -29,6 +29,7 @@ const plan: Plan = {
   clear: false,
   dither: true,
   captions: false,
+  inset: false,
 };
 
 describe("frames", () => {

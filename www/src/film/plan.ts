@@ -29,6 +29,8 @@ export interface Plan {
   dither: boolean;
   /** Whether each frame says its moment. */
   captions: boolean;
+  /** Whether each frame shows where on the map it is. */
+  inset: boolean;
 }
 
 export const MOST_FRAMES = 3600;

@@ -33,6 +33,7 @@ const chosen = signal<Omit<Plan, "from" | "to">>({
   clear: false,
   dither: true,
   captions: false,
+  inset: false,
 });
 /** null: the whole time line. */
 const part = signal<{ from: number; to: number } | null>(null);

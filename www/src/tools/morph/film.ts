@@ -1,5 +1,5 @@
 /** What there is to film of a morph: its way from the first shape to the last, and a shape in the making. */
-import { along } from "#compute/results";
+import { along, locus } from "#compute/results";
 import { curveDrawer } from "#curve/film";
 import { curved, curveMorph } from "#document/curve/curve";
 import { bend } from "#document/deform/bend";
@@ -14,13 +14,15 @@ import { percent } from "#format/path-words";
 import { verdictPhrase } from "#format/verdict";
 import { boxAt } from "#geometry/boxes";
 import { SECONDS } from "#geometry/moment";
+import type { Uv } from "#geometry/path";
 import { frameView } from "#stage/frame-view";
+import { paint } from "#stage/locus/paint";
 import { NIGHT, PAPER } from "#style/colours";
 import { isDark } from "#style/ground";
 import { palette } from "#style/palette";
 import { plainName } from "#ui/files/download";
 import { planeDrawer } from "#workers/film/plane-drawer";
-import type { Drawer, FrameLook } from "#workers/film/subject";
+import type { Drawer, FrameLook, Inset, Place } from "#workers/film/subject";
 
 export async function films(): Promise<Films> {
   const { a, b, colouring } = scene.peek();
@@ -66,10 +68,33 @@ export async function films(): Promise<Films> {
       const words = curve ? "one closed curve" : known ? verdictPhrase(known) : null;
       return words === null ? percent(t) : `${percent(t)}, ${words}`;
     },
+    ...(curve ? {} : insetOf(points, moment)),
     drawer,
   };
   const steps = curve ? null : stepsSubject(shown.peek(), plainName(nearer(), "shape", 24), ground);
   return { subjects: steps ? [morph, steps] : [morph] };
+}
+
+/** Pixels along a side of the small map. */
+const INSET = 512;
+
+/** The map of parameters with the path. Where a path leaves the plane that it shows there is none. */
+function insetOf(points: readonly Uv[], moment: (at: number) => number): { inset?: Inset } {
+  if (points.some(([, , w = 0]) => w !== 0)) return {};
+  const field = locus.peek();
+  if (!field) return {};
+  const { u0, u1, v0, v1 } = field.bounds;
+  const place = ([u, v]: Uv): Place => [(u - u0) / (u1 - u0), (v1 - v) / (v1 - v0)];
+  return {
+    inset: {
+      map: () => ({
+        size: INSET,
+        pixels: paint(locus.peek() ?? field, INSET, { style: "gap" }),
+        way: points.map(place),
+      }),
+      at: (at) => place(uvAt(points, moment(at))),
+    },
+  };
 }
 
 /** The name of the end that is on the stage, or on the way. */

@@ -1,6 +1,5 @@
 /** The tasks of the worker that writes a film: its frames come one by one, to the same lane. */
 import type { Context } from "../lanes/task";
-import { captioned } from "./caption";
 import { apngSink } from "./format/apng";
 import { gifSink } from "./format/gif";
 import { PngFile } from "./format/png-file";
@@ -8,6 +7,8 @@ import type { FilmSettings, FrameSize, Sink } from "./format/sink";
 import { codecFor, type FilmCodec, videoSink } from "./format/video";
 import { zipSink } from "./format/zip";
 import { layOn } from "./opaque";
+import { type InsetMap, overlaid } from "./overlay";
+import type { Place } from "./subject";
 
 export interface FileBytes {
   bytes: Uint8Array<ArrayBuffer>;
@@ -25,6 +26,7 @@ interface Film {
   settings: FilmSettings;
   /** The frame before, on its ground. */
   last: Uint8ClampedArray<ArrayBuffer> | null;
+  map: InsetMap | null;
 }
 
 /** A picture in the making. */
@@ -61,8 +63,8 @@ export const encodeTasks = {
     return { mp4: await codecFor("mp4", settings), webm: await codecFor("webm", settings) };
   },
 
-  async filmBegin({ keep }: Context, settings: FilmSettings): Promise<void> {
-    keep.set(FILM, { sink: await sinkFor(settings), settings, last: null } satisfies Film);
+  async filmBegin({ keep }: Context, { map, ...settings }: FilmSettings & { map?: InsetMap }): Promise<void> {
+    keep.set(FILM, { sink: await sinkFor(settings), settings, last: null, map: map ?? null } satisfies Film);
   },
 
   /** Begins a picture, whose rows come from the top, to the same lane. */
@@ -90,16 +92,18 @@ export const encodeTasks = {
   /** The next frame, RGBA with straight alpha; none: the last one once more. */
   async filmAdd(
     { keep }: Context,
-    { pixels, caption }: { pixels?: Uint8ClampedArray<ArrayBuffer>; caption?: string },
+    { pixels, words, at }: { pixels?: Uint8ClampedArray<ArrayBuffer>; words?: string; at?: Place },
   ): Promise<void> {
     const film = filmIn(keep);
-    const { settings } = film;
+    const { settings, map } = film;
     if (pixels) {
       if (settings.ground !== null) layOn(pixels, settings.ground);
       film.last = pixels;
     }
     if (!film.last) return;
-    await film.sink.add(caption ? captioned(film.last, settings, caption) : film.last);
+    const over = { ...(words ? { words } : {}), ...(map && at ? { inset: { map, at } } : {}) };
+    const bare = over.words === undefined && over.inset === undefined;
+    await film.sink.add(bare ? film.last : overlaid(film.last, settings, over));
   },
 
   async filmEnd({ keep, transfer }: Context, _: Record<string, never>): Promise<FileBytes> {

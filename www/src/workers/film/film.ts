@@ -2,6 +2,7 @@ import { filmCrew } from "./client";
 import type { FileBytes } from "./encode";
 import type { FilmSettings } from "./format/sink";
 import { inOrder } from "./order";
+import { overlaid } from "./overlay";
 import type { FramePixels, Subject } from "./subject";
 
 export interface FilmRequest {
@@ -11,6 +12,8 @@ export interface FilmRequest {
   settings: FilmSettings;
   smooth: boolean;
   captions: boolean;
+  /** Whether its small map lies over it, where it has one. */
+  inset: boolean;
 }
 
 export interface Film extends FileBytes {
@@ -31,6 +34,7 @@ const SAMPLE_SIDE = 160;
 /** Complete pictures, frame by frame, and the file of them. Rejected when called off. */
 export async function makeFilm(request: FilmRequest, signal: AbortSignal, onFrame: OnFrame): Promise<Film> {
   const { subject, times, settings, smooth, captions } = request;
+  const inset = request.inset ? subject.inset : undefined;
   const { width, height } = settings;
   const ground = settings.ground ?? subject.ground;
   const { task, end } = filmCrew();
@@ -38,7 +42,8 @@ export async function makeFilm(request: FilmRequest, signal: AbortSignal, onFram
   const options = { signal };
   try {
     const samples = settings.kind === "gif" ? { samples: await sampled(request, ground, signal) } : {};
-    await task("filmBegin", { ...settings, ...samples }, options);
+    const map = inset ? { map: inset.map() } : {};
+    await task("filmBegin", { ...settings, ...samples, ...map }, options);
     let told = 0;
     await inOrder<FramePixels | null>(
       times.length,
@@ -52,11 +57,14 @@ export async function makeFilm(request: FilmRequest, signal: AbortSignal, onFram
           preview = await small(picture.data, width, height);
         }
         const words = captions ? subject.caption?.(times[i] ?? 0) : undefined;
-        const caption = words === undefined ? {} : { caption: words };
+        const over = {
+          ...(words === undefined ? {} : { words }),
+          ...(inset ? { at: inset.at(times[i] ?? 0) } : {}),
+        };
         if (picture) {
           const transfer = [picture.data.buffer];
-          await task("filmAdd", { pixels: picture.data, ...caption }, { signal, transfer });
-        } else await task("filmAdd", caption, options);
+          await task("filmAdd", { pixels: picture.data, ...over }, { signal, transfer });
+        } else await task("filmAdd", over, options);
         onFrame(i + 1, preview);
       },
     );
@@ -70,7 +78,7 @@ export async function makeFilm(request: FilmRequest, signal: AbortSignal, onFram
 
 /** Some frames of all, small, one below the other. */
 async function sampled(
-  { subject, times, settings, smooth }: FilmRequest,
+  { subject, times, settings, smooth, inset }: FilmRequest,
   ground: string,
   signal: AbortSignal,
 ) {
@@ -80,12 +88,17 @@ async function sampled(
   const count = Math.min(SAMPLES, times.length);
   const all = new Uint8ClampedArray(4 * width * height * count);
   const drawer = subject.drawer({ width, height, smooth, ground }, { alone: true });
+  const map = inset ? subject.inset?.map() : undefined;
   try {
     let data = new Uint8ClampedArray(4 * width * height);
     for (let i = 0; i < count; i++) {
-      const picture = await drawer.frame(times[Math.floor((i * times.length) / count)] ?? 0, signal);
+      const time = times[Math.floor((i * times.length) / count)] ?? 0;
+      const picture = await drawer.frame(time, signal);
       data = picture?.data ?? data;
-      all.set(data, i * data.length);
+      // The small map has colours of its own.
+      const at = map && subject.inset?.at(time);
+      const seen = map && at ? overlaid(data, { ...settings, width, height }, { inset: { map, at } }) : data;
+      all.set(seen, i * data.length);
     }
   } finally {
     drawer.end();

@@ -36,6 +36,17 @@ export interface Drawer {
   end(): void;
 }
 
+/** On a square: 0 to 1 across, and down. */
+export type Place = readonly [x: number, y: number];
+
+/** A small map that may lie over the picture. */
+export interface Inset {
+  /** As it is now: a square, RGBA, with the way on it. */
+  map(): { size: number; pixels: Uint8ClampedArray<ArrayBuffer>; way: readonly Place[] };
+  /** Where a moment is on it. */
+  at(seconds: number): Place;
+}
+
 /** Something that moves, as films know it. */
 export interface Subject {
   id: string;
@@ -56,6 +67,8 @@ export interface Subject {
   choosesSmooth: boolean;
   /** What can be said of a moment, over the picture. */
   caption?: (seconds: number) => string;
+  /** Where on a map it is, over the picture. */
+  inset?: Inset;
   /** `alone`: one frame, now and again, while other things are done. */
   drawer(look: FrameLook, how?: { alone: boolean }): Drawer;
 }
@@ -63,11 +76,12 @@ export interface Subject {
 /** The same, drawn as if it took `seconds` once through. */
 export function lasting(subject: Subject, seconds: number): Subject {
   const part = subject.seconds / seconds;
-  const { caption } = subject;
+  const { caption, inset } = subject;
   return {
     ...subject,
     seconds,
     ...(caption ? { caption: (at: number) => caption(at * part) } : {}),
+    ...(inset ? { inset: { ...inset, at: (at: number) => inset.at(at * part) } } : {}),
     drawer(look, how) {
       const drawer = subject.drawer(look, how);
       return {
