@@ -28,7 +28,8 @@ struct Lane {
     x: F64x4,
     y: F64x4,
     size: F64x4,
-    /// What a lane's score is raised by: infinite where it holds no map.
+    /// What a lane's score is raised by: beyond all others where it holds no map. An infinite score would no longer be
+    /// a number once that of its map is written into its lowest bits.
     far: F64x4,
 }
 
@@ -58,7 +59,7 @@ impl GreedySearch {
         self.sizes.clear();
         for four in frame.maps.chunks(4) {
             // A lane without a map is too far away to be chosen, also for a piece that is a mere point.
-            let mut lane = Lane { far: F64x4::splat(f64::INFINITY), ..Lane::default() };
+            let mut lane = Lane { far: F64x4::splat(f64::MAX), ..Lane::default() };
             for (k, map) in four.iter().enumerate() {
                 let size = map.norm();
                 lane.far.0[k] = 0.0;
@@ -165,4 +166,32 @@ fn number(score: f64) -> usize {
 #[inline(always)]
 fn ordered(a: f64, b: f64) -> [f64; 2] {
     if a < b { [a, b] } else { [b, a] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Maps that shrink a little around places so near each other that all pieces overlap.
+    fn heap(count: usize) -> Vec<Affine2> {
+        let map = |k: usize| {
+            let at = DVec2::new((k % 3) as f64, (k % 2) as f64);
+            Affine2::similitude(0.7, 0.3 * k as f64, at * 0.2)
+        };
+        (0..count).map(map).collect()
+    }
+
+    #[test]
+    fn pieces_that_overlap_are_found_to_meet_however_many_maps_there_are() {
+        for count in 3..=13 {
+            let (mut frame, mut search) = (Frame::default(), GreedySearch::default());
+            frame.set(&heap(count)).unwrap();
+            assert!(search.set(&frame));
+            let near = 1e-6 * search.extent(&frame);
+            for (i, j) in (0..count).flat_map(|j| (0..j).map(move |i| (i, j))) {
+                let found = search.meet(&frame, i, j, near);
+                assert!(found.is_some_and(|square| square <= near), "maps {i} and {j} of {count}");
+            }
+        }
+    }
 }
