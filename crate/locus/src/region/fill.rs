@@ -171,7 +171,10 @@ impl<F: Family + ?Sized> BoxFill<'_, F> {
         if apart != (middle.state == State::Disconnected) || whole != middle.state.holds() {
             return false;
         }
-        if !self.descent.lanes.set(self.family, extent, &mut self.scratch.frame) {
+        // The areas of two maps may fill the plane in a box of any size.
+        if whole && open < LEAST_OPEN_TO_CROSS && self.family.len() > 2
+            || !self.descent.lanes.set(self.family, extent, &mut self.scratch.frame)
+        {
             return false;
         }
         if apart { self.part(area, corners, middle) } else { self.join(area, open) }
