@@ -88,6 +88,30 @@ describe("Pool", () => {
     expect(p.busy).toBe(false);
   });
 
+  it("hands out the last urgent slice of a job before what comes behind it", () => {
+    const p = pool(1);
+    const { job: locus } = job("locus", 4);
+    let taken = 0;
+    // Coarse slices first, which others wait for; then fine ones.
+    p.submit({
+      ...locus,
+      priority: () => (taken < 2 ? 3 : 1),
+      next: () => {
+        taken++;
+        return locus.next();
+      },
+    });
+    const strip = job("strip", 1, 2);
+    p.submit(strip.job);
+    const [worker] = workers;
+    const order: string[] = [];
+    while (worker?.work[0]) {
+      order.push((worker.work[0].args as { n: string }).n);
+      worker.finish();
+    }
+    expect(order).toEqual(["locus0", "locus1", "strip0", "locus2", "locus3"]);
+  });
+
   it("hears only the latest job of a channel", () => {
     const p = pool(1);
     const old = job("locus", 10);

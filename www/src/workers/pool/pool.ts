@@ -15,14 +15,20 @@ interface Entry {
   job: Job;
   live: boolean;
   inFlight: number;
-  /** Slices that a dying worker left behind. */
-  again: { task: Task; tries: number }[];
+  /** Slices that were taken from the job and wait, as urgent as they were when they were taken. */
+  again: Waiting[];
+}
+
+interface Waiting {
+  task: Task;
+  tries: number;
+  urgency: number;
 }
 
 interface Seat {
   worker: WorkerLike<Modules>;
   ready: boolean;
-  work: { id: number; entry: Entry; task: Task; tries: number } | null;
+  work: (Waiting & { id: number; entry: Entry }) | null;
   watch: ReturnType<typeof setTimeout> | null;
 }
 
@@ -151,7 +157,8 @@ export class Pool {
     const { work } = seat;
     if (work) {
       work.entry.inFlight--;
-      if (work.tries < TRIES) work.entry.again.push({ task: work.task, tries: work.tries + 1 });
+      const { task, tries, urgency } = work;
+      if (tries < TRIES) work.entry.again.push({ task, tries: tries + 1, urgency });
       else if (work.entry.live) {
         const error: FrondError = {
           code: "worker-lost",
@@ -204,13 +211,10 @@ export class Pool {
     this.#report();
   }
 
-  #pick(): { entry: Entry; task: Task; tries: number } | null {
-    const byPriority = [...this.#entries.values()].sort((p, q) => q.job.priority() - p.job.priority());
-    for (const entry of byPriority) {
-      const left = entry.again.shift();
-      if (left) return { entry, ...left };
-      const task = entry.job.next();
-      if (task) return { entry, task, tries: 1 };
+  #pick(): (Waiting & { entry: Entry }) | null {
+    for (const entry of [...this.#entries.values()].sort((p, q) => urgencyOf(q) - urgencyOf(p))) {
+      const waiting = entry.again.shift() ?? take(entry);
+      if (waiting) return { entry, ...waiting };
       this.#settle(entry);
     }
     return null;
@@ -219,9 +223,9 @@ export class Pool {
   /** Ends a job that has nothing left to hand out and nothing under way. */
   #settle(entry: Entry): void {
     if (!entry.live || entry.inFlight > 0 || entry.again.length > 0) return;
-    const task = entry.job.next();
-    if (task) {
-      entry.again.push({ task, tries: 1 });
+    const waiting = take(entry);
+    if (waiting) {
+      entry.again.push(waiting);
       return;
     }
     entry.live = false;
@@ -232,4 +236,13 @@ export class Pool {
   #report(): void {
     this.#options.onChange?.({ count: this.#seats.filter((s) => s.ready).length, busy: this.busy });
   }
+}
+
+const urgencyOf = ({ job, again: [first] }: Entry): number => first?.urgency ?? job.priority();
+
+/** The next slice of a job. The priority is asked before it: it may fall with the last slice of its kind. */
+function take({ job }: Entry): Waiting | null {
+  const urgency = job.priority();
+  const task = job.next();
+  return task && { task, tries: 1, urgency };
 }
