@@ -15,6 +15,7 @@ import { epoch, submit } from "#workers/pool/engine";
 import type { Job } from "#workers/pool/protocol";
 import { inputs as morph } from "./inputs";
 import { EPSILON, type LocusInputs } from "./locus/job";
+import { leavesPlane } from "./plan";
 import { publish } from "./results";
 
 export const FRAMES = 13;
@@ -55,7 +56,8 @@ function breaksJob(inputs: LocusInputs, points: Uv[]): Job<"along"> {
   let from = 0;
   return {
     channel: "breaks",
-    priority: () => 30,
+    // In the plane w = 0 the locus says as much, and sooner: what is said moment by moment waits for it.
+    priority: () => (leavesPlane(points) ? 30 : 14),
     next() {
       if (from >= all.length) return null;
       const options = { ...inputs.options, epsilon: EPSILON };
@@ -124,7 +126,8 @@ function stripJob({ inputs, points, colouring, dark: onDark }: What): Job<"pictu
   const places = new Map<object, number>();
   return {
     channel: "strip",
-    priority: () => 20,
+    // Behind the locus, which follows the hand.
+    priority: () => 13,
     next() {
       const i = order.shift();
       if (i === undefined) return null;
