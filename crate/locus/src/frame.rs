@@ -4,6 +4,7 @@ use frond_core::{Affine2, Contraction, IfsError};
 use glam::{DMat2, DVec2};
 
 use crate::exact::double_double::DoubleDouble;
+use crate::support::extremes::larger;
 use crate::verdict::Ellipse;
 
 /// Where the search takes place. The attractor lies in the unit disc of these coordinates.
@@ -76,9 +77,9 @@ impl Frame {
     }
 
     fn set_plain(&mut self, maps: &[Affine2]) {
-        let factor = maps.iter().fold(0.0_f64, |most, map| most.max(map.norm()));
+        let factor = maps.iter().fold(0.0, |most, map| larger(most, map.norm()));
         let origin = mean_point(maps);
-        let shift = maps.iter().map(|map| map.apply(origin).distance(origin)).fold(0.0, f64::max);
+        let shift = maps.iter().map(|map| map.apply(origin).distance(origin)).fold(0.0, larger);
         let radius = shift / (1.0 - factor) * (1.0 + 1e-12);
         self.place(maps, DMat2::IDENTITY, DMat2::IDENTITY, origin, radius);
         self.factor = factor;
@@ -96,7 +97,7 @@ impl Frame {
         let stretch = |m: DMat2| Affine2::new(m, DVec2::ZERO).norm();
         // The condition number is what the coefficients' rounding costs; longer blocks may grow before they shrink.
         let condition = stretch(to) * stretch(from);
-        let growth = self.maps.iter().fold(1.0_f64, |most, map| most.max(map.norm()));
+        let growth = self.maps.iter().fold(1.0, |most, map| larger(most, map.norm()));
         let spread = length as f64 * growth.powi(length as i32 - 1) / (1.0 - factor);
         let size = 1.0 + (to * centre).length() / radius;
         self.rounding = ROUNDING_UNIT * condition * size * growth * spread;

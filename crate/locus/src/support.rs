@@ -2,6 +2,7 @@
 //! in a table of directions. The convex hull that the values enclose holds the attractor, and so its images hold the
 //! pieces.
 
+pub(crate) mod extremes;
 pub(crate) mod f64x4;
 pub(crate) mod lanes;
 pub(crate) mod table;

@@ -8,6 +8,7 @@ use glam::{DMat2, DVec2};
 use crate::frame::Frame;
 use crate::gap::pair_descent::{Explore, Pair, Sight};
 use crate::gap::piece_distance::Metric;
+use crate::support::extremes::{larger, lesser};
 use crate::support::f64x4::{DVec2x4, F64x4};
 use crate::support::table::SupportTable;
 
@@ -106,7 +107,7 @@ impl DifferenceSet {
             // Of a similitude the norms are powers, too.
             let norm =
                 if self.round { size } else { Affine2::new(power, DVec2::ZERO).norm() * (1.0 + 1e-12) };
-            self.sizes.push(size.min(norm));
+            self.sizes.push(lesser(size, norm));
         }
         self.sizes[k]
     }
@@ -141,7 +142,7 @@ impl DifferenceSet {
 
     /// The square of a distance that the attractor has at least across, in the plane: between images of one point.
     pub fn extent(&self, frame: &Frame) -> f64 {
-        self.sorted.iter().map(|&d| frame.square(d)).fold(0.0, f64::max)
+        self.sorted.iter().map(|&d| frame.square(d)).fold(0.0, larger)
     }
 
     /// The square of the distance in the plane of two points of pieces `i` and `j`, if it was found to be `reach` or

@@ -4,6 +4,7 @@ use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
 use crate::frame::Frame;
+use crate::support::extremes::larger;
 use crate::support::f64x4::F64x4;
 
 /// Looks for two points of the attractor, one in each of two pieces, that lie within a given distance of
@@ -77,8 +78,8 @@ impl GreedySearch {
     /// points.
     pub fn extent(&self, frame: &Frame) -> f64 {
         let images = || frame.maps.iter().map(|map| map.apply(self.point));
-        let far = |p: DVec2| images().map(|q| frame.square(q - p)).fold(0.0, f64::max);
-        far(self.point).max(images().map(far).fold(0.0, f64::max))
+        let far = |p: DVec2| images().map(|q| frame.square(q - p)).fold(0.0, larger);
+        larger(far(self.point), images().map(far).fold(0.0, larger))
     }
 
     /// The square of the distance in the plane of two points of the pieces of maps `i` and `j`, if it was found

@@ -13,6 +13,7 @@ use std::ops::{ControlFlow, Range};
 use frond_core::Total;
 
 use crate::overlap_graph::Components;
+use crate::support::extremes::{larger, lesser};
 
 /// How pairs of pieces are looked at and split.
 pub(crate) trait Explore {
@@ -151,7 +152,7 @@ impl<P: Copy + Default> PairDescent<P> {
     /// [`PairDescent::join`], and that the square of the distance of two points is `reach`.
     pub fn join_at(&mut self, i: usize, j: usize, reach: f64) {
         let at = self.edge(i, j);
-        self.edges[at].reach = self.edges[at].reach.min(reach);
+        self.edges[at].reach = lesser(self.edges[at].reach, reach);
         self.join(i, j);
     }
 
@@ -246,7 +247,7 @@ impl<P: Copy + Default> PairDescent<P> {
             if self.edges[at].reach <= self.near && !self.thorough {
                 return ControlFlow::Break(());
             }
-            let lower = sight.apart.max(apart);
+            let lower = larger(sight.apart, apart);
             if lower > 0.0 {
                 self.apart.push(Pair { key: Total(lower), u, v, ..pair });
             } else {

@@ -39,6 +39,7 @@ use glam::{DMat2, DVec2};
 
 use crate::family::{Drift, Family};
 use crate::frame::Frame;
+use crate::support::extremes::{larger, lesser};
 use crate::support::lanes::{Maps, Points, SupportLanes};
 
 /// A box of parameters; a segment where `half.y` is 0.
@@ -196,18 +197,18 @@ impl<const L: usize> Lanes<L> {
         self.areas.clear();
         for (i, lanes) in self.maps.iter().enumerate() {
             let bent = self.bent(i, |bound| bound.linear[1]);
-            let most = lanes.iter().map(|map| map.norm()).fold(0.0, f64::max);
+            let most = lanes.iter().map(|map| map.norm()).fold(0.0, larger);
             self.norms.push((most + bent) * ROUND_UP);
             // (det L)'' is 2 det L' and no more than 2 |L| |L''| besides.
             let norm = self.norms[i];
             let bent = self.bent(i, |b| 2.0 * (b.linear[0] * b.linear[0] + norm * b.linear[1]));
             let least = lanes.iter().map(|map| map.determinant());
             let (low, high) = least.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), area| {
-                (low.min(area), high.max(area))
+                (lesser(low, area), larger(high, area))
             });
             self.areas.push(low.max(-high) - bent * ROUND_UP - 1e-9);
         }
-        self.factor = self.norms.iter().copied().fold(0.0, f64::max);
+        self.factor = self.norms.iter().copied().fold(0.0, larger);
         // Comparisons with NaN are false.
         self.norms.iter().all(|&norm| norm < 1.0 - 1e-6)
     }
@@ -217,9 +218,11 @@ impl<const L: usize> Lanes<L> {
         // A disc of this radius is taken into itself by every map of every parameter.
         let mut radius = 0.0_f64;
         for (i, lanes) in self.maps.iter().enumerate() {
-            let shift = lanes.iter().map(|map| map.translation.length()).fold(0.0, f64::max);
-            radius =
-                radius.max((shift + self.bent(i, |bound| bound.shift[1])) / (1.0 - self.norms[i]) * ROUND_UP);
+            let shift = lanes.iter().map(|map| map.translation.length()).fold(0.0, larger);
+            radius = larger(
+                radius,
+                (shift + self.bent(i, |bound| bound.shift[1])) / (1.0 - self.norms[i]) * ROUND_UP,
+            );
         }
         let unit = radius.max(0.5);
         if !unit.is_finite() || unit > 100.0 {
@@ -261,16 +264,16 @@ impl<const L: usize> Lanes<L> {
         let rates = |axis: usize| {
             let each = || self.bounds[axis].iter().zip(&self.norms);
             let first = each().map(|(b, norm)| (b.linear[0] * radius + b.shift[0]) / (1.0 - norm));
-            let first = first.fold(0.0, f64::max);
+            let first = first.fold(0.0, larger);
             let second = each().map(|(b, norm)| {
                 (b.linear[1] * radius + b.shift[1] + 2.0 * b.linear[0] * first) / (1.0 - norm)
             });
-            let second = second.fold(0.0, f64::max);
+            let second = second.fold(0.0, larger);
             let third = each().map(|(b, norm)| {
                 let rest = 3.0 * (b.linear[1] * first + b.linear[0] * second);
                 (b.linear[2] * radius + b.shift[2] + rest) / (1.0 - norm)
             });
-            [first, second, third.fold(0.0, f64::max)]
+            [first, second, third.fold(0.0, larger)]
         };
         let [first, second, third] = rates(0);
         let h = self.half.x;
@@ -294,9 +297,9 @@ impl<const L: usize> Lanes<L> {
     /// rounding adds, if c is at most `bow` in all rows of lanes.
     #[inline]
     pub fn margin(&self, bow: f64) -> f64 {
-        let (bow, jerk) = (bow.max(0.0), 2.0 * self.jerk);
-        let fine = ((bow + jerk) * 0.125).min(0.5 * bow + CUBIC_DIP * jerk);
-        fine.min(2.0 * self.dip) + 2.0 * self.still + self.rounding
+        let (bow, jerk) = (larger(0.0, bow), 2.0 * self.jerk);
+        let fine = lesser((bow + jerk) * 0.125, 0.5 * bow + CUBIC_DIP * jerk);
+        lesser(fine, 2.0 * self.dip) + 2.0 * self.still + self.rounding
     }
 
     /// How far points of the attractors move between the middle of the box and its edge, at most.
@@ -326,7 +329,7 @@ impl<const L: usize> Lanes<L> {
             let size = |m: DMat2| (m.x_axis.length_squared() + m.y_axis.length_squared()).sqrt();
             size(l - m * 2.0 + r) * radius + size(r - l) * first + (size(l) + size(r)) * (0.5 * second)
         };
-        (0..L / 3).map(sag).fold(0.0, f64::max) * ROUND_UP
+        (0..L / 3).map(sag).fold(0.0, larger) * ROUND_UP
     }
 }
 
@@ -357,7 +360,7 @@ pub(crate) fn never_contracts<F: Family + ?Sized>(family: &F, extent: Extent) ->
     }
     extent.is_usual()
         && (0..family.len()).any(|i| {
-            let most = lanes.iter().map(|maps| maps[i].norm()).fold(0.0, f64::max);
+            let most = lanes.iter().map(|maps| maps[i].norm()).fold(0.0, larger);
             let (mut bent_trace, mut bent_area) = (0.0, 0.0);
             for (axis, drifts) in drifts.iter().enumerate() {
                 let Drift { speed, bend, .. } = drifts[i];

@@ -13,6 +13,7 @@ use crate::family::Family;
 use crate::frame::Frame;
 use crate::overlap_graph::Components;
 use crate::region::derivative_bounds::{Extent, Lanes, bows};
+use crate::support::extremes::{larger, lesser};
 use crate::support::lanes::{Maps, SupportLanes};
 
 /// A piece in all lanes.
@@ -186,7 +187,7 @@ impl<const L: usize> Descent<L> {
         let sight = self.look(u, v);
         let k = usize::from(i) * self.count + usize::from(j);
         if sight.apart > 0.0 {
-            self.lower[k] = self.lower[k].min(sight.apart);
+            self.lower[k] = lesser(self.lower[k], sight.apart);
         } else if sight.near <= self.narrow {
             self.components.join(usize::from(i), usize::from(j));
             return false;
@@ -220,7 +221,7 @@ impl<const L: usize> Descent<L> {
     #[inline]
     fn margin(&self, a: &Part<L>, b: &Part<L>, normal: DVec2) -> f64 {
         let length = normal.length();
-        let along = (0..2).map(|row| normal.dot(b.bows[row] - a.bows[row])).fold(f64::NEG_INFINITY, f64::max);
+        let along = (0..2).map(|row| normal.dot(b.bows[row] - a.bows[row])).fold(f64::NEG_INFINITY, larger);
         self.lanes.margin(along / length + a.sag + b.sag)
     }
 
@@ -245,7 +246,7 @@ impl<const L: usize> Descent<L> {
                 let (h_a, number_a) = self.fan.support(a[l].linear.transpose() * normal, l);
                 let (h_b, number_b) = self.fan.support(-(b[l].linear.transpose() * normal), l);
                 let along = normal.dot(b[l].translation - a[l].translation);
-                apart = apart.min(along - (h_a + h_b));
+                apart = lesser(apart, along - (h_a + h_b));
                 middles += along;
                 reaches += h_a + h_b;
                 if l == 0 {
@@ -257,20 +258,20 @@ impl<const L: usize> Descent<L> {
             for l in 0..L {
                 steps[l] = b[l].apply(self.fan.point(far_b, l)) - a[l].apply(self.fan.point(far_a, l));
                 let squared = steps[l].length_squared();
-                most = most.max(squared);
-                least = least.min(squared);
+                most = larger(most, squared);
+                least = lesser(least, squared);
                 between += steps[l];
             }
-            best.near = best.near.min(least.sqrt());
+            best.near = lesser(best.near, least.sqrt());
             let bow = bows(&steps).map(DVec2::length);
-            best.reach = best.reach.min(most.sqrt() + self.lanes.margin(bow[0].max(bow[1])));
+            best.reach = lesser(best.reach, most.sqrt() + self.lanes.margin(larger(bow[0], bow[1])));
             if apart > 0.0 {
                 best.apart = apart / normal.length() - self.margin(part_a, part_b, normal);
                 if best.apart > 0.0 {
                     return best;
                 }
             }
-            best.overlap = best.overlap.min(middles / reaches);
+            best.overlap = lesser(best.overlap, middles / reaches);
             if round + 1 < DIRECTIONS_PER_PAIR {
                 let turn = step - between;
                 let length = turn.length_squared();

@@ -4,6 +4,8 @@
 use frond_core::Affine2;
 use glam::DVec2;
 
+use crate::support::extremes::{larger, lesser};
+
 /// Directions on each side of the square.
 const DIRECTIONS_A_SIDE: usize = 8;
 /// Directions in all.
@@ -127,7 +129,7 @@ impl<const L: usize> SupportLanes<L> {
                     let value = link.from_low[l] * self.values[low][l]
                         + link.from_high[l] * self.values[low + 1][l]
                         + link.shift[l];
-                    best[l] = best[l].max(value);
+                    best[l] = larger(best[l], value);
                     sum += value;
                 }
                 if sum > most {
@@ -140,7 +142,7 @@ impl<const L: usize> SupportLanes<L> {
                 self.points[k][l] = maps[arg][l].apply(self.points[near][l]);
                 let fall = self.values[k][l] - best[l];
                 if fall > 0.0 {
-                    change = change.max(fall);
+                    change = larger(change, fall);
                     self.values[k][l] = best[l];
                 }
             }
@@ -175,8 +177,8 @@ impl<const L: usize> SupportLanes<L> {
     /// The radius of a disc about the origin that holds the attractors of all lanes.
     pub fn radius(&self) -> f64 {
         // Between two directions the hull goes farther out by up to the cosine of half their angle.
-        let far = |k: usize| self.values[k].iter().copied().fold(0.0, f64::max) / direction(k).length();
-        (0..DIRECTIONS).map(far).fold(0.0, f64::max) / 0.992_507_556
+        let far = |k: usize| self.values[k].iter().copied().fold(0.0, larger) / direction(k).length();
+        (0..DIRECTIONS).map(far).fold(0.0, larger) / 0.992_507_556
     }
 
     /// An upper bound of the width of the attractors of all lanes in the direction of `d` over its length, the
@@ -185,16 +187,16 @@ impl<const L: usize> SupportLanes<L> {
         let (mut upper, mut lower) = (0.0_f64, 0.0_f64);
         let apart = |k: usize, m: usize| {
             let each = self.points[k].iter().zip(&self.points[m]);
-            each.map(|(p, q)| p.distance_squared(*q)).fold(f64::INFINITY, f64::min)
+            each.map(|(p, q)| p.distance_squared(*q)).fold(f64::INFINITY, lesser)
         };
         for k in 0..DIRECTIONS / 2 {
             let length = direction(k).length();
             for l in 0..L {
-                upper = upper.max((self.values[k][l] + self.values[k + DIRECTIONS / 2][l]) / length);
+                upper = larger(upper, (self.values[k][l] + self.values[k + DIRECTIONS / 2][l]) / length);
             }
             // The points farthest apart need not be opposite each other.
             for m in k + DIRECTIONS / 2 - DIRECTIONS_ASIDE..=k + DIRECTIONS / 2 + DIRECTIONS_ASIDE {
-                lower = lower.max(apart(k, m % DIRECTIONS));
+                lower = larger(lower, apart(k, m % DIRECTIONS));
             }
         }
         (upper / 0.992_507_556, lower.sqrt())
