@@ -79,17 +79,26 @@ impl Bitmap {
         let (first, last) = (pixels.x.0 as usize / 64, pixels.x.1 as usize / 64);
         let from = u64::MAX << (pixels.x.0 % 64);
         let to = u64::MAX >> (63 - pixels.x.1 % 64);
-        (pixels.y.0..=pixels.y.1).all(|y| {
-            let row = &self.words[y as usize * self.stride..][..self.stride];
-            if first == last {
-                let mask = from & to;
-                row[first] & mask == mask
-            } else {
-                row[first] & from == from
-                    && row[last] & to == to
-                    && row[first + 1..last].iter().all(|word| *word == u64::MAX)
+        let rows = pixels.y.0 as usize..pixels.y.1 as usize + 1;
+        if first == last {
+            let mask = from & to;
+            for y in rows {
+                if self.words[y * self.stride + first] & mask != mask {
+                    return false;
+                }
             }
-        })
+            return true;
+        }
+        for y in rows {
+            let row = &self.words[y * self.stride..][..self.stride];
+            if row[first] & from != from
+                || row[last] & to != to
+                || row[first + 1..last].iter().any(|word| *word != u64::MAX)
+            {
+                return false;
+            }
+        }
+        true
     }
 }
 

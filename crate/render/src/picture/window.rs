@@ -90,7 +90,9 @@ impl Window {
             x: (low.x as u32, (high.x as u32).min(self.width - 1)),
             y: (low.y as u32, (high.y as u32).min(self.height - 1)),
         };
-        Some(Extent { pixels, size: 2.0 * reach.max_element(), inside })
+        // In WebAssembly `f64::max` is a call: it looks for NaN, which has not come so far.
+        let size = 2.0 * if reach.x < reach.y { reach.y } else { reach.x };
+        Some(Extent { pixels, size, inside })
     }
 }
 
