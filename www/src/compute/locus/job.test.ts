@@ -36,10 +36,10 @@ function answerRows(task: Task<"locus">) {
   return { state, gap, count };
 }
 
-function run(milliseconds: number, patches = false) {
+function run(milliseconds: number, patches = false, first?: 2 | 4) {
   const stage = vi.fn();
   const watch = { painted: vi.fn(), stage: (_: LocusWork, stride: number) => stage(stride), failed: vi.fn() };
-  const means = { patches, priorities: (): [number, number] => [50, 15] };
+  const means = { patches, priorities: (): [number, number] => [50, 15], ...(first && { first }) };
   const work = new LocusWork(inputs, watch, () => 10, means);
   const job = work.job();
   let count = 0;
@@ -107,6 +107,13 @@ describe("LocusWork", () => {
     expect(work.filled).toEqual(work.raw);
     expect(stage.mock.calls.map(([stride]) => stride)).toEqual([STRIDES[0], 1]);
     expect(slices).toBeGreaterThanOrEqual(17);
+  });
+
+  it("may begin with a finer picture, in which the coarsest samples are", () => {
+    const { stage, work, count } = run(0.01, true, 2);
+    expect(stage.mock.calls.map(([stride]) => stride)).toEqual([2, 1]);
+    expect(count).toBe(SIZE * SIZE + ((SIZE - 1) / 2 + 1) ** 2);
+    expect(work.nested(4).state.includes(STATE.pending)).toBe(false);
   });
 
   it("covers the square with rectangles, each sample once, from the middle outwards", () => {

@@ -12,6 +12,9 @@ export const EPSILON = 1 / 600;
 export const BOUNDS: Bounds = homeOf("morph");
 /** Samples along a side of a patch. */
 const PATCH = 64;
+/** The same of the picture of every second sample, which moves with the hand. */
+export const COARSE_SIZE = (SIZE - 1) / 2 + 1;
+const COARSE_PATCH = 32;
 
 export interface LocusInputs {
   from: MapRow[];
@@ -27,7 +30,19 @@ interface LocusWatch {
   failed: (error: FrondError) => void;
 }
 
+/** Milliseconds a sample. */
+export interface Pace {
+  /** One by one. */
+  alone: number;
+  /** In patches. */
+  patched: number;
+}
+
 interface LocusMeans {
+  /** The stride of the picture that comes first, where patches follow; the coarsest where none is given. */
+  first?: 2 | 4;
+  /** About how long a sample takes, if that is known. */
+  pace?: Pace;
   /** Whether the program decides whole rectangles at once: then they follow the coarsest stride, the middle first. */
   patches: boolean;
   /** How much it matters now, beside what else there is to do: the coarse picture, and what follows. */
@@ -61,13 +76,15 @@ export class LocusWork {
   /** Samples still open, by stage. */
   readonly #open: number[];
   readonly #patches: Rectangle[];
+  /** What is left of the coarse picture, where it is made of patches as well. */
+  #coarsePatches: Rectangle[] = [];
+  readonly #coarseKey = nextKey();
   /** The slice that is handed out next. */
   #stage = 0;
   #row = 0;
   /** Stages of which every sample is in, and of all coarser ones too. */
   #whole = 0;
-  /** A guess until the first slices are back. */
-  #msPerSample = 0.02;
+  readonly pace: Pace;
 
   constructor(
     inputs: LocusInputs,
@@ -79,10 +96,13 @@ export class LocusWork {
     this.#watch = watch;
     this.#slice = sliceMilliseconds;
     this.#means = means;
+    this.pace = means.pace ? { ...means.pace } : { alone: 0.02, patched: 0.01 };
     this.#patches = means.patches ? patchesOf(SIZE, PATCH) : [];
-    this.#strides = means.patches ? [STRIDES[0], 1] : STRIDES;
+    const { first = STRIDES[0] } = means;
+    if (means.patches && first === 2) this.#coarsePatches = patchesOf(COARSE_SIZE, COARSE_PATCH);
+    this.#strides = means.patches ? [first, 1] : STRIDES;
     this.#open = means.patches
-      ? [samplesOf(STRIDES[0], true), SIZE * SIZE - samplesOf(STRIDES[0], true)]
+      ? [samplesOf(first, true), SIZE * SIZE - samplesOf(first, true)]
       : STRIDES.map((stride, stage) => samplesOf(stride, stage === 0));
   }
 
@@ -90,16 +110,27 @@ export class LocusWork {
     return {
       channel: "locus",
       priority: () => this.#means.priorities()[this.#stage === 0 ? 0 : 1],
-      next: () => (this.#means.patches && this.#stage > 0 ? this.#nextPatch() : this.#next()),
+      next: () => {
+        if (this.#coarsePatches.length > 0) return this.#nextCoarsePatch();
+        return this.#means.patches && this.#stage > 0 ? this.#nextPatch() : this.#next();
+      },
       accept: (task, result, milliseconds) =>
-        task.kind === "patch" ? this.#acceptPatch(task, result) : this.#accept(task, result, milliseconds),
+        task.kind === "patch"
+          ? this.#acceptPatch(task, result, milliseconds)
+          : this.#accept(task, result, milliseconds),
       fail: (_, error) => this.#watch.failed(error),
     };
   }
 
-  #options() {
+  #options(size = SIZE) {
     const { from, to, options } = this.inputs;
-    return { from, to, options: { ...options, bounds: BOUNDS, width: SIZE, height: SIZE, epsilon: EPSILON } };
+    return { from, to, options: { ...options, bounds: BOUNDS, width: size, height: size, epsilon: EPSILON } };
+  }
+
+  #nextCoarsePatch(): Task<"patch"> | null {
+    const patch = this.#coarsePatches.shift();
+    if (this.#coarsePatches.length === 0) this.#stage = 1;
+    return patch ? { kind: "patch", key: this.#coarseKey, of: this.#options(COARSE_SIZE), ...patch } : null;
   }
 
   #nextPatch(): Task<"patch"> | null {
@@ -107,10 +138,21 @@ export class LocusWork {
     return patch ? { kind: "patch", key: this.#key, of: this.#options(), ...patch } : null;
   }
 
-  #acceptPatch({ x0, y0, x1, y1 }: Task<"patch">, { state, gap }: Result<"patch">): void {
-    for (let r = y0, k = 0; r < y1; r++) {
-      for (let c = x0; c < x1; c++, k++) this.#take(r, c, state[k] ?? STATE.undecided, gap[k] ?? Number.NaN);
+  #acceptPatch(
+    { key, x0, y0, x1, y1 }: Task<"patch">,
+    { state, gap }: Result<"patch">,
+    milliseconds: number,
+  ): void {
+    const stride = key === this.#coarseKey ? 2 : 1;
+    for (let y = y0, k = 0; y < y1; y++) {
+      for (let x = x0; x < x1; x++, k++) {
+        const [r, c] = [y * stride, x * stride];
+        const [s, g] = [state[k] ?? STATE.undecided, gap[k] ?? Number.NaN];
+        this.#take(r, c, s, g);
+        if (stride > 1) this.#fill(r, c, stride, atResolution(s, g, EPSILON), g);
+      }
     }
+    this.pace.patched += 0.3 * (milliseconds / ((x1 - x0) * (y1 - y0)) - this.pace.patched);
     this.#tell();
   }
 
@@ -150,11 +192,11 @@ export class LocusWork {
   }
 
   #next(): Task<"locus"> | null {
-    const stride = STRIDES[this.#stage];
+    const stride = this.#strides[this.#stage];
     if (stride === undefined) return null;
     const first = this.#stage === 0;
     const across = Math.ceil(SIZE / stride) * (first ? 1 : 0.75);
-    const rows = Math.max(1, Math.floor(this.#slice() / (across * this.#msPerSample)));
+    const rows = Math.max(1, Math.floor(this.#slice() / (across * this.pace.alone)));
     const r0 = this.#row;
     const r1 = Math.min(SIZE, r0 + rows * stride);
     this.#row = r1 + ((stride - (r1 % stride)) % stride);
@@ -178,7 +220,7 @@ export class LocusWork {
         this.#fill(r, c, stride, atResolution(found, g, EPSILON), g);
       }
     }
-    if (count > 0) this.#msPerSample += 0.3 * (milliseconds / count - this.#msPerSample);
+    if (count > 0) this.pace.alone += 0.3 * (milliseconds / count - this.pace.alone);
     this.#tell();
   }
 

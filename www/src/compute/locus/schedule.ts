@@ -2,18 +2,22 @@
 import { effect, untracked } from "@preact/signals";
 import { notify, wordsOf } from "#document/notice";
 import { hasCard, locusByCard } from "#wasm/locus-card";
-import { cancel, epoch, sliceMilliseconds, submit } from "#workers/pool/engine";
+import { cancel, epoch, sliceMilliseconds, submit, workers } from "#workers/pool/engine";
 import { inputs as morph } from "../inputs";
 import { planFrom } from "../plan";
 import { publish } from "../results";
 import { type CardChoice, lookForCard } from "./card-trial";
-import { BOUNDS, EPSILON, type LocusInputs, LocusWork, SIZE, STRIDES } from "./job";
+import { BOUNDS, COARSE_SIZE, EPSILON, type LocusInputs, LocusWork, SIZE, STRIDES } from "./job";
 import { homeIsSeen, scheduleWindow } from "./schedule-window";
 import { Soon } from "./soon";
 
 /** While something is dragged, a coarse locus that is nearly done is let finish, so that there is one to see. */
 const GRACE_MS = 150;
 const COARSEST = STRIDES[0];
+/** What comes sooner after another change is part of one movement of the hand. */
+const DRAG_MS = 400;
+/** While something is dragged, the finer of two coarse pictures is taken where it takes no longer than this. */
+const FINER_MS = 90;
 /** Later than this an unfinished coarse locus is shown all the same. */
 const PATIENCE_MS = 250;
 
@@ -47,8 +51,19 @@ function request(inputs: LocusInputs): void {
   } else start(inputs);
 }
 
+/**
+ * What moves with the hand is never seen whole: its coarse picture has twice as many samples a side, if they can be had
+ * in time. At rest the coarse picture is only for the moment until the whole one is there.
+ */
+function firstStride(): 2 | typeof COARSEST {
+  if (!work || performance.now() - work.started > DRAG_MS) return COARSEST;
+  const milliseconds = (work.pace.patched * COARSE_SIZE ** 2) / Math.max(1, workers.peek().count);
+  return milliseconds <= FINER_MS ? 2 : COARSEST;
+}
+
 function start(inputs: LocusInputs): void {
   waiting = null;
+  const first = firstStride();
   work = new LocusWork(
     inputs,
     {
@@ -58,9 +73,10 @@ function start(inputs: LocusInputs): void {
       },
       stage: (w, stride) => {
         if (w !== work) return;
-        if (stride === COARSEST) paint();
+        if (stride === first) paint();
         if (stride === 1) considerCard();
-        if (inputs === morph.peek()) planFrom(w, stride);
+        // A plan through the coarsest samples is as good for a moment, and there in a quarter of the time.
+        if (inputs === morph.peek()) planFrom(w, stride === 1 ? 1 : COARSEST);
         else if (waiting) {
           // The grace was for this much; now for what has been asked since.
           clearTimeout(waiting);
@@ -75,7 +91,7 @@ function start(inputs: LocusInputs): void {
       },
     },
     sliceMilliseconds,
-    { patches: true, priorities },
+    { patches: true, priorities, first, ...(work && { pace: work.pace }) },
   );
   submit(work.job());
   if (hasCard()) askCard(work);
