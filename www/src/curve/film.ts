@@ -7,6 +7,7 @@ import { palette } from "#style/palette";
 import type { Bend, Colouring } from "#wasm/api";
 import { rough } from "#wasm/curve";
 import type { Drawer, FrameLook } from "#workers/film/subject";
+import { turn } from "#workers/film/turn";
 
 export interface CurveMoment {
   /** On the way from one curve to the other, 0 to 1. */
@@ -43,7 +44,7 @@ export function curveDrawer(
       if (key === before) return null;
       before = key;
       // The page has its turn between two frames.
-      await new Promise((resolve) => setTimeout(resolve));
+      await turn();
       signal.throwIfAborted();
       const began = performance.now();
       try {

@@ -109,12 +109,13 @@ describe("a plan", () => {
 
 describe("words", () => {
   it("for bytes and times", () => {
-    expect([12, 1500, 45_000, 2_340_000, 45e6].map(bytesWords)).toEqual([
+    expect([12, 1500, 45_000, 2_340_000, 45e6, 36.8e9].map(bytesWords)).toEqual([
       "12 bytes",
       "1.5 kB",
       "45 kB",
       "2.3 MB",
       "45 MB",
+      "37 GB",
     ]);
     expect([0.2, 7.2, 41, 58, 130, 7200].map(timeWords)).toEqual([
       "a moment",

@@ -146,7 +146,8 @@ export function filmBytes(plan: Plan, loop: Repeat, lit = 0.5): number {
 export function bytesWords(bytes: number): string {
   if (bytes < 1000) return `${Math.round(bytes)} bytes`;
   if (bytes < 1e6) return `${formatNumber(bytes / 1000, bytes < 1e4 ? 1 : 0)} kB`;
-  return `${formatNumber(bytes / 1e6, bytes < 1e7 ? 1 : 0)} MB`;
+  if (bytes < 1e9) return `${formatNumber(bytes / 1e6, bytes < 1e7 ? 1 : 0)} MB`;
+  return `${formatNumber(bytes / 1e9, bytes < 1e10 ? 1 : 0)} GB`;
 }
 
 /** About how long, as one says it. */

@@ -1,6 +1,16 @@
-import { expect, it } from "vitest";
+import { afterEach, expect, it, vi } from "vitest";
 import type { MapRow } from "#wasm/api";
-import { seenBox, stepsOf } from "./steps";
+import { seenBox, stepsOf, stepsSubject } from "./steps";
+
+// Only the attractor's box is asked of it.
+vi.mock("#wasm/core", () => ({
+  frond: { bounds: () => ({ min: [0, 0], max: [1, 1], hull: [] }) },
+}));
+
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
 
 const GASKET: MapRow[] = [
   [0.5, 0, 0, 0.5, 0, 0],
@@ -31,4 +41,27 @@ it("leaves room for the attractor and for the copies of the first steps", () => 
   const attractor = { x0: 0, y0: 0, x1: 1, y1: 1 };
   expect(seenBox(stepsOf(GASKET), [[0.5, 0.5]], attractor)).toEqual(attractor);
   expect(seenBox(stepsOf(GASKET), [[3, 0.5]], attractor)).toEqual({ ...attractor, x1: 3 });
+});
+
+it("waits for no timer between two frames: in a hidden tab these hardly come", async () => {
+  const nothing = () => {};
+  class Canvas {
+    getContext() {
+      return { fill: nothing, stroke: nothing, getImageData: () => ({ data: new Uint8ClampedArray(4) }) };
+    }
+  }
+  class Lines {
+    moveTo = nothing;
+    lineTo = nothing;
+    closePath = nothing;
+  }
+  vi.stubGlobal("OffscreenCanvas", Canvas);
+  vi.stubGlobal("Path2D", Lines);
+  vi.useFakeTimers({ toFake: ["setTimeout"] });
+  const look = { width: 1, height: 1, smooth: false, ground: "#000000" };
+  const drawer = stepsSubject(GASKET, "gasket", "#000000")?.drawer(look);
+  const { signal } = new AbortController();
+  expect(await drawer?.frame(0, signal)).not.toBeNull();
+  expect(await drawer?.frame(1, signal)).not.toBeNull();
+  expect(await drawer?.frame(1.5, signal)).toBeNull();
 });

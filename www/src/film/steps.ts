@@ -6,6 +6,7 @@ import { palette } from "#style/palette";
 import type { MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
 import type { Drawer, FrameLook, FramePixels } from "#workers/film/subject";
+import { turn } from "#workers/film/turn";
 import { SEEDS, type SeedName, seedCorners } from "./seed";
 import type { FilmSubject } from "./subject";
 
@@ -84,7 +85,7 @@ function stepsDrawer(look: FrameLook, steps: readonly Copy[][], corners: Corners
       if (step === shown) return null;
       shown = step;
       // The page has its turn between two frames.
-      await new Promise((resolve) => setTimeout(resolve));
+      await turn();
       signal.throwIfAborted();
       return drawn(look, steps[step] ?? [], corners, seen);
     },
