@@ -119,6 +119,31 @@ test("a morph becomes a film that goes to and fro, and a clear one, frame by fra
   await expect(dialog.getByRole("button", { name: "Make the film" })).toBeVisible();
   await page.keyboard.press("Escape");
   await expect(dialog).toHaveCount(0);
+
+  // One step as a picture, from the figure that is chosen.
+  const picture = async (seed: string) => {
+    await page.getByRole("button", { name: "Save", exact: true }).click();
+    await page.getByRole("menuitem", { name: "Picture of any size …" }).click();
+    const pictures = page.getByRole("dialog", { name: "Save the picture" });
+    await pictures.getByRole("radio", { name: "Step by step" }).check({ force: true });
+    await pictures.getByRole("combobox", { name: "Begins with" }).selectOption(seed);
+    for (const [name, value] of [
+      ["Steps", "2"],
+      ["Width", "96"],
+      ["Height", "64"],
+    ] as const) {
+      const field = pictures.getByRole("spinbutton", { name });
+      await field.fill(value);
+      await field.press("Enter");
+    }
+    const download = page.waitForEvent("download");
+    await pictures.getByRole("button", { name: "Save as PNG" }).click();
+    expect((await download).suggestedFilename()).toMatch(/-steps-2\.png$/);
+    return framesOf(page, await readFile(await (await download).path()), "image/png");
+  };
+  const [square, point] = [await picture("square"), await picture("point")];
+  expect(square[0]?.lit).toBeGreaterThan(3 * (point[0]?.lit ?? Number.POSITIVE_INFINITY));
+  expect(point[0]?.lit).toBeGreaterThan(0);
 });
 
 test("a bend is filmed once round; where nothing moves the way to it is offered", async ({

@@ -1,7 +1,9 @@
-import { signal } from "@preact/signals";
+import { signal, useComputed } from "@preact/signals";
 import { useEffect, useState } from "preact/hooks";
 import { notify, wordsOf } from "#document/notice";
 import { Button } from "#ui/controls/Button";
+import { NumberField } from "#ui/controls/NumberField";
+import { Segmented } from "#ui/controls/Segmented";
 import { Switch } from "#ui/controls/Switch";
 import { download } from "#ui/files/download";
 import { Dialog } from "#ui/overlay/Dialog";
@@ -14,7 +16,9 @@ import { exportOpen } from "./open";
 import { Picture } from "./Preview";
 import { MOST_PICTURE_SIDE, type PicturePlan, pictureProblem, pictureWords } from "./picture-plan";
 import { LEAST_SIDE } from "./plan";
+import { SeedField } from "./SeedField";
 import { type NamedSize, SizeFields } from "./SizeFields";
+import { begun } from "./settings";
 import type { Still } from "./subject";
 
 const LONG_SIDE = 2400;
@@ -28,6 +32,9 @@ const chosen = signal<Omit<PicturePlan, "width" | "height"> & { width?: number; 
   link: true,
   smooth: navigator.hardwareConcurrency >= MANY_CORES,
 });
+/** How many steps of a shape in the making; null: what is on the stage. */
+const step = signal<number | null>(null);
+const FIRST_STEP = 3;
 /** How far the picture is that is being made, 0 to 1, and how to end it. */
 const running = signal<{ done: number; stop: AbortController } | null>(null);
 
@@ -36,7 +43,10 @@ const close = () => {
   exportOpen.value = null;
 };
 
-/** The picture on the stage as a PNG of any size. `link` is the address of the document, where there is one. */
+/**
+ * The picture on the stage, or a shape in the making, as a PNG of any size. `link` is the address of the document,
+ * where there is one.
+ */
 export function PictureDialog({ still, link }: { still: () => Promise<Still>; link: () => string | null }) {
   const [found, setFound] = useState<Still | { problem: string } | null>(null);
   useEffect(() => {
@@ -61,7 +71,14 @@ export function PictureDialog({ still, link }: { still: () => Promise<Still>; li
 }
 
 function Choices({ still, link }: { still: Still; link: () => string | null }) {
-  const { subject, at, stage, inStrips } = still;
+  const { stage, steps } = still;
+  const making = useComputed(() => (steps ? begun(steps) : null)).value;
+  const most = (making?.seconds ?? 1) - 1;
+  const drawn: Drawn =
+    making && step.value !== null
+      ? { subject: making, at: Math.min(step.value, most), inStrips: false, steps: true }
+      : { ...still, steps: false };
+  const { subject, at, inStrips } = drawn;
   const plan = planOf(stage);
   const { width, height } = plan;
   const preview = usePreview(subject, { ...plan, at });
@@ -69,7 +86,34 @@ function Choices({ still, link }: { still: Still; link: () => string | null }) {
   const now = running.value;
   return (
     <div class={css["export-sheet"]}>
+      {making && (
+        <div class={css["export-kinds"]}>
+          <Segmented
+            label="What is saved"
+            options={WHAT}
+            value={drawn.steps ? "steps" : "stage"}
+            onChange={(next) => {
+              step.value = next === "steps" ? FIRST_STEP : null;
+            }}
+          />
+        </div>
+      )}
       <div class={css["export-settings"]}>
+        {drawn.steps && (
+          <>
+            {making?.seeds && <SeedField of={making.seeds} />}
+            <NumberField
+              label="Steps"
+              value={at}
+              min={0}
+              max={most}
+              whole
+              onChange={(next) => {
+                step.value = next;
+              }}
+            />
+          </>
+        )}
         <SizeFields
           width={width}
           height={height}
@@ -125,7 +169,7 @@ function Choices({ still, link }: { still: Still; link: () => string | null }) {
             kind="primary"
             icon="save"
             disabled={problem !== null}
-            onClick={() => void save(still, plan, plan.link ? link() : null)}
+            onClick={() => void save(drawn, plan, plan.link ? link() : null)}
           >
             Save as PNG
           </Button>
@@ -150,6 +194,14 @@ function change(part: Partial<PicturePlan>): void {
   chosen.value = { ...chosen.peek(), ...part };
 }
 
+/** What becomes the picture; `steps`: a shape in the making, `at` as many steps. */
+type Drawn = Pick<Still, "subject" | "at" | "inStrips"> & { steps: boolean };
+
+const WHAT = [
+  { value: "stage", label: "As on the stage" },
+  { value: "steps", label: "Step by step" },
+] as const;
+
 const SIZES: readonly NamedSize[] = [
   { id: "full", name: "Full HD, 1920 × 1080", width: 1920, height: 1080 },
   { id: "4k", name: "4K, 3840 × 2160", width: 3840, height: 2160 },
@@ -158,7 +210,7 @@ const SIZES: readonly NamedSize[] = [
   { id: "largest", name: "Largest, 8192 × 8192", width: 8192, height: 8192 },
 ];
 
-async function save({ subject, at }: Still, plan: PicturePlan, link: string | null): Promise<void> {
+async function save({ subject, at, steps }: Drawn, plan: PicturePlan, link: string | null): Promise<void> {
   const stop = new AbortController();
   running.value = { done: 0, stop };
   const { width, height, smooth } = plan;
@@ -171,7 +223,7 @@ async function save({ subject, at }: Still, plan: PicturePlan, link: string | nu
         running.value = { done, stop };
       },
     );
-    download(new Blob([bytes], { type }), `frond-${subject.name}.png`);
+    download(new Blob([bytes], { type }), `frond-${subject.name}${steps ? `-${at}` : ""}.png`);
     exportOpen.value = null;
   } catch (problem) {
     if (!stop.signal.aborted) {

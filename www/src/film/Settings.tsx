@@ -3,7 +3,6 @@ import { formatNumber } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Segmented } from "#ui/controls/Segmented";
-import { Select } from "#ui/controls/Select";
 import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Repeat } from "#wasm/api";
@@ -30,8 +29,8 @@ import {
   planProblem,
   timeWords,
 } from "./plan";
+import { SeedField } from "./SeedField";
 import { SizeFields } from "./SizeFields";
-import type { SeedName } from "./seed";
 import {
   able,
   askAble,
@@ -39,7 +38,6 @@ import {
   chooseAll,
   chooseLength,
   chooseLoop,
-  chooseSeed,
   framesGo,
   loop,
   pick,
@@ -179,21 +177,7 @@ function FilmFields({ of, subject }: { of: Plan; subject: FilmSubject }) {
   const { width, height, fps, kind, quality, smooth, dither, captions, inset } = of;
   return (
     <>
-      {subject.seeds && (
-        <label class={css["export-size"]}>
-          <span class="field-label">Begins with</span>
-          <Select
-            value={subject.seeds.value}
-            onChange={(event) => chooseSeed(event.currentTarget.value as SeedName)}
-          >
-            {subject.seeds.options.map(({ value, label }) => (
-              <option key={value} value={value}>
-                {label}
-              </option>
-            ))}
-          </Select>
-        </label>
-      )}
+      {subject.seeds && <SeedField of={subject.seeds} />}
       <SizeFields width={width} height={height} sizes={SIZES} most={MOST_SIDE} step={2} choose={choose}>
         <NumberField
           label="Frames a second"

@@ -50,10 +50,13 @@ const picked = signal("");
 /** What there is to be filmed. */
 export const subjects: ReadonlySignal<readonly FilmSubject[]> = offered;
 
+/** The same, from the figure that was chosen, where it begins with one. */
+export const begun = (one: FilmSubject): FilmSubject => one.seeds?.begin(seed.value) ?? one;
+
 /** What is filmed. */
 export const subject: ReadonlySignal<FilmSubject | null> = computed(() => {
   const first = offered.value.find(({ id }) => id === picked.value) ?? offered.value[0] ?? null;
-  const found = first?.seeds ? (first.seeds.begin(seed.value) ?? first) : first;
+  const found = first && begun(first);
   const seconds = length.value;
   return found?.anyLength && seconds !== null ? { ...found, ...lasting(found, seconds) } : found;
 });

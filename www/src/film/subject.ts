@@ -39,6 +39,8 @@ export interface Still {
   stage: { width: number; height: number };
   /** Whether it can be drawn in strips, and so be larger. */
   inStrips: boolean;
+  /** It in the making, where it can be shown step by step: a second a step. */
+  steps?: FilmSubject | null;
 }
 
 /** What a tool has to film. */

@@ -7,6 +7,7 @@ import { selection, shown } from "#document/morph";
 import { dismiss, notify, wordsOf } from "#document/notice";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
+import { stepsSubject } from "#film/steps";
 import type { Still } from "#film/subject";
 import { effectiveView, stageSize } from "#stage/view";
 import { NIGHT, PAPER } from "#style/colours";
@@ -29,6 +30,7 @@ export async function stageStill(): Promise<Still> {
   const maps = shown.peek();
   const { parts } = deformation.peek();
   const s = curveTime.peek();
+  const ground = dark.peek() ? NIGHT : PAPER;
 
   const drawer = (look: FrameLook, how?: { alone: boolean }): Drawer => {
     const alone = how?.alone ?? false;
@@ -51,13 +53,14 @@ export async function stageStill(): Promise<Still> {
       anyLength: false,
       loops: ["once"],
       loop: "once",
-      ground: dark.peek() ? NIGHT : PAPER,
+      ground,
       choosesSmooth: false,
       drawer,
     },
     at: 0,
     stage,
     inStrips: !curve && (photograph !== null || colouring !== "density"),
+    steps: curve || photograph || bent ? null : stepsSubject(maps, pictureName(), ground),
   };
 }
 
