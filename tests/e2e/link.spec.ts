@@ -1,4 +1,5 @@
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
+import { unzipSync } from "fflate";
 import { expect, test } from "./fixture";
 
 /** Links that were given out, one a line: the same that the codec's own tests read. */
@@ -44,6 +45,17 @@ test("the link that is shared opens the same elsewhere", async ({ studio, page, 
   await sheet.getByRole("button", { name: "Copy", exact: true }).click();
   await expect(sheet.getByText("Copied.", { exact: true })).toBeVisible();
   const playing = await page.evaluate(() => navigator.clipboard.readText());
+  // Or it becomes a folder for any host, which draws by itself.
+  await sheet.getByRole("button", { name: "Publish" }).click();
+  const publish = page.getByRole("dialog", { name: "Publish" });
+  await publish.getByLabel("Title").fill("<i>Levy</i>");
+  const saved = page.waitForEvent("download");
+  await publish.getByRole("button", { name: "Save the folder" }).click();
+  const folder = unzipSync(readFileSync(await (await saved).path()));
+  expect((await saved).suggestedFilename()).toBe("i-levy-i.zip");
+  for (const [name, bytes] of Object.entries(folder)) writeFileSync(test.info().outputPath(name), bytes);
+  await page.keyboard.press("Escape");
+  await expect(sheet).toBeVisible();
   await page.keyboard.press("Escape");
 
   const other = await browser.newContext({ viewport: page.viewportSize(), serviceWorkers: "block" });
@@ -63,6 +75,9 @@ test("the link that is shared opens the same elsewhere", async ({ studio, page, 
   await second.time.waitFor();
   await second.idle();
   await expect(second.page.getByRole("button", { name: "Play", exact: true })).toBeVisible();
+  await second.page.goto(`file://${test.info().outputPath("index.html")}`);
+  await expect(second.page.getByRole("heading", { name: "<i>Levy</i>" })).toBeVisible();
+  await second.page.locator("frond-view canvas:not([hidden])").waitFor();
   await other.close();
 });
 

@@ -1,5 +1,7 @@
 /** "Use it elsewhere": how Frond comes into pages, blogs, slides and programs, each way with what it makes. */
 
+import { escaped } from "../src/format/html.ts";
+
 /** `$SITE` stands for the address of the site. */
 interface Way {
   title: string;
@@ -88,8 +90,6 @@ const pixels = rasterize(fern, { width: 600, height: 600 });
 canvas.getContext("2d").putImageData(new ImageData(pixels, 600, 600), 0, 0);`,
   },
 ];
-
-const escaped = (text: string) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;");
 
 /** The middle of the page. `site` ends with a slash, or is empty. */
 export function ways(site: string): string {

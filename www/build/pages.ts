@@ -3,6 +3,7 @@
  * lesson, with a picture that the program made; icons and the manifest. Where the site will be is told by FROND_SITE,
  * for addresses that have to be whole; without it they are relative, and few messengers follow them.
  */
+import { escaped, folderAddress } from "../src/format/html.ts";
 import { ways } from "./elsewhere.ts";
 import { listedFigures } from "./figures.ts";
 import { type Drawer, drawer, type Shape } from "./pictures.ts";
@@ -33,9 +34,6 @@ export interface SiteFile {
   fileName: string;
   source: string | Uint8Array;
 }
-
-const escaped = (text: string) =>
-  text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;").replace(/"/g, "&quot;");
 
 /** What unfolds where a link to a page is sent. `site` ends with a slash, or is empty. */
 export function tags({ path, title, about, picture: image }: Described, site: string): string {
@@ -196,12 +194,12 @@ function manifest(): string {
 /** FROND_SITE as it is used: with a slash at its end, or empty. */
 export function siteOf(text: string | undefined): string {
   if (!text) return "";
-  const url = URL.canParse(text) ? new URL(text) : null;
-  if (!url || !/^https?:$/.test(url.protocol))
+  const address = folderAddress(text);
+  if (address === null)
     throw new Error(
       `FROND_SITE is the address that the site will have, such as https://example.org/frond/, and not ${text}`,
     );
-  return url.href.replace(/[^/]*$/, (rest) => (rest === "" ? "" : `${rest}/`)).replace(/[?#].*$/, "");
+  return address;
 }
 
 const site = () => siteOf(process.env["FROND_SITE"]);

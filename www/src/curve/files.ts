@@ -1,4 +1,5 @@
 /** Closed curves as the text of files. */
+import { escaped } from "#format/html";
 import { plainName } from "#ui/files/download";
 import type { Bend, CurveShape } from "#wasm/api";
 import type { CurveMap } from "#wasm/curve";
@@ -35,10 +36,6 @@ export function svgOf(
 
 function round(x: number): number {
   return Math.round(100 * x) / 100;
-}
-
-function escaped(text: string): string {
-  return text.replace(/[&<>]/g, (letter) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;" })[letter] ?? "");
 }
 
 function boxOf(points: ArrayLike<number>): [number, number, number, number] {

@@ -3,7 +3,7 @@ import { signal } from "@preact/signals";
 import type { Command } from "#ui/commands";
 
 /** Which is open. */
-export const exportOpen = signal<"film" | "picture" | "mesh" | "share" | null>(null);
+export const exportOpen = signal<"film" | "picture" | "mesh" | "share" | "publish" | null>(null);
 
 /** How far the film is that is being made, 0 to 1; null while none is. */
 export const filmProgress = signal<number | null>(null);

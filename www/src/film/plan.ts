@@ -114,7 +114,12 @@ const PNG_BYTES = 1.2;
 const BITS: Record<Quality, number> = { small: 0.08, good: 0.2, best: 0.5 };
 
 /** Bits a second of a video. */
-export function bitrateOf({ width, height, fps, quality }: Plan): number {
+export function bitrateOf({
+  width,
+  height,
+  fps,
+  quality,
+}: Pick<Plan, "width" | "height" | "fps" | "quality">): number {
   return Math.round(Math.min(120e6, Math.max(300e3, width * height * fps * BITS[quality])));
 }
 

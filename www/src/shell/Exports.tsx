@@ -11,10 +11,10 @@ import { addressOf, stageStill } from "./save";
 import { openedTool } from "./tools";
 
 export function Exports() {
-  if (exportOpen.value === "share") return <ShareDialog />;
   const { entry, tool } = openedTool();
+  const still = entry.stage === undefined ? stageStill : tool?.still;
+  if (exportOpen.value === "share" || exportOpen.value === "publish") return <ShareDialog still={still} />;
   if (exportOpen.value === "film") return tool?.films ? <FilmDialog films={tool.films} /> : null;
   if (exportOpen.value === "mesh") return tool?.MeshDialog ? <tool.MeshDialog /> : null;
-  const still = entry.stage === undefined ? stageStill : tool?.still;
   return still ? <PictureDialog still={still} link={() => addressOf(link.fragment())} /> : null;
 }

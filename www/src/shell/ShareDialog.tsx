@@ -5,12 +5,15 @@ import { ownPicture, pictureShown } from "#document/deform/picture";
 import { notify, wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
 import { exportOpen } from "#film/open";
+import type { Still } from "#film/subject";
+import { escaped } from "#format/html";
 import { NIGHT, WHITE } from "#style/colours";
 import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import { Dialog } from "#ui/overlay/Dialog";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { link } from "./actions";
+import { Publish } from "./publish/Publish";
 import css from "./share.module.css";
 import { openedTool } from "./tools";
 
@@ -19,12 +22,14 @@ const STARTS = [
   { value: "first", label: "At the beginning" },
 ] as const;
 
-const close = () => {
-  exportOpen.value = null;
+/** From one of the two sheets to the other, or out: a sheet that has gone already closes nothing. */
+const leave = (from: "share" | "publish", to: "share" | null) => () => {
+  if (exportOpen.peek() === from) exportOpen.value = to;
 };
+const close = leave("share", null);
 
 /** What somebody is sent: a link, copied at once, as a QR code, or by what the system has for it. */
-export function ShareDialog() {
+export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefined }) {
   const [start, setStart] = useState<(typeof STARTS)[number]["value"]>("here");
   const [plays, setPlays] = useState(false);
   const [told, setTold] = useState("");
@@ -45,6 +50,8 @@ export function ShareDialog() {
       </Dialog>
     );
   }
+  if (exportOpen.value === "publish" && still)
+    return <Publish address={address} plays={plays} still={still} onClose={leave("publish", "share")} />;
   return (
     <Dialog title="Share" about={seen} onClose={close}>
       <div class={css["share"]}>
@@ -102,6 +109,16 @@ export function ShareDialog() {
           >
             Copy element
           </Button>
+          {still && (
+            <Button
+              description="A folder for any web host: a page with this in it, and its picture"
+              onClick={() => {
+                exportOpen.value = "publish";
+              }}
+            >
+              Publish …
+            </Button>
+          )}
           <a class="button" href="./elsewhere.html" target="_blank" rel="noopener">
             More ways …
           </a>
@@ -167,18 +184,15 @@ function addressWith(start: "here" | "first", plays: boolean): string | null {
 export function frameOf(address: string): string {
   const url = new URL(address);
   url.pathname = url.pathname.replace(/[^/]*$/, "embed.html");
-  return `<iframe src="${quoted(url.href)}" title="A fractal in Frond" width="640" height="400" loading="lazy"></iframe>`;
+  return `<iframe src="${escaped(url.href)}" title="A fractal in Frond" width="640" height="400" loading="lazy"></iframe>`;
 }
 
 /** The same as an element, with the script that defines it. */
 export function elementOf(address: string): string {
   const script = new URL("frond-view.js", address).href;
   const plays = new URL(address).searchParams.has("play") ? " autoplay loop" : "";
-  return `<script src="${quoted(script)}"></script>\n<frond-view src="${quoted(address)}" controls${plays}></frond-view>`;
+  return `<script src="${escaped(script)}"></script>\n<frond-view src="${escaped(address)}" controls${plays}></frond-view>`;
 }
-
-/** Quotes and ampersands end or begin something in an attribute. */
-const quoted = (text: string) => text.replace(/&/g, "&amp;").replace(/"/g, "&quot;").replace(/</g, "&lt;");
 
 /** What came of it, in words. */
 async function copy(address: string): Promise<string> {

@@ -1,0 +1,156 @@
+import { useEffect, useRef, useState } from "preact/hooks";
+import { wordsOf } from "#document/notice";
+import { scene } from "#document/scene";
+import type { FilmSubject, Still } from "#film/subject";
+import { folderAddress } from "#format/html";
+import { Button } from "#ui/controls/Button";
+import { download, plainName } from "#ui/files/download";
+import { Dialog } from "#ui/overlay/Dialog";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
+import { filmTask } from "#workers/film/client";
+import { openedTool } from "../tools";
+import { type FilmChoice, makeFolder, mp4Settings } from "./make";
+import css from "./publish.module.css";
+
+interface PublishProps {
+  /** The link that is published. */
+  address: string;
+  plays: boolean;
+  still: () => Promise<Still>;
+  onClose: () => void;
+}
+
+const WRONG = "An address begins with https:// and names a folder, such as https://example.org/fern/.";
+
+/** Asks what the folder says of itself, and makes it. */
+export function Publish({ address, plays, still, onClose }: PublishProps) {
+  const [title, setTitle] = useState(titleNow);
+  const [about, setAbout] = useState("A fractal, drawn live. Made with Frond.");
+  const [home, setHome] = useState("");
+  const [film, setFilm] = useState<FilmChoice>("none");
+  const [subjects, setSubjects] = useState<readonly FilmSubject[]>([]);
+  const [mp4, setMp4] = useState(false);
+  const [told, setTold] = useState("");
+  const [busy, setBusy] = useState(false);
+  const stop = useRef<AbortController | null>(null);
+  useEffect(() => {
+    void openedTool()
+      .tool?.films?.()
+      .then(
+        ({ subjects }) => setSubjects(subjects),
+        () => {},
+      );
+    if (typeof VideoEncoder !== "undefined")
+      void filmTask("encodable", mp4Settings()).then(
+        (able) => setMp4(able.mp4 !== null),
+        () => {},
+      );
+    return () => stop.current?.abort();
+  }, []);
+  const whole = home.trim() === "" ? null : folderAddress(home.trim());
+  const wrong = home.trim() !== "" && whole === null;
+
+  const make = async () => {
+    const ending = new AbortController();
+    stop.current = ending;
+    setBusy(true);
+    try {
+      const words = { title: title.trim() || "A fractal", about: about.trim(), address, home: whole, plays };
+      const zip = await makeFolder({ ...words, film }, await still(), subjects, ending.signal, setTold);
+      download(new Blob([zip], { type: "application/zip" }), `${plainName(words.title, "frond")}.zip`);
+      setTold("Saved. Unpack it, and put the folder on your host.");
+    } catch (problem) {
+      setTold(ending.signal.aborted ? "" : `It could not be made: ${wordsOf(problem)}`);
+    } finally {
+      setBusy(false);
+    }
+  };
+
+  return (
+    <Dialog
+      title="Publish"
+      about="A folder for any web host: a page with this in it, live, its picture, and all that it needs."
+      onClose={onClose}
+    >
+      <form
+        class={css["publish"]}
+        onSubmit={(event) => {
+          event.preventDefault();
+          if (!busy && !wrong) void make();
+        }}
+      >
+        <Field label="Title" value={title} onInput={setTitle} />
+        <Field label="Description" value={about} onInput={setAbout} />
+        <Field
+          label="Address, if you know it"
+          value={home}
+          placeholder="https://example.org/fern/"
+          hint={
+            wrong ? WRONG : "Where the folder will be: messengers show its picture only by a whole address."
+          }
+          wrong={wrong}
+          onInput={setHome}
+        />
+        {subjects.length > 0 && (
+          <ChoiceRow
+            label="Film"
+            options={[
+              { value: "none", label: "None" },
+              { value: "gif", label: "GIF" },
+              ...(mp4 ? [{ value: "mp4" as const, label: "MP4" }] : []),
+            ]}
+            value={film}
+            onChange={setFilm}
+          />
+        )}
+        <footer class={css["publish-foot"]}>
+          <p class="hint" role="status">
+            {told}
+          </p>
+          {busy ? (
+            <Button onClick={() => stop.current?.abort()}>Cancel</Button>
+          ) : (
+            <Button kind="primary" icon="save" disabled={wrong} onClick={() => void make()}>
+              Save the folder (ZIP)
+            </Button>
+          )}
+        </footer>
+      </form>
+    </Dialog>
+  );
+}
+
+interface FieldProps {
+  label: string;
+  value: string;
+  placeholder?: string;
+  hint?: string;
+  wrong?: boolean;
+  onInput: (text: string) => void;
+}
+
+/** Letters of a title or a description, at most. */
+const MOST_LETTERS = 300;
+
+function Field({ label, value, placeholder, hint, wrong = false, onInput }: FieldProps) {
+  return (
+    <label class={css["publish-field"]}>
+      <span class="field-label">{label}</span>
+      <input
+        value={value}
+        maxLength={MOST_LETTERS}
+        aria-invalid={wrong}
+        {...(placeholder === undefined ? {} : { placeholder })}
+        onInput={(event) => onInput(event.currentTarget.value)}
+      />
+      {hint !== undefined && <span class={wrong ? "field-problem" : "hint"}>{hint}</span>}
+    </label>
+  );
+}
+
+function titleNow(): string {
+  const { a, b, tool } = scene.peek();
+  if (tool === "space") return "A fractal in space";
+  if (tool === "fit") return "A fractal curve";
+  return a.name === b.name ? a.name : `${a.name} to ${b.name}`;
+}
