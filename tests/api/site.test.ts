@@ -1,17 +1,20 @@
 /** The pages that unfold where a link is sent: each shape, figure and lesson has one. */
 import { beforeAll, describe, expect, it } from "vitest";
+import type { MapRow } from "../../crate/web/src/api";
+import { figurePictures } from "../../www/build/figure-pictures";
 import { listedFigures } from "../../www/build/figures";
 import { type SiteFile, siteOf, sitePages } from "../../www/build/pages";
-import { drawer } from "../../www/build/pictures";
+import { type Drawer, drawer } from "../../www/build/pictures";
 import { ROWS } from "../../www/src/figures/list";
 
 const DOT = new Uint8Array(1);
+let drawing: Drawer;
 let files: (site: string) => SiteFile[];
 
 describe("the pages of the site", () => {
   beforeAll(async () => {
     // Each picture takes a while: one is drawn below.
-    const drawing = { ...(await drawer()), picture: () => DOT };
+    drawing = { ...(await drawer()), picture: () => DOT };
     files = (site) => sitePages(site, drawing);
   });
 
@@ -25,6 +28,10 @@ describe("the pages of the site", () => {
     expect(listedFigures()).toEqual(listed);
     const names = files("").map(({ fileName }) => fileName);
     for (const { id } of listed) expect(names).toContain(`figure/${id}.html`);
+    // Each has a picture of its own, and there is none of a figure that is not there any more.
+    const drawn = figurePictures(drawing);
+    expect(Object.keys(drawn).sort()).toEqual(listed.map(({ id }) => id).sort());
+    expect(new Set(Object.values(drawn).map((picture) => JSON.stringify(picture))).size).toBe(listed.length);
     expect(names).toContain("shape/fern.html");
     expect(names).not.toContain("sitemap.xml");
     expect(new Set(names).size).toBe(names.length);
@@ -73,7 +80,9 @@ describe("the pages of the site", () => {
 
   it("have pictures of the shape, as PNG", async () => {
     const { picture, shapes } = await drawer();
-    const png = Buffer.from(picture(shapes()[0]?.maps ?? [], 120, 63, 0.1));
+    const png = Buffer.from(
+      picture([{ maps: (shapes()[0]?.maps ?? []) as MapRow[] }], { width: 120, height: 63 }, 0.1),
+    );
     expect(png.subarray(1, 4).toString()).toBe("PNG");
     expect([png.readUInt32BE(16), png.readUInt32BE(20)]).toEqual([120, 63]);
     expect(png.length).toBeGreaterThan(500);

@@ -3,17 +3,21 @@
  * lesson, with a picture that the program made; icons and the manifest. Where the site will be is told by FROND_SITE,
  * for addresses that have to be whole; without it they are relative, and few messengers follow them.
  */
+import type { MapRow } from "../../crate/web/src/api";
 import { escaped, folderAddress } from "../src/format/html.ts";
 import { ways } from "./elsewhere.ts";
+import { figurePictures } from "./figure-pictures.ts";
 import { listedFigures } from "./figures.ts";
-import { type Drawer, drawer, type Shape } from "./pictures.ts";
+import { type Drawer, drawer } from "./pictures.ts";
 import { policyOf } from "./policy.ts";
 
 const NAME = "Frond";
 const ABOUT =
   "A studio for shapes made of smaller copies of themselves: morph one fractal into another without letting it fall apart.";
 /** Of pictures that unfold, as most messengers want them. */
-const [WIDE, HIGH] = [1200, 630];
+const UNFOLDED = { width: 1200, height: 630 };
+/** Those of figures are many: the same proportions, and still as large as messengers ask for. */
+const FIGURE = { width: 640, height: 336 };
 const ICONS = [
   { name: "icon-192.png", side: 192, free: 0.06 },
   { name: "icon-512.png", side: 512, free: 0.06 },
@@ -28,6 +32,7 @@ interface Described {
   title: string;
   about: string;
   picture: string;
+  size?: { width: number; height: number };
 }
 
 export interface SiteFile {
@@ -36,7 +41,10 @@ export interface SiteFile {
 }
 
 /** What unfolds where a link to a page is sent. `site` ends with a slash, or is empty. */
-export function tags({ path, title, about, picture: image }: Described, site: string): string {
+export function tags(
+  { path, title, about, picture: image, size = UNFOLDED }: Described,
+  site: string,
+): string {
   const up = "../".repeat(path.split("/").length - 1);
   const whole = (file: string) => escaped(site === "" ? `${up}${file}` || "./" : `${site}${file}`);
   const property = (name: string, content: string) => `<meta property="og:${name}" content="${content}" />`;
@@ -47,8 +55,8 @@ export function tags({ path, title, about, picture: image }: Described, site: st
     property("title", escaped(title)),
     property("description", escaped(about)),
     property("image", whole(image)),
-    property("image:width", String(WIDE)),
-    property("image:height", String(HIGH)),
+    property("image:width", String(size.width)),
+    property("image:height", String(size.height)),
     '<meta name="twitter:card" content="summary_large_image" />',
     `<link rel="manifest" href="${up}manifest.webmanifest" />`,
     `<link rel="apple-touch-icon" href="${up}apple-touch-icon.png" />`,
@@ -108,33 +116,40 @@ function page(described: Described, site: string, content: string): string {
 }
 
 /** All of them. */
-export function sitePages(site: string, { between, picture, shapes }: Drawer): SiteFile[] {
+export function sitePages(site: string, drawing: Drawer): SiteFile[] {
+  const { between, picture, shape: named, shapes } = drawing;
   const gallery = shapes();
-  const named = (id: string): Shape => {
-    const found = gallery.find((shape) => shape.id === id);
-    if (!found) throw new Error(`there is no shape ${id}`);
-    return found;
-  };
+  const figures = figurePictures(drawing);
+  const drawn = (maps: number[][]) => [{ maps: maps as MapRow[] }];
   const files: SiteFile[] = [
     {
       fileName: "frond.png",
-      source: picture(between(named("fern"), named("maple"), 0.06), WIDE, HIGH, 0.07),
+      source: picture(drawn(between(named("fern"), named("maple"), 0.06)), UNFOLDED, 0.07),
     },
     ...ICONS.map(({ name, side, free }) => ({
       fileName: name,
-      source: picture(named("maple").maps, side, side, free),
+      source: picture(drawn(named("maple").maps), { width: side, height: side }, free),
     })),
     { fileName: "manifest.webmanifest", source: manifest() },
   ];
   const described: Described[] = [];
   for (const { id, name, about, maps } of gallery) {
     const shape = { path: `shape/${id}.html`, title: name, about, picture: `shape/${id}.png` };
-    files.push({ fileName: shape.picture, source: picture(maps, WIDE, HIGH, 0.07) });
+    files.push({ fileName: shape.picture, source: picture(drawn(maps), UNFOLDED, 0.07) });
     files.push({ fileName: shape.path, source: viewPage(shape, site, `a="${id}"`, `a=${id}&b=${id}`) });
     described.push(shape);
   }
   for (const { id, number, title, about } of listedFigures()) {
-    const figure = { path: `figure/${id}.html`, title: `${number}: ${title}`, about, picture: "frond.png" };
+    const figure = {
+      path: `figure/${id}.html`,
+      title: `${number}: ${title}`,
+      about,
+      picture: `figure/${id}.png`,
+      size: FIGURE,
+    };
+    const shown = figures[id];
+    if (!shown) throw new Error(`figure-pictures.ts does not say what is in the picture of ${id}`);
+    files.push({ fileName: figure.picture, source: picture(shown.cells, FIGURE, 0.07, shown.columns) });
     const fragment = `figures/${id}`;
     files.push({ fileName: figure.path, source: viewPage(figure, site, `src="#${fragment}"`, fragment) });
     described.push(figure);
