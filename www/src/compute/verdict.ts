@@ -5,6 +5,7 @@ import type { MapRow, PathPoint } from "#wasm/api";
 import { Coalesce } from "#workers/pool/coalesce";
 import { epoch, submit } from "#workers/pool/engine";
 import { single } from "#workers/pool/protocol";
+import { detail } from "./locus/detail";
 import { EPSILON } from "./locus/job";
 import { clampedView, epsilonOf, levelOf, viewProblem } from "./locus/window";
 import { publish } from "./results";
@@ -38,7 +39,8 @@ export function scheduleVerdict(): void {
  */
 const resolution = computed(() => {
   const view = locusView.value;
-  return shownPick.value && viewProblem(view) === null ? epsilonOf(levelOf(clampedView(view).zoom)) : EPSILON;
+  if (!shownPick.value || viewProblem(view) !== null) return EPSILON;
+  return epsilonOf(levelOf(clampedView(view).zoom * detail.value));
 });
 
 interface What {

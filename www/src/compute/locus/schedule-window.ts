@@ -6,6 +6,7 @@ import type { FrondError, LocusView } from "#wasm/api";
 import { cancel, epoch, submit } from "#workers/pool/engine";
 import { inputs as morph } from "../inputs";
 import { publish } from "../results";
+import { detail } from "./detail";
 import type { LocusInputs } from "./job";
 import { type LocusSource, Pyramid } from "./pyramid";
 import { Soon } from "./soon";
@@ -29,7 +30,7 @@ const source: ReadonlySignal<LocusSource> = computed(() =>
 
 /** Whether the whole plane of the morph, which the paths need, is also what is seen. */
 export const homeIsSeen: ReadonlySignal<boolean> = computed(
-  () => family.value === "morph" && slice.value === 0 && levelOf(locusView.value.zoom) === 0,
+  () => family.value === "morph" && slice.value === 0 && levelOf(locusView.value.zoom * detail.value) === 0,
 );
 
 let pyramid: Pyramid | null = null;
@@ -47,6 +48,7 @@ export function scheduleWindow(): void {
   });
   effect(() => {
     const view = locusView.value;
+    detail.value;
     untracked(() => look(view));
   });
   // The whole plane is under the window: what comes in there is seen here.
@@ -102,7 +104,7 @@ function start(next: LocusSource): void {
 
 function look(view: LocusView): void {
   if (!work || failed || viewProblem(view)) return;
-  if (work.want(clampedView(view)) && !live) {
+  if (work.want(clampedView(view), detail.peek()) && !live) {
     live = true;
     const job = work.job();
     const mine = work;

@@ -43,6 +43,7 @@ export class WindowWork {
   #coarseLeft = 0;
   #count = 0;
   #view: LocusView | null = null;
+  #detail = 1;
 
   constructor(pyramid: Pyramid, watch: WindowWatch, patches: boolean) {
     this.pyramid = pyramid;
@@ -53,7 +54,7 @@ export class WindowWork {
   /** 0 to 1, over the window. */
   get progress(): number {
     if (!this.#view || this.#count === 0) return 1;
-    const { fine } = this.pyramid.missing(windowOf(this.#view), this.#view.zoom);
+    const { fine } = this.pyramid.missing(windowOf(this.#view), this.#view.zoom * this.#detail);
     return 1 - fine.length / this.#count;
   }
 
@@ -63,9 +64,10 @@ export class WindowWork {
   }
 
   /** Looks elsewhere: what was wanted and is not begun is forgotten. Says whether there is anything to do. */
-  want(view: LocusView): boolean {
+  want(view: LocusView, detail = 1): boolean {
     this.#view = view;
-    const { coarse, fine, count } = this.pyramid.missing(windowOf(view), view.zoom);
+    this.#detail = detail;
+    const { coarse, fine, count } = this.pyramid.missing(windowOf(view), view.zoom * detail);
     this.#coarse = coarse.filter((id) => !this.#under.has(name(id, "coarse")));
     this.#coarseLeft = coarse.length;
     this.#fine = fine.filter((id) => this.#begun(id) < this.pyramid.place(id).height);

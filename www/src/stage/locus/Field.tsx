@@ -1,11 +1,11 @@
 import "#style/locus.css";
 import "./locus.css";
-import { useLayoutEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import type { Field as Samples } from "#compute/locus/pyramid";
 import type { Bounds } from "#wasm/api";
 import { type LocusStyle, paint } from "./paint";
 
-const MOST_PIXELS = 1024;
+const MOST_PIXELS = 2048;
 
 export interface FieldProps {
   samples: Samples | null;
@@ -17,12 +17,20 @@ export interface FieldProps {
 /** Painted in device pixels, so that the patterns are crisp. */
 export function Field({ samples, frame, style }: FieldProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
+  const [width, setWidth] = useState(0);
+  useLayoutEffect(() => {
+    const element = canvas.current;
+    if (!element) return;
+    const observer = new ResizeObserver(() => setWidth(element.clientWidth));
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, []);
   useLayoutEffect(() => {
     const element = canvas.current;
     const context = element?.getContext("2d");
     if (!element || !context) return;
     const scale = Math.min(2, globalThis.devicePixelRatio || 1);
-    const size = Math.max(64, Math.min(MOST_PIXELS, Math.round(element.clientWidth * scale)));
+    const size = Math.max(64, Math.min(MOST_PIXELS, Math.round((width || element.clientWidth) * scale)));
     if (element.width !== size) {
       element.width = size;
       element.height = size;
@@ -33,6 +41,6 @@ export function Field({ samples, frame, style }: FieldProps) {
     }
     const pixels = paint(samples, size, { style, scale, epsilon: samples.epsilon, window: frame });
     context.putImageData(new ImageData(pixels, size, size), 0, 0);
-  }, [samples, frame, style]);
+  }, [samples, frame, style, width]);
   return <canvas ref={canvas} class="locus-field" width={256} height={256} />;
 }

@@ -8,6 +8,7 @@ import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import { exportCommand } from "#ui/files/exporting";
 import type { Timeline } from "#ui/strip/timeline";
 import { gallery } from "./dialogs";
+import { toggleLarge } from "./locus/view/large";
 import { frames } from "./strip/FilmStrip";
 import { scrubTo } from "./strip/scrub";
 
@@ -57,6 +58,14 @@ export const commands: readonly Command[] = [
     run: () => {
       selection.value = selection.peek() === null ? { target: "a", map: 0 } : null;
     },
+  },
+  {
+    id: "map-large",
+    label: "The map in the place of the stage, and back",
+    group: SHAPES,
+    keys: ["L"],
+    enabled: () => !curved.peek(),
+    run: toggleLarge,
   },
   { ...fitCommand(), group: SHAPES },
   colourCommand(["map", "address", "density"], SHAPES, (colouring) =>

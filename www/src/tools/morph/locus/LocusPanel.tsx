@@ -7,13 +7,16 @@ import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { Legend } from "#stage/locus/Legend";
 import type { LocusStyle } from "#stage/locus/paint";
+import { IconButton } from "#ui/controls/Button";
 import { Menu, type MenuItem } from "#ui/overlay/Menu";
 import { FamilyNotes } from "../later";
 import { followCritical } from "./families/critical";
 import fieldCss from "./field.module.css";
 import { LocusSquare } from "./LocusSquare";
+import largeCss from "./large.module.css";
 import { Now } from "./pointer/Now";
 import type { LocusFile } from "./save/save";
+import { large, toggleLarge, useLarge } from "./view/large";
 import { Planes } from "./view/Planes";
 import { Slice } from "./view/Slice";
 import { shownField } from "./view/shown";
@@ -55,7 +58,16 @@ export function LocusPanel() {
       <LocusHead id="locus-title" style={style} />
       <div class={fieldCss["which"]}>
         <Planes />
-        <Menu label="Save the map" icon="save" items={SAVES} />
+        <span class={fieldCss["acts"]}>
+          <IconButton
+            icon="enlarge"
+            label="Large map"
+            command="map-large"
+            pressed={large.value}
+            onClick={toggleLarge}
+          />
+          <Menu label="Save the map" icon="save" items={SAVES} />
+        </span>
       </div>
       <Plot />
       <Now />
@@ -66,9 +78,10 @@ export function LocusPanel() {
 }
 
 function Plot() {
+  useLarge();
   return (
     <>
-      <div class={locusCss["locus-plot"]}>
+      <div class={`${locusCss["locus-plot"]} ${largeCss["plot"]}`}>
         <Ticks axis="v" />
         <LocusSquare style={style.value} />
         <Ticks axis="u" />

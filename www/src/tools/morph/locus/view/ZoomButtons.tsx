@@ -1,6 +1,7 @@
 import { MOST_ZOOM } from "#compute/locus/window";
 import { IconButton } from "#ui/controls/Button";
 import fieldCss from "../field.module.css";
+import { large, toggleLarge } from "./large";
 import { goHome, view, zoomBy } from "./view";
 
 const STEP = 2;
@@ -10,6 +11,7 @@ export function ZoomButtons() {
   const { zoom } = view.value;
   return (
     <div class={fieldCss["locus-zoom"]}>
+      {large.value && <IconButton icon="close" label="Back into the panel" onClick={toggleLarge} />}
       <IconButton
         icon="add"
         label="Nearer"

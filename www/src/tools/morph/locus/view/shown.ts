@@ -1,4 +1,5 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
+import { detail } from "#compute/locus/detail";
 import type { Field } from "#compute/locus/pyramid";
 import { locusWindow } from "#compute/results";
 import { shownWindow, view } from "./view";
@@ -10,5 +11,5 @@ import { shownWindow, view } from "./view";
 export const shownField: ReadonlySignal<Field | null> = computed(() => {
   const { pyramid } = locusWindow.value ?? {};
   const { family, zoom } = view.value;
-  return pyramid?.family === family ? pyramid.read(shownWindow.value, zoom) : null;
+  return pyramid?.family === family ? pyramid.read(shownWindow.value, zoom * detail.value) : null;
 });

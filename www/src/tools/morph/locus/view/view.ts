@@ -1,5 +1,6 @@
 /** How the locus is looked at, and what hands and keys do to that. */
 import { computed, effect, type ReadonlySignal, untracked } from "@preact/signals";
+import { detail } from "#compute/locus/detail";
 import { clampedView, epsilonOf, type Family, levelOf, viewProblem, windowOf } from "#compute/locus/window";
 import { locusView, uv } from "#document/morph";
 import { notify } from "#document/notice";
@@ -18,7 +19,9 @@ export const view: ReadonlySignal<LocusView> = computed(() => {
 });
 
 export const shownWindow: ReadonlySignal<Bounds> = computed(() => windowOf(view.value));
-export const epsilon: ReadonlySignal<number> = computed(() => epsilonOf(levelOf(view.value.zoom)));
+export const epsilon: ReadonlySignal<number> = computed(() =>
+  epsilonOf(levelOf(view.value.zoom * detail.value)),
+);
 export const family: ReadonlySignal<Family> = computed(() => view.value.family);
 export const sides: ReadonlySignal<number> = computed(() => view.value.sides);
 /** The parameter that was picked off the path, if any. */
