@@ -1,6 +1,6 @@
 /** Closed curves as the text of files. */
-import { escaped } from "#format/html";
 import { plainName } from "#ui/files/download";
+import { rounded, svgFile, tag } from "#ui/files/svg";
 import type { Bend, CurveShape } from "#wasm/api";
 import type { CurveMap } from "#wasm/curve";
 
@@ -22,20 +22,22 @@ export function svgOf(
   const size = Math.max(x1 - x0, y1 - y0);
   const scale = size > 0 ? SIDE / size : 0;
   const place = (i: number) =>
-    `${round(EDGE + ((points[i] ?? 0) - x0) * scale)} ${round(EDGE + (y1 - (points[i + 1] ?? 0)) * scale)}`;
+    `${rounded(EDGE + ((points[i] ?? 0) - x0) * scale)} ${rounded(EDGE + (y1 - (points[i + 1] ?? 0)) * scale)}`;
   let path = "";
   for (let i = 0; i + 1 < points.length; i += 2) path += `${i === 0 ? "M" : "L"}${place(i)}`;
-  const width = round((x1 - x0) * scale + 2 * EDGE);
-  const height = round((y1 - y0) * scale + 2 * EDGE);
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}">
-<title>${escaped(title)}</title>
-<path d="${path}Z" fill="${colour}" fill-opacity="0.15" stroke="${colour}" stroke-width="2" stroke-linejoin="round"/>
-</svg>
-`;
-}
-
-function round(x: number): number {
-  return Math.round(100 * x) / 100;
+  const width = rounded((x1 - x0) * scale + 2 * EDGE);
+  const height = rounded((y1 - y0) * scale + 2 * EDGE);
+  return svgFile(
+    { box: [0, 0, width, height], title },
+    tag("path", {
+      d: `${path}Z`,
+      fill: colour,
+      "fill-opacity": 0.15,
+      stroke: colour,
+      "stroke-width": 2,
+      "stroke-linejoin": "round",
+    }),
+  );
 }
 
 function boxOf(points: ArrayLike<number>): [number, number, number, number] {

@@ -2,6 +2,7 @@
 
 import { GREY } from "#style/colours";
 import { palette } from "#style/palette";
+import { svgFile, tag } from "#ui/files/svg";
 import type { Curve } from "#wasm/api";
 import type { CurveMap } from "#wasm/curve";
 import type { Collage, CollageOptions, Figures } from "#workers/fit/curve";
@@ -78,7 +79,9 @@ export function collageSvg({ points, starts }: Collage): string {
     for (let i = starts[k] ?? 0; i < (starts[k + 1] ?? 0); i++) {
       part.push(`${short(500 * (points[2 * i] ?? 0))} ${short(-500 * (points[2 * i + 1] ?? 0))}`);
     }
-    paths.push(`<path d="M${part.join("L")}"/>`);
+    paths.push(tag("path", { d: `M${part.join("L")}` }));
   }
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="-550 -550 1100 1100" fill="none" stroke="${palette("light")[2] ?? GREY}" stroke-width="2" stroke-linejoin="round">${paths.join("")}</svg>\n`;
+  const stroke = palette("light")[2] ?? GREY;
+  const style = { fill: "none", stroke, "stroke-width": 2, "stroke-linejoin": "round" };
+  return svgFile({ box: [-550, -550, 1100, 1100], style }, ...paths);
 }
