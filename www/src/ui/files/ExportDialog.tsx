@@ -10,6 +10,7 @@ import { Problem } from "../panel/Problem";
 import { download, plainName } from "./download";
 import css from "./export-dialog.module.css";
 import type { NamedMaps } from "./exporting";
+import { saidOf } from "./svg";
 
 /** What was chosen last, for the next time. */
 let last: ExportFormat = "json";
@@ -93,7 +94,7 @@ function Texts({ exchange, systems, onClose }: TextsProps) {
         />
       </div>
       <p class="hint" aria-live="polite">
-        {format.about}
+        {format.about} {saidOf(written.text)}
       </p>
       {/* What scrolls must be reached by keys. */}
       <textarea
