@@ -34,9 +34,11 @@ const save = (kind: LocusFile) => () => {
 };
 const SAVES: readonly MenuItem[] = [
   { label: "Picture with axes (PNG)", onSelect: save("png") },
+  { label: "Drawing with axes (SVG)", onSelect: save("svg") },
   { label: "Table (CSV)", onSelect: save("csv") },
   { label: "Array for NumPy (.npy)", onSelect: save("npy") },
 ];
+const SAVE_PATH: MenuItem = { label: "The path alone (SVG)", onSelect: save("path") };
 
 /** The map alone, to be watched while a shape is changed. */
 export function LocusBeside() {
@@ -66,7 +68,11 @@ export function LocusPanel() {
             pressed={large.value}
             onClick={toggleLarge}
           />
-          <Menu label="Save the map" icon="save" items={SAVES} />
+          <Menu
+            label="Save the map"
+            icon="save"
+            items={family.value === "morph" ? [...SAVES, SAVE_PATH] : SAVES}
+          />
         </span>
       </div>
       <Plot />

@@ -49,7 +49,7 @@ export function around(): { u0: number; v0: number; u1: number; v1: number } {
 }
 
 /** How far from the slice the path is still drawn as in it. */
-const THICK = 0.02;
+export const THICK = 0.02;
 
 /** The path, and its broken stretches dashed over it; what lies off the slice is faint. */
 export function PathLines() {

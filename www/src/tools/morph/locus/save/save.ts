@@ -1,16 +1,24 @@
 /** The map of parameters as files: numbers for other programs, and a picture with its axes. */
-import { locusWindow } from "#compute/results";
+import { locusWindow, pathBreaks } from "#compute/results";
+import { pathPoints } from "#document/morph";
 import { notify, wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
+import type { Uv } from "#geometry/path";
+import { piecesIn, slice, sliced } from "#geometry/polyline";
 import { atAll } from "#geometry/states";
 import { type LocusStyle, paint } from "#stage/locus/paint";
 import { download, plainName, pngOf } from "#ui/files/download";
 import { loadExchange } from "#wasm/exchange";
+import { around, linePath, THICK } from "../marks";
+import { isOutside } from "../path/handles";
+import { place } from "../path/way";
 import { shownField } from "../view/shown";
-import { epsilon, family, shownWindow, sides } from "../view/view";
+import { epsilon, family, shownWindow, sides, view } from "../view/view";
 import { drawAxes, MARGIN } from "./axes";
+import { mapDrawing } from "./drawing";
 
-export type LocusFile = "png" | "csv" | "npy";
+/** `path`: the path alone, as a drawing; `svg` has the map as well. */
+export type LocusFile = "png" | "svg" | "path" | "csv" | "npy";
 
 /** Pixels along a side of the square. */
 const SIZE = 1600;
@@ -25,6 +33,10 @@ export async function saveLocus(kind: LocusFile, style: LocusStyle): Promise<voi
     const rectangle = Float64Array.of(bounds.u0, bounds.u1, bounds.v0, bounds.v1);
     if (kind === "png") {
       download(await pngOf(picture(field, style)), `${fileName()}.png`);
+    } else if (kind === "svg" || kind === "path") {
+      const name = kind === "path" ? `${fileName()}-path` : fileName();
+      download(new Blob([drawing(field, style, kind === "path")], { type: "image/svg+xml" }), `${name}.svg`);
+      if (kind === "path") return;
     } else if (kind === "csv") {
       const text = (await loadExchange()).locusCsv(rectangle, width, states, gap);
       download(new Blob([text], { type: "text/csv" }), `${fileName()}.csv`);
@@ -47,6 +59,36 @@ function fileName(): string {
   return `frond-map-${plainName(a.name, "a", 20)}-${plainName(b.name, "b", 20)}`;
 }
 
+const namesOf = () => (family.peek() === "morph" ? { across: "u", up: "v" } : { across: "Re s", up: "Im s" });
+
+function drawing(field: Parameters<typeof paint>[0], style: LocusStyle, alone: boolean): string {
+  const window = shownWindow.peek();
+  const { a, b } = scene.peek();
+  const map = { window, names: namesOf(), areas: { field, style, epsilon: epsilon.peek() } };
+  if (family.peek() === "polygon") return mapDrawing({ ...map, title: `Polygons of ${sides.peek()} sides` });
+  const points = pathPoints.peek();
+  const within = around();
+  const lines = (pieces: [Uv, Uv][]) => linePath(pieces.flatMap((piece) => piecesIn(piece, within)));
+  const whole = sliced(points, view.peek().w, THICK);
+  const broken = pathBreaks.peek().map(({ t0, t1 }) => sliced(slice(points, t0, t1), view.peek().w, THICK));
+  const { areas, ...axes } = map;
+  return mapDrawing({
+    ...axes,
+    ...(alone ? {} : { areas }),
+    title: `${a.name} to ${b.name}`,
+    path: {
+      whole: lines(whole.near),
+      faint: lines(whole.far),
+      broken: lines(broken.flatMap(({ near }) => near)),
+      faintBroken: lines(broken.flatMap(({ far }) => far)),
+    },
+    ends: [
+      { letter: "A", at: place([0, 0], window) },
+      { letter: "B", at: place([1, 1], window) },
+    ].filter(({ at }) => !isOutside(at)),
+  });
+}
+
 function picture(field: Parameters<typeof paint>[0], style: LocusStyle): HTMLCanvasElement {
   const window = shownWindow.peek();
   const pixels = paint(field, SIZE, { style, scale: 2, epsilon: epsilon.peek(), window });
@@ -59,7 +101,6 @@ function picture(field: Parameters<typeof paint>[0], style: LocusStyle): HTMLCan
   canvas.height = SIZE + MARGIN.top + MARGIN.bottom;
   const context = canvas.getContext("2d");
   if (!context) throw new Error("The browser gives no canvas.");
-  const names = family.peek() === "morph" ? { across: "u", up: "v" } : { across: "Re s", up: "Im s" };
-  drawAxes(context, SIZE, window, names, () => context.drawImage(square, MARGIN.left, MARGIN.top));
+  drawAxes(context, SIZE, window, namesOf(), () => context.drawImage(square, MARGIN.left, MARGIN.top));
   return canvas;
 }
