@@ -57,6 +57,19 @@ test("the link that is shared opens the same elsewhere", async ({ studio, page, 
   await page.keyboard.press("Escape");
   await expect(sheet).toBeVisible();
   await page.keyboard.press("Escape");
+  // On paper it is complete, with its maps and its link, and nothing of that stays.
+  const paper = page.locator("main > section:has(> table)");
+  const print = (type: string) => page.evaluate((name) => dispatchEvent(new Event(name)) && 0, type);
+  await print("beforeprint");
+  await expect(paper.getByRole("link", { includeHidden: true })).toHaveAttribute("href", shared);
+  expect(await paper.locator("tr").count()).toBeGreaterThan(6);
+  const inked = await paper.locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
+    const { data } = canvas.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height) ?? { data: [] };
+    return data.filter((byte, i) => i % 4 === 3 && byte > 0).length;
+  });
+  expect(inked).toBeGreaterThan(10_000);
+  await print("afterprint");
+  await expect(paper).toHaveCount(0);
 
   const other = await browser.newContext({ viewport: page.viewportSize(), serviceWorkers: "block" });
   const second = new (

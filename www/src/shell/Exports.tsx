@@ -6,9 +6,12 @@ import { FilmDialog } from "#film/FilmDialog";
 import { exportOpen } from "#film/open";
 import { PictureDialog } from "#film/PictureDialog";
 import { link } from "./actions";
+import { printable } from "./print/print";
 import { ShareDialog } from "./ShareDialog";
 import { addressOf, stageStill } from "./save";
 import { openedTool } from "./tools";
+
+printable(() => link.fragment());
 
 export function Exports() {
   const { entry, tool } = openedTool();

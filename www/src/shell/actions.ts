@@ -43,6 +43,13 @@ export async function savePicture(): Promise<void> {
   else await fetched(fetchSave, (module) => module.savePicture(link.fragment()));
 }
 
+/** On paper, with its maps and its link. */
+export const printStage = (): Promise<void> =>
+  fetched(
+    () => import("./print/print"),
+    (module) => module.print(),
+  );
+
 /** It is not part of the first script. */
 const fetchSave = () => import("./save");
 

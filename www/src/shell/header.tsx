@@ -11,7 +11,7 @@ import { askForFile } from "#ui/files/door";
 import { startExport } from "#ui/files/exporting";
 import { Menu, type MenuItem } from "#ui/overlay/Menu";
 import type { Tool as ToolName } from "#wasm/api";
-import { CURVE_FILES, curveOnStage, saveCurve, savePicture, studioHref } from "./actions";
+import { CURVE_FILES, curveOnStage, printStage, saveCurve, savePicture, studioHref } from "./actions";
 import { Glyph, type GlyphName } from "./glyphs";
 import css from "./shell.module.css";
 import { openedTool, TOOLS } from "./tools";
@@ -81,6 +81,7 @@ const OPEN: MenuItem = { label: "Open a file …", icon: "open", onSelect: () =>
 /** The files that what is open can be saved as. */
 function saveItems(): MenuItem[] {
   const items = curveOnStage.value ? curveItems() : [{ label: "Save as PNG", onSelect: savePicture }];
+  items.push({ label: "Print …", onSelect: printStage });
   const { entry, tool } = openedTool();
   if (entry.stage === undefined || tool?.still) {
     items.push({ label: "Picture of any size …", onSelect: openPicture });

@@ -1,0 +1,167 @@
+/**
+ * The studio on paper: what a graphics card draws does not come there, so a complete picture stands in, with the maps
+ * and the link. Plain nodes and no component: it has to be there before `beforeprint` returns.
+ */
+import { curved } from "#document/curve/curve";
+import { bend } from "#document/deform/bend";
+import { pictureShown } from "#document/deform/picture";
+import { selection, shown } from "#document/morph";
+import { dismiss, notify, wordsOf } from "#document/notice";
+import { scene } from "#document/scene";
+import { percent } from "#format/path-words";
+import { effectiveView, stageSize } from "#stage/view";
+import { WHITE } from "#style/colours";
+import { palette } from "#style/palette";
+import type { NamedMaps } from "#ui/files/exporting";
+import { frond } from "#wasm/core";
+import { makePicture } from "#workers/film/picture";
+import { addressOf, stageStill } from "../save";
+import { openedTool } from "../tools";
+import css from "./print.module.css";
+
+/** Pixels of the picture for each of the stage. */
+const FINE = 2;
+
+let sheet: HTMLElement | null = null;
+/** What stands behind the # of the link. */
+let fragment: () => string | null = () => null;
+
+/** From now on the studio can be printed, by whatever opens the browser's dialog. */
+export function printable(ofLink: () => string | null): void {
+  fragment = ofLink;
+  addEventListener("beforeprint", () => {
+    if (!sheet) lay(atOnce());
+  });
+  addEventListener("afterprint", () => {
+    sheet?.remove();
+    sheet = null;
+  });
+}
+
+/** Waits for the picture, whatever the tool, and then asks the browser to print. */
+export async function print(): Promise<void> {
+  const { entry, tool } = openedTool();
+  const still = entry.stage === undefined ? stageStill : tool?.still;
+  if (!still) return window.print();
+  const ending = new AbortController();
+  const cancel = { label: "Cancel", run: () => ending.abort() };
+  const notice = notify({
+    kind: "info",
+    text: "Drawing the picture to print …",
+    action: cancel,
+    stays: true,
+  });
+  let url: string | null = null;
+  try {
+    const { subject, at, stage } = await still();
+    const size = { width: Math.max(1, FINE * stage.width), height: Math.max(1, FINE * stage.height) };
+    const settings = {
+      width: Math.round(size.width),
+      height: Math.round(size.height),
+      ground: WHITE,
+      link: null,
+    };
+    const { bytes, type } = await makePicture(
+      { subject, at, settings, smooth: true },
+      ending.signal,
+      () => {},
+    );
+    url = URL.createObjectURL(new Blob([bytes], { type }));
+    const image = new Image();
+    image.src = url;
+    await image.decode();
+    lay(image);
+    dismiss(notice);
+    window.print();
+  } catch (problem) {
+    if (!ending.signal.aborted)
+      notify({ kind: "error", text: `It could not be printed: ${wordsOf(problem)}` });
+  } finally {
+    dismiss(notice);
+    if (url !== null) URL.revokeObjectURL(url);
+  }
+}
+
+/** The picture as far as it can be had without waiting. */
+function atOnce(): HTMLElement {
+  const { entry } = openedTool();
+  const { width, height } = stageSize.peek();
+  if (entry.stage === undefined && !pictureShown.peek() && !curved.peek() && width > 0 && height > 0) {
+    const canvas = document.createElement("canvas");
+    canvas.width = FINE * Math.round(width);
+    canvas.height = FINE * Math.round(height);
+    const seen = effectiveView.peek();
+    const bent = selection.peek() ? null : bend.peek();
+    const options = {
+      width: canvas.width,
+      height: canvas.height,
+      view: { ...seen, scale: FINE * seen.scale },
+      colouring: scene.peek().colouring,
+      palette: palette("light"),
+      ...(bent ? { bend: bent } : {}),
+    };
+    try {
+      const pixels = new Uint8ClampedArray(frond.rasterize({ maps: shown.peek() }, options));
+      canvas.getContext("2d")?.putImageData(new ImageData(pixels, canvas.width, canvas.height), 0, 0);
+      return canvas;
+    } catch {
+      // There is nothing to be seen at this moment.
+    }
+  }
+  const { tool } = openedTool();
+  const waits = entry.stage === undefined || tool?.still !== undefined;
+  return textOf(
+    "p",
+    waits
+      ? "This picture takes a moment: choose “Print” in the menu “Save”, which waits for it."
+      : "Save the picture by the menu “Save”, and print that.",
+  );
+}
+
+function lay(picture: HTMLElement): void {
+  sheet?.remove();
+  const { tool } = openedTool();
+  const made = document.createElement("section");
+  made.className = css["print-sheet"] ?? "";
+  picture.classList.add(css["print-picture"] ?? "");
+  made.append(textOf("h1", title()), picture, ...(tool?.maps?.() ?? []).map(mapsOf));
+  const address = addressOf(fragment());
+  if (address !== null) {
+    const anchor = document.createElement("a");
+    anchor.href = address;
+    anchor.textContent = address;
+    made.append(anchor);
+  }
+  document.querySelector(".studio")?.append(made);
+  sheet = made;
+}
+
+function title(): string {
+  const { a, b, t, tool } = scene.peek();
+  if (tool === "space") return "Frond: a scene in space";
+  if (tool === "fit") return "Frond: a fractal curve";
+  return a.name === b.name ? a.name : `${a.name} to ${b.name}, at ${percent(t)}`;
+}
+
+/** Digits of a number on paper; the link has all. */
+const DIGITS = 8;
+
+function mapsOf({ label, name, maps }: NamedMaps): HTMLElement {
+  const table = document.createElement("table");
+  table.createCaption().textContent = `${label}: ${name}`;
+  const names = maps[0]?.length === 12 ? [..."abcdefghixyz"] : [..."abcdef"];
+  const head = table.createTHead().insertRow();
+  for (const letter of names) head.append(textOf("th", letter));
+  const body = table.createTBody();
+  for (const row of maps) {
+    const line = body.insertRow();
+    for (const number of row) line.insertCell().textContent = String(Number(number.toPrecision(DIGITS)));
+  }
+  return table;
+}
+
+function textOf(tag: "h1" | "p" | "th", text: string): HTMLElement {
+  const element = document.createElement(tag);
+  element.textContent = text;
+  return element;
+}
