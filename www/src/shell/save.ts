@@ -4,7 +4,6 @@ import { curveMorph, curveTime } from "#document/curve/curve";
 import { bend, deformation } from "#document/deform/bend";
 import { pictureShown } from "#document/deform/picture";
 import { selection, shown } from "#document/morph";
-import { dismiss, notify, wordsOf } from "#document/notice";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
 import { stepsSubject } from "#film/steps";
@@ -14,6 +13,7 @@ import { NIGHT, PAPER } from "#style/colours";
 import { isDark } from "#style/ground";
 import { palette } from "#style/palette";
 import { download, plainName } from "#ui/files/download";
+import { whileDrawn } from "#ui/files/saving";
 import { makePicture } from "#workers/film/picture";
 import { planeDrawer } from "#workers/film/plane-drawer";
 import { sheetDrawer } from "#workers/film/sheet-drawer";
@@ -73,28 +73,15 @@ const LONG_SIDE = 2400;
 
 /** The picture as it stands on the stage, larger, complete, on a transparent ground, with its link. */
 export async function savePicture(fragment: string | null): Promise<void> {
-  const calledOff = new AbortController();
-  const notice = notify({
-    kind: "info",
-    text: "Drawing the picture to save …",
-    action: { label: "Cancel", run: () => calledOff.abort() },
-    stays: true,
-  });
-  try {
+  await whileDrawn(async (signal) => {
     const { subject, at, stage } = await stageStill();
     const larger = LONG_SIDE / Math.max(stage.width, stage.height, 1);
     const width = Math.max(1, Math.round(stage.width * larger));
     const height = Math.max(1, Math.round(stage.height * larger));
     const settings = { width, height, ground: null, link: addressOf(fragment) };
-    const request = { subject, at, settings, smooth: true };
-    const { bytes, type } = await makePicture(request, calledOff.signal, () => {});
+    const { bytes, type } = await makePicture({ subject, at, settings, smooth: true }, signal, () => {});
     download(new Blob([bytes], { type }), `frond-${subject.name}.png`);
-  } catch (problem) {
-    if (calledOff.signal.aborted) return;
-    notify({ kind: "error", text: `The picture could not be saved: ${wordsOf(problem)}` });
-  } finally {
-    dismiss(notice);
-  }
+  });
 }
 
 function pictureName(): string {

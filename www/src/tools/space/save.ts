@@ -1,7 +1,7 @@
 /** The picture of space as a file. */
-import { dismiss, notify, wordsOf } from "#document/notice";
 import { space, spaceView } from "#document/space/space";
 import { download, plainName, pngOf } from "#ui/files/download";
+import { whileDrawn } from "#ui/files/saving";
 import { layOn } from "#workers/film/opaque";
 import { pictureOf } from "#workers/space/complete-picture";
 import { PAGE } from "./light/background";
@@ -22,14 +22,7 @@ export async function savePng(): Promise<void> {
   const light = space.peek()?.light;
   if (!now || !view || !light || saving) return;
   saving = true;
-  const calledOff = new AbortController();
-  const notice = notify({
-    kind: "info",
-    text: "Drawing the picture to save …",
-    action: { label: "Cancel", run: () => calledOff.abort() },
-    stays: true,
-  });
-  try {
+  await whileDrawn(async (signal) => {
     const stage = stageSize.peek();
     const larger = LONG_SIDE / Math.max(1, stage.width, stage.height);
     const image = await pictureOf(
@@ -43,18 +36,13 @@ export async function savePng(): Promise<void> {
         ground: ground.peek(),
         factor: 2,
       },
-      { signal: calledOff.signal, lane: LONG_WORK },
+      { signal, lane: LONG_WORK },
     );
     const background = space.peek()?.background;
     if (background !== undefined && background !== PAGE) layOn(image.data, background);
     download(await pngOf(canvasOf(image)), fileName());
-  } catch (problem) {
-    if (calledOff.signal.aborted) return;
-    notify({ kind: "error", text: `The picture could not be saved: ${wordsOf(problem)}` });
-  } finally {
-    dismiss(notice);
-    saving = false;
-  }
+  });
+  saving = false;
 }
 
 function canvasOf(image: ImageData): HTMLCanvasElement {
