@@ -76,6 +76,14 @@ export function replace(next: Scene): void {
 /** What undo would take back: the same one for as long as nothing else was done. */
 export const lastStep = (): object | undefined => history.peek().past.at(-1);
 
+/** The last step, if it is not `since`, left another tool: undo goes back there, and redo here. */
+export function cameFrom(tool: NonNullable<Scene["tool"]>, since: object | undefined): void {
+  const { past, ...rest } = history.peek();
+  const last = past.at(-1);
+  if (!last || last === since) return;
+  history.value = { ...rest, past: [...past.slice(0, -1), { ...last, before: { ...last.before, tool } }] };
+}
+
 export function undo(): void {
   move(stepBack(history.peek(), present.peek(), keep));
 }

@@ -1,7 +1,7 @@
 /** What undo leaves of the parts that tools have in the document: each says so in its entry. */
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { AT_REST } from "#document/deform/bend";
-import { edit, redo, replace, scene, start, undo } from "#document/scene";
+import { cameFrom, edit, lastStep, redo, replace, scene, start, undo } from "#document/scene";
 import type { Scene } from "#wasm/api";
 import "./tools";
 
@@ -21,6 +21,21 @@ describe("undo in the deformation", () => {
     expect(scene.value.deform).toEqual({ ...AT_REST, kb: 0, phase: 0.5 });
     redo();
     expect(scene.value.deform).toEqual({ ...AT_REST, kb: 3, phase: 0.5 });
+  });
+});
+
+describe("undo of a file that opened another tool", () => {
+  it("goes back to the tool before, and redo to the other", () => {
+    replace({ ...scene.peek(), tool: "deform" });
+    const before = lastStep();
+    replace({ ...scene.peek(), tool: "space" });
+    cameFrom("deform", before);
+    edit((now) => ({ ...now, space: { packed: "o:tree", at: 0 } }));
+    cameFrom("deform", before);
+    undo();
+    expect(scene.value.tool).toBe("deform");
+    redo();
+    expect(scene.value.tool).toBe("space");
   });
 });
 

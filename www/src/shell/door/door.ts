@@ -4,7 +4,7 @@
  */
 import { signal } from "@preact/signals";
 import { notify, wordsOf } from "#document/notice";
-import { edit } from "#document/scene";
+import { cameFrom, edit, lastStep } from "#document/scene";
 import { tool } from "#document/tool";
 import { openFile, takeFiles } from "#ui/files/door";
 import { focusOf } from "#ui/focus";
@@ -129,8 +129,10 @@ async function imported(file: Blob): Promise<ImportedFile> {
 
 /** To a tool that reads it itself. */
 async function hand(to: Tool, file: File): Promise<void> {
+  const [from, step] = [tool.peek(), lastStep()];
   const { open } = await whenOpen(to);
   await open?.(file);
+  cameFrom(from, step);
 }
 
 /** A picture that Frond saved is its document; any other is bent where pictures are bent, and else fitted. */
@@ -172,9 +174,11 @@ export async function take(
   try {
     if (system.problem) throw new Error(system.problem);
     if (system.dimension === 3) {
+      const [from, step] = [tool.peek(), lastStep()];
       await whenOpen("space");
       const { takeFound } = await import("#tools/space/shape/object/files");
       takeFound({ name, maps: system.maps }, said);
+      cameFrom(from, step);
     } else {
       await intoMorph({ name, maps: system.maps }, where, said);
     }
