@@ -36,10 +36,10 @@ function answerRows(task: Task<"locus">) {
   return { state, gap, count };
 }
 
-function run(milliseconds: number, patches = false, first?: 2 | 4) {
+function run(milliseconds: number, patches = false) {
   const stage = vi.fn();
   const watch = { painted: vi.fn(), stage: (_: LocusWork, stride: number) => stage(stride), failed: vi.fn() };
-  const means = { patches, priorities: (): [number, number] => [50, 15], ...(first && { first }) };
+  const means = { patches, priorities: (): [number, number] => [50, 15] };
   const work = new LocusWork(inputs, watch, () => 10, means);
   const job = work.job();
   let count = 0;
@@ -109,11 +109,27 @@ describe("LocusWork", () => {
     expect(slices).toBeGreaterThanOrEqual(17);
   });
 
-  it("may begin with a finer picture, in which the coarsest samples are", () => {
-    const { stage, work, count } = run(0.01, true, 2);
-    expect(stage.mock.calls.map(([stride]) => stride)).toEqual([2, 1]);
-    expect(count).toBe(SIZE * SIZE + ((SIZE - 1) / 2 + 1) ** 2);
+  it("may begin with a finer picture, every second sample in its place", () => {
+    const stage = vi.fn();
+    const watch = { painted: vi.fn(), stage: (_: LocusWork, by: number) => stage(by), failed: vi.fn() };
+    const means = { patches: true, first: 2, priorities: (): [number, number] => [50, 15] } as const;
+    const work = new LocusWork(inputs, watch, () => 10, means);
+    const job = work.job();
+    while (stage.mock.calls.length === 0) {
+      expect(job.priority()).toBe(50);
+      const task = job.next();
+      if (task?.kind !== "patch") throw new Error("the finer picture is made of patches");
+      job.accept(task, answerPatch(task), 1);
+    }
+    expect(stage.mock.calls).toEqual([[2]]);
+    for (let r = 0; r < SIZE; r += 2) {
+      for (let c = 0; c < SIZE; c += 2)
+        if (work.raw.gap[r * SIZE + c] !== (r / 2) * 1000 + c / 2)
+          throw new Error(`not in place: ${r}, ${c}`);
+    }
+    expect(work.filled.state.includes(STATE.pending)).toBe(false);
     expect(work.nested(4).state.includes(STATE.pending)).toBe(false);
+    expect(job.priority()).toBe(15);
   });
 
   it("covers the square with rectangles, each sample once, from the middle outwards", () => {
