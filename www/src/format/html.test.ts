@@ -10,7 +10,14 @@ describe("text in a page", () => {
     expect(folderAddress("https://example.org/frond")).toBe("https://example.org/frond/");
     expect(folderAddress("https://example.org/a/index.html?x=a/b#y")).toBe("https://example.org/a/");
     expect(folderAddress("https://example.org")).toBe("https://example.org/");
-    for (const wrong of ["", "example.org", "ftp://example.org/", "javascript:alert(1)"])
+    for (const wrong of [
+      "",
+      "example.org",
+      "ftp://example.org/",
+      "javascript:alert(1)",
+      "http:/bad",
+      "https:///x",
+    ])
       expect(folderAddress(wrong)).toBeNull();
   });
 });

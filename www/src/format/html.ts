@@ -6,8 +6,9 @@ export const escaped = (text: string): string =>
 
 /** The address of a folder as one types it, with a slash at its end; null where it is none of the web. */
 export function folderAddress(text: string): string | null {
-  const url = URL.canParse(text) ? new URL(text) : null;
-  if (!url || !/^https?:$/.test(url.protocol)) return null;
+  // The parser would make an address of "http:/name" as well.
+  if (!/^https?:\/\/[^/]/i.test(text) || !URL.canParse(text)) return null;
+  const url = new URL(text);
   url.search = "";
   url.hash = "";
   return url.href.replace(/\/index\.html$/, "/").replace(/[^/]*$/, (rest) => (rest === "" ? "" : `${rest}/`));
