@@ -8,6 +8,7 @@ import { download, plainName } from "#ui/files/download";
 import { Dialog } from "#ui/overlay/Dialog";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { filmTask } from "#workers/film/client";
+import shareCss from "../share.module.css";
 import { openedTool } from "../tools";
 import { type FilmChoice, makeFolder, mp4Settings } from "./make";
 import css from "./publish.module.css";
@@ -73,7 +74,7 @@ export function Publish({ address, plays, still, onClose }: PublishProps) {
       onClose={onClose}
     >
       <form
-        class={css["publish"]}
+        class={shareCss["share"]}
         onSubmit={(event) => {
           event.preventDefault();
           if (!busy && !wrong) void make();
@@ -137,6 +138,7 @@ function Field({ label, value, placeholder, hint, wrong = false, onInput }: Fiel
     <label class={css["publish-field"]}>
       <span class="field-label">{label}</span>
       <input
+        class={shareCss["address"]}
         value={value}
         maxLength={MOST_LETTERS}
         aria-invalid={wrong}
