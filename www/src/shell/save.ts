@@ -73,7 +73,7 @@ const LONG_SIDE = 2400;
 
 /** The picture as it stands on the stage, larger, complete, on a transparent ground, with its link. */
 export async function savePicture(fragment: string | null): Promise<void> {
-  await whileDrawn(async (signal) => {
+  await whileDrawn("save", async (signal) => {
     const { subject, at, stage } = await stageStill();
     const larger = LONG_SIDE / Math.max(stage.width, stage.height, 1);
     const width = Math.max(1, Math.round(stage.width * larger));

@@ -6,13 +6,13 @@ import { curved } from "#document/curve/curve";
 import { bend } from "#document/deform/bend";
 import { pictureShown } from "#document/deform/picture";
 import { selection, shown } from "#document/morph";
-import { dismiss, notify, wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
 import { percent } from "#format/path-words";
 import { effectiveView, stageSize } from "#stage/view";
 import { WHITE } from "#style/colours";
 import { palette } from "#style/palette";
 import type { NamedMaps } from "#ui/files/exporting";
+import { whileDrawn } from "#ui/files/saving";
 import { frond } from "#wasm/core";
 import { makePicture } from "#workers/film/picture";
 import { addressOf, stageStill } from "../save";
@@ -43,43 +43,25 @@ export async function print(): Promise<void> {
   const { entry, tool } = openedTool();
   const still = entry.stage === undefined ? stageStill : tool?.still;
   if (!still) return window.print();
-  const ending = new AbortController();
-  const cancel = { label: "Cancel", run: () => ending.abort() };
-  const notice = notify({
-    kind: "info",
-    text: "Drawing the picture to print …",
-    action: cancel,
-    stays: true,
-  });
-  let url: string | null = null;
-  try {
+  await whileDrawn("print", async (signal, dismissed) => {
     const { subject, at, stage } = await still();
-    const size = { width: Math.max(1, FINE * stage.width), height: Math.max(1, FINE * stage.height) };
-    const settings = {
-      width: Math.round(size.width),
-      height: Math.round(size.height),
-      ground: WHITE,
-      link: null,
-    };
-    const { bytes, type } = await makePicture(
-      { subject, at, settings, smooth: true },
-      ending.signal,
-      () => {},
-    );
-    url = URL.createObjectURL(new Blob([bytes], { type }));
-    const image = new Image();
-    image.src = url;
-    await image.decode();
-    lay(image);
-    dismiss(notice);
-    window.print();
-  } catch (problem) {
-    if (!ending.signal.aborted)
-      notify({ kind: "error", text: `It could not be printed: ${wordsOf(problem)}` });
-  } finally {
-    dismiss(notice);
-    if (url !== null) URL.revokeObjectURL(url);
-  }
+    const width = Math.round(Math.max(1, FINE * stage.width));
+    const height = Math.round(Math.max(1, FINE * stage.height));
+    const settings = { width, height, ground: WHITE, link: null };
+    const { bytes, type } = await makePicture({ subject, at, settings, smooth: true }, signal, () => {});
+    const url = URL.createObjectURL(new Blob([bytes], { type }));
+    try {
+      const image = new Image();
+      image.src = url;
+      await image.decode();
+      lay(image);
+      // The page stands still while it is printed.
+      dismissed();
+      window.print();
+    } finally {
+      URL.revokeObjectURL(url);
+    }
+  });
 }
 
 /** The picture as far as it can be had without waiting. */

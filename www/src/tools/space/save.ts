@@ -22,7 +22,7 @@ export async function savePng(): Promise<void> {
   const light = space.peek()?.light;
   if (!now || !view || !light || saving) return;
   saving = true;
-  await whileDrawn(async (signal) => {
+  await whileDrawn("save", async (signal) => {
     const stage = stageSize.peek();
     const larger = LONG_SIDE / Math.max(1, stage.width, stage.height);
     const image = await pictureOf(

@@ -1,19 +1,28 @@
 import { dismiss, notify, wordsOf } from "#document/notice";
 
-/** Has a picture made to be saved: says so while it takes, lets it be called off, and tells what went wrong. */
-export async function whileDrawn(make: (signal: AbortSignal) => Promise<void>): Promise<void> {
+/** What a picture is drawn for, as a notice says it, and the beginning of what is said where that fails. */
+const PURPOSES = {
+  save: "The picture could not be saved",
+  print: "The picture could not be printed",
+} as const;
+
+/** Has a picture drawn: says so while it takes, lets it be called off, and tells what went wrong. */
+export async function whileDrawn(
+  purpose: keyof typeof PURPOSES,
+  make: (signal: AbortSignal, dismissed: () => void) => Promise<void>,
+): Promise<void> {
   const calledOff = new AbortController();
   const notice = notify({
     kind: "info",
-    text: "Drawing the picture to save …",
+    text: `Drawing the picture to ${purpose} …`,
     action: { label: "Cancel", run: () => calledOff.abort() },
     stays: true,
   });
   try {
-    await make(calledOff.signal);
+    await make(calledOff.signal, () => dismiss(notice));
   } catch (problem) {
     if (calledOff.signal.aborted) return;
-    notify({ kind: "error", text: `The picture could not be saved: ${wordsOf(problem)}` });
+    notify({ kind: "error", text: `${PURPOSES[purpose]}: ${wordsOf(problem)}` });
   } finally {
     dismiss(notice);
   }
