@@ -39,7 +39,13 @@ await morph.screenshot({ path: path("morph") });
 await morph.context().close();
 
 const light = await studio("", { colorScheme: "light", deviceScaleFactor: 1.5 });
+const usual = light.viewportSize();
+// So tall that the time below lies over nothing of it.
+await light.setViewportSize({ ...usual, height: 1200 });
+await light.waitForTimeout(500);
+await light.evaluate(() => window.frond.idle());
 await light.locator("section.locus").screenshot({ path: path("locus") });
+await light.setViewportSize(usual);
 await light.getByRole("button", { name: /Choose another/ }).first().click();
 await light.waitForTimeout(1000);
 await light.getByRole("dialog").screenshot({ path: path("gallery") });
