@@ -84,6 +84,9 @@ describe("the packed package", () => {
     ];
     const there = new Set(files.trim().split("\n"));
     expect(wanted.filter((file) => !there.has(`package/${file}`))).toEqual([]);
+    // What others wrote is told in one place.
+    const told = [...there].filter((file) => /licen[sc]e/i.test(file)).map((file) => file.slice(8));
+    expect(told.sort()).toEqual(["LICENSE-APACHE", "LICENSE-MIT", "licenses.txt"]);
   });
 
   it("can be imported at each entry in Node, also where there is nothing to draw on", () => {

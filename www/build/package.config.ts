@@ -14,7 +14,5 @@ export default defineConfig({
       entry: { "pool-lanes": "www/src/package/pool.ts", command: "www/src/package/command.ts" },
       formats: ["es"],
     },
-    // The licences of what is taken along.
-    license: { fileName: "LICENSE-PARTS.md" },
   },
 });
