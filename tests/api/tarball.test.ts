@@ -90,7 +90,7 @@ describe("the packed package", () => {
   });
 
   it("can be imported at each entry in Node, also where there is nothing to draw on", () => {
-    const entries = Object.keys(manifest.exports).filter((entry) => !/\.(wasm|json)$/.test(entry));
+    const entries = Object.keys(manifest.exports).filter((entry) => !/\.(wasm|json)$|worker/.test(entry));
     const said = node(`
       for (const entry of ${JSON.stringify(entries)}) {
         const { default: init } = await import(entry.replace(".", "frond"));
@@ -154,6 +154,25 @@ describe("the packed package", () => {
       console.log(await pool.routes(turned, turned).catch(({ code }) => code));
       console.log((await createPool().connectedness({ maps: gasket })).verdict.length > 0);`);
     expect(said.trim().split("\n")).toEqual(["AbortError", "AbortError", "stopped", "closed", "true"]);
+  });
+
+  // Older checkouts may lack the bundler; `cargo xtask test` installs it.
+  it.skipIf(!existsSync(join(root, "node_modules/webpack")))("is bundled for Node, with its workers", () => {
+    writeFileSync(
+      join(app, "app.js"),
+      `import init, { presets } from "frond/draw";
+      import { createPool } from "frond/pool";
+      await init();
+      const pool = createPool({ size: 1 });
+      const { verdict } = await pool.connectedness(presets().find(({ id }) => id === "fern"));
+      pool.close();
+      console.log(verdict);`,
+    );
+    execFileSync(process.execPath, [join(root, "tests/api/bundle.mjs"), "webpack-node", app]);
+    // What it is bundled of is not needed any more.
+    const out = join(scratch, "bundled");
+    cpSync(join(app, "out/webpack-node"), out, { recursive: true });
+    expect(execFileSync(process.execPath, [join(out, "main.js")]).toString()).toBe("touching\n");
   });
 
   it("has a command that draws, decides, exports and checks", () => {

@@ -1,6 +1,7 @@
 // The same for Node. Idle workers do not keep a program from its end.
 import { availableParallelism } from "node:os";
-import { Worker } from "node:worker_threads";
+// biome-ignore lint/style/useNodejsImportProtocol: webpack breaks the other name where it takes the worker along.
+import { Worker } from "worker_threads";
 import { poolOf } from "../pool-lanes.js";
 
 function spawn() {

@@ -1,0 +1,59 @@
+/** Ten lines that use the package, bundled by what others bundle with, each as the package's README says. */
+import { execFileSync } from "node:child_process";
+import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, normalize } from "node:path";
+import { fileURLToPath } from "node:url";
+import { expect, test } from "./fixture";
+
+const root = fileURLToPath(new URL("../../", import.meta.url));
+const folder = mkdtempSync(join(tmpdir(), "frond-bundles-"));
+
+const APP = `
+  import init, { presets, rasterize } from "frond/draw";
+  import { createPool } from "frond/pool";
+  await init();
+  const fern = presets().find(({ id }) => id === "fern");
+  const pixels = rasterize(fern, { width: 30, height: 30 });
+  const pool = createPool({ size: 1 });
+  const { verdict } = await pool.connectedness(fern);
+  pool.close();
+  document.title = pixels.some((byte) => byte > 0) + " " + verdict;`;
+const LOADER = `
+  import init, { presets } from "frond/draw";
+  import wasm from "frond/frond_bg.wasm";
+  await init({ module_or_path: wasm });
+  document.title = String(presets().length > 10);`;
+
+test.beforeAll(() => {
+  const installed = join(folder, "node_modules/frond");
+  mkdirSync(installed, { recursive: true });
+  // As it is published: what the manifest leaves out is not there.
+  const pack = ["pack", "--json", "--pack-destination", folder];
+  const [{ filename }] = JSON.parse(
+    execFileSync("npm", pack, { cwd: join(root, "target/package/frond") }).toString(),
+  );
+  execFileSync("tar", ["-xzf", join(folder, filename), "-C", installed, "--strip-components=1"]);
+  writeFileSync(join(folder, "package.json"), '{ "type": "module" }');
+  writeFileSync(join(folder, "app.js"), APP);
+  writeFileSync(join(folder, "loader.js"), LOADER);
+  writeFileSync(join(folder, "index.html"), '<!doctype html><script type="module" src="./app.js"></script>');
+});
+
+test.afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+for (const bundler of ["vite", "webpack", "esbuild", "esbuild-loader", "rolldown"])
+  test(`the package works in a bundle by ${bundler}`, async ({ page, baseURL }) => {
+    execFileSync(process.execPath, [join(root, "tests/api/bundle.mjs"), bundler, folder]);
+    // Somewhere else, so that nothing is found in the package itself.
+    const served = join(folder, "served");
+    cpSync(join(folder, "out", bundler), join(served, bundler), { recursive: true });
+    await page.route("**/bundled/**", (route) => {
+      const path = new URL(route.request().url()).pathname.split("/bundled/")[1] ?? "";
+      return route.fulfill({
+        path: join(served, normalize(path.endsWith("/") ? `${path}index.html` : path)),
+      });
+    });
+    await page.goto(`${baseURL}bundled/${bundler}/`);
+    await expect.poll(() => page.title()).toBe(bundler === "esbuild-loader" ? "true" : "true touching");
+  });
