@@ -6,8 +6,8 @@
 //! noise, and against the one without. `only` leaves out what fits are compared with.
 
 use frond_fit::{
-    ClosedCurve, Fitter, Outline, Stage, bezier, fidelity, fourier, island, least_squares_polyline,
-    maple_leaf, oak_leaf, split_polyline,
+    ClosedCurve, Fitter, Outline, Stage, bezier, crossings, fidelity, fourier, island,
+    least_squares_polyline, maple_leaf, oak_leaf, split_polyline,
 };
 use glam::DVec2;
 
@@ -67,11 +67,12 @@ fn seconds() -> f64 {
 fn report(outline: &Outline, name: &str, fit: &[DVec2], seconds: f64) {
     let f = fidelity(outline, fit);
     println!(
-        "  {name:<24} rms {:.4}%  hausdorff {:.3}%  dD {:+.4}  length {:.3}  {seconds:.2} s",
+        "  {name:<24} rms {:.4}%  hausdorff {:.3}%  dD {:+.4}  length {:.3}  {seconds:.2} s  crossed {}",
         f.rms,
         f.hausdorff,
         f.slope_difference(),
-        f.length_ratio
+        f.length_ratio,
+        crossings(fit, 99).map_or("too often to tell".to_owned(), |found| found.len().to_string())
     );
 }
 
