@@ -34,6 +34,14 @@ test("figures have digits that say something, and none lies", () => {
     "–",
   ]);
   expect([signed(0.0123), signed(-0.0123), signed(0.0001)]).toEqual(["+0.012", "−0.012", "0.000"]);
-  expect(roughWords(figures(1))).toBe("As rough as the outline.");
+  const rough = { ...figures(1), fitSlope: 1.195, lengthRatio: 1.01 };
+  expect(roughWords(rough)).toBe("As rough as the outline.");
+  // A tangle as long as two outlines is not praised for its dimension.
+  expect(roughWords({ ...rough, lengthRatio: 2 })).toBe(
+    "About as rough as the outline: it has 200% of its length.",
+  );
+  expect(roughWords({ ...rough, fitSlope: 1.25, lengthRatio: 1.2 })).toMatch(
+    /^Rougher .* 120% of its length/,
+  );
   expect(roughWords({ ...figures(1), fitSlope: 1.1 })).toMatch(/^Smoother .* 90% of its length/);
 });

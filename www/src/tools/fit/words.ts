@@ -74,11 +74,12 @@ export function compareWords(figures: Figures, rivals: readonly Rival[]): string
   return `Here ${plain} is nearer: ${percent(nearest.figures.rms)}.`;
 }
 
-/** How rough a fit is beside its outline. */
+/** How rough a fit is beside its outline: in words only where dimension and length say the same. */
 export function roughWords({ fitSlope, outlineSlope, lengthRatio }: Figures): string {
   const d = fitSlope - outlineSlope;
-  if (Math.abs(d) <= 0.02) return "As rough as the outline.";
-  return d < 0
-    ? `Smoother than the outline: it has ${Math.round(100 * lengthRatio)}% of its length.`
-    : `Rougher than the outline: it has ${Math.round(100 * lengthRatio)}% of its length.`;
+  const length = `${Math.round(100 * lengthRatio)}% of its length`;
+  if (Math.abs(d) <= 0.01 && Math.abs(lengthRatio - 1) <= 0.03) return "As rough as the outline.";
+  if (d < 0 && lengthRatio < 1) return `Smoother than the outline: it has ${length}.`;
+  if (d > 0 && lengthRatio > 1) return `Rougher than the outline: it has ${length}.`;
+  return `About as rough as the outline: it has ${length}.`;
 }
