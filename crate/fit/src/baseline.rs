@@ -8,11 +8,8 @@ use std::f64::consts::TAU;
 
 use glam::DVec2;
 
-use crate::closed::{ClosedCurve, Refiner, Ties, partition};
-use crate::outline::{Outline, features};
-
-/// The most steps of least squares.
-const MOST_STEPS: usize = 40;
+use crate::closed::Straight;
+use crate::outline::{Guard, Outline, features};
 
 /// A polyline through feature points: 2 numbers each.
 #[must_use]
@@ -20,30 +17,12 @@ pub fn split_polyline(outline: &Outline, numbers: usize) -> Vec<DVec2> {
     features(outline, numbers / 2).iter().map(|&i| outline.points()[i]).collect()
 }
 
-/// A polyline whose corners were moved by least squares on the outline's points, from the better of two beginnings:
-/// [`features`] and [`partition`]. 2 numbers a corner.
+/// The best polyline that is found: corners chosen in several ways and moved by least squares on the outline's points,
+/// kept as a document keeps them. 2 numbers a corner. It crosses itself nowhere but where the outline does. A
+/// [`Fitter`](crate::Fitter) begins with it.
 #[must_use]
 pub fn least_squares_polyline(outline: &Outline, numbers: usize) -> Vec<DVec2> {
-    let begin = |marks: Vec<usize>| {
-        let mut line = ClosedCurve::polygon(marks.iter().map(|&i| outline.points()[i]).collect());
-        if line.knots.len() < 3 {
-            return (f64::INFINITY, line.knots);
-        }
-        let mut refiner = Refiner::new(outline.points().to_vec(), 0.0, 1);
-        // Nothing but the distance from the outline counts: that is what is measured.
-        refiner.set_ties(Ties { back: 0.0, beyond: 0.0, far: 0.0, reach: 0.0 });
-        let mut error = refiner.error(&line);
-        for _ in 0..MOST_STEPS {
-            let (next, moved) = refiner.step(&mut line, error);
-            if !moved {
-                break;
-            }
-            error = next;
-        }
-        (error, line.knots)
-    };
-    let (a, b) = (begin(features(outline, numbers / 2)), begin(partition(outline, numbers / 2)));
-    if a.0 <= b.0 { a.1 } else { b.1 }
+    Straight::new(outline, numbers / 2, Guard::new(outline)).finish().knots
 }
 
 /// Fourier descriptors: the lowest complex frequencies of the outline by arc length, 2 numbers each, at `count` points.

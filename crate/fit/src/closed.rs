@@ -5,17 +5,22 @@ mod expansion;
 mod fault;
 mod final_refine;
 mod fitter;
+mod judge;
 mod moves;
+mod normal;
 mod pack;
 mod partition;
 mod refine;
+mod straight;
 mod text;
 
 pub use fault::CurveFault;
 pub use fitter::{ClosedFit, FitError, Fitter, Progress, Stage};
+pub use judge::{DRAWING_LEVELS, DRAWING_TOLERANCE};
 pub use pack::{MAX_KNOTS, PackError};
 pub use partition::partition;
-pub use refine::{Refiner, Ties};
+pub(crate) use refine::{Refiner, Ties};
+pub(crate) use straight::Straight;
 pub use text::MAX_TEXT;
 
 use glam::{DMat2, DVec2};

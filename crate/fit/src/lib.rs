@@ -10,7 +10,8 @@
 //!   in which clusters spread.
 //! - [`fit_collage`] is the paper's fit of a ring of feature points.
 //! - [`Fitter`] fits a [`ClosedCurve`], knots with edges that are straight or copies of arcs, which is closed by
-//!   construction and nearer than a polyline of as many numbers.
+//! construction, no farther from the outline than the best polyline of as many numbers, and crosses itself nowhere
+//! that the outline does not.
 //! - [`CurveMorph`] brings two closed curves to one structure; at every moment between them there is a closed curve.
 //! - [`Outline`] is a closed polyline that is to be fitted; [`features`] finds its feature points, [`fidelity`] says
 //!   how near a fit is to it.
@@ -24,8 +25,9 @@
 //! 1. `outline`: what is fitted, its feature points, and how near a fit is to it.
 //! 2. `fractal`: a piece, the curves and functions that are made of pieces, and points of them.
 //! 3. `collage` and `hough`: the paper's two ways to find the pieces. `baseline`: what they are compared with.
-//! 4. `closed`: the form that does better. `fitter` is the loop, `candidates` proposes copies, `moves` trades numbers
-//!    between knots and copies, `refine` is least squares through the attractor, `final_refine` ends it.
+//! 4. `closed`: the form that does better. `fitter` is the loop, `straight` the polyline that it begins with,
+//!    `candidates` proposes copies, `moves` trades numbers between knots and copies, `refine` is least squares through
+//!    the attractor (`normal` solves them), `final_refine` ends it, `judge` keeps what is no worse than the polyline.
 //! 5. `curve_morph`: two curves matched by dynamic time warping (`dtw`), given as many knots each (`matching`,
 //!    `knot_ring`).
 //! 6. `segment`: a leaf in a picture. A channel, Otsu's threshold, morphology, connected components, the contour.
@@ -57,8 +59,8 @@ mod series;
 
 pub use baseline::{bezier, fourier, least_squares_polyline, split_polyline};
 pub use closed::{
-    ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, CurveFault, FitError, Fitter, MAX_KNOTS, MAX_SPAN,
-    MAX_TEXT, PackError, Progress, Stage, partition,
+    ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, CurveFault, DRAWING_LEVELS, DRAWING_TOLERANCE, FitError,
+    Fitter, MAX_KNOTS, MAX_SPAN, MAX_TEXT, PackError, Progress, Stage, partition,
 };
 pub use collage::{Bounding, CollageError, CollageFit, CollageOptions, Domains, RingMap, fit_collage};
 pub use curve_morph::{CurveMorph, MAX_FILE_POINTS, MorphError, MorphedCurve};
@@ -74,7 +76,8 @@ pub use hough::{
     assemble, assemble_picked, gather, in_range, name_clusters, refine_map, share_cells,
 };
 pub use outline::{
-    Fidelity, MAX_OUTLINE, MAX_PREPARED, Near, Nearest, Outline, OutlineError, crossings, features, fidelity,
+    Fidelity, Guard, MAX_OUTLINE, MAX_PREPARED, Near, Nearest, Outline, OutlineError, contacts, crossings,
+    decimated, features, fidelity,
 };
 pub use preset::{CurvePreset, curve_presets};
 pub use read::{FileContent, FileKind, NamedOutline, ReadAs, ReadError, Remark, read_file, sniff};

@@ -2,16 +2,20 @@
 
 mod boxes;
 mod crossing;
+mod decimate;
 mod features;
 mod fidelity;
+mod guard;
 mod near;
 mod prepare;
 mod thin;
 
 pub use boxes::{box_slope, box_slope_of};
-pub use crossing::crossings;
+pub use crossing::{contacts, crossings};
+pub use decimate::decimated;
 pub use features::features;
 pub use fidelity::{Fidelity, fidelity};
+pub use guard::Guard;
 pub use near::{Near, Nearest};
 pub use prepare::MAX_PREPARED;
 pub use thin::MAX_OUTLINE;

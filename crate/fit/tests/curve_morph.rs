@@ -14,6 +14,9 @@ fn fitted(points: &[DVec2], numbers: usize, steps: usize) -> ClosedCurve {
     for _ in 0..steps {
         fitter.step();
     }
+    while fitter.best().curve.copies() <= 3 && !fitter.is_done() {
+        fitter.step();
+    }
     fitter.best().curve.clone()
 }
 

@@ -142,6 +142,11 @@ impl Library {
         Self { arcs, corners: (2..CHORD_PLACES - 3).map(corner).collect() }
     }
 
+    /// What it costs to look through it for so many edges, in units of the refiner's work.
+    pub fn work(&self, edges: usize) -> u64 {
+        (self.arcs.len() * (20 + edges) / 8 + 100 * edges) as u64
+    }
+
     /// The best copy for a stretch, among arcs for which `allowed` says so by their first and last knot and span.
     pub fn best(&self, stretch: &Stretch, allowed: impl Fn(usize, usize) -> bool) -> Option<Proposal> {
         let mut best: Option<Proposal> = None;

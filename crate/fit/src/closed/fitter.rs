@@ -6,10 +6,12 @@ use thiserror::Error;
 
 use super::candidates::Library;
 use super::final_refine::Finisher;
+use super::judge::{Judge, Judged};
 use super::moves::{Marked, Move, Offer};
 use super::refine::{Refiner, Ties};
+use super::straight::Straight;
 use super::{ClosedCurve, partition};
-use crate::outline::{Outline, features};
+use crate::outline::{Guard, MAX_PREPARED, Nearest, Outline, decimated};
 
 /// The least and the most numbers a fit may have.
 const NUMBER_RANGE: (usize, usize) = (12, 2000);
@@ -89,13 +91,18 @@ pub struct ClosedFit {
 
 /// Fits a self-affine closed curve to an outline, one short step after the other.
 ///
-/// Every step takes some milliseconds to some hundred; between steps the work may be dropped at any time.
+/// It begins with the best polyline of as many numbers, and what it has in the end is no farther from the outline than
+/// that (root mean square, of the curve as it is drawn). Where the outline does not meet itself, the drawn curve does
+/// not either. Every step takes some milliseconds to some hundred; between steps the work may be dropped at any time.
 #[derive(Clone, Debug)]
 pub struct Fitter {
-    ring: Vec<DVec2>,
-    all: Outline,
+    outline: Outline,
+    /// The points that are followed while searching, as an outline.
+    thin: Outline,
     diagonal: f64,
     pairs: usize,
+    straight: Straight,
+    judge: Option<Judge>,
     refiner: Refiner,
     tolerance: f64,
     now: Marked,
@@ -108,15 +115,18 @@ pub struct Fitter {
     share: f64,
     greed: f64,
     reach: f64,
-    outline: Outline,
     /// Rounds without a gain.
     stale: usize,
-    /// The best polygon, until copies have had their time to do better.
-    straight: Option<(Marked, f64)>,
+    /// The best polyline, until copies have had their time to do better.
+    line: Option<(Marked, f64)>,
     /// Where the present search set out.
     home: Option<(Marked, f64)>,
     /// The best of each search.
     found: Vec<(ClosedCurve, f64)>,
+    /// The least error of the search, and when it was found.
+    least: (f64, u64),
+    /// Whether it is still to be shown to the judge.
+    unseen: Option<ClosedCurve>,
     finisher: Option<Finisher>,
 }
 
@@ -126,11 +136,11 @@ const IDLE_ROUNDS: usize = 15;
 /// Moves with which it does.
 const RESTART_MOVES: usize = 3;
 
-/// How far the curve may stray from the outline, in root mean squares of the first polygon.
+/// How far the curve may stray from the outline, in root mean squares of the best polyline.
 const FREE_DISTANCE: f64 = 4.0;
 
-/// What the curve pays for straying.
-const TIES: Ties = Ties { back: 0.03, beyond: 2.0, far: 4.0, reach: 0.0 };
+/// What the curve pays for straying while searching.
+const TIES: Ties = Ties { back: 0.01, beyond: 0.5, far: 0.0, reach: 0.0 };
 
 /// So many curves are finished.
 const CURVES_FINISHED: usize = 3;
@@ -138,8 +148,14 @@ const CURVES_FINISHED: usize = 3;
 /// How deep copies are opened while fitting.
 const FITTING_LEVELS: usize = 3;
 
-/// The most rounds of trade.
-const MOST_TRADE_ROUNDS: usize = 900;
+/// What a search may cost, in the refiner's units of work: so much, and so much more for each pair of numbers.
+const WORK: (u64, u64) = (4_000_000, 120_000);
+
+/// A search that gains less than this share over this part of its work ends.
+const STALL: (f64, f64) = (0.002, 0.3);
+
+/// Rounds between two looks of the judge, which measures what is drawn.
+const ROUNDS_UNSEEN: usize = 16;
 
 impl Fitter {
     /// Begins a fit of at most `numbers` numbers: 2 a knot, 2 a copied edge.
@@ -155,27 +171,25 @@ impl Fitter {
         if points < pairs.max(8) {
             return Err(FitError::OutlineTooCoarse { points, numbers });
         }
+        let outline = if points > MAX_PREPARED { outline.resampled(MAX_PREPARED) } else { outline.clone() };
         let diagonal = outline.diagonal();
-        // The outline's own points are what is measured in the end; many more than needed are thinned evenly.
-        let stride = points.div_ceil(MAX_FOLLOWED);
-        let ring: Vec<_> = outline.points().iter().copied().step_by(stride).collect();
-        let thin = Outline::new(&ring).unwrap_or_else(|_| outline.clone());
-        let ring = thin.points().to_vec();
-        let marks = features(&thin, pairs);
-        let curve = ClosedCurve::polygon(marks.iter().map(|&i| ring[i]).collect());
-        let tolerance = 1.5e-3 * diagonal;
-        let refiner = Refiner::new(ring.clone(), tolerance, FITTING_LEVELS);
-        let error = refiner.error(&curve);
+        let straight = Straight::new(&outline, pairs, Guard::new(&outline));
+        let (curve, error) = straight.best();
         let best = ClosedFit { curve: curve.clone(), error };
+        let tolerance = 1.5e-3 * diagonal;
+        let thin = thinned(&outline, MAX_FOLLOWED.max(6 * pairs));
+        let refiner = Refiner::new(thin.points().to_vec(), tolerance, FITTING_LEVELS);
         Ok(Self {
-            ring,
-            all: outline.clone(),
+            now: Marked { curve: curve.clone(), marks: Vec::new() },
+            outline,
+            thin,
             diagonal,
             pairs,
+            straight,
+            judge: None,
             refiner,
             tolerance,
-            now: Marked { curve, marks },
-            error,
+            error: f64::INFINITY,
             best,
             stage: Stage::Straight,
             rounds: 0,
@@ -184,11 +198,12 @@ impl Fitter {
             share: 0.0,
             greed: 1.0,
             reach: 0.0,
-            outline: thin,
             stale: 0,
-            straight: None,
+            line: None,
             home: None,
             found: Vec::new(),
+            least: (f64::INFINITY, 0),
+            unseen: None,
             finisher: None,
         })
     }
@@ -215,19 +230,24 @@ impl Fitter {
             Stage::Polish => self.polish(),
             Stage::Done => {}
         }
-        if stage != Stage::Polish && self.error < self.best.error {
-            self.best = ClosedFit { curve: self.now.curve.clone(), error: self.error };
+        if matches!(stage, Stage::Copies | Stage::Trade) && self.error < self.least.0 {
+            if self.error < self.least.0 * (1.0 - STALL.0) {
+                self.least = (self.error, self.refiner.work());
+            }
+            self.unseen = Some(self.now.curve.clone());
+        }
+        if stage == Stage::Trade && (self.rounds.is_multiple_of(ROUNDS_UNSEEN) || self.stage != stage) {
+            self.look();
         }
         let share = match self.stage {
-            Stage::Straight => 0.02 * self.rounds as f64,
+            Stage::Straight => 0.1 * self.straight.share(),
             Stage::Copies => 0.1,
-            Stage::Trade => 0.15 + 0.75 * self.rounds as f64 / MOST_TRADE_ROUNDS as f64,
-            Stage::Polish => 0.9 + 0.1 * self.finisher.as_ref().map_or(0.0, Finisher::share),
+            Stage::Trade => 0.1 + 0.7 * self.spent(),
+            Stage::Polish => 0.8 + 0.2 * self.finisher.as_ref().map_or(0.0, Finisher::share),
             Stage::Done => 1.0,
         };
         self.share = self.share.max(share);
-        let followed = self.finisher.as_ref().map_or(self.refiner.points().len(), Finisher::points) as f64;
-        let rms = 100.0 * (self.best.error / followed).sqrt() / self.diagonal;
+        let rms = 100.0 * (self.best.error / self.outline.points().len() as f64).sqrt() / self.diagonal;
         Progress { stage, share: self.share, rms }
     }
 
@@ -240,8 +260,25 @@ impl Fitter {
         self.best.curve
     }
 
+    /// How much of the search is over: of its work, or of the patience with one that gains nothing.
+    fn spent(&self) -> f64 {
+        let whole = (WORK.0 + WORK.1 * self.pairs as u64) as f64;
+        let work = self.refiner.work();
+        let idle = (work - self.least.1.min(work)) as f64 / (STALL.1 * whole);
+        (work as f64 / whole).max(idle.min(1.0).powi(4)).min(1.0)
+    }
+
+    /// Has the best of the search measured.
+    fn look(&mut self) {
+        if let (Some(curve), Some(judge)) = (self.unseen.take(), &mut self.judge) {
+            judge.show(&curve);
+            self.best = of_judge(judge, &self.outline);
+        }
+    }
+
     fn begin(&mut self, marks: Vec<usize>) {
-        let curve = ClosedCurve::polygon(marks.iter().map(|&i| self.ring[i]).collect());
+        let ring = self.thin.points();
+        let curve = ClosedCurve::polygon(marks.iter().map(|&i| ring[i]).collect());
         self.error = self.refiner.error(&curve);
         self.now = Marked { curve, marks };
         self.refiner.reset();
@@ -257,54 +294,65 @@ impl Fitter {
                 break;
             }
         }
-        self.now.follow(&self.ring);
+        self.now.follow(self.thin.points());
     }
 
     fn straight(&mut self) {
-        if self.rounds == 0 {
-            let marks = partition(&self.outline, self.pairs);
-            if marks.len() >= 3 {
-                self.begin(marks);
-            }
-            self.refine(2);
-            let forward = self.refiner.forward_error(&self.now.curve);
-            self.reach = FREE_DISTANCE * (forward / self.ring.len() as f64).sqrt();
-            self.refiner.set_ties(Ties { reach: self.reach, ..TIES });
-            self.error = self.refiner.error(&self.now.curve);
-            self.best.error = self.refiner.error(&self.best.curve);
-        } else {
-            self.refine(4);
+        if self.straight.step() {
+            let (curve, error) = self.straight.best();
+            self.best = ClosedFit { curve: curve.clone(), error };
+            return;
         }
-        self.rounds += 1;
-        if self.rounds == 3 {
-            self.rounds = 0;
-            self.stage = Stage::Copies;
+        let guard = self.straight.guard().cloned();
+        let judge = Judge::new(&self.outline, guard.clone(), self.straight.kept());
+        self.best = of_judge(&judge, &self.outline);
+        self.reach = FREE_DISTANCE * judge.best().near.rms / 100.0 * self.diagonal;
+        self.judge = Some(judge);
+        self.refiner.set_guard(guard);
+        self.refiner.set_ties(Ties { reach: self.reach, ..TIES });
+        let curve = self.best.curve.clone();
+        if let Some(marks) = marks_of(&curve.knots, self.thin.points()) {
+            let error = self.refiner.error(&curve);
+            self.line = Some((Marked { curve, marks }, error));
         }
+        self.stage = Stage::Copies;
     }
 
     fn copies(&mut self) {
         let knots = ((KNOT_SHARE * self.pairs as f64) as usize).max(3);
-        let marks = partition(&self.outline, knots);
-        if marks.len() < 3 {
-            self.stage = Stage::Polish;
-            return;
+        self.error = f64::INFINITY;
+        let marks = partition(&self.thin, knots);
+        if marks.len() >= 3 {
+            self.begin(marks);
         }
-        self.straight = Some((self.now.clone(), self.error));
-        self.begin(marks);
+        if !self.error.is_finite() {
+            self.begin(decimated(&self.thin, knots));
+        }
         self.refine(3);
         let library = Library::new(&self.now.curve, self.tolerance, FITTING_LEVELS);
-        let (_, mut using) = self.now.offers(&self.ring, &library, &[]);
+        let (_, mut using) = self.now.offers(self.thin.points(), &library, &[]);
         using.retain(|offer| matches!(offer.action, Move::Copy(..)) && offer.cost < 0.0);
         using.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         let free = self.pairs.saturating_sub(self.now.curve.knots.len());
         let moves: Vec<_> = using.iter().take(free).map(|offer| offer.action).collect();
-        let next = self.now.after(&moves, &self.ring, &library);
-        if next.curve.is_safe() {
-            self.now = next;
-            self.error = self.refiner.error(&self.now.curve);
+        // All that can be had, or the best half of it, or of that: copies at once may cross each other.
+        for many in [moves.len(), moves.len() / 2, moves.len() / 4] {
+            let next = self.now.after(&moves[..many], self.thin.points(), &library);
+            let error = self.refiner.error(&next.curve);
+            if error.is_finite() {
+                (self.now, self.error) = (next, error);
+                break;
+            }
         }
         self.refiner.reset();
         self.refine(4);
+        if !self.error.is_finite() {
+            let Some(line) = self.line.take() else {
+                self.stage = Stage::Polish;
+                return;
+            };
+            (self.now, self.error) = line;
+        }
         self.stage = Stage::Trade;
     }
 
@@ -312,32 +360,37 @@ impl Fitter {
     fn trade(&mut self) {
         let library = Library::new(&self.now.curve, self.tolerance, FITTING_LEVELS);
         let moves = self.choose(&library);
+        self.refiner.count(library.work(self.now.curve.knots.len()));
         self.rounds += 1;
-        if self.rounds >= MOST_TRADE_ROUNDS {
-            self.stage = Stage::Polish;
-            self.rounds = 0;
-            return;
-        }
-        if self.rounds == MOST_TRADE_ROUNDS / 3
-            && let Some((marked, error)) = self.straight.take()
+        let spent = self.spent();
+        if spent >= 0.4
+            && let Some((marked, error)) = self.line.take()
             && self.home.as_ref().map_or(self.error, |home| home.1.min(self.error)) > error
         {
-            // Copies came to less than corners: they are tried one by one from the polygon on.
+            // Copies came to less than corners: they are tried one by one from the polyline on.
             (self.now, self.error, self.home) = (marked, error, None);
+            self.least.1 = self.refiner.work();
+            return;
+        }
+        if spent >= 1.0 {
+            self.stage = Stage::Polish;
+            self.rounds = 0;
             return;
         }
         if moves.is_empty() {
             self.anneal();
             return;
         }
-        let next = self.now.after(&moves, &self.ring, &library);
+        let next = self.now.after(&moves, self.thin.points(), &library);
         let (kept, kept_error) = (self.now.clone(), self.error);
         let mut better = false;
-        if next.curve.is_safe() && next.curve.knots.len() + next.curve.copies() <= self.pairs {
+        if next.curve.knots.len() + next.curve.copies() <= self.pairs {
             self.now = next;
             self.error = self.refiner.error(&self.now.curve);
             self.refiner.reset();
-            self.refine(1);
+            if self.error.is_finite() {
+                self.refine(1);
+            }
             if self.error < 1.2 * kept_error {
                 self.refine(3);
             }
@@ -377,14 +430,16 @@ impl Fitter {
         (self.jitter, self.greed) = (2.0, 4.0);
         let moves = self.choose(&library);
         (self.jitter, self.greed) = (jitter, greed);
-        let next = self.now.after(&moves, &self.ring, &library);
-        if next.curve.is_safe() && next.curve.knots.len() + next.curve.copies() <= self.pairs {
+        let next = self.now.after(&moves, self.thin.points(), &library);
+        if next.curve.knots.len() + next.curve.copies() <= self.pairs {
             let kept = (self.now.clone(), self.error);
             self.now = next;
             self.error = self.refiner.error(&self.now.curve);
             self.refiner.reset();
-            self.refine(4);
-            if self.error.is_nan() || self.error > 2.0 * kept.1 {
+            if self.error.is_finite() {
+                self.refine(4);
+            }
+            if !self.error.is_finite() || self.error > 2.0 * kept.1 {
                 (self.now, self.error) = kept;
             }
         }
@@ -401,7 +456,7 @@ impl Fitter {
     /// Pairs of offers that gain more than they cost, far from each other, the best first.
     fn choose(&self, library: &Library) -> Vec<Move> {
         let (mut freeing, mut using) =
-            self.now.offers(&self.ring, library, &self.refiner.shares(&self.now.curve));
+            self.now.offers(self.thin.points(), library, &self.refiner.shares(&self.now.curve));
         let mut chance = 0;
         let mut shake = |offer: &mut Offer| {
             chance += 1;
@@ -457,26 +512,76 @@ impl Fitter {
 
     /// Several ends are tried, on all points, and the best is kept by what is measured.
     fn polish(&mut self) {
-        let Some(finisher) = &mut self.finisher else {
-            let mut curves = vec![self.best.curve.clone()];
+        if let (None, Some(judge)) = (&self.finisher, self.judge.take()) {
+            let mut curves: Vec<ClosedCurve> = Vec::new();
+            self.found.push((self.now.curve.clone(), self.error));
+            self.found.extend(self.home.take().map(|(marked, error)| (marked.curve, error)));
             self.found.sort_by(|a, b| a.1.total_cmp(&b.1));
-            curves
-                .extend(self.found.drain(..).map(|found| found.0).filter(|curve| *curve != self.best.curve));
+            for (curve, _) in self.found.drain(..) {
+                if !curves.contains(&curve) {
+                    curves.push(curve);
+                }
+            }
             curves.truncate(CURVES_FINISHED);
-            let few = self.all.points().len() <= 16_384;
-            let outline = if few { self.all.clone() } else { self.outline.clone() };
-            let mut finisher =
-                Finisher::new(outline, &curves, self.tolerance / 3.0, FITTING_LEVELS + 1, self.reach);
-            finisher.begin(None);
-            self.finisher = Some(finisher);
+            self.finisher = Some(Finisher::new(
+                &self.outline,
+                judge,
+                &curves,
+                self.tolerance / 3.0,
+                FITTING_LEVELS + 1,
+                self.reach,
+            ));
+            return;
+        }
+        let Some(finisher) = &mut self.finisher else {
+            self.stage = Stage::Done;
             return;
         };
         let more = finisher.step();
-        if let Some((curve, error)) = finisher.best() {
-            self.best = ClosedFit { curve: curve.clone(), error };
-        }
+        self.best = of_judge(finisher.judge(), &self.outline);
         if !more {
             self.stage = Stage::Done;
         }
     }
+}
+
+fn of_judge(judge: &Judge, outline: &Outline) -> ClosedFit {
+    let Judged { curve, near, .. } = judge.best();
+    let error = (near.rms / 100.0 * outline.diagonal()).powi(2) * outline.points().len() as f64;
+    ClosedFit { curve: curve.clone(), error }
+}
+
+/// Every so manieth point of an outline, so that there are `most` at most.
+fn thinned(outline: &Outline, most: usize) -> Outline {
+    let stride = outline.points().len().div_ceil(most);
+    let ring: Vec<_> = outline.points().iter().copied().step_by(stride).collect();
+    // One that crosses itself may be turned round, which its points are not to be.
+    Outline::new(&ring)
+        .ok()
+        .filter(|thin| thin.points().first() == ring.first())
+        .unwrap_or_else(|| outline.clone())
+}
+
+/// The points of a ring that are nearest to knots, in their order; none where they are too close for that.
+fn marks_of(knots: &[DVec2], ring: &[DVec2]) -> Option<Vec<usize>> {
+    let nearest = Nearest::new(ring, true);
+    let mut marks: Vec<usize> = knots
+        .iter()
+        .map(|&p| {
+            let near = nearest.to(p);
+            (near.side + usize::from(near.share > 0.5)) % ring.len()
+        })
+        .collect();
+    // The first is where the numbers begin anew at most once.
+    let first = marks[0];
+    for i in 1..marks.len() {
+        let ahead = (marks[i] + ring.len() - first) % ring.len();
+        let before = (marks[i - 1] + ring.len() - first) % ring.len();
+        let place = if ahead <= before { before + 1 } else { ahead };
+        if place + (marks.len() - 1 - i) >= ring.len() {
+            return None;
+        }
+        marks[i] = (first + place) % ring.len();
+    }
+    Some(marks)
 }

@@ -3,8 +3,9 @@
 use glam::DVec2;
 
 use super::expansion::Vertex;
+use super::normal::Rows;
 use super::{CONTRACTION, ClosedCurve, FITTING_SHARE};
-use crate::outline::Nearest;
+use crate::outline::{Guard, Nearest};
 
 /// What it costs the curve to be off the outline, where the outline's points do not see it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,13 +18,6 @@ pub struct Ties {
     pub far: f64,
     /// In plane units.
     pub reach: f64,
-}
-
-/// The sum of squared distances from points to a closed polyline.
-#[must_use]
-pub fn polyline_error(points: &[DVec2], polyline: &[DVec2]) -> f64 {
-    let nearest = Nearest::new(polyline, true);
-    points.iter().map(|&p| nearest.to(p).squared).sum()
 }
 
 /// Levenberg-Marquardt on the distances from points of an outline to a curve.
@@ -41,6 +35,8 @@ pub struct Refiner {
     tolerance: f64,
     levels: usize,
     damping: f64,
+    guard: Option<Guard>,
+    work: u64,
 }
 
 impl Refiner {
@@ -59,7 +55,20 @@ impl Refiner {
             tolerance,
             levels,
             damping: 1e-2,
+            guard: None,
+            work: 0,
         }
+    }
+
+    /// Where curves may cross themselves: those that do elsewhere have an infinite error from now on.
+    pub fn set_guard(&mut self, guard: Option<Guard>) {
+        self.guard = guard;
+    }
+
+    /// How much has been done so far, in points looked up, about: the same for the same steps.
+    #[must_use]
+    pub fn work(&self) -> u64 {
+        self.work
     }
 
     /// Sets what it costs to be off the outline. At first both directions count alike.
@@ -67,26 +76,19 @@ impl Refiner {
         self.ties = ties;
     }
 
-    /// The points.
+    /// The sum of squares of a curve; infinite where it is not sound with something to spare, or crosses itself where
+    /// it must not.
     #[must_use]
-    pub fn points(&self) -> &[DVec2] {
-        &self.points
-    }
-
-    /// The sum of squares of a curve; infinite where it is not sound with something to spare.
-    #[must_use]
-    pub fn error(&self, curve: &ClosedCurve) -> f64 {
+    pub fn error(&mut self, curve: &ClosedCurve) -> f64 {
         if !curve.is_safe() {
             return f64::INFINITY;
         }
         let polyline = curve.polyline(self.tolerance, self.levels);
+        self.work += (self.points.len() + 3 * polyline.len()) as u64;
+        if self.guard.as_ref().is_some_and(|guard| !guard.passes(&polyline)) {
+            return f64::INFINITY;
+        }
         self.outline_error(&polyline) + self.backward_error(&polyline)
-    }
-
-    /// Like [`error`](Self::error), from the outline to the curve only.
-    #[must_use]
-    pub fn forward_error(&self, curve: &ClosedCurve) -> f64 {
-        polyline_error(&self.points, &curve.polyline(self.tolerance, self.levels))
     }
 
     /// For each edge the sum of squares of the points nearest to it, and the index of the farthest of them.
@@ -118,6 +120,9 @@ impl Refiner {
     }
 
     fn backward_error(&self, polyline: &[DVec2]) -> f64 {
+        if self.ties.back == 0.0 && self.ties.beyond == 0.0 {
+            return 0.0;
+        }
         let square = |p: DVec2| {
             let squared = self.outline.to(p).squared;
             let over = (squared.sqrt() - self.ties.reach).max(0.0);
@@ -130,6 +135,11 @@ impl Refiner {
         self.density * (0..polyline.len()).map(side).sum::<f64>()
     }
 
+    /// Adds what was done elsewhere.
+    pub(crate) fn count(&mut self, work: u64) {
+        self.work += work;
+    }
+
     /// Begins anew with weak damping, for another curve.
     pub fn reset(&mut self) {
         self.damping = 1e-2;
@@ -139,6 +149,7 @@ impl Refiner {
     /// whether it was.
     pub fn step(&mut self, curve: &mut ClosedCurve, error: f64) -> (f64, bool) {
         let system = self.system(curve);
+        self.work += (self.points.len() + system.entries()) as u64;
         for _ in 0..6 {
             let Some(change) = system.solve(self.damping) else {
                 self.damping *= 8.0;
@@ -156,8 +167,8 @@ impl Refiner {
         (error, false)
     }
 
-    /// The normal equations of the present step.
-    fn system(&self, curve: &ClosedCurve) -> Normal {
+    /// The equations of the present step.
+    fn system(&self, curve: &ClosedCurve) -> Rows {
         let expansion = curve.expand_with(self.tolerance, self.levels, true);
         let vertices = &expansion.vertices;
         let polyline = expansion.points();
@@ -171,7 +182,7 @@ impl Refiner {
                 size += 1;
             }
         }
-        let mut normal = Normal::new(size);
+        let mut rows = Rows::new(size);
         let mut row: Vec<(usize, f64)> = Vec::new();
         for &p in &self.points {
             let near = nearest.to(p);
@@ -195,7 +206,7 @@ impl Refiner {
                 for (vertex, weight) in ends.iter().zip(weights) {
                     fill(&mut row, &vertices[*vertex], direction * (weight * scale), &places);
                 }
-                normal.add(&row, direction.dot(p - at) * pull * scale);
+                rows.add(&row, direction.dot(p - at) * pull * scale);
             }
         }
         let tied = self.ties.back > 0.0 || self.ties.beyond > 0.0;
@@ -219,10 +230,10 @@ impl Refiner {
                 row.clear();
                 fill(&mut row, &vertices[i], direction * (1.0 - share), &places);
                 fill(&mut row, &vertices[next], direction * share, &places);
-                normal.add(&row, (self.ties.back * far + self.ties.beyond * over) / both * scale);
+                rows.add(&row, (self.ties.back * far + self.ties.beyond * over) / both * scale);
             }
         }
-        normal
+        rows
     }
 }
 
@@ -266,62 +277,4 @@ fn moved(curve: &ClosedCurve, change: &[f64]) -> ClosedCurve {
         moved.edges[i] = Some(copy);
     }
     moved
-}
-
-/// Normal equations: a symmetric matrix, of which the lower half is kept, and a right side.
-struct Normal {
-    size: usize,
-    matrix: Vec<f64>,
-    right: Vec<f64>,
-}
-
-impl Normal {
-    fn new(size: usize) -> Self {
-        Self { size, matrix: vec![0.0; size * size], right: vec![0.0; size] }
-    }
-
-    fn add(&mut self, row: &[(usize, f64)], value: f64) {
-        for &(i, a) in row {
-            self.right[i] += a * value;
-            for &(j, b) in row {
-                if j <= i {
-                    self.matrix[i * self.size + j] += a * b;
-                }
-            }
-        }
-    }
-
-    /// Cholesky, with the diagonal raised by a share of itself and of its mean.
-    fn solve(&self, damping: f64) -> Option<Vec<f64>> {
-        let n = self.size;
-        let mean = (0..n).map(|i| self.matrix[i * n + i]).sum::<f64>() / n as f64;
-        let mut l = self.matrix.clone();
-        for i in 0..n {
-            l[i * n + i] += damping * l[i * n + i] + (1e-9 + 1e-3 * damping) * mean + f64::MIN_POSITIVE;
-        }
-        for i in 0..n {
-            let (above, rest) = l.split_at_mut(i * n);
-            let row = &mut rest[..n];
-            for j in 0..i {
-                let other = &above[j * n..j * n + j + 1];
-                let dot: f64 = row[..j].iter().zip(&other[..j]).map(|(a, b)| a * b).sum();
-                row[j] = (row[j] - dot) / other[j];
-            }
-            let left = row[i] - row[..i].iter().map(|a| a * a).sum::<f64>();
-            if left.is_nan() || left <= 0.0 {
-                return None;
-            }
-            row[i] = left.sqrt();
-        }
-        let mut x = self.right.clone();
-        for i in 0..n {
-            let dot: f64 = (0..i).map(|j| l[i * n + j] * x[j]).sum();
-            x[i] = (x[i] - dot) / l[i * n + i];
-        }
-        for i in (0..n).rev() {
-            let dot: f64 = (i + 1..n).map(|j| l[j * n + i] * x[j]).sum();
-            x[i] = (x[i] - dot) / l[i * n + i];
-        }
-        x.iter().all(|value| value.is_finite()).then_some(x)
-    }
 }

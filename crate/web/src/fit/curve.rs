@@ -3,9 +3,9 @@
 //! Outlines cross the boundary as flat arrays x0, y0, x1, y1, .. with y pointing up; the closing point is not repeated.
 
 use frond_fit::{
-    ArcCopy, ClosedCurve, CollageFit, CollageOptions, Fitter, MAX_PREPARED, Outline, PackError, Stage,
-    bezier, crossings, features, fourier, island, least_squares_polyline, maple_leaf, noisy, oak_leaf,
-    split_polyline,
+    ArcCopy, ClosedCurve, CollageFit, CollageOptions, DRAWING_LEVELS, DRAWING_TOLERANCE, Fitter,
+    MAX_PREPARED, Outline, PackError, Stage, bezier, crossings, features, fourier, island,
+    least_squares_polyline, maple_leaf, noisy, oak_leaf, split_polyline,
 };
 use glam::DVec2;
 use js_sys::Date;
@@ -16,10 +16,6 @@ use super::collage::of_collage;
 use super::outline::{self, figures, flat, of_outline, outline_of};
 use crate::boundary::error::{bad_input, failure};
 use crate::boundary::value::{object, read, write};
-
-/// The polyline of a fit leaves the curve by no more than this, in parts of the diagonal, and opens copies so deep.
-const POLYLINE_TOLERANCE: f64 = 1e-4;
-const POLYLINE_LEVELS: usize = 12;
 
 /// An edge of a curve, as in `api.d.ts`.
 #[derive(Serialize, Deserialize)]
@@ -121,7 +117,7 @@ fn measured(outline: &Outline, curve: &ClosedCurve) -> Result<JsValue, JsValue> 
 }
 
 fn drawn(curve: &ClosedCurve, diagonal: f64) -> Vec<DVec2> {
-    curve.polyline(POLYLINE_TOLERANCE * diagonal, POLYLINE_LEVELS)
+    curve.polyline(DRAWING_TOLERANCE * diagonal, DRAWING_LEVELS)
 }
 
 /// Fits a closed curve to an outline, for a while at a time.

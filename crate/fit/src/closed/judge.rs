@@ -1,0 +1,111 @@
+//! What a fit is measured by in the end, and what it must not be.
+
+use super::ClosedCurve;
+use crate::outline::{Fidelity, Guard, Outline, fidelity};
+
+/// The polyline of a fit leaves the curve by no more than this, in parts of the diagonal of the outline, and opens
+/// copies so deep. This is what is drawn, and what is measured.
+pub const DRAWING_TOLERANCE: f64 = 1e-4;
+/// See [`DRAWING_TOLERANCE`].
+pub const DRAWING_LEVELS: usize = 12;
+
+/// Rounds of taking copies from edges that cross others.
+const MOST_REPAIRS: usize = 12;
+
+/// Differences of box dimension below this do not count.
+const SLOPE_TOLERANCE: f64 = 0.004;
+
+/// What a difference of 1 beyond it counts.
+const SLOPE_WEIGHT: f64 = 1.0;
+
+/// The Hausdorff distance may be so many root mean squares.
+const MOST_HAUSDORFF: f64 = 4.5;
+
+/// What each further one counts.
+const FAR_WEIGHT: f64 = 0.005;
+
+/// How good a fit is, the smaller the better: the root mean square distance, raised a little by how much the
+/// roughness is off and by how far the farthest point is.
+fn score(near: &Fidelity) -> f64 {
+    let slope = (near.slope_difference().abs() - SLOPE_TOLERANCE).max(0.0);
+    let far =
+        if near.rms > 0.0 { (near.hausdorff / near.rms - MOST_HAUSDORFF).clamp(0.0, 20.0) } else { 0.0 };
+    near.rms * (1.0 + SLOPE_WEIGHT * slope + FAR_WEIGHT * far)
+}
+
+/// A curve as documents keep it, and how near it is.
+#[derive(Clone, Debug)]
+pub(crate) struct Judged {
+    pub curve: ClosedCurve,
+    pub near: Fidelity,
+    score: f64,
+}
+
+/// Keeps the best of the curves that are shown to it, which is never worse than the polyline that it begins with.
+#[derive(Clone, Debug)]
+pub(crate) struct Judge {
+    outline: Outline,
+    guard: Option<Guard>,
+    line: Judged,
+    best: Judged,
+}
+
+impl Judge {
+    /// Begins with the best polyline, which is taken as it is.
+    pub fn new(outline: &Outline, guard: Option<Guard>, line: ClosedCurve) -> Self {
+        let near = fidelity(outline, &line.knots);
+        let line = Judged { score: score(&near), curve: line, near };
+        Self { outline: outline.clone(), guard, best: line.clone(), line }
+    }
+
+    /// Where curves may cross themselves.
+    pub fn guard(&self) -> Option<&Guard> {
+        self.guard.as_ref()
+    }
+
+    /// The best so far.
+    pub fn best(&self) -> &Judged {
+        &self.best
+    }
+
+    /// Measures a curve as a document brings it back, and keeps it where it is the best so far. Copies that make it
+    /// cross itself are taken from it. Whether it was kept.
+    pub fn show(&mut self, curve: &ClosedCurve) -> bool {
+        let Some((curve, line)) = self.untangled(curve) else { return false };
+        let near = fidelity(&self.outline, &line);
+        let score = score(&near);
+        // At the same numbers, and so far as is measured: no worse than the polyline.
+        if near.rms > self.line.near.rms || score >= self.best.score {
+            return false;
+        }
+        self.best = Judged { curve, near, score };
+        true
+    }
+
+    /// The curve as documents keep it and its drawing, which crosses itself at most where the outline does; none where
+    /// its knots do not allow it.
+    fn untangled(&self, curve: &ClosedCurve) -> Option<(ClosedCurve, Vec<glam::DVec2>)> {
+        let mut curve = curve.quantised().ok()?;
+        for _ in 0..MOST_REPAIRS {
+            let expansion = curve.expand(DRAWING_TOLERANCE * self.outline.diagonal(), DRAWING_LEVELS);
+            let line = expansion.points();
+            let Some(guard) = &self.guard else { return Some((curve, line)) };
+            let faults = guard.faults(&line);
+            if faults.as_ref().is_some_and(Vec::is_empty) {
+                return Some((curve, line));
+            }
+            let edge = |side: usize| expansion.starts.partition_point(|&start| start <= side) - 1;
+            let mut straightened = false;
+            for (i, j) in faults? {
+                for edge in [edge(i), edge(j)] {
+                    straightened |= curve.edges.get_mut(edge).and_then(Option::take).is_some();
+                }
+            }
+            if !straightened {
+                return None;
+            }
+            curve = curve.quantised().ok()?;
+        }
+        None
+    }
+}

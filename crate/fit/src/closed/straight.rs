@@ -1,0 +1,111 @@
+//! The best polyline: what a fit begins with, and what it has to beat.
+
+use glam::DVec2;
+
+use super::{ClosedCurve, Refiner, Ties, partition};
+use crate::outline::{Guard, Outline, decimated, features};
+
+/// The most steps of least squares from each beginning.
+const MOST_STEPS: usize = 40;
+
+/// A step that gains less than this share is the last.
+const LEAST_GAIN: f64 = 1e-5;
+
+/// Nothing but the distance of the outline's points from the curve counts: that is what is measured.
+const NO_TIES: Ties = Ties { back: 0.0, beyond: 0.0, far: 0.0, reach: 0.0 };
+
+/// Looks for the polyline of so many corners that is nearest to the points of an outline, step by step.
+///
+/// It sets out from corners chosen in three ways and moves them by least squares. It never crosses itself where the
+/// outline does not: the first beginning does not, and no step is made that would.
+#[derive(Clone, Debug)]
+pub(crate) struct Straight {
+    outline: Outline,
+    corners: usize,
+    guard: Option<Guard>,
+    refiner: Refiner,
+    beginnings: Vec<fn(&Outline, usize) -> Vec<usize>>,
+    now: Option<(ClosedCurve, f64, usize)>,
+    best: ClosedCurve,
+    error: f64,
+    many: usize,
+}
+
+impl Straight {
+    /// Prepares for so many corners, 3 at least. From the start on there is a polyline.
+    pub fn new(outline: &Outline, corners: usize, guard: Option<Guard>) -> Self {
+        let corners = corners.clamp(3, outline.points().len().max(3));
+        let mut refiner = Refiner::new(outline.points().to_vec(), 0.0, 1);
+        refiner.set_ties(NO_TIES);
+        let first = of_marks(outline, &decimated(outline, corners));
+        let mut guard = guard;
+        if guard.as_ref().is_some_and(|guard| !guard.passes(&first.knots)) {
+            // The outline meets itself, and so few corners can't follow it there.
+            guard = None;
+        }
+        refiner.set_guard(guard.clone());
+        let error = refiner.error(&first);
+        let beginnings: Vec<fn(&Outline, usize) -> Vec<usize>> = vec![partition, features];
+        let many = beginnings.len() + 1;
+        let now = Some((first.clone(), error, 0));
+        Self { outline: outline.clone(), corners, guard, refiner, beginnings, now, best: first, error, many }
+    }
+
+    /// What holds for all that is found.
+    pub fn guard(&self) -> Option<&Guard> {
+        self.guard.as_ref()
+    }
+
+    /// The best so far, and its sum of squares.
+    pub fn best(&self) -> (&ClosedCurve, f64) {
+        (&self.best, self.error)
+    }
+
+    /// How far it is: 0 to 1.
+    pub fn share(&self) -> f64 {
+        let steps = self.now.as_ref().map_or(0, |now| now.2);
+        let left = self.beginnings.len() + usize::from(self.now.is_some());
+        1.0 - (left as f64 - steps as f64 / MOST_STEPS as f64) / self.many as f64
+    }
+
+    /// One step; false where there is nothing more to do.
+    pub fn step(&mut self) -> bool {
+        let Some((mut curve, error, steps)) = self.now.take() else {
+            let Some(beginning) = self.beginnings.pop() else { return false };
+            let marks = beginning(&self.outline, self.corners);
+            if marks.len() >= 3 {
+                let curve = of_marks(&self.outline, &marks);
+                self.refiner.reset();
+                let error = self.refiner.error(&curve);
+                if error.is_finite() {
+                    self.now = Some((curve, error, 0));
+                }
+            }
+            return true;
+        };
+        let (next, moved) = self.refiner.step(&mut curve, error);
+        if next < self.error {
+            (self.best, self.error) = (curve.clone(), next);
+        }
+        if moved && next < error * (1.0 - LEAST_GAIN) && steps + 1 < MOST_STEPS {
+            self.now = Some((curve, next, steps + 1));
+        }
+        true
+    }
+
+    /// The best of all, as documents keep it.
+    pub fn finish(mut self) -> ClosedCurve {
+        while self.step() {}
+        self.kept()
+    }
+
+    /// The best so far as documents keep it, where that keeps it from crossing itself.
+    pub fn kept(&self) -> ClosedCurve {
+        let fine = |curve: &ClosedCurve| self.guard.as_ref().is_none_or(|guard| guard.passes(&curve.knots));
+        self.best.quantised().ok().filter(fine).unwrap_or_else(|| self.best.clone())
+    }
+}
+
+fn of_marks(outline: &Outline, marks: &[usize]) -> ClosedCurve {
+    ClosedCurve::polygon(marks.iter().map(|&i| outline.points()[i]).collect::<Vec<DVec2>>())
+}
