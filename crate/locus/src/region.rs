@@ -5,4 +5,5 @@ pub(crate) mod certify_path;
 pub(crate) mod derivative_bounds;
 pub(crate) mod descent;
 pub(crate) mod fill;
+pub(crate) mod silhouette;
 pub(crate) mod trap;

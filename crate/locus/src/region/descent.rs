@@ -5,6 +5,8 @@
 //! may dip in between: see [`derivative_bounds`](crate::region::derivative_bounds). What is left open counts as
 //! meeting.
 
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
 use std::ops::Range;
 
 use glam::DVec2;
@@ -13,6 +15,7 @@ use crate::family::Family;
 use crate::frame::Frame;
 use crate::overlap_graph::Components;
 use crate::region::derivative_bounds::{Extent, Lanes, bows};
+use crate::region::silhouette::Silhouettes;
 use crate::support::extremes::{larger, lesser};
 use crate::support::lanes::{Maps, SupportLanes};
 
@@ -46,6 +49,35 @@ pub(crate) struct Couple {
     pub j: u8,
 }
 
+/// A pair that may cross, in the order of how likely it does.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Promising {
+    pub promise: f64,
+    pub couple: Couple,
+}
+
+impl PartialEq for Promising {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Promising {}
+
+impl PartialOrd for Promising {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Promising {
+    /// Of two alike the one that was met first comes first.
+    fn cmp(&self, other: &Self) -> Ordering {
+        let words = |pair: &Self| (pair.couple.u, pair.couple.v);
+        self.promise.total_cmp(&other.promise).then_with(|| words(other).cmp(&words(self)))
+    }
+}
+
 /// What was seen of a pair.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sight {
@@ -73,6 +105,9 @@ pub(crate) struct Descent<const L: usize> {
     /// Pairs looked at.
     pub nodes: usize,
     narrow: f64,
+    /// What the search for crossings keeps.
+    pub silhouettes: Silhouettes,
+    pub promising: BinaryHeap<Promising>,
 }
 
 /// Directions tried on a pair.
@@ -94,6 +129,7 @@ impl<const L: usize> Descent<L> {
         self.lanes.refine(&self.fan);
         self.count = self.lanes.maps.len();
         self.parts.clear();
+        self.silhouettes.clear();
         for k in 0..self.count {
             self.add(self.lanes.maps[k], self.lanes.norms[k], k as u32, k as u8);
         }

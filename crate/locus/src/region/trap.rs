@@ -36,6 +36,8 @@
 //! which a point lies beyond the hull of the other piece: in the cyclic order of directions, first the one piece juts
 //! out beyond the other, then the other beyond the one, and again, as with two bars laid across each other.
 
+use std::collections::BinaryHeap;
+
 use frond_core::Affine2;
 use glam::DVec2;
 
@@ -43,7 +45,9 @@ use crate::family::{Drift, Family};
 use crate::frame::Frame;
 use crate::gap::spanning_tree::SpanningTree;
 use crate::region::derivative_bounds::{Extent, bows};
-use crate::region::descent::{Couple, Descent, Sight};
+use crate::region::descent::{Couple, Descent, Promising, Sight};
+use crate::region::silhouette::beyond;
+use crate::support::extremes::larger;
 use crate::support::lanes::{DIRECTIONS, Points, direction};
 
 /// Two pieces that cross, so that they hold two attractorlets together.
@@ -141,7 +145,7 @@ impl Family for Fixed<'_> {
 }
 
 /// How promising a pair is: by its overlap, below 1; behind those the pairs apart, by their distance.
-fn reaching(sight: &Sight) -> f64 {
+pub(crate) fn reaching(sight: &Sight) -> f64 {
     if sight.apart > 0.0 { 1.0 + sight.apart } else { sight.overlap.min(1.0 - f64::EPSILON) }
 }
 
@@ -238,18 +242,30 @@ impl<const L: usize> Descent<L> {
     }
 
     /// Looks for crossing pieces in two attractorlets.
-    fn crossing_of(&mut self, pair: Couple, gap: f64, tries: usize) -> Option<Found<L>> {
-        self.open.clear();
-        self.open.push(pair);
+    pub fn crossing_of(&mut self, pair: Couple, gap: f64, tries: usize) -> Option<Found<L>> {
+        // The heap is kept for the next.
+        let mut open = std::mem::take(&mut self.promising);
+        open.clear();
+        open.push(self.promise(pair));
+        let found = self.first_crossing(&mut open, gap, tries);
+        self.promising = open;
+        found
+    }
+
+    /// How likely a pair is to cross: large pieces cross more lastingly, those that overlap much more likely.
+    fn promise(&self, couple: Couple) -> Promising {
+        let size = larger(self.parts[couple.u as usize].norm, self.parts[couple.v as usize].norm);
+        Promising { promise: size * (1.0 - couple.overlap).powi(2), couple }
+    }
+
+    fn first_crossing(
+        &mut self,
+        open: &mut BinaryHeap<Promising>,
+        gap: f64,
+        tries: usize,
+    ) -> Option<Found<L>> {
         for _ in 0..tries {
-            // Large pieces cross more lastingly, those that overlap much more likely.
-            let promise = |couple: &Couple| {
-                let size = self.parts[couple.u as usize].norm.max(self.parts[couple.v as usize].norm);
-                size * (1.0 - couple.overlap).powi(2)
-            };
-            let best = (0..self.open.len())
-                .max_by(|&a, &b| promise(&self.open[a]).total_cmp(&promise(&self.open[b])))?;
-            let couple = self.open.swap_remove(best);
+            let couple = open.pop()?.couple;
             if let Some(corners) = self.corners(couple.u, couple.v, gap) {
                 return Some((couple, corners));
             }
@@ -264,7 +280,7 @@ impl<const L: usize> Descent<L> {
                 let (u, v) = if first { (part, couple.v) } else { (couple.u, part) };
                 let sight = self.look(u, v);
                 if sight.apart <= 0.0 {
-                    self.open.push(Couple { overlap: sight.overlap, u, v, ..couple });
+                    open.push(self.promise(Couple { overlap: sight.overlap, u, v, ..couple }));
                 }
             }
         }
@@ -313,36 +329,30 @@ impl<const L: usize> Descent<L> {
     /// Whether two pieces cross, over the whole box, if no gap is wider than `gap`: two points of the first and
     /// two of the second that show it.
     #[expect(clippy::needless_range_loop, reason = "a lane is the same place in several arrays")]
-    fn corners(&self, u: u32, v: u32, gap: f64) -> Option<[Points<L>; 4]> {
+    pub fn corners(&mut self, u: u32, v: u32, gap: f64) -> Option<[Points<L>; 4]> {
+        for piece in [u, v] {
+            self.silhouettes.prepare(piece, &self.parts[piece as usize].maps[0], &self.fan);
+        }
         let [near, far] = [u, v].map(|piece| &self.parts[piece as usize]);
         let swell = [near, far].map(|part| 0.5 * part.norm * gap * (1.0 + 1e-12));
-        // By how much the piece `a` juts out beyond the swollen hull of `b` in direction k, in the first lane, and
-        // the number of the point that shows it.
-        let juts = |a: usize, k: usize| {
-            let (a, b, swell) = if a == 0 { (near, far, swell[1]) } else { (far, near, swell[0]) };
-            let d = direction(k);
-            let number = self.fan.support(a.maps[0].linear.transpose() * d, 0).1;
-            let point = a.maps[0].apply(self.fan.point(number, 0));
-            let b = &b.maps[0];
-            let hull = b.translation.dot(d) + self.fan.support(b.linear.transpose() * d, 0).0;
-            (d.dot(point) - hull - swell * d.length(), number)
-        };
+        let shapes = [u, v].map(|piece| self.silhouettes.get(piece));
+        let by = beyond(shapes[0], shapes[1], swell);
         // The turns that the pieces take in the first lane; of each turn the direction that shows it best.
         let mut turns: [(usize, f64, usize, usize); MOST_TURNS] = [(0, 0.0, 0, 0); MOST_TURNS];
         let mut count = 0;
         for k in 0..DIRECTIONS {
-            for a in 0..2 {
-                let (by, number) = juts(a, k);
-                if by > 0.0 {
-                    if count == 0 || turns[count - 1].0 != a {
-                        if count == MOST_TURNS {
-                            return None;
-                        }
-                        turns[count] = (a, by, k, number);
-                        count += 1;
-                    } else if by > turns[count - 1].1 {
-                        turns[count - 1] = (a, by, k, number);
+            let a = usize::from(by[1][k] > 0.0);
+            let by = by[a][k];
+            if by > 0.0 {
+                let number = usize::from(shapes[a].number[k]);
+                if count == 0 || turns[count - 1].0 != a {
+                    if count == MOST_TURNS {
+                        return None;
                     }
+                    turns[count] = (a, by, k, number);
+                    count += 1;
+                } else if by > turns[count - 1].1 {
+                    turns[count - 1] = (a, by, k, number);
                 }
             }
         }
