@@ -5,5 +5,7 @@ pub(crate) mod certify_path;
 pub(crate) mod derivative_bounds;
 pub(crate) mod descent;
 pub(crate) mod fill;
+pub(crate) mod inner_differences;
+pub(crate) mod prove;
 pub(crate) mod silhouette;
 pub(crate) mod trap;
