@@ -154,6 +154,22 @@ describe("a morph", () => {
       expect(refused(() => frond.locus(from, to, bad))).toBe("locus-size");
   });
 
+  it("proves what only seemed to touch, and refuses states of another size", () => {
+    const options = { width: 40, height: 40, epsilon: 1e-4 };
+    const tiles = new frond.LocusTiles(shape("dragon-3"), shape("gasket"), options);
+    const { state } = tiles.patch(0, 0, 40, 40);
+    const proved = tiles.prove(0, 0, 40, 40, state);
+    const count = (all: Uint8Array, s: number) => all.filter((x) => x === s).length;
+    expect(count(proved, 0)).toBeGreaterThan(4 * count(proved, 1));
+    expect(count(proved, 0) + count(proved, 1)).toBe(count(state, 0) + count(state, 1));
+    expect(refused(() => tiles.prove(0, 0, 40, 40, state.slice(1)))).toBe("bad-input");
+    const polygons = new frond.FamilyTiles(
+      { sides: 2 },
+      { width: 9, height: 9, bounds: { u0: 0.3, v0: 0.3, u1: 0.7, v1: 0.7 } },
+    );
+    expect(polygons.prove(2, 2, 4, 4, polygons.patch(2, 2, 4, 4).state)).toHaveLength(4);
+  });
+
   it("has patches that agree with rows, and so have families", () => {
     const size = { width: 25, height: 22 };
     const tiles = (more: object) =>

@@ -1,11 +1,13 @@
 //! Loci over grids.
 
-use frond_locus::{Bounds, GridError, Locus, LocusGrid, Tile};
+use std::ops::Range;
+
+use frond_locus::{Bounds, Family, GridError, Locus, LocusGrid, Scratch, Tile};
 use js_sys::{Float32Array, Reflect, Uint8Array};
 use serde::Deserialize;
 use wasm_bindgen::{JsCast, JsValue};
 
-use super::error::failure;
+use super::error::{bad_input, failure};
 use super::value::{object, read};
 
 #[derive(Clone, Copy, Deserialize)]
@@ -59,6 +61,23 @@ pub(crate) fn read_locus(locus: &JsValue, bounds: JsValue) -> Result<Locus, JsVa
     let state = array("state").dyn_into::<Uint8Array>().map_err(|_| of_grid(&GridError::Samples))?;
     let gap = array("gap").dyn_into::<Float32Array>().map_err(|_| of_grid(&GridError::Samples))?;
     Locus::from_parts(grid, state.to_vec(), gap.to_vec()).map_err(|error| of_grid(&error))
+}
+
+/// The states of a rectangle, as [`LocusGrid::prove`] leaves them.
+pub(crate) fn prove<F: Family + ?Sized>(
+    grid: &LocusGrid,
+    family: &F,
+    epsilon: f64,
+    [x, y]: [Range<usize>; 2],
+    mut state: Vec<u8>,
+    scratch: &mut Scratch,
+) -> Result<Vec<u8>, JsValue> {
+    let side = |range: &Range<usize>, most: usize| range.end.min(most).saturating_sub(range.start);
+    if state.len() != side(&x, grid.width()) * side(&y, grid.height()) {
+        return Err(bad_input("state", "one number for each sample of the rectangle is needed"));
+    }
+    grid.prove(family, epsilon, x, y, &mut state, scratch);
+    Ok(state)
 }
 
 pub(crate) fn write_tile(tile: &Tile) -> JsValue {

@@ -3,7 +3,7 @@
 use frond_locus::{LocusGrid, Pass, Polygons, Scratch};
 use wasm_bindgen::prelude::*;
 
-use crate::boundary::grid::{read_grid, write_tile};
+use crate::boundary::grid::{prove, read_grid, write_tile};
 use crate::boundary::polygon::read_family;
 
 /// The locus of a polygon family over s, a part at a time. For two sides it is the set M.
@@ -39,5 +39,17 @@ impl FamilyTiles {
     #[wasm_bindgen(unchecked_return_type = "{ state: Uint8Array; gap: Float32Array }")]
     pub fn patch(&mut self, x0: usize, y0: usize, x1: usize, y1: usize) -> JsValue {
         write_tile(&self.grid.patch(&self.family, self.epsilon, x0..x1, y0..y1, &mut self.scratch))
+    }
+
+    /// As `LocusTiles.prove`.
+    pub fn prove(
+        &mut self,
+        x0: usize,
+        y0: usize,
+        x1: usize,
+        y1: usize,
+        state: Vec<u8>,
+    ) -> Result<Vec<u8>, JsValue> {
+        prove(&self.grid, &self.family, self.epsilon, [x0..x1, y0..y1], state, &mut self.scratch)
     }
 }

@@ -6,7 +6,7 @@ use js_sys::Reflect;
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::bad_input;
-use crate::boundary::grid::{read_grid, write_samples, write_tile};
+use crate::boundary::grid::{prove, read_grid, write_samples, write_tile};
 use crate::boundary::value::read_morph;
 
 /// Which plane of the parameters: how far the stretch is ahead of the turn.
@@ -76,5 +76,20 @@ impl LocusTiles {
     pub fn patch(&mut self, x0: usize, y0: usize, x1: usize, y1: usize) -> JsValue {
         let slice = Slice::new(&self.morph, self.w);
         write_tile(&self.grid.patch(&slice, self.epsilon, x0..x1, y0..y1, &mut self.scratch))
+    }
+
+    /// Looks for proofs where the samples of a rectangle only touch: `state` holds what `patch` said of it, row by
+    /// row, and so does the answer, `connected` where pieces were found to cross. It takes some 50 microseconds a
+    /// sample.
+    pub fn prove(
+        &mut self,
+        x0: usize,
+        y0: usize,
+        x1: usize,
+        y1: usize,
+        state: Vec<u8>,
+    ) -> Result<Vec<u8>, JsValue> {
+        let slice = Slice::new(&self.morph, self.w);
+        prove(&self.grid, &slice, self.epsilon, [x0..x1, y0..y1], state, &mut self.scratch)
     }
 }
