@@ -36,6 +36,18 @@ test("the locus comes coarse to fine, and holds both ends", async ({ studio }) =
   await expectWhole(studio);
 });
 
+test("what holds as far as can be seen is proved at rest, and anew after a change", async ({
+  studio,
+  page,
+}) => {
+  const legend = page.getByRole("list", { name: "Legend" });
+  await studio.open("a=dragon-3&b=gasket&path=straight&t=0.5");
+  await expect(legend).toContainText(/proved: 9\d% of what holds/, { timeout: 30_000 });
+  await page.getByRole("button", { name: "Swap A and B" }).click();
+  await expect(legend).toContainText(/proved: [1-4]?\d% of what holds/);
+  await expect(legend).toContainText(/proved: 9\d% of what holds/, { timeout: 30_000 });
+});
+
 test("a worker that dies in the middle is replaced, and nothing is missing", async ({ studio, page }) => {
   await studio.open("a=gasket&b=gasket");
   await studio.idle();

@@ -1,5 +1,14 @@
 import { describe, expect, it } from "vitest";
-import { atResolution, clearanceOf, STATE, stateNear, statesAlong, stretches, widestOf } from "./states";
+import {
+  atResolution,
+  clearanceOf,
+  provedPart,
+  STATE,
+  stateNear,
+  statesAlong,
+  stretches,
+  widestOf,
+} from "./states";
 
 const { connected, touching, disconnected, hidden, none, undecided } = STATE;
 
@@ -61,6 +70,16 @@ describe("atResolution", () => {
     expect(atResolution(disconnected, 0.002, 1 / 600)).toBe(disconnected);
     expect(atResolution(none, Number.NaN, 1 / 600)).toBe(none);
     expect(atResolution(connected, 0, 1 / 600)).toBe(connected);
+  });
+});
+
+describe("provedPart", () => {
+  it("is of what holds, whatever else there is", () => {
+    const { connected, touching, disconnected, pending } = STATE;
+    expect(provedPart([connected, touching, disconnected, connected, pending, touching])).toBe(0.5);
+    expect(provedPart([connected])).toBe(1);
+    expect(provedPart([disconnected, STATE.hidden, pending])).toBeNull();
+    expect(provedPart([])).toBeNull();
   });
 });
 

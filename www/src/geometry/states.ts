@@ -35,6 +35,17 @@ export function isBroken(state: number): boolean {
   return state === STATE.disconnected || state === STATE.none;
 }
 
+/** The part of what holds that is proved, in [0, 1]; null where nothing holds. */
+export function provedPart(states: ArrayLike<number>): number | null {
+  let [proved, holds] = [0, 0];
+  for (let i = 0; i < states.length; i++) {
+    const is = states[i] === STATE.connected;
+    if (is) proved++;
+    if (is || states[i] === STATE.touching) holds++;
+  }
+  return holds > 0 ? proved / holds : null;
+}
+
 /** A moment of a path, and how wide the widest gap is there, relative to the size of the shape. */
 export interface Worst {
   t: number;

@@ -122,6 +122,31 @@ export class LocusWork {
     };
   }
 
+  /** What a worker is told of the samples of all strides. */
+  whole(): Task<"patch">["of"] {
+    return this.#options();
+  }
+
+  /** The states of a rectangle, row by row. */
+  statesOf({ x0, y0, x1, y1 }: Rectangle): Uint8Array {
+    const found = new Uint8Array((x1 - x0) * (y1 - y0));
+    for (let r = y0, k = 0; r < y1; r++, k += x1 - x0)
+      found.set(this.raw.state.subarray(r * SIZE + x0, r * SIZE + x1), k);
+    return found;
+  }
+
+  /** The same, some of which are proved since. */
+  prove({ x0, y0, x1, y1 }: Rectangle, states: Uint8Array): void {
+    for (let r = y0, k = 0; r < y1; r++) {
+      for (let c = x0; c < x1; c++, k++) {
+        const at = r * SIZE + c;
+        if (states[k] !== STATE.connected || this.raw.state[at] !== STATE.touching) continue;
+        this.raw.state[at] = STATE.connected;
+        this.filled.state[at] = STATE.connected;
+      }
+    }
+  }
+
   #options(size = SIZE) {
     const { from, to, options } = this.inputs;
     return { from, to, options: { ...options, bounds: BOUNDS, width: size, height: size, epsilon: EPSILON } };
@@ -273,7 +298,7 @@ export class LocusWork {
 
 type Kinds = "locus" | "patch";
 
-interface Rectangle {
+export interface Rectangle {
   x0: number;
   y0: number;
   x1: number;

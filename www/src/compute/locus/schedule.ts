@@ -21,7 +21,12 @@ const FINER_MS = 90;
 /** Later than this an unfinished coarse locus is shown all the same. */
 const PATIENCE_MS = 250;
 
+/** After so long at rest what only seems to hold is proved, and that is painted once in so long. */
+const REST_MS = 400;
+const PROOFS_MS = 250;
+
 let work: LocusWork | null = null;
+let resting: ReturnType<typeof setTimeout> | undefined;
 let choice: CardChoice = "none";
 let waiting: ReturnType<typeof setTimeout> | null = null;
 const soon = new Soon(paint);
@@ -42,6 +47,8 @@ export function scheduleLocus(card: CardChoice): void {
 function request(inputs: LocusInputs): void {
   if (waiting) clearTimeout(waiting);
   waiting = null;
+  clearTimeout(resting);
+  cancel("proofs");
   publish.plan.value = null;
   const shown = publish.locus.peek();
   if (shown) publish.locus.value = { ...shown, progress: 0 };
@@ -74,7 +81,10 @@ function start(inputs: LocusInputs): void {
       stage: (w, stride) => {
         if (w !== work) return;
         if (stride === first) paint();
-        if (stride === 1) considerCard();
+        if (stride === 1) {
+          considerCard();
+          rest(w);
+        }
         // A plan through the coarsest samples is as good for a moment, and there in a quarter of the time.
         if (inputs === morph.peek()) planFrom(w, stride === 1 ? 1 : COARSEST);
         else if (waiting) {
@@ -105,6 +115,23 @@ async function askCard(asked: LocusWork): Promise<void> {
   if (asked === work) {
     if (whole) asked.acceptWhole(whole);
   } else if (whole && work && hasCard() && !work.coarse) askCard(work);
+}
+
+/** Proves what only seems to hold, when the hand has been at rest for a while. */
+function rest(whole: LocusWork): void {
+  clearTimeout(resting);
+  resting = setTimeout(async () => {
+    const { LocusProofs } = await import("./proofs");
+    // Without workers the page would have to do it, while it is used.
+    if (whole !== work || whole.inputs !== morph.peek() || workers.peek().count === 0) return;
+    let painted = performance.now();
+    const proofs = new LocusProofs(whole, () => {
+      if (whole !== work || (!proofs.done && performance.now() - painted < PROOFS_MS)) return;
+      painted = performance.now();
+      paint();
+    });
+    submit(proofs.job());
+  }, REST_MS);
 }
 
 let considered = false;

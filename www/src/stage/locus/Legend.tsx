@@ -10,14 +10,20 @@ interface LegendProps {
   /** Pieces nearer than this count as touching. */
   epsilon: number;
   style: LocusStyle;
+  /** The part of what holds that is proved, in [0, 1]; null where nothing holds. */
+  proved?: number | null;
 }
 
-export function Legend({ states, epsilon, style }: LegendProps) {
+export function Legend({ states, epsilon, style, proved = null }: LegendProps) {
   const broken = states.has(STATE.disconnected);
   return (
     <ul class={css["legend"]} aria-label="Legend">
       {BOXES.filter(([state]) => states.has(state)).map(([state, box]) => (
-        <Entry key={state} box={box} words={wordsOf(state, epsilon)} />
+        <Entry
+          key={state}
+          box={box}
+          words={state === STATE.connected ? provedWords(proved) : wordsOf(state, epsilon)}
+        />
       ))}
       {broken && style === "yesno" && <Entry box="broken" words={APART} />}
       {broken && style === "gap" && <Ramp least={epsilon} />}
@@ -41,6 +47,12 @@ function wordsOf(state: number, epsilon: number): string {
   return state === STATE.hidden
     ? `${APART}, by a gap finer than ${resolutionWords(epsilon)}`
     : textOf(state, epsilon);
+}
+
+/** All is only said where all is. */
+function provedWords(part: number | null): string {
+  const words = textOf(STATE.connected);
+  return part === null || part === 1 ? words : `${words}: ${Math.floor(100 * part)}% of what holds`;
 }
 
 /** The scale of the gap, with the gaps that have a contour. */

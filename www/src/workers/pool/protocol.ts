@@ -50,6 +50,8 @@ export interface Tasks {
     x1: number;
     y1: number;
   };
+  /** Proofs for what `state` says only touches in a rectangle of such a locus. */
+  prove: Omit<Tasks["patch"], "kind"> & { kind: "prove"; state: Uint8Array };
   /** From the samples alone; with `refine` it looks between them, and straightens what it can. */
   plan: {
     kind: "plan";
@@ -104,6 +106,7 @@ interface Results {
   /** Full rows r0, r0 + stride, .. below r1; samples that were not asked for are 255 and NaN. */
   locus: { state: Uint8Array; gap: Float32Array };
   patch: { state: Uint8Array; gap: Float32Array };
+  prove: Uint8Array;
   plan: PathPlan;
   plan3: PathPlan;
   certify: PathCertificate;
@@ -131,6 +134,7 @@ export interface Modules {
 /** The latest request of a channel replaces the one before it. */
 export type Channel =
   | "locus"
+  | "proofs"
   | "plan"
   | "plan3"
   | "verdict"

@@ -29,6 +29,15 @@ function prepared(keep: Hand["keep"], key: number, make: () => LocusTiles): Locu
   return locus;
 }
 
+function tilesOf({ keep, frond }: Hand, key: number, of: Task<"patch">["of"]): LocusTiles {
+  const { FamilyTiles, LocusTiles } = frond;
+  return prepared(keep, key, () =>
+    "sides" in of
+      ? new FamilyTiles({ sides: of.sides }, of.options)
+      : new LocusTiles({ maps: of.from }, { maps: of.to }, of.options),
+  );
+}
+
 /** Buffers are handed over instead of copied. */
 function handOver({ transfer }: Hand, { state, gap }: Pick<Locus, "state" | "gap">): Result<"locus"> {
   transfer(state.buffer as ArrayBuffer, gap.buffer as ArrayBuffer);
@@ -54,12 +63,12 @@ export const tasks: { [K in Kind]: (hand: Hand, task: Task<K>) => Result<K> | Pr
     return handOver(hand, prepared(hand.keep, key, make).run(r0, r1, stride, first));
   },
   patch(hand, { key, of, x0, y0, x1, y1 }) {
-    const { FamilyTiles, LocusTiles } = hand.frond;
-    const make = () =>
-      "sides" in of
-        ? new FamilyTiles({ sides: of.sides }, of.options)
-        : new LocusTiles({ maps: of.from }, { maps: of.to }, of.options);
-    return handOver(hand, prepared(hand.keep, key, make).patch(x0, y0, x1, y1));
+    return handOver(hand, tilesOf(hand, key, of).patch(x0, y0, x1, y1));
+  },
+  prove(hand, { key, of, x0, y0, x1, y1, state }) {
+    const proved = tilesOf(hand, key, of).prove(x0, y0, x1, y1, state);
+    hand.transfer(proved.buffer as ArrayBuffer);
+    return proved;
   },
   plan({ frond }, task) {
     if (!task.refine) return frond.planPathIn(task.locus, task.bounds);

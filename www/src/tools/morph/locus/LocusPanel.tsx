@@ -3,8 +3,9 @@ import "#style/locus.css";
 import "#stage/locus/locus.css";
 import locusCss from "#stage/locus/locus.module.css";
 import "./field.css";
-import { signal } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { provedPart } from "#geometry/states";
 import { Legend } from "#stage/locus/Legend";
 import type { LocusStyle } from "#stage/locus/paint";
 import { IconButton } from "#ui/controls/Button";
@@ -28,6 +29,7 @@ import { WindowNumbers } from "./view/WindowNumbers";
 const style = signal<LocusStyle>("gap");
 
 const states = statesIn(shownField);
+const proved = computed(() => provedPart(shownField.value?.state ?? []));
 
 const save = (kind: LocusFile) => () => {
   void import("./save/save").then(({ saveLocus }) => saveLocus(kind, style.peek()));
@@ -92,7 +94,7 @@ function Plot() {
         <LocusSquare style={style.value} />
         <Ticks axis="u" />
       </div>
-      <Legend states={states.value} epsilon={epsilon.value} style={style.value} />
+      <Legend states={states.value} epsilon={epsilon.value} style={style.value} proved={proved.value} />
     </>
   );
 }
