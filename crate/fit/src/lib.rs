@@ -10,8 +10,8 @@
 //!   in which clusters spread.
 //! - [`fit_collage`] is the paper's fit of a ring of feature points.
 //! - [`Fitter`] fits a [`ClosedCurve`], knots with edges that are straight or copies of arcs, which is closed by
-//! construction, no farther from the outline than the best polyline of as many numbers, and crosses itself nowhere
-//! that the outline does not.
+//!   construction, no farther from the outline than the best polyline of as many numbers, and crosses itself nowhere
+//!   that the outline does not.
 //! - [`CurveMorph`] brings two closed curves to one structure; at every moment between them there is a closed curve.
 //! - [`Outline`] is a closed polyline that is to be fitted; [`features`] finds its feature points, [`fidelity`] says
 //!   how near a fit is to it.
