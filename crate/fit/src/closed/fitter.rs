@@ -1,5 +1,7 @@
 //! Fitting an outline step by step, with the best so far always at hand.
 
+use std::collections::BTreeMap;
+
 use frond_core::hash;
 use glam::DVec2;
 use thiserror::Error;
@@ -7,7 +9,7 @@ use thiserror::Error;
 use super::candidates::Library;
 use super::final_refine::Finisher;
 use super::judge::{Judge, Judged};
-use super::moves::{Marked, Move, Offer};
+use super::moves::{Marked, Move, Name, Offer};
 use super::refine::{Refiner, Ties};
 use super::straight::Straight;
 use super::{ClosedCurve, partition};
@@ -117,8 +119,12 @@ pub struct Fitter {
     reach: f64,
     /// Rounds without a gain.
     stale: usize,
+    /// Moves that were tried in vain, and until which round they are not tried again.
+    refused: BTreeMap<Name, usize>,
     /// The best polyline, until copies have had their time to do better.
     line: Option<(Marked, f64)>,
+    /// Whether the curve may stray more by now.
+    loose: bool,
     /// Where the present search set out.
     home: Option<(Marked, f64)>,
     /// The best of each search.
@@ -131,7 +137,7 @@ pub struct Fitter {
 }
 
 /// After so many rounds without a gain the search sets out anew.
-const IDLE_ROUNDS: usize = 15;
+const IDLE_ROUNDS: usize = 30;
 
 /// Moves with which it does.
 const RESTART_MOVES: usize = 3;
@@ -142,6 +148,13 @@ const FREE_DISTANCE: f64 = 4.0;
 /// What the curve pays for straying while searching.
 const TIES: Ties = Ties { back: 0.01, beyond: 0.5, far: 0.0, reach: 0.0 };
 
+/// The same in the second part of the search, which begins after this share of it.
+const LOOSE_TIES: Ties = Ties { back: 0.003, beyond: 0.3, far: 0.0, reach: 0.0 };
+const LOOSENED: f64 = 0.5;
+
+/// So many rounds what was tried in vain is not tried again, more or less.
+const REFUSED_ROUNDS: f64 = 60.0;
+
 /// So many curves are finished.
 const CURVES_FINISHED: usize = 3;
 
@@ -149,10 +162,13 @@ const CURVES_FINISHED: usize = 3;
 const FITTING_LEVELS: usize = 3;
 
 /// What a search may cost, in the refiner's units of work: so much, and so much more for each pair of numbers.
-const WORK: (u64, u64) = (4_000_000, 120_000);
+const WORK: (u64, u64) = (18_000_000, 80_000);
 
 /// A search that gains less than this share over this part of its work ends.
-const STALL: (f64, f64) = (0.002, 0.3);
+const STALL: (f64, f64) = (0.002, 0.4);
+
+/// The most moves of a round, in parts of the pairs of numbers.
+const BATCH_SHARE: f64 = 0.05;
 
 /// Rounds between two looks of the judge, which measures what is drawn.
 const ROUNDS_UNSEEN: usize = 16;
@@ -193,13 +209,15 @@ impl Fitter {
             best,
             stage: Stage::Straight,
             rounds: 0,
-            batch: (pairs / 10).max(2),
+            batch: ((pairs as f64 * BATCH_SHARE) as usize).max(2),
             jitter: 0.0,
             share: 0.0,
             greed: 1.0,
             reach: 0.0,
             stale: 0,
+            refused: BTreeMap::new(),
             line: None,
+            loose: false,
             home: None,
             found: Vec::new(),
             least: (f64::INFINITY, 0),
@@ -330,7 +348,7 @@ impl Fitter {
         }
         self.refine(3);
         let library = Library::new(&self.now.curve, self.tolerance, FITTING_LEVELS);
-        let (_, mut using) = self.now.offers(self.thin.points(), &library, &[]);
+        let (_, mut using) = self.now.offers(self.thin.points(), &library, &[], |_| false);
         using.retain(|offer| matches!(offer.action, Move::Copy(..)) && offer.cost < 0.0);
         using.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         let free = self.pairs.saturating_sub(self.now.curve.knots.len());
@@ -363,13 +381,8 @@ impl Fitter {
         self.refiner.count(library.work(self.now.curve.knots.len()));
         self.rounds += 1;
         let spent = self.spent();
-        if spent >= 0.4
-            && let Some((marked, error)) = self.line.take()
-            && self.home.as_ref().map_or(self.error, |home| home.1.min(self.error)) > error
-        {
-            // Copies came to less than corners: they are tried one by one from the polyline on.
-            (self.now, self.error, self.home) = (marked, error, None);
-            self.least.1 = self.refiner.work();
+        if spent >= LOOSENED && !self.loose {
+            self.loosen();
             return;
         }
         if spent >= 1.0 {
@@ -398,11 +411,16 @@ impl Fitter {
         }
         if better {
             self.stale = 0;
-            self.batch = (self.batch + 1).min((self.pairs / 10).max(2));
+            self.batch = (self.batch + 1).min((self.pairs as f64 * BATCH_SHARE).max(2.0) as usize);
         } else {
             (self.now, self.error) = (kept, kept_error);
             if self.batch == 1 {
                 self.anneal();
+                for action in &moves {
+                    let chance = f64::from(hash::unit(hash::counter(self.rounds as u32, 991)));
+                    let long = REFUSED_ROUNDS * (0.5 + chance);
+                    self.refused.insert(self.now.name(action), self.rounds + long as usize);
+                }
             }
             self.batch = (self.batch / 2).max(1);
             self.stale += 1;
@@ -410,6 +428,24 @@ impl Fitter {
                 self.set_out();
             }
         }
+    }
+
+    /// The second part of the search: the curve may stray more. It begins with the best so far, the polyline among it.
+    fn loosen(&mut self) {
+        self.loose = true;
+        self.refiner.set_ties(Ties { reach: self.reach, ..LOOSE_TIES });
+        self.refused.clear();
+        self.found.push((self.now.curve.clone(), self.error));
+        let now = self.now.clone();
+        let known = [self.line.take().map(|line| line.0), self.home.take().map(|home| home.0)];
+        self.error = self.refiner.error(&now.curve);
+        for marked in known.into_iter().flatten() {
+            let error = self.refiner.error(&marked.curve);
+            if error < self.error {
+                (self.now, self.error) = (marked, error);
+            }
+        }
+        self.least = (self.error, self.refiner.work());
     }
 
     /// Back to the best, and off again with some moves that are kept whatever they cost: another start.
@@ -455,8 +491,9 @@ impl Fitter {
 
     /// Pairs of offers that gain more than they cost, far from each other, the best first.
     fn choose(&self, library: &Library) -> Vec<Move> {
-        let (mut freeing, mut using) =
-            self.now.offers(self.thin.points(), library, &self.refiner.shares(&self.now.curve));
+        let truth = self.refiner.shares(&self.now.curve);
+        let refused = |name: &Name| self.refused.get(name).is_some_and(|&until| until > self.rounds);
+        let (mut freeing, mut using) = self.now.offers(self.thin.points(), library, &truth, refused);
         let mut chance = 0;
         let mut shake = |offer: &mut Offer| {
             chance += 1;

@@ -21,6 +21,9 @@ pub(crate) enum Move {
     Copy(usize, super::ArcCopy),
 }
 
+/// What a move is called: its kind, and points of the outline.
+pub(crate) type Name = (u8, usize, usize, usize);
+
 /// A move, the sum of squares that it is thought to add, and the numbers that it adds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Offer {
@@ -85,12 +88,14 @@ impl Marked {
 
     /// All moves worth a thought: those that free numbers, and those that use them.
     ///
-    /// `truth` has for each edge its sum of squares now, and the index of the outline's point farthest from it.
+    /// `truth` has for each edge its sum of squares now, and the index of the outline's point farthest from it. What is
+    /// `refused`, by [`name`](Self::name), is left out.
     pub fn offers(
         &self,
         ring: &[DVec2],
         library: &Library,
         truth: &[(f64, usize)],
+        refused: impl Fn(&Name) -> bool,
     ) -> (Vec<Offer>, Vec<Offer>) {
         let count = self.marks.len();
         let (mut freeing, mut using) = (Vec::new(), Vec::new());
@@ -103,7 +108,9 @@ impl Marked {
                 freeing.push(Offer { action: Move::Straighten(i), cost: kept[i], numbers: -2 });
             }
             let numbers = if self.curve.edges[i].is_some() { 0 } else { 2 };
-            if let Some(Proposal { gain, copy }) = library.best(stretch, |_, _| true) {
+            if let Some(Proposal { gain, copy }) =
+                library.best(stretch, |from, span| !refused(&self.name_of_copy(i, from, span)))
+            {
                 using.push(Offer { action: Move::Copy(i, copy), cost: kept[i] - gain, numbers });
             }
             let (gain, share) = library.corner(stretch);
@@ -131,7 +138,23 @@ impl Marked {
                 numbers: -2 - 2 * copies,
             });
         }
+        freeing.retain(|offer| !refused(&self.name(&offer.action)));
+        using.retain(|offer| !refused(&self.name(&offer.action)));
         (freeing, using)
+    }
+
+    /// What a move is called, by points of the outline: knots change their numbers, these mostly do not.
+    pub fn name(&self, action: &Move) -> Name {
+        match *action {
+            Move::Straighten(i) => (0, self.marks[i], 0, 0),
+            Move::Drop(k) => (1, self.marks[k], 0, 0),
+            Move::Split(i, mark) => (2, self.marks[i], mark, 0),
+            Move::Copy(i, copy) => self.name_of_copy(i, copy.from, copy.span),
+        }
+    }
+
+    fn name_of_copy(&self, edge: usize, from: usize, span: usize) -> Name {
+        (3, self.marks[edge], self.marks[from], span)
     }
 
     /// The curve after moves on edges that are no neighbours of each other. Copies of arcs that lost an end get another

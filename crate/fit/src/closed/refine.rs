@@ -84,10 +84,11 @@ impl Refiner {
             return f64::INFINITY;
         }
         let polyline = curve.polyline(self.tolerance, self.levels);
-        self.work += (self.points.len() + 3 * polyline.len()) as u64;
+        self.work += polyline.len() as u64;
         if self.guard.as_ref().is_some_and(|guard| !guard.passes(&polyline)) {
             return f64::INFINITY;
         }
+        self.work += (self.points.len() + 2 * polyline.len()) as u64;
         self.outline_error(&polyline) + self.backward_error(&polyline)
     }
 
