@@ -149,7 +149,7 @@ fn decided(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Co
         pairs.truncate(MOST_PAIRS_FOR_REASON);
         let points = Points::find(maps, &frame, search.support(), &pairs);
         let gap = search.widest_edge().upper * (1.0 + 1e-9);
-        let near = |i: usize, j: usize| {
+        let near = &|i: usize, j: usize| {
             let [from, to] = search.edge(i, j).points;
             frame.to_plane(from.midpoint(to))
         };
@@ -160,7 +160,9 @@ fn decided(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Co
         // Pieces that are meant to lie to each other in finitely many ways mostly touch: then nothing is seen to cross.
         match points.as_meant() {
             Some(meant) if meant.neighbours.is_some() => Some(meant),
-            meant => reason::by_crossings(maps, shared, gap, near).or(meant),
+            meant => reason::by_differences(maps, &shared, search.plane_diameter, near)
+                .or_else(|| reason::by_crossings(maps, shared, gap, near))
+                .or(meant),
         }
     });
     let proved = reason.as_ref().is_some_and(Reason::is_proof);

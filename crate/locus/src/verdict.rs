@@ -168,6 +168,8 @@ pub enum ReasonKind {
     SharedPoints,
     /// Enough pairs of pieces must cross.
     Crossings,
+    /// Copies of one shape and direction that are moved by differences of its points.
+    Differences,
     /// Enough pairs of pieces have points in common, infinitely many, and lie to each other in finitely many ways.
     Neighbours,
 }
@@ -183,6 +185,7 @@ impl ReasonKind {
             Self::Area => "area",
             Self::SharedPoints => "shared-points",
             Self::Crossings => "crossings",
+            Self::Differences => "differences",
             Self::Neighbours => "neighbours",
         }
     }

@@ -56,7 +56,8 @@ fn check(name: &str, maps: &[Affine2], found: &Connectedness, reason: &Reason) {
             let near = 1e-9 * found.diameter.max(1e-9);
             assert!(p.distance(q) <= near && p.distance(link.at) <= near, "{name}: {a} {b} {p} {q}");
         } else {
-            assert_eq!(link.corners.len(), 4, "{name}");
+            let corners = if link.kind == LinkKind::Crossing { 4 } else { 0 };
+            assert_eq!(link.corners.len(), corners, "{name}");
         }
         for (word, i) in [(a, link.pair.0), (b, link.pair.1)] {
             assert!(word.trim_start_matches('(').starts_with(&(i + 1).to_string()), "{name}: {word} for {i}");
@@ -205,4 +206,20 @@ fn one_map_equal_maps_and_common_points() {
     // Fifths come near only.
     assert_eq!(kind(&[about(0.2, c), about(0.4, c)]), (Verdict::Touching, Some("common-point")));
     assert_eq!(kind(&[about(0.2, c), about(0.4, -c)]).0, Verdict::Disconnected);
+}
+
+#[test]
+fn copies_of_one_shape_and_direction_meet_by_their_differences() {
+    let four = |factor: f64| {
+        let at = [[0.0, 0.0], [0.61, 0.04], [0.03, 0.57], [0.52, 0.63]];
+        at.map(|at| Affine2::similitude(factor, 0.3, DVec2::from_array(at))).to_vec()
+    };
+    let found = answer(&four(0.5));
+    assert_eq!(found.verdict, Verdict::Connected);
+    let reason = found.reason.as_ref().unwrap();
+    assert_eq!((reason.kind.name(), reason.links.len()), ("differences", 3));
+    check("four halves", &four(0.5), &found, reason);
+    assert!(reason.links.iter().all(|link| link.kind == LinkKind::Difference));
+    // As small as this there is room between them.
+    assert_eq!(answer(&four(0.4)).verdict, Verdict::Disconnected);
 }

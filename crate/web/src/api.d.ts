@@ -46,6 +46,7 @@ export type ReasonKind =
   | "area"
   | "shared-points"
   | "crossings"
+  | "differences"
   | "neighbours";
 
 /** A reason that can be shown for an attractor to be in one piece. */
@@ -65,14 +66,15 @@ export interface Reason {
 }
 
 /**
- * What holds two pieces together: a point that both have, two paths that must cross, or areas too large to leave room.
+ * What holds two pieces together: a point that both have, two paths that must cross, areas too large to leave room, or
+ * a step between two copies of one shape that is the difference of two of its points.
  */
 export interface Link {
-  kind: "point" | "crossing" | "area";
+  kind: "point" | "crossing" | "area" | "difference";
   /** Two maps, the smaller index first. */
   pair: [i: number, j: number];
   /**
-   * The addresses of the point, or the words of the crossing pieces, as people read them: letters from 1, "1(2)" is
+   * The addresses of the point, or the words of the pieces, as people read them: letters from 1, "1(2)" is
    * 1222.. Of more than nine maps letters are joined by dots: "12.3.(10)".
    */
   words: [string, string];

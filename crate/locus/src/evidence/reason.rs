@@ -11,7 +11,9 @@ use crate::exact::area;
 use crate::exact::quadratic::QuadraticSystem;
 use crate::exact::recognise::{self, Recognised};
 use crate::frame::Frame;
+use crate::gap::difference_set::are_equal;
 use crate::overlap_graph::OverlapGraph;
+use crate::region::inner_differences::InnerDifferences;
 use crate::region::trap::crossings_beside;
 use crate::support::table::SupportTable;
 use crate::verdict::ReasonKind;
@@ -25,6 +27,8 @@ pub enum LinkKind {
     Crossing,
     /// Too much area to lie side by side.
     Area,
+    /// Copies of one shape and direction, moved by what surely is the difference of two of its points.
+    Difference,
 }
 
 impl LinkKind {
@@ -35,6 +39,7 @@ impl LinkKind {
             Self::Point => "point",
             Self::Crossing => "crossing",
             Self::Area => "area",
+            Self::Difference => "difference",
         }
     }
 }
@@ -46,11 +51,10 @@ pub struct Link {
     pub kind: LinkKind,
     /// Two maps, from 0, the smaller index first.
     pub pair: (usize, usize),
-    /// The addresses of the point in the first piece and in the second, or the words of the pieces that cross or are
-    /// too large, as people read them: letters from 1, "1(2)" for 1222.. Of more than nine maps letters are joined by
-    /// dots: "12.3.(10)".
+    /// The addresses of the point in the first piece and in the second, or the words of the pieces, as people read
+    /// them: letters from 1, "1(2)" for 1222.. Of more than nine maps letters are joined by dots: "12.3.(10)".
     pub words: [String; 2],
-    /// The shared point, to rounding, the middle of the crossing, or where large pieces come near; in the plane.
+    /// The shared point, to rounding, the middle of the crossing, or where the pieces come near; in the plane.
     pub at: DVec2,
     /// Of a crossing: two far points of the first piece, then two of the second. Otherwise empty.
     pub corners: Vec<DVec2>,
@@ -122,6 +126,15 @@ impl Reason {
                     0 => text,
                     1 => format!("{text} Two others share a point."),
                     others => format!("{text} {others} other pairs share points."),
+                }
+            }
+            ReasonKind::Differences => {
+                let text = "The pieces are copies of one shape, turned and shrunk alike. Two such copies meet just if the \
+                            step from one to the other is the difference of two points of such a copy: enough of these \
+                            steps surely are.";
+                match self.links.len() - count(LinkKind::Difference) {
+                    0 => text.to_owned(),
+                    _ => format!("{text} Others share a point."),
                 }
             }
             ReasonKind::Neighbours => {
@@ -200,6 +213,40 @@ pub(crate) fn by_crossings(
     let crosses = links.iter().any(|link| link.kind == LinkKind::Crossing);
     let kind = if crosses { ReasonKind::Crossings } else { ReasonKind::Area };
     graph.is_connected().then(|| Reason { links, ..Reason::of(kind) })
+}
+
+/// A proof for copies of one shape and direction, which never cross, beside points that are shared. `diameter` is
+/// about that of the attractor.
+pub(crate) fn by_differences(
+    maps: &[Affine2],
+    shared: &[Link],
+    diameter: f64,
+    near: impl Fn(usize, usize) -> DVec2,
+) -> Option<Reason> {
+    let mut differences = InnerDifferences::default();
+    if !are_equal(maps) || !differences.begin(maps, DVec2::splat(diameter)) {
+        return None;
+    }
+    let mut links = shared.to_vec();
+    let mut graph = OverlapGraph::new(maps.len());
+    for link in shared {
+        graph.add(link.pair.0, link.pair.1);
+    }
+    for i in 0..maps.len() {
+        for j in i + 1..maps.len() {
+            if !graph.components().joined(i, j) && differences.join(maps, i, j) {
+                graph.add(i, j);
+                links.push(Link {
+                    kind: LinkKind::Difference,
+                    pair: (i, j),
+                    words: [i, j].map(|i| shown(&[i as u8], maps.len())),
+                    at: near(i, j),
+                    corners: Vec::new(),
+                });
+            }
+        }
+    }
+    graph.is_connected().then(|| Reason { links, ..Reason::of(ReasonKind::Differences) })
 }
 
 /// Points of two pieces that are checked at most.

@@ -72,6 +72,11 @@ impl InnerDifferences {
         self.settle()
     }
 
+    /// Whether this shows that the pieces of two of the maps meet.
+    pub fn join(&mut self, maps: &[Affine2], i: usize, j: usize) -> bool {
+        self.holds(maps[0].linear.inverse() * (maps[j].translation - maps[i].translation))
+    }
+
     /// Whether a vector is surely a difference.
     pub fn holds(&mut self, difference: DVec2) -> bool {
         self.open.clear();

@@ -201,12 +201,9 @@ impl Prover {
         if !self.differences.begin(maps, self.descent.size()) {
             return false;
         }
-        let back = maps[0].linear.inverse();
         for i in 0..maps.len() {
             for j in i + 1..maps.len() {
-                if !self.descent.components.joined(i, j)
-                    && self.differences.holds(back * (maps[j].translation - maps[i].translation))
-                {
+                if !self.descent.components.joined(i, j) && self.differences.join(maps, i, j) {
                     self.descent.components.join(i, j);
                 }
             }

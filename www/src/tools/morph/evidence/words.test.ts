@@ -71,6 +71,11 @@ describe("links and checks", () => {
     );
   });
 
+  it("says how copies of one shape and direction meet", () => {
+    const words = linkWords({ kind: "difference", pair: [0, 2], words: ["1", "3"], at: [0, 0] });
+    expect(words).toMatch(/^Pieces 1 and 3 meet: the step from one to the other/);
+  });
+
   it("explains an address", () => {
     expect(addressWords("1(2)")).toBe(
       "1(2) is short for 12222…: each letter is a piece within the one before.",
