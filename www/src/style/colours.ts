@@ -7,6 +7,8 @@ export const FOUR = ["#0072b2", "#e69f00", "#009e73", "#cc79a7"] as const;
 export const GREY = "#808080";
 
 export const WHITE = "#ffffff";
+/** Of what a drawing says no colour of. */
+export const BLACK = "#000000";
 /** Of lines and numbers on white. */
 export const INK = "#1d1e22";
 export const BAD = "#b3321d";

@@ -2,6 +2,7 @@ import type { ComponentChildren } from "preact";
 import { Icon } from "#ui/controls/Icon";
 import { Formula } from "./formula";
 import css from "./frame.module.css";
+import { SaveMenu } from "./save-menu";
 
 export interface Heading {
   number: string;
@@ -103,12 +104,15 @@ export function Head({ number, title, badge, studio, children }: HeadProps) {
         </p>
         <h1 tabIndex={-1}>{title}</h1>
       </div>
-      {studio && (
-        <a class={`button ${css["figure-studio"]}`} data-testid="studio-link" href={studio.href}>
-          {studio.label ?? "Open in the studio"}
-          <Icon name="arrow" />
-        </a>
-      )}
+      <div class={css["figure-ways"]}>
+        {studio && (
+          <a class={`button ${css["figure-studio"]}`} data-testid="studio-link" href={studio.href}>
+            {studio.label ?? "Open in the studio"}
+            <Icon name="arrow" />
+          </a>
+        )}
+        <SaveMenu number={number} title={title} />
+      </div>
       <div class={css["figure-lead"]}>{children}</div>
     </header>
   );
