@@ -162,7 +162,7 @@ const CURVES_FINISHED: usize = 3;
 const FITTING_LEVELS: usize = 3;
 
 /// What a search may cost, in the refiner's units of work: so much, and so much more for each pair of numbers.
-const WORK: (u64, u64) = (18_000_000, 80_000);
+const WORK: (u64, u64) = (14_000_000, 84_000);
 
 /// A search that gains less than this share over this part of its work ends.
 const STALL: (f64, f64) = (0.002, 0.4);
