@@ -60,6 +60,7 @@ export const test = base.extend<Fixtures, { tab: Tab }>({
     if (viewport) await page.setViewportSize(viewport);
     await use(page);
     await page.evaluate(() => {
+      indexedDB.deleteDatabase("frond");
       localStorage.clear();
       sessionStorage.clear();
     });

@@ -28,6 +28,7 @@ async function begin(root: HTMLElement): Promise<void> {
   proof.catch(() => {});
   link.open();
   link.watch();
+  const { hash } = location;
   addEventListener("hashchange", () => link.follow());
   // Whoever leaves, by a link of the page or for good, finds the address up to date on the way back.
   addEventListener("click", () => link.flush(), { capture: true });
@@ -56,6 +57,12 @@ async function begin(root: HTMLElement): Promise<void> {
     ({ beInstalled }) => beInstalled(),
     () => undefined,
   );
+  if (!embedded) {
+    import("./shell/kept/start").then(
+      ({ beKept }) => beKept(hash),
+      () => undefined,
+    );
+  }
   if (parameters.play) playOnce();
 }
 

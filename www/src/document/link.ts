@@ -27,6 +27,9 @@ const routed = signal<Route>({ page: "studio" });
 /** What the address asks for. */
 export const route: ReadonlySignal<Route> = routed;
 
+/** Goes up just before a link that was followed becomes the document. */
+export const openings = signal(0);
+
 /** `#figures` and `#figures/3` are pages; every other fragment is a document. */
 export function parseRoute(fragment: string): Route {
   const match = /^figures(?:\/([\w-]{1,32}))?$/.exec(fragment);
@@ -72,6 +75,7 @@ export class Link {
     // A document that no link can hold has the empty one, and stays.
     if (fragment === (this.fragment() ?? "")) return;
     const opened = this.#decode(fragment);
+    openings.value++;
     edit(() => opened);
     this.#onOpen();
     this.#kept = scene.peek();

@@ -3,7 +3,7 @@ import { signal } from "@preact/signals";
 import type { Command } from "#ui/commands";
 
 /** Which is open. */
-export const exportOpen = signal<"film" | "picture" | "mesh" | "share" | "publish" | null>(null);
+export const exportOpen = signal<"film" | "picture" | "mesh" | "share" | "publish" | "recent" | null>(null);
 
 /** How far the film is that is being made, 0 to 1; null while none is. */
 export const filmProgress = signal<number | null>(null);
@@ -22,6 +22,10 @@ export function openMesh(): void {
 
 export function openShare(): void {
   exportOpen.value = "share";
+}
+
+export function openRecent(): void {
+  exportOpen.value = "recent";
 }
 
 /** In every tool in which something moves. */

@@ -4,7 +4,7 @@ import { selection } from "#document/morph";
 import { setTheme, type Theme, theme } from "#document/preferences";
 import { canRedo, canUndo, redo, undo } from "#document/scene";
 import { openTool, tool } from "#document/tool";
-import { filmProgress, openFilm, openMesh, openPicture, openShare } from "#film/open";
+import { filmProgress, openFilm, openMesh, openPicture, openRecent, openShare } from "#film/open";
 import { help, withKey } from "#ui/commands";
 import { Icon } from "#ui/controls/Icon";
 import { askForFile } from "#ui/files/door";
@@ -73,10 +73,12 @@ function moreItems(studio: boolean): MenuItem[] {
     onSelect: () => setTheme(choice),
   }));
   if (!studio) return themes;
-  return [OPEN, ...saveItems(), ...themes];
+  return [OPEN, RECENT, ...saveItems(), ...themes];
 }
 
 const OPEN: MenuItem = { label: "Open a file …", icon: "open", onSelect: () => askForFile() };
+
+const RECENT: MenuItem = { label: "Recent …", onSelect: openRecent };
 
 /** The files that what is open can be saved as. */
 function saveItems(): MenuItem[] {
@@ -107,6 +109,7 @@ function StudioTools() {
       <Tool glyph="undo" label="Undo" command="undo" disabled={!canUndo.value} onClick={undo} />
       <Tool glyph="redo" label="Redo" command="redo" disabled={!canRedo.value} onClick={redo} />
       <Tool glyph="open" label="Open a file" command="open" class="wide" onClick={() => askForFile()} />
+      <Tool glyph="recent" label="Recent" class="wide" onClick={openRecent} />
       <div class="wide">
         <Menu label="Save" icon="save" items={saveItems()} />
       </div>

@@ -62,7 +62,9 @@ it("does not bring back by a name what another tab has removed", async () => {
   const other = new Store();
   await other.remove("id-1");
   await store.rename("id-1", "Ghost");
-  expect(await ids()).toEqual([]);
+  const raw = await openDB("frond", VERSION);
+  expect(await raw.count("documents")).toBe(0);
+  raw.close();
   await other.close();
 });
 
@@ -124,4 +126,7 @@ it("lets a newer page have the store, and tells the old one", async () => {
   expect(reasonOf(problem)).toMatch(/newer Frond/);
   expect(await newer.count("documents")).toBe(1);
   newer.close();
+  globalThis.indexedDB = new IDBFactory();
+  await store.put(row(3));
+  expect(await ids()).toEqual(["id-3"]);
 });

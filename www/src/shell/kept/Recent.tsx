@@ -1,0 +1,208 @@
+import { useEffect, useMemo, useState } from "preact/hooks";
+import { thumbnails } from "#compute/results";
+import { thumbnailsOf } from "#compute/thumbnails";
+import { announce } from "#document/notice";
+import { exportOpen } from "#film/open";
+import { Button, IconButton } from "#ui/controls/Button";
+import { Dialog } from "#ui/overlay/Dialog";
+import { Thumbnail } from "#ui/shapes/Thumbnail";
+import type { Scene } from "#wasm/api";
+import { frond } from "#wasm/core";
+import { TOOLS } from "../tools";
+import { trouble } from "./keeping";
+import css from "./recent.module.css";
+import { goOn, keeping, store } from "./start";
+import { LONGEST_NAME, MOST, type Row, reasonOf } from "./store";
+
+const ABOUT =
+  `The last ${MOST} documents that you changed, and those that you pin. They stay in this browser and go nowhere. ` +
+  "Photographs and outlines that you opened are not kept; the curve that was fitted to them is.";
+
+/** What is kept in this browser. */
+export function Recent() {
+  const [rows, setRows] = useState<Row[] | null>(null);
+  const [problem, setProblem] = useState<string | null>(null);
+  const [sure, setSure] = useState(false);
+  const told = problem ?? trouble.value;
+
+  /** Does something, and shows what is there then. */
+  const after = async (work: Promise<unknown>, words = "") => {
+    try {
+      await work;
+      setRows(await store.list());
+      setProblem(null);
+      if (words) announce(words);
+    } catch (reason) {
+      setRows((before) => before ?? []);
+      setProblem(reasonOf(reason));
+    }
+  };
+  // biome-ignore lint/correctness/useExhaustiveDependencies: once, when it is opened.
+  useEffect(() => void after(keeping.flush()), []);
+  const scenes = useMemo(() => new Map((rows ?? []).map((row) => [row.id, sceneOf(row)])), [rows]);
+  useEffect(() => {
+    const shapes = [...scenes].flatMap(([id, scene]) =>
+      scene && pictured(scene)
+        ? [
+            { id: `kept-a-${id}`, maps: scene.a.maps },
+            { id: `kept-b-${id}`, maps: scene.b.maps },
+          ]
+        : [],
+    );
+    return thumbnailsOf(shapes);
+  }, [scenes]);
+  const close = () => {
+    exportOpen.value = null;
+  };
+
+  return (
+    <Dialog wide title="Recent" about={ABOUT} onClose={close}>
+      {told && (
+        <p class={css["recent-problem"]} role="status">
+          {told}
+        </p>
+      )}
+      {rows?.length === 0 && !told && (
+        <p class="hint">Nothing yet. What you change is kept by itself, a second after.</p>
+      )}
+      <ul class={css["recent-list"]}>
+        {rows?.map((row) => (
+          <Entry
+            key={row.id}
+            row={row}
+            scene={scenes.get(row.id) ?? null}
+            onOpen={() => {
+              close();
+              goOn(row);
+            }}
+            onRename={(name) => after(store.rename(row.id, name))}
+            onPin={() => after(store.pin(row.id, !row.pinned))}
+            onRemove={() => after(store.remove(row.id), `${row.name} was removed.`)}
+          />
+        ))}
+      </ul>
+      {rows && rows.length > 0 && (
+        <div class={css["recent-foot"]}>
+          {sure ? (
+            <>
+              <p class="hint">The document on the page stays. Remove all others, the pinned too?</p>
+              <Button
+                kind="danger"
+                onClick={() => {
+                  setSure(false);
+                  void after(store.clear(), "Nothing is kept any more.");
+                }}
+              >
+                Remove all {rows.length}
+              </Button>
+              <Button onClick={() => setSure(false)}>Keep them</Button>
+            </>
+          ) : (
+            <Button icon="bin" onClick={() => setSure(true)}>
+              Clear all
+            </Button>
+          )}
+        </div>
+      )}
+    </Dialog>
+  );
+}
+
+interface EntryProps {
+  row: Row;
+  /** None: the reader of links does not take it. */
+  scene: Scene | null;
+  onOpen: () => void;
+  onRename: (name: string) => void;
+  onPin: () => void;
+  onRemove: () => void;
+}
+
+function Entry({ row, scene, onOpen, onRename, onPin, onRemove }: EntryProps) {
+  const [naming, setNaming] = useState(false);
+  const name = row.name || "Without a name";
+  const tool = TOOLS.find(({ id }) => id === (scene?.tool ?? "morph"))?.label;
+  return (
+    <li class={css["recent-row"]}>
+      <button
+        type="button"
+        class={css["recent-open"]}
+        disabled={scene === null}
+        aria-label={`Open ${name}`}
+        onClick={onOpen}
+      >
+        {scene && pictured(scene) ? (
+          <>
+            <Thumbnail bitmap={thumbnails.value.get(`kept-a-${row.id}`)} />
+            <Thumbnail bitmap={thumbnails.value.get(`kept-b-${row.id}`)} />
+          </>
+        ) : (
+          <span class={css["recent-plain"]}>{scene === null ? "?" : tool}</span>
+        )}
+      </button>
+      <div class={css["recent-words"]}>
+        {naming ? (
+          <input
+            class={css["recent-name"]}
+            aria-label={`Name of ${name}`}
+            maxLength={LONGEST_NAME}
+            // biome-ignore lint/a11y/noAutofocus: it takes the place of the button that was pressed.
+            autoFocus
+            defaultValue={row.name}
+            onKeyDown={(event) => {
+              event.stopPropagation();
+              if (event.key === "Enter") event.currentTarget.blur();
+              if (event.key === "Escape") {
+                event.preventDefault();
+                setNaming(false);
+              }
+            }}
+            onBlur={(event) => {
+              const given = event.currentTarget.value.trim();
+              setNaming(false);
+              if (given !== "" && given !== row.name) onRename(given);
+            }}
+          />
+        ) : (
+          <b>{name}</b>
+        )}
+        <span class="hint">
+          {scene === null ? "It cannot be read by this Frond" : tool} · {whenWords(row.time)}
+          {row.pinned && " · pinned"}
+        </span>
+      </div>
+      <div class={css["recent-tools"]}>
+        <IconButton icon="edit" kind="quiet" label={`Rename ${name}`} onClick={() => setNaming(true)} />
+        <Button kind="quiet" pressed={row.pinned} onClick={onPin} description={`Keep ${name} for good`}>
+          {row.pinned ? "Unpin" : "Pin"}
+          <span class="unseen"> {name}</span>
+        </Button>
+        <IconButton icon="bin" kind="quiet" label={`Remove ${name}`} onClick={onRemove} />
+      </div>
+    </li>
+  );
+}
+
+/** What was kept, by the reader of links. */
+function sceneOf({ fragment }: Row): Scene | null {
+  try {
+    const { scene, problem } = frond.decodeScene(fragment);
+    return problem ? null : scene;
+  } catch {
+    return null;
+  }
+}
+
+/** Whether its two shapes of the plane are what it is about. */
+const pictured = (scene: Scene): boolean => scene.tool !== "space" && scene.tool !== "fit" && !scene.curves;
+
+const DAY = new Intl.DateTimeFormat("en", { dateStyle: "medium", timeStyle: "short" });
+
+/** Dates of other programs may be none. */
+function whenWords(time: number): string {
+  try {
+    return DAY.format(time);
+  } catch {
+    return "some time ago";
+  }
+}

@@ -1,0 +1,108 @@
+/** Keeping, in this browser: begun after the first picture. */
+import { effect } from "@preact/signals";
+import { addressBar } from "#document/link";
+import { dismiss, notify } from "#document/notice";
+import { lastStep, scene } from "#document/scene";
+import { frond } from "#wasm/core";
+import { Keeping } from "./keeping";
+import { type Row, Store } from "./store";
+
+export const store = new Store();
+
+/** Of this tab alone, and there after a reload. */
+const TAB = "frond.kept";
+
+export const keeping = new Keeping(store, {
+  encodeScene: (what) => frond.encodeScene(what),
+  read: addressBar.read,
+  claim,
+  tab: {
+    get() {
+      try {
+        return sessionStorage.getItem(TAB);
+      } catch {
+        return null;
+      }
+    },
+    set(id) {
+      try {
+        if (id === null) sessionStorage.removeItem(TAB);
+        else sessionStorage.setItem(TAB, id);
+      } catch {
+        // After a reload it is kept as another document.
+      }
+    },
+  },
+  // `randomUUID` is for secure pages only.
+  newId: () => Array.from(crypto.getRandomValues(new Uint32Array(4)), (part) => part.toString(36)).join("-"),
+  now: Date.now,
+  tell: (text) => notify({ kind: "info", text: `Your work is not kept. ${text}` }),
+});
+
+/** `hash` is what the page was opened with. */
+export async function beKept(hash: string): Promise<void> {
+  const untouched = lastStep();
+  const [visit] = performance.getEntriesByType("navigation") as PerformanceNavigationTiming[];
+  const resumed = keeping.resume(hash.replace(/^#/, ""), visit?.type === "reload");
+  keeping.watch();
+  addEventListener("pagehide", () => void keeping.flush());
+  document.addEventListener("visibilitychange", () => {
+    if (document.visibilityState === "hidden") void keeping.flush();
+  });
+  await resumed;
+  if (hash.length < 2 && !untouched) await offer();
+}
+
+/** What was made last, where nothing else was asked for. It leaves by itself: the list has it still. */
+async function offer(): Promise<void> {
+  // Where nothing can be read there is nothing to offer, and nobody has lost anything yet.
+  const rows = await store.list().catch(() => []);
+  const last = rows.filter(readable).sort((a, b) => b.time - a.time)[0];
+  if (!last || lastStep()) return;
+  const notice = notify({
+    kind: "info",
+    text: `Go on with ${last.name || "what you made"}?`,
+    action: { label: "Go on", run: () => goOn(last) },
+  });
+  // Whoever turns to something else has answered, and what lies below it can be pressed.
+  const elsewhere = ({ target }: Event) => {
+    if (!(target instanceof Element && target.closest(".toast"))) end();
+  };
+  addEventListener("pointerdown", elsewhere, { capture: true });
+  const stop = effect(() => {
+    scene.value;
+    if (lastStep()) queueMicrotask(end);
+  });
+  function end() {
+    dismiss(notice);
+    stop();
+    removeEventListener("pointerdown", elsewhere, { capture: true });
+  }
+}
+
+/** Opens a document of the list, as its link would be. */
+export function goOn(row: Row): void {
+  keeping.await(row);
+  location.hash = row.fragment;
+}
+
+/** Whether the reader of links takes it. */
+export function readable({ fragment }: Row): boolean {
+  try {
+    return frond.decodeScene(fragment).problem === undefined;
+  } catch {
+    return false;
+  }
+}
+
+/** A lock of the browser, which ends with the tab. */
+function claim(id: string): Promise<(() => void) | null> {
+  if (!navigator.locks) return Promise.resolve(null);
+  return new Promise((resolve) => {
+    navigator.locks
+      .request(`frond-kept-${id}`, { ifAvailable: true }, (lock) =>
+        lock ? new Promise<void>((release) => resolve(release)) : resolve(null),
+      )
+      .catch(() => resolve(null));
+  });
+}
