@@ -104,3 +104,19 @@ test("pictures go into the file, in light colours on white from a dark page too,
   // Dark again, as it was chosen.
   await expect.poll(() => page.evaluate(() => document.documentElement.dataset["theme"])).toBeUndefined();
 });
+
+test("what is drawn in the ink of a dark page is printed in dark ink", async ({ page }) => {
+  await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
+  await openFigure(page, "2");
+  await expectDrawn(page);
+  const shade = () => page.locator("main canvas").first().evaluate(look);
+  const dark = await shade();
+  const printed = await page.evaluate(() => dispatchEvent(new Event("beforeprint"))).then(shade);
+  expect(printed).not.toBe(dark);
+  await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+  await expect.poll(shade).toBe(dark);
+});
+
+function look(canvas: HTMLElement | SVGElement): string {
+  return canvas instanceof HTMLCanvasElement ? canvas.toDataURL() : "";
+}

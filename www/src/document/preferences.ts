@@ -28,9 +28,10 @@ export const reducedMotion: ReadonlySignal<boolean> = media("(prefers-reduced-mo
 
 /** Without `keep` it holds for this visit only. */
 export function setTheme(next: Theme, { keep = true }: { keep?: boolean } = {}): void {
-  chosen.value = next;
+  // First, as what is drawn anew by the signal reads colours of the page.
   if (next === "auto") delete document.documentElement.dataset["theme"];
   else document.documentElement.dataset["theme"] = next;
+  chosen.value = next;
   if (!keep) return;
   try {
     if (next === "auto") localStorage.removeItem(KEY);

@@ -7,6 +7,7 @@ import type { Heading } from "./kit/frame/frame";
 import { type Figure, find, type Row } from "./list";
 import { pageOf } from "./loading";
 import { Overview } from "./overview";
+import { printLight } from "./print";
 
 /** What stands on the page: the page of a figure, or all figures. */
 interface Shown {
@@ -22,6 +23,7 @@ export function Figures({ figure: name }: { figure: string | null }) {
   const found = shown?.name ? find(shown.name) : null;
   const { figure } = found ?? {};
   const before = useRef<Shown | null>(null);
+  useEffect(printLight, []);
 
   useEffect(() => {
     if (!shown) return;
