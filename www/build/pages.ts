@@ -10,6 +10,7 @@ import { figurePictures } from "./figure-pictures.ts";
 import { listedFigures } from "./figures.ts";
 import { type Drawer, drawer } from "./pictures.ts";
 import { policyOf } from "./policy.ts";
+import { theorems } from "./theorems.ts";
 
 const NAME = "Frond";
 const ABOUT =
@@ -163,6 +164,14 @@ export function sitePages(site: string, drawing: Drawer): SiteFile[] {
   const out = '<p><a href="./index.html">Open the studio</a></p>';
   files.push({ fileName: elsewhere.path, source: page(elsewhere, site, `${ways(site)}\n      ${out}`) });
   described.push(elsewhere);
+  const proofs = {
+    path: "theorems.html",
+    title: "What the proofs rest on",
+    about: "Why an attractor that Frond calls in one piece is: the theorems, each with its proof.",
+    picture: "frond.png",
+  };
+  files.push({ fileName: proofs.path, source: page(proofs, site, `${theorems()}\n      ${out}`) });
+  described.push(proofs);
   if (site !== "") {
     const urls = ["", ...described.map(({ path }) => path)].map(
       (path) => `<url><loc>${escaped(site + path)}</loc></url>`,

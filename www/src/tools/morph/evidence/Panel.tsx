@@ -78,7 +78,7 @@ const MOST_LINKS = 12;
 
 /** What holds it together, and on which readings of numbers that hangs, if on any. */
 function Because({ reason }: { reason: Reason }) {
-  const { text, assuming, links } = reason;
+  const { kind, text, assuming, links } = reason;
   const example = links.find(({ kind }) => kind === "point")?.words[0];
   return (
     <div class={css["evidence-reason"]} data-testid="evidence-reason">
@@ -101,6 +101,11 @@ function Because({ reason }: { reason: Reason }) {
           {example !== undefined && <p>{addressWords(example)}</p>}
         </details>
       )}
+      <p>
+        <a href={`./theorems.html#${kind}`} target="_blank" rel="noopener">
+          Why that is a proof
+        </a>
+      </p>
     </div>
   );
 }
