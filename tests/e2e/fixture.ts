@@ -55,12 +55,17 @@ export const test = base.extend<Fixtures, { tab: Tab }>({
       await page.context().close();
       return;
     }
-    tab.page ??= await newTab(browser);
+    if (!tab.page) {
+      tab.page = await newTab(browser);
+      // What one test has kept is not offered to the next.
+      await tab.page.addInitScript(() => {
+        if (location.protocol !== "about:") indexedDB.deleteDatabase("frond");
+      });
+    }
     const page = tab.page;
     if (viewport) await page.setViewportSize(viewport);
     await use(page);
     await page.evaluate(() => {
-      indexedDB.deleteDatabase("frond");
       localStorage.clear();
       sessionStorage.clear();
     });
