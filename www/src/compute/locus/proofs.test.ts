@@ -45,6 +45,18 @@ describe("LocusProofs", () => {
     expect(work.raw.state).toEqual(work.filled.state);
   });
 
+  it("ends after half a minute of work, and keeps what it has", () => {
+    const work = whole();
+    const proofs = new LocusProofs(work, () => {});
+    const job = proofs.job();
+    let slices = 0;
+    for (let task = job.next(); task; task = job.next(), slices++) job.accept(task, half(task), 4000);
+    expect(slices).toBe(8);
+    expect(proofs.done).toBe(true);
+    expect(work.raw.state.includes(STATE.connected)).toBe(true);
+    expect(work.raw.state.includes(STATE.touching)).toBe(true);
+  });
+
   it("leaves what is in pieces as it is, whatever it is told, and goes on where a slice fails", () => {
     const work = whole();
     const proofs = new LocusProofs(work, () => {});

@@ -7,6 +7,8 @@ import { type LocusWork, nextKey, patchesOf, type Rectangle, SIZE } from "./job"
 const SIDE = 16;
 /** Whatever else there is to do goes first. */
 const PRIORITY = 1;
+/** Milliseconds of all workers together: what takes longer, shapes of many maps that hardly cross, costs a battery. */
+const MOST_MS = 30_000;
 
 /** What is proved of a locus that is whole. */
 export class LocusProofs {
@@ -15,6 +17,7 @@ export class LocusProofs {
   readonly #key = nextKey();
   readonly #open: Rectangle[];
   #left: number;
+  #spent = 0;
 
   constructor(work: LocusWork, painted: () => void) {
     this.#work = work;
@@ -34,8 +37,10 @@ export class LocusProofs {
       channel: "proofs",
       priority: () => PRIORITY,
       next: () => this.#next(),
-      accept: (task, states) => {
+      accept: (task, states, milliseconds) => {
         this.#work.prove(task, states);
+        this.#spent += milliseconds;
+        if (this.#spent > MOST_MS) this.#left -= this.#open.splice(0).length;
         this.#tell();
       },
       // What is not proved stays as it was.
