@@ -175,19 +175,21 @@ describe("the packed package", () => {
     expect(execFileSync(process.execPath, [join(out, "main.js")]).toString()).toBe("touching\n");
   });
 
-  it("has a command that draws, decides, exports and checks", () => {
-    const frond = (...words: string[]) => {
-      const command = join(app, "node_modules/.bin/frond");
-      const { status, stdout, stderr } = spawnSync(command, words, { cwd: app, encoding: "utf8" });
-      expect(`${stdout}${stderr}`).not.toMatch(/^ +at /m);
-      return { status, stdout, stderr };
-    };
-    const bytes = (file: string) => readFileSync(join(app, file));
-    const link = "a=dragon-3&b=gasket&path=straight";
-    const size = ["--width", "60", "--height", "40"];
-    expect(frond("--help").stdout).toContain("frond render <link>");
+  /** The command, in its own folder; no answer of it is a trace of the program. */
+  const frond = (...words: string[]) => {
+    const command = join(app, "node_modules/.bin/frond");
+    const { status, stdout, stderr } = spawnSync(command, words, { cwd: app, encoding: "utf8" });
+    expect(`${stdout}${stderr}`).not.toMatch(/^ +at /m);
+    return { status, stdout, stderr };
+  };
+  const bytes = (file: string) => readFileSync(join(app, file));
+  const sides = (file: string) => [bytes(file).readUInt32BE(16), bytes(file).readUInt32BE(20)];
+  const link = "a=dragon-3&b=gasket&path=straight";
+  const size = ["--width", "60", "--height", "40"];
+
+  it("has a command that draws morphs as pictures, films and frames", () => {
     expect(frond("render", link, "--out", "x.png", "--t", "0.5", ...size).status).toBe(0);
-    expect([bytes("x.png").readUInt32BE(16), bytes("x.png").readUInt32BE(20)]).toEqual([60, 40]);
+    expect(sides("x.png")).toEqual([60, 40]);
     // The picture holds its link, and so opens as maps.
     expect(JSON.parse(frond("export", "x.png", "--as", "json").stdout).maps ?? []).not.toEqual([]);
     for (const [file, starts] of [
@@ -199,23 +201,147 @@ describe("the packed package", () => {
       expect(frond("render", link, "--out", file, ...film, ...size)).toMatchObject({ status: 0 });
       expect(bytes(file).toString("latin1", 0, starts.length)).toBe(starts);
     }
-    expect(frond("render", link, "--out", "x.mp4")).toMatchObject({
-      status: 2,
-      stderr: expect.stringMatching(/ffmpeg/),
+    expect(frond("render", link, "--out", "n.png", "--frames", "3", ...size).status).toBe(0);
+    expect(
+      ["n-0001.png", "n-0002.png", "n-0003.png", "n-0004.png", "n.png"].map((file) =>
+        existsSync(join(app, file)),
+      ),
+    ).toEqual([true, true, true, false, false]);
+    expect(sides("n-0003.png")).toEqual([60, 40]);
+    expect(bytes("n-0001.png").equals(bytes("n-0002.png"))).toBe(false);
+    const drawing = frond("render", link, "--out", "x.svg", "--t", "1");
+    expect(drawing).toMatchObject({
+      status: 0,
+      stderr: expect.stringMatching(/^x\.svg: \d+ pieces of one size in 3 paths/),
     });
+    expect(bytes("x.svg").toString().match(/<path/g)).toHaveLength(3);
+  });
+
+  it("draws bends and space as well", () => {
+    const bent = "a=gasket&b=gasket&path=straight&tool=deform&mesh=4x4:0,0,1,1&keys=0:;0.5:6,0.2,0";
+    expect(frond("render", bent, "--out", "bent.png", "--frames", "2", ...size).status).toBe(0);
+    // The second key is half way round.
+    expect(bytes("bent-0001.png").equals(bytes("bent-0002.png"))).toBe(false);
+    expect(frond("render", bent, "--out", "bent.png", "--t", "0.5", ...size).status).toBe(0);
+    expect(sides("bent.png")).toEqual([60, 40]);
+    expect(frond("render", bent, "--out", "bent.svg").stderr).toMatch(/nothing bends/);
+    const made = node(`
+      import init, { defaultSpace, defaultView, packSpace } from "frond/space";
+      await init();
+      const space = defaultSpace();
+      const view = defaultView(space);
+      const keys = [0, 2].map((at) => ({ at, ease: "even", view: { ...view, turn: view.turn + at } }));
+      const packed = packSpace({ ...space, timeline: { seconds: 2, loop: "once", course: "straight", keys } });
+      console.log("tool=space&space=" + packed);`).trim();
+    expect(frond("render", made, "--out", "space.png", "--frames", "2", ...size)).toMatchObject({
+      status: 0,
+    });
+    expect(bytes("space-0001.png").equals(bytes("space-0002.png"))).toBe(false);
+    const still = frond("render", "tool=space", "--out", "still.gif", ...size);
+    expect(still).toMatchObject({
+      status: 2,
+      stderr: expect.stringMatching(/nothing to film: .*stands still/),
+    });
+    expect(frond("render", "tool=space", "--out", "still.png", ...size).status).toBe(0);
+    expect(frond("connectedness", "tool=space").stderr).toMatch(/only draws pictures/);
+    expect(frond("render", "tool=fit", "--out", "fit.png").stderr).toMatch(/no closed curves/);
+  });
+
+  it("decides, exports and checks", () => {
     expect(frond("locus", link, "--out", "x.csv", "--width", "7", "--height", "7").status).toBe(0);
     expect(bytes("x.csv").toString().trim().split("\n").length).toBeGreaterThanOrEqual(49);
     writeFileSync(join(app, "dust.json"), '{ "maps": [[0.3,0,0,0.3,0,0],[0.3,0,0,0.3,0.7,0]] }');
     const decided = frond("connectedness", "dust.json");
     expect([decided.status, JSON.parse(decided.stdout).verdict]).toEqual([1, "disconnected"]);
+    node(`
+      import init, { certificate } from "frond/proof";
+      import { writeFileSync } from "node:fs";
+      await init();
+      const proof = certificate({ maps: [[0.3,0,0,0.3,0,0],[0.3,0,0,0.3,0.7,0]] });
+      writeFileSync("proof.json", JSON.stringify(proof));`);
+    expect(frond("check", "proof.json").status).toBe(0);
     writeFileSync(join(app, "bad.json"), "{}");
     expect(frond("check", "bad.json").status).toBeGreaterThan(0);
-    expect(frond("render", "a=%%%", "--out", "y.png", "--width", "-3").status).toBe(2);
-    expect(frond("render", "fern", "--out", "y.png").stderr).toMatch(/^frond: "fern" is no link/);
-    expect(frond("connectedness", "none.ifs")).toMatchObject({
-      status: 2,
-      stderr: "frond: There is no none.ifs.\n",
-    });
-    expect(frond("dance").stderr).toBe('frond: There is no command "dance". See frond --help.\n');
+  });
+
+  it("says of all that it cannot do what to do, before the work", () => {
+    const help = frond("--help");
+    expect([help.status, help.stdout]).toEqual([0, expect.stringContaining("frond render <link>")]);
+    expect(frond("locus", "--help").stdout).toBe(help.stdout);
+    expect(frond()).toMatchObject({ status: 2, stdout: "", stderr: help.stdout });
+    const draw = (...words: string[]) => ["render", link, ...words];
+    const cases: [words: string[], said: RegExp | string][] = [
+      [["dance"], 'There is no command "dance". See frond --help.'],
+      [["render"], '"frond render" of what? See frond --help.'],
+      [["render", "a", "b", "--out", "x.png"], '"b" is one word too many. Put a link into quotes.'],
+      [draw(), "Where to? Say --out and the name of a file."],
+      [draw("--out"), "--out needs a value after it. See frond --help."],
+      [draw("--out", "none/x.png"), "There is no folder none: make it first."],
+      [draw("--out", "."), ". is a folder: name a file in it."],
+      [draw("--out", "x.bmp"), /is to end with \.png, \.svg/],
+      [draw("--out", "y.png", "--size", "3"), "There is no option --size. See frond --help."],
+      [["check", "x", "--width", "3"], '"frond check" has no option --width. See frond --help.'],
+      [draw("--out", "y.png", "--width", "-3"), "--width needs a value after it. See frond --help."],
+      [draw("--out", "y.png", "--width", "1e9"), '--width is a number from 1 to 8192, and not "1e9".'],
+      [draw("--out", "y.png", "--height", "NaN"), '--height is a number from 1 to 8192, and not "NaN".'],
+      [draw("--out", "y.png", "--width", "9.5"), /whole number/],
+      [draw("--out", "y.png", "--t", "2"), '--t is a number from 0 to 1, and not "2".'],
+      [draw("--out", "y.png", "--background", "red"), "--background is a colour such as #ffffff."],
+      [draw("--out", "y.gif", "--frames", "1e7"), /--frames is a number from 1 to 10000/],
+      [draw("--out", "y.gif", "--frames", "2", "--seconds", "1"), /not both/],
+      [
+        draw("--out", "y.gif", "--frames", "9999", "--width", "8192", "--height", "8192"),
+        /too large for one file/,
+      ],
+      [["render", "fern", "--out", "y.png"], '"fern" is no link. One looks like "a=fern&b=tree".'],
+      [["render", "a=%%%", "--out", "y.png"], /^The link cannot be read/],
+      [["render", "a=gasket&tool=deform", "--out", "y.gif"], /nothing to film/],
+      [["locus", link, "--out", "x.txt"], /is to end with \.csv or \.npy/],
+      [["locus", link, "--out", "x.csv", "--width", "1"], '--width is a number from 2 to 4096, and not "1".'],
+      [["connectedness", "none.ifs"], "There is no none.ifs."],
+      [["connectedness", "/dev/zero"], /larger than 64 MB/],
+      [["connectedness", link, "--epsilon", "no"], /--epsilon is a number/],
+      [["check", "index.md"], "There is no index.md."],
+      [["export", link, "--as", "word"], /^--as is one of json, /],
+    ];
+    for (const [words, said] of cases) {
+      const { status, stdout, stderr } = frond(...words);
+      expect([status, stdout], words.join(" ")).toEqual([2, ""]);
+      const problem = stderr.replace(/^frond: /, "").trim();
+      if (typeof said === "string") expect(problem).toBe(said);
+      else expect(problem, words.join(" ")).toMatch(said);
+    }
+  });
+
+  it("tells how a video is made, in words that a shell reads as they are meant", () => {
+    const { status, stderr } = frond("render", "a=fern&b='$(id)'", "--out", "my film.mp4", "--seconds", "2");
+    expect(status).toBe(2);
+    const [, draws = "", encodes = ""] = stderr.split("\n");
+    const words = (line: string) =>
+      execFileSync("sh", ["-c", `set -- ${line}; printf '%s\\n' "$@"`])
+        .toString()
+        .trim()
+        .split("\n");
+    expect(words(draws)).toEqual([
+      "frond",
+      "render",
+      "a=fern&b='$(id)'",
+      "--out",
+      "my film.png",
+      "--frames",
+      "50",
+      "--background",
+      "#ffffff",
+    ]);
+    expect(words(encodes)).toEqual([
+      "ffmpeg",
+      "-framerate",
+      "25",
+      "-i",
+      "my film-%04d.png",
+      "-pix_fmt",
+      "yuv420p",
+      "my film.mp4",
+    ]);
   });
 });

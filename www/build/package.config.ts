@@ -11,7 +11,7 @@ export default defineConfig({
     outDir: "target/package/parts",
     reportCompressedSize: false,
     lib: {
-      entry: { "pool-lanes": "www/src/package/pool.ts", command: "www/src/package/command.ts" },
+      entry: { "pool-lanes": "www/src/package/pool.ts", command: "www/src/package/command/command.ts" },
       formats: ["es"],
     },
   },

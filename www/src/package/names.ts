@@ -24,6 +24,7 @@ export const NAMES = {
   connectedness3: ["space", 2],
   facts3: ["space", 1],
   findPath3: ["space", 3],
+  rasterize3: ["space", 1],
 } as const;
 
 export type Name = keyof typeof NAMES;

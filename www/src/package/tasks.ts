@@ -3,9 +3,11 @@
 import type { LocusOptions } from "#wasm/api";
 import { performerOf } from "#workers/lanes/performer";
 import type { Context } from "#workers/lanes/task";
+import type { Picture3 } from "./command/system";
 import type { Name } from "./names";
 
 type Proof = typeof import("../../pkg/frond-proof.js");
+type Space = typeof import("../../pkg/frond-space.js");
 type Fit = typeof import("../../pkg/frond-fit.js");
 // biome-ignore lint/suspicious/noExplicitAny: functions are called as they were by the one who asked
 type Functions = Record<string, (...args: any[]) => unknown>;
@@ -24,6 +26,9 @@ interface Rows {
 
 /** Milliseconds of a fit between two words of how far it is. */
 const PART_MS = 100;
+
+/** Pieces of a picture of space between two breaths. */
+const PIECES = 200_000;
 
 const tasks = {
   async call(
@@ -73,6 +78,25 @@ const tasks = {
       }
     } finally {
       fit.free();
+    }
+  },
+  /** A complete picture of space. */
+  async rasterize3({ sources, breathe, transfer }: Hand, [picture]: [Picture3]) {
+    const { SpacePicture } = (await sources.space()) as Space;
+    const { objects, view, light, look } = picture;
+    const made = new SpacePicture(objects);
+    try {
+      const carve = made.carve(view, look.width * look.factor, look.height * look.factor);
+      try {
+        while (!carve.run(PIECES)) await breathe();
+        const pixels = carve.paint(light, look);
+        transfer(pixels.buffer);
+        return pixels;
+      } finally {
+        carve.free();
+      }
+    } finally {
+      made.free();
     }
   },
 };

@@ -30,12 +30,22 @@ export interface How {
   onProgress?: (share: number) => void;
 }
 
+/** What a picture of space is made of; `factor` x `factor` looks make each pixel, and the ground is not drawn. */
+export interface Picture3 {
+  objects: ConstructorParameters<Space["SpacePicture"]>[0];
+  view: Parameters<InstanceType<Space["SpacePicture"]>["carve"]>[0];
+  light: Parameters<InstanceType<Space["SpaceCarve"]>["paint"]>[0];
+  look: Parameters<InstanceType<Space["SpaceCarve"]>["paint"]>[1];
+}
+
 /** The functions of the other entries as promises: the same arguments, and after all of them how. */
 export type Pool = {
   [Name in keyof Functions]: (
     ...args: [...Parameters<Functions[Name]>, how?: How]
   ) => Promise<ReturnType<Functions[Name]>>;
 } & {
+  /** A complete picture of space: RGBA, straight alpha, row 0 on top. */
+  rasterize3(picture: Picture3, how?: How): Promise<Uint8ClampedArray>;
   /** How many workers it has at most; they are started when first needed. */
   readonly size: number;
   /** Ends the workers. What is under way is rejected with `{ code: "stopped" }`. */

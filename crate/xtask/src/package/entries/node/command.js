@@ -1,9 +1,14 @@
 #!/usr/bin/env node
 // The command `frond`: `node` gives it files, words and workers.
-import { readFile, writeFile } from "node:fs/promises";
+import { createReadStream } from "node:fs";
+import { access, constants, stat, writeFile } from "node:fs/promises";
+import { dirname } from "node:path";
 import { parseArgs } from "node:util";
-import { run } from "../command.js";
+import { OPTIONS, run } from "../command.js";
 import { createPool } from "./pool.js";
+
+/** No file of maps is larger. */
+const MOST_BYTES = 64e6;
 
 const started = async (loading) => {
   const module = await loading;
@@ -16,34 +21,64 @@ const system = {
   draw: () => started(import("./draw.js")),
   proof: () => started(import("./proof.js")),
   exchange: () => started(import("./exchange.js")),
+  space: () => started(import("./space.js")),
   pool: () => {
     pool ??= createPool();
     return pool;
   },
-  read: (file) => readFile(file),
+  async read(file) {
+    const parts = [];
+    let length = 0;
+    // Some files have no end.
+    for await (const part of createReadStream(file)) {
+      length += part.length;
+      if (length > MOST_BYTES) throw new Error(`${file} is larger than 64 MB: it cannot be one of maps.`);
+      parts.push(part);
+    }
+    return Buffer.concat(parts);
+  },
   write: (file, bytes) => writeFile(file, bytes),
+  async writable(file) {
+    const folder = dirname(file);
+    const there = await stat(folder).catch(() => null);
+    if (!there?.isDirectory()) throw new Error(`There is no folder ${folder}: make it first.`);
+    const old = await stat(file).catch(() => null);
+    if (old?.isDirectory()) throw new Error(`${file} is a folder: name a file in it.`);
+    await access(old ? file : folder, constants.W_OK);
+  },
   print: (line) => process.stdout.write(`${line}\n`),
   tell: (line) => process.stderr.write(`${line}\n`),
 };
 
-const names = ["out", "as", "width", "height", "t", "seconds", "fps", "background", "epsilon"];
 const options = {
-  ...Object.fromEntries(names.map((name) => [name, { type: "string" }])),
-  help: { type: "boolean" },
+  ...Object.fromEntries(OPTIONS.map((name) => [name, { type: "string" }])),
+  help: { type: "boolean", short: "h" },
 };
+
+/** What is wrong with the words, where Node says it at length. */
+function plain(problem) {
+  const words = {
+    ENOENT: `There is no ${problem?.path}.`,
+    EACCES: `${problem?.path} may not be opened.`,
+    EROFS: `${problem?.path} may not be written.`,
+    EISDIR: `${problem?.path ?? "This"} is a folder.`,
+    ENOSPC: "The disk is full.",
+  };
+  const option = /'(-[^' ]+)/.exec(problem?.message)?.[1];
+  if (problem?.code === "ERR_PARSE_ARGS_UNKNOWN_OPTION")
+    return `There is no option ${option}. See frond --help.`;
+  if (problem?.code === "ERR_PARSE_ARGS_INVALID_OPTION_VALUE")
+    return `${option} needs a value after it. See frond --help.`;
+  return words[problem?.code] ?? problem?.message ?? problem;
+}
+
 // Whoever listens may have heard enough.
 process.stdout.on("error", () => process.exit());
 try {
   const { positionals, values } = parseArgs({ options, allowPositionals: true });
   process.exitCode = await run(positionals, values, system);
 } catch (problem) {
-  const words = {
-    ENOENT: `There is no ${problem?.path}.`,
-    EACCES: `${problem?.path} may not be opened.`,
-    EISDIR: `${problem?.path ?? "This"} is a folder.`,
-    ENOSPC: "The disk is full.",
-  };
-  system.tell(`frond: ${words[problem?.code] ?? problem?.message ?? problem}`);
+  system.tell(`frond: ${plain(problem)}`);
   process.exitCode = 2;
 }
 pool?.close();

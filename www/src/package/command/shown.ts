@@ -1,0 +1,163 @@
+/** What a link shows: a morph, a bend, or space, ready to be drawn at any moments. */
+import { type Box, boxAt, calmTrack, stillTrack, union } from "#geometry/boxes";
+import { palette } from "#style/palette";
+import type { Bend, Ifs, Scene } from "#wasm/api";
+import { bendOf, morphOf } from "./morph";
+import { Refusal } from "./options";
+import type { Draw, Pixels, System } from "./system";
+
+export interface Look {
+  width: number;
+  height: number;
+  /** "#rrggbb", or null where it is clear. */
+  ground: string | null;
+}
+
+export interface Shown {
+  /** How long it takes once through. */
+  seconds: number;
+  /** The moment that the link says, 0 to 1 as all moments. */
+  t: number;
+  /** Its end goes on to its beginning. */
+  round: boolean;
+  /** Why there is nothing to film. */
+  still: string | null;
+  /** The maps of a moment, where these are all that there is to see. */
+  plain?: (t: number) => Promise<Ifs & { name: string }>;
+  /** Makes ready what is needed for these moments; then each can be drawn. */
+  frames(moments: number[], look: Look): Promise<(i: number) => Promise<Pixels>>;
+}
+
+/** How often the way is looked at for where the camera goes. */
+const LOOKS = 13;
+/** Free on each side, as a part of the shorter one. */
+const MARGIN = 0.06;
+const MORPH_SECONDS = 8;
+/** Pixels a side of the small pictures that tell where a bent shape is, and how many are drawn, each nearer. */
+const TRIAL = 128;
+const TRIALS = 2;
+
+export function shownOf(scene: Scene, system: System): Promise<Shown> {
+  return scene.tool === "space" ? spaceShown(scene, system) : planeShown(scene, system);
+}
+
+async function planeShown(scene: Scene, system: System): Promise<Shown> {
+  const { draw, at } = await morphOf(scene, system);
+  const bend = bendOf(scene);
+  const { deform, tool, t } = scene;
+  /** Time bends, and does not morph. */
+  const bending = tool === "deform";
+  const mapsAt = (moments: number[]) => at(bending ? moments.map(() => t) : moments);
+  const bendNow = (moment: number) => bend?.(bending ? moment : (deform?.phase ?? 0)) ?? null;
+  const name = bending ? (t < 0.5 ? scene.a.name : scene.b.name) : `${scene.a.name} to ${scene.b.name}`;
+  return {
+    seconds: bending && deform ? deform.seconds : MORPH_SECONDS,
+    t: bending && deform ? deform.phase : t,
+    round: bending && deform?.loop === true,
+    still: bending && (deform?.keys.length ?? 0) < 2 ? "it has one key frame, and so stands still" : null,
+    ...(bend ? {} : { plain: async (moment) => ({ name, maps: (await mapsAt([moment]))[0]?.maps ?? [] }) }),
+    async frames(moments, { width, height, ground }) {
+      const looks = moments.length === 1 ? moments : Array.from({ length: LOOKS }, (_, i) => i / (LOOKS - 1));
+      const seen = await mapsAt(looks);
+      const boxes = await Promise.all(seen.map((ifs, i) => boxOf(draw, system, ifs, bendNow(looks[i] ?? 0))));
+      const there = boxes.filter((box) => box !== null);
+      const track = bending && there.length > 0 ? stillTrack(union(there), 2) : calmTrack(boxes);
+      const systems = await mapsAt(moments);
+      const pool = system.pool();
+      const colours = palette(ground !== null && dark(ground) ? "dark" : "light");
+      return (i) => {
+        const moment = moments[i] ?? 0;
+        const view = viewOf(boxAt(track, moment), width, height);
+        const now = bendNow(moment);
+        const style = { colouring: scene.colouring, palette: colours, ...(now ? { bend: now } : {}) };
+        return pool.rasterize(systems[i] ?? { maps: [] }, { width, height, view, ...style });
+      };
+    },
+  };
+}
+
+async function spaceShown({ space: part }: Scene, system: System): Promise<Shown> {
+  const { SpaceMotion, defaultSpace, defaultView, unpackSpace } = await system.space();
+  const space = part?.packed ? unpackSpace(part.packed) : defaultSpace();
+  const line = space.timeline && space.timeline.keys.length > 0 ? space.timeline : null;
+  const seconds = line?.seconds ?? 1;
+  return {
+    seconds,
+    t: Math.min(1, (part?.at ?? 0) / seconds),
+    round: line?.loop === "round",
+    still: line ? null : "it has no key frames, and so stands still",
+    async frames(moments, { width, height, ground }) {
+      const motion = new SpaceMotion(space);
+      const frames = moments.map((moment) => motion.at(moment * seconds));
+      motion.free();
+      const colours = palette(ground !== null && dark(ground) ? "dark" : "light");
+      // Four looks for each pixel, where there is room for so many.
+      const factor = width * height <= MOST_SMOOTH ? 2 : 1;
+      const look = { width, height, factor, palette: colours, ground: ground ?? "#ffffff" };
+      const pool = system.pool();
+      return async (i) => {
+        const frame = frames[i];
+        if (!frame) throw new Refusal("There is no such frame.");
+        const objects = frame.objects.map(({ now }, k) => {
+          const tint = space.objects[k]?.tint;
+          return tint === undefined ? { maps: now } : { maps: now, tint };
+        });
+        const flown = part?.own ? undefined : frame.view;
+        const view = flown ?? part?.view ?? defaultView(space);
+        return pool.rasterize3({ objects, view, light: space.light, look });
+      };
+    },
+  };
+}
+
+/** Above so many pixels pictures of space are not smoothed: each takes some forty bytes a look. */
+const MOST_SMOOTH = 4_000_000;
+
+/** Where a shape is; of a bent one, by small pictures. Null where it is none. */
+async function boxOf(draw: Draw, system: System, ifs: Ifs, bend: Bend | null): Promise<Box | null> {
+  let box: Box;
+  try {
+    const { min, max } = draw.bounds(ifs);
+    box = { x0: min[0], y0: min[1], x1: max[0], y1: max[1] };
+  } catch {
+    return null;
+  }
+  if (!bend) return box;
+  const { reach } = draw.bendFacts(ifs, bend);
+  box = { x0: box.x0 - reach, y0: box.y0 - reach, x1: box.x1 + reach, y1: box.y1 + reach };
+  for (let trial = 0; trial < TRIALS; trial++) {
+    const view = viewOf(box, TRIAL, TRIAL);
+    const pixels = await system.pool().rasterize(ifs, { width: TRIAL, height: TRIAL, view, bend });
+    box = litBox(pixels, view) ?? box;
+  }
+  return box;
+}
+
+function litBox(pixels: Pixels, { x, y, scale }: ReturnType<typeof viewOf>): Box | null {
+  let [left, right, top, bottom] = [TRIAL, -1, TRIAL, -1];
+  for (let i = 0; i < TRIAL * TRIAL; i++) {
+    if (!pixels[4 * i + 3]) continue;
+    const [column, row] = [i % TRIAL, Math.floor(i / TRIAL)];
+    [left, right] = [Math.min(left, column), Math.max(right, column)];
+    [top, bottom] = [Math.min(top, row), Math.max(bottom, row)];
+  }
+  if (right < 0) return null;
+  const [across, up] = [
+    (column: number) => x + (column - TRIAL / 2) / scale,
+    (row: number) => y - (row - TRIAL / 2) / scale,
+  ];
+  return { x0: across(left), y0: up(bottom + 1), x1: across(right + 1), y1: up(top) };
+}
+
+function dark(ground: string): boolean {
+  const value = Number.parseInt(ground.slice(1), 16);
+  return (value >> 16) + ((value >> 8) & 255) + (value & 255) < 384;
+}
+
+function viewOf({ x0, y0, x1, y1 }: Box, width: number, height: number) {
+  const edge = 2 * MARGIN * Math.min(width, height);
+  const across = (width - edge) / (x1 - x0);
+  const up = (height - edge) / (y1 - y0);
+  const scale = Math.min(...[across, up].filter((value) => Number.isFinite(value) && value > 0), 1e9);
+  return { x: (x0 + x1) / 2, y: (y0 + y1) / 2, scale };
+}
