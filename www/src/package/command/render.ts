@@ -1,4 +1,5 @@
 /** Pictures and films of what a link shows. */
+import { WHITE } from "#style/colours";
 import { type ApngFrame, apngBytes } from "#workers/film/format/apng";
 import { gifSink, MOST_GIF_FPS } from "#workers/film/format/gif";
 import { PngFile } from "#workers/film/format/png-file";
@@ -122,7 +123,7 @@ function byFfmpeg(link: string, out: string, options: Options): string {
   const name = out.replace(/\.[a-z0-9]+$/i, "");
   const fps = options["fps"] ?? 25;
   const frames = options["frames"] ?? Math.max(1, Math.round(Number(options["seconds"] ?? 8) * Number(fps)));
-  const ground = String(options["background"] ?? "#ffffff");
+  const ground = String(options["background"] ?? WHITE);
   return [
     "Node encodes no video. ffmpeg does, from frames:",
     `  frond render ${quoted(link)} --out ${quoted(`${name}.png`)} --frames ${frames} --background ${quoted(ground)}`,

@@ -1,5 +1,6 @@
 /** What a link shows: a morph, a bend, or space, ready to be drawn at any moments. */
 import { type Box, boxAt, calmTrack, stillTrack, union } from "#geometry/boxes";
+import { WHITE } from "#style/colours";
 import { palette } from "#style/palette";
 import type { Bend, Ifs, Scene } from "#wasm/api";
 import { bendOf, morphOf } from "./morph";
@@ -93,7 +94,7 @@ async function spaceShown({ space: part }: Scene, system: System): Promise<Shown
       const colours = palette(ground !== null && dark(ground) ? "dark" : "light");
       // Four looks for each pixel, where there is room for so many.
       const factor = width * height <= MOST_SMOOTH ? 2 : 1;
-      const look = { width, height, factor, palette: colours, ground: ground ?? "#ffffff" };
+      const look = { width, height, factor, palette: colours, ground: ground ?? WHITE };
       const pool = system.pool();
       return async (i) => {
         const frame = frames[i];
