@@ -2,8 +2,19 @@
 
 use std::borrow::Cow;
 
-/// Reads bytes as UTF-8, as UTF-16 where a mark says so, or else as Latin-1: old files name their shapes in it.
+/// Reads bytes as UTF-8, as UTF-16 where a mark says so, or else as Latin-1: old files name their shapes in it. Every
+/// line ends as Rust knows lines to, also where it ended with a carriage return alone.
 pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
+    let text = decode_lines(bytes);
+    let ends_alone = |(at, _): (usize, &str)| text.as_bytes().get(at + 1) != Some(&b'\n');
+    if text.match_indices('\r').any(ends_alone) {
+        Cow::Owned(text.replace("\r\n", "\n").replace('\r', "\n"))
+    } else {
+        text
+    }
+}
+
+fn decode_lines(bytes: &[u8]) -> Cow<'_, str> {
     let wide = |rest: &[u8], unit: fn([u8; 2]) -> u16| {
         let units = rest.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
         char::decode_utf16(units).map(|letter| letter.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
@@ -68,6 +79,14 @@ mod tests {
         assert_eq!(decode(b"\xfe\xff\x001\0,"), "1,");
         assert_eq!(decode(b"Foug\xe8re"), "Fougère");
         assert_eq!(decode("Fougère".as_bytes()), "Fougère");
+    }
+
+    #[test]
+    fn lines_end_as_they_did_on_any_machine() {
+        assert_eq!(decode(b"a\rb\r"), "a\nb\n");
+        assert_eq!(decode(b"a\rb\r\nc\nd\r\re"), "a\nb\nc\nd\n\ne");
+        assert_eq!(decode(b"\xff\xfea\0\r\0b\0"), "a\nb");
+        assert_eq!(decode(b"a\r\nb"), "a\r\nb");
     }
 
     #[test]

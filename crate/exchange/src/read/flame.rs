@@ -72,7 +72,7 @@ pub fn read_flames(text: &str) -> Result<Gathered, ImportError> {
         })?;
         let at = reader.buffer_position();
         match event {
-            Event::Start(tag) | Event::Empty(tag) if tag.name().as_ref() == "flame" => {
+            Event::Start(tag) | Event::Empty(tag) if is_flame(tag.name().as_ref()) => {
                 if let Some(flame) = open.replace(Flame::new(&tag, at)) {
                     finish(flame, &line_at);
                 }
@@ -82,7 +82,7 @@ pub fn read_flames(text: &str) -> Result<Gathered, ImportError> {
                     flame.take(&tag, at);
                 }
             }
-            Event::End(tag) if tag.name().as_ref() == "flame" => {
+            Event::End(tag) if is_flame(tag.name().as_ref()) => {
                 if let Some(flame) = open.take() {
                     finish(flame, &line_at);
                 }
@@ -103,6 +103,11 @@ pub fn read_flames(text: &str) -> Result<Gathered, ImportError> {
         why: "There is no flame in this file. One looks so: <flame name=\"..\"><xform weight=\"1\" linear=\"1\" coefs=\"..\"/></flame>."
             .into(),
     })
+}
+
+/// Some programs write it with a capital letter.
+fn is_flame(tag: &str) -> bool {
+    tag.eq_ignore_ascii_case("flame")
 }
 
 /// A flame that is being read.
@@ -145,7 +150,7 @@ impl Flame {
     }
 
     fn take(&mut self, tag: &BytesStart<'_>, at: u64) {
-        match tag.name().as_ref() {
+        match tag.name().as_ref().to_ascii_lowercase().as_str() {
             "xform" => {
                 self.count += 1;
                 if self.wrong.is_none() && self.maps.len() <= MAX_MAPS {
@@ -162,6 +167,10 @@ impl Flame {
     }
 
     fn transform(&mut self, tag: &BytesStart<'_>) -> Result<(), String> {
+        // What cannot be read as an attribute may have been the numbers.
+        if all_attributes(tag).any(|one| one.is_err()) {
+            return Err(format!("<{}> is miswritten: each number needs its quotes.", short(tag, 60)));
+        }
         let (mut coefs, mut post, mut weight) = (None, None, None);
         let (mut linear, mut functions, mut named, mut any) = (0.0, Vec::new(), Vec::new(), false);
         for (key, value) in attributes(tag) {
@@ -307,13 +316,18 @@ pub fn turned_over([a, b, c, d, e, f]: Row) -> Row {
     [a, negative(b), negative(c), d, e, negative(f)]
 }
 
-/// The attributes of a tag, as they are written. That none comes twice is not asked, which would take the square of
-/// their number.
-fn attributes<'a>(tag: &'a BytesStart<'_>) -> impl Iterator<Item = (&'a str, &'a str)> {
+/// The attributes of a tag, those that are miswritten among them. That none comes twice is not asked, which would take
+/// the square of their number.
+fn all_attributes<'a>(tag: &'a BytesStart<'_>) -> Attributes<'a> {
     let text: &str = tag;
     let mut all = Attributes::new(text, tag.name().as_ref().len());
     all.with_checks(false);
-    all.flatten().filter_map(|attribute| match attribute.value {
+    all
+}
+
+/// Their names and values, as they are written.
+fn attributes<'a>(tag: &'a BytesStart<'_>) -> impl Iterator<Item = (&'a str, &'a str)> {
+    all_attributes(tag).flatten().filter_map(|attribute| match attribute.value {
         std::borrow::Cow::Borrowed(value) => Some((attribute.key.into_inner(), value)),
         std::borrow::Cow::Owned(_) => None,
     })
@@ -358,6 +372,12 @@ mod tests {
         assert_eq!(rows[1], [0.0, 0.5, -0.5, 0.0, -1.0, -1.0]);
         assert_eq!(first.probabilities, [0.5, 2.0]);
         assert_eq!(first.remarks, ["Left out: its palette, since shapes have no colours of their own."]);
+    }
+
+    #[test]
+    fn capital_letters_make_no_other_tags() {
+        let found = flames("<Flames><Flame name='A'><XForm coefs='.5 0 0 .5 0 0'/></Flame></Flames>");
+        assert_eq!((found.len(), found[0].maps.len()), (1, 1));
     }
 
     #[test]
@@ -408,6 +428,11 @@ mod tests {
             told("<flame>\n\n<xform weight='x' coefs='1 2 3 4 5 6'/></flame>")
                 .starts_with("Line 3: weight=\"x\" is no number.")
         );
+        // A number without its quotes is not passed over, as if the map stayed where it is.
+        for wrong in ["coefs=.5", "coefs='.5 0 0 .5 0 0' weight=2", "coefs"] {
+            let told = told(&format!("<flame>\n<xform {wrong}/></flame>"));
+            assert!(told.starts_with("Line 2: <xform coefs") && told.contains("quotes"), "{told}");
+        }
         assert!(told("<flame name='a'></flame>").starts_with("Line 1: “a” has no transform."));
         assert!(told("<flames></flames>").starts_with("There is no flame"));
         assert!(told("<flame>\n</flames>").starts_with("Line 2: The XML breaks off"));

@@ -108,7 +108,8 @@ pub fn import(bytes: &[u8]) -> Result<Imported, ImportError> {
 
 /// What follows the remarks that a file begins with: there may be more of them than is looked at.
 fn past_remarks(bytes: &[u8]) -> &[u8] {
-    let mut rest = bytes.trim_ascii_start();
+    // What marks how text is written stands before everything.
+    let mut rest = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
     while rest.first() == Some(&b';') {
         let line = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());
         rest = rest[line..].trim_ascii_start();
@@ -121,7 +122,6 @@ fn format_of(bytes: &[u8]) -> Result<FileFormat, ImportError> {
         return Ok(FileFormat::Png);
     }
     let said = past_remarks(bytes);
-    // What marks how text is written stands before everything.
     let bytes = if said.is_empty() { bytes } else { said };
     let head = decode(&bytes[..bytes.len().min(HEAD_BYTES)]);
     let text = head.trim_start();
@@ -136,7 +136,9 @@ fn format_of(bytes: &[u8]) -> Result<FileFormat, ImportError> {
         return Err(ImportError::Unknown);
     }
     if text.starts_with('<') {
-        let known = ["<flame", "<Flame", "<flames"].iter().any(|tag| text.contains(tag));
+        let known = text
+            .match_indices('<')
+            .any(|(at, _)| text.get(at + 1..at + 6).is_some_and(|tag| tag.eq_ignore_ascii_case("flame")));
         return if known { Ok(FileFormat::Flame) } else { Err(ImportError::Unknown) };
     }
     // A system of Fractint without a name begins with a brace, too.
@@ -144,7 +146,8 @@ fn format_of(bytes: &[u8]) -> Result<FileFormat, ImportError> {
     if text.starts_with('[') || object {
         return Ok(FileFormat::Json);
     }
-    let mut lines = text.lines().map(str::trim_start);
+    // Within braces there may be anything: a remark, or an address.
+    let mut lines = text.lines().take_while(|line| !line.contains('{')).map(str::trim_start);
     if lines.any(|line| line.starts_with('@') || line.starts_with("$dim")) {
         return Ok(FileFormat::IfsTile);
     }
@@ -167,6 +170,19 @@ mod tests {
             assert_eq!((found.format, found.systems.len()), (format, 1));
         }
         assert!(import(remarks.as_bytes()).is_err());
+        let marked = format!("\u{feff}{remarks}a {{ .5 0 0 .5 0 0 1 }}");
+        assert_eq!(import(marked.as_bytes()).unwrap().systems.len(), 1);
+    }
+
+    #[test]
+    fn lines_may_end_with_a_carriage_return() {
+        let text = "; a remark\ra { ; another\r.5 0 0 .5 0 0 1\r.5 0 0 .5 1 0 1\r}\r";
+        let found = import(text.as_bytes()).unwrap();
+        assert_eq!((found.format, found.systems[0].maps.len()), (FileFormat::Fractint, 2));
+        let table = import(b".5 0 0 .5 0 0\r.5 0 0 .5 1 0\r").unwrap();
+        assert_eq!((table.format, table.systems[0].maps.len()), (FileFormat::Table, 2));
+        let wrong = import(b"a {\r.5 0 0 .5 0 0 1\r.5 0 x .5 1 0 1\r}").unwrap_err();
+        assert!(wrong.to_string().starts_with("Line 3"), "{wrong}");
     }
 
     #[test]
@@ -176,6 +192,9 @@ mod tests {
             (b"{ .5 0 0 .5 0 0 }", "fractint"),
             (b"\xef\xbb\xbffern\r\n{\r\n}", "fractint"),
             (b"<?xml version='1.0'?>\n<flames><flame/></flames>", "flame"),
+            (b"<?xml version='1.0'?>\n<FLAME/>", "flame"),
+            (b"comment {\n@ 1993, by hand\n}\nfern { 1 2 3 4 5 6 }", "fractint"),
+            (b"@home { 1 2 3 4 5 6 }", "fractint"),
             (b"<html><body>", "file-unknown"),
             (b"<svg xmlns='http://www.w3.org/2000/svg'/>", "file-unknown"),
             (b" {\"maps\": []}", "json"),
