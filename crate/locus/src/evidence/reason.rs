@@ -190,29 +190,12 @@ pub(crate) fn by_crossings(
             corners,
         }
     });
-    let mut links: Vec<Link> = crossings.chain(shared).collect();
-    let mut graph = OverlapGraph::new(maps.len());
-    for link in &links {
-        graph.add(link.pair.0, link.pair.1);
-    }
     // Where pieces fill too much to leave room, none need cross.
-    for i in 0..maps.len() {
-        for j in i + 1..maps.len() {
-            if !graph.components().joined(i, j) && area::areas_fill(&maps[i], &maps[j]) {
-                graph.add(i, j);
-                links.push(Link {
-                    kind: LinkKind::Area,
-                    pair: (i, j),
-                    words: [i, j].map(|i| shown(&[i as u8], maps.len())),
-                    at: near(i, j),
-                    corners: Vec::new(),
-                });
-            }
-        }
-    }
+    let fill = |i: usize, j: usize| area::areas_fill(&maps[i], &maps[j]);
+    let links = join_besides(maps.len(), crossings.chain(shared).collect(), LinkKind::Area, fill, near)?;
     let crosses = links.iter().any(|link| link.kind == LinkKind::Crossing);
     let kind = if crosses { ReasonKind::Crossings } else { ReasonKind::Area };
-    graph.is_connected().then(|| Reason { links, ..Reason::of(kind) })
+    Some(Reason { links, ..Reason::of(kind) })
 }
 
 /// A proof for copies of one shape and direction, which never cross, beside points that are shared. `diameter` is
@@ -227,26 +210,33 @@ pub(crate) fn by_differences(
     if !are_equal(maps) || !differences.begin(maps, DVec2::splat(diameter)) {
         return None;
     }
-    let mut links = shared.to_vec();
-    let mut graph = OverlapGraph::new(maps.len());
-    for link in shared {
+    let meet = |i: usize, j: usize| differences.join(maps, i, j);
+    let links = join_besides(maps.len(), shared.to_vec(), LinkKind::Difference, meet, near)?;
+    Some(Reason { links, ..Reason::of(ReasonKind::Differences) })
+}
+
+/// The links with those of one more kind, where two pieces are not joined yet and `meet`; if they reach every piece.
+fn join_besides(
+    count: usize,
+    mut links: Vec<Link>,
+    kind: LinkKind,
+    mut meet: impl FnMut(usize, usize) -> bool,
+    near: impl Fn(usize, usize) -> DVec2,
+) -> Option<Vec<Link>> {
+    let mut graph = OverlapGraph::new(count);
+    for link in &links {
         graph.add(link.pair.0, link.pair.1);
     }
-    for i in 0..maps.len() {
-        for j in i + 1..maps.len() {
-            if !graph.components().joined(i, j) && differences.join(maps, i, j) {
+    for i in 0..count {
+        for j in i + 1..count {
+            if !graph.components().joined(i, j) && meet(i, j) {
                 graph.add(i, j);
-                links.push(Link {
-                    kind: LinkKind::Difference,
-                    pair: (i, j),
-                    words: [i, j].map(|i| shown(&[i as u8], maps.len())),
-                    at: near(i, j),
-                    corners: Vec::new(),
-                });
+                let words = [i, j].map(|i| shown(&[i as u8], count));
+                links.push(Link { kind, pair: (i, j), words, at: near(i, j), corners: Vec::new() });
             }
         }
     }
-    graph.is_connected().then(|| Reason { links, ..Reason::of(ReasonKind::Differences) })
+    graph.is_connected().then_some(links)
 }
 
 /// Points of two pieces that are checked at most.

@@ -48,7 +48,7 @@ impl InnerDifferences {
             return false;
         }
         let squares = DMat2::from_diagonal(self.scale);
-        self.back = squares * linear.inverse() * squares.inverse();
+        self.back = (squares * linear * squares.inverse()).inverse();
         self.digits.clear();
         self.digits.push(DVec2::ZERO);
         for (k, map) in maps.iter().enumerate() {
@@ -74,13 +74,14 @@ impl InnerDifferences {
 
     /// Whether this shows that the pieces of two of the maps meet.
     pub fn join(&mut self, maps: &[Affine2], i: usize, j: usize) -> bool {
-        self.holds(maps[0].linear.inverse() * (maps[j].translation - maps[i].translation))
+        let step = (maps[j].translation - maps[i].translation) * self.scale;
+        self.holds(self.back * step)
     }
 
-    /// Whether a vector is surely a difference.
-    pub fn holds(&mut self, difference: DVec2) -> bool {
+    /// Whether a vector, in squares, is surely a difference.
+    fn holds(&mut self, difference: DVec2) -> bool {
         self.open.clear();
-        self.open.push(difference * self.scale);
+        self.open.push(difference);
         let mut next = 0;
         while next < self.open.len() && next < MOST_LOOKS {
             let at = self.open[next];
@@ -168,9 +169,9 @@ mod tests {
         for k in 0..200 {
             let angle = 0.1 * f64::from(k);
             let at = 1.9 * DVec2::from_angle(angle).clamp(DVec2::splat(-0.99), DVec2::splat(0.99));
-            assert_eq!(all.holds(at), at.abs().max_element() < 2.0, "{at}");
+            assert_eq!(all.holds(at * all.scale), at.abs().max_element() < 2.0, "{at}");
         }
-        assert!(!all.holds(DVec2::new(2.1, 0.0)));
+        assert!(!all.holds(DVec2::new(2.1, 0.0) * all.scale));
     }
 
     #[test]
@@ -190,7 +191,7 @@ mod tests {
         let corners = |at: f64| [[0.0, 0.0], [at, 0.0], [0.0, at], [at, at]];
         let mut all = InnerDifferences::default();
         assert!(all.begin(&copies(0.5, &corners(0.5)), DVec2::ONE));
-        assert!(all.holds(DVec2::splat(0.9)));
+        assert!(all.holds(DVec2::splat(0.9) * all.scale));
         // The same with smaller copies: Cantor's dust, whose differences reach as far, but with holes.
         assert!(!all.begin(&copies(0.26, &corners(0.74)), DVec2::ONE));
     }
