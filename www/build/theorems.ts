@@ -57,25 +57,28 @@ const THEOREMS: readonly Theorem[] = [
       (“Roots, Schottky semigroups, and a proof of Bandt's conjecture”, arXiv 1410.8542): an attractor is connected in steps
       as short as its gap, so that two smaller copies whose ends take turns around a disc would have to come nearer to each other than that
       gap. They take it for two similarities with one factor. Stated here for any number of affine maps, with a graph of pairs in place of the one
-      pair, and with rays in place of arcs around a disc.</p>
+      pair, and with straight rays in place of arcs around a disc.</p>
       <p><strong>Theorem.</strong> Let G ≥ ${i("g")}, and r<sub>u</sub> = |${i("u")}| G / 2 for a word ${i("u")}. Suppose that for a word
       ${i("u")} that begins with i and a word ${i("v")} that begins with j there are points p<sub>1</sub>, p<sub>2</sub> of ${piece("u")} and
-      q<sub>1</sub>, q<sub>2</sub> of ${piece("v")}, and from each of them a ray to infinity, such that</p>
+      q<sub>1</sub>, q<sub>2</sub> of ${piece("v")}, and for each of them a unit vector, such that</p>
       <ol>
-        <li>the rays of p<sub>1</sub> and p<sub>2</sub> are farther than r<sub>v</sub> from ${piece("v")}, those of q<sub>1</sub> and
-        q<sub>2</sub> farther than r<sub>u</sub> from ${piece("u")};</li>
-        <li>no ray of a p meets one of a q;</li>
-        <li>their directions alternate: p<sub>1</sub>, q<sub>1</sub>, p<sub>2</sub>, q<sub>2</sub> in cyclic order.</li>
+        <li>along its vector each p is beyond all of ${piece("v")} by more than r<sub>v</sub>, and each q beyond all of ${piece("u")} by
+        more than r<sub>u</sub>;</li>
+        <li>the vectors alternate: those of p<sub>1</sub>, q<sub>1</sub>, p<sub>2</sub>, q<sub>2</sub> are in cyclic order.</li>
       </ol>
       <p>If the graph of all pairs (i, j) for which there are such points is connected, then ${i("A")} is connected. Pairs that are known to
       meet for another reason count as well.</p>
+      <p><strong>Lemma.</strong> From each of these points let a ray go along its vector. No ray of a p meets one of a q.</p>
+      <p><strong>Proof.</strong> Let p + ad = q + be with a, b ≥ 0 and unit vectors d, e. Times d this is b (d · e) = a + d · (p − q)
+      &gt; a, times e it is a (d · e) = b + e · (q − p) &gt; b. So a and b are positive, and d · e is more than both a / b and b / a, one of which
+      is at least 1: a contradiction. ∎</p>
       <p><strong>Proof.</strong> Suppose that ${i("g")} &gt; 0. As above, ${i("A")} is connected in steps of ${i("g")}, and so
       ${piece("u")} in steps of |${i("u")}| ${i("g")}. The union P of the closed discs of radius |${i("u")}| ${i("g")} / 2 ≤ r<sub>u</sub> about
       its points is therefore connected by paths, and so is the union Q of those of radius |${i("v")}| ${i("g")} / 2 about the points of
       ${piece("v")}. A large disc D holds P, Q and the beginnings of the rays. One path goes from the boundary of D along the ray to
       p<sub>1</sub>, within P to p<sub>2</sub> and out along its ray; another one likewise by q<sub>1</sub>, Q and q<sub>2</sub>. They join
-      alternating points of the boundary inside D, so they meet. Not on two rays, by 2; nor on a ray of the one and in the union of the other, by
-      1. So P and Q meet, and the distance of ${piece("i")} and ${piece("j")} is at most that of ${piece("u")} and ${piece("v")}, which is at most
+      alternating points of the boundary inside D, so they meet. Not on two rays, by the lemma; nor on a ray of the one and in the union of the
+      other, by 1. So P and Q meet, and the distance of ${piece("i")} and ${piece("j")} is at most that of ${piece("u")} and ${piece("v")}, which is at most
       (|${i("u")}| + |${i("v")}|) ${i("g")} / 2 ≤ ${i("s")}${i("g")} &lt; ${i("g")}. As this holds for the edges of a connected graph, and as pieces
       that meet are at distance 0, the longest edge of a shortest tree is below ${i("g")}: a contradiction. So
       ${i("g")} = 0, and ${i("A")} is connected by Hata's theorem. ∎</p>

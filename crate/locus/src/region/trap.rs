@@ -4,20 +4,25 @@
 //! arXiv 1410.8542). An attractor is connected in steps as short as its gap, so that two smaller copies whose ends
 //! take turns around a disc would have to come nearer to each other than that gap. They take it for two similarities
 //! with one factor, to find inner points of the set M. Stated and proved here is a version for any number of affine
-//! maps that contract in one norm, with a graph of pairs in place of the one pair, and with rays, which take no more
-//! than the hulls of pieces.
+//! maps that contract in one norm, with a graph of pairs in place of the one pair, and with straight rays, which take
+//! no more than the hulls of pieces.
 //!
 //! **Theorem.** Let all maps `w_i` of a system contract in one norm, `|w_i| <= s < 1`, and let g be the widest gap of
 //! its attractor A: the widest edge of the minimum spanning tree of the distances between the pieces `A_i`. For a
 //! word u write `A_u` for its piece, `|w_u|` for the norm of its map, and `r_u = |w_u| G / 2` for some `G >= g`.
 //! Suppose that for a word u that begins with i and a word v that begins with j there are points p1, p2 of `A_u` and
-//! q1, q2 of `A_v`, and from each a ray to infinity, such that
+//! q1, q2 of `A_v`, and a unit vector for each of them, such that
 //!
-//! 1. the rays of p1 and p2 are farther than `r_v` from `A_v`, those of q1 and q2 farther than `r_u` from `A_u`,
-//! 2. no ray of a p meets one of a q,
-//! 3. their directions alternate: p1, q1, p2, q2 in cyclic order.
+//! 1. along its vector each p is beyond all of `A_v` by more than `r_v`, and each q beyond all of `A_u` by more than
+//!    `r_u`,
+//! 2. the vectors alternate: those of p1, q1, p2, q2 are in cyclic order.
 //!
 //! If the graph of all pairs (i, j) for which this can be found is connected, then A is connected.
+//!
+//! **Lemma.** From each of these points let a ray go along its vector. No ray of a p meets one of a q. *Proof.* Let
+//! `p + a d = q + b e` with `a, b >= 0` and unit vectors d and e. Times d: `b (d . e) = a + d . (p - q) > a`, times
+//! e: `a (d . e) = b + e . (q - p) > b`. So a and b are positive, and `d . e` is more than both a / b and b / a, of
+//! which one is at least 1: a contradiction.
 //!
 //! **Proof.** Suppose that g > 0. *A is connected in steps of g*: with n so large that all pieces of n letters are
 //! smaller than g, any two points of one such piece are a step apart; and for any word of less than n letters the
@@ -25,10 +30,10 @@
 //! connected in steps of `|w_u| g`*, and the union P of closed discs of radius `|w_u| g / 2 <= r_u` about its points
 //! is connected by paths; so is the union Q of discs about `A_v`. A large disc D holds P, Q and the beginnings of the
 //! rays. A path from the boundary of D along the ray to p1, in P to p2, and out along its ray, and another one
-//! likewise through q1, Q and q2, join alternating points of the boundary of D inside it, so that they meet. By 2
-//! they do not meet on two rays, by 1 not on a ray and in the other's union; so P and Q meet, and `d(A_i, A_j) <=
-//! d(A_u, A_v) <= (|w_u| + |w_v|) g / 2 <= s g < g`. As this holds for the edges of a connected graph, the widest gap
-//! is below g, a contradiction. So g = 0, and A is connected (Hata 1985).
+//! likewise through q1, Q and q2, join alternating points of the boundary of D inside it, so that they meet. By the
+//! lemma they do not meet on two rays, by 1 not on a ray and in the other's union; so P and Q meet, and `d(A_i, A_j)
+//! <= d(A_u, A_v) <= (|w_u| + |w_v|) g / 2 <= s g < g`. As this holds for the edges of a connected graph, the widest
+//! gap is below g, a contradiction. So g = 0, and A is connected (Hata 1985).
 //!
 //! All conditions are strict inequalities between points and hulls, so that they hold for all systems nearby: for a
 //! whole box of parameters, if in the corners they hold by more than what
@@ -384,37 +389,8 @@ impl<const L: usize> Descent<L> {
                 return None;
             }
         }
-        for (m, n) in [(0, 1), (1, 2), (2, 3), (3, 0)] {
-            let rays = [turns[m].2, turns[n].2].map(direction);
-            if !self.disjoint(&points[m], rays[0], &points[n], rays[1]) {
-                return None;
-            }
-        }
         let [p, q, r, s] = points;
         Some(if turns[0].0 == 0 { [p, r, q, s] } else { [q, s, p, r] })
-    }
-
-    /// Whether the rays from p along d and from q along e are disjoint over the whole box.
-    ///
-    /// They meet where `p - q` is of the form `a e - b d` with `a, b >= 0`. It is not if the product with
-    /// one normal is negative whose product with e and with -d is not; the two on the sides of that cone serve
-    /// for all.
-    fn disjoint(&self, p: &Points<L>, d: DVec2, q: &Points<L>, e: DVec2) -> bool {
-        let turn = d.perp_dot(e);
-        let normals = if turn == 0.0 {
-            if d.dot(e) > 0.0 { [d.perp(), -d.perp(), DVec2::ZERO] } else { [d.perp(), -d.perp(), e] }
-        } else {
-            [d.perp() * turn.signum(), e.perp() * turn.signum(), DVec2::ZERO]
-        };
-        let steps: Points<L> = std::array::from_fn(|l| p[l] - q[l]);
-        let bow = bows(&steps);
-        normals.iter().any(|&n| {
-            let most = steps.iter().map(|step| n.dot(*step)).fold(f64::NEG_INFINITY, f64::max);
-            // The product must stay negative, so that what counts is how far it may rise.
-            let rise = bow.iter().map(|bow| -n.dot(*bow)).fold(f64::NEG_INFINITY, f64::max);
-            let length = n.length();
-            length > 0.0 && most + self.lanes.margin(rise / length) * length < 0.0
-        })
     }
 
     fn note(&mut self, sight: &Sight, i: usize, j: usize) {
@@ -444,38 +420,3 @@ impl<const L: usize> Descent<L> {
 const LOOKS_AT_FIRST: usize = 150;
 /// Two convex pieces take more turns than this only where the points of one hardly reach beyond the other.
 const MOST_TURNS: usize = 12;
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rays_that_meet_are_told_from_those_that_do_not() {
-        let descent = Descent::<1>::default();
-        let disjoint = |p: [f64; 2], d: [f64; 2], q: [f64; 2], e: [f64; 2]| {
-            let [p, d, q, e] = [p, d, q, e].map(DVec2::from_array);
-            let one = descent.disjoint(&[p], d, &[q], e);
-            assert_eq!(one, descent.disjoint(&[q], e, &[p], d), "whichever comes first");
-            one
-        };
-        let (o, right, up) = ([0.0, 0.0], [1.0, 0.0], [0.0, 1.0]);
-        assert!(!disjoint(o, right, [1.0, -1.0], up));
-        assert!(disjoint(o, right, [1.0, 0.1], up), "it begins beyond");
-        assert!(disjoint(o, right, [-0.1, -1.0], up), "it passes behind");
-        assert!(disjoint(o, right, [1.0, -1.0], [0.0, -1.0]), "it goes the other way");
-        assert!(!disjoint(o, right, [1.0, 0.0], up), "it begins on the other");
-        // Parallel ones, side by side, on one line, and towards each other.
-        assert!(disjoint(o, right, [0.0, 0.1], right));
-        assert!(!disjoint(o, right, [5.0, 0.0], right));
-        assert!(!disjoint(o, right, [5.0, 0.0], [-1.0, 0.0]));
-        assert!(disjoint(o, right, [-0.1, 0.0], [-1.0, 0.0]));
-    }
-
-    #[test]
-    fn a_little_play_may_let_rays_meet() {
-        let mut descent = Descent::<1>::default();
-        descent.lanes.rounding = 0.2;
-        let rays = |up: f64| descent.disjoint(&[DVec2::ZERO], DVec2::X, &[DVec2::new(1.0, up)], DVec2::Y);
-        assert!(!rays(0.1) && rays(0.3));
-    }
-}
