@@ -1,4 +1,4 @@
-//! A second opinion: replays a proof that the attractor of affine maps is in several pieces.
+//! A second opinion: replays a proof that the attractor of affine maps is in several pieces, or in one.
 //!
 //! It shares no code and no types with what finds such proofs, computes with whole numbers of any length
 //! instead of floating point, and knows nothing of searching. Doubles are whole multiples of a power of two, so
@@ -23,6 +23,36 @@
 //!
 //! Each of these is checked by [`check`], in this order.
 //!
+//! # What a [`ConnectedCertificate`] proves
+//!
+//! 1. *There is an attractor `A`, and it lies in `P`*, as above, where here each map takes `P` into its inside. So all
+//!    maps contract in the norm with the unit ball `D = P - P`, and any two points of `A` are at a distance of at
+//!    most 1.
+//! 2. *No gap is wider than `gap`.* Let g be the longest edge of the minimum spanning tree of the distances between
+//!    the pieces `A_i`. For each pair of words `(a, b)` of `near`, no point of `w_a(P)` is farther from one of
+//!    `w_b(P)` than `gap`, and these pairs reach all maps. So `g <= gap`.
+//! 3. *Links hold.* A point with two addresses is in both of its pieces. Two pieces whose maps scale areas by factors
+//!    with a sum of 1 or more meet: else a small enough neighbourhood of `A` would hold two disjoint images of itself
+//!    and more. And two pieces `A_u`, `A_v` that lie across each other are nearer to each other than g, if g is not 0:
+//!    - `A` is connected in steps of g: for words so long that their pieces are smaller than that, any two points
+//!      of one piece are such a step apart, and the parts of the piece of a shorter word hang together by steps of
+//!      those of `A`, made smaller. So `A_u` is connected by steps in `g M_u D`, and `Q_u`, the sum of `A_u`
+//!      and `(g/2) M_u D`, by paths; and likewise `Q_v`.
+//!    - Each of two parts of `A_u` is farther along its direction d than all of `w_v(P) + (gap/2) M_v D`, so that a
+//!      ray along d from a point of it does not meet `Q_v`; and likewise for two parts of `A_v`, and `Q_u`.
+//!    - No ray of the one piece meets one of the other: let `p + a d = q + b e` with `a, b >= 0`. Since `d . p > d . q`
+//!      and `e . q > e . p`, times d it says that `b (d . e) > a |d|^2`, times e that `a (d . e) > b |e|^2`. So a,
+//!      b and `d . e` are positive, and `(d . e)^2 > |d|^2 |e|^2`, which is never.
+//!    - The directions alternate. So two paths, each along a ray, through `Q_u` or `Q_v` and out along the other ray,
+//!      join alternating points of a large circle within it, and meet: `Q_u` and `Q_v` have a common point. Hence a
+//!      point of `A_u` and one of `A_v` differ by a vector of `(g/2) (M_u D + M_v D)`, which is in the inside of
+//!      `g D`.
+//! 4. *Links reach every piece.* Were g not 0, all links would be shorter than g, and so the spanning tree: a
+//!    contradiction. So all pieces hang together by pieces that meet, and `A` is connected (Hata 1985).
+//!
+//! The crossing is a form of the *trap* of Calegari, Koch and Walker (arXiv 1410.8542). All this is checked by
+//! [`check_connected`], in this order.
+//!
 //! ```
 //! use frond_check::{Certificate, Pair, check};
 //!
@@ -39,8 +69,14 @@
 //! ```
 
 mod certificate;
+mod common_point;
+mod connected;
 mod cover;
+mod crossing;
+mod joined;
+mod limits;
 mod polygon;
+mod proof;
 mod refused;
 mod replay;
 #[cfg(feature = "text")]
@@ -48,5 +84,8 @@ mod text;
 mod whole;
 
 pub use certificate::{Certificate, Pair};
+pub use connected::{Address, ConnectedCertificate, Far, Link};
+pub use joined::{CheckedConnected, check_connected};
+pub use proof::{CheckedProof, Proof};
 pub use refused::Refused;
 pub use replay::{Checked, check};

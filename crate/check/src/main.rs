@@ -4,7 +4,7 @@
 use std::io::Read;
 use std::process::ExitCode;
 
-use frond_check::{Certificate, check};
+use frond_check::{CheckedProof, Proof};
 
 fn main() -> ExitCode {
     let names: Vec<String> = std::env::args().skip(1).collect();
@@ -22,14 +22,21 @@ fn main() -> ExitCode {
 
 fn report(name: &str, text: std::io::Result<String>) -> bool {
     let answer = text.map_err(|error| error.to_string()).and_then(|text| {
-        let certificate = Certificate::from_json(&text).map_err(|error| error.to_string())?;
-        check(&certificate).map_err(|refused| refused.to_string())
+        let proof = Proof::from_json(&text).map_err(|error| error.to_string())?;
+        proof.check().map_err(|refused| refused.to_string())
     });
     match answer {
-        Ok(found) => {
+        Ok(CheckedProof::Disconnected(found)) => {
             println!(
                 "{name}: accepted. The attractor is in several pieces: {} pairs of pieces are apart, of at most {} letters.",
                 found.pairs, found.longest
+            );
+            true
+        }
+        Ok(CheckedProof::Connected(found)) => {
+            println!(
+                "{name}: accepted. The attractor is in one piece: {} links hold it together, of at most {} letters.",
+                found.links, found.longest
             );
             true
         }

@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 
 use crate::refused::Refused;
-use crate::whole::Whole;
+use crate::whole::{Factor, Whole};
 
 /// The polygon and the maps as whole numbers.
 pub(crate) struct Scene {
@@ -12,6 +12,7 @@ pub(crate) struct Scene {
 }
 
 /// How far the image of the polygon reaches, as a whole number times `2^-bits`.
+#[derive(Clone)]
 pub(crate) struct Reach {
     pub far: BigInt,
     pub bits: u64,
@@ -22,6 +23,23 @@ impl Reach {
     pub fn is_below(&self, other: &Self) -> bool {
         let most = self.bits.max(other.bits);
         (&self.far << (most - self.bits)) < (&other.far << (most - other.bits))
+    }
+
+    pub fn plus(&self, other: &Self) -> Self {
+        let most = self.bits.max(other.bits);
+        Self { far: (&self.far << (most - self.bits)) + (&other.far << (most - other.bits)), bits: most }
+    }
+
+    pub fn times(self, factor: &Factor) -> Self {
+        Self { far: self.far * &factor.digits, bits: self.bits + factor.bits }
+    }
+
+    pub fn half(self) -> Self {
+        Self { bits: self.bits + 1, ..self }
+    }
+
+    pub fn negative(self) -> Self {
+        Self { far: -self.far, ..self }
     }
 }
 

@@ -75,6 +75,26 @@ pub enum Refused {
         /// Its second word.
         v: Vec<u8>,
     },
+    /// That no gap is wider than it says is not shown.
+    #[error("A gap may be wider: {why}.")]
+    Gap {
+        /// What is wrong.
+        why: &'static str,
+    },
+    /// A link does not hold two pieces together.
+    #[error("Link {} does not hold: {why}.", .link + 1)]
+    Link {
+        /// Index of the link.
+        link: usize,
+        /// What is wrong.
+        why: &'static str,
+    },
+    /// Some maps are not reached.
+    #[error("The links do not reach all pieces: none leads from the first to piece {}.", .map + 1)]
+    Unreached {
+        /// Index of a map.
+        map: usize,
+    },
 }
 
 impl Refused {
@@ -91,6 +111,9 @@ impl Refused {
             Self::Stray { .. } => "stray",
             Self::Uncovered { .. } => "uncovered",
             Self::NotApart { .. } => "not-apart",
+            Self::Gap { .. } => "gap",
+            Self::Link { .. } => "link",
+            Self::Unreached { .. } => "unreached",
         }
     }
 }

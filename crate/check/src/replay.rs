@@ -2,10 +2,9 @@
 
 use std::fmt;
 
-use num_bigint::BigInt;
-
 use crate::certificate::{Certificate, Pair};
 use crate::cover::check_cover;
+use crate::limits::{CORNERS, LETTERS, MAPS, PAIRS, TEXT, Work, at_most};
 use crate::polygon::Scene;
 use crate::refused::Refused;
 use crate::whole::Whole;
@@ -33,17 +32,8 @@ impl fmt::Display for Checked {
     }
 }
 
-/// Letters are bytes.
-const MAPS: usize = 256;
-const CORNERS: usize = 512;
 /// Words that map the polygon into itself.
 const BLOCKS: usize = 4096;
-const PAIRS: usize = 1_000_000;
-/// Letters of one word, and of all words together.
-const LETTERS: usize = 1000;
-const TEXT: usize = 10_000_000;
-/// Multiplications of machine words, roughly: a minute or two.
-const WORK: u64 = 50_000_000_000;
 
 /// Checks a certificate in exact arithmetic. What it proves is said in the [crate](crate).
 ///
@@ -84,8 +74,7 @@ pub fn check(certificate: &Certificate) -> Result<Checked, Refused> {
         let [n_x, n_y] = &whole.rows[0];
         // The least along `n` is less the greatest along `-n`.
         let most = scene.farthest(u, [n_x.clone(), n_y.clone()], whole.bits);
-        let mut least = scene.farthest(v, [-n_x, -n_y], whole.bits);
-        least.far = -least.far;
+        let least = scene.farthest(v, [-n_x, -n_y], whole.bits).negative();
         if !most.is_below(&least) {
             return Err(Refused::NotApart { pair: k, u: u.clone(), v: v.clone() });
         }
@@ -96,9 +85,6 @@ pub fn check(certificate: &Certificate) -> Result<Checked, Refused> {
 /// Sizes and forms; the letters of the longest word.
 fn check_form(certificate: &Certificate) -> Result<usize, Refused> {
     let Certificate { maps, polygon, letters, side, pairs } = certificate;
-    let at_most = |count: usize, most: usize, what: &'static str| {
-        if count > most { Err(Refused::TooLarge { what, most: most as u64 }) } else { Ok(()) }
-    };
     at_most(maps.len(), MAPS, "maps")?;
     at_most(polygon.len(), CORNERS, "corners")?;
     at_most(pairs.len(), PAIRS, "pairs")?;
@@ -126,25 +112,17 @@ fn check_form(certificate: &Certificate) -> Result<usize, Refused> {
     Ok(longest)
 }
 
-/// Roughly how long it will take: numbers grow by `bits` digits and more a letter.
+/// Roughly how long it will take.
 fn check_work(certificate: &Certificate, scene: &Scene) -> Result<(), Refused> {
-    let size = |whole: u64, numbers: &mut dyn Iterator<Item = &BigInt>| {
-        whole.max(numbers.map(BigInt::bits).max().unwrap_or(0)) / 64 + 2
-    };
-    let a_letter = size(scene.maps.bits, &mut scene.maps.rows.iter().flatten());
-    let a_corner = size(scene.corners.bits, &mut scene.corners.rows.iter().flatten());
-    let corners = certificate.polygon.len() as u64;
-    let of_word = |letters: usize| {
-        let letters = letters as u64;
-        let end = letters * a_letter + 2 * a_corner;
-        letters * end * 3 * a_letter + end * 2 * corners * a_corner
-    };
-    let blocks = (certificate.maps.len() as u64).pow(certificate.letters as u32);
-    let inside = of_word(certificate.letters).saturating_mul(blocks).saturating_mul(corners);
-    let convex = (corners * a_corner).pow(2);
-    let pairs = certificate.pairs.iter().map(|pair| of_word(pair.u.len()) + of_word(pair.v.len()));
-    let work = pairs.fold(inside.saturating_add(convex), u64::saturating_add);
-    if work > WORK { Err(Refused::TooLarge { what: "digits to multiply", most: WORK }) } else { Ok(()) }
+    let Certificate { maps, polygon, letters, pairs, .. } = certificate;
+    let mut work = Work::of(scene);
+    let blocks = (maps.len() as u64).pow(*letters as u32);
+    work.add(blocks.saturating_mul(polygon.len() as u64), *letters);
+    for pair in pairs {
+        work.add(1, pair.u.len());
+        work.add(1, pair.v.len());
+    }
+    work.check()
 }
 
 fn check_cut(side: &[u8]) -> Result<(), Refused> {

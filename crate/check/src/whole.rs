@@ -28,6 +28,25 @@ impl<const N: usize> Whole<N> {
     }
 }
 
+/// A double: a whole number times `2^-bits`.
+pub(crate) struct Factor {
+    pub digits: BigInt,
+    pub bits: u64,
+}
+
+impl Factor {
+    /// `None` if it is not finite.
+    pub fn of(x: f64) -> Option<Self> {
+        let Whole { rows, bits } = Whole::of(&[[x]])?;
+        let [digits] = rows.into_iter().next()?;
+        Some(Self { digits, bits })
+    }
+
+    pub fn is_at_least_one(&self) -> bool {
+        self.digits >= BigInt::from(1) << self.bits
+    }
+}
+
 /// `(m, e)` with `x = m 2^e`, m odd or zero.
 fn parts(x: f64) -> (i64, i64) {
     let bits = x.to_bits();

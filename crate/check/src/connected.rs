@@ -1,0 +1,66 @@
+//! What is to be checked of an attractor in one piece: plain numbers.
+
+/// A proof that the attractor of maps is in one piece. See the [crate](crate) for what it says.
+///
+/// Maps are rows as in [`Certificate`](crate::Certificate), words and addresses lists of letters from 0.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "text", derive(serde::Serialize, serde::Deserialize))]
+pub struct ConnectedCertificate {
+    /// The maps.
+    pub maps: Vec<[f64; 6]>,
+    /// The corners of a strictly convex polygon, counter-clockwise, which each map takes into its inside.
+    pub polygon: Vec<[f64; 2]>,
+    /// No gap is wider, where the polygon itself is 1 wide in all directions. From 1 on that needs no proof.
+    pub gap: f64,
+    /// Pairs of words whose pieces are so near that no gap is wider. They reach all maps.
+    pub near: Vec<[Vec<u8>; 2]>,
+    /// What holds pieces together. All of it reaches all maps.
+    pub links: Vec<Link>,
+}
+
+/// What holds the pieces of two maps together.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "text",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "kind", rename_all = "lowercase")
+)]
+pub enum Link {
+    /// A point that both have.
+    Point {
+        /// Its address in the one and in the other.
+        addresses: [Address; 2],
+    },
+    /// The areas of the two are too large to lie side by side.
+    Area {
+        /// The two maps.
+        pair: [u8; 2],
+    },
+    /// Two pieces lie across each other.
+    Crossing {
+        /// Their words.
+        words: [Vec<u8>; 2],
+        /// Two far pieces of the first, then two of the second.
+        far: [Far; 4],
+    },
+}
+
+/// An endless word: `head` once, then `repeat` without end. The point is `w_head(x)`, where `x` is fixed by `w_repeat`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "text", derive(serde::Serialize, serde::Deserialize))]
+pub struct Address {
+    /// The letters before those that repeat; there may be none.
+    pub head: Vec<u8>,
+    /// The letters that repeat.
+    pub repeat: Vec<u8>,
+}
+
+/// A part of a piece that juts out beyond another piece.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "text", derive(serde::Serialize, serde::Deserialize))]
+pub struct Far {
+    /// What its word has behind that of the piece; there may be nothing.
+    pub tail: Vec<u8>,
+    /// Along this direction it is beyond all of the other piece, and what its gaps may add to that.
+    pub direction: [f64; 2],
+}

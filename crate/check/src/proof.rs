@@ -1,0 +1,49 @@
+//! Certificates of both kinds.
+
+use std::fmt;
+
+use crate::certificate::Certificate;
+use crate::connected::ConnectedCertificate;
+use crate::joined::{CheckedConnected, check_connected};
+use crate::refused::Refused;
+use crate::replay::{Checked, check};
+
+/// A certificate of either kind.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Proof {
+    /// The attractor is in several pieces.
+    Disconnected(Certificate),
+    /// It is in one.
+    Connected(ConnectedCertificate),
+}
+
+/// What was checked of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CheckedProof {
+    /// The attractor is in several pieces.
+    Disconnected(Checked),
+    /// It is in one.
+    Connected(CheckedConnected),
+}
+
+impl Proof {
+    /// Checks it in exact arithmetic.
+    ///
+    /// # Errors
+    /// As [`check`] and [`check_connected`].
+    pub fn check(&self) -> Result<CheckedProof, Refused> {
+        match self {
+            Self::Disconnected(certificate) => check(certificate).map(CheckedProof::Disconnected),
+            Self::Connected(certificate) => check_connected(certificate).map(CheckedProof::Connected),
+        }
+    }
+}
+
+impl fmt::Display for CheckedProof {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Disconnected(checked) => checked.fmt(f),
+            Self::Connected(checked) => checked.fmt(f),
+        }
+    }
+}

@@ -1,0 +1,223 @@
+//! Certificates of attractors in one piece, and what is left of them when something is changed.
+
+use frond_check::{Address, CheckedConnected, ConnectedCertificate, Far, Link, Refused, check_connected};
+
+/// Two thin bars laid across each other, each of two halves that reach a little beyond the middle. The polygon is a
+/// square about them.
+fn plus() -> ConnectedCertificate {
+    let maps = vec![
+        [0.6, 0.0, 0.0, 0.05, -0.4, 0.0],
+        [0.6, 0.0, 0.0, 0.05, 0.4, 0.0],
+        [0.05, 0.0, 0.0, 0.6, 0.02, -0.4],
+        [0.05, 0.0, 0.0, 0.6, 0.02, 0.4],
+    ];
+    let polygon = vec![[-1.125, -1.125], [1.125, -1.125], [1.125, 1.125], [-1.125, 1.125]];
+    let crossing = |words: [u8; 2], far: [(u8, [f64; 2]); 4]| Link::Crossing {
+        words: words.map(|letter| vec![letter]),
+        far: far.map(|(letter, direction)| Far { tail: vec![letter; 12], direction }),
+    };
+    let links = vec![
+        // The left half and the lower: left and right, down and up.
+        crossing([0, 2], [(0, LEFT), (1, RIGHT), (2, DOWN), (3, UP)]),
+        crossing([1, 2], [(0, LEFT), (1, RIGHT), (2, DOWN), (3, UP)]),
+        crossing([0, 3], [(0, LEFT), (1, RIGHT), (2, DOWN), (3, UP)]),
+    ];
+    // Both halves of each bar reach beyond the middle, and no gap is wider than a hundredth.
+    let deep = |first: u8, then: u8| [vec![first], vec![then; 12]].concat();
+    let near = vec![[deep(0, 1), deep(2, 3)], [deep(1, 0), deep(2, 3)], [deep(0, 1), deep(3, 2)]];
+    ConnectedCertificate { maps, polygon, gap: 0.1, near, links }
+}
+
+const LEFT: [f64; 2] = [-1.0, 0.0];
+const RIGHT: [f64; 2] = [1.0, 0.0];
+const DOWN: [f64; 2] = [0.0, -1.0];
+const UP: [f64; 2] = [0.0, 1.0];
+
+/// The gasket, whose pieces share points.
+fn gasket() -> ConnectedCertificate {
+    let map = |e, f| [0.5, 0.0, 0.0, 0.5, e, f];
+    let address = |head: u8, repeat: u8| Address { head: vec![head], repeat: vec![repeat] };
+    let point = |a: u8, b: u8| Link::Point { addresses: [address(a, b), address(b, a)] };
+    ConnectedCertificate {
+        maps: vec![map(0.0, 0.0), map(0.5, 0.0), map(0.25, 0.43)],
+        polygon: vec![[-1.0, -1.0], [2.0, -1.0], [2.0, 2.0], [-1.0, 2.0]],
+        gap: 1.0,
+        near: Vec::new(),
+        links: vec![point(0, 1), point(2, 1)],
+    }
+}
+
+/// Two maps whose areas add up to exactly 1.
+fn full() -> ConnectedCertificate {
+    ConnectedCertificate {
+        maps: vec![[0.75, 0.0, 0.0, 0.75, 0.0, 0.0], [0.0, -0.875, 0.5, 0.0, 0.1, 0.3]],
+        links: vec![Link::Area { pair: [0, 1] }],
+        polygon: vec![[-4.0, -4.0], [4.0, -4.0], [4.0, 4.0], [-4.0, 4.0]],
+        ..gasket()
+    }
+}
+
+/// The reason why a changed proof is refused.
+fn refused(mut proof: ConnectedCertificate, change: impl FnOnce(&mut ConnectedCertificate)) -> Refused {
+    let before = proof.clone();
+    change(&mut proof);
+    assert_ne!(proof, before, "nothing was changed");
+    check_connected(&proof).expect_err("this is no proof any more")
+}
+
+fn crossing(proof: &mut ConnectedCertificate, link: usize) -> (&mut [Vec<u8>; 2], &mut [Far; 4]) {
+    match &mut proof.links[link] {
+        Link::Crossing { words, far } => (words, far),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn proofs_of_all_kinds_are_accepted() {
+    assert_eq!(check_connected(&plus()), Ok(CheckedConnected { links: 3, longest: 13 }));
+    assert_eq!(check_connected(&gasket()), Ok(CheckedConnected { links: 2, longest: 2 }));
+    // Addresses of one point need not be as long.
+    let mut longer = gasket();
+    let Link::Point { addresses: [_, b] } = &mut longer.links[0] else { panic!("a point") };
+    b.head = vec![1, 0, 0];
+    assert!(check_connected(&longer).is_ok());
+    assert!(check_connected(&full()).is_ok());
+    // One map is a point, and needs nothing.
+    let one =
+        ConnectedCertificate { maps: vec![[0.5, 0.0, 0.0, 0.5, 0.0, 0.0]], links: Vec::new(), ..gasket() };
+    assert_eq!(check_connected(&one), Ok(CheckedConnected { links: 0, longest: 0 }));
+    // Where the pieces turn the other way round, and whichever comes first.
+    let mut turned = plus();
+    for link in 0..3 {
+        let (_, far) = crossing(&mut turned, link);
+        far.swap(0, 1);
+    }
+    assert!(check_connected(&turned).is_ok());
+    let (words, far) = crossing(&mut turned, 0);
+    words.swap(0, 1);
+    *far = [far[2].clone(), far[3].clone(), far[0].clone(), far[1].clone()];
+    assert!(check_connected(&turned).is_ok());
+}
+
+#[test]
+fn pieces_that_do_not_lie_across_each_other_are_refused() {
+    let link = |change: &dyn Fn(&mut ConnectedCertificate)| match refused(plus(), change) {
+        Refused::Link { link, .. } => link,
+        other => panic!("{other}"),
+    };
+    // An upright bar moved to where the level one ends.
+    let wide = ConnectedCertificate { gap: 0.25, ..plus() };
+    assert!(check_connected(&wide).is_ok());
+    let moved = refused(wide, |proof| proof.maps[2][4] = 0.22);
+    assert!(matches!(moved, Refused::Link { link: 0, .. }), "{moved}");
+    // A part that does not reach far enough: it is not yet known to lie beyond.
+    assert_eq!(link(&|proof| crossing(proof, 0).1[1].tail.truncate(3)), 0);
+    // The wrong way, and a way in which nothing is beyond anything.
+    assert_eq!(link(&|proof| crossing(proof, 1).1[2].direction = UP), 1);
+    assert_eq!(link(&|proof| crossing(proof, 1).1[2].direction = [0.0, 0.0]), 1);
+    // Parts of the same end: each is beyond, but they do not alternate.
+    assert_eq!(link(&|proof| crossing(proof, 2).1[1] = crossing(proof, 2).1[0].clone()), 2);
+    // Through gaps as wide as that one could pass through the other, were there any.
+    assert_eq!(link(&|proof| proof.gap = 4.0), 0);
+}
+
+#[test]
+fn a_gap_that_is_not_shown_is_refused() {
+    let is_gap = |change: &dyn Fn(&mut ConnectedCertificate)| {
+        let why = refused(plus(), change);
+        assert_eq!(why.code(), "gap", "{why}");
+    };
+    is_gap(&|proof| proof.near.truncate(2));
+    is_gap(&|proof| proof.near.clear());
+    is_gap(&|proof| proof.near[0][0].truncate(3));
+    is_gap(&|proof| proof.gap = 1e-3);
+    is_gap(&|proof| proof.near[0][1] = vec![2; 12]);
+    // From the top to the middle of the bottom: far only against the direction across the lower edge.
+    let deep = |first: u8, then: u8| [vec![first], vec![then; 12]].concat();
+    let triangle = ConnectedCertificate {
+        polygon: vec![[-0.5, -0.25], [1.5, -0.25], [0.5, 1.5]],
+        near: vec![[deep(0, 1), deep(1, 0)], [deep(0, 2), deep(2, 0)]],
+        gap: 0.3,
+        ..gasket()
+    };
+    assert!(check_connected(&triangle).is_ok());
+    assert_eq!(refused(triangle, |proof| proof.near[1] = [deep(2, 2), deep(0, 1)]).code(), "gap");
+    assert_eq!(refused(plus(), |proof| proof.gap = -0.1).code(), "not-finite");
+    assert_eq!(refused(plus(), |proof| proof.gap = f64::INFINITY).code(), "not-finite");
+}
+
+#[test]
+fn links_that_do_not_reach_all_are_refused() {
+    assert_eq!(refused(plus(), |proof| proof.links.truncate(2)), Refused::Unreached { map: 3 });
+    assert_eq!(refused(gasket(), |proof| proof.links.clear()), Refused::Unreached { map: 1 });
+    assert_eq!(
+        refused(gasket(), |proof| proof.links[1] = proof.links[0].clone()),
+        Refused::Unreached { map: 2 }
+    );
+}
+
+#[test]
+fn points_and_areas_are_compared_to_the_last_digit() {
+    let of_link = |proof, change: &dyn Fn(&mut ConnectedCertificate)| {
+        assert_eq!(refused(proof, change).code(), "link");
+    };
+    of_link(gasket(), &|proof| proof.maps[1][0] = 0.5_f64.next_up());
+    of_link(gasket(), &|proof| proof.maps[2][2] = f64::from_bits(1));
+    let address = |head: &[u8], repeat: &[u8]| Address { head: head.to_vec(), repeat: repeat.to_vec() };
+    of_link(gasket(), &|proof| {
+        proof.links[0] = Link::Point { addresses: [address(&[0], &[1]), address(&[1], &[2])] };
+    });
+    of_link(gasket(), &|proof| {
+        proof.links[0] = Link::Point { addresses: [address(&[0], &[1]), address(&[], &[1, 0])] };
+    });
+    of_link(gasket(), &|proof| proof.links[0] = Link::Area { pair: [0, 1] });
+    of_link(full(), &|proof| proof.maps[1][2] = 0.5_f64.next_down());
+}
+
+#[test]
+fn what_is_of_no_form_is_refused() {
+    let form = |change: &dyn Fn(&mut ConnectedCertificate)| {
+        let why = refused(plus(), change);
+        assert!(["form", "too-large", "not-finite", "polygon", "not-inside"].contains(&why.code()), "{why}");
+    };
+    form(&|proof| proof.maps.clear());
+    form(&|proof| proof.maps[0][0] = f64::NAN);
+    form(&|proof| proof.maps[0][0] = 1.5);
+    form(&|proof| proof.polygon.truncate(2));
+    form(&|proof| proof.polygon.reverse());
+    form(&|proof| proof.near[0][0].clear());
+    form(&|proof| proof.near[0][0][3] = 4);
+    form(&|proof| crossing(proof, 0).0[0].clear());
+    form(&|proof| crossing(proof, 0).1[0].tail[1] = 9);
+    form(&|proof| crossing(proof, 0).1[0].tail = vec![0; 2000]);
+    form(&|proof| crossing(proof, 0).1[0].direction[0] = f64::NAN);
+    form(&|proof| proof.links[0] = Link::Area { pair: [1, 1] });
+    form(&|proof| proof.links[0] = Link::Area { pair: [0, 4] });
+    let nothing = Address { head: vec![0], repeat: Vec::new() };
+    form(&|proof| proof.links[0] = Link::Point { addresses: [nothing.clone(), nothing.clone()] });
+    form(&|proof| proof.near = vec![[vec![0; 1000], vec![2; 1000]]; 6000]);
+}
+
+#[cfg(feature = "text")]
+#[test]
+fn certificates_of_both_kinds_are_told_apart_as_text() {
+    use frond_check::{Certificate, CheckedProof, Pair, Proof};
+    for proof in [plus(), gasket()] {
+        let back = Proof::from_json(&proof.to_json().unwrap()).unwrap();
+        assert!(matches!(back.check(), Ok(CheckedProof::Connected(_))));
+        assert_eq!(back, Proof::Connected(proof));
+    }
+    let third = |e| [0.3, 0.0, 0.0, 0.3, e, 0.0];
+    let dust = Certificate {
+        maps: vec![third(0.0), third(0.7)],
+        polygon: vec![[-0.5, -0.5], [1.5, -0.5], [1.5, 0.5], [-0.5, 0.5]],
+        letters: 1,
+        side: vec![0, 1],
+        pairs: vec![Pair { u: vec![0], v: vec![1], normal: [1.0, 0.0] }],
+    };
+    let back = Proof::from_json(&dust.to_json().unwrap()).unwrap();
+    assert!(matches!(back.check(), Ok(CheckedProof::Disconnected(_))));
+    for text in ["", "{}", "[]", r#"{"links":[]}"#, r#"{"links":[{"kind":"faith"}],"maps":[]}"#] {
+        assert!(Proof::from_json(text).is_err(), "{text}");
+    }
+}
