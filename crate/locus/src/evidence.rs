@@ -2,6 +2,8 @@
 
 pub(crate) mod certificate;
 pub(crate) mod collinear;
+pub(crate) mod connected_certificate;
+pub(crate) mod far_parts;
 pub(crate) mod neighbour_graph;
 pub(crate) mod reason;
 pub(crate) mod separate;

@@ -10,8 +10,9 @@
 //!
 //! *One system.* [`connectedness`] gives the full answer: a [`Verdict`], bounds of the gap, which pieces meet.
 //! `Connected` and `Disconnected` are theorems about the maps as they are given; `Touching` says no more than that the
-//! pieces come within epsilon of each other. A [`Reason`] shows the one, a [`certificate`] the other: a polygon and
-//! pairs of words that are apart, for the crate `frond-check` to replay. [`decide`] is the same in microseconds,
+//! pieces come within epsilon of each other. A [`Reason`] shows the one, and a [`connected_certificate`] writes it down
+//! for the crate `frond-check` to replay; a [`certificate`] shows the other: a polygon and pairs of words that are
+//! apart. [`decide`] is the same in microseconds,
 //! [`decide_bounds`] with bounds. [`barnsley_test`] and [`IndexBuffer`] are the tests of Burch & Hart (1997), which
 //! estimate.
 //!
@@ -83,6 +84,8 @@ pub use classic::index_buffer::{Choice, IndexBuffer, IndexBufferError, IndexBuff
 pub use connectedness::{Connectedness, connectedness};
 pub use decide::{Scratch, decide, decide_bounds, decide_polygon};
 pub use evidence::certificate::{Certificate, certificate};
+pub use evidence::connected_certificate::{CertifiedLink, ConnectedCertificate, connected_certificate};
+pub use evidence::far_parts::Far;
 pub use evidence::reason::{Link, LinkKind, Reason};
 pub use evidence::separate::Separation;
 pub use family::{Drift, Family, Polygons, Slice};

@@ -2,7 +2,7 @@
 
 use frond_check::{Pair, Refused, check};
 use frond_core::{Affine2, Ifs, hash};
-use frond_locus::{Certificate, Options, Verdict, certificate, connectedness};
+use frond_locus::{Certificate, Options, Verdict, certificate, connected_certificate, connectedness};
 use frond_testing::cases;
 use glam::DVec2;
 
@@ -103,6 +103,8 @@ impl Tally {
         let checked = found
             .as_ref()
             .map(|found| check(&plain(found)).unwrap_or_else(|why| panic!("{seed}: {why} {:?}", ifs.maps())));
+        let connected = connected_certificate(ifs, options);
+        assert!(connected.is_none() || answer.verdict != Verdict::Disconnected, "{seed}: {answer:?}");
         if answer.verdict != Verdict::Disconnected {
             assert!(found.is_none(), "{seed}: {answer:?}");
             return;

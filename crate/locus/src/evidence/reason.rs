@@ -14,7 +14,7 @@ use crate::frame::Frame;
 use crate::gap::difference_set::are_equal;
 use crate::overlap_graph::OverlapGraph;
 use crate::region::inner_differences::InnerDifferences;
-use crate::region::trap::crossings_beside;
+use crate::region::trap::{TRIES, crossings_beside};
 use crate::support::table::SupportTable;
 use crate::verdict::ReasonKind;
 
@@ -179,7 +179,7 @@ pub(crate) fn by_crossings(
     near: impl Fn(usize, usize) -> DVec2,
 ) -> Option<Reason> {
     let met: Vec<(usize, usize)> = shared.iter().map(|link| link.pair).collect();
-    let found = overlaps_on_a_line(&met, maps).or_else(|| crossings_beside(&met, maps, gap, 0.0))?;
+    let found = overlaps_on_a_line(&met, maps).or_else(|| crossings_beside(&met, maps, gap, 0.0, TRIES))?;
     let crossings = found.into_iter().map(|crossing| {
         let corners = crossing.corners.to_vec();
         Link {
@@ -291,9 +291,14 @@ impl<'a> Points<'a> {
         graph.is_connected()
     }
 
-    fn reason(&self, system: &QuadraticSystem) -> Result<Reason, Vec<Link>> {
+    /// Enough of those that are shared as the maps are given to join all that such points join.
+    pub fn given(&self) -> Vec<Shared> {
+        QuadraticSystem::as_given(self.maps).map_or(Vec::new(), |system| self.shared_in(&system).0)
+    }
+
+    fn shared_in(&self, system: &QuadraticSystem) -> (Vec<Shared>, OverlapGraph) {
         let mut graph = OverlapGraph::new(self.maps.len());
-        let mut links = Vec::new();
+        let mut shared = Vec::new();
         let mut tried = vec![0; self.maps.len() * self.maps.len()];
         for (a, b) in &self.found {
             let (i, j) = (a.first(), b.first());
@@ -307,14 +312,24 @@ impl<'a> Points<'a> {
                 continue;
             }
             graph.add(i, j);
-            links.push(Link {
+            shared.push((a.clone(), b.clone()));
+        }
+        (shared, graph)
+    }
+
+    fn reason(&self, system: &QuadraticSystem) -> Result<Reason, Vec<Link>> {
+        let (shared, graph) = self.shared_in(system);
+        let link = |(a, b): &Shared| {
+            let (i, j) = (a.first(), b.first());
+            Link {
                 kind: LinkKind::Point,
                 pair: (i.min(j), i.max(j)),
                 words: [a, b].map(|address| address.shown(self.maps.len())),
                 at: a.point(self.maps).unwrap_or(DVec2::ZERO),
                 corners: Vec::new(),
-            });
-        }
+            }
+        };
+        let mut links: Vec<Link> = shared.iter().map(link).collect();
         links.sort_by_key(|link| link.pair);
         if !graph.is_connected() {
             return Err(links);

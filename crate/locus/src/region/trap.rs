@@ -82,6 +82,9 @@ pub(crate) struct Effort {
     pub near: f64,
 }
 
+/// Pairs of words to try for each two maps, mostly.
+pub(crate) const TRIES: usize = 300;
+
 /// Proves an attractor connected by pieces that cross, if it can: enough crossings to join all maps.
 ///
 /// `gap` is an upper bound of the widest gap, in the plane, infinite where none is known; `slack` is how far, in the
@@ -106,16 +109,17 @@ pub(crate) struct Effort {
 /// ```
 #[must_use]
 pub fn crossings(maps: &[Affine2], gap: f64, slack: f64) -> Option<Vec<Crossing>> {
-    crossings_beside(&[], maps, gap, slack)
+    crossings_beside(&[], maps, gap, slack, TRIES)
 }
 
 /// The same, where pairs of maps are known to meet for another reason: no crossings are needed for these. The proof
-/// stays: their distance is 0, below any gap.
+/// stays: their distance is 0, below any gap. `tries` pairs of words are tried at most for each two maps.
 pub(crate) fn crossings_beside(
     met: &[(usize, usize)],
     maps: &[Affine2],
     gap: f64,
     slack: f64,
+    tries: usize,
 ) -> Option<Vec<Crossing>> {
     let mut descent = Descent::<1>::default();
     let extent = Extent { middle: DVec2::ZERO, half: DVec2::ZERO };
@@ -126,7 +130,7 @@ pub(crate) fn crossings_beside(
     let to_round = Affine2::new(descent.lanes.from_round, DVec2::ZERO).inverse()?.norm();
     descent.lanes.rounding += 2.0 * slack * to_round;
     let known = gap.max(0.0) * to_round;
-    let found = descent.cross_beside(met, known, Effort { looks: 150, tries: 300, near: 2e-3 })?;
+    let found = descent.cross_beside(met, known, Effort { looks: 150, tries, near: 2e-3 })?;
     Some(found.iter().map(|&(couple, corners)| descent.crossing(couple, corners.map(|[p]| p))).collect())
 }
 

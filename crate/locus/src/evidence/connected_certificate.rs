@@ -1,0 +1,202 @@
+//! Proofs of connectedness that can be handed on.
+
+use frond_core::{Affine2, Contraction, Ifs};
+use glam::DVec2;
+
+use crate::evidence::far_parts::{Far, FarParts};
+use crate::evidence::reason::Points;
+use crate::exact::address::Address;
+use crate::exact::area;
+use crate::frame::Frame;
+use crate::gap::kruskal::KruskalSearch;
+use crate::gap::word_tree::WordTree;
+use crate::magnification::Magnification;
+use crate::overlap_graph::{Components, OverlapGraph};
+use crate::region::trap::{Crossing, crossings_beside};
+use crate::support::extremes::larger;
+use crate::support::table::SupportTable;
+use crate::support::trapping_polygon::TrappingPolygon;
+use crate::verdict::Options;
+
+/// A proof that an attractor is in one piece, which can be checked without searching.
+///
+/// # What it proves
+///
+/// *There is an attractor, and it lies in the polygon P*, which each map takes strictly into its own inside: as in a
+/// [`Certificate`](crate::Certificate). All maps contract in the norm with the unit ball `P - P`.
+///
+/// *No gap is wider than `gap`* in that norm, since pieces as near as that reach all maps.
+///
+/// *Pieces hang together*: by points that both have, by areas too large to lie side by side, or because they
+/// lie across each other, where gaps as wide as that would not let one through (see [`crossings`](crate::crossings));
+/// and these reach all maps.
+///
+/// The crate `frond-check`, which shares no code with this one, replays it in exact arithmetic, and says the proof
+/// in full.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConnectedCertificate {
+    /// The maps as rows, digit for digit those that it is about.
+    pub maps: Vec<[f64; 6]>,
+    /// The corners of a strictly convex polygon, counter-clockwise.
+    pub polygon: Vec<DVec2>,
+    /// No gap is wider, where the polygon itself is 1 wide in all directions.
+    pub gap: f64,
+    /// Words of pieces that are so near. Empty where the gap does not matter.
+    pub near: Vec<[Vec<u8>; 2]>,
+    /// What holds pieces together.
+    pub links: Vec<CertifiedLink>,
+}
+
+/// What holds the pieces of two maps together.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CertifiedLink {
+    /// A point that both have: its address in the one and in the other, what comes once and what repeats.
+    Point([[Vec<u8>; 2]; 2]),
+    /// The areas of the pieces of two maps.
+    Area([u8; 2]),
+    /// Two pieces that lie across each other: their words, and two parts of the first that jut out beyond the second,
+    /// then two of the second.
+    Crossing([Vec<u8>; 2], [Far; 4]),
+}
+
+/// A certificate that the attractor is connected, or `None` if none was found: of maps whose pieces share points as the
+/// numbers are given, overlap in area or lie across each other. Proofs by differences, and about what numbers are
+/// meant to be, are not written down as certificates.
+///
+/// ```
+/// use frond_core::{Affine2, Ifs};
+/// use frond_locus::{Options, connected_certificate};
+///
+/// let maps = [0.0, 0.5].map(|e| Affine2::from_row([0.5, 0.0, 0.0, 0.5, e, 0.0]));
+/// let found = connected_certificate(&Ifs::new(maps.to_vec())?, &Options::default()).unwrap();
+/// assert_eq!(found.links.len(), 1);
+/// # Ok::<(), frond_core::IfsError>(())
+/// ```
+#[must_use]
+pub fn connected_certificate(ifs: &Ifs, options: &Options) -> Option<ConnectedCertificate> {
+    let maps = ifs.maps();
+    let Some(magnification) = Magnification::of(maps) else {
+        return proved(maps, ifs.contraction(), options);
+    };
+    let seen = magnification.magnify(maps);
+    let found = proved(&seen, &Contraction::find(&seen).ok()?, options)?;
+    let polygon =
+        found.polygon.iter().map(|&corner| magnification.exact_point(corner)).collect::<Option<_>>()?;
+    Some(ConnectedCertificate { maps: rows(maps), polygon, ..found })
+}
+
+fn rows(maps: &[Affine2]) -> Vec<[f64; 6]> {
+    maps.iter().copied().map(Affine2::to_row).collect()
+}
+
+/// Pairs of words tried for each two maps.
+const TRIES: usize = 3000;
+/// Pairs of maps that are looked at for points.
+const MOST_PAIRS: usize = 400;
+
+fn proved(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Option<ConnectedCertificate> {
+    let mut frame = Frame::default();
+    frame.set_round(maps, contraction);
+    if frame.point {
+        return None;
+    }
+    let mut support = SupportTable::default();
+    support.set(&frame.maps, 1e-4 * (1.0 - frame.factor), 4000);
+    let diameter = support.diameter(frame.to_round * frame.from_round);
+    let mut words = WordTree::default();
+    let mut search = KruskalSearch::begin(&frame, &mut support, &mut words, options.epsilon.max(0.0));
+    if search.settle(options.budget) {
+        search.settle_all(options.budget);
+    }
+    if search.coarsest().count() > 1 {
+        return None;
+    }
+    let mut pairs = search.may_meet();
+    pairs.truncate(MOST_PAIRS);
+    let gap = search.widest_edge().upper * (1.0 + 1e-9);
+    let near: Vec<Near> = tree(&search, maps.len());
+    let mut joined = OverlapGraph::new(maps.len());
+    let mut links = Vec::new();
+    for (a, b) in Points::find(maps, &frame, search.support(), &pairs).given() {
+        joined.add(a.first(), b.first());
+        links.push(CertifiedLink::Point([a, b].map(|Address { head, repeat }| [head, repeat])));
+    }
+    for i in 0..maps.len() {
+        for j in i + 1..maps.len() {
+            if !joined.components().joined(i, j) && area::areas_fill(&maps[i], &maps[j]) {
+                joined.add(i, j);
+                links.push(CertifiedLink::Area([i as u8, j as u8]));
+            }
+        }
+    }
+    let crossings = if joined.is_connected() {
+        Vec::new()
+    } else {
+        let met = joined.edges();
+        crossings_beside(&met, maps, gap, 0.0, TRIES)?
+    };
+    ATTEMPTS.iter().find_map(|attempt| {
+        let polygon = TrappingPolygon::find(&frame, diameter, attempt.slack, attempt.coarsest)?;
+        if polygon.letters > 1 {
+            return None;
+        }
+        let mut found = ConnectedCertificate {
+            maps: rows(maps),
+            polygon: polygon.plane.clone(),
+            gap: 1.0,
+            near: Vec::new(),
+            links: links.clone(),
+        };
+        let parts = FarParts::new(&frame, &polygon);
+        (crossings.is_empty() || found.add_crossings(&parts, &near, &crossings, attempt.size))
+            .then_some(found)
+    })
+}
+
+/// Two maps, and a point of each one's piece.
+type Near = ([u8; 2], [DVec2; 2]);
+
+/// The minimum spanning tree of what is known of the distances of pieces.
+fn tree(search: &KruskalSearch, count: usize) -> Vec<Near> {
+    let pairs = (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j)));
+    let mut edges: Vec<_> = pairs.map(|(i, j)| (search.edge(i, j), [i as u8, j as u8])).collect();
+    edges.sort_by(|a, b| a.0.reach.total_cmp(&b.0.reach));
+    let mut components = Components::new(count);
+    edges.retain(|(_, [i, j])| components.join(usize::from(*i), usize::from(*j)));
+    edges.into_iter().map(|(edge, pair)| (pair, edge.points)).collect()
+}
+
+impl ConnectedCertificate {
+    /// Whether all of them show in images of the polygon.
+    fn add_crossings(&mut self, parts: &FarParts, near: &[Near], crossings: &[Crossing], size: f64) -> bool {
+        let mut gap = 0.0;
+        for (pair, points) in near {
+            let Some((words, upper)) = parts.near(*pair, *points, size) else { return false };
+            self.near.push(words);
+            gap = larger(gap, upper);
+        }
+        self.gap = gap * (1.0 + 1e-9);
+        crossings.iter().all(|crossing| {
+            let far = parts.across([&crossing.u, &crossing.v], self.gap);
+            let words = [crossing.u.clone(), crossing.v.clone()];
+            far.map(|far| self.links.push(CertifiedLink::Crossing(words, far))).is_some()
+        })
+    }
+}
+
+/// A way to try.
+struct Attempt {
+    /// How much larger than the attractor the polygon may be, relative to that.
+    slack: f64,
+    /// The coarsest fan of directions to try, by its number.
+    coarsest: usize,
+    /// How wide parts about near points may be, in widths of the polygon.
+    size: f64,
+}
+
+/// Few corners of few digits, and short words, first.
+const ATTEMPTS: [Attempt; 3] = [
+    Attempt { slack: 0.02, coarsest: 0, size: 5e-3 },
+    Attempt { slack: 2e-3, coarsest: 1, size: 5e-4 },
+    Attempt { slack: 1e-4, coarsest: 2, size: 5e-5 },
+];

@@ -1,0 +1,118 @@
+//! Proofs of connectedness are accepted by the checker, and none is made of what is disconnected.
+
+use frond_check::{Address, Link, check_connected};
+use frond_core::{Affine2, Ifs, Morph, MorphOptions};
+use frond_locus::{
+    Bounds, CertifiedLink, ConnectedCertificate, LocusGrid, Options, Scratch, State, Verdict,
+    connected_certificate, connectedness,
+};
+use frond_scene::presets;
+use frond_testing::cases;
+use glam::DVec2;
+
+/// The certificate in the checker's own terms.
+fn plain(found: &ConnectedCertificate) -> frond_check::ConnectedCertificate {
+    let link = |link: &CertifiedLink| match link {
+        CertifiedLink::Point(addresses) => {
+            Link::Point { addresses: addresses.clone().map(|[head, repeat]| Address { head, repeat }) }
+        }
+        CertifiedLink::Area(pair) => Link::Area { pair: *pair },
+        CertifiedLink::Crossing(words, far) => Link::Crossing {
+            words: words.clone(),
+            far: far
+                .each_ref()
+                .map(|far| frond_check::Far { tail: far.tail.clone(), direction: far.direction.to_array() }),
+        },
+    };
+    frond_check::ConnectedCertificate {
+        maps: found.maps.clone(),
+        polygon: found.polygon.iter().map(|p| p.to_array()).collect(),
+        gap: found.gap,
+        near: found.near.clone(),
+        links: found.links.iter().map(link).collect(),
+    }
+}
+
+/// A shape of the gallery.
+fn shape(id: &str) -> Ifs {
+    let preset = presets().into_iter().find(|preset| preset.id == id).expect("a shape of that name");
+    Ifs::new(preset.maps.iter().map(|&row| Affine2::from_row(row)).collect()).unwrap()
+}
+
+fn certified(ifs: &Ifs) -> Option<frond_check::ConnectedCertificate> {
+    connected_certificate(ifs, &Options::default()).map(|found| plain(&found))
+}
+
+#[test]
+fn shapes_that_are_proved_have_certificates() {
+    let mut kinds = [0; 3];
+    for preset in presets().into_iter().filter(|preset| preset.maps.len() < 8) {
+        let ifs = shape(preset.id);
+        let verdict = connectedness(&ifs, &Options::default()).verdict;
+        let found = certified(&ifs);
+        assert_eq!(found.is_some(), verdict == Verdict::Connected, "{}: {verdict:?}", preset.id);
+        let Some(found) = found else { continue };
+        assert!(check_connected(&found).is_ok(), "{}: {:?}", preset.id, check_connected(&found));
+        for link in &found.links {
+            kinds[match link {
+                Link::Point { .. } => 0,
+                Link::Area { .. } => 1,
+                Link::Crossing { .. } => 2,
+            }] += 1;
+        }
+    }
+    // Points are looked for first; but where numbers are any, none are shared.
+    let large =
+        [(0.2, 0.1), (1.9, -0.3)].map(|(turn, e)| Affine2::similitude(0.75, turn, DVec2::new(e, 0.37)));
+    let found = certified(&Ifs::new(large.to_vec()).unwrap()).expect("so much area");
+    assert!(check_connected(&found).is_ok());
+    assert_eq!(found.links, [Link::Area { pair: [0, 1] }]);
+    assert!(kinds[0] > 5 && kinds[2] > 5, "{kinds:?}");
+}
+
+/// What is proved of the samples of a locus can be handed on.
+#[test]
+fn samples_that_are_proved_have_certificates() {
+    let (from, to) = (shape("dragon-3"), shape("gasket"));
+    let morph = Morph::new(from.maps(), to.maps(), &MorphOptions::default()).unwrap();
+    let (side, epsilon) = (32, 1.0 / 600.0);
+    let grid = LocusGrid::new(Bounds::default(), side, side).unwrap();
+    let scratch = &mut Scratch::default();
+    let mut state = grid.patch(&morph, epsilon, 0..side, 0..side, scratch).state;
+    grid.prove(&morph, epsilon, 0..side, 0..side, &mut state, scratch);
+    let proved: Vec<usize> = (0..state.len()).filter(|&k| state[k] == State::Connected as u8).collect();
+    assert!(proved.len() > 200, "{}", proved.len());
+    let mut maps = Vec::new();
+    for &k in proved.iter().step_by(proved.len() / cases(40) as usize) {
+        morph.fill(grid.u(k % side), grid.v(k / side), &mut maps);
+        let found = certified(&Ifs::new(maps.clone()).unwrap()).unwrap_or_else(|| panic!("sample {k}"));
+        assert!(check_connected(&found).is_ok(), "sample {k}: {:?}", check_connected(&found));
+    }
+}
+
+#[test]
+fn a_certificate_of_other_maps_is_refused() {
+    let found = certified(&shape("twigs")).expect("a certificate");
+    let dust = certified(&shape("dust"));
+    assert_eq!(dust, None);
+    // The same pieces, a little smaller: they do not reach each other any more.
+    let mut smaller = found.clone();
+    for row in &mut smaller.maps {
+        for x in &mut row[..4] {
+            *x *= 0.4;
+        }
+    }
+    assert!(check_connected(&smaller).is_err());
+}
+
+/// A crossing in sheared coordinates, far from the origin.
+#[test]
+fn certificates_hold_in_other_coordinates() {
+    let place = Affine2::from_row([1.0, 3.0, 0.0, 1.0, 3e5, -7.0]);
+    for id in ["maple", "twigs", "spiral"] {
+        let maps = shape(id).maps().iter().map(|map| map.conjugate(place)).collect::<Option<_>>();
+        let found = certified(&Ifs::new(maps.expect("a place")).unwrap());
+        let found = found.unwrap_or_else(|| panic!("{id} has a certificate"));
+        assert!(check_connected(&found).is_ok(), "{id}: {:?}", check_connected(&found));
+    }
+}
