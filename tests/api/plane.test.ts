@@ -111,9 +111,32 @@ describe("a verdict", () => {
     expect(changed.text).toContain("not apart");
     for (const nothing of [undefined, {}, [], { maps: [[1]] }, 5])
       expect(frond.checkCertificate(wrong(nothing)).valid).toBe(false);
-    // What is in one piece has none.
+    // What is in one piece has none, but one of another kind.
     expect(frond.certificate(shape("gasket"), undefined)).toBeNull();
+    expect(frond.connectedCertificate(shape("dust"), undefined)).toBeNull();
     expect(() => frond.certificate({ maps: [[2, 0, 0, 2, 0, 0]] }, undefined)).toThrow();
+  });
+});
+
+describe("a shape that is in one piece", () => {
+  it("has a certificate that is checked, and refused once it is changed", () => {
+    for (const [id, kind] of [
+      ["gasket", "point"],
+      ["maple", "crossing"],
+    ] as const) {
+      const certificate = frond.connectedCertificate(shape(id), undefined);
+      if (!certificate) throw new Error(`${id} has a certificate`);
+      const { links } = certificate;
+      expect(links.map((link) => link.kind)).toContain(kind);
+      const expected = { valid: true, pairs: 0, links: links.length };
+      expect(frond.checkCertificate(certificate)).toMatchObject(expected);
+      expect(frond.checkCertificate(JSON.parse(JSON.stringify(certificate)))).toMatchObject(expected);
+      const changed = frond.checkCertificate({ ...certificate, links: links.slice(1) });
+      expect(changed).toMatchObject({ valid: false, links: 0 });
+      expect(changed.text).toContain("do not reach all pieces");
+    }
+    for (const nothing of [{ links: 5 }, { links: [] }, { links: [{ kind: "faith" }], maps: [] }])
+      expect(frond.checkCertificate(wrong(nothing)).valid).toBe(false);
   });
 });
 

@@ -4,7 +4,7 @@
 ///
 /// Maps are rows `[a, b, c, d, e, f]`, with `x' = a x + b y + e` and `y' = c x + d y + f`.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "text", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Certificate {
     /// The maps.
     pub maps: Vec<[f64; 6]>,
@@ -22,7 +22,7 @@ pub struct Certificate {
 ///
 /// A word `[i, j, .., k]` of letters from 0 stands for the map that applies `w_k` first and `w_i` last.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "text", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Pair {
     /// A word that begins on side 0.
     pub u: Vec<u8>,

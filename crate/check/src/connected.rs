@@ -4,7 +4,7 @@
 ///
 /// Maps are rows as in [`Certificate`](crate::Certificate), words and addresses lists of letters from 0.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "text", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ConnectedCertificate {
     /// The maps.
     pub maps: Vec<[f64; 6]>,
@@ -21,7 +21,7 @@ pub struct ConnectedCertificate {
 /// What holds the pieces of two maps together.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
-    feature = "text",
+    feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
     serde(tag = "kind", rename_all = "lowercase")
 )]
@@ -47,7 +47,7 @@ pub enum Link {
 
 /// An endless word: `head` once, then `repeat` without end. The point is `w_head(x)`, where `x` is fixed by `w_repeat`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "text", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Address {
     /// The letters before those that repeat; there may be none.
     pub head: Vec<u8>,
@@ -57,7 +57,7 @@ pub struct Address {
 
 /// A part of a piece that juts out beyond another piece.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "text", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Far {
     /// What its word has behind that of the piece; there may be nothing.
     pub tail: Vec<u8>,

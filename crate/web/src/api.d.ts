@@ -96,11 +96,43 @@ export interface Certificate {
   pairs: { u: number[]; v: number[]; normal: [x: number, y: number] }[];
 }
 
+/** A proof that an attractor is in one piece, which `checkCertificate` replays in exact arithmetic. Letters from 0. */
+export interface ConnectedCertificate {
+  maps: MapRow[];
+  /** A convex polygon, counter-clockwise, that every map takes into its inside. */
+  polygon: [x: number, y: number][];
+  /** No gap is wider, where the polygon is 1 wide in all directions; from 1 on that is always so. */
+  gap: number;
+  /** Words of pieces so near that no gap is wider. */
+  near: [u: number[], v: number[]][];
+  /** What holds pieces together. */
+  links: CertifiedLink[];
+}
+
+export type CertifiedLink =
+  | { kind: "point"; addresses: [RepeatedWord, RepeatedWord] }
+  | { kind: "area"; pair: [i: number, j: number] }
+  /** Two pieces, and parts that jut out beyond the other one along a direction: two of the first, two of the second. */
+  | {
+      kind: "crossing";
+      words: [u: number[], v: number[]];
+      far: { tail: number[]; direction: [x: number, y: number] }[];
+    };
+
+/** An endless word: `head` once, then `repeat` without end. */
+export interface RepeatedWord {
+  head: number[];
+  repeat: number[];
+}
+
 export interface CertificateCheck {
   valid: boolean;
   /** What was checked, or what is wrong with it, in a sentence. */
   text: string;
+  /** How many pairs of pieces are apart. */
   pairs: number;
+  /** How many links hold pieces together. */
+  links: number;
   /** Letters of the longest word. */
   longest: number;
 }

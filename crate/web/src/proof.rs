@@ -1,5 +1,6 @@
 //! What decides and proves, for the workers.
 
+mod certificates;
 mod certify;
 mod connectedness;
 mod evidence;
@@ -9,4 +10,4 @@ mod path;
 mod routes;
 mod settle;
 
-pub use {certify::*, connectedness::*, evidence::*, family::*, locus::*, path::*, routes::*, settle::*};
+pub use {certificates::*, certify::*, connectedness::*, family::*, locus::*, path::*, routes::*, settle::*};

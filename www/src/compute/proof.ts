@@ -1,17 +1,22 @@
-/** A proof that the shape on the stage is in pieces, and its replay. */
+/** A proof that the shape on the stage is in one piece, or in several, and its replay. */
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { shown } from "#document/morph";
 import { wordsOf } from "#document/notice";
 import { RESOLUTION } from "#format/verdict";
-import type { Certificate, CertificateCheck, MapRow } from "#wasm/api";
+import type { Certificate, CertificateCheck, ConnectedCertificate, MapRow } from "#wasm/api";
 import { cancel, epoch, submit } from "#workers/pool/engine";
 import { single } from "#workers/pool/protocol";
 import { verdict } from "./results";
 
-/** A proof that the shape on the stage is in pieces. */
+/** A proof that the shape on the stage is in one piece, or in several. */
 export type Proof =
   | { state: "asked"; maps: MapRow[] }
-  | { state: "there"; maps: MapRow[]; certificate: Certificate; check: CertificateCheck }
+  | {
+      state: "there";
+      maps: MapRow[];
+      certificate: Certificate | ConnectedCertificate;
+      check: CertificateCheck;
+    }
   /** There is none to be had, or it could not be made: why, in words. */
   | { state: "none"; maps: MapRow[]; why: string };
 
@@ -26,6 +31,7 @@ export const proof: ReadonlySignal<Proof | null> = computed(() =>
 export function prove(): void {
   const maps = shown.peek();
   const epsilon = verdict.peek()?.epsilon ?? RESOLUTION;
+  const connected = verdict.peek()?.connectedness.verdict === "connected";
   latest.value = { state: "asked", maps };
   const set = (found: Proof) => {
     if (latest.peek()?.maps === maps) latest.value = found;
@@ -34,13 +40,13 @@ export function prove(): void {
     single<"certificate">(
       "certificate",
       57,
-      { kind: "certificate", maps, epsilon },
+      { kind: "certificate", maps, epsilon, connected },
       {
         accept: (found) =>
           set(
             found
               ? { state: "there", maps, ...found }
-              : { state: "none", maps, why: "It would need more pairs of pieces than Frond looks at." },
+              : { state: "none", maps, why: "It would need more pieces than Frond looks at." },
           ),
         fail: (error) => set({ state: "none", maps, why: wordsOf(error) }),
       },

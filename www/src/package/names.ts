@@ -8,6 +8,7 @@ export const NAMES = {
   certifyPath: ["proof", 4],
   checkCertificate: ["proof", 1],
   checkPath: ["proof", 4],
+  connectedCertificate: ["proof", 2],
   connectedness: ["proof", 2],
   indexBuffer: ["proof", 2],
   locus: ["proof", 3],

@@ -140,7 +140,8 @@ function image(map: MapRow | undefined, [x, y]: [number, number]): [number, numb
 
 const hulls = computed(() => {
   const now = proof.value;
-  if (now?.state !== "there" || !now.check.valid) return [];
+  // Pieces that hold together are shown by what holds them.
+  if (now?.state !== "there" || !now.check.valid || "links" in now.certificate) return [];
   const found = hullsOf(now.certificate);
   return found.length > MOST_HULLS ? [] : found;
 });

@@ -80,6 +80,6 @@ function parsed(file: string, bytes: Uint8Array) {
   try {
     return JSON.parse(new TextDecoder().decode(bytes));
   } catch {
-    throw new Refusal(`${file} is no JSON. A certificate is what the studio saves as proof of a gap.`);
+    throw new Refusal(`${file} is no JSON. A certificate is what the studio saves as a proof.`);
   }
 }

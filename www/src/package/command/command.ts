@@ -15,7 +15,7 @@ const HELP = `frond: the studio without a browser
     --width 301 --height 301
   frond connectedness <link|file>                   in one piece? As JSON
     --t 0.5 --epsilon 0.0001
-  frond check <certificate.json>                    replays a proof that a shape is in pieces
+  frond check <certificate.json>                    replays a proof that a shape is in one piece, or in several
   frond export <link|file> --as FORMAT              the maps, as other programs read them
     --out file --t 0.5
 

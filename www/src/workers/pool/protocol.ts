@@ -6,6 +6,7 @@ import type {
   Certificate,
   CertificateCheck,
   CertifyOptions,
+  ConnectedCertificate,
   Connectedness,
   FamilyOptions,
   FrondError,
@@ -87,8 +88,8 @@ export interface Tasks {
     points: readonly PathPoint[];
     options: CertifyOptions;
   };
-  /** A proof that a shape is in pieces, and what the checker says of it; null where none is to be had. */
-  certificate: { kind: "certificate"; maps: MapRow[]; epsilon: number };
+  /** A proof that a shape is in one piece, or in several, and what the checker says of it; null where there is none. */
+  certificate: { kind: "certificate"; maps: MapRow[]; epsilon: number; connected: boolean };
   candidates: { kind: "candidates"; from: MapRow[]; to: MapRow[]; limit: number };
   rate: {
     kind: "rate";
@@ -110,7 +111,7 @@ interface Results {
   plan: PathPlan;
   plan3: PathPlan;
   certify: PathCertificate;
-  certificate: { certificate: Certificate; check: CertificateCheck } | null;
+  certificate: { certificate: Certificate | ConnectedCertificate; check: CertificateCheck } | null;
   candidates: Candidate[];
   rate: RatedCandidate;
   routes: Route[];

@@ -97,8 +97,10 @@ export const tasks: { [K in Kind]: (hand: Hand, task: Task<K>) => Result<K> | Pr
   },
   certify: ({ frond }, { from, to, points, options }) =>
     frond.certifyPath({ maps: from }, { maps: to }, points, options),
-  certificate({ frond }, { maps, epsilon }) {
-    const certificate = frond.certificate({ maps }, { epsilon });
+  certificate({ frond }, { maps, epsilon, connected }) {
+    const certificate = connected
+      ? frond.connectedCertificate({ maps }, { epsilon })
+      : frond.certificate({ maps }, { epsilon });
     return certificate && { certificate, check: frond.checkCertificate(certificate) };
   },
   candidates: ({ frond }, { from, to, limit }) => frond.candidates({ maps: from }, { maps: to }, { limit }),

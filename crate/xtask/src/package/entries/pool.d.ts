@@ -13,6 +13,7 @@ type Functions = Pick<Draw, "attractor" | "rasterize"> &
     | "certifyPath"
     | "checkCertificate"
     | "checkPath"
+    | "connectedCertificate"
     | "connectedness"
     | "indexBuffer"
     | "locus"

@@ -61,7 +61,7 @@ function Account({ answer, epsilon }: { answer: Connectedness; epsilon: number }
         </p>
       )}
       {answer.components.length > 0 && <Groups answer={answer} />}
-      {answer.verdict === "disconnected" && <Proof />}
+      {isWritten(answer) && <Proof connected={answer.verdict === "connected"} />}
       <Switch
         checked={evidenceKept.value}
         onChange={(on) => {
@@ -72,6 +72,14 @@ function Account({ answer, epsilon }: { answer: Connectedness; epsilon: number }
       </Switch>
     </>
   );
+}
+
+/** Kinds of reasons that are written down as certificates. */
+const WRITTEN: readonly string[] = ["shared-points", "neighbours", "crossings", "area"];
+
+/** Whether there may be a proof that a checker can replay. */
+function isWritten({ verdict, reason }: Connectedness): boolean {
+  return verdict === "disconnected" || (verdict === "connected" && WRITTEN.includes(reason?.kind ?? ""));
 }
 
 const MOST_LINKS = 12;

@@ -2,12 +2,12 @@ import { type Proof as Proved, proof, prove } from "#compute/proof";
 import { notify, wordsOf } from "#document/notice";
 import { Button } from "#ui/controls/Button";
 import { download } from "#ui/files/download";
-import type { Certificate } from "#wasm/api";
+import type { Certificate, ConnectedCertificate } from "#wasm/api";
 import css from "./evidence.module.css";
 import { checkWords } from "./words";
 
-/** The proof that it is in pieces: made, checked, and given away when asked for. */
-export function Proof() {
+/** The proof that it is in one piece, or in several: made, checked, and given away when asked for. */
+export function Proof({ connected }: { connected: boolean }) {
   const now = proof.value;
   return (
     <div class={css["evidence-proof"]}>
@@ -18,12 +18,12 @@ export function Proof() {
           Check the proof
         </Button>
       )}
-      <p role="status">{proofWords(now)}</p>
+      <p role="status">{proofWords(now, connected)}</p>
     </div>
   );
 }
 
-function proofWords(now: Proved | null): string {
+function proofWords(now: Proved | null, connected: boolean): string {
   switch (now?.state) {
     case "asked":
       return "Writing it down and checking it …";
@@ -32,11 +32,13 @@ function proofWords(now: Proved | null): string {
     case "none":
       return `There is no proof to show. ${now.why}`;
     default:
-      return "Every pair of pieces across the gap, shown to be apart.";
+      return connected
+        ? "Every link between pieces, shown to hold."
+        : "Every pair of pieces across the gap, shown to be apart.";
   }
 }
 
-function saveProof(certificate: Certificate): void {
+function saveProof(certificate: Certificate | ConnectedCertificate): void {
   try {
     const blob = new Blob([`${JSON.stringify(certificate)}\n`], { type: "application/json" });
     download(blob, "frond-proof.json");

@@ -93,13 +93,19 @@ describe("links and checks", () => {
   });
 
   it("says what was checked, or what is wrong", () => {
-    expect(checkWords({ valid: true, text: "", pairs: 47, longest: 9 })).toBe(
+    expect(checkWords({ valid: true, text: "", pairs: 47, links: 0, longest: 9 })).toBe(
       "Checked in exact arithmetic: 47 pairs of pieces, words of up to 9 letters.",
     );
-    expect(checkWords({ valid: true, text: "", pairs: 1, longest: 1 })).toBe(
+    expect(checkWords({ valid: true, text: "", pairs: 1, links: 0, longest: 1 })).toBe(
       "Checked in exact arithmetic: 1 pair of pieces, words of one letter.",
     );
-    expect(checkWords({ valid: false, text: "A pair overlaps.", pairs: 2, longest: 3 })).toBe(
+    expect(checkWords({ valid: true, text: "", pairs: 0, links: 3, longest: 13 })).toBe(
+      "Checked in exact arithmetic: 3 links between pieces, words of up to 13 letters.",
+    );
+    expect(checkWords({ valid: true, text: "", pairs: 0, links: 1, longest: 1 })).toBe(
+      "Checked in exact arithmetic: 1 link between pieces, words of one letter.",
+    );
+    expect(checkWords({ valid: false, text: "A pair overlaps.", pairs: 0, links: 0, longest: 0 })).toBe(
       "The check failed: A pair overlaps.",
     );
   });

@@ -116,7 +116,14 @@ export function addressWords(address: string): string {
 /** What the checker said. */
 export function checkWords(check: CertificateCheck): string {
   if (!check.valid) return `The check failed: ${check.text}`;
+  if (check.links > 0) {
+    const links = check.links === 1 ? "1 link" : `${check.links.toLocaleString("en")} links`;
+    return `Checked in exact arithmetic: ${links} between pieces, ${lettersOf(check)}.`;
+  }
   const pairs = check.pairs === 1 ? "1 pair" : `${check.pairs.toLocaleString("en")} pairs`;
-  const letters = check.longest === 1 ? "one letter" : `up to ${check.longest} letters`;
-  return `Checked in exact arithmetic: ${pairs} of pieces, words of ${letters}.`;
+  return `Checked in exact arithmetic: ${pairs} of pieces, ${lettersOf(check)}.`;
+}
+
+function lettersOf({ longest }: CertificateCheck): string {
+  return longest === 1 ? "words of one letter" : `words of up to ${longest} letters`;
 }
