@@ -1,6 +1,7 @@
 /** The pages that unfold where a link is sent: each shape, figure and lesson has one. */
 import { beforeAll, describe, expect, it } from "vitest";
 import type { MapRow } from "../../crate/web/src/api";
+import { PROGRAMS } from "../../www/build/elsewhere/ways";
 import { figurePictures } from "../../www/build/figure-pictures";
 import { listedFigures } from "../../www/build/figures";
 import { type SiteFile, siteOf, sitePages } from "../../www/build/pages";
@@ -37,11 +38,38 @@ describe("the pages of the site", () => {
     expect(new Set(names).size).toBe(names.length);
   });
 
+  it("run the very lines that they show", () => {
+    const page = text(files("https://example.org/frond/"), "elsewhere.html");
+    const shown = [...page.matchAll(/<code>(.*?)<\/code><\/pre>\s*<div class="live">(.*?)<\/div>\n/gs)];
+    expect(shown.length).toBe(9);
+    const plain = (html = "") =>
+      html.replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&quot;", '"').replaceAll("&amp;", "&");
+    const here = (code: string) => code.replaceAll("https://example.org/frond", ".");
+    const ways = { markup: 0, frame: 0, program: 0 };
+    for (const [, code, live = ""] of shown) {
+      const lines = here(plain(code)).replace(/<script.*<\/script>/, "");
+      const name = /src="\.\/elsewhere\/(\w+)\.js"/.exec(live)?.[1];
+      if (name) {
+        expect(PROGRAMS[name as keyof typeof PROGRAMS]).toBe(lines);
+        ways.program++;
+      } else if (live.includes(lines.trim())) ways.markup++;
+      else {
+        const addresses = [...live.matchAll(/<iframe src="([^"]*)"/g)].map(([, address]) => plain(address));
+        expect(addresses.length).toBeGreaterThan(0);
+        for (const address of addresses) expect(plain(lines)).toContain(`"${address}"`);
+        ways.frame++;
+      }
+    }
+    expect(ways).toEqual({ markup: 4, frame: 2, program: 3 });
+  });
+
   it("name nothing that is not there, wherever the site is", () => {
     for (const site of ["", "https://example.org/frond/"]) {
       const all = files(site);
       // What the rest of the build makes.
-      const names = new Set([...all.map(({ fileName }) => fileName), "", "index.html", "frond-view.js"]);
+      const programs = Object.keys(PROGRAMS).map((name) => `elsewhere/${name}.js`);
+      const built = ["", "index.html", "embed.html", "frond-view.js", ...programs];
+      const names = new Set([...all.map(({ fileName }) => fileName), ...built]);
       for (const { fileName, source } of all) {
         if (!fileName.endsWith(".html")) continue;
         // What stands in samples is text.

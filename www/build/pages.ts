@@ -5,7 +5,7 @@
  */
 import type { MapRow } from "../../crate/web/src/api";
 import { escaped, folderAddress } from "../src/format/html.ts";
-import { ways } from "./elsewhere.ts";
+import { ways } from "./elsewhere/ways.ts";
 import { figurePictures } from "./figure-pictures.ts";
 import { listedFigures } from "./figures.ts";
 import { type Drawer, drawer } from "./pictures.ts";
@@ -67,7 +67,9 @@ export function tags(
 const STYLE =
   "body{max-width:60rem;margin:0 auto;padding:1.5rem;background:Canvas;color:CanvasText;font:1rem/1.5 system-ui,sans-serif}" +
   "frond-view{width:100%;aspect-ratio:16/9}frond-view[src]{aspect-ratio:auto;height:80vh}a{color:LinkText}img{width:100%}" +
-  "h2{margin:2.5rem 0 0.25rem;font-size:1.125rem}p{margin:0.25rem 0 0.75rem}" +
+  ".live{margin-top:1rem}.live frond-view{height:auto;aspect-ratio:16/9}.live frond-view[src]{height:36rem;aspect-ratio:auto}" +
+  ".live iframe{width:100%;border:1px solid GrayText;border-radius:0.5rem}.live canvas{max-width:100%}summary{padding:0.5rem 0}" +
+  "input{vertical-align:middle}h2{margin:2.5rem 0 0.25rem;font-size:1.125rem}p{margin:0.25rem 0 0.75rem}" +
   "pre{overflow:auto;padding:0.75rem 1rem;border:1px solid GrayText;border-radius:0.5rem;font-size:0.875rem}";
 
 /** The page of a shape or a figure: read without a program, and with the real thing where there may be one. */

@@ -154,8 +154,15 @@ export class FrondView extends HTMLElement {
   }
 
   /** Whether it holds together at this moment. */
-  async verdict(): Promise<Told> {
-    return this.#ready().verdict();
+  readonly #told = async (): Promise<Told> => this.#ready().verdict();
+
+  /** Called, it decides. React and its like write it, as they do with every attribute that is also a property. */
+  get verdict(): () => Promise<Told> {
+    return this.#told;
+  }
+
+  set verdict(said: unknown) {
+    this.toggleAttribute("verdict", said !== null && said !== undefined && said !== false);
   }
 
   /** The maps at this moment: rows [a, b, c, d, e, f]. */
