@@ -28,12 +28,14 @@ test("a plain page shows morphs in a few lines, and leaves nothing behind", asyn
       <frond-view id="wrong" a="hammer" style="width: 200px"></frond-view>
       <frond-view id="frame" src="#figures/e1" style="width: 300px"></frond-view>
       <div style="height: 3000px"></div>
-      <frond-view id="far" a="maple" style="width: 200px"></frond-view></main>
+      <frond-view id="far" a="koch" b="dragon" path="straight" style="width: 200px"></frond-view></main>
       <script>
         const heard = [];
         for (const type of ["ready", "verdict", "error"])
           addEventListener(type, ({ target, detail }) => target.id && heard.push([target.id, type, detail]), true);
         Object.assign(window, { heard, view: (id) => document.getElementById(id) });
+        // Before it is known what that is.
+        document.getElementById("far").t = 0.75;
       </script>
       <script src="${baseURL}frond-view.js"></script>`);
   });
@@ -85,8 +87,19 @@ test("a plain page shows morphs in a few lines, and leaves nothing behind", asyn
 
   // Off the screen nothing is loaded before one comes near.
   expect(await heard("far")).toEqual([]);
+  const moment = () => page.evaluate(() => (window as unknown as Host).view("far").t);
+  expect(await moment()).toBe(0.75);
+  await page.evaluate(() => {
+    (window as unknown as Host).view("far").t = 0.5;
+  });
+  expect(await moment()).toBe(0.5);
   await page.locator("#far").scrollIntoViewIfNeeded();
-  await expect.poll(() => lit("far")).toBeGreaterThan(1000);
+  await expect.poll(() => lit("far")).toBeGreaterThan(500);
+  expect(await moment()).toBe(0.5);
+  // Koch's first map is a third.
+  expect((await page.evaluate(() => (window as unknown as Host).view("far").maps()))[0]?.[0]).not.toBeCloseTo(
+    1 / 3,
+  );
   await page.locator("#fern").scrollIntoViewIfNeeded();
 
   // The last of many changes wins; nonsense, moves and removals leave nothing but a word.

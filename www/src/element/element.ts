@@ -64,6 +64,8 @@ export class FrondView extends HTMLElement {
   #due = false;
   #watching: (() => void) | null = null;
   #resting: ReturnType<typeof setTimeout> | undefined;
+  /** The moment that was asked for before anything was there to show it. */
+  #sought: number | null = null;
 
   constructor() {
     super();
@@ -75,6 +77,8 @@ export class FrondView extends HTMLElement {
   }
 
   connectedCallback(): void {
+    this.#take("t");
+    this.#take("src");
     const near = new IntersectionObserver(
       (entries) => {
         this.#near = entries.at(-1)?.isIntersecting ?? false;
@@ -120,7 +124,7 @@ export class FrondView extends HTMLElement {
 
   /** 0 to 1. */
   get t(): number {
-    return this.#shown?.t ?? 0;
+    return this.#shown?.t ?? this.#sought ?? this.#moment() ?? 0;
   }
 
   set t(moment: number) {
@@ -142,7 +146,10 @@ export class FrondView extends HTMLElement {
 
   /** To a moment, 0 to 1; what plays stops. */
   seek(t: number): void {
-    if (Number.isFinite(t)) this.#shown?.seek(Math.min(1, Math.max(0, t)));
+    if (!Number.isFinite(t)) return;
+    const moment = Math.min(1, Math.max(0, t));
+    if (this.#shown) this.#shown.seek(moment);
+    else this.#sought = moment;
   }
 
   play(): void {
@@ -192,6 +199,14 @@ export class FrondView extends HTMLElement {
     return { seconds, loop: this.hasAttribute("loop") };
   }
 
+  /** What was set before the element was known hides what it has of that name. */
+  #take(name: "t" | "src"): void {
+    const said = Object.getOwnPropertyDescriptor(this, name);
+    if (!said) return;
+    delete (this as Partial<this>)[name];
+    Object.assign(this, { [name]: said.value });
+  }
+
   /** Once for all attributes that change together. */
   #later(): void {
     if (this.#due) return;
@@ -236,9 +251,10 @@ export class FrondView extends HTMLElement {
     };
     try {
       const wish = wishOf((name) => this.getAttribute(name));
-      const t = this.#moment();
+      const t = this.#sought ?? this.#moment();
       if (wish.where !== "here") {
         this.#shown = new Frame(this.#ui.framed(this.#label()), wish, this.#framed(), t, tell);
+        this.#sought = null;
         return;
       }
       const base = this.#studio();
@@ -249,6 +265,8 @@ export class FrondView extends HTMLElement {
         return;
       }
       this.#shown = picture;
+      if (this.#sought !== null) this.seek(this.#sought);
+      this.#sought = null;
       this.#fit();
       this.#changed();
     } catch (problem) {
