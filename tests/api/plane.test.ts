@@ -135,6 +135,21 @@ describe("a shape that is in one piece", () => {
       expect(changed).toMatchObject({ valid: false, links: 0 });
       expect(changed.text).toContain("do not reach all pieces");
     }
+    // A turned square of nine copies, each by a multiple of a quarter: they do not cross.
+    const row = (k: number): [number, number, number, number, number, number] => [
+      0.4,
+      -0.31,
+      0.31,
+      0.4,
+      (k % 3) / 4,
+      k / 12,
+    ];
+    const turned = { maps: Array.from({ length: 9 }, (_, k) => row(k)) };
+    expect(frond.connectedness(turned, undefined).reason?.kind).toBe("differences");
+    const squares = frond.connectedCertificate(turned, undefined);
+    expect(squares && frond.checkCertificate(JSON.parse(JSON.stringify(squares)))).toMatchObject({
+      valid: true,
+    });
     for (const nothing of [{ links: 5 }, { links: [] }, { links: [{ kind: "faith" }], maps: [] }])
       expect(frond.checkCertificate(wrong(nothing)).valid).toBe(false);
   });

@@ -121,7 +121,7 @@ const OUTLOOK = `
       <p>Points are compared by exact arithmetic in quadratic number fields, areas by exact sums of doubles. Crossings and differences are found in
       floating point, with bounds for what rounding can do that are added to every comparison: such a proof is as good as the program that
       computes these bounds. The source says how, beside each of them. “In pieces, proved” comes with a certificate that a checker of its own
-      replays in whole numbers, and that can be saved; so do common points, areas and crossings, where the checker takes for the norm that
+      replays in whole numbers, and that can be saved; so do common points, areas, differences and crossings, where the checker takes for the norm that
       whose unit ball is the difference of two points of a polygon which all maps take into its inside. “Looks whole” is no proof, and is never called one.</p>
       <h2>Sources</h2>
       <p>C. Bandt, S. Graf: Self-similar sets VII. A characterization of self-similar fractals with positive Hausdorff measure. Proc. AMS 114,

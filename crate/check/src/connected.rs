@@ -16,6 +16,20 @@ pub struct ConnectedCertificate {
     pub near: Vec<[Vec<u8>; 2]>,
     /// What holds pieces together. All of it reaches all maps.
     pub links: Vec<Link>,
+    /// Where maps have one linear part, squares full of differences of two points of the attractor.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub squares: Option<Squares>,
+}
+
+/// Squares full of differences of two points of the attractor.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Squares {
+    /// How wide and how high one is.
+    pub size: [f64; 2],
+    /// For each how many widths and heights it is from the origin to its lower left corner, and two maps k, l: the
+    /// inverse of the linear part takes it, less the difference of their translations `t_k - t_l`, into squares.
+    pub cells: Vec<(i32, i32, u8, u8)>,
 }
 
 /// What holds the pieces of two maps together.
@@ -35,6 +49,14 @@ pub enum Link {
     Area {
         /// The two maps.
         pair: [u8; 2],
+    },
+    /// Two copies of one shape and direction are moved by the difference of two points of such a copy.
+    Difference {
+        /// The two maps i, j.
+        pair: [u8; 2],
+        /// From `L^-1 (t_j - t_i)` these lead into the squares: pairs of maps k, l, each for
+        /// `x -> L^-1 (x - (t_k - t_l))`.
+        steps: Vec<[u8; 2]>,
     },
     /// Two pieces lie across each other.
     Crossing {

@@ -6,7 +6,8 @@ use num_bigint::BigInt;
 
 use crate::connected::{Address, ConnectedCertificate, Link};
 use crate::crossing::lie_across;
-use crate::limits::{CORNERS, LETTERS, MAPS, PAIRS, TEXT, Work, at_most};
+use crate::difference::Differences;
+use crate::limits::{CELLS, CORNERS, FARTHEST_CELL, LETTERS, MAPS, PAIRS, TEXT, Work, at_most};
 use crate::polygon::Scene;
 use crate::refused::Refused;
 use crate::whole::{Factor, Whole};
@@ -36,7 +37,7 @@ impl fmt::Display for CheckedConnected {
 /// [`Refused`] with the first thing that is wrong with it, or that it is too large to be checked: more than 256 maps,
 /// 512 corners, a million pairs or links, ten million letters.
 pub fn check_connected(certificate: &ConnectedCertificate) -> Result<CheckedConnected, Refused> {
-    let ConnectedCertificate { maps, polygon, gap, near, links } = certificate;
+    let ConnectedCertificate { maps, polygon, gap, near, links, squares } = certificate;
     let longest = check_form(certificate)?;
     let scene = Scene {
         maps: Whole::of(maps).ok_or(Refused::NotFinite { place: "maps" })?,
@@ -51,6 +52,11 @@ pub fn check_connected(certificate: &ConnectedCertificate) -> Result<CheckedConn
     if !gap.is_at_least_one() {
         check_gap(&scene, near, &gap)?;
     }
+    let differences = squares.as_ref().and_then(|squares| Differences::new(&scene, squares));
+    let differences = differences.filter(|differences| differences.all_lead_back(&scene));
+    if squares.is_some() && differences.is_none() {
+        return Err(Refused::Squares);
+    }
     let mut reached = Reached::new(maps.len());
     for (k, link) in links.iter().enumerate() {
         let (pair, why) = match link {
@@ -61,6 +67,11 @@ pub fn check_connected(certificate: &ConnectedCertificate) -> Result<CheckedConn
             Link::Area { pair } => {
                 let pair = pair.map(usize::from);
                 (pair, (!scene.fill(pair)).then_some("the areas of its pieces leave room"))
+            }
+            Link::Difference { pair, steps } => {
+                let pair = pair.map(usize::from);
+                let meets = differences.as_ref().is_some_and(|all| all.meet(&scene, pair, steps));
+                (pair, (!meets).then_some("its step is not shown to be a difference of two points"))
             }
             Link::Crossing { words, far } => {
                 let across =
@@ -86,7 +97,9 @@ fn first(address: &Address) -> usize {
 
 /// Sizes and forms; the letters of the longest word.
 fn check_form(certificate: &ConnectedCertificate) -> Result<usize, Refused> {
-    let ConnectedCertificate { maps, polygon, near, links, .. } = certificate;
+    let ConnectedCertificate { maps, polygon, near, links, squares, .. } = certificate;
+    let cells = squares.as_ref().map_or(&[][..], |squares| &squares.cells);
+    at_most(cells.len(), CELLS, "squares")?;
     at_most(maps.len(), MAPS, "maps")?;
     at_most(polygon.len(), CORNERS, "corners")?;
     at_most(near.len(), PAIRS, "pairs")?;
@@ -104,6 +117,13 @@ fn check_form(certificate: &ConnectedCertificate) -> Result<usize, Refused> {
             why: "a word of pieces that are near is empty, or has a letter that is no map",
         });
     }
+    // Far from the ends of the numbers that count squares.
+    let is_cell = |&(x, y, k, l): &(i32, i32, u8, u8)| {
+        x.unsigned_abs().max(y.unsigned_abs()) < FARTHEST_CELL && is_known(&[k, l])
+    };
+    if !cells.iter().all(is_cell) {
+        return Err(Refused::Form { why: "a square is too far away, or names a map that is none" });
+    }
     let (mut longest, mut letters) = (0, 0);
     let mut count = |word: usize| {
         longest = longest.max(word);
@@ -117,6 +137,10 @@ fn check_form(certificate: &ConnectedCertificate) -> Result<usize, Refused> {
                 is_known(head) && is_word(repeat)
             }),
             Link::Area { pair } => pair[0] != pair[1] && is_known(pair),
+            Link::Difference { pair, steps } => {
+                count(steps.len());
+                is_known(pair) && steps.iter().all(|step| is_known(step))
+            }
             Link::Crossing { words, far } => {
                 far.iter().enumerate().for_each(|(k, far)| count(words[k / 2].len() + far.tail.len()));
                 words.iter().all(|word| is_word(word)) && far.iter().all(|far| is_known(&far.tail))
@@ -136,6 +160,7 @@ fn check_work(certificate: &ConnectedCertificate, scene: &Scene) -> Result<(), R
     let mut work = Work::of(scene);
     let corners = certificate.polygon.len() as u64;
     work.add(corners * certificate.maps.len() as u64, 1);
+    work.add(certificate.squares.as_ref().map_or(0, |squares| squares.cells.len() as u64), 1);
     for [a, b] in &certificate.near {
         work.add(2 * corners, a.len());
         work.add(2 * corners, b.len());
@@ -149,6 +174,7 @@ fn check_work(certificate: &ConnectedCertificate, scene: &Scene) -> Result<(), R
                 }
             }
             Link::Area { .. } => work.add(1, 1),
+            Link::Difference { steps, .. } => work.add(1, steps.len()),
             Link::Crossing { words, far } => {
                 for (k, far) in far.iter().enumerate() {
                     work.add(1, words[k / 2].len() + far.tail.len());

@@ -33,7 +33,9 @@
 //!    `w_b(P)` than `gap`, and these pairs reach all maps. So `g <= gap`.
 //! 3. *Links hold.* A point with two addresses is in both of its pieces. Two pieces whose maps scale areas by factors
 //!    with a sum of 1 or more meet: else a small enough neighbourhood of `A` would hold two disjoint images of itself
-//!    and more. And two pieces `A_u`, `A_v` that lie across each other are nearer to each other than g, if g is not 0:
+//!    and more. Copies of one shape and direction, see below, meet just if `L^-1 (t_j - t_i)` is a difference of two
+//!    points of `A`. And two pieces `A_u`, `A_v` that lie across each other are nearer to each other than g, if g is
+//!    not 0:
 //!    - `A` is connected in steps of g: for words so long that their pieces are smaller than that, any two points
 //!      of one piece are such a step apart, and the parts of the piece of a shorter word hang together by steps of
 //!      those of `A`, made smaller. So `A_u` is connected by steps in `g M_u D`, and `Q_u`, the sum of `A_u`
@@ -49,6 +51,13 @@
 //!      `g D`.
 //! 4. *Links reach every piece.* Were g not 0, all links would be shorter than g, and so the spanning tree: a
 //!    contradiction. So all pieces hang together by pieces that meet, and `A` is connected (Hata 1985).
+//!
+//! *Differences.* Let all maps be `w_i(x) = L x + t_i`, and `D'` be the set of all differences `a - b` of two points
+//! of `A`. `L a + t_i = L b + t_j` says that `a - b = L^-1 (t_j - t_i)`: the pieces `A_i` and `A_j` meet just if that
+//! is in `D'`. Let K be the union of `squares`, each of which `x -> L^-1 (x - d)` takes into K, where d is a difference
+//! of two translations. From x in K go back like this to `x_1, x_2, ..`, all in K. Then `x = d_1 + L d_2 + .. +
+//! L^(n-1) d_n + L^n x_n`; the last term vanishes as n grows, and sums of `L^(n-1) t_k` are the points of `A`: so x is
+//! in `D'`. And what one such step leads back from into `D'` is in `D'` itself.
 //!
 //! The crossing is a form of the *trap* of Calegari, Koch and Walker (arXiv 1410.8542). All this is checked by
 //! [`check_connected`], in this order.
@@ -73,6 +82,7 @@ mod common_point;
 mod connected;
 mod cover;
 mod crossing;
+mod difference;
 mod joined;
 mod limits;
 mod polygon;
@@ -84,7 +94,7 @@ mod text;
 mod whole;
 
 pub use certificate::{Certificate, Pair};
-pub use connected::{Address, ConnectedCertificate, Far, Link};
+pub use connected::{Address, ConnectedCertificate, Far, Link, Squares};
 pub use joined::{CheckedConnected, check_connected};
 pub use proof::{CheckedProof, Proof};
 pub use refused::Refused;

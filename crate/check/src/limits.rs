@@ -9,6 +9,8 @@ use crate::refused::Refused;
 pub(crate) const MAPS: usize = 256;
 pub(crate) const CORNERS: usize = 512;
 pub(crate) const PAIRS: usize = 1_000_000;
+pub(crate) const CELLS: usize = 100_000;
+pub(crate) const FARTHEST_CELL: u32 = 1_000_000;
 /// Letters of one word, and of all words together.
 pub(crate) const LETTERS: usize = 1000;
 pub(crate) const TEXT: usize = 10_000_000;

@@ -89,6 +89,12 @@ pub enum Refused {
         /// What is wrong.
         why: &'static str,
     },
+    /// The squares are not shown to hold differences only.
+    #[error(
+        "The squares are not shown to hold nothing but differences: one does not lead back into them, or the maps do not \
+         share one linear part that has an inverse."
+    )]
+    Squares,
     /// Some maps are not reached.
     #[error("The links do not reach all pieces: none leads from the first to piece {}.", .map + 1)]
     Unreached {
@@ -113,6 +119,7 @@ impl Refused {
             Self::NotApart { .. } => "not-apart",
             Self::Gap { .. } => "gap",
             Self::Link { .. } => "link",
+            Self::Squares => "squares",
             Self::Unreached { .. } => "unreached",
         }
     }

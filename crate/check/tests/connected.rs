@@ -1,6 +1,8 @@
 //! Certificates of attractors in one piece, and what is left of them when something is changed.
 
-use frond_check::{Address, CheckedConnected, ConnectedCertificate, Far, Link, Refused, check_connected};
+use frond_check::{
+    Address, CheckedConnected, ConnectedCertificate, Far, Link, Refused, Squares, check_connected,
+};
 
 /// Two thin bars laid across each other, each of two halves that reach a little beyond the middle. The polygon is a
 /// square about them.
@@ -25,7 +27,7 @@ fn plus() -> ConnectedCertificate {
     // Both halves of each bar reach beyond the middle, and no gap is wider than a hundredth.
     let deep = |first: u8, then: u8| [vec![first], vec![then; 12]].concat();
     let near = vec![[deep(0, 1), deep(2, 3)], [deep(1, 0), deep(2, 3)], [deep(0, 1), deep(3, 2)]];
-    ConnectedCertificate { maps, polygon, gap: 0.1, near, links }
+    ConnectedCertificate { maps, polygon, gap: 0.1, near, links, squares: None }
 }
 
 const LEFT: [f64; 2] = [-1.0, 0.0];
@@ -44,6 +46,7 @@ fn gasket() -> ConnectedCertificate {
         gap: 1.0,
         near: Vec::new(),
         links: vec![point(0, 1), point(2, 1)],
+        squares: None,
     }
 }
 
@@ -174,6 +177,87 @@ fn points_and_areas_are_compared_to_the_last_digit() {
     of_link(full(), &|proof| proof.maps[1][2] = 0.5_f64.next_down());
 }
 
+/// A square of nine copies of a half, which overlap: the differences of its points fill the square from -1 to 1, here
+/// cut in 16.
+fn square() -> ConnectedCertificate {
+    let map = |k: i32| [0.5, 0.0, 0.0, 0.5, f64::from(k % 3) / 4.0, f64::from(k / 3) / 4.0];
+    let cell = |k: i32| {
+        let (x, y) = (k % 4 - 2, k / 4 - 2);
+        // On the left by a difference to the left, below by one downwards.
+        let (from, to) = match (x < 0, y < 0) {
+            (true, true) => (0, 8),
+            (true, false) => (6, 2),
+            (false, true) => (2, 6),
+            (false, false) => (8, 0),
+        };
+        (x, y, from, to)
+    };
+    let link = |pair| Link::Difference { pair, steps: Vec::new() };
+    let pairs = [[0, 1], [1, 2], [3, 4], [4, 5], [6, 7], [7, 8], [0, 3], [3, 6]];
+    ConnectedCertificate {
+        maps: (0..9).map(map).collect(),
+        polygon: vec![[-4.0, -4.0], [4.0, -4.0], [4.0, 4.0], [-4.0, 4.0]],
+        links: pairs.map(link).to_vec(),
+        squares: Some(Squares { size: [0.5, 0.5], cells: (0..16).map(cell).collect() }),
+        ..gasket()
+    }
+}
+
+#[test]
+fn differences_are_checked_square_by_square() {
+    assert_eq!(check_connected(&square()), Ok(CheckedConnected { links: 8, longest: 0 }));
+    let squares = |change: &dyn Fn(&mut Squares)| {
+        let why = refused(square(), |proof| change(proof.squares.as_mut().unwrap()));
+        assert_eq!(why, Refused::Squares);
+    };
+    squares(&|squares| squares.cells.truncate(15));
+    squares(&|squares| squares.cells[0].2 = 3);
+    squares(&|squares| squares.size[0] = 0.375);
+    squares(&|squares| squares.size = [-0.5, 0.5]);
+    squares(&|squares| {
+        // The same squares, counted from the other side.
+        squares.size = [-0.5, -0.5];
+        squares.cells.iter_mut().for_each(|cell| (cell.2, cell.3) = (cell.3, cell.2));
+    });
+    squares(&|squares| squares.size = [0.5, f64::NAN]);
+    squares(&|squares| squares.cells.push((2, 0, 1, 0)));
+    // Maps that differ in the last digit, or flatten everything.
+    assert_eq!(refused(square(), |proof| proof.maps[1][0] = 0.5_f64.next_down()), Refused::Squares);
+    let flat = refused(square(), |proof| proof.maps.iter_mut().for_each(|row| row[3] = 0.0));
+    assert_eq!(flat, Refused::Squares);
+    let link = |change: &dyn Fn(&mut ConnectedCertificate)| {
+        let why = refused(square(), change);
+        assert_eq!(why.code(), "link", "{why}");
+    };
+    link(&|proof| proof.squares = None);
+    // From (1/2, 0) beyond the rim.
+    link(&|proof| proof.links[0] = Link::Difference { pair: [0, 1], steps: vec![[0, 2]] });
+    // From the left to the right, without a step between.
+    link(&|proof| proof.links[0] = Link::Difference { pair: [0, 2], steps: Vec::new() });
+    // Back to where it was: (1/2, 0) = 2 ((1/2, 0) - (1/4, 0)).
+    let round = Link::Difference { pair: [0, 1], steps: vec![[1, 0]; 5] };
+    let mut longer = square();
+    longer.links[0] = round;
+    assert!(check_connected(&longer).is_ok());
+    let form = |change: &dyn Fn(&mut ConnectedCertificate)| {
+        assert_eq!(refused(square(), change).code(), "form");
+    };
+    form(&|proof| proof.links[0] = Link::Difference { pair: [0, 9], steps: Vec::new() });
+    form(&|proof| proof.links[0] = Link::Difference { pair: [0, 1], steps: vec![[0, 9]] });
+    form(&|proof| proof.squares.as_mut().unwrap().cells[0].0 = i32::MAX);
+    form(&|proof| proof.squares.as_mut().unwrap().cells[0].3 = 9);
+}
+
+/// Where the determinant is negative.
+#[test]
+fn differences_of_mirrored_copies_are_checked() {
+    let mut proof = square();
+    for row in &mut proof.maps {
+        row[3] = -0.5;
+    }
+    assert_eq!(check_connected(&proof), Ok(CheckedConnected { links: 8, longest: 0 }));
+}
+
 #[test]
 fn what_is_of_no_form_is_refused() {
     let form = |change: &dyn Fn(&mut ConnectedCertificate)| {
@@ -202,7 +286,7 @@ fn what_is_of_no_form_is_refused() {
 #[test]
 fn certificates_of_both_kinds_are_told_apart_as_text() {
     use frond_check::{Certificate, CheckedProof, Pair, Proof};
-    for proof in [plus(), gasket()] {
+    for proof in [plus(), gasket(), square()] {
         let back = Proof::from_json(&proof.to_json().unwrap()).unwrap();
         assert!(matches!(back.check(), Ok(CheckedProof::Connected(_))));
         assert_eq!(back, Proof::Connected(proof));

@@ -84,7 +84,9 @@ pub use classic::index_buffer::{Choice, IndexBuffer, IndexBufferError, IndexBuff
 pub use connectedness::{Connectedness, connectedness};
 pub use decide::{Scratch, decide, decide_bounds, decide_polygon};
 pub use evidence::certificate::{Certificate, certificate};
-pub use evidence::connected_certificate::{CertifiedLink, ConnectedCertificate, connected_certificate};
+pub use evidence::connected_certificate::{
+    CertifiedLink, ConnectedCertificate, Squares, connected_certificate,
+};
 pub use evidence::far_parts::Far;
 pub use evidence::reason::{Link, LinkKind, Reason};
 pub use evidence::separate::Separation;

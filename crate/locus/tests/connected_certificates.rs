@@ -3,7 +3,7 @@
 use frond_check::{Address, Link, check_connected};
 use frond_core::{Affine2, Ifs, Morph, MorphOptions};
 use frond_locus::{
-    Bounds, CertifiedLink, ConnectedCertificate, LocusGrid, Options, Scratch, State, Verdict,
+    Bounds, CertifiedLink, ConnectedCertificate, LocusGrid, Options, ReasonKind, Scratch, State, Verdict,
     connected_certificate, connectedness,
 };
 use frond_scene::presets;
@@ -17,6 +17,7 @@ fn plain(found: &ConnectedCertificate) -> frond_check::ConnectedCertificate {
             Link::Point { addresses: addresses.clone().map(|[head, repeat]| Address { head, repeat }) }
         }
         CertifiedLink::Area(pair) => Link::Area { pair: *pair },
+        CertifiedLink::Difference(pair, steps) => Link::Difference { pair: *pair, steps: steps.clone() },
         CertifiedLink::Crossing(words, far) => Link::Crossing {
             words: words.clone(),
             far: far
@@ -30,6 +31,10 @@ fn plain(found: &ConnectedCertificate) -> frond_check::ConnectedCertificate {
         gap: found.gap,
         near: found.near.clone(),
         links: found.links.iter().map(link).collect(),
+        squares: found.squares.as_ref().map(|squares| frond_check::Squares {
+            size: squares.size.to_array(),
+            cells: squares.cells.iter().map(|&([x, y], [k, l])| (x, y, k, l)).collect(),
+        }),
     }
 }
 
@@ -45,7 +50,7 @@ fn certified(ifs: &Ifs) -> Option<frond_check::ConnectedCertificate> {
 
 #[test]
 fn shapes_that_are_proved_have_certificates() {
-    let mut kinds = [0; 3];
+    let mut kinds = [0; 4];
     for preset in presets().into_iter().filter(|preset| preset.maps.len() < 8) {
         let ifs = shape(preset.id);
         let verdict = connectedness(&ifs, &Options::default()).verdict;
@@ -58,6 +63,7 @@ fn shapes_that_are_proved_have_certificates() {
                 Link::Point { .. } => 0,
                 Link::Area { .. } => 1,
                 Link::Crossing { .. } => 2,
+                Link::Difference { .. } => 3,
             }] += 1;
         }
     }
@@ -88,6 +94,34 @@ fn samples_that_are_proved_have_certificates() {
         let found = certified(&Ifs::new(maps.clone()).unwrap()).unwrap_or_else(|| panic!("sample {k}"));
         assert!(check_connected(&found).is_ok(), "sample {k}: {:?}", check_connected(&found));
     }
+}
+
+/// Copies of one shape and direction never cross: their steps are shown to be differences of its points.
+#[test]
+fn copies_of_one_shape_have_certificates() {
+    let (mut proved, mut turned) = (0, 0);
+    for k in 0..cases(24) {
+        let turn = 0.37 * f64::from(k);
+        let count = 4 + k % 3;
+        let places = (0..count).map(|n| 0.8 * DVec2::from_angle(f64::from(n * n) + 0.3 * f64::from(k)));
+        let maps: Vec<Affine2> = places.map(|place| Affine2::similitude(0.56, turn, place)).collect();
+        let ifs = Ifs::new(maps).unwrap();
+        let reason = connectedness(&ifs, &Options::default()).reason.map(|reason| reason.kind);
+        if reason != Some(ReasonKind::Differences) {
+            continue;
+        }
+        proved += 1;
+        let found = certified(&ifs).unwrap_or_else(|| panic!("{k} has a certificate"));
+        assert!(check_connected(&found).is_ok(), "{k}: {:?}", check_connected(&found));
+        turned += u32::from(
+            found
+                .links
+                .iter()
+                .any(|link| matches!(link, Link::Difference { steps, .. } if !steps.is_empty())),
+        );
+    }
+    println!("{proved} proved by differences, {turned} with steps");
+    assert!(proved > 3, "{proved}");
 }
 
 #[test]

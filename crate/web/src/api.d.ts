@@ -107,11 +107,19 @@ export interface ConnectedCertificate {
   near: [u: number[], v: number[]][];
   /** What holds pieces together. */
   links: CertifiedLink[];
+  /** Where all maps have one linear part L: squares full of differences of two points of the attractor. */
+  squares?: {
+    size: [width: number, height: number];
+    /** Column and row from the origin, and two maps: x -> L^-1 (x - (t_k - t_l)) takes the square into squares. */
+    cells: [x: number, y: number, k: number, l: number][];
+  };
 }
 
 export type CertifiedLink =
   | { kind: "point"; addresses: [RepeatedWord, RepeatedWord] }
   | { kind: "area"; pair: [i: number, j: number] }
+  /** Steps as those of squares lead from L^-1 (t_j - t_i) into them. */
+  | { kind: "difference"; pair: [i: number, j: number]; steps: [k: number, l: number][] }
   /** Two pieces, and parts that jut out beyond the other one along a direction: two of the first, two of the second. */
   | {
       kind: "crossing";

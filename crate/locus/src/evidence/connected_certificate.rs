@@ -8,10 +8,12 @@ use crate::evidence::reason::Points;
 use crate::exact::address::Address;
 use crate::exact::area;
 use crate::frame::Frame;
+use crate::gap::difference_set::are_equal;
 use crate::gap::kruskal::KruskalSearch;
 use crate::gap::word_tree::WordTree;
 use crate::magnification::Magnification;
 use crate::overlap_graph::{Components, OverlapGraph};
+use crate::region::inner_differences::InnerDifferences;
 use crate::region::trap::{Crossing, crossings_beside};
 use crate::support::extremes::larger;
 use crate::support::table::SupportTable;
@@ -45,6 +47,18 @@ pub struct ConnectedCertificate {
     pub near: Vec<[Vec<u8>; 2]>,
     /// What holds pieces together.
     pub links: Vec<CertifiedLink>,
+    /// Where maps have one linear part: squares that hold nothing but differences of two points of the attractor.
+    pub squares: Option<Squares>,
+}
+
+/// Squares that hold nothing but differences of two points of the attractor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Squares {
+    /// How wide and how high one is.
+    pub size: DVec2,
+    /// Of each how many widths and heights it is from the origin to its lower left corner, and two maps k and l: the
+    /// inverse L^-1 of the linear part takes it, less `t_k - t_l`, into squares.
+    pub cells: Vec<([i32; 2], [u8; 2])>,
 }
 
 /// What holds the pieces of two maps together.
@@ -54,14 +68,17 @@ pub enum CertifiedLink {
     Point([[Vec<u8>; 2]; 2]),
     /// The areas of the pieces of two maps.
     Area([u8; 2]),
+    /// Two maps i and j, copies of one shape moved by the difference of two of its points: steps `x -> L^-1 (x - (t_k -
+    /// t_l))` lead from `L^-1 (t_j - t_i)` into the squares.
+    Difference([u8; 2], Vec<[u8; 2]>),
     /// Two pieces that lie across each other: their words, and two parts of the first that jut out beyond the second,
     /// then two of the second.
     Crossing([Vec<u8>; 2], [Far; 4]),
 }
 
-/// A certificate that the attractor is connected, or `None` if none was found: of maps whose pieces share points as the
-/// numbers are given, overlap in area or lie across each other. Proofs by differences, and about what numbers are
-/// meant to be, are not written down as certificates.
+/// A certificate that the attractor is connected, or `None` if none was found: of maps whose pieces share points as
+/// the numbers are given, overlap in area, lie across each other, or are copies of one shape and direction that are
+/// moved by differences of its points. Proofs about what numbers are meant to be are not written down as certificates.
 ///
 /// ```
 /// use frond_core::{Affine2, Ifs};
@@ -129,6 +146,11 @@ fn proved(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Opt
             }
         }
     }
+    let squares = if joined.is_connected() || !are_equal(maps) {
+        None
+    } else {
+        Some(differences(maps, search.plane_diameter, &mut joined, &mut links)?)
+    };
     let crossings = if joined.is_connected() {
         Vec::new()
     } else {
@@ -146,11 +168,38 @@ fn proved(maps: &[Affine2], contraction: &Contraction, options: &Options) -> Opt
             gap: 1.0,
             near: Vec::new(),
             links: links.clone(),
+            squares: squares.clone(),
         };
         let parts = FarParts::new(&frame, &polygon);
         (crossings.is_empty() || found.add_crossings(&parts, &near, &crossings, attempt.size))
             .then_some(found)
     })
+}
+
+/// Joins pieces that are moved by differences of points of one of them.
+fn differences(
+    maps: &[Affine2],
+    diameter: f64,
+    joined: &mut OverlapGraph,
+    links: &mut Vec<CertifiedLink>,
+) -> Option<Squares> {
+    let mut all = InnerDifferences::default();
+    if !all.begin(maps, DVec2::splat(diameter)) {
+        return None;
+    }
+    for i in 0..maps.len() {
+        for j in i + 1..maps.len() {
+            if joined.components().joined(i, j) {
+                continue;
+            }
+            if let Some(steps) = all.steps(maps, i, j) {
+                joined.add(i, j);
+                links.push(CertifiedLink::Difference([i as u8, j as u8], steps));
+            }
+        }
+    }
+    let (size, cells) = all.squares();
+    joined.is_connected().then_some(Squares { size, cells })
 }
 
 /// Two maps, and a point of each one's piece.

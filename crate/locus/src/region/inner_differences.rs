@@ -35,7 +35,19 @@ pub(crate) struct InnerDifferences {
     rows: Vec<u64>,
     /// The number of the digit by which each square was last seen to lead back, for the lower half.
     by: Vec<u8>,
-    open: Vec<DVec2>,
+    open: Vec<Step>,
+}
+
+/// Column and row of a square, from the middle, and two maps.
+pub(crate) type Square = ([i32; 2], [u8; 2]);
+
+/// A point on the ways back from a vector.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    at: DVec2,
+    /// The number of the point before, and of the digit that led from it; of the vector itself 0.
+    from: u16,
+    digit: u8,
 }
 
 impl InnerDifferences {
@@ -75,28 +87,60 @@ impl InnerDifferences {
     /// Whether this shows that the pieces of two of the maps meet.
     pub fn join(&mut self, maps: &[Affine2], i: usize, j: usize) -> bool {
         let step = (maps[j].translation - maps[i].translation) * self.scale;
-        self.holds(self.back * step)
+        self.way_back(self.back * step).is_some()
     }
 
-    /// Whether a vector, in squares, is surely a difference.
-    fn holds(&mut self, difference: DVec2) -> bool {
-        self.open.clear();
-        self.open.push(difference);
-        let mut next = 0;
-        while next < self.open.len() && next < MOST_LOOKS {
-            let at = self.open[next];
-            next += 1;
-            if self.within(at, DVec2::ZERO) {
-                return true;
-            }
-            for &digit in &self.digits {
-                let before = self.back * (at - digit);
-                if before.abs().max_element() < 0.5 * SIDE as f64 && self.open.len() < MOST_LOOKS {
-                    self.open.push(before);
-                }
+    /// The same, with the steps by which `L^-1 (t_j - t_i)` leads into the squares: for each step the maps k and l
+    /// of `x -> L^-1 (x - (t_k - t_l))`.
+    pub fn steps(&mut self, maps: &[Affine2], i: usize, j: usize) -> Option<Vec<[u8; 2]>> {
+        let step = (maps[j].translation - maps[i].translation) * self.scale;
+        let mut at = self.way_back(self.back * step)?;
+        let mut steps = Vec::new();
+        while at != 0 {
+            let Step { from, digit, .. } = self.open[at];
+            steps.push(maps_of(digit));
+            at = usize::from(from);
+        }
+        steps.reverse();
+        Some(steps)
+    }
+
+    /// How wide and how high a square is; and of each one its column and its row, from the middle, with the maps k and
+    /// l by whose translations' difference it leads back.
+    pub fn squares(&self) -> (DVec2, Vec<Square>) {
+        let half = SIDE as i32 / 2;
+        let mut all = Vec::new();
+        for y in 0..SIDE / 2 {
+            for x in (0..SIDE).filter(|x| self.rows[y] >> x & 1 == 1) {
+                let [k, l] = maps_of(self.by[y * SIDE + x]);
+                let (x, y) = (x as i32 - half, y as i32 - half);
+                all.push(([x, y], [k, l]));
+                all.push(([-1 - x, -1 - y], [l, k]));
             }
         }
-        false
+        (1.0 / self.scale, all)
+    }
+
+    /// Where a vector, in squares, leads into those that are left, so that it surely is a difference: the number of the
+    /// point among those that were looked at.
+    fn way_back(&mut self, difference: DVec2) -> Option<usize> {
+        self.open.clear();
+        self.open.push(Step { at: difference, from: 0, digit: 0 });
+        let mut next = 0;
+        while next < self.open.len() && next < MOST_LOOKS {
+            let Step { at, .. } = self.open[next];
+            if self.within(at, DVec2::ZERO) {
+                return Some(next);
+            }
+            for (k, &digit) in self.digits.iter().enumerate() {
+                let before = self.back * (at - digit);
+                if before.abs().max_element() < 0.5 * SIDE as f64 && self.open.len() < MOST_LOOKS {
+                    self.open.push(Step { at: before, from: next as u16, digit: k as u8 });
+                }
+            }
+            next += 1;
+        }
+        None
     }
 
     /// Leaves out squares until all that are left lead to such as are left; whether there are any.
@@ -151,6 +195,18 @@ impl InnerDifferences {
     }
 }
 
+/// The maps k and l whose translations' difference is the digit of a number: first none, then those of 1 and 0, of 0
+/// and 1, of 2 and 0, and so on.
+fn maps_of(digit: u8) -> [u8; 2] {
+    let Some(number) = digit.checked_sub(1) else { return [0, 0] };
+    let (mut k, mut l) = (1, number / 2);
+    while l >= k {
+        l -= k;
+        k += 1;
+    }
+    if number % 2 == 0 { [k, l] } else { [l, k] }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -169,9 +225,9 @@ mod tests {
         for k in 0..200 {
             let angle = 0.1 * f64::from(k);
             let at = 1.9 * DVec2::from_angle(angle).clamp(DVec2::splat(-0.99), DVec2::splat(0.99));
-            assert_eq!(all.holds(at * all.scale), at.abs().max_element() < 2.0, "{at}");
+            assert_eq!(all.way_back(at * all.scale).is_some(), at.abs().max_element() < 2.0, "{at}");
         }
-        assert!(!all.holds(DVec2::new(2.1, 0.0) * all.scale));
+        assert_eq!(all.way_back(DVec2::new(2.1, 0.0) * all.scale), None);
     }
 
     #[test]
@@ -187,11 +243,26 @@ mod tests {
     }
 
     #[test]
+    fn digits_are_of_the_maps_that_they_are_said_to_be_of() {
+        let places: Vec<[f64; 2]> =
+            (0..16).map(|k| [f64::from(k * k) / 256.0, f64::from(k % 5) / 8.0]).collect();
+        let maps = copies(0.5, &places);
+        let mut all = InnerDifferences::default();
+        assert!(all.begin(&maps, DVec2::splat(2.0)));
+        assert_eq!(all.digits.len(), 241);
+        for (number, &digit) in all.digits.iter().enumerate() {
+            let [k, l] = maps_of(number as u8).map(usize::from);
+            let expected = (maps[k].translation - maps[l].translation) * all.scale;
+            assert!(digit.abs_diff_eq(expected, 1e-12), "{number}: {k} {l}");
+        }
+    }
+
+    #[test]
     fn what_held_before_does_not_lead_astray() {
         let corners = |at: f64| [[0.0, 0.0], [at, 0.0], [0.0, at], [at, at]];
         let mut all = InnerDifferences::default();
         assert!(all.begin(&copies(0.5, &corners(0.5)), DVec2::ONE));
-        assert!(all.holds(DVec2::splat(0.9) * all.scale));
+        assert!(all.way_back(DVec2::splat(0.9) * all.scale).is_some());
         // The same with smaller copies: Cantor's dust, whose differences reach as far, but with holes.
         assert!(!all.begin(&copies(0.26, &corners(0.74)), DVec2::ONE));
     }

@@ -1,6 +1,6 @@
 //! Proofs that can be handed on: certificates that a shape is in one piece, or in several.
 
-use frond_check::{Address, Certificate, ConnectedCertificate, Far, Link, Pair, Proof};
+use frond_check::{Address, Certificate, ConnectedCertificate, Far, Link, Pair, Proof, Squares};
 use frond_core::Ifs;
 use frond_locus::{CertifiedLink, Options};
 use js_sys::Reflect;
@@ -34,8 +34,8 @@ pub fn certificate(
     })
 }
 
-/// A certificate that the attractor is in one piece, or `null` where none was found: proofs by differences, and about
-/// what numbers are meant to be, are not written down.
+/// A certificate that the attractor is in one piece, or `null` where none was found: proofs about what numbers are
+/// meant to be are not written down.
 #[wasm_bindgen(js_name = connectedCertificate, unchecked_return_type = "ConnectedCertificate | null")]
 pub fn connected_certificate(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue,
@@ -49,6 +49,7 @@ pub fn connected_certificate(
             Link::Point { addresses: addresses.map(|[head, repeat]| Address { head, repeat }) }
         }
         CertifiedLink::Area(pair) => Link::Area { pair },
+        CertifiedLink::Difference(pair, steps) => Link::Difference { pair, steps },
         CertifiedLink::Crossing(words, far) => Link::Crossing {
             words,
             far: far.map(|far| Far { tail: far.tail, direction: point(far.direction) }),
@@ -60,6 +61,10 @@ pub fn connected_certificate(
         gap: found.gap,
         near: found.near,
         links: found.links.into_iter().map(link).collect(),
+        squares: found.squares.map(|squares| Squares {
+            size: point(squares.size),
+            cells: squares.cells.into_iter().map(|([x, y], [k, l])| (x, y, k, l)).collect(),
+        }),
     })
 }
 

@@ -75,7 +75,7 @@ function Account({ answer, epsilon }: { answer: Connectedness; epsilon: number }
 }
 
 /** Kinds of reasons that are written down as certificates. */
-const WRITTEN: readonly string[] = ["shared-points", "neighbours", "crossings", "area"];
+const WRITTEN: readonly string[] = ["shared-points", "neighbours", "crossings", "area", "differences"];
 
 /** Whether there may be a proof that a checker can replay. */
 function isWritten({ verdict, reason }: Connectedness): boolean {
