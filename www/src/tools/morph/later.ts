@@ -5,14 +5,16 @@ import { lazily } from "#ui/lazy";
 const evidence = () => import("./evidence/Panel").then((module) => module.EvidencePanel);
 const gallery = () => import("./shapes/Gallery").then((module) => module.Gallery);
 const maps = () => import("./maps/MapEditor").then((module) => module.MapEditor);
+const pairs = () => import("./pairs/Pairs").then((module) => module.PairsDetail);
 const familyLines = () => import("./locus/families/FamilyLines").then((module) => module.FamilyLines);
 const familyNotes = () => import("./locus/families/FamilyNotes").then((module) => module.FamilyNotes);
 
 export const EvidencePanel = lazily(evidence);
 export const Gallery = lazily(gallery);
 export const MapEditor = lazily(maps);
+export const Pairs = lazily(pairs);
 export const FamilyLines = lazily(familyLines);
 export const FamilyNotes = lazily(familyNotes);
 
 export const fetchAhead = () =>
-  Promise.all([fetchCurves(), evidence(), gallery(), maps(), familyLines(), familyNotes()]);
+  Promise.all([fetchCurves(), evidence(), gallery(), maps(), pairs(), familyLines(), familyNotes()]);
