@@ -6,6 +6,7 @@ import { figurePictures } from "../../www/build/figure-pictures";
 import { listedFigures } from "../../www/build/figures";
 import { type SiteFile, siteOf, sitePages } from "../../www/build/pages";
 import { type Drawer, drawer } from "../../www/build/pictures";
+import { UNITS } from "../../www/src/figures/lessons/course";
 import { ROWS } from "../../www/src/figures/list";
 
 const DOT = new Uint8Array(1);
@@ -23,7 +24,7 @@ describe("the pages of the site", () => {
     String(all.find(({ fileName }) => fileName === name)?.source);
 
   it("are one for each figure that the list names", () => {
-    const listed = ROWS.flatMap(({ figures }) =>
+    const listed = [...ROWS, ...UNITS].flatMap(({ figures }) =>
       figures.map(({ id, number, title, about }) => ({ id, number, title, about })),
     );
     expect(listedFigures()).toEqual(listed);

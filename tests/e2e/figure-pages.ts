@@ -1,23 +1,35 @@
 import type { Locator, Page } from "@playwright/test";
+import { LESSONS as COURSE, UNITS as COURSE_UNITS } from "../../www/src/figures/lessons/course";
 import { ROWS } from "../../www/src/figures/list";
 import { expect } from "./fixture";
 
-/** Every row of figures, from the page's own list: a new figure is tested like the others. */
+/** Every row of figures, from the page's own lists: a new figure is tested like the others. */
 export const ROWS_OF_FIGURES: readonly { name: string; ids: string[] }[] = ROWS.map(({ name, figures }) => ({
   name,
   ids: figures.map(({ id }) => id),
 }));
 
-export const LESSONS = ROWS_OF_FIGURES.find(({ name }) => name === "Lessons")?.ids ?? [];
+export const LESSONS = COURSE.map(({ id }) => id);
+
+/** The lessons by units. */
+export const UNITS = COURSE_UNITS.map(({ title, figures }) => ({ title, ids: figures.map(({ id }) => id) }));
 
 /** Opens a page of the figures, from another one without loading anew; "" is the index. */
 export async function openFigure(page: Page, figure: string): Promise<void> {
-  const fragment = `#figures${figure === "" ? "" : `/${figure}`}`;
+  const place = LESSONS.includes(figure) ? "learn" : "figures";
+  const fragment = `#${place}${figure === "" ? "" : `/${figure}`}`;
   if (page.url() === "about:blank") await page.goto(`./${fragment}`);
   else await page.evaluate((fragment) => location.assign(fragment), fragment);
   // The page before it is gone: its row says where we are.
   if (figure !== "") await page.locator(`nav [aria-current=page][href="${fragment}"]`).waitFor();
   await page.getByRole("heading", { level: 1 }).waitFor();
+}
+
+/** Opens the contents of the course. */
+export async function openContents(page: Page): Promise<void> {
+  if (page.url() === "about:blank") await page.goto("./#learn");
+  else await page.evaluate(() => location.assign("#learn"));
+  await page.getByRole("heading", { level: 1, name: "Learn" }).waitFor();
 }
 
 export interface Look {

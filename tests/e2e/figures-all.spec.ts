@@ -1,12 +1,12 @@
 import type { Locator, Page } from "@playwright/test";
 import { expectClean } from "./axe";
-import { expectDrawn, expectShape, LESSONS, openFigure, ROWS_OF_FIGURES } from "./figure-pages";
+import { expectDrawn, expectShape, openFigure, ROWS_OF_FIGURES, UNITS } from "./figure-pages";
 import { expect, test } from "./fixture";
 
 /** Where the page is from: one on an open question is nobody's. */
 const badge = (page: Page) => page.getByTestId("badge");
 
-for (const { name, ids } of ROWS_OF_FIGURES.filter(({ ids }) => ids !== LESSONS)) {
+for (const { name, ids } of ROWS_OF_FIGURES) {
   test(`${name}: every figure says where it is from, is drawn, clean in both themes, and leads into the studio`, async ({
     page,
   }) => {
@@ -28,26 +28,28 @@ for (const { name, ids } of ROWS_OF_FIGURES.filter(({ ids }) => ids !== LESSONS)
   });
 }
 
-test("Lessons: every one asks before it tells, is clean in both themes, and leads into the studio", async ({
-  page,
-}) => {
-  await page.emulateMedia({ reducedMotion: "reduce" });
-  const links: string[] = [];
-  for (const lesson of LESSONS) {
-    await test.step(lesson, async () => {
-      await openFigure(page, lesson);
-      await expect(badge(page)).toHaveText("by Frond");
-      // The finished picture: more than one colour on it, and words for those who do not see it.
-      const picture = page.getByRole("region", { name: "The picture" }).getByRole("img").first();
-      await expect(picture).toHaveAccessibleName(/\w+ \w+/);
-      await expect.poll(() => picture.evaluate(coloursOf)).toBeGreaterThan(1);
-      await expectClean(page);
-      await expectAnswer(page);
-      links.push(...(await studioLinks(page)));
-    });
-  }
-  await expectOpening(page, links);
-});
+for (const { title, ids } of UNITS) {
+  test(`Lessons, ${title}: every one asks before it tells, is clean in both themes, and leads into the studio`, async ({
+    page,
+  }) => {
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    const links: string[] = [];
+    for (const lesson of ids) {
+      await test.step(lesson, async () => {
+        await openFigure(page, lesson);
+        await expect(badge(page)).toHaveText("by Frond");
+        // The finished picture: more than one colour on it, and words for those who do not see it.
+        const picture = page.getByRole("region", { name: "The picture" }).getByRole("img").first();
+        await expect(picture).toHaveAccessibleName(/\w+ \w+/);
+        await expect.poll(() => picture.evaluate(coloursOf)).toBeGreaterThan(1);
+        await expectClean(page);
+        await expectAnswer(page);
+        links.push(...(await studioLinks(page)));
+      });
+    }
+    await expectOpening(page, links);
+  });
+}
 
 /** A prediction by keys alone, and then the truth beside it. */
 async function expectAnswer(page: Page): Promise<void> {

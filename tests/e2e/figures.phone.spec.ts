@@ -1,18 +1,24 @@
 import type { Page } from "@playwright/test";
-import { LESSONS, openFigure, ROWS_OF_FIGURES } from "./figure-pages";
+import { LESSONS, openContents, openFigure, ROWS_OF_FIGURES } from "./figure-pages";
 import { expect, test } from "./fixture";
 
 test("no figure is wider than a phone", async ({ page }) => {
-  await openFigure(page, "");
-  expect(await over(page)).toBe(0);
-  for (const { ids } of ROWS_OF_FIGURES) {
-    for (const figure of ids) {
-      await openFigure(page, figure);
-      expect(await over(page), figure).toBe(0);
-      expect(await wide(page), figure).toEqual([]);
-    }
-  }
+  await expectNarrow(page, ["", ...ROWS_OF_FIGURES.flatMap(({ ids }) => ids)]);
 });
+
+test("no lesson is wider than a phone", async ({ page }) => {
+  await openContents(page);
+  expect(await over(page)).toBe(0);
+  await expectNarrow(page, LESSONS);
+});
+
+async function expectNarrow(page: Page, figures: readonly string[]): Promise<void> {
+  for (const figure of figures) {
+    await openFigure(page, figure);
+    expect(await over(page), figure).toBe(0);
+    expect(await wide(page), figure).toEqual([]);
+  }
+}
 
 /** How far the page scrolls sideways. */
 function over(page: Page): Promise<number> {
@@ -22,7 +28,7 @@ function over(page: Page): Promise<number> {
 /** What of a figure is cut off. What scrolls by itself may be wider. */
 function wide(page: Page): Promise<string[]> {
   return page.evaluate(() =>
-    [...document.querySelectorAll("[data-testid=live] *")]
+    [...document.querySelectorAll("[data-testid=live] *, [data-testid=exercise] *")]
       .filter((part) => !part.closest("[data-testid=wide-table]") && !part.closest(".unseen"))
       .filter((part) => part.getBoundingClientRect().right > innerWidth + 1)
       .map((part) => `${part.tagName} ${part.getAttribute("class")}`),

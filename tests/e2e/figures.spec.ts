@@ -1,11 +1,48 @@
+import type { Page } from "@playwright/test";
 import { expectClean } from "./axe";
-import { look, openFigure, ROWS_OF_FIGURES } from "./figure-pages";
+import { LESSONS, look, openContents, openFigure, ROWS_OF_FIGURES } from "./figure-pages";
 import { expect, test } from "./fixture";
 
 test("the index shows every figure, drawn and clean", async ({ page }) => {
   await openFigure(page, "");
-  const cards = page.getByRole("main").getByRole("listitem");
-  await expect(cards).toHaveCount(ROWS_OF_FIGURES.flatMap(({ ids }) => ids).length);
+  await expectCards(page, ROWS_OF_FIGURES.flatMap(({ ids }) => ids).length);
+  await expectClean(page);
+});
+
+test("the contents show every lesson, drawn and clean, and what is done", async ({ page }) => {
+  await openContents(page);
+  await expectCards(page, LESSONS.length);
+  await openFigure(page, "e1");
+  await page.getByRole("button", { name: "Show me" }).click();
+  await openContents(page);
+  await expect(page.getByText(`1 of ${LESSONS.length} done.`)).toBeVisible();
+  await expect(page.getByRole("link", { name: /Two pieces that touch.* done$/ })).toBeVisible();
+  await expectClean(page);
+  await page.reload();
+  await expect(page.getByText(`1 of ${LESSONS.length} done.`)).toBeVisible();
+  await page.getByRole("button", { name: "Clear the marks" }).click();
+  await expect(page.getByRole("link", { name: /^Begin: / })).toBeVisible();
+});
+
+test("the way back from a lesson leads to where the contents were left", async ({ page }) => {
+  await openContents(page);
+  const main = page.getByRole("main");
+  const last = main.getByRole("link", { name: /Lesson \d+/ }).last();
+  await last.scrollIntoViewIfNeeded();
+  const at = await main.evaluate((it) => it.scrollTop);
+  expect(at).toBeGreaterThan(100);
+  await last.click();
+  await expect(page.getByRole("heading", { name: "What do you think?" })).toBeVisible();
+  await page.goBack();
+  await expect.poll(() => main.evaluate((it) => it.scrollTop)).toBeCloseTo(at, -1);
+});
+
+async function expectCards(page: Page, count: number): Promise<void> {
+  const cards = page
+    .getByRole("main")
+    .getByRole("link")
+    .filter({ has: page.locator("strong") });
+  await expect(cards).toHaveCount(count);
   for (const card of await cards.all()) {
     await card.scrollIntoViewIfNeeded();
     const picture = card.locator("canvas, svg").first();
@@ -14,8 +51,7 @@ test("the index shows every figure, drawn and clean", async ({ page }) => {
       await expect.poll(async () => (await look(picture)).lit).toBeGreaterThan(0.001);
     }
   }
-  await expectClean(page);
-});
+}
 
 test("Lesson 2 takes its throws by keys", async ({ page }) => {
   await openFigure(page, "e2");

@@ -8,12 +8,28 @@ export interface ListedFigure {
   about: string;
 }
 
-/** In the order of the list. */
+const read = (file: string) => readFileSync(new URL(`../src/figures/${file}`, import.meta.url), "utf8");
+
+/** In the order of the lists. */
 export function listedFigures(): ListedFigure[] {
-  const text = readFileSync(new URL("../src/figures/list.ts", import.meta.url), "utf8");
+  return [...figures(), ...lessons()];
+}
+
+/** Lessons are numbered as they come. */
+function lessons(): ListedFigure[] {
+  const entry = /id: "([^"]+)",\s+title:\s+"([^"]+)",\s+about:\s+"([^"]+)",\s+minutes: /g;
+  return [...read("lessons/course.ts").matchAll(entry)].map(([, id = "", title = "", about = ""], i) => ({
+    id,
+    number: `Lesson ${i + 1}`,
+    title,
+    about,
+  }));
+}
+
+function figures(): ListedFigure[] {
   const entry =
     /id: "([^"]+)",(?:\s+also: \[[^\]]*\],)?\s+number: "([^"]+)",\s+short: "[^"]+",\s+title:\s+"([^"]+)",\s+about:\s+"([^"]+)",/g;
-  return [...text.matchAll(entry)].map(([, id = "", number = "", title = "", about = ""]) => ({
+  return [...read("list.ts").matchAll(entry)].map(([, id = "", number = "", title = "", about = ""]) => ({
     id,
     number,
     title,

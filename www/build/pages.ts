@@ -153,7 +153,7 @@ export function sitePages(site: string, drawing: Drawer): SiteFile[] {
     const shown = figures[id];
     if (!shown) throw new Error(`figure-pictures.ts does not say what is in the picture of ${id}`);
     files.push({ fileName: figure.picture, source: picture(shown.cells, FIGURE, 0.07, shown.columns) });
-    const fragment = `figures/${id}`;
+    const fragment = `${number.startsWith("Lesson") ? "learn" : "figures"}/${id}`;
     files.push({ fileName: figure.path, source: viewPage(figure, site, `src="#${fragment}"`, fragment) });
     described.push(figure);
   }

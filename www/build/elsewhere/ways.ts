@@ -41,7 +41,7 @@ const WAYS = {
     title: "A lesson, a figure or another tool",
     about:
       "What only the studio shows comes in a frame of it: a link of a lesson, of the bend, of space, or of a morph with its map.",
-    code: `<frond-view src="$SITE/#figures/e1" label="The first lesson"></frond-view>`,
+    code: `<frond-view src="$SITE/#learn/e1" label="The first lesson"></frond-view>`,
     live: (code) => code,
   },
   frame: {

@@ -175,5 +175,12 @@ describe("parseRoute", () => {
     expect(parseRoute("figures/table-1")).toEqual({ page: "figures", figure: "table-1" });
     expect(parseRoute("v=1&a=figures")).toEqual({ page: "studio" });
     expect(parseRoute("figures/../../x")).toEqual({ page: "studio" });
+    expect(parseRoute("learning")).toEqual({ page: "studio" });
+  });
+
+  it("knows the lessons, also by the addresses that they had", () => {
+    expect(parseRoute("learn")).toEqual({ page: "learn", figure: null });
+    expect(parseRoute("learn/e1")).toEqual({ page: "learn", figure: "e1" });
+    expect(parseRoute("figures/e11")).toEqual({ page: "learn", figure: "e11" });
   });
 });

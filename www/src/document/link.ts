@@ -6,7 +6,13 @@ import { notify, wordsOf } from "./notice";
 import { playing, spacePlaying } from "./playback";
 import { edit, inGesture, scene, start } from "./scene";
 
-export type Route = { page: "studio" } | { page: "figures"; figure: string | null };
+export type Route = { page: "studio" } | Place;
+
+/** The figures or the lessons: all of them, or one. */
+export interface Place {
+  page: "figures" | "learn";
+  figure: string | null;
+}
 
 /** The part of the wasm package that turns documents into links and back. */
 export interface Codec {
@@ -30,10 +36,15 @@ export const route: ReadonlySignal<Route> = routed;
 /** Goes up just before a link that was followed becomes the document. */
 export const openings = signal(0);
 
-/** `#figures` and `#figures/3` are pages; every other fragment is a document. */
+/**
+ * `#figures`, `#figures/3`, `#learn` and `#learn/e1` are pages; every other fragment is a document. Lessons were among
+ * the figures once: `#figures/e1` leads to them still.
+ */
 export function parseRoute(fragment: string): Route {
-  const match = /^figures(?:\/([\w-]{1,32}))?$/.exec(fragment);
-  return match ? { page: "figures", figure: match[1] ?? null } : { page: "studio" };
+  const match = /^(figures|learn)(?:\/([\w-]{1,32}))?$/.exec(fragment);
+  if (!match) return { page: "studio" };
+  const [, place, figure = null] = match;
+  return { page: place === "learn" || /^e\d+$/i.test(figure ?? "") ? "learn" : "figures", figure };
 }
 
 /** Keeps the address and the document in step, each following the other. */

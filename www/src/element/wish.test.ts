@@ -37,10 +37,10 @@ describe("what a <frond-view> asks for", () => {
       where: "studio",
     });
     expect(wish({ src: "#a=fern&locus=morph:0,0,2" }).where).toBe("here");
-    expect(wish({ src: "https://example.org/#figures/lesson-1" })).toEqual({
-      fragment: "figures/lesson-1",
-      where: "figure",
-    });
+    for (const fragment of ["figures/7", "learn/e1"]) {
+      expect(wish({ src: `https://example.org/#${fragment}` })).toEqual({ fragment, where: "figure" });
+      expect(wish({ src: fragment })).toEqual({ fragment, where: "figure" });
+    }
   });
 
   it("is refused in words that say what to do", () => {

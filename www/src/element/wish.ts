@@ -24,7 +24,7 @@ export function wishOf(attribute: (name: string) => string | null): Wish {
   if (src === null && a === null)
     throw new WishError("Give src, a link of Frond, or a, the name of a shape such as fern.");
   const start = src === null ? "" : fragmentOf(src);
-  if (start.startsWith("figures/")) return { fragment: start, where: "figure" };
+  if (/^(?:figures|learn)\//.test(start)) return { fragment: start, where: "figure" };
   const words = new Map(start.split("&").flatMap((word) => (word === "" ? [] : [pairOf(word)])));
   if (a !== null) set(words, "a", shapeWord("a", a));
   // One shape alone is what it is at every moment.
@@ -55,7 +55,7 @@ function set(words: Map<string, string>, key: string, value: string): void {
 function fragmentOf(src: string): string {
   const hash = src.indexOf("#");
   if (hash >= 0) return src.slice(hash + 1);
-  if (/^[\w-]+=|^figures\//.test(src)) return src;
+  if (/^[\w-]+=|^(?:figures|learn)\//.test(src)) return src;
   throw new WishError("src is a link of Frond, with its #, or what stands behind the #.");
 }
 

@@ -1,59 +1,81 @@
 import type { ComponentType } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
+import type { Place } from "#document/link";
 import { wordsOf } from "#document/notice";
 import { Button } from "#ui/controls/Button";
+import type { Figure, Row } from "./figure";
 import figuresCss from "./figures.module.css";
 import type { Heading } from "./kit/frame/frame";
-import { type Figure, find, type Row } from "./list";
+import { Contents } from "./lessons/contents";
+import { find, hrefOf, lessonOf, neighbours, related } from "./list";
 import { pageOf } from "./loading";
 import { Overview } from "./overview";
 import { printLight } from "./print";
 
-/** What stands on the page: the page of a figure, or all figures. */
+/** What stands on the page: the page of a figure or a lesson, or all of them. */
 interface Shown {
+  place: Place["page"];
   /** As the address has it. */
   name: string | null;
   Page: ComponentType<Heading> | null;
 }
 
+interface FiguresProps {
+  place: Place["page"];
+  figure: string | null;
+}
+
+const TITLES = { figures: "Figures", learn: "Learn" };
+
 /** The figures of the papers and the lessons as live pages: all of them, or the one that the address names. */
-export function Figures({ figure: name }: { figure: string | null }) {
+export function Figures({ place, figure: name }: FiguresProps) {
   const top = useRef<HTMLDivElement>(null);
-  const { shown, problem, retry } = useShown(name);
+  const { shown, problem, retry } = useShown(place, name);
   const found = shown?.name ? find(shown.name) : null;
   const { figure } = found ?? {};
   const before = useRef<Shown | null>(null);
   useEffect(printLight, []);
+  const list = shown && !shown.Page ? shown.place : null;
+  useKeptPlace(top, list);
 
   useEffect(() => {
     if (!shown) return;
-    document.title = figure ? `${figure.number}: ${figure.title} · Frond` : "Figures · Frond";
+    document.title = `${figure ? `${figure.number}: ${figure.title}` : TITLES[shown.place]} · Frond`;
     if (before.current !== null && before.current !== shown) {
-      // Another page: it is read from its top, and whoever listens hears its name.
-      top.current?.closest("main")?.scrollTo({ top: 0 });
+      // Another page is read from its top, a list from where it was left; and whoever listens hears its name.
+      const at = shown.Page ? 0 : (left.get(shown.place) ?? 0);
+      top.current?.closest("main")?.scrollTo({ top: at });
       top.current?.querySelector<HTMLElement>("h1")?.focus({ preventScroll: true });
     }
     before.current = shown;
   }, [shown, figure]);
 
   return (
-    <div class={figuresCss["figures"]} ref={top} onPointerOver={fetchAhead} onFocusIn={fetchAhead}>
+    <div
+      class={figuresCss["figures"]}
+      ref={top}
+      data-list={list ?? undefined}
+      onPointerOver={fetchAhead}
+      onFocusIn={fetchAhead}
+    >
       {problem !== null && <Unloaded name={name} problem={problem} onTry={retry} />}
       {found && figure && shown?.Page ? (
         <article class={figuresCss["figure"]} aria-busy={shown.name !== name}>
-          <TopNav row={found.row} here={figure.id} />
-          <shown.Page key={figure.id} number={figure.number} title={figure.title} />
-          <NextNav row={found.row} index={found.index} />
+          <TopNav {...found} />
+          <shown.Page key={figure.id} id={figure.id} number={figure.number} title={figure.title} />
+          <Related figure={figure} />
+          <NextNav {...found} />
         </article>
       ) : (
-        shown && <Overview missing={shown.name} />
+        shown &&
+        (shown.place === "learn" ? <Contents missing={shown.name} /> : <Overview missing={shown.name} />)
       )}
     </div>
   );
 }
 
 /** What is asked for once it is fetched; what was shown before stays until then. */
-function useShown(name: string | null) {
+function useShown(place: Place["page"], name: string | null) {
   const [shown, setShown] = useState<Shown | null>(null);
   const [problem, setProblem] = useState<string | null>(null);
   const [tries, setTries] = useState(0);
@@ -62,21 +84,37 @@ function useShown(name: string | null) {
     let asked = true;
     const figure = name === null ? undefined : find(name)?.figure;
     Promise.resolve(figure ? pageOf(figure) : null).then(
-      (Page) => asked && setShown({ name, Page }),
+      (Page) => asked && setShown({ place, name, Page }),
       (reason) => asked && setProblem(wordsOf(reason)),
     );
     return () => {
       asked = false;
       setProblem(null);
     };
-  }, [name, tries]);
+  }, [place, name, tries]);
   return { shown, problem, retry: () => setTries(tries + 1) };
+}
+
+/** How far each list was scrolled when it was left. */
+const left = new Map<Place["page"], number>();
+
+/** Notes how far a list is scrolled, while one is shown. */
+function useKeptPlace(inside: { current: HTMLElement | null }, list: Place["page"] | null): void {
+  useEffect(() => {
+    const main = inside.current?.closest("main");
+    if (!main || list === null) return;
+    // A shorter page in its place scrolls too, before this ends.
+    const note = () => inside.current?.dataset["list"] === list && left.set(list, main.scrollTop);
+    main.addEventListener("scroll", note, { passive: true });
+    return () => main.removeEventListener("scroll", note);
+  }, [inside, list]);
 }
 
 /** Whoever comes near a link will soon want its page. */
 function fetchAhead({ target }: Event): void {
-  const link = target instanceof Element ? target.closest("a[href^='#figures/']") : null;
-  const figure = find(link?.getAttribute("href")?.slice("#figures/".length) ?? "")?.figure;
+  const link = target instanceof Element ? target.closest("a[href^='#figures/'], a[href^='#learn/']") : null;
+  const [, id = ""] = link?.getAttribute("href")?.split("/") ?? [];
+  const figure = find(id)?.figure;
   // A failure is told when the page is asked for.
   if (figure) pageOf(figure).catch(() => undefined);
 }
@@ -93,16 +131,27 @@ function Unloaded({ name, problem, onTry }: { name: string | null; problem: stri
   );
 }
 
+interface Found {
+  row: Row;
+  figure: Figure;
+}
+
 /** Every page of the same row by its number. */
-function TopNav({ row, here }: { row: Row; here: string }) {
+function TopNav({ row, figure: here }: Found) {
+  const lesson = lessonOf(here);
   return (
     <nav class={figuresCss["figure-top"]} aria-label={row.name}>
-      <a href="#figures">All figures</a>
+      {lesson ? <a href="#learn">All lessons</a> : <a href="#figures">All figures</a>}
+      {lesson && <span class={figuresCss["unit"]}>{row.title}</span>}
       <ol>
-        {row.figures.map(({ id, number, short }) => (
-          <li key={id}>
-            <a href={`#figures/${id}`} aria-label={number} aria-current={id === here ? "page" : undefined}>
-              {short}
+        {row.figures.map((figure) => (
+          <li key={figure.id}>
+            <a
+              href={hrefOf(figure)}
+              aria-label={figure.number}
+              aria-current={figure === here ? "page" : undefined}
+            >
+              {figure.short}
             </a>
           </li>
         ))}
@@ -111,12 +160,32 @@ function TopNav({ row, here }: { row: Row; here: string }) {
   );
 }
 
+/** From a lesson to the figures of the papers that show the same, and back. */
+function Related({ figure }: { figure: Figure }) {
+  const others = related(figure);
+  if (others.length === 0) return null;
+  return (
+    <p class={figuresCss["related"]}>
+      {lessonOf(figure) ? "The same in the papers: " : "A lesson on this: "}
+      {others.map((other, i) => (
+        <>
+          {i > 0 && ", "}
+          <a key={other.id} href={hrefOf(other)}>
+            {other.number}, {other.title}
+          </a>
+        </>
+      ))}
+    </p>
+  );
+}
+
 /** One back and one on, by name. */
-function NextNav({ row: { figures }, index }: { row: Row; index: number }) {
+function NextNav(found: Found) {
+  const { before, next } = neighbours(found);
   return (
     <nav class={figuresCss["figure-next"]} aria-label="Before and after">
-      <Step figure={figures[index - 1]} rel="prev" />
-      <Step figure={figures[index + 1]} rel="next" />
+      <Step figure={before} rel="prev" />
+      <Step figure={next} rel="next" />
     </nav>
   );
 }
@@ -124,7 +193,7 @@ function NextNav({ row: { figures }, index }: { row: Row; index: number }) {
 function Step({ figure, rel }: { figure: Figure | undefined; rel: "prev" | "next" }) {
   return (
     figure && (
-      <a class={rel === "next" ? figuresCss["on"] : undefined} href={`#figures/${figure.id}`} rel={rel}>
+      <a class={rel === "next" ? figuresCss["on"] : undefined} href={hrefOf(figure)} rel={rel}>
         <span>{figure.number}</span>
         {figure.title}
       </a>

@@ -1,8 +1,9 @@
 import { describe, expect, it } from "vitest";
 import { Frame } from "./kit/frame/frame";
-import { find, ROWS } from "./list";
+import { LESSONS, UNITS } from "./lessons/course";
+import { find, hrefOf, neighbours, ROWS, related } from "./list";
 
-const FIGURES = ROWS.flatMap(({ figures }) => figures);
+const FIGURES = [...ROWS, ...UNITS].flatMap(({ figures }) => figures);
 
 describe.each(FIGURES)("$number", (figure) => {
   it("says what it is", () => {
@@ -38,12 +39,56 @@ it("keeps the addresses that were given out", () => {
   for (const id of [...kept, ...space, ...lessons]) expect(find(id), id).not.toBeNull();
 });
 
+describe("the course", () => {
+  const order = LESSONS.map(({ id }) => id);
+
+  it("counts its lessons through its units, and has an address for each", () => {
+    expect(LESSONS.map(({ short }) => short)).toEqual(order.map((_, i) => String(i + 1)));
+    // Addresses of lessons are told from those of figures by their form.
+    for (const lesson of LESSONS) expect(hrefOf(lesson)).toMatch(/^#learn\/e\d+$/);
+    for (const { figures } of ROWS) for (const { id } of figures) expect(id).not.toMatch(/^e\d+$/);
+  });
+
+  it("asks for what comes before", () => {
+    for (const { id, after } of LESSONS)
+      for (const other of after) {
+        expect(order, id).toContain(other);
+        expect(order.indexOf(other), `${id} after ${other}`).toBeLessThan(order.indexOf(id));
+      }
+  });
+
+  it("leads from its first lesson to its last", () => {
+    const [first] = LESSONS;
+    const way: string[] = [];
+    for (let found = first && find(first.id); found; ) {
+      way.push(found.figure.id);
+      const { next } = neighbours(found);
+      found = next ? find(next.id) : null;
+    }
+    expect(way).toEqual(order);
+  });
+
+  it("is linked with the figures both ways", () => {
+    for (const lesson of LESSONS) {
+      expect(related(lesson).map(({ id }) => id)).toEqual(lesson.figures);
+      for (const figure of related(lesson)) expect(related(figure)).toContain(lesson);
+    }
+  });
+
+  it("takes a few minutes a lesson", () => {
+    for (const { id, minutes } of LESSONS) {
+      expect(minutes, id).toBeGreaterThan(0);
+      expect(minutes, id).toBeLessThanOrEqual(15);
+    }
+  });
+});
+
 it.each([
   ["what was not printed", "The colours are Frond’s.", undefined, "reconstructed"],
   ["what was printed", null, undefined, "as printed"],
   ["what is Frond’s own", "Hardly anything was printed.", true, "Frond’s own"],
 ])("labels %s", (_, reconstructed, own, badge) => {
-  const heading = { number: "Figure 0", title: "None" };
+  const heading = { id: "0", number: "Figure 0", title: "None" };
   const frame = Frame({
     ...heading,
     lead: "",

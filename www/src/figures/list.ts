@@ -1,48 +1,10 @@
 /**
- * All figures and lessons: the only place that names them. A new one is a folder with its `page.tsx` and its
- * `thumb.tsx`, and an entry here. What a folder holds is fetched when it is shown, so that this list can be read by
- * anybody, tests without a browser too.
+ * All figures of the papers: the only place that names them; the lessons are in `lessons/course.ts`. A new one is a
+ * folder with its `page.tsx` and its `thumb.tsx`, and an entry here. What a folder holds is fetched when it is shown,
+ * so that this list can be read by anybody, tests without a browser too.
  */
-import type { ComponentType } from "preact";
-import type { Heading } from "./kit/frame/frame";
-
-export interface Figure {
-  /** The part of the address behind `#figures/`; further ones lead to the same page. */
-  id: string;
-  also?: readonly string[];
-  /** As the paper counts. */
-  number: string;
-  /** The same in the row of all figures. */
-  short: string;
-  title: string;
-  /** One line for the index. */
-  about: string;
-  load(): Promise<PageModule>;
-  thumb(): Promise<ThumbModule>;
-}
-
-export interface PageModule extends Needing {
-  Page: ComponentType<Heading>;
-}
-
-/** A small picture, made by the same parts as the figure itself. */
-export interface ThumbModule extends Needing {
-  Thumb: ComponentType;
-}
-
-interface Needing {
-  /** What must be there before it is shown. */
-  needs?: readonly (() => Promise<unknown>)[];
-}
-
-/** The figures of a paper, or the lessons. */
-export interface Row {
-  id: string;
-  name: string;
-  title: string;
-  about: string;
-  figures: readonly Figure[];
-}
+import type { Figure, Row } from "./figure";
+import { LESSONS, type Lesson, UNITS } from "./lessons/course";
 
 export const ROWS: readonly Row[] = [
   {
@@ -363,123 +325,38 @@ export const ROWS: readonly Row[] = [
       },
     ],
   },
-  {
-    id: "lessons",
-    name: "Lessons",
-    title: "Eleven lessons",
-    about:
-      "One idea a page, in order, for anyone who has never heard of any of this. Each shows a finished picture, then asks what you expect before it shows what is so.",
-    figures: [
-      {
-        id: "e1",
-        number: "Lesson 1",
-        short: "1",
-        title: "Two pieces that touch",
-        about: "What touching means, and how little it takes to part.",
-        load: () => import("./lessons/lesson-1/page"),
-        thumb: () => import("./lessons/lesson-1/thumb"),
-      },
-      {
-        id: "e2",
-        number: "Lesson 2",
-        short: "2",
-        title: "The chaos game, thrown by hand",
-        about: "Half of the way to a corner, at random: what never gets a mark?",
-        load: () => import("./lessons/lesson-2/page"),
-        thumb: () => import("./lessons/lesson-2/thumb"),
-      },
-      {
-        id: "e3",
-        number: "Lesson 3",
-        short: "3",
-        title: "Dots and lines: the overlap graph",
-        about: "A dot for each piece, a line where two touch: that is all it takes.",
-        load: () => import("./lessons/lesson-3/page"),
-        thumb: () => import("./lessons/lesson-3/thumb"),
-      },
-      {
-        id: "e4",
-        number: "Lesson 4",
-        short: "4",
-        title: "A bound that closes in",
-        about: "How a machine proves pieces apart, and why it cannot prove them together.",
-        load: () => import("./lessons/lesson-4/page"),
-        thumb: () => import("./lessons/lesson-4/thumb"),
-      },
-      {
-        id: "e5",
-        number: "Lesson 5",
-        short: "5",
-        title: "What pixels hide",
-        about: "The same shape, connected or not: it depends on the picture.",
-        load: () => import("./lessons/lesson-5/page"),
-        thumb: () => import("./lessons/lesson-5/thumb"),
-      },
-      {
-        id: "e6",
-        number: "Lesson 6",
-        short: "6",
-        title: "Half-way round: why polar",
-        about: "Blend six numbers, and a turning piece vanishes on the way.",
-        load: () => import("./lessons/lesson-6/page"),
-        thumb: () => import("./lessons/lesson-6/thumb"),
-      },
-      {
-        id: "e7",
-        number: "Lesson 7",
-        short: "7",
-        title: "Straight on, or led",
-        about: "Find where a morph breaks, then lead it round.",
-        load: () => import("./lessons/lesson-7/page"),
-        thumb: () => import("./lessons/lesson-7/thumb"),
-      },
-      {
-        id: "e8",
-        number: "Lesson 8",
-        short: "8",
-        title: "One number, one shape: the set M",
-        about: "All shapes of two equal pieces on one map: one piece, or dust.",
-        load: () => import("./lessons/lesson-8/page"),
-        thumb: () => import("./lessons/lesson-8/thumb"),
-      },
-      {
-        id: "e9",
-        number: "Lesson 9",
-        short: "9",
-        title: "Why three differs from two",
-        about: "Two pieces meet and the third stands alone: what is the gap?",
-        load: () => import("./lessons/lesson-9/page"),
-        thumb: () => import("./lessons/lesson-9/thumb"),
-      },
-      {
-        id: "e10",
-        number: "Lesson 10",
-        short: "10",
-        title: "The wrong pairing",
-        about: "Which piece becomes which decides whether a morph can hold together.",
-        load: () => import("./lessons/lesson-10/page"),
-        thumb: () => import("./lessons/lesson-10/thumb"),
-      },
-      {
-        id: "e11",
-        number: "Lesson 11",
-        short: "11",
-        title: "Plain or fractal?",
-        about: "Lift one point of a shape: what do the far corners do?",
-        load: () => import("./lessons/lesson-11/page"),
-        thumb: () => import("./lessons/lesson-11/thumb"),
-      },
-    ],
-  },
 ];
 
-/** Where an address leads: one of a row of figures. */
-export function find(id: string): { row: Row; index: number; figure: Figure } | null {
+/** Where an address leads: one of a row of figures, or of a unit of the course. */
+export function find(id: string): { row: Row; figure: Figure } | null {
   const asked = id.toLowerCase();
-  for (const row of ROWS) {
-    const index = row.figures.findIndex((figure) => figure.id === asked || figure.also?.includes(asked));
-    const figure = row.figures[index];
-    if (figure) return { row, index, figure };
+  for (const row of [...ROWS, ...UNITS]) {
+    const figure = row.figures.find((one) => one.id === asked || one.also?.includes(asked));
+    if (figure) return { row, figure };
   }
   return null;
+}
+
+/** The lesson that a figure is, if it is one. */
+export function lessonOf(figure: Figure): Lesson | undefined {
+  return LESSONS.find(({ id }) => id === figure.id);
+}
+
+/** Where a figure or a lesson is. */
+export function hrefOf(figure: Figure): string {
+  return lessonOf(figure) ? `#learn/${figure.id}` : `#figures/${figure.id}`;
+}
+
+/** Those around it: a row of figures ends where its paper does, lessons go on to the next unit. */
+export function neighbours({ row, figure }: { row: Row; figure: Figure }) {
+  const all = lessonOf(figure) ? LESSONS : row.figures;
+  const index = all.findIndex(({ id }) => id === figure.id);
+  return { before: all[index - 1], next: all[index + 1] };
+}
+
+/** What tells of the same: the figures for a lesson, the lessons for a figure. */
+export function related(figure: Figure): Figure[] {
+  const lesson = lessonOf(figure);
+  if (!lesson) return LESSONS.filter(({ figures }) => figures.includes(figure.id));
+  return lesson.figures.flatMap((id) => find(id)?.figure ?? []);
 }

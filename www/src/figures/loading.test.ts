@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import type { Figure } from "./list";
+import type { Figure } from "./figure";
 import { pageOf, thumbOf } from "./loading";
 
 const Page = () => null;

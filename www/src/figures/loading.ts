@@ -1,8 +1,8 @@
 /** Fetches what a figure's folder holds, with what that needs. */
 import type { ComponentType } from "preact";
 import { once } from "#wasm/module";
+import type { Figure, PageModule, ThumbModule } from "./figure";
 import type { Heading } from "./kit/frame/frame";
-import type { Figure, PageModule, ThumbModule } from "./list";
 
 const pages = new Map<Figure, () => Promise<ComponentType<Heading>>>();
 

@@ -1,11 +1,10 @@
-import { lazily } from "#ui/lazy";
+import { Cards } from "./cards";
 import frameCss from "./kit/frame/frame.module.css";
 import layout from "./kit/frame/layout.module.css";
-import { ROWS, type Row } from "./list";
-import { thumbOf } from "./loading";
+import { ROWS } from "./list";
 import css from "./overview.module.css";
 
-/** All figures and lessons, each with a small picture that the program made. */
+/** All figures, each with a small picture that the program made. */
 export function Overview({ missing }: { missing: string | null }) {
   return (
     <div class={css["overview"]}>
@@ -16,41 +15,18 @@ export function Overview({ missing }: { missing: string | null }) {
             There is no figure “{missing}”. Here are those there are.
           </p>
         )}
+        <p class={frameCss["figure-lead"]}>
+          What four papers show and tell, as pages in which everything moves. If you are new to all this,
+          begin with <a href="#learn">the lessons</a>.
+        </p>
       </header>
       {ROWS.map((row) => (
         <section key={row.id} aria-labelledby={row.id}>
           <h2 id={row.id}>{row.title}</h2>
           <p class={frameCss["figure-lead"]}>{row.about}</p>
-          <Cards {...row} />
+          <Cards figures={row.figures} />
         </section>
       ))}
     </div>
-  );
-}
-
-/** Small pictures are fetched when they are first shown. */
-const THUMBS = new Map(
-  ROWS.flatMap(({ figures }) => figures).map((figure) => [figure.id, lazily(() => thumbOf(figure))]),
-);
-
-function Cards({ figures }: Row) {
-  return (
-    <ul class={css["cards"]}>
-      {figures.map(({ id, number, title, about }) => {
-        const Thumb = THUMBS.get(id);
-        return (
-          <li key={id}>
-            <a class={css["figure-card"]} href={`#figures/${id}`}>
-              <span class={css["figure-thumb"]} aria-hidden="true">
-                {Thumb && <Thumb />}
-              </span>
-              <span class={frameCss["figure-number"]}>{number}</span>
-              <strong>{title}</strong>
-              <span class={css["about"]}>{about}</span>
-            </a>
-          </li>
-        );
-      })}
-    </ul>
   );
 }

@@ -2,7 +2,7 @@
 import { signal, useSignalEffect } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
-import { route } from "#document/link";
+import { type Place, route } from "#document/link";
 import { notify, wordsOf } from "#document/notice";
 import { exportOpen } from "#film/open";
 import { Stage as SharedStage } from "#stage/stage";
@@ -24,12 +24,12 @@ import { openedTool, TOOLS, watchTools } from "./tools";
 export function App({ backend }: { backend: "auto" | PainterBackend }) {
   const at = route.value;
   useSignalEffect(() => {
-    document.title = route.value.page === "figures" ? "Figures · Frond" : "Frond";
+    document.title = `${PAGES[route.value.page]}Frond`;
   });
   return (
     <>
       <Header />
-      {at.page === "studio" ? <Studio backend={backend} /> : <FiguresPage figure={at.figure} />}
+      {at.page === "studio" ? <Studio backend={backend} /> : <FiguresPage {...at} />}
       <Notices />
     </>
   );
@@ -114,11 +114,13 @@ export function fetchAhead(): void {
   ]).then(tried, tried);
 }
 
-type FiguresComponent = ComponentType<{ figure: string | null }>;
+const PAGES = { studio: "", figures: "Figures · ", learn: "Learn · " };
+
+type FiguresComponent = ComponentType<{ place: Place["page"]; figure: string | null }>;
 const figures = signal<FiguresComponent | null>(null);
 
-/** The figures are loaded when they are first asked for. */
-function FiguresPage({ figure }: { figure: string | null }) {
+/** The figures and the lessons are loaded when they are first asked for. */
+function FiguresPage({ page, figure }: Place) {
   // The studio opens them.
   useEffect(
     () =>
@@ -138,5 +140,5 @@ function FiguresPage({ figure }: { figure: string | null }) {
     );
   }, []);
   const Figures = figures.value;
-  return <main class={css["figures-page"]}>{Figures ? <Figures figure={figure} /> : null}</main>;
+  return <main class={css["figures-page"]}>{Figures ? <Figures place={page} figure={figure} /> : null}</main>;
 }

@@ -25,7 +25,8 @@ const THEME_WORDS: Record<Theme, string> = {
 
 /** The bar on top: where one is, and what can be done with the document as a whole. */
 export function Header() {
-  const studio = route.value.page === "studio";
+  const at = route.value.page;
+  const studio = at === "studio";
   return (
     <header class="header">
       <a class="wordmark" href={studioHref()} onClick={stay}>
@@ -33,12 +34,15 @@ export function Header() {
         Frond
       </a>
       <nav class={css["places"]} aria-label="Places">
+        <Place href="#learn" here={at === "learn"}>
+          Learn
+        </Place>
         {TOOLS.map(({ id, label }) => (
           <ToolPlace key={id} name={id}>
             {label}
           </ToolPlace>
         ))}
-        <Place href="#figures" here={!studio}>
+        <Place href="#figures" here={at === "figures"}>
           Figures
         </Place>
       </nav>
@@ -143,21 +147,23 @@ function Place({ href, here, children }: { href: string; here: boolean; children
 
 /** The places as one choice, where there is no room to name them all. */
 function PlaceChoice() {
-  const here = route.value.page === "studio" ? tool.value : "figures";
+  const at = route.value.page;
+  const here = at === "studio" ? tool.value : at;
   return (
     <div class={css["place-choice"]}>
       <select
         aria-label="Tool or page"
         value={here}
         onChange={(event) => {
-          const to = event.currentTarget.value as ToolName | "figures";
-          if (to === "figures") location.hash = "#figures";
+          const to = event.currentTarget.value as ToolName | "figures" | "learn";
+          if (to === "figures" || to === "learn") location.hash = to;
           else {
-            if (here === "figures") location.hash = studioHref(to);
+            if (at !== "studio") location.hash = studioHref(to);
             enter(to);
           }
         }}
       >
+        <option value="learn">Learn</option>
         {TOOLS.map(({ id, label }) => (
           <option key={id} value={id}>
             {label}

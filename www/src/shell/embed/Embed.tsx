@@ -1,7 +1,7 @@
 /** Frond in a frame of another page: a picture and a slider, and nothing else unless asked. */
 import { useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { route } from "#document/link";
+import { type Place, route } from "#document/link";
 import { setTheme } from "#document/preferences";
 import { scene } from "#document/scene";
 import { percent } from "#format/path-words";
@@ -44,7 +44,7 @@ export function Embed({ backend }: { backend: "auto" | PainterBackend }) {
     if (route.value.page === "studio") document.title = openedTool().entry.title;
   });
   const at = route.value;
-  if (at.page === "figures") return <Page figure={at.figure} />;
+  if (at.page !== "studio") return <Page {...at} />;
   const { entry, tool } = openedTool();
   const { Stage, Verdict, Panel } = tool ?? {};
   const beside = (options.panel && Panel) || (options.locus && entry.id === "morph");
@@ -77,15 +77,15 @@ export function Embed({ backend }: { backend: "auto" | PainterBackend }) {
 }
 
 /** A figure or a lesson. */
-function Page({ figure }: { figure: string | null }) {
+function Page({ page, figure }: Place) {
   return (
     <>
       <main class={css["embed"]}>
         <div class={css["page"]}>
-          <Figures figure={figure} />
+          <Figures place={page} figure={figure} />
         </div>
         <footer class={css["foot"]}>
-          <OutLink to={`#figures/${figure ?? ""}`} />
+          <OutLink to={`#${page}${figure === null ? "" : `/${figure}`}`} />
         </footer>
       </main>
       <Notices />

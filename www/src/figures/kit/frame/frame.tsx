@@ -5,6 +5,8 @@ import css from "./frame.module.css";
 import { SaveMenu } from "./save-menu";
 
 export interface Heading {
+  /** The last part of its address. */
+  id: string;
   number: string;
   title: string;
 }
@@ -83,7 +85,7 @@ export function Frame(props: FrameProps) {
   );
 }
 
-interface HeadProps extends Heading {
+interface HeadProps extends Omit<Heading, "id"> {
   /** Where the page comes from, in a word or two. */
   badge: string;
   studio?: { href: string; label?: string };

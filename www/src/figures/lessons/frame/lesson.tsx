@@ -1,10 +1,14 @@
 import type { ComponentChildren } from "preact";
+import { useContext } from "preact/hooks";
 import { Button } from "#ui/controls/Button";
 import { Head, type Heading, type Parameter, Parameters } from "../../kit/frame/frame";
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
+import { markDone } from "./done";
 import css from "./lesson.module.css";
+import { LessonId } from "./lesson-id";
 import type { Prediction } from "./prediction";
+import { ForTeachers, type Teaching } from "./teaching";
 
 interface LessonProps extends Heading {
   /** Two or three plain paragraphs. */
@@ -13,6 +17,9 @@ interface LessonProps extends Heading {
   children: ComponentChildren;
   /** What is asked, and what is seen after. */
   question: ComponentChildren;
+  /** What is to be made at the end, which the program checks. */
+  exercises?: ComponentChildren;
+  teaching?: Teaching;
   parameters: readonly Parameter[];
   /** Who found what is told here. */
   sources: ComponentChildren;
@@ -22,7 +29,7 @@ interface LessonProps extends Heading {
 /** What every lesson has around its pictures. Nothing of it was printed in a paper. */
 export function Lesson(props: LessonProps) {
   return (
-    <>
+    <LessonId.Provider value={props.id}>
       <Head number={props.number} title={props.title} badge="by Frond" studio={props.studio}>
         {props.text}
       </Head>
@@ -30,6 +37,12 @@ export function Lesson(props: LessonProps) {
         {props.children}
       </section>
       {props.question}
+      {props.exercises !== undefined && (
+        <div class={css["exercises"]}>
+          <h2>Now make one yourself</h2>
+          {props.exercises}
+        </div>
+      )}
       <div class={frameCss["figure-foot"]}>
         <section aria-labelledby="figure-parameters">
           <h2 id="figure-parameters">Parameters</h2>
@@ -40,7 +53,8 @@ export function Lesson(props: LessonProps) {
           {props.sources}
         </section>
       </div>
-    </>
+      {props.teaching && <ForTeachers {...props.teaching} />}
+    </LessonId.Provider>
   );
 }
 
@@ -59,6 +73,11 @@ export interface QuestionProps {
 /** Asks for a prediction and then shows what is so. The one button keeps its place, and with it the focus. */
 export function Question({ prediction, beside, children, answer, after }: QuestionProps) {
   const { guess, shown, show, again } = prediction;
+  const lesson = useContext(LessonId);
+  const look = () => {
+    show();
+    markDone(lesson);
+  };
   return (
     <section
       class={`${frameCss["figure-live"]} ${css["question"]}`}
@@ -80,7 +99,7 @@ export function Question({ prediction, beside, children, answer, after }: Questi
             <Button
               kind={shown ? "plain" : "primary"}
               disabled={guess === null}
-              onClick={shown ? again : show}
+              onClick={shown ? again : look}
             >
               {shown ? "Think again" : "Show me"}
             </Button>

@@ -1,0 +1,46 @@
+import type { ComponentChildren, ComponentType } from "preact";
+import { lazily } from "#ui/lazy";
+import css from "./cards.module.css";
+import type { Figure } from "./figure";
+import frameCss from "./kit/frame/frame.module.css";
+import { hrefOf } from "./list";
+import { thumbOf } from "./loading";
+
+/** Small pictures are fetched when they are first shown. */
+const thumbs = new Map<string, ComponentType>();
+
+function thumb(figure: Figure): ComponentType {
+  const found = thumbs.get(figure.id) ?? lazily(() => thumbOf(figure));
+  thumbs.set(figure.id, found);
+  return found;
+}
+
+interface CardsProps<F extends Figure> {
+  figures: readonly F[];
+  /** What else is to be said of one. */
+  also?: (figure: F) => ComponentChildren;
+}
+
+/** Ways to figures or lessons, each with a small picture. */
+export function Cards<F extends Figure>({ figures, also }: CardsProps<F>) {
+  return (
+    <ul class={css["cards"]}>
+      {figures.map((figure) => {
+        const Thumb = thumb(figure);
+        return (
+          <li key={figure.id}>
+            <a class={css["figure-card"]} href={hrefOf(figure)}>
+              <span class={css["figure-thumb"]} aria-hidden="true">
+                <Thumb />
+              </span>
+              <span class={frameCss["figure-number"]}>{figure.number}</span>
+              <strong>{figure.title}</strong>
+              <span class={css["about"]}>{figure.about}</span>
+              {also?.(figure)}
+            </a>
+          </li>
+        );
+      })}
+    </ul>
+  );
+}

@@ -1,0 +1,41 @@
+/** What a figure or a lesson is to those who list it. */
+import type { ComponentType } from "preact";
+import type { Heading } from "./kit/frame/frame";
+
+export interface Figure {
+  /** The last part of its address, `#figures/7` or `#learn/e1`; further ones lead to the same page. */
+  id: string;
+  also?: readonly string[];
+  /** As the paper counts. */
+  number: string;
+  /** The same in the row of all figures. */
+  short: string;
+  title: string;
+  /** One line for the index. */
+  about: string;
+  load(): Promise<PageModule>;
+  thumb(): Promise<ThumbModule>;
+}
+
+export interface PageModule extends Needing {
+  Page: ComponentType<Heading>;
+}
+
+/** A small picture, made by the same parts as the figure itself. */
+export interface ThumbModule extends Needing {
+  Thumb: ComponentType;
+}
+
+interface Needing {
+  /** What must be there before it is shown. */
+  needs?: readonly (() => Promise<unknown>)[];
+}
+
+/** The figures of a paper, or the lessons of a unit. */
+export interface Row {
+  id: string;
+  name: string;
+  title: string;
+  about: string;
+  figures: readonly Figure[];
+}

@@ -1,0 +1,94 @@
+import { Button } from "#ui/controls/Button";
+import { Icon } from "#ui/controls/Icon";
+import { Cards } from "../cards";
+import type { Figure } from "../figure";
+import frameCss from "../kit/frame/frame.module.css";
+import layout from "../kit/frame/layout.module.css";
+import { useValue } from "../kit/workers";
+import { hrefOf } from "../list";
+import overviewCss from "../overview.module.css";
+import css from "./contents.module.css";
+import { LESSONS, type Lesson, UNITS } from "./course";
+import { clearDone, done } from "./frame/done";
+
+/** The course: its units, the lessons of each, and how far one is. */
+export function Contents({ missing }: { missing: string | null }) {
+  const marks = useValue(done);
+  const count = LESSONS.filter(({ id }) => marks.has(id)).length;
+  const next = LESSONS.find(({ id }) => !marks.has(id));
+  return (
+    <div class={overviewCss["overview"]}>
+      <header>
+        <h1 tabIndex={-1}>Learn</h1>
+        {missing !== null && (
+          <p role="status" class={layout["missing"]}>
+            There is no lesson “{missing}”. Here are those there are.
+          </p>
+        )}
+        <p class={frameCss["figure-lead"]}>
+          Shapes made of smaller copies of themselves, from the beginning: one idea a lesson. Play first, then
+          guess, then see what is so. Nothing is asked of you but curiosity.
+        </p>
+        <p class={css["progress"]}>
+          {next && (
+            <a class={`button primary ${css["go"]}`} href={hrefOf(next)}>
+              {count === 0 ? "Begin" : "Go on"}: {next.title}
+              <Icon name="arrow" />
+            </a>
+          )}
+          {count > 0 && (
+            <>
+              <span>
+                {count} of {LESSONS.length} done. This browser keeps the marks, nobody else sees them.
+              </span>
+              <Button kind="quiet" onClick={clearDone}>
+                Clear the marks
+              </Button>
+            </>
+          )}
+        </p>
+      </header>
+      <ol class={css["units"]}>
+        {UNITS.map(({ id, title, about, figures }) => (
+          <li key={id}>
+            <section aria-labelledby={id}>
+              <h2 id={id}>{title}</h2>
+              <p class={frameCss["figure-lead"]}>{about}</p>
+              <Cards
+                figures={figures}
+                also={(lesson) => <Facts lesson={lesson} isDone={marks.has(lesson.id)} />}
+              />
+            </section>
+          </li>
+        ))}
+      </ol>
+      <p class={css["papers"]}>
+        All of it comes from somewhere: <a href="#figures">the figures of four papers</a>, each as a page that
+        moves.
+      </p>
+    </div>
+  );
+}
+
+/** How long it takes, what it builds on, and whether it is done. */
+function Facts({ lesson, isDone }: { lesson: Lesson; isDone: boolean }) {
+  const after = lesson.after.flatMap((id) => LESSONS.find((other) => other.id === id) ?? []);
+  return (
+    <span class={css["lesson-facts"]}>
+      <span>
+        {lesson.minutes} minutes{after.length > 0 && `, after ${lessonsWords(after)}`}
+      </span>
+      {isDone && (
+        <span class={css["done"]}>
+          <Icon name="check" size={16} /> done
+        </span>
+      )}
+    </span>
+  );
+}
+
+/** "lesson 3", "lessons 3 and 5" */
+function lessonsWords(lessons: readonly Figure[]): string {
+  const numbers = lessons.map(({ short }) => short);
+  return `${numbers.length === 1 ? "lesson" : "lessons"} ${numbers.join(" and ")}`;
+}

@@ -1,0 +1,240 @@
+/**
+ * The course: its units and their lessons, in order. A new lesson is a folder with its `page.tsx` and its `thumb.tsx`,
+ * and an entry here: its number follows from its place. Addresses (`#learn/e7`) stay as they were given out.
+ */
+import type { Figure, Row } from "../figure";
+
+export interface Lesson extends Figure {
+  /** How long it takes, about. */
+  minutes: number;
+  /** The lessons that it builds on. */
+  after: readonly string[];
+  /** The figures of the papers that show the same. */
+  figures: readonly string[];
+}
+
+/** A unit of the course. */
+export interface Unit extends Row {
+  figures: readonly Lesson[];
+}
+
+interface LessonEntry extends Omit<Figure, "number" | "short" | "also"> {
+  minutes: number;
+  after?: readonly string[];
+  figures?: readonly string[];
+}
+
+interface UnitEntry {
+  id: string;
+  title: string;
+  /** What one knows after it, in a sentence. */
+  about: string;
+  lessons: readonly LessonEntry[];
+}
+
+const COURSE: readonly UnitEntry[] = [
+  {
+    id: "copies",
+    title: "Shapes made of themselves",
+    about: "A few maps that shrink, and the one shape that they agree on.",
+    lessons: [],
+  },
+  {
+    id: "chaos-game",
+    title: "The chaos game",
+    about: "The same shape by throwing dice, and a name for each of its points.",
+    lessons: [
+      {
+        id: "e2",
+        title: "The chaos game, thrown by hand",
+        about: "Half of the way to a corner, at random: what never gets a mark?",
+        minutes: 5,
+        load: () => import("./lesson-2/page"),
+        thumb: () => import("./lesson-2/thumb"),
+      },
+    ],
+  },
+  {
+    id: "touching",
+    title: "Touching",
+    about: "When two pieces meet, when they are only near, and why a picture cannot tell.",
+    lessons: [
+      {
+        id: "e1",
+        title: "Two pieces that touch",
+        about: "What touching means, and how little it takes to part.",
+        minutes: 5,
+        load: () => import("./lesson-1/page"),
+        thumb: () => import("./lesson-1/thumb"),
+      },
+      {
+        id: "e5",
+        title: "What pixels hide",
+        about: "The same shape, connected or not: it depends on the picture.",
+        minutes: 6,
+        after: ["e1"],
+        figures: ["2", "table-1"],
+        load: () => import("./lesson-5/page"),
+        thumb: () => import("./lesson-5/thumb"),
+      },
+    ],
+  },
+  {
+    id: "overlap-graph",
+    title: "The overlap graph",
+    about:
+      "A drawing of dots and lines that says whether a shape is in one piece, and how far it is from it.",
+    lessons: [
+      {
+        id: "e3",
+        title: "Dots and lines: the overlap graph",
+        about: "A dot for each piece, a line where two touch: that is all it takes.",
+        minutes: 6,
+        after: ["e1"],
+        figures: ["2"],
+        load: () => import("./lesson-3/page"),
+        thumb: () => import("./lesson-3/thumb"),
+      },
+      {
+        id: "e9",
+        title: "Why three differs from two",
+        about: "Two pieces meet and the third stands alone: what is the gap?",
+        minutes: 6,
+        after: ["e3"],
+        load: () => import("./lesson-9/page"),
+        thumb: () => import("./lesson-9/thumb"),
+      },
+    ],
+  },
+  {
+    id: "dimension",
+    title: "Dimension",
+    about: "How much room a shape takes, as a number that need not be whole.",
+    lessons: [],
+  },
+  {
+    id: "turning",
+    title: "Turning",
+    about: "What it takes to lead one shape into another without squashing it on the way.",
+    lessons: [
+      {
+        id: "e6",
+        title: "Half-way round: why polar",
+        about: "Blend six numbers, and a turning piece vanishes on the way.",
+        minutes: 6,
+        figures: ["3"],
+        load: () => import("./lesson-6/page"),
+        thumb: () => import("./lesson-6/thumb"),
+      },
+      {
+        id: "e10",
+        title: "The wrong pairing",
+        about: "Which piece becomes which decides whether a morph can hold together.",
+        minutes: 7,
+        after: ["e6"],
+        load: () => import("./lesson-10/page"),
+        thumb: () => import("./lesson-10/thumb"),
+      },
+    ],
+  },
+  {
+    id: "map-of-morphs",
+    title: "The map of morphs",
+    about: "All in-betweens of two shapes on one map, and the ways across it that hold together.",
+    lessons: [
+      {
+        id: "e7",
+        title: "Straight on, or led",
+        about: "Find where a morph breaks, then lead it round.",
+        minutes: 7,
+        after: ["e6"],
+        figures: ["5", "6", "7"],
+        load: () => import("./lesson-7/page"),
+        thumb: () => import("./lesson-7/thumb"),
+      },
+    ],
+  },
+  {
+    id: "set-m",
+    title: "The set M",
+    about: "The map of all shapes of two equal pieces.",
+    lessons: [
+      {
+        id: "e8",
+        title: "One number, one shape: the set M",
+        about: "All shapes of two equal pieces on one map: one piece, or dust.",
+        minutes: 7,
+        after: ["e1"],
+        load: () => import("./lesson-8/page"),
+        thumb: () => import("./lesson-8/thumb"),
+      },
+    ],
+  },
+  {
+    id: "proofs",
+    title: "Proofs",
+    about: "What a machine can prove about infinitely many pieces, and what it has to leave open.",
+    lessons: [
+      {
+        id: "e4",
+        title: "A bound that closes in",
+        about: "How a machine proves pieces apart, and why it cannot prove them together.",
+        minutes: 7,
+        after: ["e1", "e3"],
+        figures: ["1"],
+        load: () => import("./lesson-4/page"),
+        thumb: () => import("./lesson-4/thumb"),
+      },
+    ],
+  },
+  {
+    id: "bending",
+    title: "Bending",
+    about: "Pull one point of a shape, and decide which of its parts answer.",
+    lessons: [
+      {
+        id: "e11",
+        title: "Plain or fractal?",
+        about: "Lift one point of a shape: what do the far corners do?",
+        minutes: 6,
+        figures: ["d4"],
+        load: () => import("./lesson-11/page"),
+        thumb: () => import("./lesson-11/thumb"),
+      },
+    ],
+  },
+  {
+    id: "leaves",
+    title: "Leaves",
+    about: "From a shape that one has to the few maps that make it.",
+    lessons: [],
+  },
+  {
+    id: "space",
+    title: "Space",
+    about: "Shapes of space, and what is left of them in a shadow.",
+    lessons: [],
+  },
+];
+
+/** The units that have lessons, each lesson with its number. */
+export const UNITS: readonly Unit[] = numbered(COURSE);
+
+/** All lessons in order. */
+export const LESSONS: readonly Lesson[] = UNITS.flatMap(({ figures }) => figures);
+
+function numbered(course: readonly UnitEntry[]): Unit[] {
+  let number = 0;
+  return course
+    .filter(({ lessons }) => lessons.length > 0)
+    .map(({ id, title, about, lessons }) => ({
+      id,
+      name: title,
+      title,
+      about,
+      figures: lessons.map(({ after = [], figures = [], ...lesson }) => {
+        number++;
+        return { ...lesson, after, figures, number: `Lesson ${number}`, short: String(number) };
+      }),
+    }));
+}

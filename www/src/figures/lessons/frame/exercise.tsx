@@ -1,0 +1,71 @@
+import type { ComponentChildren } from "preact";
+import { useContext, useEffect, useState } from "preact/hooks";
+import { Button } from "#ui/controls/Button";
+import { Icon } from "#ui/controls/Icon";
+import { useOwnId } from "#ui/id";
+import frameCss from "../../kit/frame/frame.module.css";
+import layout from "../../kit/frame/layout.module.css";
+import { useValue } from "../../kit/workers";
+import { done, markDone } from "./done";
+import css from "./exercise.module.css";
+import { LessonId } from "./lesson-id";
+
+interface ExerciseProps {
+  /** Its place among the exercises of the lesson, from 1. */
+  number: number;
+  ask: ComponentChildren;
+  /** From a nudge to nearly all; one is shown at a time. */
+  hints: readonly string[];
+  /** Whether what stands there now is a solution; null while it is being found out. */
+  solved: boolean | null;
+  /** How far it is, in words. */
+  status: ComponentChildren;
+  /** Pictures and controls. */
+  children: ComponentChildren;
+}
+
+/** Something to be made, which the program can check. Once solved it stays marked, whatever is tried after. */
+export function Exercise({ number, ask, hints, solved, status, children }: ExerciseProps) {
+  const lesson = useContext(LessonId);
+  const name = `${lesson}.${number}`;
+  const [told, setTold] = useState(0);
+  const heading = useOwnId("exercise");
+  const was = useValue(done).has(name);
+  useEffect(() => {
+    if (solved) markDone(name);
+  }, [solved, name]);
+  return (
+    <section class={frameCss["figure-live"]} data-testid="exercise" aria-labelledby={heading}>
+      <h3 id={heading} class={css["name"]}>
+        Exercise {number}
+        {was && (
+          <span class={css["was"]}>
+            <Icon name="check" size={16} /> solved
+          </span>
+        )}
+      </h3>
+      <p class={css["ask"]}>{ask}</p>
+      {children}
+      <p class={css["status"]} data-solved={solved ? "" : undefined} aria-live="polite">
+        {solved && (
+          <strong>
+            <Icon name="check" size={16} /> Solved.{" "}
+          </strong>
+        )}
+        {status}
+      </p>
+      <div class={css["hints"]} aria-live="polite">
+        {hints.slice(0, told).map((hint, i) => (
+          <p key={hint}>
+            <span class={css["hint-name"]}>Hint {i + 1}:</span> {hint}
+          </p>
+        ))}
+      </div>
+      {told < hints.length && (
+        <div class={layout["buttons"]}>
+          <Button onClick={() => setTold(told + 1)}>{told === 0 ? "A hint" : "Another hint"}</Button>
+        </div>
+      )}
+    </section>
+  );
+}
