@@ -14,6 +14,29 @@ fn bits(maps: &Maps) -> Vec<u64> {
     }
 }
 
+/// The name that a format can hold: one line of at most 60 letters, in JSON as it is, in a flame what stands for none,
+/// in Fractint's files one word. Tables have no names.
+fn held(name: &str, format: ExportFormat) -> String {
+    let letters = |c: char| if c.is_control() { ' ' } else { c };
+    let line = name.chars().map(letters).collect::<String>();
+    let line = line.split_whitespace().collect::<Vec<_>>().join(" ");
+    let cut = |text: String| {
+        if text.chars().count() > 60 { text.chars().take(59).chain(['…']).collect() } else { text }
+    };
+    match format {
+        ExportFormat::Json => cut(line),
+        ExportFormat::Flame if line.is_empty() => "Maps".into(),
+        ExportFormat::Flame => cut(line),
+        ExportFormat::Fractint => {
+            let word = |c: char| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' };
+            let word: String = cut(line).chars().map(word).collect();
+            let words = word.is_empty() || word.eq_ignore_ascii_case("comment");
+            if words { format!("unnamed{word}") } else { word }
+        }
+        _ => String::new(),
+    }
+}
+
 fn comes_back(system: &System) {
     for format in DOUBLES {
         if matches!(system.maps, Maps::Space(_)) && !format.takes_space() {
@@ -23,6 +46,8 @@ fn comes_back(system: &System) {
         let found = import(text.as_bytes()).unwrap_or_else(|error| panic!("{format:?}: {error}\n{text}"));
         assert_eq!(found.systems.len(), 1, "{format:?}");
         assert_eq!(bits(&found.systems[0].maps), bits(&system.maps), "{format:?}\n{text}");
+        assert_eq!(found.systems[0].name, held(&system.name, format), "{format:?}\n{text}");
+        assert_eq!((&found.remarks, &found.systems[0].remarks), (&vec![], &vec![]), "{format:?}\n{text}");
         if !system.probabilities.is_empty() {
             assert_eq!(found.systems[0].probabilities, system.probabilities, "{format:?}");
         }
@@ -36,6 +61,43 @@ fn the_galleries_come_back() {
     }
     for preset in presets3() {
         comes_back(&System::space(preset.name.into(), preset.maps.clone()));
+    }
+}
+
+#[test]
+fn any_name_comes_back_in_one_line() {
+    let half = vec![[0.5, 0.0, 0.0, 0.5, 0.1, 0.0]; 2];
+    for name in [
+        "",
+        " \t\r\n ",
+        "a \"b\" 'c'",
+        "</flame><flame name=\"x\">",
+        "&amp; &lt; &#10; &bad; & <![CDATA[x]]> -->",
+        "one\ntwo\r\nthree\u{2028}four\u{85}five",
+        "{ } } { (3D) ; comment",
+        "comment",
+        "Fougère, фрактал, 羊歯, 🌿, e\u{301}",
+        "\0\u{1b}[31m\u{7f}",
+        "@a:b",
+        "<flame/>",
+        "\\ \\u0041 \\\"",
+        &"é".repeat(100_000),
+        &" \"".repeat(50_000),
+        &"x".repeat(60),
+        &"x".repeat(61),
+    ] {
+        comes_back(&System::plane(name.into(), half.clone()));
+        let space = [0.5, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 1.0];
+        comes_back(&System::space(name.into(), vec![space; 2]));
+    }
+}
+
+#[test]
+fn maps_that_are_never_chosen_come_back() {
+    let mut system = System::plane("Fern".into(), vec![[0.5, 0.0, 0.0, 0.5, 0.1, 0.0]; 3]);
+    for weights in [[0.0, 1.0, 0.0], [1.0, 0.0, 5e-324], [1e308, 0.0, 0.0], [0.0, 0.0, 0.25]] {
+        system.probabilities = weights.to_vec();
+        comes_back(&system);
     }
 }
 
@@ -61,11 +123,24 @@ fn number() -> impl Strategy<Value = f64> {
 }
 
 fn name() -> impl Strategy<Value = String> {
-    prop_oneof!["[A-Za-z ]{0,20}", "\\PC{0,12}", Just("comment".to_owned()), Just("(3D)".to_owned())]
+    let odd = "[a-c \"'<>&;{}()@#\\\\\n\r\t]{0,70}";
+    prop_oneof![
+        "[A-Za-z ]{0,20}",
+        "\\PC{0,12}",
+        odd,
+        proptest::collection::vec(any::<char>(), 0..20).prop_map(String::from_iter),
+        Just("comment".to_owned()),
+        Just("(3D)".to_owned()),
+    ]
 }
 
 fn weights(count: usize) -> impl Strategy<Value = Vec<f64>> {
-    prop_oneof![Just(Vec::new()), proptest::collection::vec(1e-3..1.0_f64, count)]
+    let weight = prop_oneof![3 => 1e-3..1.0_f64, 1 => Just(0.0)];
+    let some = |weights: &Vec<f64>| weights.iter().sum::<f64>() > 0.0;
+    prop_oneof![
+        Just(Vec::new()),
+        proptest::collection::vec(weight, count).prop_filter("one of them is above zero", some)
+    ]
 }
 
 fn system() -> impl Strategy<Value = System> {

@@ -4,6 +4,9 @@
 //! perhaps a second affine map, `post`. Of the functions only `linear` is affine: with its weight it is read, with all
 //! others it is not. Numbers stand in columns, `a d b e c f` for x' = a x + b y + c and y' = d x + e y + f, and y
 //! points down.
+//!
+//! A transform of weight 0 is never chosen, and no part of the picture that other programs draw: it is left out, but
+//! from flames that Frond wrote, whose shape has all maps.
 
 use frond_core::{Affine2, MAX_MAPS};
 use quick_xml::Reader;
@@ -42,6 +45,8 @@ const OTHER: [&str; 20] = [
     "post_angle",
     "mutation_weight",
 ];
+/// What a flame says where Frond wrote it.
+pub const OWN_VERSION: &str = "Frond";
 /// Names of functions that a remark tells.
 const MOST_TOLD: usize = 5;
 
@@ -115,6 +120,8 @@ fn is_flame(tag: &str) -> bool {
 struct Flame {
     name: String,
     at: u64,
+    /// Whether Frond wrote it.
+    own: bool,
     maps: Vec<Row>,
     weights: Vec<Option<f64>>,
     /// Transforms there are, those without a linear part or a weight, and those with more than it.
@@ -136,6 +143,7 @@ impl Flame {
                     flame.name =
                         unescape(value).map_or_else(|_| name_or(value, ""), |name| name_or(&name, ""));
                 }
+                "version" => flame.own = value == OWN_VERSION,
                 "palette" => flame.leave("its palette, since shapes have no colours of their own"),
                 _ => {}
             }
@@ -221,7 +229,7 @@ impl Flame {
                 self.functions.push(short(name, 24));
             }
         }
-        if weight == Some(0.0) {
+        if weight == Some(0.0) && !self.own {
             self.unused += 1;
             return Ok(());
         }
@@ -243,7 +251,7 @@ impl Flame {
     }
 
     fn finish(self, line_at: &dyn Fn(u64) -> usize) -> Result<System, ImportError> {
-        let Self { name, maps, weights, count, bent, unused, partly, functions, left, wrong, at } = self;
+        let Self { name, maps, weights, count, bent, unused, partly, functions, left, wrong, at, .. } = self;
         let whose = if name.is_empty() { "The flame".to_owned() } else { format!("“{name}”") };
         let fail = |code, at, why| Err(ImportError::At { code, line: line_at(at), why });
         if let Some((at, why)) = wrong {
@@ -259,11 +267,20 @@ impl Flame {
             functions.join(", ")
         };
         if maps.is_empty() {
-            let why = match count {
-                0 => format!("{whose} has no transform."),
+            let have = if bent == 1 { "one has".into() } else { format!("{bent} have") };
+            let whom = if name.is_empty() { "the flame" } else { &whose };
+            let why = match (count, bent) {
+                (0, _) => format!("{whose} has no transform. Choose another, or give it one with coefs."),
+                (_, 0) => format!(
+                    "None of the {count} transforms of {whom} is ever chosen: each has the weight 0. Give them weights."
+                ),
+                _ if unused > 0 => format!(
+                    "Of the {count} transforms of {whom}, {have} no linear part ({told}) and the others the weight \
+                     0, so that nothing is left. Give weights to those that are linear."
+                ),
                 _ => format!(
-                    "None of the {count} transforms of {} has a linear part ({told}), so that nothing of it is affine.",
-                    if name.is_empty() { "the flame" } else { &whose }
+                    "None of the {count} transforms of {whom} has a linear part ({told}), so that nothing of it is \
+                     affine. Choose a flame with linear=\"1\" in it."
                 ),
             };
             return fail("flame-not-affine", at, why);
@@ -394,6 +411,32 @@ mod tests {
                 "One weight is negative: taken without the sign.",
             ]
         );
+    }
+
+    #[test]
+    fn what_is_never_chosen_is_left_out_of_flames_of_others() {
+        let xform =
+            |weight: u8, kind: &str| format!("<xform weight='{weight}' {kind}='1' coefs='.5 0 0 .5 0 0'/>");
+        let flame = |by: &str, list: &[String]| format!("<flame version='{by}'>{}</flame>", list.concat());
+        let both = [xform(0, "linear"), xform(2, "linear")];
+        let [own, other] = ["Frond", "Apophysis 7X"].map(|by| flames(&flame(by, &both)).remove(0));
+        assert_eq!((own.maps.len(), own.remarks.len(), &own.probabilities[..]), (2, 0, &[0.0, 2.0][..]));
+        assert_eq!(
+            (other.maps.len(), &*other.remarks),
+            (1, &["One transform has the weight 0: left out.".into()][..])
+        );
+        for (list, why) in [
+            (vec![], "The flame has no transform."),
+            (vec![xform(0, "linear")], "None of the 1 transforms of the flame is ever chosen"),
+            (
+                vec![xform(0, "linear"), xform(1, "swirl")],
+                "Of the 2 transforms of the flame, one has no linear part",
+            ),
+            (vec![xform(1, "swirl")], "None of the 1 transforms of the flame has a linear part (swirl)"),
+        ] {
+            let told = told(&flame("", &list));
+            assert!(told.starts_with(&format!("Line 1: {why}")), "{told}");
+        }
     }
 
     #[test]

@@ -4,7 +4,7 @@ use frond_core::{Affine2, Hull, Ifs};
 use quick_xml::escape::escape;
 
 use crate::number::decimal;
-use crate::read::flame::turned_over;
+use crate::read::flame::{OWN_VERSION, turned_over};
 use crate::system::{Row, System};
 
 /// Pixels of the picture that it asks for.
@@ -20,7 +20,7 @@ pub fn write(system: &System, rows: &[Row]) -> String {
     });
     let name = system.title();
     let mut text = format!(
-        "<flames name=\"Frond\">\n<flame name=\"{}\" version=\"Frond\" size=\"{SIZE} {SIZE}\" center=\"{:.6} {:.6}\" scale=\"{:.4}\" \
+        "<flames name=\"Frond\">\n<flame name=\"{}\" version=\"{OWN_VERSION}\" size=\"{SIZE} {SIZE}\" center=\"{:.6} {:.6}\" scale=\"{:.4}\" \
          background=\"0 0 0\" brightness=\"4\" gamma=\"4\">\n",
         escape(name.as_str()),
         centre.x,

@@ -3,6 +3,7 @@
 use crate::number::decimal;
 use crate::read::fractint::SpaceFile;
 use crate::system::{Maps, System};
+use crate::text::name_or;
 
 /// Writes a system of space as Fractint reads it. Numbers come back to the last bit.
 #[must_use]
@@ -16,7 +17,7 @@ pub fn write_ifs3(file: &SpaceFile) -> String {
 
 pub fn write(system: &System) -> String {
     let word = |c: char| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' };
-    let name: String = system.name.chars().map(word).collect();
+    let name: String = name_or(&system.name, "").chars().map(word).collect();
     // Fractint would take it for words.
     let name =
         if name.is_empty() || name.eq_ignore_ascii_case("comment") { format!("unnamed{name}") } else { name };

@@ -2,6 +2,7 @@
 
 use crate::number::decimal;
 use crate::system::System;
+use crate::text::name_or;
 
 pub fn write(system: &System) -> String {
     let list = |numbers: &[f64]| {
@@ -10,8 +11,10 @@ pub fn write(system: &System) -> String {
     };
     let rows: Vec<String> = system.maps.rows().into_iter().map(|row| format!("    {}", list(row))).collect();
     let mut fields = Vec::new();
-    if !system.name.is_empty() {
-        fields.push(format!("  \"name\": {}", serde_json::Value::from(system.name.as_str())));
+    // In one line: a letter that steers a machine makes a file no text.
+    let name = name_or(&system.name, "");
+    if !name.is_empty() {
+        fields.push(format!("  \"name\": {}", serde_json::Value::from(name)));
     }
     fields.push(format!("  \"maps\": [\n{}\n  ]", rows.join(",\n")));
     if !system.probabilities.is_empty() {
