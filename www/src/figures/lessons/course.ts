@@ -143,6 +143,16 @@ const COURSE: readonly UnitEntry[] = [
     about: "All in-betweens of two shapes on one map, and the ways across it that hold together.",
     lessons: [
       {
+        id: "e20",
+        title: "Reading a map",
+        about: "Every point is a shape: what do the colours claim, and what do they leave open?",
+        minutes: 7,
+        after: ["e1"],
+        figures: ["7"],
+        load: () => import("./lesson-20/page"),
+        thumb: () => import("./lesson-20/thumb"),
+      },
+      {
         id: "e7",
         title: "Straight on, or led",
         about: "Find where a morph breaks, then lead it round.",

@@ -1,0 +1,26 @@
+import type { Teaching } from "../frame/teaching";
+
+export const TEACHING: Teaching = {
+  aim: "To read a map of shapes: to say what a point of it stands for, what each of its colours claims, and what it leaves open.",
+  mistakes: [
+    "That the map is a picture of a shape. Each of its points is a whole shape; the map only says what is known of it.",
+    "That a place beside a whole shape is whole. The gasket itself lies on the border: a small step to one side opens a gap.",
+    "That “looks whole” means whole. It says that no gap was found that this resolution would show.",
+  ],
+  questions: [
+    {
+      ask: "What are u and v of shape A, of shape B, and of the middle of the straight way between them?",
+      answer: "(0, 0), (1, 1) and (0.5, 0.5).",
+    },
+    {
+      ask: "Half-way between a whole and a broken shape the shape is broken. On which side is there a border for certain?",
+      answer:
+        "Between the whole one and the middle. On the other side there may be borders as well, but need not be.",
+    },
+    {
+      ask: "The map has 8281 samples. What does it say of the points between them?",
+      answer:
+        "Nothing by itself. A gap changes without jumps, so that a wide one reaches to the points nearby; a thin line may slip between samples.",
+    },
+  ],
+};
