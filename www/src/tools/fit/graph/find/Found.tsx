@@ -5,7 +5,7 @@ import { Segmented } from "#ui/controls/Segmented";
 import { Switch } from "#ui/controls/Switch";
 import graphCss from "../graph.module.css";
 import { graph } from "../model/document";
-import { axisWords, countWords, spreadWords } from "../model/words";
+import { axisWords, countWords, offWords, spreadWords } from "../model/words";
 import { CandidateList } from "./Candidates";
 import { type AxesId, ClusterPlot } from "./ClusterPlot";
 import {
@@ -139,8 +139,7 @@ function Assembly() {
       )}
       {done && done.graph === graph.value && (
         <p class="hint" data-part="assembled">
-          {done.graph.kind.toUpperCase()} of {done.graph.pieces.length} pieces: off by{" "}
-          {formatNumber(done.worst, 4)} at most, {done.meanSquare.toExponential(2)} mean squared.
+          {done.graph.kind.toUpperCase()} of {done.graph.pieces.length} pieces: {offWords(done)}.
         </p>
       )}
     </div>

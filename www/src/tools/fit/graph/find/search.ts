@@ -14,6 +14,7 @@ import { isStopped } from "#workers/lanes/latest";
 import { take } from "../model/document";
 import { short } from "../model/model";
 import { type Series, series, takeFeatures } from "../model/series";
+import { offWords } from "../model/words";
 import { TABLE_3 } from "../printed";
 
 const LANES = [0, 1] as const;
@@ -145,7 +146,7 @@ export async function find(): Promise<void> {
       running.value = null;
       live.value = null;
       picks.value = [];
-      chosen.value = clusters.found.length > 0 ? 0 : null;
+      chosen.value = firstLook(clusters.found);
       copying.value = true;
     });
     const maps = clusters.found.filter(({ kind }) => kind === "map").length;
@@ -159,6 +160,15 @@ export async function find(): Promise<void> {
       });
     }
   }
+}
+
+/** What is looked at first: the strongest map, else the strongest echo. Clutter, which fits anything, never. */
+export function firstLook(clusters: readonly FoundCluster[]): number | null {
+  for (const wanted of ["map", "echo"] as const) {
+    const index = clusters.findIndex(({ kind }) => kind === wanted);
+    if (index >= 0) return index;
+  }
+  return null;
 }
 
 function sum(planes: readonly (Uint32Array | null)[]): Uint32Array | null {
@@ -238,7 +248,7 @@ export async function assemble(by: "hand" | "itself"): Promise<void> {
     // Now the whole is looked at.
     copying.value = false;
     const pieces = got.graph.pieces.length;
-    announce(`Put together of ${pieces} pieces; mean squared error ${got.meanSquare.toExponential(2)}.`);
+    announce(`Put together of ${pieces} pieces, ${offWords(got)}.`);
   } catch (wrong) {
     if (!isStopped(wrong)) problem.value = wordsOf(wrong);
   } finally {

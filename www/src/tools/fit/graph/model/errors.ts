@@ -2,13 +2,13 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { model, value } from "./document";
 import { errorsOf, interval } from "./model";
-import { series, sets } from "./series";
+import { series, sets, unmade } from "./series";
 
 /** At the fine feature points; nothing until they are taken, and where the graph is one of another stretch of t. */
 export const errors: ReadonlySignal<{ worst: number; meanSquare: number; where: number } | null> = computed(
   () => {
     const now = sets.value;
-    if (!now || now.of !== series.value) return null;
+    if (!now || now.of !== series.value || unmade.value) return null;
     const [from, to] = interval(model.value.knots);
     const [first, last] = [now.fine[0] ?? 0, now.fine[now.fine.length - 2] ?? 1];
     const near = 0.01 * (last - first);

@@ -6,6 +6,7 @@ import { fitTask } from "#workers/fit/client";
 import type { FeatureSets } from "#workers/fit/hough";
 import type { OpenedSeries } from "#workers/fit/trace-types";
 import { isStopped } from "#workers/lanes/latest";
+import { isFirst } from "./document";
 import { EXAMPLES, type Example } from "./examples";
 import { readSeries } from "./read";
 
@@ -18,6 +19,9 @@ export interface Series {
 }
 
 export const series = signal<Series | null>(null);
+
+/** Something is measured and nothing was made yet: Figure 1 of the paper, of other units, would be in the way. */
+export const unmade: ReadonlySignal<boolean> = computed(() => isFirst.value && series.value !== null);
 
 /** Coarse and fine feature points. Maps that halve are best seen by halves of halves, those that third by thirds. */
 export const COUNTS = [

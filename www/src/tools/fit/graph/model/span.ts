@@ -2,7 +2,7 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { model } from "./document";
 import { interval } from "./model";
-import { series } from "./series";
+import { series, unmade } from "./series";
 
 export type Span = readonly [from: number, to: number];
 
@@ -16,10 +16,11 @@ const chosen = signal<Span | null>(null);
 
 /** All of the graph and of what is measured. */
 export const whole: ReadonlySignal<Span> = computed(() => {
-  const [from, to] = interval(model.value.knots);
   const points = series.value?.points;
-  const [first, last] = [points?.[0] ?? from, points?.[points.length - 2] ?? to];
-  const [low, high] = [Math.min(from, first), Math.max(to, last)];
+  const drawn = unmade.value ? null : interval(model.value.knots);
+  const measured = points ? [points[0] ?? 0, points[points.length - 2] ?? 1] : null;
+  const ends = [drawn, measured].flatMap((pair) => pair ?? []);
+  const [low, high] = [Math.min(...ends), Math.max(...ends)];
   const edge = MARGIN * (high - low);
   return [low - edge, high + edge];
 });

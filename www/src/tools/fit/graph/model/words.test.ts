@@ -1,8 +1,8 @@
 import { expect, it } from "vitest";
 import type { FoundCluster } from "#workers/fit/hough";
-import { tableThree } from "../find/search";
+import { firstLook, tableThree } from "../find/search";
 import { TABLE_3 } from "../printed";
-import { aboutOf, axisWords, errorWords, nameOf } from "./words";
+import { aboutOf, axisWords, errorWords, nameOf, offWords } from "./words";
 
 const cluster = (over: Partial<FoundCluster>): FoundCluster => ({
   hits: 9,
@@ -29,6 +29,21 @@ it("names clusters by what they are", () => {
   // The last letter is done first.
   expect(aboutOf(echo)).toContain("undo map 2, then do map 1");
   expect(errorWords(cluster({}))).toBe("holds nowhere");
+});
+
+it("looks first at the strongest map, never at clutter", () => {
+  const [clutter, echo, map] = (["clutter", "echo", "map"] as const).map((kind) => cluster({ kind }));
+  if (!clutter || !echo || !map) throw new Error("there are three");
+  expect(firstLook([clutter, echo, map])).toBe(2);
+  expect(firstLook([clutter, echo])).toBe(1);
+  expect(firstLook([clutter])).toBeNull();
+  expect(firstLook([])).toBeNull();
+});
+
+it("says how far off a graph is in the units of its heights", () => {
+  expect(offWords({ worst: 31.26, meanSquare: 123 })).toBe(
+    "off by 31.3 at most, 11.1 in the root mean square",
+  );
 });
 
 it("says a direction in its largest parts", () => {

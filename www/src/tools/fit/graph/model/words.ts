@@ -1,6 +1,7 @@
 /** What the panel says. */
 
 import { formatNumber } from "#format/numbers";
+import { significant } from "#format/significant";
 import type { Clusters, FoundCluster } from "#workers/fit/hough";
 import type { Kind } from "./model";
 
@@ -43,6 +44,11 @@ export function errorWords({ candidate }: FoundCluster): string {
   const percent = 100 * candidate.rms;
   const off = percent < 0.01 ? "< 0.01" : formatNumber(percent, 2);
   return `${off}% off on ${candidate.points}`;
+}
+
+/** How far a graph is from what is measured, in the units of the heights. */
+export function offWords({ worst, meanSquare }: { worst: number; meanSquare: number }): string {
+  return `off by ${significant(worst)} at most, ${significant(Math.sqrt(meanSquare))} in the root mean square`;
 }
 
 export function countWords(count: number): string {

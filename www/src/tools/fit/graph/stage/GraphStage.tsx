@@ -1,24 +1,22 @@
-import { computed, useSignalEffect } from "@preact/signals";
+import { useSignalEffect } from "@preact/signals";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { formatNumber } from "#format/numbers";
 import { palette } from "#style/palette";
 import { IconButton } from "#ui/controls/Button";
 import graphCss from "../graph.module.css";
-import { chosenPiece, graph, isFirst, problem } from "../model/document";
+import { chosenPiece, graph, problem } from "../model/document";
 import { errors } from "../model/errors";
 import { rangeOf } from "../model/model";
-import { reading, series } from "../model/series";
+import { reading, series, unmade } from "../model/series";
 import { magnified, showAll, zoomAbout } from "../model/span";
+import { offWords } from "../model/words";
 import { copyShown } from "./copy";
 import { tAt } from "./frame";
 import { attachGestures, stageKey } from "./gestures";
 import { Knots } from "./Knots";
 import { BAND, paint } from "./paint";
 import { frame, polyline, stageBox } from "./shown";
-
-/** Figure 1 is in the way where something is measured and nothing was made yet. */
-const faint = computed(() => isFirst.value && series.value !== null);
 
 /** The graph, what is measured, and the points that hands move. */
 export function GraphStage() {
@@ -54,12 +52,12 @@ export function GraphStage() {
       context,
       frame.value,
       {
-        graph: graph.value,
-        polyline: faint.value ? new Float64Array(0) : polyline.value,
+        pieces: unmade.value ? [] : graph.value.pieces,
+        polyline: polyline.value,
         faint: copyShown.value !== null,
         series: series.value?.points ?? null,
         copy: copyShown.value,
-        worst: faint.value ? null : (errors.value?.where ?? null),
+        worst: errors.value?.where ?? null,
         chosenPiece: chosenPiece.value,
       },
       {
@@ -86,7 +84,7 @@ export function GraphStage() {
       }}
     >
       <canvas ref={canvas} />
-      {!faint.value && <Knots faint={copyShown.value !== null} />}
+      {!unmade.value && <Knots faint={copyShown.value !== null} />}
       <Foot />
     </div>
   );
@@ -107,6 +105,7 @@ function choosePiece(left: number, top: number): void {
 
 function Foot() {
   const off = errors.value;
+  const words = off && offWords(off);
   const wrong = problem.value;
   const zoom = magnified.value;
   return (
@@ -117,10 +116,9 @@ function Foot() {
         </p>
       )}
       {reading.value !== null && <p class="readout">Reading {reading.value} …</p>}
-      {off && !faint.value && (
+      {words && (
         <p class="readout" data-part="errors">
-          Off by {formatNumber(off.worst, 4)} at most
-          <span class={graphCss["wide-words"]}>, {off.meanSquare.toExponential(2)} mean squared</span>
+          {words}
         </p>
       )}
       <div class={graphCss["graph-zoom"]}>

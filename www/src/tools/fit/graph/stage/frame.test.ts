@@ -45,6 +45,10 @@ describe("ticks", () => {
     expect(new Set(deep.values.map((value) => tickText(value, deep))).size).toBe(deep.values.length);
     expect(tickText(-0.0, ticks([-1, 1], 4))).toBe("0.0");
     expect(tickText(-0.5, ticks([-1, 1], 4))).toBe("−0.5");
+    const far = ticks([7_000_000, 7_000_020], 4);
+    expect(far.values.map((value) => tickText(value, far))).toContain("7000010");
+    const large = ticks([0, 3e9], 4);
+    expect(large.values.map((value) => tickText(value, large))).toEqual(["0", "1×10⁹", "2×10⁹", "3×10⁹"]);
   });
 });
 

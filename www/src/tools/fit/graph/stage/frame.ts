@@ -1,4 +1,5 @@
 /** Where (t, x) lies on the stage: two scales, since t and x are of other kinds. */
+import { significant } from "#format/significant";
 
 export interface Frame {
   /** What is shown. */
@@ -38,12 +39,14 @@ export interface Ticks {
   values: number[];
   /** Decimals that tell them apart. */
   digits: number;
+  /** From one to the next. */
+  step: number;
 }
 
 /** Round numbers over a stretch, `most` of them at most. */
 export function ticks([from, to]: readonly [number, number], most: number): Ticks {
   const size = to - from;
-  if (!(size > 0) || !Number.isFinite(size) || most < 1) return { values: [], digits: 0 };
+  if (!(size > 0) || !Number.isFinite(size) || most < 1) return { values: [], digits: 0, step: 0 };
   const raw = size / most;
   const power = 10 ** Math.floor(Math.log10(raw));
   const step = power * ([1, 2, 5, 10].find((n) => n * power >= raw * (1 - 1e-9)) ?? 10);
@@ -53,12 +56,16 @@ export function ticks([from, to]: readonly [number, number], most: number): Tick
   for (let k = first; k * step <= to + 1e-9 * step && values.length < 2 * most + 2; k++) {
     values.push(digits === 0 ? k * step : Number((k * step).toFixed(Math.min(20, digits))));
   }
-  return { values, digits };
+  return { values, digits, step };
 }
 
-export function tickText(value: number, { digits }: Ticks): string {
+export function tickText(value: number, { digits, step }: Ticks): string {
   const size = Math.abs(value);
-  if (size >= 1e6 || digits > 9) return value.toPrecision(Math.min(15, 6)).replace("-", "−");
+  if (size >= 1e6 || digits > 9) {
+    const needed = step > 0 ? 1 + Math.ceil(Math.log10(size / step) - 1e-9) : 6;
+    // A power of ten is shorter only where few digits stand before it.
+    if (needed <= 4 || digits > 9) return significant(value, Math.min(15, Math.max(1, needed)));
+  }
   return value
     .toFixed(digits)
     .replace(/^-(0(\.0*)?)$/, "$1")

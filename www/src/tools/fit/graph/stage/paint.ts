@@ -19,7 +19,7 @@ export interface Copy {
 }
 
 export interface Scenery {
-  graph: Graph;
+  pieces: Graph["pieces"];
   polyline: Float64Array;
   /** Whether the graph is only in the way: then it is drawn faintly. */
   faint: boolean;
@@ -168,10 +168,10 @@ function measured(
 }
 
 function pieces(context: CanvasRenderingContext2D, frame: Frame, scenery: Scenery, paints: Paints): void {
-  const { graph, polyline } = scenery;
+  const { polyline } = scenery;
   context.lineJoin = "round";
   context.globalAlpha = scenery.faint ? 0.4 : 1;
-  for (const [index, piece] of graph.pieces.entries()) {
+  for (const [index, piece] of scenery.pieces.entries()) {
     const [from, to] = rangeOf(piece);
     if (to < frame.t[0] || from > frame.t[1]) continue;
     const near = 1e-9 * (Math.abs(from) + Math.abs(to));
@@ -242,7 +242,7 @@ function band(context: CanvasRenderingContext2D, frame: Frame, scenery: Scenery,
   context.font = `600 ${FONT}`;
   context.textAlign = "center";
   context.textBaseline = "middle";
-  for (const [index, piece] of scenery.graph.pieces.entries()) {
+  for (const [index, piece] of scenery.pieces.entries()) {
     const [from, to] = rangeOf(piece).map((t) => leftOf(frame, t)) as [number, number];
     if (to < frame.left || from > frame.left + frame.width) continue;
     const colour = paints.palette[index % paints.palette.length] ?? paints.ink;

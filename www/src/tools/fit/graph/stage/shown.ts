@@ -4,7 +4,7 @@ import { inGesture } from "#document/scene";
 import { rough } from "#wasm/curve";
 import { graph, model } from "../model/document";
 import { interval } from "../model/model";
-import { series } from "../model/series";
+import { series, unmade } from "../model/series";
 import { span } from "../model/span";
 import { aired, type Frame, heights } from "./frame";
 
@@ -30,8 +30,9 @@ const plot = computed(() => {
   };
 });
 
-/** What of the window the graph covers. */
+/** What of the window the graph covers; nothing where it is not drawn. */
 const covered = computed<[number, number] | null>(() => {
+  if (unmade.value) return null;
   const [from, to] = span.value;
   const [start, end] = interval(model.value.knots);
   const window: [number, number] = [Math.max(from, start), Math.min(to, end)];
