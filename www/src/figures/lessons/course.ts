@@ -37,7 +37,16 @@ const COURSE: readonly UnitEntry[] = [
     id: "copies",
     title: "Shapes made of themselves",
     about: "A few maps that shrink, and the one shape that they agree on.",
-    lessons: [],
+    lessons: [
+      {
+        id: "e12",
+        title: "Start from anything",
+        about: "Three small copies, again and again: does it matter what one begins with?",
+        minutes: 5,
+        load: () => import("./lesson-12/page"),
+        thumb: () => import("./lesson-12/thumb"),
+      },
+    ],
   },
   {
     id: "chaos-game",

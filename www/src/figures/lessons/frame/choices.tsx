@@ -7,6 +7,8 @@ import type { Prediction } from "./prediction";
 export interface Choice<T extends string> {
   value: T;
   label: ComponentChildren;
+  /** What is said to whoever chose it where it is not so: what would show it. */
+  wrong?: string;
 }
 
 export interface ChoicesProps<T extends string> {
@@ -51,6 +53,15 @@ export function Choices<T extends string>({ ask, options, prediction, truth }: C
       })}
     </fieldset>
   );
+}
+
+type ReplyProps<T extends string> = Pick<ChoicesProps<T>, "options" | "prediction" | "truth">;
+
+/** The first words of an answer: to whoever saw it, and to whoever chose something else. */
+export function Reply<T extends string>({ options, prediction: { guess }, truth }: ReplyProps<T>) {
+  if (guess === truth) return <p>You saw it.</p>;
+  const wrong = options.find(({ value }) => value === guess)?.wrong;
+  return wrong === undefined ? null : <p>{wrong}</p>;
 }
 
 interface GuessProps {

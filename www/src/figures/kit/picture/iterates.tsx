@@ -1,0 +1,68 @@
+import { useCallback, useMemo } from "preact/hooks";
+import { type Box, fitFor } from "#document/framing";
+import type { MapRow } from "#wasm/api";
+import { copies } from "../maps/iterates";
+import type { Point } from "../maps/pieces";
+import { pictured, type Sheet, useDrawing } from "./canvas";
+import css from "./picture.module.css";
+
+/** What is copied: outlines, or a picture on the square from 0 to 1. */
+export type Start = { outlines: readonly (readonly Point[])[] } | { picture: ImageBitmap };
+
+interface IteratesProps {
+  maps: readonly MapRow[];
+  /** How often all maps have been applied. */
+  steps: number;
+  start: Start;
+  box: Box;
+  label: string | null;
+}
+
+/** Below this many device pixels a copy is drawn as a dot, so that it does not fade away. */
+const SMALLEST = 1.5;
+const MARGIN = 0.06;
+
+/** A figure after so many steps: in each all that there is is copied by every map. */
+export function Iterates({ maps, steps, start, box, label }: IteratesProps) {
+  const all = useMemo(() => copies(maps, steps), [maps, steps]);
+  const draw = useCallback(
+    (sheet: Sheet) => {
+      const { context, width, height, colours, token } = sheet;
+      const { x, y, scale } = fitFor(box, { width, height }, MARGIN);
+      const path = "outlines" in start ? pathOf(start.outlines) : null;
+      for (const { map, first } of all) {
+        const [a, b, c, d, e, f] = map;
+        const [left, top] = [width / 2 + scale * (e - x), height / 2 - scale * (f - y)];
+        context.setTransform(scale * a, -scale * c, scale * b, -scale * d, left, top);
+        context.fillStyle = first === null ? token("--ink-2") : (colours[first % colours.length] ?? "");
+        if ("picture" in start) {
+          // Pictures have their y downwards.
+          context.transform(1, 0, 0, -1, 0, 1);
+          context.drawImage(start.picture, 0, 0, 1, 1);
+        } else if (path && scale * Math.max(Math.hypot(a, c), Math.hypot(b, d)) >= SMALLEST) {
+          context.fill(path);
+        } else {
+          const [px, py] = start.outlines[0]?.[0] ?? [0, 0];
+          context.setTransform(1, 0, 0, 1, 0, 0);
+          const side = SMALLEST;
+          context.fillRect(left + scale * (a * px + b * py), top - scale * (c * px + d * py), side, side);
+        }
+      }
+    },
+    [all, start, box],
+  );
+  const { canvas } = useDrawing(draw);
+  return <canvas ref={canvas} class={css["figure-picture"]} {...pictured(label)} />;
+}
+
+function pathOf(outlines: readonly (readonly Point[])[]): Path2D {
+  const path = new Path2D();
+  for (const outline of outlines) {
+    for (const [i, [x, y]] of outline.entries()) {
+      if (i === 0) path.moveTo(x, y);
+      else path.lineTo(x, y);
+    }
+    path.closePath();
+  }
+  return path;
+}

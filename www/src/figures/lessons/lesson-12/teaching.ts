@@ -1,0 +1,25 @@
+import type { Teaching } from "../frame/teaching";
+
+export const TEACHING: Teaching = {
+  aim: "To see that the maps alone decide which shape comes out, and that the start is forgotten step by step.",
+  mistakes: [
+    "The gasket is made by cutting holes into a triangle. It can be, but a triangle is only one start of many.",
+    "After many steps the shape is there. It never is: it is what the steps come near to, as near as one likes.",
+    "A picture with more detail needs more steps. Only its size counts: each step halves what is left of it.",
+  ],
+  questions: [
+    {
+      ask: "What does one step do to a figure that has nothing in it at all?",
+      answer:
+        "Nothing: the empty figure stays empty. That is why the theorem speaks of figures with at least one point.",
+    },
+    {
+      ask: "Two starts are 8 cm apart. How far apart are they at most after five steps that halve?",
+      answer: "8 / 32 of a centimetre, a quarter.",
+    },
+    {
+      ask: "Why must all three maps shrink? Would two be enough?",
+      answer: "A copy that is not made smaller keeps all of the difference, and hands it on at every step.",
+    },
+  ],
+};
