@@ -119,7 +119,16 @@ const COURSE: readonly UnitEntry[] = [
     id: "dimension",
     title: "Dimension",
     about: "How much room a shape takes, as a number that need not be whole.",
-    lessons: [],
+    lessons: [
+      {
+        id: "e17",
+        title: "Counting boxes",
+        about: "A line is 1, a square is 2: what is a gasket?",
+        minutes: 7,
+        load: () => import("./lesson-17/page"),
+        thumb: () => import("./lesson-17/thumb"),
+      },
+    ],
   },
   {
     id: "turning",

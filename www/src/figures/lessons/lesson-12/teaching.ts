@@ -3,9 +3,9 @@ import type { Teaching } from "../frame/teaching";
 export const TEACHING: Teaching = {
   aim: "To see that the maps alone decide which shape comes out, and that the start is forgotten step by step.",
   mistakes: [
-    "The gasket is made by cutting holes into a triangle. It can be, but a triangle is only one start of many.",
-    "After many steps the shape is there. It never is: it is what the steps come near to, as near as one likes.",
-    "A picture with more detail needs more steps. Only its size counts: each step halves what is left of it.",
+    "“The gasket is made by cutting holes into a triangle.” It can be, but a triangle is only one start of many.",
+    "“After many steps the shape is there.” It never is: the steps come near to it, as near as one likes.",
+    "“A picture with more detail needs more steps.” Only its size counts: each step halves what is left of it.",
   ],
   questions: [
     {
