@@ -6,10 +6,11 @@ interface SwitchProps {
   checked: boolean;
   onChange: (checked: boolean) => void;
   description?: string;
+  disabled?: boolean;
 }
 
 /** On or off, at once. */
-export function Switch({ children, checked, onChange, description }: SwitchProps) {
+export function Switch({ children, checked, onChange, description, disabled = false }: SwitchProps) {
   return (
     <label class="switch" title={description}>
       <input
@@ -17,6 +18,7 @@ export function Switch({ children, checked, onChange, description }: SwitchProps
         role="switch"
         checked={checked}
         aria-checked={checked}
+        disabled={disabled}
         onChange={(event) => onChange(event.currentTarget.checked)}
       />
       <span class="switch-track" aria-hidden="true" />

@@ -164,7 +164,7 @@ function Film() {
             ref={file}
             class={css["file"]}
             type="file"
-            accept="image/*"
+            accept="image/png,image/jpeg,image/webp,image/gif,image/avif"
             tabIndex={-1}
             aria-label="A picture of yours"
             onChange={(event) => {
