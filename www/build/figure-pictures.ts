@@ -133,6 +133,8 @@ export function figurePictures(source: Source): Record<string, { cells: Cell[]; 
     e9: polygon(3, [0.5, 0.1], [0.4, 0.3], [0.3, 0.4]),
     e10: row(...TIMES.slice(1, 4).map((t) => plane(between(shape("fern"), reversed(shape("tree")), t, t)))),
     e12: row(...[1, 2, 3].map(() => plane(shape("gasket").maps))),
+    e13: row(plane(shape("fern").maps.slice(1)), plane(shape("fern").maps)),
+    e16: one("gasket"),
     e17: row(plane(shape("gasket").maps), plane(shape("carpet").maps)),
     e11: pulled("gasket", [0.3, 0.2], 0, 1.2),
     e20: row(morph("dragon-3", "gasket", 0.5), morph("dragon-3", "gasket", 0.5, 1.75)),

@@ -1,0 +1,272 @@
+import { useMemo, useState } from "preact/hooks";
+import { fixed } from "#format/numbers";
+import { Switch } from "#ui/controls/Switch";
+import type { MapRow } from "#wasm/api";
+import { Choice, SliderControl } from "../../kit/frame/control";
+import type { Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
+import { preset, studioHref } from "../../kit/frame/studio-link";
+import { boxAround } from "../../kit/maps/morphs";
+import { apply, type Point } from "../../kit/maps/pieces";
+import { Drawn } from "../../kit/picture/annotated";
+import { Picture } from "../../kit/picture/picture";
+import { Choices, Reply } from "../frame/choices";
+import { Exercise } from "../frame/exercise";
+import { Lesson, Question, Truth } from "../frame/lesson";
+import lessonCss from "../frame/lesson.module.css";
+import { type Prediction, usePrediction } from "../frame/prediction";
+import { chosen, lean, leaning, PARTS } from "./maps";
+import css from "./page.module.css";
+import { TEACHING } from "./teaching";
+
+/** Barnsley's fern. */
+export function Page(heading: Heading) {
+  const prediction = usePrediction<Lost>(null);
+  const fern = useMemo(() => preset("fern"), []);
+  return (
+    <Lesson
+      {...heading}
+      text={
+        <>
+          <p>
+            This fern is four smaller copies of itself: a tall one that is all but the lowest pair of leaves,
+            the lowest leaf on each side, and the stem, which is the whole fern pressed into a line. Nothing
+            else is stored: four maps of six numbers each.
+          </p>
+          <p>
+            Switch the copies off and on. The frame of each is the frame of the whole, put where its map puts
+            it.
+          </p>
+        </>
+      }
+      question={<Stem fern={fern.maps} prediction={prediction} />}
+      exercises={
+        <>
+          <Missing fern={fern.maps} />
+          <Straight fern={fern.maps} />
+        </>
+      }
+      teaching={TEACHING}
+      parameters={fern.maps.map((map, i) => ({
+        name: `Map ${i + 1}, ${PARTS[i]}`,
+        value: map.join(", "),
+      }))}
+      sources={
+        <p>
+          Michael Barnsley, <cite>Fractals Everywhere</cite> (1988); the numbers are those of his black
+          spleenwort. A map takes (x, y) to (a x + b y + e, c x + d y + f), and stands in the list as a, b, c,
+          d, e, f.
+        </p>
+      }
+      studio={{ href: studioHref({ a: fern, b: preset("maple") }) }}
+    >
+      <Switched fern={fern.maps} />
+    </Lesson>
+  );
+}
+
+interface FernProps {
+  fern: MapRow[];
+}
+
+const useFrame = (maps: MapRow[]) => useMemo(() => boxAround([maps]), [maps]);
+
+/** Each copy with its frame, to be switched off. */
+function Switched({ fern }: FernProps) {
+  const [on, setOn] = useState<readonly boolean[]>(PARTS.map(() => true));
+  const maps = useMemo(() => chosen(fern, on), [fern, on]);
+  const box = useFrame(fern);
+  const corners: Point[] = [
+    [box.x0, box.y0],
+    [box.x1, box.y0],
+    [box.x1, box.y1],
+    [box.x0, box.y1],
+  ];
+  const left = PARTS.filter((_, i) => !on[i]);
+  return (
+    <div class={`${layout["two-columns"]} ${layout["even"]}`}>
+      <Drawn
+        maps={maps}
+        box={box}
+        label={
+          left.length === 0
+            ? "Barnsley’s fern, with the frames of its four copies."
+            : `The fern without ${left.join(", ")}.`
+        }
+      >
+        {(place) =>
+          fern.map(
+            (map, i) =>
+              on[i] && (
+                <path
+                  key={PARTS[i]}
+                  class={css["frame"]}
+                  d={`M${corners.map((corner) => place(apply(map, corner)).join(" ")).join("L")}Z`}
+                />
+              ),
+          )
+        }
+      </Drawn>
+      <div class={lessonCss["ask"]}>
+        {PARTS.map((part, i) => (
+          <Switch
+            key={part}
+            checked={on[i] ?? true}
+            // Without any map there is no shape.
+            disabled={on[i] === true && maps.length === 1}
+            onChange={(next) => setOn(on.map((was, k) => (k === i ? next : was)))}
+          >
+            Map {i + 1}: {part}
+          </Switch>
+        ))}
+        <p class={layout["hint"]} aria-live="polite">
+          {maps.length === 1
+            ? "One map alone makes a single point: where it leaves the plane in place."
+            : left.length === 0
+              ? "All four: the fern."
+              : `Without ${left.join(" and ")}.`}
+        </p>
+      </div>
+    </div>
+  );
+}
+
+type Lost = "bit" | "all" | "nothing" | "leaves";
+const OPTIONS = [
+  {
+    value: "bit",
+    label: "The lowest bit of the stem, nothing else",
+    wrong:
+      "It is that bit that map 1 draws in the whole. But every leaf is a copy of the whole: look at the stalks of the leaves now.",
+  },
+  { value: "all", label: "Every stem: that of the fern, of each leaf, and of each leaflet on it" },
+  {
+    value: "nothing",
+    label: "Nothing: the other maps draw the fern",
+    wrong: "The others make copies of what there is. Without a stem in the whole no copy has one.",
+  },
+  {
+    value: "leaves",
+    label: "The leaves fall: nothing holds them",
+    wrong: "Where a leaf goes is said by its own map, and that is as before.",
+  },
+] as const;
+
+function Stem({ fern, prediction }: FernProps & { prediction: Prediction<Lost> }) {
+  const { shown } = prediction;
+  const bare = useMemo(() => fern.slice(1), [fern]);
+  const box = useFrame(fern);
+  return (
+    <Question
+      prediction={prediction}
+      beside={
+        <Picture
+          maps={shown ? bare : fern}
+          box={box}
+          label={shown ? "The fern without its first map: no stem anywhere." : "Barnsley’s fern."}
+        />
+      }
+      answer={
+        <>
+          <Reply options={OPTIONS} prediction={prediction} truth="all" />
+          <Truth line="All stems are gone, down to the smallest.">
+            <p>
+              The shape is made of its copies, and each copy of copies in turn. What a map does in the whole
+              it does in every leaf, in every leaflet, and so on without end. One map is one feature at all
+              sizes.
+            </p>
+          </Truth>
+        </>
+      }
+    >
+      <Choices<Lost>
+        ask="Map 1 makes the stem: the whole fern, pressed into a short line at the bottom. What does the fern lose when it is left out?"
+        options={OPTIONS}
+        prediction={prediction}
+        truth="all"
+      />
+    </Question>
+  );
+}
+
+const WHICH = [2, 3, 4] as const;
+/** Which one is missing: not the first that one tries. */
+const GONE = 4;
+
+function Missing({ fern }: FernProps) {
+  const [said, setSaid] = useState("0");
+  const maps = useMemo(() => fern.filter((_, i) => i !== GONE - 1), [fern]);
+  const box = useFrame(fern);
+  return (
+    <Exercise
+      number={1}
+      ask="One map of this fern has been left out. Which?"
+      hints={[
+        "Compare the lowest leaves, and then the leaflets of one leaf.",
+        "Switch them off one by one above.",
+      ]}
+      solved={Number(said) === GONE}
+      status={
+        said === "0"
+          ? "Choose a map."
+          : Number(said) === GONE
+            ? `Map ${said} makes ${PARTS[GONE - 1]}; and each leaf has leaflets on one side only.`
+            : `Map ${said} makes ${PARTS[Number(said) - 1]}: that is there.`
+      }
+    >
+      <div class={`${layout["two-columns"]} ${layout["even"]}`}>
+        <Picture
+          maps={maps}
+          box={box}
+          label="A fern that has leaves on one side only, and so have its leaves."
+        />
+        <Choice
+          label="Missing"
+          name="Which map is missing"
+          options={WHICH.map((map) => ({ value: String(map), label: `map ${map}` }))}
+          value={said}
+          onChange={setSaid}
+        />
+      </div>
+    </Exercise>
+  );
+}
+
+function Straight({ fern }: FernProps) {
+  const [degrees, setDegrees] = useState(() => Math.round(2 * lean(fern)) / 2);
+  const maps = useMemo(() => leaning(fern, degrees), [fern, degrees]);
+  const box = useFrame(maps);
+  return (
+    <Exercise
+      number={2}
+      ask="The fern bends to the right, as its large map turns a little. Turn it so that the fern grows straight up."
+      hints={[
+        "What turns each copy of a copy a little more bends the whole.",
+        "How much may it turn if nothing is to bend?",
+      ]}
+      solved={degrees === 0}
+      status={
+        degrees === 0
+          ? "Each copy stands upright in the one before it."
+          : `Each pair of leaves is turned by ${fixed(Math.abs(degrees), 1)}° against the one below it, to the ${degrees > 0 ? "right" : "left"}.`
+      }
+    >
+      <div class={`${layout["two-columns"]} ${layout["even"]}`}>
+        <Picture
+          maps={maps}
+          box={box}
+          label={`The fern with its large map turned by ${fixed(degrees, 1)} degrees.`}
+        />
+        <SliderControl
+          label="turn of map 2"
+          range={[-12, 12]}
+          step={0.5}
+          value={degrees}
+          text={`${fixed(degrees, 1)}°`}
+          valueText={`${fixed(degrees, 1)} degrees`}
+          onChange={(next) => setDegrees(Math.round(2 * next) / 2)}
+        />
+      </div>
+    </Exercise>
+  );
+}
