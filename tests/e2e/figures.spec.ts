@@ -53,7 +53,7 @@ async function expectCards(page: Page, count: number): Promise<void> {
   }
 }
 
-test("Lesson 2 takes its throws by keys", async ({ page }) => {
+test("the chaos game takes its throws by keys", async ({ page }) => {
   await openFigure(page, "e2");
   await page.getByRole("button", { name: "1, lower left" }).focus();
   for (const key of ["1", "2", "3", "3"]) await page.keyboard.press(key);
@@ -62,7 +62,7 @@ test("Lesson 2 takes its throws by keys", async ({ page }) => {
   await expect(page.getByText("0 throws", { exact: true })).toBeVisible();
 });
 
-test("Lesson 3 compares graphs line by line", async ({ page }) => {
+test("the overlap graph is compared line by line", async ({ page }) => {
   await openFigure(page, "e3");
   for (const pair of ["1 and 2", "2 and 3"]) await page.getByRole("checkbox", { name: pair }).check();
   await expect(page.getByText("You drew 2 lines. With them the curve would be in 2 groups.")).toBeVisible();
@@ -71,14 +71,14 @@ test("Lesson 3 compares graphs line by line", async ({ page }) => {
   await expect(page.getByText("You left out 3 and 4. You joined 2 and 3, which are apart.")).toBeVisible();
 });
 
-test("Lesson 5 measures what it tells", async ({ page }) => {
+test("what pixels hide is measured", async ({ page }) => {
   await openFigure(page, "e5");
   await page.getByRole("button", { name: "Show me" }).click();
   await expect(page.getByTestId("truth")).toContainText(/Here 75 pixels say connected from 0\.49\d\d on/);
   await expect(page.getByRole("row", { name: /^pair subdivision/ })).toContainText(/0\.49999\d\d|0\.5000000/);
 });
 
-test("Lesson 7 can be led across by keys", async ({ page }) => {
+test("a morph can be led across by keys", async ({ page }) => {
   await openFigure(page, "e7");
   await page.getByRole("button", { name: "Show me" }).click();
   await expect(page.getByTestId("truth")).toContainText("It first breaks at 0.55");
@@ -88,7 +88,7 @@ test("Lesson 7 can be led across by keys", async ({ page }) => {
   await expect(page.getByText("Looks whole at 1/600")).toBeVisible();
 });
 
-test("Lesson 8 shows M, with its landmarks", async ({ page }) => {
+test("the set M is shown, with its landmarks", async ({ page }) => {
   await openFigure(page, "e8");
   await page.getByRole("radio", { name: "In one piece" }).check();
   await page.getByRole("button", { name: "Show me" }).click();
@@ -100,13 +100,30 @@ test("Lesson 8 shows M, with its landmarks", async ({ page }) => {
   await expect(page.getByText(/^The twin-dragon, whose/)).toBeVisible();
 });
 
-test("Lesson 10 finds the pairing that holds", async ({ page }) => {
+test("the pairing that holds is found", async ({ page }) => {
   await openFigure(page, "e10");
   await page.getByRole("radio", { name: /^P/ }).check();
   await page.getByRole("button", { name: "Show me" }).click();
   await expect(page.getByText("You said P. Q holds together.")).toBeVisible();
   await expect(page.getByText("In pieces", { exact: true })).toHaveCount(2);
   await expect(page.getByText("Looks whole", { exact: true })).toHaveCount(1);
+});
+
+test("an exercise says how far one is, gives hints, and stays marked once it is solved", async ({ page }) => {
+  await openFigure(page, "e16");
+  const exercise = page.getByRole("region", { name: /^Exercise 1/ });
+  const field = exercise.getByRole("textbox", { name: "Your address" });
+  await field.fill("4");
+  await expect(exercise.getByText("There is no piece 4")).toBeVisible();
+  await field.fill("1(2)");
+  await expect(exercise.getByText("1(2) leads to a point 0.500 away from it.")).toBeVisible();
+  await exercise.getByRole("button", { name: "A hint" }).click();
+  await expect(exercise.getByText("Hint 1:")).toBeVisible();
+  await field.fill("3(1)");
+  await expect(exercise.getByText("Solved.")).toBeVisible();
+  await field.fill("3");
+  await expect(exercise.getByText("Solved.")).toHaveCount(0);
+  await expect(exercise.getByRole("heading")).toHaveText(/solved/);
 });
 
 test("one leads to the next, and an unknown one to all", async ({ page }) => {
