@@ -134,7 +134,7 @@ export function figurePictures(source: Source): Record<string, { cells: Cell[]; 
     e10: row(...TIMES.slice(1, 4).map((t) => plane(between(shape("fern"), reversed(shape("tree")), t, t)))),
     e12: row(...[1, 2, 3].map(() => plane(shape("gasket").maps))),
     e13: row(plane(shape("fern").maps.slice(1)), plane(shape("fern").maps)),
-    e16: one("gasket"),
+    e16: row(triangle(0.5), plane(shape("gasket").maps.slice(0, 2))),
     e17: row(plane(shape("gasket").maps), plane(shape("carpet").maps)),
     e11: pulled("gasket", [0.3, 0.2], 0, 1.2),
     e20: row(morph("dragon-3", "gasket", 0.5), morph("dragon-3", "gasket", 0.5, 1.75)),
