@@ -30,6 +30,30 @@ fn decode_lines(bytes: &[u8]) -> Cow<'_, str> {
         .map_or_else(|_| Cow::Owned(rest.iter().map(|&byte| char::from(byte)).collect()), Cow::Borrowed)
 }
 
+/// Which line a place of a text is in. Lines are counted once, where one place is asked for after another.
+pub struct Lines<'a> {
+    text: &'a [u8],
+    at: usize,
+    line: usize,
+}
+
+impl<'a> Lines<'a> {
+    pub const fn of(text: &'a str) -> Self {
+        Self { text: text.as_bytes(), at: 0, line: 1 }
+    }
+
+    /// The line of a byte, from 1.
+    pub fn line(&mut self, at: u64) -> usize {
+        let at = usize::try_from(at).map_or(self.text.len(), |at| at.min(self.text.len()));
+        if at < self.at {
+            (self.at, self.line) = (0, 1);
+        }
+        self.line += self.text[self.at..at].iter().filter(|&&byte| byte == b'\n').count();
+        self.at = at;
+        self.line
+    }
+}
+
 /// The most letters of a name.
 pub const MAX_NAME: usize = 60;
 
@@ -87,6 +111,17 @@ mod tests {
         assert_eq!(decode(b"a\rb\r\nc\nd\r\re"), "a\nb\nc\nd\n\ne");
         assert_eq!(decode(b"\xff\xfea\0\r\0b\0"), "a\nb");
         assert_eq!(decode(b"a\r\nb"), "a\r\nb");
+    }
+
+    #[test]
+    fn lines_are_counted_in_any_order() {
+        let text = "\na\n\nbc\n";
+        let mut lines = Lines::of(text);
+        let wanted = [1, 2, 2, 3, 4, 4, 4, 5];
+        for at in [0, 1, 1, 3, 7, 2, 0, 6, 4, 5] {
+            assert_eq!(lines.line(at), wanted[at as usize], "{at}");
+        }
+        assert_eq!((lines.line(u64::MAX), lines.line(3)), (5, 3));
     }
 
     #[test]

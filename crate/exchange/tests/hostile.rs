@@ -96,6 +96,32 @@ fn names_that_call_each_other_end() {
     assert_eq!(code("@a:a\n$dim=2\nA=2^-1*A\n"), "ifstile");
 }
 
+#[test]
+fn what_one_line_says_is_not_looked_at_for_each_thing_anew() {
+    let _alone = alone();
+    let fill = |one: &str, size: usize| one.repeat(size / one.len());
+    // A thousand wrong flames, whose lines are counted; keys with many places where a name may end.
+    let blanks = fill(" ", 8000);
+    let flames = fill(&format!("<flame><xform coefs='x'/>{blanks}</flame>\n"), (8 << 20) - 100);
+    assert_eq!(code(&flames), "flame-number");
+    let keys = fill(&format!("{}='1' ", fill("_", 40_000)), (8 << 20) - 100);
+    assert_eq!(code(&format!("<flame><xform {keys}/></flame>")), "flame-not-affine");
+    // Many braces before one long remark.
+    assert_eq!(code(&format!("a{};{}", fill("{}", 1 << 19), fill("x", (1 << 19) - 9))), "ifs-count");
+    // Thousands of blocks that have all of one large block: its names, a long value named often, its own name.
+    let blocks = fill("@:b\n", 16_000);
+    let names: String = (0..80_000).map(|k| format!("x{k}=1\n")).collect();
+    assert_eq!(code(&format!("@b\n$a=h\n{names}{blocks}")), "aifs-nothing");
+    let sets: String = (0..60_000).map(|k| format!("x{k}=x{k}\n")).collect();
+    assert_eq!(code(&format!("@b\n$a=h\n{sets}{blocks}")), "aifs-unread");
+    let blanks = fill(" ", 1 << 20);
+    let often = vec!["x"; 5000].join("+");
+    assert_eq!(code(&format!("@b\n$a=h\nx=1{blanks}+1\nA=({often})*A\n{blocks}")), "aifs-unread");
+    assert_eq!(code(&format!("@b\n$a=h\n$n=a{blanks}b\nA=[.5,0,0,.5]*A\n{blocks}")), "ifstile");
+    let found = read(format!("@b\n$a=h\n$n=a{blanks}b\nA=[.5,0,0,.5]*A\n{blocks}").as_bytes()).unwrap();
+    assert!(found.remarks.iter().any(|remark| remark.contains("too many steps")), "{:?}", found.remarks);
+}
+
 /// Numbers at the ends of what can be written, and ordinary ones.
 fn number() -> impl Strategy<Value = String> {
     let odd = [

@@ -16,7 +16,7 @@ use quick_xml::events::{BytesStart, Event};
 
 use super::problem::{Gathered, ImportError, MAX_SYSTEMS};
 use crate::system::{Row, System};
-use crate::text::{name_or, number, short};
+use crate::text::{Lines, name_or, number, short};
 
 /// The function that is affine, under all its names.
 const LINEAR: [&str; 3] = ["linear", "linear3D", "linear2D"];
@@ -47,6 +47,9 @@ const OTHER: [&str; 20] = [
 ];
 /// What a flame says where Frond wrote it.
 pub const OWN_VERSION: &str = "Frond";
+/// No function has a longer name, and no transform more of them.
+const MAX_KEY: usize = 100;
+const MAX_KEYS: usize = 200;
 /// Names of functions that a remark tells.
 const MOST_TOLD: usize = 5;
 
@@ -55,50 +58,48 @@ pub fn read_flames(text: &str) -> Result<Gathered, ImportError> {
     let mut reader = Reader::from_str(text);
     // What stands between tags is not looked at.
     reader.config_mut().allow_dangling_amp = true;
-    let line_at = |at: u64| {
-        let before = &text.as_bytes()[..text.len().min(usize::try_from(at).unwrap_or(usize::MAX))];
-        1 + before.iter().filter(|&&byte| byte == b'\n').count()
-    };
+    let mut lines = Lines::of(text);
     let (mut all, mut open, mut count): (Gathered, Option<Flame>, usize) = (Gathered::default(), None, 0);
-    let mut finish = |flame: Flame, line: &dyn Fn(u64) -> usize| {
+    let mut finish = |flame: Flame| {
         count += 1;
         if count <= MAX_SYSTEMS {
-            all.take(flame.finish(line));
+            all.take(flame.finish());
         }
     };
     loop {
+        // Where a tag begins.
+        let at = reader.buffer_position();
         let event = reader.read_event().map_err(|error| ImportError::At {
             code: "flame-broken",
-            line: line_at(reader.error_position()),
+            line: lines.line(reader.error_position()),
             why: format!(
                 "The XML breaks off or is miswritten there ({}). Save it again.",
                 short(&error.to_string(), 100)
             ),
         })?;
-        let at = reader.buffer_position();
         match event {
-            Event::Start(tag) | Event::Empty(tag) if is_flame(tag.name().as_ref()) => {
-                if let Some(flame) = open.replace(Flame::new(&tag, at)) {
-                    finish(flame, &line_at);
+            Event::Start(tag) if is_flame(tag.name().as_ref()) => {
+                if let Some(flame) = open.replace(Flame::new(&tag, lines.line(at))) {
+                    finish(flame);
                 }
             }
+            Event::Empty(tag) if is_flame(tag.name().as_ref()) => finish(Flame::new(&tag, lines.line(at))),
             Event::Start(tag) | Event::Empty(tag) => {
                 if let Some(flame) = &mut open {
-                    flame.take(&tag, at);
+                    flame.take(&tag, || lines.line(at));
                 }
             }
             Event::End(tag) if is_flame(tag.name().as_ref()) => {
                 if let Some(flame) = open.take() {
-                    finish(flame, &line_at);
+                    finish(flame);
                 }
             }
             Event::Eof => break,
             _ => {}
         }
     }
-    // An empty tag, or a file that was cut off.
     if let Some(flame) = open {
-        finish(flame, &line_at);
+        finish(Flame { cut: true, ..flame });
     }
     if count > MAX_SYSTEMS {
         all.remarks.push(format!("The file has {count} flames: the first {MAX_SYSTEMS} are looked at."));
@@ -119,9 +120,11 @@ fn is_flame(tag: &str) -> bool {
 #[derive(Default)]
 struct Flame {
     name: String,
-    at: u64,
+    line: usize,
     /// Whether Frond wrote it.
     own: bool,
+    /// Whether the file ends before it does.
+    cut: bool,
     maps: Vec<Row>,
     weights: Vec<Option<f64>>,
     /// Transforms there are, those without a linear part or a weight, and those with more than it.
@@ -131,12 +134,12 @@ struct Flame {
     partly: usize,
     functions: Vec<String>,
     left: Vec<&'static str>,
-    wrong: Option<(u64, String)>,
+    wrong: Option<(usize, String)>,
 }
 
 impl Flame {
-    fn new(tag: &BytesStart<'_>, at: u64) -> Self {
-        let mut flame = Self { at, ..Self::default() };
+    fn new(tag: &BytesStart<'_>, line: usize) -> Self {
+        let mut flame = Self { line, ..Self::default() };
         for (key, value) in attributes(tag) {
             match key {
                 "name" => {
@@ -157,12 +160,12 @@ impl Flame {
         }
     }
 
-    fn take(&mut self, tag: &BytesStart<'_>, at: u64) {
+    fn take(&mut self, tag: &BytesStart<'_>, line: impl FnOnce() -> usize) {
         match tag.name().as_ref().to_ascii_lowercase().as_str() {
             "xform" => {
                 self.count += 1;
                 if self.wrong.is_none() && self.maps.len() <= MAX_MAPS {
-                    self.wrong = self.transform(tag).err().map(|why| (at, why));
+                    self.wrong = self.transform(tag).err().map(|why| (line(), why));
                 }
             }
             "finalxform" => self.leave("its final transform"),
@@ -209,7 +212,9 @@ impl Flame {
                 _ => {
                     if let Some(x) = number(value.trim()) {
                         any = true;
-                        if named.len() < 200 {
+                        if key.len() > MAX_KEY {
+                            functions.push("others");
+                        } else if named.len() < MAX_KEYS {
                             named.push(key);
                             functions.extend((x != 0.0).then_some(key));
                         }
@@ -250,16 +255,18 @@ impl Flame {
         Ok(())
     }
 
-    fn finish(self, line_at: &dyn Fn(u64) -> usize) -> Result<System, ImportError> {
-        let Self { name, maps, weights, count, bent, unused, partly, functions, left, wrong, at, .. } = self;
+    fn finish(self) -> Result<System, ImportError> {
+        let Self {
+            name, maps, weights, count, bent, unused, partly, functions, left, wrong, line, cut, ..
+        } = self;
         let whose = if name.is_empty() { "The flame".to_owned() } else { format!("“{name}”") };
-        let fail = |code, at, why| Err(ImportError::At { code, line: line_at(at), why });
-        if let Some((at, why)) = wrong {
-            return fail("flame-number", at, format!("{why} Mend it, or leave the transform out."));
+        let fail = |code, line, why| Err(ImportError::At { code, line, why });
+        if let Some((line, why)) = wrong {
+            return fail("flame-number", line, format!("{why} Mend it, or leave the transform out."));
         }
         if maps.len() > MAX_MAPS {
             let why = format!("{whose} has more than 64 transforms, and the most is 64. Leave some out.");
-            return fail("flame-maps", at, why);
+            return fail("flame-maps", line, why);
         }
         let told = if functions.len() > MOST_TOLD {
             format!("{} ..", functions[..MOST_TOLD].join(", "))
@@ -283,9 +290,14 @@ impl Flame {
                      affine. Choose a flame with linear=\"1\" in it."
                 ),
             };
-            return fail("flame-not-affine", at, why);
+            return fail("flame-not-affine", line, why);
         }
         let mut system = System::plane(name, maps);
+        if cut {
+            system
+                .remarks
+                .push("The file ends before its flame does: there may have been more in it.".into());
+        }
         if bent > 0 {
             let kept = system.maps.len();
             let which = if bent == 1 { "One has".into() } else { format!("{bent} have") };
@@ -476,6 +488,11 @@ mod tests {
             let told = told(&format!("<flame>\n<xform {wrong}/></flame>"));
             assert!(told.starts_with("Line 2: <xform coefs") && told.contains("quotes"), "{told}");
         }
+        // The line where a tag begins.
+        assert!(told("<flame>\n<xform\n coefs='1 2 3'\n/></flame>").starts_with("Line 2: coefs"));
+        assert!(
+            told("<a>\n</a>\n<flame\n name='a'>\n<x/></flame>").starts_with("Line 3: “a” has no transform.")
+        );
         assert!(told("<flame name='a'></flame>").starts_with("Line 1: “a” has no transform."));
         assert!(told("<flames></flames>").starts_with("There is no flame"));
         assert!(told("<flame>\n</flames>").starts_with("Line 2: The XML breaks off"));

@@ -87,8 +87,9 @@ fn entries(text: &str) -> Result<Vec<Entry<'_>>, FileError> {
     for (k, line) in text.lines().enumerate() {
         let line_number = k + 1;
         let (line, remark) = line.split_once(';').unwrap_or((line, ""));
+        let sign = is_sign(remark);
         if let Some(entry) = &mut open {
-            entry.solid |= entry.words.is_empty() && is_sign(remark);
+            entry.solid |= entry.words.is_empty() && sign;
         }
         let mut rest = line;
         loop {
@@ -111,7 +112,7 @@ fn entries(text: &str) -> Result<Vec<Entry<'_>>, FileError> {
                     if !rest[..at].trim().is_empty() {
                         before = &rest[..at];
                     }
-                    open = Some(Entry::new(before, is_sign(remark), line_number));
+                    open = Some(Entry::new(before, sign, line_number));
                     before = "";
                     rest = &rest[at + 1..];
                 }

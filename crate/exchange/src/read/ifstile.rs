@@ -21,8 +21,11 @@ const MAX_DEPTH: usize = 32;
 const ENDLESS: &str = "Names or brackets go on without end.";
 /// Blocks that are looked at: files may have millions.
 const MAX_BLOCKS: usize = 4 * MAX_SYSTEMS;
-/// Steps of arithmetic for one block.
+/// Steps of arithmetic for one block, and for all of a file.
 const MAX_STEPS: usize = 20_000;
+const MAX_FILE_STEPS: usize = 2_000_000;
+/// So many letters of a text are a step.
+const STEP_LETTERS: usize = 64;
 
 /// Reads the blocks that have an equation of a set.
 pub fn read_ifstile(text: &str) -> Result<Gathered, ImportError> {
@@ -32,10 +35,16 @@ pub fn read_ifstile(text: &str) -> Result<Gathered, ImportError> {
     if count > MAX_BLOCKS {
         all.remarks.push(format!("The file has {count} blocks: the first {MAX_BLOCKS} are looked at."));
     }
-    for k in 0..blocks.len() {
+    let mut left = MAX_FILE_STEPS;
+    for (k, block) in blocks.iter().enumerate() {
+        if left == 0 {
+            let line = block.line;
+            all.remarks.push(format!("The file takes too many steps to compute: it is read to line {line}."));
+            break;
+        }
         // What others are built on is hidden, and may not be complete.
-        if !blocks[k].hidden() && all.systems.len() < MAX_SYSTEMS {
-            all.extend_with(Block::system(&blocks, k));
+        if !block.hidden() && all.systems.len() < MAX_SYSTEMS {
+            all.extend_with(Block::system(&blocks, k, &mut left));
         }
     }
     all.finish(refused("aifs-nothing", 1, "No block has an equation of a set."))
@@ -45,12 +54,20 @@ fn refused(code: &'static str, line: usize, why: &str) -> ImportError {
     ImportError::At { code, line, why: format!("{why} {SUBSET}") }
 }
 
+#[derive(Clone, Copy)]
+struct Definition<'a> {
+    value: &'a str,
+    line: usize,
+    /// Whether it mentions its own name, and so is a set.
+    set: bool,
+}
+
 struct Block<'a> {
     parent: Option<usize>,
     line: usize,
-    definitions: BTreeMap<&'a str, (&'a str, usize)>,
-    /// The names, in their order.
-    order: Vec<&'a str>,
+    definitions: BTreeMap<&'a str, Definition<'a>>,
+    /// The names of sets, in their order.
+    sets: Vec<&'a str>,
 }
 
 fn blocks(text: &str) -> Result<Vec<Block<'_>>, ImportError> {
@@ -75,59 +92,54 @@ fn blocks(text: &str) -> Result<Vec<Block<'_>>, ImportError> {
             if !id.is_empty() {
                 ids.insert(id, blocks.len());
             }
-            blocks.push(Block { parent, line: number, definitions: BTreeMap::new(), order: Vec::new() });
+            blocks.push(Block { parent, line: number, definitions: BTreeMap::new(), sets: Vec::new() });
             continue;
         }
         let Some((name, value)) = line.split_once('=') else {
             return Err(refused("aifs-unread", number, "No name and value, name=value, stand here."));
         };
         if blocks.is_empty() {
-            blocks.push(Block {
-                parent: None,
-                line: number,
-                definitions: BTreeMap::new(),
-                order: Vec::new(),
-            });
+            blocks.push(Block { parent: None, line: number, definitions: BTreeMap::new(), sets: Vec::new() });
         }
         if let Some(block) = blocks.last_mut() {
-            let name = name.trim();
-            if block.definitions.insert(name, (value.trim(), number)).is_none() {
-                block.order.push(name);
+            let (name, value) = (name.trim(), value.trim());
+            let set = mentions(name, value);
+            block.definitions.insert(name, Definition { value, line: number, set });
+            // Said twice, it may be no set any more: whoever looks there asks its definition again.
+            if set {
+                block.sets.push(name);
             }
         }
     }
     Ok(blocks)
 }
 
+/// Whether a value has a name in it.
+fn mentions(name: &str, value: &str) -> bool {
+    let letters = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '$' || c == '&';
+    value.split(|c| !letters(c)).any(|word| word == name)
+}
+
 impl<'a> Block<'a> {
     fn hidden(&self) -> bool {
-        self.definitions.get("$a").is_some_and(|(value, _)| value.contains('h'))
+        self.definitions.get("$a").is_some_and(|it| it.value.contains('h'))
     }
 
-    /// The system of a block; nothing where it has no set.
-    fn system(blocks: &'a [Self], k: usize) -> Option<Result<System, ImportError>> {
-        let mut scope = Scope { chain: Vec::new(), size: 2, set: "", line: blocks[k].line, steps: 0 };
+    /// The system of a block; nothing where it has no set. What steps it takes are taken from those that are left.
+    fn system(blocks: &'a [Self], k: usize, left: &mut usize) -> Option<Result<System, ImportError>> {
+        let most = MAX_STEPS.min(*left);
+        let mut scope = Scope { chain: Vec::new(), size: 2, set: "", line: blocks[k].line, steps: 0, most };
         let mut next = Some(k);
         while let Some(block) = next.filter(|_| scope.chain.len() < MAX_DEPTH) {
             scope.chain.push(&blocks[block]);
             next = blocks[block].parent;
         }
-        let mentions = |name: &str, text: &str| {
-            let letters = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '$' || c == '&';
-            text.split(|c| !letters(c)).any(|word| word == name)
-        };
-        let sets = || {
-            let names = scope.chain.iter().flat_map(|block| block.order.iter().copied());
-            names.filter(|name| scope.find(name).is_some_and(|(value, _)| mentions(name, value)))
-        };
-        let set = sets().next()?;
-        let several = sets().find(|&other| other != set);
-        scope.set = set;
-        if let Some(other) = several {
-            let why = format!("“{}” and “{}” are two sets.", short(set, 20), short(other, 20));
-            return Some(Err(refused("aifs-unread", blocks[k].line, &why)));
-        }
-        Some(scope.read())
+        let found = scope.find_set().and_then(|set| {
+            scope.set = set.unwrap_or_default();
+            set.map(|_| scope.read()).transpose()
+        });
+        *left -= scope.steps.min(*left);
+        found.transpose()
     }
 }
 
@@ -184,31 +196,61 @@ struct Scope<'a> {
     set: &'a str,
     line: usize,
     steps: usize,
+    /// The most steps.
+    most: usize,
 }
 
 impl<'a> Scope<'a> {
-    fn find(&self, name: &str) -> Option<(&'a str, usize)> {
+    fn find(&self, name: &str) -> Option<Definition<'a>> {
         self.chain.iter().find_map(|block| block.definitions.get(name).copied())
+    }
+
+    /// The same to be read: that takes the longer the longer it is.
+    fn look(&mut self, name: &str) -> Result<Option<Definition<'a>>, ImportError> {
+        let found = self.find(name);
+        self.charge(1 + found.map_or(0, |it| it.value.len() / STEP_LETTERS))?;
+        Ok(found)
+    }
+
+    /// The name of the only set.
+    fn find_set(&mut self) -> Result<Option<&'a str>, ImportError> {
+        let mut found: Option<&str> = None;
+        for depth in 0..self.chain.len() {
+            self.step()?;
+            let block = self.chain[depth];
+            for &name in &block.sets {
+                self.step()?;
+                match found {
+                    _ if !self.find(name).is_some_and(|it| it.set) => {}
+                    Some(set) if set != name => {
+                        let (one, other) = (short(set, 20), short(name, 20));
+                        return self.fail(&format!("“{one}” and “{other}” are two sets."));
+                    }
+                    _ => found = Some(name),
+                }
+            }
+        }
+        Ok(found)
     }
 
     fn fail<T>(&self, why: &str) -> Result<T, ImportError> {
         Err(refused("aifs-unread", self.line, why))
     }
 
-    fn read(mut self) -> Result<System, ImportError> {
-        if let Some((_, line)) = self.find("$subspace") {
-            self.line = line;
+    fn read(&mut self) -> Result<System, ImportError> {
+        if let Some(it) = self.find("$subspace") {
+            self.line = it.line;
             return self.fail("$subspace is not read.");
         }
         self.size = match self.find("$dim") {
-            None | Some(("2", _)) => 2,
-            Some(("3", _)) => 3,
-            Some((_, line)) => {
-                self.line = line;
+            None | Some(Definition { value: "2", .. }) => 2,
+            Some(Definition { value: "3", .. }) => 3,
+            Some(it) => {
+                self.line = it.line;
                 return self.fail("$dim is neither 2 nor 3.");
             }
         };
-        let Some((value, line)) = self.find(self.set) else {
+        let Some(Definition { value, line, .. }) = self.look(self.set)? else {
             return self.fail("No equation of a set is here.");
         };
         self.line = line;
@@ -218,7 +260,8 @@ impl<'a> Scope<'a> {
         if maps.iter().any(|map| !map.matrix.iter().chain(&map.shift).all(|x| x.is_finite())) {
             return self.fail("A number becomes too large.");
         }
-        let name = self.find("$n").map_or_else(String::new, |(name, _)| name_or(name.trim_matches('"'), ""));
+        let name = self.look("$n")?;
+        let name = name.map_or_else(String::new, |it| name_or(it.value.trim_matches('"'), ""));
         Ok(if self.size == 2 {
             let row = |Map { matrix: m, shift: s, .. }: Map| [m[0], m[1], m[2], m[3], s[0], s[1]];
             System::plane(name, maps.into_iter().map(row).collect())
@@ -230,8 +273,12 @@ impl<'a> Scope<'a> {
     }
 
     fn step(&mut self) -> Result<(), ImportError> {
-        self.steps += 1;
-        if self.steps > MAX_STEPS { self.fail("This takes too many steps to compute.") } else { Ok(()) }
+        self.charge(1)
+    }
+
+    fn charge(&mut self, steps: usize) -> Result<(), ImportError> {
+        self.steps += steps;
+        if self.steps > self.most { self.fail("This takes too many steps to compute.") } else { Ok(()) }
     }
 
     fn value(&mut self, text: &'a str, depth: usize) -> Result<Value, ImportError> {
@@ -255,7 +302,7 @@ impl<'a> Scope<'a> {
         if depth > MAX_DEPTH {
             return self.fail(ENDLESS);
         }
-        let Some((value, line)) = self.find(name) else {
+        let Some(Definition { value, line, .. }) = self.look(name)? else {
             let why = format!("“{}” is not read.", short(name, 30));
             return self.fail(&why);
         };
@@ -443,6 +490,7 @@ impl<'a> Scope<'a> {
         if outer.len() * inner.len() > MAX_MAPS {
             return self.fail("There are more than 64 maps, and the most is 64.");
         }
+        self.charge(outer.len() * inner.len())?;
         Ok(outer.iter().flat_map(|one| inner.iter().map(|other| one.after(other))).collect())
     }
 
