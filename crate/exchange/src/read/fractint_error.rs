@@ -52,7 +52,7 @@ pub enum FileError {
         needed: usize,
     },
     /// A system with more than 64 maps.
-    #[error("\"{name}\" at line {line} has {count} maps, and the most is 64.")]
+    #[error("\"{name}\" at line {line} has {count} maps, and the most is 64. Leave some out.")]
     Maps {
         /// The system.
         name: String,
@@ -62,13 +62,13 @@ pub enum FileError {
         count: usize,
     },
     /// A brace that is not closed, or one too many.
-    #[error("Line {line}: a brace is missing its partner.")]
+    #[error("Line {line}: a brace is missing its partner. A system stands between {{ and }}.")]
     Brace {
         /// The line, from 1.
         line: usize,
     },
     /// A probability that is negative.
-    #[error("\"{name}\" at line {line} has a negative probability.")]
+    #[error("\"{name}\" at line {line} has a negative probability. Write it without the sign.")]
     Probability {
         /// The system.
         name: String,

@@ -20,7 +20,10 @@ pub fn read_json(text: &str) -> Result<Content, ImportError> {
     let value: Value = serde_json::from_str(text).map_err(|error| ImportError::At {
         code: "json-broken",
         line: error.line(),
-        why: format!("The JSON breaks off or is miswritten there ({}).", short(&without_place(&error), 100)),
+        why: format!(
+            "The JSON breaks off or is miswritten there ({}). Mend it, or save it again.",
+            short(&without_place(&error), 100)
+        ),
     })?;
     if ["a", "b", "path"].iter().all(|key| value.get(key).is_some()) {
         return document(value).map(Content::Link);
@@ -75,7 +78,10 @@ fn system(value: &Value, number: usize) -> Result<System, ImportError> {
     let wrong = |code, why: &str| within(code, format!("{whose}: {why}"));
     let Some(list) = value.get("maps").unwrap_or(value).as_array() else { return Err(nothing()) };
     if list.len() > MAX_MAPS {
-        return Err(wrong("json-maps", &format!("there are {} maps, and the most is 64.", list.len())));
+        return Err(wrong(
+            "json-maps",
+            &format!("there are {} maps, and the most is 64. Leave some out.", list.len()),
+        ));
     }
     let numbers = |list: &Value| -> Option<Vec<f64>> { list.as_array()?.iter().map(Value::as_f64).collect() };
     let mut rows = Vec::new();
