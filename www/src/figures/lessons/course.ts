@@ -260,7 +260,17 @@ const COURSE: readonly UnitEntry[] = [
     id: "space",
     title: "Space",
     about: "Shapes of space, and what is left of them in a shadow.",
-    lessons: [],
+    lessons: [
+      {
+        id: "e24",
+        title: "Shadows of the sponge",
+        about: "What is full of holes may throw a shadow without any.",
+        minutes: 6,
+        figures: ["s35"],
+        load: () => import("./lesson-24/page"),
+        thumb: () => import("./lesson-24/thumb"),
+      },
+    ],
   },
 ];
 

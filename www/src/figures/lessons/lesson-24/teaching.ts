@@ -1,0 +1,27 @@
+import type { Teaching } from "../frame/teaching";
+
+export const TEACHING: Teaching = {
+  aim: "To see the shadow of a shape of space as a shape of the plane with maps of its own, and to say when that is so.",
+  mistakes: [
+    "That what is full of holes has a shadow full of holes. Holes at different depths need not lie behind each other.",
+    "That every shadow is made of copies of itself. It is when all maps keep the direction of the light; maps that turn it need not leave it so.",
+    "That the shadow of a shape has the dimension of the shape. It cannot have more than that, nor more than the 2 of the plane.",
+  ],
+  questions: [
+    {
+      ask: "The sponge is made of 20 copies. Seen from the front, how many different places do they take?",
+      answer:
+        "8: the small squares round the middle one. Each of the four corners hides three cubes, each of the four edges two.",
+    },
+    {
+      ask: "And seen along a diagonal of the cube?",
+      answer:
+        "19. The 27 small cubes take 19 places, and in each of them there is at least one of the 20 that stay: so nothing is missing.",
+    },
+    {
+      ask: "What is the shadow of the lying tetrahedron, lit from above, after the first step only: four solid half-size tetrahedra?",
+      answer:
+        "Already the whole square: each of them has a square of half the side for its shadow, one in each corner.",
+    },
+  ],
+};
