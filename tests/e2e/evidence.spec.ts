@@ -26,6 +26,13 @@ test("the verdict tells why, and gives the focus back", async ({ studio, page })
   await page.getByRole("button", { name: "Close the evidence" }).press("Escape");
   await expect(studio.verdict).toBeFocused();
   await expect(studio.verdict).toHaveAttribute("aria-expanded", "false");
+  // Escape closes it from anywhere, and it never lies over the maps that are asked for.
+  await studio.verdict.click();
+  await page.getByRole("application").first().press("Escape");
+  await expect(studio.verdict).toHaveAttribute("aria-expanded", "false");
+  await studio.verdict.click();
+  await page.getByRole("button", { name: "Edit the maps of A" }).click();
+  await expect(studio.verdict).toHaveAttribute("aria-expanded", "false");
 });
 
 test("one piece comes with a reason, and marks on the picture that can be kept", async ({ studio, page }) => {

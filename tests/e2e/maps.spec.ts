@@ -48,6 +48,7 @@ test("maps are changed by hand, by numbers and by keys, and their number, too", 
     await expect(a).toHaveAttribute("aria-invalid", "false");
     expect(await studio.look()).toEqual(look);
     await page.getByRole("button", { name: "Done" }).click();
+    await expect(page.getByRole("button", { name: "Edit the maps of A" })).toBeFocused();
     await expect(page.getByRole("heading", { name: "Path" })).toBeVisible();
     await page.getByRole("button", { name: "Undo", exact: true }).click();
   });

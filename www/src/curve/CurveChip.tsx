@@ -30,7 +30,7 @@ export function CurveChip() {
       {crosses === "" ? (
         <VerdictSign tone="whole" />
       ) : (
-        <svg class="sign" width={16} height={16} viewBox="0 0 16 16" aria-hidden="true">
+        <svg class="sign" width="1rem" height="1rem" viewBox="0 0 16 16" aria-hidden="true">
           <path
             class={css["curve-sign"]}
             d="M8 8C11 4 14.500 5 14.500 8S11 12 8 8 1.500 11 1.500 8 5 4 8 8z"
@@ -52,16 +52,7 @@ export function CurveEvidence() {
   };
   const crosses = crossingWords(crossings.value);
   return (
-    <section
-      class={panelCss["panel"]}
-      id={PANEL_ID}
-      aria-labelledby={`${PANEL_ID}-title`}
-      onKeyDown={(event) => {
-        if (event.key !== "Escape") return;
-        event.stopPropagation();
-        close();
-      }}
-    >
+    <section class={panelCss["panel"]} id={PANEL_ID} aria-labelledby={`${PANEL_ID}-title`}>
       <header class={panelCss["head"]}>
         <h2 id={`${PANEL_ID}-title`}>One closed curve, by construction</h2>
         <IconButton icon="close" label="Close the evidence" kind="quiet" onClick={close} />

@@ -1,7 +1,8 @@
 import { useMemo } from "preact/hooks";
-import { curveBoxAt, curves } from "#document/curve/curve";
+import { curveBoxAt, curved, curves } from "#document/curve/curve";
 import { bendCurve, chooseCurve, curvePresets, fitted, shapeOf } from "#document/curve/edits";
 import { announce, notify } from "#document/notice";
+import { undo } from "#document/scene";
 import { curveThumb } from "#stage/curve/thumb";
 import { stageStyle } from "#stage/picture-style";
 import { useOwnId } from "#ui/id";
@@ -77,6 +78,7 @@ export function Shelf({ end, onChosen }: ShelfProps) {
       notify({
         kind: "info",
         text: `${what} Closed curves morph into closed curves: ${other} is ${partner.name} for now.`,
+        action: { label: "Undo", run: undo },
       });
     } else announce(what);
     onChosen();
@@ -87,6 +89,9 @@ export function Shelf({ end, onChosen }: ShelfProps) {
       <p class="hint">
         Outlines made of smaller copies of their own arcs. They stay closed and in one piece, whatever becomes
         of them.
+        {!curved.peek() && end !== "bent" && (
+          <> They morph into closed curves only, so that the other shape becomes one, too.</>
+        )}
       </p>
       <ShapeGrid
         presets={all}

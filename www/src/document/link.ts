@@ -144,7 +144,11 @@ export class Link {
     if (problem) {
       notify({
         kind: "error",
-        text: `${problem.message} Frond shows what it begins with instead.`,
+        // Of a link of a later version it shows what it can.
+        text:
+          problem.code === "link-later"
+            ? problem.message
+            : `${problem.message} Frond shows what it begins with instead.`,
       });
     }
     return opened;

@@ -19,8 +19,8 @@ export function Glyph({ name }: { name: GlyphName }) {
   return (
     <svg
       class="icon"
-      width={20}
-      height={20}
+      width="1.25rem"
+      height="1.25rem"
       viewBox="0 0 24 24"
       aria-hidden="true"
       fill="none"

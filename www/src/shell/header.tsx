@@ -228,7 +228,7 @@ function Tool({ glyph, label, command, class: extra, disabled = false, onClick }
 /** Three leaflets, each half the size of the whole: a frond. */
 function Mark() {
   return (
-    <svg class="mark" width={22} height={22} viewBox="0 0 24 24" aria-hidden="true">
+    <svg class="mark" width="1.375rem" height="1.375rem" viewBox="0 0 24 24" aria-hidden="true">
       <path d="M12 22V9" stroke="currentColor" stroke-width="1.75" stroke-linecap="round" fill="none" />
       <path class="leaf-1" d="M12 10.5c-2.6-2.2-2.6-5.8 0-8.5 2.6 2.7 2.6 6.3 0 8.5z" />
       <path class="leaf-2" d="M11.6 17.5C7.6 17.9 5 15.500 4.400 11.500c4-.4 6.6 2 7.2 6z" />

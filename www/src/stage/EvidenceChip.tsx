@@ -1,4 +1,6 @@
+import { useSignalEffect } from "@preact/signals";
 import type { ComponentChildren } from "preact";
+import { listenForEscape } from "#ui/escape";
 import { evidenceOpen } from "./evidence-shown";
 import css from "./stage.module.css";
 
@@ -13,6 +15,13 @@ interface EvidenceChipProps {
 
 /** What is known of the picture on the stage; pressed, it tells why. */
 export function EvidenceChip({ id, panel, stale = false, children }: EvidenceChipProps) {
+  useSignalEffect(() => {
+    if (!evidenceOpen.value) return;
+    return listenForEscape(() => {
+      evidenceOpen.value = false;
+      document.getElementById(id)?.focus();
+    });
+  });
   return (
     <button
       id={id}

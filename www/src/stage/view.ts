@@ -1,6 +1,7 @@
 /** Which part of the plane the stage shows. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { fitFor, pairBox, stageTrack } from "#document/framing";
+import { selection } from "#document/morph";
 import { reducedMotion } from "#document/preferences";
 import { inGesture, scene } from "#document/scene";
 import { type Box, blendTracks, boxAt, sameTrack, type Track } from "#geometry/boxes";
@@ -16,6 +17,7 @@ export const stageSize = signal<Size>({ width: 0, height: 0 });
 /** Free on each side as a part of the shorter one, and below as many pixels more: the verdict stands there. */
 const MARGIN = 0.06;
 const FOOT = 44;
+const GRIP = 16;
 /** The track that the fit shows: it follows the document, but not while something is dragged, and without a jump. */
 const fitted = signal<Track | null>(null);
 const t = computed(() => scene.value.t);
@@ -26,16 +28,18 @@ export const fitView: ReadonlySignal<View> = computed(() =>
   fitOnStage(
     boxAt(fitted.value ?? stageTrack.value, t.value),
     view.value ? 0 : panelInset(stageSize.value.width),
+    // The grips of the lowest maps are as large as a finger, and stay above the verdict.
+    selection.value ? FOOT + GRIP : FOOT,
   ),
 );
 
 /** The view that fits both ends: zooms are kept relative to it, so that a link means the same at every moment. */
 export const baseView: ReadonlySignal<View> = computed(() => fitOnStage(pairBox.value));
 
-function fitOnStage(box: Box, left = 0): View {
+function fitOnStage(box: Box, left = 0, foot = FOOT): View {
   const size = sizeOr(stageSize.value);
   const edge = MARGIN * Math.min(size.width, size.height);
-  return fitFor(box, size, { top: edge, right: edge, bottom: edge + FOOT, left: edge + left });
+  return fitFor(box, size, { top: edge, right: edge, bottom: edge + foot, left: edge + left });
 }
 
 /** The view that is drawn. */

@@ -7,7 +7,7 @@ import { colourCommand, fitCommand, galleryCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import { exportCommand } from "#ui/files/exporting";
 import type { Timeline } from "#ui/strip/timeline";
-import { gallery } from "./dialogs";
+import { editMaps, gallery } from "./dialogs";
 import { toggleLarge } from "./locus/view/large";
 import { frames } from "./strip/FilmStrip";
 import { scrubTo } from "./strip/scrub";
@@ -56,7 +56,8 @@ export const commands: readonly Command[] = [
     // A closed curve is edited where it is fitted.
     enabled: () => !curved.peek(),
     run: () => {
-      selection.value = selection.peek() === null ? { target: "a", map: 0 } : null;
+      if (selection.peek() === null) editMaps("a");
+      else selection.value = null;
     },
   },
   {

@@ -1,8 +1,28 @@
 import { signal } from "@preact/signals";
+import { createRef } from "preact";
+import { selection } from "#document/morph";
+import { evidenceOpen } from "#stage/evidence-shown";
 import type { End } from "./changes";
 
 /** The end whose shape is being chosen; null while the gallery is closed. */
 export const gallery = signal<End | null>(null);
+
+/** Opens the maps of a shape. The evidence, which may lie over them, makes room. */
+export function editMaps(target: End): void {
+  evidenceOpen.value = false;
+  selection.value = { target, map: 0 };
+}
+
+/** The buttons that do, by the end whose maps they open. */
+export const PENCILS = { a: createRef<HTMLButtonElement>(), b: createRef<HTMLButtonElement>() };
+
+/** Closes the maps, and goes back to the button that opened them. */
+export function endEditing(): void {
+  const target = selection.peek()?.target;
+  selection.value = null;
+  // It is drawn after the state has changed.
+  if (target) requestAnimationFrame(() => PENCILS[target].current?.focus());
+}
 
 /** Whether the list of pairs is open, and in it the other ways to match, and the ways across. */
 export const pairsOpen = signal(false);

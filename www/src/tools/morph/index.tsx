@@ -37,15 +37,10 @@ function Systems() {
   const editing = selection.value;
   return (
     <>
-      <Ends />
-      {editing === null ? (
-        <Morph />
-      ) : (
-        <>
-          <LocusBeside />
-          <MapEditor key={editing.target} target={editing.target} chosen={editing.map} />
-        </>
-      )}
+      {/* What is worked on stands on top. */}
+      {editing !== null && <MapEditor key={editing.target} target={editing.target} chosen={editing.map} />}
+      <Ends key="ends" />
+      {editing === null ? <Morph /> : <LocusBeside />}
     </>
   );
 }

@@ -35,15 +35,16 @@ const FILLS = {
 
 export type IconName = keyof typeof STROKES | keyof typeof FILLS;
 
-/** Decoration only: whatever holds an icon names itself in words. */
+/** Decoration only: whatever holds an icon names itself in words. `size` is in pixels of a page of usual size. */
 export function Icon({ name, size = 20 }: { name: IconName; size?: number }) {
   const solid = name in FILLS;
   const path = solid ? FILLS[name as keyof typeof FILLS] : STROKES[name as keyof typeof STROKES];
   return (
     <svg
       class="icon"
-      width={size}
-      height={size}
+      // In the page's own measure, so that it grows with the words.
+      width={`${size / 16}rem`}
+      height={`${size / 16}rem`}
       viewBox="0 0 24 24"
       aria-hidden="true"
       fill={solid ? "currentColor" : "none"}

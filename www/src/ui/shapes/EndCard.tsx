@@ -9,7 +9,6 @@ interface EndCardProps {
   note: string;
   count: string;
   picture: ComponentChildren;
-  edited?: boolean;
   editing?: boolean;
   onChoose: () => void;
   /** Buttons at its foot. */
@@ -18,7 +17,7 @@ interface EndCardProps {
 
 /** A shape at one end of a morph. Pressed, it asks for another. */
 export function EndCard(props: EndCardProps) {
-  const { end, name, note, count, picture, edited = false, editing = false, onChoose, children } = props;
+  const { end, name, note, count, picture, editing = false, onChoose, children } = props;
   const letter = end.toUpperCase();
   return (
     <div class={`${css["card"]} ${editing ? css["editing"] : ""}`}>
@@ -34,11 +33,6 @@ export function EndCard(props: EndCardProps) {
         <span class={css["card-end"]} aria-hidden="true">
           {letter}
         </span>
-        {edited && (
-          <span class={css["card-edited"]} aria-hidden="true">
-            edited
-          </span>
-        )}
         <span class={css["card-name"]}>{name}</span>
       </button>
       <div class={css["card-tools"]}>

@@ -4,7 +4,7 @@ import type { VerdictWords } from "#format/verdict";
 /** A shape for each state beside its colour: one disc, two that touch, one cut in two, a ring. */
 export function VerdictSign({ tone }: { tone: VerdictWords["tone"] }) {
   return (
-    <svg class={`sign ${tone}`} width={16} height={16} viewBox="0 0 16 16" aria-hidden="true">
+    <svg class={`sign ${tone}`} width="1rem" height="1rem" viewBox="0 0 16 16" aria-hidden="true">
       {tone === "whole" && <circle cx={8} cy={8} r={5} />}
       {tone === "close" && (
         <>

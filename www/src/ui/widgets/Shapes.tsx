@@ -50,7 +50,7 @@ export function Shapes() {
           </EndCard>
         </State>
         <State name="edited and being edited, long words" wide>
-          <EndCard {...card} name={LONG} edited editing onChoose={nothing} />
+          <EndCard {...card} name={LONG} count="edited" editing onChoose={nothing} />
         </State>
       </Widget>
       <Widget name="Graph" state="one piece, two that are apart" wide>

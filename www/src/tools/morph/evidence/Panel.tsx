@@ -31,11 +31,6 @@ export function EvidencePanel() {
       id={PANEL_ID}
       aria-labelledby={`${PANEL_ID}-title`}
       data-stale={answer?.stale ? "" : undefined}
-      onKeyDown={(event) => {
-        if (event.key !== "Escape") return;
-        event.stopPropagation();
-        close();
-      }}
     >
       <header class={panelCss["head"]}>
         <h2 id={`${PANEL_ID}-title`}>{verdictWords(answer?.connectedness ?? null, answer?.epsilon).text}</h2>

@@ -1,4 +1,4 @@
-import { useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { selection } from "#document/morph";
 import { announce, wordsOf } from "#document/notice";
 import { originOf } from "#document/presets";
@@ -11,6 +11,7 @@ import { MapList, MapTools } from "#ui/shapes/MapList";
 import type { MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { type End, MOST_MAPS, nameOf, setMaps } from "../changes";
+import { endEditing } from "../dialogs";
 import { shapes } from "../parts";
 import { Swatch } from "../shapes/Swatch";
 import { NumberFields, PartFields } from "./MapFields";
@@ -43,6 +44,14 @@ export function MapEditor({ target, chosen }: { target: End; chosen: number | nu
   const shape = shapes[target].value;
   const { maps } = shape;
   const origin = originOf(shape);
+  const heading = useRef<HTMLHeadingElement>(null);
+  // The button that was pressed is further down now.
+  useEffect(() => {
+    const side = heading.current?.closest(".side");
+    if (document.activeElement === document.body || side?.contains(document.activeElement))
+      heading.current?.focus({ preventScroll: true });
+    if (side) side.scrollTop = 0;
+  }, []);
   const pick = (map: number | null) => {
     selection.value = { target, map };
   };
@@ -98,16 +107,10 @@ export function MapEditor({ target, chosen }: { target: End; chosen: number | nu
   return (
     <section class={css["editor"]} aria-label={`Maps of shape ${nameOf(target)}`}>
       <header class="section-head">
-        <h2>
+        <h2 tabIndex={-1} ref={heading}>
           Maps of {nameOf(target)}: {shape.name}
         </h2>
-        <Button
-          kind="primary"
-          icon="check"
-          onClick={() => {
-            selection.value = null;
-          }}
-        >
+        <Button kind="primary" icon="check" onClick={endEditing}>
           Done
         </Button>
       </header>

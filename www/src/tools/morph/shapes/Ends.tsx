@@ -9,7 +9,7 @@ import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
 import endsCss from "#ui/shapes/ends.module.css";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { asBoth, type End, nameOf, other, swap } from "../changes";
-import { gallery } from "../dialogs";
+import { editMaps, endEditing, gallery, PENCILS } from "../dialogs";
 import { shapes } from "../parts";
 
 /** The two ends of the morph, with the arrow that swaps them. */
@@ -32,15 +32,14 @@ function Card({ end }: { end: End }) {
   const { name, maps, preset } = shapes[end].value;
   const editing = selection.value?.target === end;
   const count = `${maps.length} ${maps.length === 1 ? "map" : "maps"}`;
-  const rest = preset === undefined ? `${count}, edited` : count;
+  const edited = preset === undefined;
   return (
     <EndCard
       end={end}
       name={name}
-      note={rest}
-      count={count}
+      note={edited ? `${count}, edited` : count}
+      count={edited ? "edited" : count}
       picture={<Thumbnail bitmap={thumbnails.value.get(end) ?? thumbnails.value.get(preset ?? "")} />}
-      edited={preset === undefined}
       editing={editing}
       onChoose={() => {
         gallery.value = end;
@@ -51,9 +50,8 @@ function Card({ end }: { end: End }) {
         icon="edit"
         label={`Edit the maps of ${nameOf(end)}`}
         pressed={editing}
-        onClick={() => {
-          selection.value = editing ? null : { target: end, map: 0 };
-        }}
+        buttonRef={PENCILS[end]}
+        onClick={() => (editing ? endEditing() : editMaps(end))}
       />
       <Menu
         label={`More for shape ${nameOf(end)}`}

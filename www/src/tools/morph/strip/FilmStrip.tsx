@@ -13,7 +13,7 @@ import { evenly } from "./evenly";
 import { scrubTo } from "./scrub";
 import css from "./strip.module.css";
 
-const phone = media("(max-width: 599px)");
+const phone = media("(max-width: 37.4375em)");
 
 /** As many frames as there is room for: seven on a phone. */
 export const frames: ReadonlySignal<readonly Frame[]> = computed(() => {

@@ -17,7 +17,7 @@ const HANDS = [
   },
 ] as const;
 
-const small = media("(max-width: 599px)");
+const small = media("(max-width: 37.4375em)");
 const origin = computed(() => {
   const view = spaceView.value;
   return view?.holds === "eye" && atOrigin(view);

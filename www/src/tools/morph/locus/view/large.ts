@@ -1,6 +1,7 @@
 /** The map in the place of the stage, and the shape in its corner. */
 import { signal, useSignalEffect } from "@preact/signals";
 import { detail } from "#compute/locus/detail";
+import { listenForEscape } from "#ui/escape";
 
 /** A way of looking, no part of the document. */
 export const large = signal(false);
@@ -29,17 +30,15 @@ export function useLarge(): void {
       detail.value = detailFor(width * (globalThis.devicePixelRatio || 1));
     };
     measure();
-    const onKey = (event: KeyboardEvent) => {
-      if (event.key === "Escape" && !event.defaultPrevented && !document.querySelector("dialog[open]"))
-        large.value = false;
-    };
     addEventListener("resize", measure);
-    document.addEventListener("keydown", onKey);
+    const stop = listenForEscape(() => {
+      large.value = false;
+    });
     return () => {
       delete root.dataset["largeMap"];
       detail.value = 1;
       removeEventListener("resize", measure);
-      document.removeEventListener("keydown", onKey);
+      stop();
     };
   });
 }

@@ -7,7 +7,7 @@ import { objectAt, type Relief } from "#workers/space/picture";
 import { Detail, HANDHELD } from "./detail";
 import { type Completed, lookOf, type Surface, sameView, type Wanted } from "./surface";
 
-const handheld = media("(pointer: coarse) and (max-width: 859px)");
+const handheld = media("(pointer: coarse) and (max-width: 53.6875em)");
 
 /** Clouds of points on the graphics card while something moves; the carved picture, lit there, when it rests. */
 export class Accelerated implements Surface {
