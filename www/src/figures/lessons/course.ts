@@ -147,6 +147,16 @@ const COURSE: readonly UnitEntry[] = [
         load: () => import("./lesson-17/page"),
         thumb: () => import("./lesson-17/thumb"),
       },
+      {
+        id: "e18",
+        title: "How rough is a curve?",
+        about: "A zigzag made of zigzags: when is it more than a line?",
+        minutes: 7,
+        after: ["e17"],
+        figures: ["c1"],
+        load: () => import("./lesson-18/page"),
+        thumb: () => import("./lesson-18/thumb"),
+      },
     ],
   },
   {

@@ -1,0 +1,25 @@
+import type { Teaching } from "../frame/teaching";
+
+export const TEACHING: Teaching = {
+  aim: "To say why a curve through five points may take more boxes than a line, and from which roughness on.",
+  mistakes: [
+    "“What looks jagged has a dimension above 1.” The ups and downs must grow without bound as one looks more closely.",
+    "“The dimension depends on where the points are.” It does not, as long as they are not on one line.",
+    "“A function with a graph of dimension 1.5 must have jumps.” All of these are continuous.",
+  ],
+  questions: [
+    {
+      ask: "Ten pieces of the same width, all of the same roughness: from which roughness on is the curve more than a line?",
+      answer: "From 1/10: there the ten sum to 1.",
+    },
+    {
+      ask: "Can one rough piece among straight ones make the dimension more than 1?",
+      answer: "No: its roughness alone is below 1, and so is the sum.",
+    },
+    {
+      ask: "All five points lie on one straight line and the roughness is 0.7. What does the curve look like?",
+      answer:
+        "It is that line: copies of a straight line that are sheared to fit between the points are straight.",
+    },
+  ],
+};
