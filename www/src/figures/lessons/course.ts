@@ -80,6 +80,15 @@ const COURSE: readonly UnitEntry[] = [
         load: () => import("./lesson-16/page"),
         thumb: () => import("./lesson-16/thumb"),
       },
+      {
+        id: "e15",
+        title: "Uneven dice",
+        about: "Load the die: the same shape, in another shade.",
+        minutes: 7,
+        after: ["e2"],
+        load: () => import("./lesson-15/page"),
+        thumb: () => import("./lesson-15/thumb"),
+      },
     ],
   },
   {
