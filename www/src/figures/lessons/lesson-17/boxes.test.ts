@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { boxesOf, GRIDDED, moran } from "./boxes";
+import { compose } from "../../kit/maps/pieces";
+import { boxesOf, GRIDDED, moran, REPEATED } from "./boxes";
 
 describe("boxes", () => {
   it.each([
@@ -30,6 +31,14 @@ describe("Moran's equation", () => {
     expect(moran(Array(8).fill(1 / 3))).toBeCloseTo(Math.log(8) / Math.log(3), 12);
     expect(moran([0.25, 0.25])).toBeCloseTo(0.5, 12);
     expect(moran([0.5, 0.25, 0.25])).toBeCloseTo(Math.log2((1 + Math.sqrt(5 + 4)) / 2), 12);
+  });
+
+  it("says too much of a shape with a piece that lies on another", () => {
+    const [first, second] = REPEATED;
+    const last = REPEATED.at(-1);
+    expect(first && second && compose(first, second)).toEqual(last);
+    // x = (1/2)^D is a root of 3 x + x^2 = 1.
+    expect(2 ** -moran(REPEATED.map(([a]) => a))).toBeCloseTo((Math.sqrt(13) - 3) / 2, 12);
   });
 
   it("solves itself for uneven scales, near 0 and near 1", () => {

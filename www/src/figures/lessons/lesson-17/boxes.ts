@@ -74,3 +74,6 @@ export function moran(scales: readonly number[]): number {
   }
   return (low + high) / 2;
 }
+
+/** The gasket once more, with a map too many, which is map 2 and then map 1: its piece is a part of piece 1. */
+export const REPEATED: readonly MapRow[] = [...GRIDDED.gasket.maps, [0.25, 0, 0, 0.25, 0.25, 0]];

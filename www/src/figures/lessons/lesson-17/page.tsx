@@ -20,6 +20,7 @@ import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, usePrediction } from "../frame/prediction";
 import { boxesOf, GRIDDED, moran } from "./boxes";
+import { TooMuch } from "./overlap";
 import css from "./page.module.css";
 import { TEACHING } from "./teaching";
 
@@ -63,9 +64,10 @@ export function Page(heading: Heading) {
       sources={
         <p>
           P. A. P. Moran proved in 1946 that his equation gives the Hausdorff dimension of a shape whose maps
-          are similarities and whose pieces do not overlap in this sense: some open set holds its copies, and
-          the copies have no point in common. Counting boxes gives the same number for such shapes (Kenneth
-          Falconer, <cite>Fractal Geometry</cite>, 1990). Without that condition it is an upper bound.
+          are similarities and whose pieces do not overlap in this sense: some open set, bounded and not
+          empty, holds its copies, and the copies have no point in common. Counting boxes gives the same
+          number for such shapes (Kenneth Falconer, <cite>Fractal Geometry</cite>, 1990). Without that
+          condition it is an upper bound.
         </p>
       }
       studio={{ href: studioHref({ a: preset("gasket"), b: preset("carpet") }) }}
@@ -220,7 +222,14 @@ function HowMany({ prediction }: { prediction: Prediction<Times> }) {
           </Truth>
         </>
       }
-      after={shown && <Counting names={["gasket", "carpet", "line", "square"]} />}
+      after={
+        shown && (
+          <>
+            <Counting names={["gasket", "carpet", "line", "square"]} />
+            <TooMuch />
+          </>
+        )
+      }
     >
       <Choices<Times>
         ask="Now the gasket. When the boxes get half as wide, how many times as many does it need?"
