@@ -4,6 +4,7 @@ import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 import { licenses } from "./www/build/licenses.ts";
+import { notation } from "./www/build/notation.ts";
 import { pages as sitePages } from "./www/build/pages.ts";
 import { securityPolicy } from "./www/build/policy.ts";
 
@@ -75,7 +76,7 @@ export default defineConfig({
   appType: "mpa",
   resolve: { tsconfigPaths: true },
   publicDir: "www/public",
-  plugins: [classNames, keptStyles, sitePages, licenses, securityPolicy],
+  plugins: [notation, classNames, keptStyles, sitePages, licenses, securityPolicy],
   css: { modules: { generateScopedName: scopedName } },
   worker: { format: "es" },
   build: {

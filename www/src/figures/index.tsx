@@ -6,6 +6,7 @@ import { Button } from "#ui/controls/Button";
 import type { Figure, Row } from "./figure";
 import figuresCss from "./figures.module.css";
 import type { Heading } from "./kit/frame/frame";
+import { copySelection } from "./kit/notation/copy";
 import { Contents } from "./lessons/contents";
 import { find, hrefOf, lessonOf, neighbours, related } from "./list";
 import { pageOf } from "./loading";
@@ -35,6 +36,10 @@ export function Figures({ place, figure: name }: FiguresProps) {
   const { figure } = found ?? {};
   const before = useRef<Shown | null>(null);
   useEffect(printLight, []);
+  useEffect(() => {
+    document.addEventListener("copy", copySelection);
+    return () => document.removeEventListener("copy", copySelection);
+  }, []);
   const list = shown && !shown.Page ? shown.place : null;
   useKeptPlace(top, list);
 

@@ -2,13 +2,14 @@ import type { ComponentChildren } from "preact";
 import { fixed } from "#format/numbers";
 import { Segmented, type SegmentedProps } from "#ui/controls/Segmented";
 import { Slider, type SliderProps } from "#ui/controls/Slider";
+import { type Notation, spokenOf } from "../notation/tex";
 import css from "./control.module.css";
-import { Formula } from "./formula";
+import { Given } from "./formula";
 import layout from "./layout.module.css";
 
 interface ControlProps {
   label: string;
-  symbol?: string | undefined;
+  symbol?: Notation | undefined;
   value: string;
   children: ComponentChildren;
 }
@@ -19,7 +20,7 @@ export function Control({ label, symbol, value, children }: ControlProps) {
     <div class={css["control"]}>
       <div class={css["control-head"]} aria-hidden="true">
         <span>
-          {label} {symbol !== undefined && <Formula>{symbol}</Formula>}
+          {label} {symbol !== undefined && <Given as={symbol} />}
         </span>
         <span class="number">{value}</span>
       </div>
@@ -30,7 +31,7 @@ export function Control({ label, symbol, value, children }: ControlProps) {
 
 interface SliderControlProps
   extends Pick<SliderProps, "label" | "value" | "step" | "valueText" | "onChange" | "children"> {
-  symbol?: string | undefined;
+  symbol?: Notation | undefined;
   /** What those who hear it are told that it is; its label by default. */
   name?: string;
   /** The lowest and the highest value; 0 and 1 by default. */
@@ -55,7 +56,7 @@ export function SliderControl(props: SliderControlProps) {
         max={max}
         step={props.step ?? (whole ? 1 : 0.01)}
         value={value}
-        valueText={props.valueText ?? (symbol === undefined ? text : `${symbol} = ${text}`)}
+        valueText={props.valueText ?? (symbol === undefined ? text : `${spokenOf(symbol)} = ${text}`)}
         onChange={(next) => onChange(whole ? Math.round(next) : next)}
       >
         {props.children}

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { Icon } from "#ui/controls/Icon";
-import { Formula } from "./formula";
+import type { Notation, Tex } from "../notation/tex";
+import { Formula, Given } from "./formula";
 import css from "./frame.module.css";
 import { SaveMenu } from "./save-menu";
 
@@ -13,8 +14,9 @@ export interface Heading {
 
 export interface Parameter {
   name: string;
-  symbol?: string;
-  value: string;
+  symbol?: Notation;
+  /** As words, or as formulas. */
+  value: string | readonly Tex[];
 }
 
 interface FrameProps extends Heading {
@@ -126,9 +128,11 @@ export function Parameters({ of }: { of: readonly Parameter[] }) {
       {of.map(({ name, symbol, value }) => (
         <div key={name}>
           <dt>
-            {name} {symbol !== undefined && <Formula>{symbol}</Formula>}
+            {name} {symbol !== undefined && <Given as={symbol} />}
           </dt>
-          <dd class="number">{value}</dd>
+          <dd class="number">
+            {typeof value === "string" ? value : value.map((tex) => <Formula key={tex.tex} tex={tex} copy />)}
+          </dd>
         </div>
       ))}
     </dl>

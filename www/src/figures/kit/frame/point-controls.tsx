@@ -1,4 +1,5 @@
 import { fixed } from "#format/numbers";
+import { type Notation, spokenOf } from "../notation/tex";
 import { SliderControl } from "./control";
 
 type Pair = [number, number];
@@ -16,7 +17,7 @@ interface PointControlsProps {
 
 interface Axis {
   label: string;
-  symbol: string;
+  symbol: Notation;
   name?: string;
 }
 
@@ -39,7 +40,7 @@ export function PointControls({
             key={axis.label}
             {...axis}
             {...{ range, step, value, text }}
-            valueText={said?.(axis.symbol, value) ?? `${axis.symbol} = ${text}`}
+            valueText={said?.(spokenOf(axis.symbol), value) ?? `${spokenOf(axis.symbol)} = ${text}`}
             onChange={(next) => onMove(i === 0 ? [next, point[1]] : [point[0], next])}
           />
         );

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useOwnId } from "#ui/id";
 import { SliderControl } from "../../kit/frame/control";
+import type { Notation } from "../../kit/notation/tex";
 import css from "./choices.module.css";
 import type { Prediction } from "./prediction";
 
@@ -68,7 +69,7 @@ interface GuessProps {
   ask: ComponentChildren;
   /** The name of the slider. */
   label: string;
-  symbol?: string;
+  symbol?: Notation;
   min: number;
   max: number;
   step: number;

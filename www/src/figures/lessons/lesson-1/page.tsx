@@ -9,6 +9,7 @@ import { Panel } from "../../kit/frame/panel";
 import { studioHref } from "../../kit/frame/studio-link";
 import { EXACT, VerdictChip, Why } from "../../kit/frame/verdict";
 import { gasket, HEIGHT } from "../../kit/maps/families";
+import { tex } from "../../kit/notation/tex";
 import { Drawn, Span } from "../../kit/picture/annotated";
 import annotatedCss from "../../kit/picture/annotated.module.css";
 import { Picture } from "../../kit/picture/picture";
@@ -46,7 +47,11 @@ export function Page(heading: Heading) {
       }
       question={<Parting prediction={prediction} r={r} />}
       parameters={[
-        { name: "Maps", symbol: "w", value: "r x + (1 − r) c, c the corners of a triangle of side 1" },
+        {
+          name: "Maps, towards the corners of a triangle of side 1",
+
+          value: [tex`f_i(x) = r x + (1 - r)\, c_i`],
+        },
         { name: "Scale in the picture above", symbol: "r", value: "½" },
         { name: "Scale you chose", symbol: "r", value: fixed(r, 3) },
       ]}

@@ -12,6 +12,7 @@ import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";
 import { dust } from "../../kit/maps/families";
+import { tex } from "../../kit/notation/tex";
 import { Guess } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
@@ -42,24 +43,25 @@ export function Page(heading: Heading) {
           <p>
             Two maps shrink a line by <Formula>r</Formula>, one towards 0 and one towards 1. Are the two
             pieces apart? No computer can look at all of their points. So let a few points stand for each:
-            step <Formula>n</Formula> has 2ⁿ of them, and no part of a piece is farther from its own than the
-            bars reach, <Formula>rⁿ⁺¹</Formula>.
+            step <Formula>n</Formula> has <Formula tex={tex`2^n`} /> of them, and no part of a piece is
+            farther from its own than the bars reach, <Formula tex={tex`r^{n+1}`} />.
           </p>
           <p>
             Measure the least distance <Formula>d</Formula> between points of different colours. As long as it
-            is below 2rⁿ⁺¹, the bars overlap and nothing is known. Once it is above, no point of one piece can
-            be in the other: they are <em>proved</em> apart. For r = {SHOWN} this takes until n ={" "}
-            {rounds.at(-1)?.n}.
+            is below <Formula tex={tex`2 r^{n+1}`} />, the bars overlap and nothing is known. Once it is
+            above, no point of one piece can be in the other: they are <em>proved</em> apart. For{" "}
+            <Formula tex={tex`r = ${SHOWN}`} /> this takes until{" "}
+            <Formula tex={tex`n = ${rounds.at(-1)?.n ?? 0}`} />.
           </p>
         </>
       }
       question={<When prediction={prediction} />}
       parameters={[
-        { name: "Maps", symbol: "w", value: "r x and r x + 1 − r" },
+        { name: "Maps", value: [tex`f_1(x) = r x`, tex`f_2(x) = r x + 1 - r`] },
         { name: "Scale in the picture above", symbol: "r", value: String(SHOWN) },
         { name: "Scale in the question", symbol: "r", value: String(ASKED) },
         { name: "Radius that holds the shape", symbol: "R", value: "1, about the origin" },
-        { name: "Bound", value: "2 sⁿ⁺¹ R, here with s = r" },
+        { name: "Bound, here with s = r", value: [tex`2 s^{n+1} R`] },
       ]}
       sources={
         <p>
@@ -151,8 +153,8 @@ function When({ prediction }: { prediction: Prediction<number> }) {
         >
           <p>
             The bound falls to about half with each step, without end. The distance falls too, but only to the
-            gap itself, which is 1 − 2r = {fixed(1 - 2 * ASKED)}. So the bound must get below it at last. The
-            narrower the gap, the longer it takes.
+            gap itself, which is <Formula tex={tex`1 - 2r = ${fixed(1 - 2 * ASKED)}`} />. So the bound must
+            get below it at last. The narrower the gap, the longer it takes.
           </p>
         </Truth>
       }
