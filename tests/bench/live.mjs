@@ -27,6 +27,8 @@ function watch() {
 
 async function measure(workers) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  // Whoever is new here is greeted.
+  await page.addInitScript(() => localStorage.setItem("frond.guide", "seen"));
   await page.addInitScript(watch);
   await page.goto(`${address}?workers=${workers}#a=gasket&b=dragon-3&path=straight&t=0.5`);
   await page.waitForFunction(() => window.frond !== undefined);

@@ -13,6 +13,8 @@ const COARSE = 64 ** 2 / 253 ** 2;
 /** Milliseconds from a change of the document to the coarse and to the whole locus: the best of some changes. */
 async function measure(workers) {
   const page = await browser.newPage();
+  // Whoever is new here is greeted.
+  await page.addInitScript(() => localStorage.setItem("frond.guide", "seen"));
   // Without a graphics card nothing but the locus costs anything worth speaking of.
   await page.goto(`${address}?workers=${workers}&backend=canvas#a=dragon-3&b=gasket&path=straight&t=0.5`);
   await page.waitForFunction(() => window.frond !== undefined);

@@ -13,6 +13,8 @@ const browser = await chromium.launch({
   ],
 });
 const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+// Whoever is new here is greeted.
+await page.addInitScript(() => localStorage.setItem("frond.guide", "seen"));
 await page.addInitScript(() => {
   const counts = { frames: 0, clouds: 0 };
   Object.assign(window, { counts });

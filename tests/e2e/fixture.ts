@@ -118,6 +118,10 @@ async function newTab(browser: Browser): Promise<Page> {
   // What a service worker keeps would go from one test to the next; it has tests of its own.
   const page = await browser.newPage({ serviceWorkers: "block" });
   await listen(page);
+  // Whoever is new here is greeted, which has tests of its own.
+  await page.addInitScript(() => {
+    if (location.protocol !== "about:") localStorage["frond.guide"] ??= "seen";
+  });
   return page;
 }
 

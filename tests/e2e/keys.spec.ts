@@ -5,7 +5,7 @@ test("keys do what their list says, and rest in a dialog and in a field", async 
   await test.step("the list opens with ?, closes with Escape, and gives the focus back", async () => {
     await studio.time.focus();
     await page.keyboard.press("?");
-    const list = page.getByRole("dialog", { name: "Keyboard" });
+    const list = page.getByRole("dialog", { name: "Help" });
     await expect(list).toBeVisible();
     await expect(list).toContainText("Play, pause");
     const licences = await list.getByRole("link", { name: /Licences/ }).getAttribute("href");
@@ -21,7 +21,7 @@ test("keys do what their list says, and rest in a dialog and in a field", async 
     await expect(studio.time).toBeFocused();
     expect(await studio.scene()).toMatchObject({ t: 0, colouring: "map" });
 
-    const opener = page.getByRole("banner").getByRole("button", { name: "Keyboard shortcuts" });
+    const opener = page.getByRole("banner").getByRole("button", { name: "Help" });
     await opener.click();
     await list.getByRole("button", { name: "Close" }).click();
     await expect(opener).toBeFocused();

@@ -62,6 +62,10 @@ async function begin(root: HTMLElement): Promise<void> {
       ({ beKept }) => beKept(hash),
       () => undefined,
     );
+    import("./shell/guide/start").then(
+      ({ beGuided }) => beGuided(hash),
+      () => undefined,
+    );
   }
   if (parameters.play) playOnce();
 }

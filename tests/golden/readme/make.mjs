@@ -18,6 +18,8 @@ async function open(fragment, options = {}) {
     ...options,
   });
   const page = await context.newPage();
+  // Whoever is new here is greeted.
+  await page.addInitScript(() => localStorage.setItem("frond.guide", "seen"));
   await page.goto(`${address}${fragment}`);
   return page;
 }

@@ -67,7 +67,7 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
         {Panel && <Panel />}
       </aside>
       <div class="time">{Strip && <Strip />}</div>
-      {help.value && <ShortcutsDialog commands={commands} />}
+      {help.value && <Help commands={commands} />}
       {exportOpen.value && <Exports />}
       {/* Tools that take files are fetched themselves: it comes with them. */}
       {(settled.value || typeof entry.tool === "function") && <Door />}
@@ -76,8 +76,8 @@ function Studio({ backend }: { backend: "auto" | PainterBackend }) {
   );
 }
 
-const shortcuts = () => import("#ui/overlay/ShortcutsDialog").then((module) => module.ShortcutsDialog);
-const ShortcutsDialog = lazily(shortcuts);
+const helpDialog = () => import("./guide/Help").then((module) => module.Help);
+const Help = lazily(helpDialog);
 
 const exports = () => import("./Exports").then((module) => module.Exports);
 const Exports = lazily(exports);
@@ -106,7 +106,7 @@ export function fetchAhead(): void {
   };
   settled.value = true;
   Promise.all([
-    shortcuts(),
+    helpDialog(),
     exports(),
     door(),
     exportDialog(),

@@ -77,10 +77,16 @@ function moreItems(studio: boolean): MenuItem[] {
     onSelect: () => setTheme(choice),
   }));
   if (!studio) return themes;
-  return [OPEN, RECENT, ...saveItems(), ...themes];
+  return [OPEN, RECENT, ...saveItems(), HELP, ...themes];
 }
 
 const OPEN: MenuItem = { label: "Open a file …", icon: "open", onSelect: () => askForFile() };
+
+const openHelp = () => {
+  help.value = true;
+};
+
+const HELP: MenuItem = { label: "Help …", onSelect: openHelp };
 
 const RECENT: MenuItem = { label: "Recent …", onSelect: openRecent };
 
@@ -117,15 +123,7 @@ function StudioTools() {
       <div class="wide">
         <Menu label="Save" icon="save" items={saveItems()} />
       </div>
-      <Tool
-        glyph="help"
-        command="help"
-        label="Keyboard shortcuts"
-        class="wide"
-        onClick={() => {
-          help.value = true;
-        }}
-      />
+      <Tool glyph="help" command="help" label="Help" class="wide" onClick={openHelp} />
     </>
   );
 }

@@ -1,20 +1,28 @@
+import type { ComponentChildren } from "preact";
 import { type Command, groupsOf, help } from "../commands";
 import { Dialog } from "./Dialog";
 import "./overlay.css";
 import css from "./overlay.module.css";
 
+interface ShortcutsProps {
+  commands: () => readonly Command[];
+  /** What helps besides, above them. */
+  children?: ComponentChildren;
+}
+
 /** The keys of a tool, opened by "?" or by a button. */
-export function ShortcutsDialog({ commands }: { commands: () => readonly Command[] }) {
+export function ShortcutsDialog({ commands, children }: ShortcutsProps) {
   if (!help.value) return null;
   return (
     <Dialog
       reading
-      title="Keyboard"
+      title={children === undefined ? "Keyboard" : "Help"}
       about="In number fields: ↑ and ↓ step, Shift finer, Alt coarser."
       onClose={() => {
         help.value = false;
       }}
     >
+      {children}
       <div class={css["shortcuts"]}>
         {groupsOf(commands()).map((group) => (
           <section key={group.title}>

@@ -1,0 +1,84 @@
+import type { Page } from "@playwright/test";
+import { expect, test } from "./fixture";
+
+test.use({ alone: true });
+
+/** The studio, for somebody who has never been here. */
+async function visitFirst(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    if (location.protocol === "about:" || sessionStorage.getItem("visited") !== null) return;
+    sessionStorage.setItem("visited", "");
+    localStorage.removeItem("frond.guide");
+  });
+  await page.goto("./");
+}
+
+const t = (page: Page) => page.evaluate(() => window.frond?.scene().t ?? Number.NaN);
+
+test("a first visit moves a little and says what it is, once", async ({ page }) => {
+  await visitFirst(page);
+  const welcome = page.getByRole("complementary", { name: "Welcome" });
+  await expect(welcome).toContainText("Frond turns one fractal into another without letting it fall apart.");
+  await expect.poll(() => t(page), { timeout: 20_000 }).toBeGreaterThan(0.38);
+  await expect(page.getByRole("button", { name: "Play" })).toBeVisible();
+  expect(await t(page)).toBeLessThan(0.6);
+  await welcome.getByRole("button", { name: "Close" }).click();
+  await expect(welcome).toHaveCount(0);
+  await page.goto("about:blank");
+  await page.goto("./");
+  await page.waitForFunction(() => window.frond?.idle());
+  await expect(welcome).toHaveCount(0);
+});
+
+test("whoever wants less motion sees none, and who follows a link comes for that", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await visitFirst(page);
+  await expect(page.getByRole("complementary", { name: "Welcome" })).toBeVisible();
+  expect(await t(page)).toBe(0);
+  await page.evaluate(() => sessionStorage.removeItem("visited"));
+  await page.goto("about:blank");
+  await page.goto("./#a=koch&b=koch");
+  await page.evaluate(() => window.frond?.idle());
+  await expect(page.getByRole("complementary", { name: "Welcome" })).toHaveCount(0);
+});
+
+test("the round leads over the real controls, by keyboard, and goes on where it was left", async ({
+  page,
+}) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await visitFirst(page);
+  await page.getByRole("button", { name: "Show me round" }).click();
+  const card = page.getByRole("complementary", { name: "Press play" });
+  await expect(card.getByRole("heading", { name: "Press play" })).toBeFocused();
+  await page.getByRole("button", { name: "Play" }).click();
+  await expect(card.getByText("Done.")).toBeVisible();
+  await page.getByRole("button", { name: "Pause" }).click();
+  await card.getByRole("button", { name: "Next" }).click();
+  await expect(page.getByRole("heading", { name: "Now the straight way" })).toBeFocused();
+  await page.getByRole("radio", { name: "Straight" }).check({ force: true });
+  await expect(page.getByText("Done.")).toBeVisible();
+  await page.keyboard.press("Escape");
+  await expect(page.getByRole("heading", { name: "Now the straight way" })).toHaveCount(0);
+  // Help has it still.
+  await page.keyboard.press("?");
+  await page.getByRole("dialog").getByRole("button", { name: "Show me round" }).click();
+  await expect(page.getByRole("heading", { name: "Now the straight way" })).toBeFocused();
+  for (const title of ["The map says why", "Go round", "Ask why"]) {
+    await page.getByRole("button", { name: "Next" }).click();
+    await expect(page.getByRole("heading", { name: title })).toBeFocused();
+  }
+  await page.getByTestId("verdict").click();
+  await expect(page.getByText("Done.")).toBeVisible();
+  await page.getByRole("link", { name: "On to the lessons" }).click();
+  await expect(page.getByRole("heading", { level: 1, name: "Learn" })).toBeVisible();
+});
+
+test("help explains the words, and leads to their lessons", async ({ page, studio }) => {
+  await studio.open();
+  await page.keyboard.press("?");
+  await page.getByText("What the words mean").click();
+  await page.getByRole("link", { name: "The lesson on “gap”" }).click();
+  await expect(page.getByRole("heading", { level: 1, name: "Why three differs from two" })).toBeVisible();
+  await page.goBack();
+  await expect(page.getByRole("dialog")).toHaveCount(0);
+});

@@ -1,0 +1,48 @@
+import { useEffect } from "preact/hooks";
+import { type Command, help } from "#ui/commands";
+import { Button } from "#ui/controls/Button";
+import { ShortcutsDialog } from "#ui/overlay/ShortcutsDialog";
+import css from "./help.module.css";
+import { goRound } from "./state";
+import { WORDS } from "./words";
+
+const close = () => {
+  help.value = false;
+};
+
+/** What "?" opens: the round, the words, the keys. */
+export function Help({ commands }: { commands: () => readonly Command[] }) {
+  useEffect(() => {
+    // A way out of it was followed.
+    addEventListener("hashchange", close);
+    return () => removeEventListener("hashchange", close);
+  }, []);
+  return (
+    <ShortcutsDialog commands={commands}>
+      <p class={css["first"]}>
+        <Button onClick={goRound}>Show me round</Button>
+        <a class={`button ${css["learn"]}`} href="#learn">
+          Learn from the beginning
+        </a>
+      </p>
+      <details class={css["words"]}>
+        <summary>What the words mean</summary>
+        <dl>
+          {WORDS.map(({ word, means, lesson }) => (
+            <div key={word}>
+              <dt>{word}</dt>
+              <dd>
+                {means}{" "}
+                {lesson && (
+                  <a href={`#learn/${lesson}`} aria-label={`The lesson on “${word}”`}>
+                    Lesson
+                  </a>
+                )}
+              </dd>
+            </div>
+          ))}
+        </dl>
+      </details>
+    </ShortcutsDialog>
+  );
+}

@@ -1,0 +1,36 @@
+/** What is shown of the guide. */
+import { signal } from "@preact/signals";
+import { openTool } from "#document/tool";
+import { help } from "#ui/commands";
+import { keepSeen, seen } from "./seen";
+import { STEPS } from "./steps";
+
+/** The sentence of a first visit. */
+export const greeting = signal(false);
+/** The step of the round that one is at; null where there is none. */
+export const at = signal<number | null>(null);
+
+/** Begins the round, or goes on where it was left. */
+export function goRound(): void {
+  const left = seen(STEPS.length);
+  greeting.value = false;
+  help.value = false;
+  openTool("morph");
+  goTo(typeof left === "number" ? left : 0);
+}
+
+export function goTo(step: number): void {
+  at.value = step;
+  keepSeen(step);
+}
+
+/** The round is over, for now or for good. */
+export function leave(step: number): void {
+  at.value = null;
+  keepSeen(step > 0 && step < STEPS.length - 1 ? step : "seen");
+}
+
+export function greeted(): void {
+  greeting.value = false;
+  keepSeen("seen");
+}
