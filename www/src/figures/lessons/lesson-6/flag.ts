@@ -27,3 +27,11 @@ export function turned(angle: number, scale: number): MapRow {
   const [c, s] = [scale * Math.cos(angle), scale * Math.sin(angle)];
   return [c, -s, s, c, 0, 0];
 }
+
+/** How large a turn that is blended with no turn number by number gets at least, as a part of what it was: half-way. */
+export const leastScale = (angle: number) => Math.abs(Math.cos(angle / 2));
+
+/** Whether a half turn with a stop at an angle, in degrees, never falls below 0.7 of its size. */
+export function stopHolds(degrees: number): boolean {
+  return [degrees, 180 - degrees].every((turn) => leastScale((turn * Math.PI) / 180) >= 0.7);
+}

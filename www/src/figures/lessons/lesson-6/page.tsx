@@ -11,11 +11,13 @@ import { determinant, gasket, turnedGasket } from "../../kit/maps/families";
 import { boxAround, determinants, type Ends, mapsAt } from "../../kit/maps/morphs";
 import { Picture } from "../../kit/picture/picture";
 import { Time, useTime } from "../../kit/time/time";
-import { Choices } from "../frame/choices";
+import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
+import { Halved, Stopped } from "./exercises";
 import { flagPath, turned } from "./flag";
 import flagCss from "./flag.module.css";
+import { TEACHING } from "./teaching";
 
 const FRAMES = 7;
 const SCALE = 0.5;
@@ -49,6 +51,13 @@ export function Page(heading: Heading) {
         </>
       }
       question={<Turn prediction={prediction} time={time} />}
+      exercises={
+        <>
+          <Halved />
+          <Stopped />
+        </>
+      }
+      teaching={TEACHING}
       parameters={[
         { name: "The map above", value: "scale ½, from a quarter turn to none" },
         { name: "The map in the question", value: "scale ½, from a half turn to none" },
@@ -114,6 +123,26 @@ interface TurnProps {
   time: ReturnType<typeof useTime>;
 }
 
+const OPTIONS = [
+  {
+    value: "same",
+    label: "The letter on its side, as large as before",
+    wrong:
+      "So it would be by turning. But the means of the numbers know nothing of an angle: compare both rows above.",
+  },
+  {
+    value: "half",
+    label: "The letter on its side, half as large",
+    wrong: "Smaller, yes, as in the upper row above, but a half turn takes off more than a quarter turn did.",
+  },
+  { value: "point", label: "A single point" },
+  {
+    value: "mirror",
+    label: "The letter in the mirror",
+    wrong: "A mirror changes the sign of one direction and leaves the other. A half turn changes both alike.",
+  },
+] as const;
+
 function Turn({ prediction, time }: TurnProps) {
   const { shown } = prediction;
   return (
@@ -121,24 +150,22 @@ function Turn({ prediction, time }: TurnProps) {
       prediction={prediction}
       beside={<Ask shown={shown} />}
       answer={
-        <Truth line="Half-way it is a single point: every number of the map is 0.">
-          <p>
-            A half turn changes the sign of every number: ½ becomes −½. Their mean is 0, so the map sends
-            everything to one place, and the piece vanishes. How much of an area a map leaves is told by its{" "}
-            <em>determinant</em>: it falls to 0 in the middle, while by turning it never changes.
-          </p>
-        </Truth>
+        <>
+          <Reply options={OPTIONS} prediction={prediction} truth="point" />
+          <Truth line="Half-way it is a single point: every number of the map is 0.">
+            <p>
+              A half turn changes the sign of every number: ½ becomes −½. Their mean is 0, so the map sends
+              everything to one place, and the piece vanishes. How much of an area a map leaves is told by its{" "}
+              <em>determinant</em>: it falls to 0 in the middle, while by turning it never changes.
+            </p>
+          </Truth>
+        </>
       }
       after={<Shapes time={time} />}
     >
       <Choices<Halfway>
         ask="Now the letter is upside down and is turned back by a half turn, number by number. What is it half-way?"
-        options={[
-          { value: "same", label: "The letter on its side, as large as before" },
-          { value: "half", label: "The letter on its side, half as large" },
-          { value: "point", label: "A single point" },
-          { value: "mirror", label: "The letter in the mirror" },
-        ]}
+        options={OPTIONS}
         prediction={prediction}
         truth="point"
       />

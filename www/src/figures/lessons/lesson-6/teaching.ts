@@ -1,0 +1,25 @@
+import type { Teaching } from "../frame/teaching";
+
+export const TEACHING: Teaching = {
+  aim: "To say why blending the numbers of two maps makes a turning piece smaller, and what to blend instead.",
+  mistakes: [
+    "“The mean of two maps is the map half-way.” It is a map, but a smaller one if the two are turned against each other.",
+    "“Shrinking on the way is a fault of the drawing.” The blended map itself has a smaller determinant.",
+    "“By turning there is only one way.” A half turn may go round either way, and something has to choose.",
+  ],
+  questions: [
+    {
+      ask: "A piece turns by a quarter, number by number. How large is it half-way?",
+      answer: "√½, about 0.707 times as tall and as wide, so half of its area is left.",
+    },
+    {
+      ask: "More and more stops are put on the way, at even angles. What does the way become?",
+      answer: "The turn itself: with very many stops the letter hardly shrinks between two.",
+    },
+    {
+      ask: "Which two letters can be blended number by number without any harm?",
+      answer:
+        "Those that are not turned against each other, such as a small and a large one that both stand upright.",
+    },
+  ],
+};
