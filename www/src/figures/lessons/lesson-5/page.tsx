@@ -1,31 +1,29 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
-import { frond } from "#wasm/core";
 import { epoch, submit } from "#workers/pool/engine";
 import { median } from "../../kit/connectedness/bisection";
-import { Collisions, groups, windowOf } from "../../kit/connectedness/collisions";
 import { exactJob, measureJob, PAPER, SIZES, searches } from "../../kit/connectedness/critical-scale";
 import { Buffer } from "../../kit/connectedness/index-buffer";
 import { Formula } from "../../kit/frame/formula";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
-import { Panel } from "../../kit/frame/panel";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { Table } from "../../kit/frame/table";
 import tableCss from "../../kit/frame/table.module.css";
-import { Chip } from "../../kit/frame/verdict";
 import { gasket } from "../../kit/maps/families";
 import { useChannel, useValue } from "../../kit/workers";
 import { Guess } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { nearWords, type Prediction, usePrediction } from "../frame/prediction";
+import { NotBetter, OtherWay } from "./exercises";
+import { bufferOf, Pixels } from "./seen";
+import { TEACHING } from "./teaching";
 
 const SHOWN = 0.49;
 const PIXELS = [25, 75, 225] as const;
 const ASKED = 75;
 /** Enough that every pixel of 75 by 75 that holds anything is hit many times. */
 const POINTS = 200_000;
-const DRAWN = 40_000;
 const SEED = 1;
 const [LOWEST, HIGHEST] = [0.46, 0.505];
 
@@ -51,6 +49,13 @@ export function Page(heading: Heading) {
         </>
       }
       question={<Seeing prediction={prediction} r={r} />}
+      exercises={
+        <>
+          <OtherWay />
+          <NotBetter />
+        </>
+      }
+      teaching={TEACHING}
       parameters={[
         { name: "Maps", symbol: "w", value: "r x + (1 − r) c, c the corners of a triangle of side 1" },
         { name: "Scale in the pictures above", symbol: "r", value: String(SHOWN) },
@@ -75,49 +80,10 @@ export function Page(heading: Heading) {
     >
       <div class={layout["triple"]}>
         {PIXELS.map((size) => (
-          <Pixels key={size} size={size} />
+          <Pixels key={size} r={SHOWN} size={size} />
         ))}
       </div>
     </Lesson>
-  );
-}
-
-function bufferOf(r: number, size: number): Collisions {
-  const maps = gasket(r);
-  const { min, max } = frond.bounds({ maps });
-  const points = frond.attractor({ maps, probabilities: [1, 1, 1] }, { points: DRAWN, seed: SEED });
-  const run = new Collisions(size, windowOf(min, max), points);
-  run.plotTo(DRAWN);
-  return run;
-}
-
-function Pixels({ size }: { size: number }) {
-  const run = useMemo(() => bufferOf(SHOWN, size), [size]);
-  const count = groups(
-    3,
-    run.edges.map((edge) => edge.between),
-  ).count;
-  return (
-    <Panel
-      caption={
-        <>
-          <span class="number">
-            {size} × {size} pixels
-          </span>
-          <Chip
-            tone={count === 1 ? "close" : "broken"}
-            text={count === 1 ? "Connected" : "In pieces"}
-            aside={count === 1 ? "it seems" : "seen apart"}
-          />
-        </>
-      }
-    >
-      <Buffer
-        run={run}
-        count={run.count}
-        label={`The shape in ${size} by ${size} pixels: ${count === 1 ? "pieces share pixels" : "no pixel is shared"}.`}
-      />
-    </Panel>
   );
 }
 
@@ -147,7 +113,7 @@ function Seeing({ prediction, r }: { prediction: Prediction<number>; r: number }
         >
           <Lies found={measured.found} exact={measured.exact} />
           <p>
-            A pixel is about a seventieth of the side. A gap much narrower than that has to fall inside one,
+            A pixel is about a seventieth of the side. A gap much narrower than that mostly falls inside one,
             and then it is gone. Twice the pixels halve the lie but never end it. Pair subdivision has no
             pixels: it bounds pieces, and pieces of pieces, until they are proved apart.
           </p>

@@ -1,0 +1,25 @@
+import type { Teaching } from "../frame/teaching";
+
+export const TEACHING: Teaching = {
+  aim: "To say what a picture can tell about touching and what it cannot, and why more pixels do not settle it.",
+  mistakes: [
+    "“If I zoom in far enough I shall see whether they touch.” One sees a gap that is wide enough, but never that there is none.",
+    "“A picture errs only by joining what is apart.” It may part what touches, too: a line between two pixels may run through the only common point.",
+    "“More pixels are always better.” For a given shape a few more may be worse: it depends on where the lines of the grid fall.",
+  ],
+  questions: [
+    {
+      ask: "Two pieces are a thousandth of the side apart. How many pixels a side does one need to be sure to see the gap?",
+      answer:
+        "Two points of one pixel are at most 1.42 of its sides apart. So a pixel that is narrower than 0.7 of the gap cannot hold both: 1500 pixels to a side are enough.",
+    },
+    {
+      ask: "Why does the picture of a shape whose pieces touch in one point depend on where the grid lies?",
+      answer: "The point lies in one pixel or on a line between pixels. Only a pixel can be shared.",
+    },
+    {
+      ask: "How can a computer know for sure that two pieces are apart, without pixels?",
+      answer: "Put each piece, or each part of it, into a disc. If no two discs meet, the pieces are apart.",
+    },
+  ],
+};
