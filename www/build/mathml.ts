@@ -18,8 +18,8 @@ export function mathml(tex: string, display = false): string {
     const [first = ""] = String(error instanceof Error ? error.message : error).split("\n");
     throw new Error(`The formula ${tex} cannot be read: ${first.trim().replace(/:$/, "")}`);
   }
-  // Styles for classes of its own are not loaded.
-  const plain = written.replace(/ class="tml-[^"]*"/g, "");
+  // Its own classes need a sheet that is not loaded; browsers lay out blocks and accents well enough without these styles.
+  const plain = written.replace(/ class="(?!slot)[^"]*"| style="(display:block math|math-depth:0);"/g, "");
   // The policy of the built pages lets no style in that stands in an element.
   if (/ style=/.test(plain)) throw new Error(`The formula ${tex} needs styles; write it in another way.`);
   return plain;

@@ -13,6 +13,7 @@ import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";
 import { dust } from "../../kit/maps/families";
+import { tex } from "../../kit/notation/tex";
 import css from "./page.module.css";
 
 const MOST_ROUNDS = 10;
@@ -38,19 +39,19 @@ export function Page(heading: Heading) {
           Two maps shrink the line by <Formula>r</Formula>, one towards 0 and one towards 1. Each iteration
           stands a few points in for the two pieces; no part of a piece is farther from them than the coloured
           bars reach. Once the bars of the two colours part, the pieces cannot meet: that is a proof. Bars
-          that still overlap prove nothing, and from <Formula>r</Formula> = ½ on they always do.
+          that still overlap prove nothing, and from <Formula tex={tex`r = \frac{1}{2}`} /> on they always do.
         </p>
       }
       found={<Found r={r} />}
       parameters={[
-        { name: "Maps", symbol: "w", value: "r x and r x + 1 − r" },
+        { name: "Maps", value: [tex`f_1(x) = r x`, tex`f_2(x) = r x + 1 - r`] },
         { name: "Scale, which is s", symbol: "r", value: fixed(r, 3) },
         { name: "Radius that holds the attractor", symbol: "R", value: "1, about the origin" },
-        { name: "First set", symbol: "Ã", value: "{0}" },
+        { name: "First set", symbol: tex`\tilde{A}`, value: "{0}" },
         { name: "Iterations done", value: String(rounds.length) },
         { name: "Points now", value: String(2 * (last?.pieces[0].length ?? 0)) },
         { name: "Least distance", symbol: "d", value: fixed(last?.distance ?? 0, 5) },
-        { name: "Bound", symbol: "2sⁿ⁺¹R", value: fixed(last?.bound ?? 0, 5) },
+        { name: "Bound", symbol: tex`2 s^{n+1} R`, value: fixed(last?.bound ?? 0, 5) },
       ]}
       captions={["Figure 1: Object-based connectedness algorithm [Barnsley, 1988]."]}
       reconstructed="The algorithm is the paper’s, line by line. It prints no example, so the dust is chosen here: the simplest family that falls apart at a known place."
@@ -149,9 +150,9 @@ function Found({ r }: { r: number }) {
   return (
     <p>
       How soon the test sees a gap depends on where it starts. From the origin, as printed, the disc that
-      holds the dust must have <Formula>R</Formula> = 1. Frond’s own test starts in the middle, where half of
-      that will do, and {middle} at <Formula>r</Formula> = {fixed(r, 3)}. Its search through pairs of pieces{" "}
-      {search}.
+      holds the dust must have <Formula tex={tex`R = 1`} />. Frond’s own test starts in the middle, where half
+      of that will do, and {middle} at <Formula tex={tex`r = ${fixed(r, 3)}`} />. Its search through pairs of
+      pieces {search}.
     </p>
   );
 }

@@ -10,6 +10,7 @@ import { Chip } from "../../kit/frame/verdict";
 import { Square } from "../../kit/locus/locus-square";
 import { type Breakage, shareWords, stretchWords } from "../../kit/maps/breakage";
 import { STRAIGHT } from "../../kit/maps/morphs";
+import { tex } from "../../kit/notation/tex";
 import { useTime } from "../../kit/time/time";
 import { SAMPLES } from "../../kit/workers";
 import { chart, dragon, followChart } from "../dragon/dragon";
@@ -38,7 +39,7 @@ export function Page(heading: Heading) {
       found={<Found plan={plan} straight={straight} led={led} />}
       parameters={[
         ...dragonParameters(),
-        { name: "Path", symbol: "(u, v)", value: plan ? pathWords(plan) : "being planned" },
+        { name: "Path", symbol: tex`(u, v)`, value: plan ? pathWords(plan) : "being planned" },
         { name: "Locus it was planned on", value: "253 × 253 samples, checked in between" },
         { name: "Resolution of the verdicts", symbol: "ε", value: "1/600 of the shape" },
       ]}

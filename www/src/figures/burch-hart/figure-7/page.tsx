@@ -14,6 +14,7 @@ import { VerdictChip } from "../../kit/frame/verdict";
 import { Square } from "../../kit/locus/locus-square";
 import { shareWords } from "../../kit/maps/breakage";
 import { boxAround, mapsAt, STRAIGHT } from "../../kit/maps/morphs";
+import { tex } from "../../kit/notation/tex";
 import { Picture } from "../../kit/picture/picture";
 import { useValue, useVerdict } from "../../kit/workers";
 import { chart, dragon, ends, followChart } from "../dragon/dragon";
@@ -48,10 +49,14 @@ export function Page(heading: Heading) {
       found={<Found field={field} plan={plan} />}
       parameters={[
         ...dragonParameters(),
-        { name: "Domain", symbol: "(u, v)", value: "[−1, 2] × [−1, 2]" },
+        { name: "Domain", symbol: tex`(u, v)`, value: [tex`[-1, 2] \times [-1, 2]`] },
         { name: "Samples", value: "253 × 253" },
         { name: "Resolution of the verdicts", symbol: "ε", value: "1/600 of the shape" },
-        { name: "The ring", symbol: "(u, v)", value: `(${fixed(point[0], 3)}, ${fixed(point[1], 3)})` },
+        {
+          name: "The ring",
+          symbol: tex`(u, v)`,
+          value: [tex`(${fixed(point[0], 3)}, ${fixed(point[1], 3)})`],
+        },
       ]}
       captions={[
         "Figure 7: The connectedness locus for the Dragon-to-Gasket interpolation. White indicates parameters of path-connected attractors.",

@@ -23,6 +23,7 @@ import { preset, studioHref } from "../../kit/frame/studio-link";
 import { Table } from "../../kit/frame/table";
 import tableCss from "../../kit/frame/table.module.css";
 import { gasket } from "../../kit/maps/families";
+import { tex } from "../../kit/notation/tex";
 import { useChannel, useValue } from "../../kit/workers";
 
 const SEED = 1;
@@ -59,7 +60,7 @@ export function Page(heading: Heading) {
         { name: "Seeds", value: `${SEED} to ${SEED + WINDOWS - 1}, one a window` },
         { name: "Window", value: `square, ${100 * MARGIN}% larger than the gasket` },
         { name: "Search", value: "bisection between 0.45 and 0.53, to 0.0001" },
-        { name: "Pair subdivision", symbol: "ε", value: "10⁻⁶ of the size" },
+        { name: "Pair subdivision", symbol: "ε", value: [tex`10^{-6}`, " of the size"] },
       ]}
       captions={["Table 1: Accuracy of image connectedness."]}
       reconstructed="The paper states neither the number of points nor where its window lies, so its column cannot be repeated, only compared."

@@ -9,6 +9,7 @@ import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { fitHref } from "../../kit/frame/studio-link";
+import { tex } from "../../kit/notation/tex";
 import { byPiece, rangeOf } from "../graphs/graphs";
 import { Profile } from "../graphs/profile";
 import { Grip } from "./grip";
@@ -69,18 +70,21 @@ export function Page(heading: Heading) {
       parameters={[
         ...points.map(([t, x], i) => ({
           name: POINT_NAMES[i] ?? "",
-          symbol: `(t${sub(i)}, x${sub(i)})`,
-          value: `(${formatNumber(t)}, ${formatNumber(x)})`,
+          symbol: tex`(t_${i}, x_${i})`,
+          value: [tex`(${formatNumber(t)}, ${formatNumber(x)})`],
         })),
         ...c.map((value, i) => ({
           name: i === 0 ? "Roughness, left" : "Roughness, right",
-          symbol: `c${sub(i + 1)}`,
+          symbol: tex`c_${i + 1}`,
           value: formatNumber(value),
         })),
         ...graph.pieces.map(({ map: [a, b, factor, d, e] }, i) => ({
           name: `Map ${i + 1}`,
-          symbol: `T${sub(i + 1)}`,
-          value: `t′ = ${formatNumber(a)} t + ${formatNumber(d)}, x′ = ${formatNumber(b)} t + ${formatNumber(factor)} x + ${formatNumber(e)}`,
+          symbol: tex`f_${i + 1}`,
+          value: [
+            tex`t \mapsto ${formatNumber(a)}\, t + ${formatNumber(d)}`,
+            tex`x \mapsto ${formatNumber(b)}\, t + ${formatNumber(factor)}\, x + ${formatNumber(e)}`,
+          ],
         })),
         { name: "Contractivity in the metric of eq 2", symbol: "s", value: fixed(facts.contractivity, 3) },
       ]}
@@ -122,7 +126,7 @@ export function Page(heading: Heading) {
             key={POINT_NAMES[i]}
             label={i === 0 ? "roughness, left" : "roughness, right"}
             name={i === 0 ? "Roughness of the left piece" : "Roughness of the right piece"}
-            symbol={`c${sub(i + 1)}`}
+            symbol={tex`c_${i + 1}`}
             range={[-MOST_C, MOST_C]}
             value={value}
             valueText={`c = ${fixed(value)}`}
@@ -157,8 +161,6 @@ export function Page(heading: Heading) {
     </Frame>
   );
 }
-
-const sub = (index: number) => String.fromCharCode(0x2080 + index);
 
 function clamp(x: number): number {
   return Math.round(Math.min(HIGH, Math.max(LOW, x)) * 1000) / 1000;

@@ -7,6 +7,7 @@ import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
 import { fitHref } from "../../kit/frame/studio-link";
+import { tex } from "../../kit/notation/tex";
 import { byPiece, fixedPointImages, rangeOf } from "../graphs/graphs";
 import { MapTable } from "../graphs/map-table";
 import { applied, TABLE_1 } from "../graphs/printed-tables";
@@ -69,8 +70,8 @@ export function Page(heading: Heading) {
       }
       parameters={[
         { name: "Interval", value: "[−1, 1]" },
-        { name: "Height at the ends", symbol: "F(±1)", value: "−1 and −0.00625" },
-        { name: "Feature points shown", symbol: "2ᵏ + 1", value: String(features.length) },
+        { name: "Height at the ends", symbol: tex`F(\pm 1)`, value: "−1 and −0.00625" },
+        { name: "Feature points shown", symbol: tex`2^k + 1`, value: String(features.length) },
         { name: "Step at the middle", value: fixed(facts.widestGap, 6) },
         { name: "Contractivity in the metric of eq 2", symbol: "s", value: fixed(facts.contractivity, 3) },
       ]}
@@ -92,7 +93,7 @@ export function Page(heading: Heading) {
         />
         <SliderControl
           label="feature points"
-          symbol="2ᵏ + 1"
+          symbol={tex`2^k + 1`}
           range={[0, MOST_LEVEL]}
           whole
           value={level}

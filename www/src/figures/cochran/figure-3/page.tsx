@@ -6,6 +6,7 @@ import { SliderControl } from "../../kit/frame/control";
 import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { tex } from "../../kit/notation/tex";
 import { arrowhead } from "../graphs/arrowhead";
 import css from "./page.module.css";
 import { type Eye, FROM_CORNER, SpaceView, STEEPEST } from "./space-curve";
@@ -17,7 +18,6 @@ const VIEWS: readonly { name: string; about: string; eye: Eye }[] = [
   { name: "From the corner", about: "all three at once", eye: FROM_CORNER },
 ];
 const MOST_DEPTH = 7;
-const raised = (digit: number) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit] ?? "";
 
 /** The Sierpinski space curve and its three projections. */
 export function Page(heading: Heading) {
@@ -48,8 +48,12 @@ export function Page(heading: Heading) {
       }
       parameters={[
         { name: "Curve", value: "arrowhead through the gasket, t at even steps" },
-        { name: "Corners", symbol: "(x, y)", value: "(0, 0), (½, ½√3), (1, 0)" },
-        { name: "Pieces drawn", symbol: `3${raised(depth)}`, value: String(pieces) },
+        {
+          name: "Corners",
+          symbol: tex`(x, y)`,
+          value: [tex`(0, 0),`, tex`(\frac{1}{2}, \frac{1}{2}\sqrt{3}),`, tex`(1, 0)`],
+        },
+        { name: "Pieces drawn", symbol: tex`3^${depth}`, value: String(pieces) },
         { name: "Seen from", value: `${fixed(eye.turn, 0)}° round, ${fixed(eye.tilt, 0)}° up` },
       ]}
       captions={["Figure 3: A 3-D Sierpinski space curve and its projections onto three coordinate planes."]}
@@ -95,7 +99,7 @@ export function Page(heading: Heading) {
         <SliderControl
           label="pieces"
           name="Levels"
-          symbol={`3${raised(depth)}`}
+          symbol={tex`3^${depth}`}
           range={[1, MOST_DEPTH]}
           whole
           value={depth}

@@ -5,6 +5,7 @@ import { Choice, SliderControl } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { fitHref } from "../../kit/frame/studio-link";
+import { tex } from "../../kit/notation/tex";
 import { bestCopy, type Heights, heightsAlong, TOP } from "../graphs/arrowhead";
 import { rangeOf } from "../graphs/graphs";
 import { Profile } from "../graphs/profile";
@@ -61,7 +62,7 @@ export function Page(heading: Heading) {
           name: `Height of corner ${corner}`,
           value: formatNumber(heights[corner]),
         })),
-        { name: "Pieces drawn", symbol: "3⁷", value: String(3 ** DEPTH) },
+        { name: "Pieces drawn", symbol: tex`3^${DEPTH}`, value: String(3 ** DEPTH) },
         ...(copy
           ? [
               { name: "Roughness of the best copy", symbol: "c", value: fixed(copy.c, 3) },

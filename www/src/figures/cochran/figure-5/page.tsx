@@ -11,6 +11,7 @@ import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
 import { fitHref } from "../../kit/frame/studio-link";
+import { tex } from "../../kit/notation/tex";
 import { useValue } from "../../kit/workers";
 import { cornerImages, heightsOf, TOP } from "../graphs/arrowhead";
 import { stepFor } from "../graphs/graphs";
@@ -84,7 +85,7 @@ export function Page(heading: Heading) {
           ? [
               {
                 name: `Cluster ${index + 1}`,
-                symbol: "a, b, c, d, e",
+                symbol: tex`a, b, c, d, e`,
                 value: cluster.map.map((x) => fixed(x, 3)).join(", "),
               },
               { name: "What it is", value: kindWords(cluster, index) },

@@ -1,6 +1,8 @@
 import { fixed } from "#format/numbers";
 import { loadSpace } from "#wasm/space";
+import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
+import { tex } from "../../kit/notation/tex";
 import { CUT_OFF, MATRICES, TurnedTriangle, turnedInTool, useTurnedTriangle } from "../space/triangle";
 import type { Angles } from "../space/turning";
 
@@ -18,10 +20,10 @@ export function Page(heading: Heading) {
       {...heading}
       lead={
         <p>
-          The same triangle, turned about x, then about y, then about z. Each matrix A has become T A T⁻¹: the
-          map looked at from axes that were turned. What differs from how it was made is underlined. The line
-          below the table draws the same 2,000 points in both ways, from these parameters and by turning the
-          old points, and says how far they are apart.
+          The same triangle, turned about x, then about y, then about z. Each matrix <Formula>A</Formula> has
+          become <Formula tex={tex`T A T^{-1}`} />: the map looked at from axes that were turned. What differs
+          from how it was made is underlined. The line below the table draws the same 2,000 points in both
+          ways, from these parameters and by turning the old points, and says how far they are apart.
         </p>
       }
       found={
@@ -37,7 +39,7 @@ export function Page(heading: Heading) {
           value: `${fixed(angles[k] ?? 0, 0)}°`,
         })),
         { name: "Matrix of each map as made", symbol: "A", value: MATRICES[turned.form] },
-        { name: "Eq 1", value: "A′ = T A T⁻¹, b′ = T b + t − A′ t" },
+        { name: "Eq 1", value: [tex`A' = T A T^{-1}`, tex`b' = T b + t - A' t`] },
       ]}
       captions={["Fig ii After rotation about x,y,z"]}
       reconstructed={`${CUT_OFF} The angles are not printed.`}

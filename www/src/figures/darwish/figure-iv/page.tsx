@@ -6,6 +6,7 @@ import type { MapRow3 } from "#wasm/api";
 import { loadSpace, solid } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { tex } from "../../kit/notation/tex";
 import { triangle } from "../space/shapes";
 import { inSpaceTool } from "../space/tool-link";
 import { CUT_OFF, TRIANGLE_VIEW } from "../space/triangle";
@@ -67,7 +68,7 @@ export function Page(heading: Heading) {
           name: `Each about ${axis}`,
           value: `${fixed(angles[k] ?? 0, 0)}°`,
         })),
-        { name: "Matrix of each map as made", symbol: "A", value: "diag(0.5, 0, 0.5)" },
+        { name: "Matrix of each map as made", symbol: "A", value: [tex`\operatorname{diag}(0.5, 0, 0.5)`] },
       ]}
       captions={["Fig iv (After more rotations)"]}
       reconstructed={CUT_OFF}

@@ -6,6 +6,7 @@ import { loadSpace } from "#wasm/space";
 import { SliderControl } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { tex } from "../../kit/notation/tex";
 import { fromOrigin } from "../space/eye";
 import { LookAgain } from "../space/look-again";
 import { PYRAMID_ANGLE, PYRAMID_AWAY, pyramid } from "../space/shapes";
@@ -44,7 +45,7 @@ export function Page(heading: Heading) {
       }
       parameters={[
         { name: "Maps", symbol: "N", value: "5" },
-        { name: "Matrix of each", symbol: "A", value: "diag(0.5, 0.5, 0.5)" },
+        { name: "Matrix of each", symbol: "A", value: [tex`\operatorname{diag}(0.5, 0.5, 0.5)`] },
         { name: "Base", value: "0.8 by 0.8 units, 0.6 below the tip" },
         { name: "Distance of its middle", value: fixed(away, 1) },
         { name: "Eye", value: "(0, 0, 0), looking along x" },

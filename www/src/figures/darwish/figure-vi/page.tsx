@@ -6,6 +6,7 @@ import { loadSpace } from "#wasm/space";
 import { Choice } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { tex } from "../../kit/notation/tex";
 import { fromOrigin, seen } from "../space/eye";
 import { LookAgain } from "../space/look-again";
 import { PYRAMID_ANGLE, PYRAMID_AWAY, pyramid } from "../space/shapes";
@@ -55,7 +56,7 @@ export function Page(heading: Heading) {
           value: `${fixed(angles[k] ?? 0, 0)}°`,
         })),
         { name: "What stays", value: about === "itself" ? "(15, 0, 0), its middle" : "(0, 0, 0), the eye" },
-        { name: "Matrix of each map", symbol: "A", value: "diag(0.5, 0.5, 0.5)" },
+        { name: "Matrix of each map", symbol: "A", value: [tex`\operatorname{diag}(0.5, 0.5, 0.5)`] },
       ]}
       captions={["Fig vi Rotation of v"]}
       reconstructed="The angles are not printed, and of the parameters only a part is left. The first translations, 15.1 to 15.5 after the turn, say that it was turned about itself."

@@ -2,6 +2,7 @@ import type { Intersection3 } from "#wasm/api";
 import { Formula } from "../../kit/frame/formula";
 import layout from "../../kit/frame/layout.module.css";
 import { Table } from "../../kit/frame/table";
+import { tex } from "../../kit/notation/tex";
 import { MOST_DRAWN, shiftWords, waysOf } from "./meets";
 import css from "./product.module.css";
 import { MeetGraph } from "./product-graph";
@@ -23,11 +24,11 @@ export function MeetProduct({ found, stale }: { found: Intersection3 | null; sta
       </div>
       <div>
         <p class={layout["hint"]}>
-          Write <Formula>X</Formula>
-          <sub>d</sub> for what the first shape shares with the second moved by <Formula>d</Formula>. A piece{" "}
-          <Formula>a</Formula> of the first and a piece <Formula>b</Formula> of the second share a smaller
-          copy of such a set again, for the shift <Formula>d′ = M⁻¹(d + b − a)</Formula>. Knot 0 is the
-          intersection itself; an arrow says which pairs of maps, first · second, lead where.
+          Write <Formula tex={tex`X_d`} /> for what the first shape shares with the second moved by{" "}
+          <Formula>d</Formula>. A piece <Formula>a</Formula> of the first and a piece <Formula>b</Formula> of
+          the second share a smaller copy of such a set again, for the shift{" "}
+          <Formula tex={tex`d' = M^{-1}(d + b - a)`} />. Knot 0 is the intersection itself; an arrow says
+          which pairs of maps, first · second, lead where.
         </p>
         <Table columns={["Knot", "Shift", "Leads to"]}>
           <tbody>

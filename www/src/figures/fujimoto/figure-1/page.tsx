@@ -7,6 +7,7 @@ import { Panel } from "../../kit/frame/panel";
 import { acrossAndUp, PointControls } from "../../kit/frame/point-controls";
 import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";
+import { tex } from "../../kit/notation/tex";
 import { CodeRow } from "../codes/code-row";
 import { type Cube, codeOf, codeWords, lettersOf } from "../codes/codes";
 import { squareMaps } from "../codes/square-maps";
@@ -56,7 +57,7 @@ export function Page(heading: Heading) {
       parameters={[
         { name: "Letters to choose from", symbol: "L", value: "2 and 3 on the line, 4 and 9 on the square" },
         { name: "Letters shown", symbol: "k", value: String(letters) },
-        { name: "The point", symbol: "s", value: `(${fixed(x, 3)}, ${fixed(y, 3)})` },
+        { name: "The point", symbol: "s", value: [tex`(${fixed(x, 3)}, ${fixed(y, 3)})`] },
         ...PANELS.map(({ letter, cube }) => ({
           name: `Its code in (${letter})`,
           symbol: "α",

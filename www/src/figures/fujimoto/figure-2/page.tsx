@@ -7,6 +7,7 @@ import { Panel } from "../../kit/frame/panel";
 import { acrossAndUp, PointControls } from "../../kit/frame/point-controls";
 import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";
+import { tex } from "../../kit/notation/tex";
 import { addresses, onGasket, pieceOf, rightGasket } from "../codes/addresses";
 import { codeWords } from "../codes/codes";
 import { deformationBy } from "../deformations/deformations";
@@ -57,8 +58,24 @@ export function Page(heading: Heading) {
         </p>
       }
       parameters={[
-        { name: "Maps of (a)", symbol: "w", value: "½ x + (0, 0), (½, 0), (0, ½)" },
-        { name: "Maps of (b)", symbol: "w", value: "0.55 x + (0, 0), (0.45, 0), (0, 0.45)" },
+        {
+          name: "Maps of (a)",
+          value: [
+            tex`f_i(x) = \frac{1}{2} x + c_i`,
+            tex`c_1 = (0, 0)`,
+            tex`c_2 = (\frac{1}{2}, 0)`,
+            tex`c_3 = (0, \frac{1}{2})`,
+          ],
+        },
+        {
+          name: "Maps of (b)",
+          value: [
+            tex`f_i(x) = 0.55\, x + c_i`,
+            tex`c_1 = (0, 0)`,
+            tex`c_2 = (0.45, 0)`,
+            tex`c_3 = (0, 0.45)`,
+          ],
+        },
         { name: "Letters to choose from", symbol: "L", value: "3" },
         { name: "Steps shown in the middle", value: String(steps) },
         ...GASKETS.map(({ letter }, i) => ({

@@ -8,6 +8,7 @@ import { Panel } from "../../kit/frame/panel";
 import { acrossAndUp, PointControls } from "../../kit/frame/point-controls";
 import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";
+import { tex } from "../../kit/notation/tex";
 import { rightGasket } from "../codes/addresses";
 import { codeOf, codeWords } from "../codes/codes";
 import { squareMaps } from "../codes/square-maps";
@@ -36,17 +37,25 @@ export function Page(heading: Heading) {
       lead={
         <p>
           A picture whose colours run smoothly, red above left, blue below right, is cut up by the shuffle:
-          each cell takes its colour from the cell whose code has the letters <Formula>kb + 1</Formula> to{" "}
-          <Formula>ke</Formula> in reverse order. To the right the detail grows; downwards the shuffle is kept
-          within ever smaller cells (the white line). Choose an image, then press a place in it to see where
-          its colour came from.
+          each cell takes its colour from the cell whose code has the letters <Formula tex={tex`k_b + 1`} />{" "}
+          to <Formula tex={tex`k_e`} /> in reverse order. To the right the detail grows; downwards the shuffle
+          is kept within ever smaller cells (the white line). Choose an image, then press a place in it to see
+          where its colour came from.
         </p>
       }
       found={<Found />}
       parameters={[
-        { name: "Locality, by row", symbol: "kb", value: "0, 1, 2" },
-        { name: "Detail, by column", symbol: "ke", value: "kb to 5; superposed: all of them to 5" },
-        { name: "Roughness of the superposition", symbol: "δc", value: "1: all terms alike (eq 13)" },
+        { name: "Locality, by row", symbol: tex`k_b`, value: "0, 1, 2" },
+        {
+          name: "Detail, by column",
+          symbol: tex`k_e`,
+          value: [tex`k_b`, " to 5; superposed: all of them to 5"],
+        },
+        {
+          name: "Roughness of the superposition",
+          symbol: tex`\delta_c`,
+          value: "1: all terms alike (eq 13)",
+        },
         { name: "Chosen", value: cellWords(chosen) },
         { name: "The cell’s code", symbol: "α", value: codeWords(code) },
         { name: "Colours", value: "red (1 − x) y, blue x (1 − y), green the rest" },
@@ -129,10 +138,10 @@ function Found() {
   return (
     <p>
       The paper says that the upper left stays redder than the lower right, however large{" "}
-      <Formula>ke</Formula> is. So it does, but hardly: the part of red in these two quarters of the square is{" "}
-      {red(plain)} before any shuffle, and {red(last)} after the one of 0 to 5. The superposition remembers
-      more, {red(mean)}, since its first terms leave things where they are. That is what makes a deformation
-      both fractal and local.
+      <Formula tex={tex`k_e`} /> is. So it does, but hardly: the part of red in these two quarters of the
+      square is {red(plain)} before any shuffle, and {red(last)} after the one of 0 to 5. The superposition
+      remembers more, {red(mean)}, since its first terms leave things where they are. That is what makes a
+      deformation both fractal and local.
     </p>
   );
 }

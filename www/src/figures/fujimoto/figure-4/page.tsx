@@ -8,6 +8,7 @@ import { Choice, SliderControl } from "../../kit/frame/control";
 import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { tex } from "../../kit/notation/tex";
 import { Bent } from "../../kit/picture/deformed";
 import { Time, useTime } from "../../kit/time/time";
 import { type BentPanel, bentHref } from "../deformations/deformations";
@@ -52,8 +53,16 @@ export function Page(heading: Heading) {
       }
       found={<Found />}
       parameters={[
-        { name: "Maps", symbol: "w", value: "½ x + (0, 0), (½, 0), (0, ½)" },
-        { name: "Detail", symbol: "ke", value: String(KE) },
+        {
+          name: "Maps",
+          value: [
+            tex`f_i(x) = \frac{1}{2} x + c_i`,
+            tex`c_1 = (0, 0)`,
+            tex`c_2 = (\frac{1}{2}, 0)`,
+            tex`c_3 = (0, \frac{1}{2})`,
+          ],
+        },
+        { name: "Detail", symbol: tex`k_e`, value: String(KE) },
         {
           name: "Roughness",
           symbol: "δ",
@@ -61,11 +70,23 @@ export function Page(heading: Heading) {
         },
         {
           name: "Locality",
-          symbol: "kb",
+          symbol: tex`k_b`,
           value: "A plain (eq 16), B 0, C 1, D 2, E 4 (C to E reconstructed), F 9",
         },
         { name: "Control points", value: "4 × 4, of degree 3 (reconstructed)" },
-        { name: "Time", symbol: "t", value: `${fixed(t)}; t₀ = 0, t₁ = ½, t₂ = 1 (reconstructed)` },
+        {
+          name: "Time",
+          symbol: "t",
+          value: [
+            `${fixed(t)}; `,
+            tex`t_0 = 0`,
+            ", ",
+            tex`t_1 = \frac{1}{2}`,
+            ", ",
+            tex`t_2 = 1`,
+            " (reconstructed)",
+          ],
+        },
         { name: "Corner of H that no piece reaches", value: "0.92, so that δ is even across the shape" },
       ]}
       captions={["Figure 4: Fractal deformations of a Sierpinski gasket. ke = 9."]}
@@ -112,7 +133,7 @@ function Slide({ t, kb, onSlide }: { t: number; kb: number; onSlide: (kb: number
       />
       <SliderControl
         label="Locality"
-        symbol="kb*"
+        symbol={tex`k_b^*`}
         range={[0, KE]}
         step={0.1}
         value={kb}
@@ -161,15 +182,15 @@ function Found() {
   return (
     <>
       <p>
-        F is A, as the paper says: with <Formula>kb = ke</Formula> nothing is shuffled. And no crack opens at
-        any <Formula>kb</Formula>, though the formula as it stands tears the shape: here every term is taken
-        at the corners that triangles share, and is exactly the same on both sides.
+        F is A, as the paper says: with <Formula tex={tex`k_b = k_e`} /> nothing is shuffled. And no crack
+        opens at any <Formula tex={tex`k_b`} />, though the formula as it stands tears the shape: here every
+        term is taken at the corners that triangles share, and is exactly the same on both sides.
       </p>
       <p>
         H needs care. If each of the three parts had one roughness for all of it, as the text reads, the two
         sides of a joint would disagree: {worst.name} would be {lengthWords(worst.gap)} of the side apart at{" "}
-        <Formula>t₂</Formula>. Here the roughness itself changes evenly across the shape, from 0.50 at the
-        lower left corner to 0.67 and 0.75 at the others, and nothing tears.
+        <Formula tex={tex`t_2`} />. Here the roughness itself changes evenly across the shape, from 0.50 at
+        the lower left corner to 0.67 and 0.75 at the others, and nothing tears.
       </p>
     </>
   );

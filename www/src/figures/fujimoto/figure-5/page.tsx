@@ -7,6 +7,7 @@ import { Choice } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import type { Point } from "../../kit/maps/pieces";
+import { tex } from "../../kit/notation/tex";
 import { type BentPanel, bentHref } from "../deformations/deformations";
 import { LettersPanel } from "../deformations/letters-panel";
 import { type Lens, Magnified, WithFrames } from "../deformations/magnified";
@@ -87,17 +88,17 @@ export function Page(heading: Heading) {
         </p>
       }
       parameters={[
-        { name: "Maps", symbol: "w", value: "the paper’s four, in its order" },
-        { name: "Detail", symbol: "ke", value: String(KE) },
+        { name: "Maps", symbol: tex`f_i`, value: "the paper’s four, in its order" },
+        { name: "Detail", symbol: tex`k_e`, value: String(KE) },
         {
           name: "Locality",
-          symbol: "kb",
+          symbol: tex`k_b`,
           value: "A plain (eq 16), B 0, C 1, D 2, E 4 (C to E reconstructed)",
         },
         {
           name: "Roughness",
           symbol: "δ",
-          value: "0.75, 0.65, 0.55, 0.45 (reconstructed: smaller as kb grows)",
+          value: ["0.75, 0.65, 0.55, 0.45 (reconstructed: smaller as ", tex`k_b`, " grows)"],
         },
         { name: "Rotation", value: SPINS.find(({ value }) => value === spin)?.description ?? "" },
         { name: "Control points", value: "4 × 4 over [−3, 3] × [0, 10.2] (reconstructed)" },

@@ -5,6 +5,7 @@ import { fixed } from "#format/numbers";
 import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { Panel } from "../../kit/frame/panel";
+import { tex } from "../../kit/notation/tex";
 import { middles } from "../../kit/picture/annotated";
 import { Bent } from "../../kit/picture/deformed";
 import { Time, useTime } from "../../kit/time/time";
@@ -59,19 +60,19 @@ export function Page(heading: Heading) {
         <p>
           Twin-dragons tile the plane, and their pieces have no corners to hold on to. Here each term is
           spread over a small grid of the plane and read off between its points, so that both sides of a
-          border get the same, and no crack opens at any <Formula>kb</Formula>. With <Formula>δ = 1</Formula>{" "}
-          all {KE + 1} terms of B count alike.
+          border get the same, and no crack opens at any <Formula tex={tex`k_b`} />. With{" "}
+          <Formula tex={tex`\delta = 1`} /> all {KE + 1} terms of B count alike.
         </p>
       }
       parameters={[
-        { name: "Maps", symbol: "w", value: "the paper’s two" },
-        { name: "Detail", symbol: "ke", value: String(KE) },
+        { name: "Maps", symbol: tex`f_1, f_2`, value: "the paper’s two" },
+        { name: "Detail", symbol: tex`k_e`, value: String(KE) },
         { name: "Roughness", symbol: "δ", value: "1" },
-        { name: "Locality", symbol: "kb", value: "A plain (eq 16), B 0, C 2, D 4, E 6 (reconstructed)" },
-        { name: "Rotation", value: "by the maps from kb + 1 on: both turn by −45°" },
+        { name: "Locality", symbol: tex`k_b`, value: "A plain (eq 16), B 0, C 2, D 4, E 6 (reconstructed)" },
+        { name: "Rotation", value: ["by the maps from ", tex`k_b + 1`, " on: both turn by −45°"] },
         {
           name: "Colours",
-          symbol: "Fc",
+          symbol: tex`F_c`,
           value: "eq 12 with kb 0, ke 8, δc 1; the 4 × 4 colours are reconstructed",
         },
         { name: "Control points", value: "4 × 4 over [−1, 2] × [−0.7, 1.7] (reconstructed)" },

@@ -16,7 +16,7 @@ export interface Parameter {
   name: string;
   symbol?: Notation;
   /** As words, or as formulas. */
-  value: string | readonly Tex[];
+  value: string | readonly (Tex | string)[];
 }
 
 interface FrameProps extends Heading {
@@ -122,6 +122,19 @@ export function Head({ number, title, badge, studio, children }: HeadProps) {
   );
 }
 
+/** Formulas alone can be copied one by one; with words between them they are read as one. */
+function Value({ of: value }: { of: Parameter["value"] }) {
+  if (typeof value === "string") return <>{value}</>;
+  const alone = value.every((part) => typeof part !== "string");
+  return (
+    <>
+      {value.map((part, i) =>
+        typeof part === "string" ? part : <Formula key={`${i}`} tex={part} copy={alone} />,
+      )}
+    </>
+  );
+}
+
 export function Parameters({ of }: { of: readonly Parameter[] }) {
   return (
     <dl class={css["parameters"]}>
@@ -131,7 +144,7 @@ export function Parameters({ of }: { of: readonly Parameter[] }) {
             {name} {symbol !== undefined && <Given as={symbol} />}
           </dt>
           <dd class="number">
-            {typeof value === "string" ? value : value.map((tex) => <Formula key={tex.tex} tex={tex} copy />)}
+            <Value of={value} />
           </dd>
         </div>
       ))}

@@ -38,6 +38,7 @@ export const spoken = ({ tex: text }: Tex) =>
 
 const GREEK: Readonly<Record<string, string>> = {
   α: "\\alpha",
+  μ: "\\mu",
   δ: "\\delta",
   ε: "\\varepsilon",
   λ: "\\lambda",

@@ -7,6 +7,7 @@ import { SliderControl } from "../../kit/frame/control";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
+import { tex } from "../../kit/notation/tex";
 import { Bent } from "../../kit/picture/deformed";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
@@ -36,10 +37,18 @@ export function Page(heading: Heading) {
       }
       question={<What prediction={prediction} />}
       parameters={[
-        { name: "Maps", symbol: "w", value: "½ x + (0, 0), (½, 0), (0, ½)" },
+        {
+          name: "Maps",
+          value: [
+            tex`f_i(x) = \frac{1}{2} x + c_i`,
+            tex`c_1 = (0, 0)`,
+            tex`c_2 = (\frac{1}{2}, 0)`,
+            tex`c_3 = (0, \frac{1}{2})`,
+          ],
+        },
         { name: "Roughness", symbol: "δ", value: "0.75" },
-        { name: "Detail", symbol: "ke", value: String(KE) },
-        { name: "Locality", symbol: "kb", value: "0 fractal, 9 plain" },
+        { name: "Detail", symbol: tex`k_e`, value: String(KE) },
+        { name: "Locality", symbol: tex`k_b`, value: "0 fractal, 9 plain" },
       ]}
       sources={
         <p>
@@ -140,7 +149,14 @@ function After() {
         </Panel>
       </div>
       <div class={layout["controls"]}>
-        <SliderControl label="Locality" symbol="kb" range={[0, KE]} step={0.1} value={kb} onChange={setKb} />
+        <SliderControl
+          label="Locality"
+          symbol={tex`k_b`}
+          range={[0, KE]}
+          step={0.1}
+          value={kb}
+          onChange={setKb}
+        />
       </div>
       <p>
         Locality says how many letters of the code stay as they are: at 1 a point trades only within its own

@@ -12,6 +12,7 @@ import { preset, studioHref } from "../../kit/frame/studio-link";
 import { gasket, HEIGHT } from "../../kit/maps/families";
 import { copies, STARTS } from "../../kit/maps/iterates";
 import { apply, type Point } from "../../kit/maps/pieces";
+import { tex } from "../../kit/notation/tex";
 import { Iterates, type Start } from "../../kit/picture/iterates";
 import { usePlay } from "../../kit/time/play";
 import { Choices, Reply } from "../frame/choices";
@@ -67,8 +68,11 @@ export function Page(heading: Heading) {
       }
       teaching={TEACHING}
       parameters={[
-        { name: "Maps", symbol: "f", value: "½ x + ½ c, c the corners of a triangle of side 1" },
-        { name: "One step", symbol: "F", value: "F(B) = f₁(B) ∪ f₂(B) ∪ f₃(B)" },
+        {
+          name: "Maps, towards the corners of a triangle of side 1",
+          value: [tex`f_i(x) = \frac{1}{2} x + \frac{1}{2} c_i`],
+        },
+        { name: "One step", value: [tex`F(B) = f_1(B) \cup f_2(B) \cup f_3(B)`] },
         { name: "Steps", symbol: "n", value: `0 to ${MOST}` },
       ]}
       sources={
@@ -217,8 +221,9 @@ function Difference({ prediction }: { prediction: Prediction<Left> }) {
             <p>
               Take the point of one figure that is farthest from the other: so far apart the two are. A step
               halves all distances, so afterwards they are at most half as far apart, after{" "}
-              <Formula>n</Formula> steps at most 1/2<sup>n</sup> of it. Whatever one starts from, all come to
-              the same shape. It belongs to the maps alone, and is the only one that a step leaves as it is.
+              <Formula>n</Formula> steps at most <Formula tex={tex`1 / 2^n`} /> of it. Whatever one starts
+              from, all come to the same shape. It belongs to the maps alone, and is the only one that a step
+              leaves as it is.
             </p>
           </Truth>
         </>

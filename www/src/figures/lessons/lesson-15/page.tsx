@@ -6,6 +6,7 @@ import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { gasket } from "../../kit/maps/families";
+import { tex } from "../../kit/notation/tex";
 import { middles, PieceNames } from "../../kit/picture/annotated";
 import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
@@ -55,7 +56,11 @@ export function Page(heading: Heading) {
       }
       teaching={TEACHING}
       parameters={[
-        { name: "Chance of face k", symbol: "pₖ", value: "its weight, divided by the sum of all weights" },
+        {
+          name: "Chance of face k",
+          symbol: tex`p_k`,
+          value: "its weight, divided by the sum of all weights",
+        },
         { name: "Marks of the gasket", value: "60 000, from the point (0, 0) of it" },
         { name: "Marks of the fern", value: "10 000, from the foot of its stem" },
         { name: "Die by areas", value: "|det| of each map; the stem, which has none, 1 of 100 of all areas" },
@@ -64,12 +69,12 @@ export function Page(heading: Heading) {
         <>
           <p>
             John Hutchinson (<cite>Fractals and self similarity</cite>, 1981) proved that maps{" "}
-            <Formula>f₁ … f_N</Formula> which shrink all distances by a factor below 1, with chances{" "}
-            <Formula>p₁ … p_N</Formula> above 0 that sum to 1, have exactly one way <Formula>μ</Formula> of
-            sharing out a whole of 1 over a bounded part of the plane such that{" "}
-            <Formula>μ(B) = p₁ μ(f₁⁻¹(B)) + … + p_N μ(f_N⁻¹(B))</Formula> for every (Borel) set{" "}
-            <Formula>B</Formula>. It is called the invariant measure. Whatever the chances are, the set on
-            which it lies, its support, is the attractor.
+            <Formula tex={tex`f_1, \dots, f_N`} /> which shrink all distances by a factor below 1, with
+            chances <Formula tex={tex`p_1, \dots, p_N`} /> above 0 that sum to 1, have exactly one way{" "}
+            <Formula>μ</Formula> of sharing out a whole of 1 over a bounded part of the plane such that{" "}
+            <Formula tex={tex`\mu(B) = p_1\, \mu(f_1^{-1}(B)) + \dots + p_N\, \mu(f_N^{-1}(B))`} copy /> for
+            every (Borel) set <Formula>B</Formula>. It is called the invariant measure. Whatever the chances
+            are, the set on which it lies, its support, is the attractor.
           </p>
           <p>
             That the shares of the throws come to those of <Formula>μ</Formula>, with probability 1 and for

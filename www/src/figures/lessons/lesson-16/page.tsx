@@ -8,6 +8,7 @@ import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { gasket, HEIGHT } from "../../kit/maps/families";
 import { apply, type Point } from "../../kit/maps/pieces";
+import { tex } from "../../kit/notation/tex";
 import { Drawn, type Place } from "../../kit/picture/annotated";
 import { Choices, Reply } from "../frame/choices";
 import { Exercise } from "../frame/exercise";
@@ -72,9 +73,19 @@ export function Page(heading: Heading) {
       }
       teaching={TEACHING}
       parameters={[
-        { name: "Maps", symbol: "f", value: "½ x + ½ c, c the corners of a triangle of side 1" },
-        { name: "Piece i₁i₂…i_n", value: "f_i₁(f_i₂(… f_i_n(A)))" },
-        { name: "Point i₁i₂…", value: "the one point in all these pieces" },
+        {
+          name: "Maps, towards the corners of a triangle of side 1",
+          value: [tex`f_i(x) = \frac{1}{2} x + \frac{1}{2} c_i`],
+        },
+        {
+          name: "Piece of an address",
+          value: [tex`A_{i_1 i_2 \dots i_n} = f_{i_1}(f_{i_2}(\dots f_{i_n}(A)))`],
+        },
+        {
+          name: "Point of an endless address",
+          symbol: tex`i_1 i_2 \dots`,
+          value: "the one point in all its pieces",
+        },
       ]}
       sources={
         <p>
@@ -285,7 +296,7 @@ function Which({ prediction }: { prediction: Prediction<Spot> }) {
       <Choices<Spot>
         ask={
           <>
-            Which point is <Formula>1(2)</Formula>, that is 1222…?
+            Which point is <Formula tex={tex`1(2)`} />, that is 1222…?
           </>
         }
         options={OPTIONS}

@@ -11,6 +11,7 @@ import { preset, studioHref } from "../../kit/frame/studio-link";
 import { EXACT, VerdictChip } from "../../kit/frame/verdict";
 import { dust, gasket, HEIGHT } from "../../kit/maps/families";
 import { copies } from "../../kit/maps/iterates";
+import { tex } from "../../kit/notation/tex";
 import { Drawn } from "../../kit/picture/annotated";
 import { Picture } from "../../kit/picture/picture";
 import { useVerdict } from "../../kit/workers";
@@ -57,9 +58,13 @@ export function Page(heading: Heading) {
       teaching={TEACHING}
       parameters={[
         { name: "Boxes of side", symbol: "s", value: "½, ¼, … ; for the carpet ⅓, ⅑, …" },
-        { name: "Boxes counted", symbol: "N(s)", value: "that hold more than a part of their edge" },
-        { name: "Dimension", symbol: "D", value: "N(s) grows as (1/s) to the power of D" },
-        { name: "Moran’s equation", value: "r₁ᴰ + r₂ᴰ + … + r_Nᴰ = 1, r the scales of the maps" },
+        { name: "Boxes counted", symbol: tex`N(s)`, value: "that hold more than a part of their edge" },
+        { name: "Dimension", symbol: "D", value: [tex`N(s)`, " grows as ", tex`(1/s)^D`] },
+        {
+          name: "Moran’s equation for scales",
+          symbol: tex`r_i`,
+          value: [tex`r_1^D + r_2^D + \dots + r_N^D = 1`],
+        },
       ]}
       sources={
         <p>
@@ -212,12 +217,12 @@ function HowMany({ prediction }: { prediction: Prediction<Times> }) {
             <p>
               The gasket is more than a line and less than a square, and its dimension says by how much. It
               follows from the maps alone: three of scale ½. If boxes half as wide are three times as many,
-              then 3 · (½) to the power of <Formula>D</Formula> is 1.
+              then <Formula tex={tex`3 \cdot (\frac{1}{2})^D = 1`} />.
             </p>
             <p>
-              So it goes for any shape made of smaller copies with scales r₁, r₂, … that do not overlap: the
-              powers with <Formula>D</Formula> sum to 1. That is Moran’s equation. Eight copies of a third,
-              the carpet, give 1.893.
+              So it goes for any shape made of smaller copies with scales{" "}
+              <Formula tex={tex`r_1, r_2, \dots`} /> that do not overlap: the powers with <Formula>D</Formula>{" "}
+              sum to 1. That is Moran’s equation. Eight copies of a third, the carpet, give 1.893.
             </p>
           </Truth>
         </>

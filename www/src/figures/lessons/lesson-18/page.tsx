@@ -6,6 +6,7 @@ import { Formula } from "../../kit/frame/formula";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
+import { tex } from "../../kit/notation/tex";
 import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
@@ -146,14 +147,15 @@ function When({ prediction }: { prediction: Prediction<Start> }) {
             <p>
               Look at the ups and downs, all added together. Each step puts four copies in place of the whole,
               each <Formula>s</Formula> times as tall: from step to step what is added is{" "}
-              <Formula>4s</Formula> times as much. Below 1 that dies away, and the curve has a length, like a
-              line. Above 1 it grows without bound.
+              <Formula tex={tex`4s`} /> times as much. Below 1 that dies away, and the curve has a length,
+              like a line. Above 1 it grows without bound.
             </p>
             <p>
               Boxes a quarter as wide fit the copies as the old ones fitted the whole, only that the copies
-              are 4s times as tall for them. So there are four times as many columns, each with about{" "}
-              <Formula>4s</Formula> times as many boxes. Hence the dimension:{" "}
-              <Formula>1 + log(4s) / log 4</Formula>. At ½ it is 1.5, half-way between a line and an area.
+              are <Formula tex={tex`4s`} /> times as tall for them. So there are four times as many columns,
+              each with about <Formula tex={tex`4s`} /> times as many boxes. Hence the dimension:{" "}
+              <Formula tex={tex`1 + \frac{\log 4s}{\log 4}`} />. At ½ it is 1.5, half-way between a line and
+              an area.
             </p>
           </Truth>
         </>

@@ -4,6 +4,7 @@ import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { gasket } from "../../kit/maps/families";
+import { tex } from "../../kit/notation/tex";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
@@ -39,7 +40,7 @@ export function Page(heading: Heading) {
       question={<Empty prediction={prediction} />}
       parameters={[
         { name: "A throw towards corner c", value: "½ x + ½ c" },
-        { name: "Corners", symbol: "c", value: "those of a triangle of side 1" },
+        { name: "Corners", symbol: tex`c_i`, value: "those of a triangle of side 1" },
         { name: "First point", value: "the middle of the triangle" },
         { name: "Chance of each corner", value: "⅓" },
       ]}

@@ -8,6 +8,7 @@ import { SliderControl } from "../../kit/frame/control";
 import { Formula } from "../../kit/frame/formula";
 import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
+import { tex } from "../../kit/notation/tex";
 import { Exercise } from "../frame/exercise";
 import { Chart } from "./chart";
 import { Here, usePlace } from "./here";
@@ -87,9 +88,9 @@ function Border() {
       number={2}
       ask={
         <>
-          Two places on the line <Formula>v = {LINE.v}</Formula>: the first is in one piece, the second in
-          pieces. So there is a border between them. Find it: bring both places within {WITHIN} of each other,
-          one of them proved in one piece, the other proved in pieces.
+          Two places on the line <Formula tex={tex`v = ${LINE.v}`} />: the first is in one piece, the second
+          in pieces. So there is a border between them. Find it: bring both places within {WITHIN} of each
+          other, one of them proved in one piece, the other proved in pieces.
         </>
       }
       hints={[

@@ -6,6 +6,7 @@ import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
 import { preset, studioHref } from "../../kit/frame/studio-link";
+import { tex } from "../../kit/notation/tex";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
@@ -45,10 +46,10 @@ export function Page(heading: Heading) {
       parameters={[
         { name: "Shape A", value: "Heighway’s dragon, written with three maps" },
         { name: "Shape B", value: "the gasket" },
-        { name: "The map", symbol: "(u, v)", value: "from −1 to 2 each" },
+        { name: "The map", symbol: tex`(u, v)`, value: "from −1 to 2 each" },
         { name: "Samples of the map", value: `${SIZE} × ${SIZE}` },
         { name: "Resolution of the map", symbol: "ε", value: `${resolutionWords(EPSILON)} of the shape` },
-        { name: "Resolution of a touch", symbol: "ε", value: "10⁻⁶ of the shape" },
+        { name: "Resolution of a touch", symbol: "ε", value: [tex`10^{-6}`, " of the shape"] },
       ]}
       sources={
         <p>

@@ -6,6 +6,7 @@ import { Formula } from "../../kit/frame/formula";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
+import { tex } from "../../kit/notation/tex";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
@@ -48,8 +49,19 @@ export function Page(heading: Heading) {
       exercises={<Exercises />}
       teaching={TEACHING}
       parameters={[
-        { name: "The sponge", symbol: "w", value: "⅓ x + ⅔ c, c the 20 places of the cube from −1 to 1" },
-        { name: "The tetrahedron", symbol: "w", value: "½ x + ½ c, c its 4 corners" },
+        {
+          name: "The sponge",
+          value: [
+            tex`f_i(x) = \frac{1}{3} x + \frac{2}{3} c_i`,
+            ", the ",
+            tex`c_i`,
+            " being the 20 places of the cube from −1 to 1",
+          ],
+        },
+        {
+          name: "The tetrahedron",
+          value: [tex`f_i(x) = \frac{1}{2} x + \frac{1}{2} c_i`, ", the ", tex`c_i`, " being its 4 corners"],
+        },
         { name: "Their dimensions", value: "log 20 / log 3 = 2.727 and log 4 / log 2 = 2" },
         { name: "The shadow of r x + t", value: "r P(x) + P(t), P leaves out the depth" },
       ]}
@@ -116,8 +128,8 @@ function Balancing({ prediction }: { prediction: Prediction<Guess> }) {
           </p>
           <p>
             That holds whenever each map takes points on one ray of light to points on one ray: then the
-            shadow of a copy is a copy of the shadow. Maps that only shrink, as <Formula>r x + t</Formula>, do
-            that for any light; maps that turn need not.
+            shadow of a copy is a copy of the shadow. Maps that only shrink, as <Formula tex={tex`r x + t`} />
+            , do that for any light; maps that turn need not.
           </p>
           <p>
             The tetrahedron has no volume, but it has dimension 2, as the square has. More the shadow could

@@ -9,6 +9,7 @@ import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { cutKoch, PEAK } from "../../kit/maps/families";
 import { apply, type Point } from "../../kit/maps/pieces";
+import { tex } from "../../kit/notation/tex";
 import { Drawn, PieceNames, Span } from "../../kit/picture/annotated";
 import { useVerdict } from "../../kit/workers";
 import choicesCss from "../frame/choices.module.css";
@@ -63,7 +64,7 @@ export function Page(heading: Heading) {
         { name: "Maps above", value: "four of scale ⅓: Koch’s curve" },
         { name: "Maps below", value: "the same, the sides of the peak turned outward" },
         { name: "Width of the cut at the peak", value: String(CUT) },
-        { name: "Verdict", symbol: "ε", value: "10⁻⁶ of the size" },
+        { name: "Verdict", symbol: "ε", value: [tex`10^{-6}`, " of the size"] },
       ]}
       sources={
         <p>

@@ -11,6 +11,7 @@ import { preset, studioHref } from "../../kit/frame/studio-link";
 import { Table } from "../../kit/frame/table";
 import tableCss from "../../kit/frame/table.module.css";
 import { gasket } from "../../kit/maps/families";
+import { tex } from "../../kit/notation/tex";
 import { useChannel, useValue } from "../../kit/workers";
 import { Guess } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
@@ -57,11 +58,14 @@ export function Page(heading: Heading) {
       }
       teaching={TEACHING}
       parameters={[
-        { name: "Maps", symbol: "w", value: "r x + (1 − r) c, c the corners of a triangle of side 1" },
+        {
+          name: "Maps, towards the corners of a triangle of side 1",
+          value: [tex`f_i(x) = r x + (1 - r)\, c_i`],
+        },
         { name: "Scale in the pictures above", symbol: "r", value: String(SHOWN) },
         { name: "Points in each picture", value: "40 000 of the chaos game" },
         { name: "Points in each buffer that is measured", value: "200 000" },
-        { name: "Pair subdivision", symbol: "ε", value: "10⁻⁶ of the size" },
+        { name: "Pair subdivision", symbol: "ε", value: [tex`10^{-6}`, " of the size"] },
       ]}
       sources={
         <p>

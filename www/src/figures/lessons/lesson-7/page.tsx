@@ -14,6 +14,7 @@ import { Square } from "../../kit/locus/locus-square";
 import { useChart } from "../../kit/locus/morph-locus";
 import { breakage, stretchWords } from "../../kit/maps/breakage";
 import { boxAround, type Ends, framesAlong, mapsAt, STRAIGHT } from "../../kit/maps/morphs";
+import { tex } from "../../kit/notation/tex";
 import { Drawn } from "../../kit/picture/annotated";
 import { Picture } from "../../kit/picture/picture";
 import stillsCss from "../../kit/picture/stills.module.css";
@@ -68,7 +69,7 @@ export function Page(heading: Heading) {
         { name: "First shape", symbol: "A", value: "Heighway’s dragon, written with three maps" },
         { name: "Last shape", symbol: "B", value: "the terdragon" },
         { name: "Moment you chose", symbol: "t", value: fixed(t) },
-        { name: "Way point", symbol: "(u, v)", value: `(${fixed(way[0])}, ${fixed(way[1])})` },
+        { name: "Way point", symbol: tex`(u, v)`, value: [tex`(${fixed(way[0])}, ${fixed(way[1])})`] },
         { name: "Resolution of the verdicts", symbol: "ε", value: "1/600 of the shape" },
         { name: "Moments judged on a path", value: String(SAMPLES) },
       ]}

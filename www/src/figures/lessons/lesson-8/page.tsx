@@ -14,6 +14,7 @@ import { studioHref } from "../../kit/frame/studio-link";
 import { EXACT, VerdictChip, Why } from "../../kit/frame/verdict";
 import { type Complex, mapsOf, quarterJob, unfolded } from "../../kit/locus/set-m";
 import { boxAround } from "../../kit/maps/morphs";
+import { tex } from "../../kit/notation/tex";
 import { Picture } from "../../kit/picture/picture";
 import { useChannel, useValue, useVerdict } from "../../kit/workers";
 import { Choices } from "../frame/choices";
@@ -63,7 +64,8 @@ export function Page(heading: Heading) {
           <p>
             Take two maps that differ only by where they put things: both turn and shrink by the same complex
             number <Formula>s</Formula>, and one then moves to the left, the other to the right. One number,
-            one shape. Its size |s| says how much the maps shrink, its angle how far they turn.
+            one shape. Its size <Formula tex={tex`\abs{s}`} /> says how much the maps shrink, its angle how
+            far they turn.
           </p>
           <p>
             A shape of two pieces has only two ways to be: the pieces meet, and it is in one piece; or they do
@@ -74,11 +76,11 @@ export function Page(heading: Heading) {
       }
       question={<Where prediction={prediction} s={s} onS={setS} />}
       parameters={[
-        { name: "Maps", symbol: "w", value: "s z − 1 and s z + 1" },
+        { name: "Maps", value: [tex`f_1(z) = s z - 1`, tex`f_2(z) = s z + 1`] },
         { name: "The ring", symbol: "s", value: complexWords(s) },
-        { name: "Its size", symbol: "|s|", value: fixed(Math.hypot(...s), 4) },
-        { name: "Verdict at s", symbol: "ε", value: "10⁻⁶ of the size" },
-        { name: "Map of M", symbol: "ε", value: "10⁻⁴ of the size" },
+        { name: "Its size", symbol: tex`\abs{s}`, value: fixed(Math.hypot(...s), 4) },
+        { name: "Verdict at s", symbol: "ε", value: [tex`10^{-6}`, " of the size"] },
+        { name: "Map of M", symbol: "ε", value: [tex`10^{-4}`, " of the size"] },
       ]}
       sources={<Sources />}
       studio={{
