@@ -18,7 +18,7 @@ export function mathml(tex: string, display = false): string {
     const [first = ""] = String(error instanceof Error ? error.message : error).split("\n");
     throw new Error(`The formula ${tex} cannot be read: ${first.trim().replace(/:$/, "")}`);
   }
-  // Its own classes need a sheet that is not loaded; browsers lay out blocks and accents well enough without these styles.
+  // Its classes need a sheet that is not loaded, and blocks and accents are laid out well without these two styles.
   const plain = written.replace(/ class="(?!slot)[^"]*"| style="(display:block math|math-depth:0);"/g, "");
   // The policy of the built pages lets no style in that stands in an element.
   if (/ style=/.test(plain)) throw new Error(`The formula ${tex} needs styles; write it in another way.`);
