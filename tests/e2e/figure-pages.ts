@@ -32,6 +32,16 @@ export async function openContents(page: Page): Promise<void> {
   await page.getByRole("heading", { level: 1, name: "Learn" }).waitFor();
 }
 
+/** A prediction by keys alone. */
+export async function guess(page: Page): Promise<void> {
+  const question = page.getByRole("region", { name: "What do you think?" });
+  const input = question.locator("fieldset input").first();
+  await input.focus();
+  // Where a slider stands at an end, one of the two moves it.
+  const keys = (await input.getAttribute("type")) === "range" ? ["ArrowRight", "ArrowLeft"] : ["Space"];
+  for (const key of keys) await page.keyboard.press(key);
+}
+
 export interface Look {
   /** Parts of the picture that hold something. */
   lit: number;

@@ -1,6 +1,6 @@
 import type { Locator, Page } from "@playwright/test";
 import { expectClean } from "./axe";
-import { expectDrawn, expectShape, openFigure, ROWS_OF_FIGURES, UNITS } from "./figure-pages";
+import { expectDrawn, expectShape, guess, openFigure, ROWS_OF_FIGURES, UNITS } from "./figure-pages";
 import { expect, test } from "./fixture";
 
 /** Where the page is from: one on an open question is nobody's. */
@@ -55,9 +55,8 @@ for (const { title, ids } of UNITS) {
 async function expectAnswer(page: Page): Promise<void> {
   const question = page.getByRole("region", { name: "What do you think?" });
   await expect(question.getByTestId("truth")).toHaveCount(0);
-  const input = question.locator("fieldset input").first();
-  await input.focus();
-  await page.keyboard.press((await input.getAttribute("type")) === "range" ? "ArrowLeft" : "Space");
+  await expect(question.getByRole("button", { name: "Show me" })).toBeDisabled();
+  await guess(page);
   const button = question.getByRole("button", { name: "Show me" });
   await button.focus();
   const before = await placeOf(button);

@@ -1,5 +1,5 @@
 import type { Page } from "@playwright/test";
-import { LESSONS, openContents, openFigure, ROWS_OF_FIGURES } from "./figure-pages";
+import { guess, LESSONS, openContents, openFigure, ROWS_OF_FIGURES } from "./figure-pages";
 import { expect, test } from "./fixture";
 
 test("no figure is wider than a phone", async ({ page }) => {
@@ -39,9 +39,8 @@ test("nothing moves on a phone when the truth comes", async ({ page }) => {
   for (const lesson of LESSONS) {
     await openFigure(page, lesson);
     const question = page.getByRole("region", { name: "What do you think?" });
-    const input = question.locator("fieldset input").first();
-    await input.waitFor();
-    if ((await input.getAttribute("type")) !== "range") await input.check();
+    await question.locator("fieldset input").first().waitFor();
+    await guess(page);
     const button = question.getByRole("button", { name: "Show me" });
     const place = (element: typeof button) =>
       element.evaluate(

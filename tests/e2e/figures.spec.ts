@@ -1,6 +1,6 @@
 import type { Page } from "@playwright/test";
 import { expectClean } from "./axe";
-import { LESSONS, look, openContents, openFigure, ROWS_OF_FIGURES } from "./figure-pages";
+import { guess, LESSONS, look, openContents, openFigure, ROWS_OF_FIGURES } from "./figure-pages";
 import { expect, test } from "./fixture";
 
 test("the index shows every figure, drawn and clean", async ({ page }) => {
@@ -13,6 +13,7 @@ test("the contents show every lesson, drawn and clean, and what is done", async 
   await openContents(page);
   await expectCards(page, LESSONS.length);
   await openFigure(page, "e1");
+  await guess(page);
   await page.getByRole("button", { name: "Show me" }).click();
   await openContents(page);
   await expect(page.getByText(`1 of ${LESSONS.length} done.`)).toBeVisible();
@@ -73,6 +74,7 @@ test("the overlap graph is compared line by line", async ({ page }) => {
 
 test("what pixels hide is measured", async ({ page }) => {
   await openFigure(page, "e5");
+  await guess(page);
   await page.getByRole("button", { name: "Show me" }).click();
   await expect(page.getByTestId("truth")).toContainText(/Here 75 pixels say connected from 0\.49\d\d on/);
   await expect(page.getByRole("row", { name: /^pair subdivision/ })).toContainText(/0\.49999\d\d|0\.5000000/);
@@ -80,6 +82,7 @@ test("what pixels hide is measured", async ({ page }) => {
 
 test("a morph can be led across by keys", async ({ page }) => {
   await openFigure(page, "e7");
+  await guess(page);
   await page.getByRole("button", { name: "Show me" }).click();
   await expect(page.getByTestId("truth")).toContainText("It first breaks at 0.55");
   await expect(page.getByText(/^widest gap 4\.\d%/)).toBeVisible();

@@ -72,7 +72,7 @@ export interface QuestionProps {
 
 /** Asks for a prediction and then shows what is so. The one button keeps its place, and with it the focus. */
 export function Question({ prediction, beside, children, answer, after }: QuestionProps) {
-  const { guess, shown, show, again } = prediction;
+  const { said, shown, show, again } = prediction;
   const lesson = useContext(LessonId);
   const look = () => {
     show();
@@ -96,14 +96,10 @@ export function Question({ prediction, beside, children, answer, after }: Questi
         <div class={css["ask"]}>
           {children}
           <div class={layout["buttons"]}>
-            <Button
-              kind={shown ? "plain" : "primary"}
-              disabled={guess === null}
-              onClick={shown ? again : look}
-            >
+            <Button kind={shown ? "plain" : "primary"} disabled={!said} onClick={shown ? again : look}>
               {shown ? "Think again" : "Show me"}
             </Button>
-            {guess === null && <p class={layout["hint"]}>Choose first, then look.</p>}
+            {!said && <p class={layout["hint"]}>Make a guess, then look.</p>}
           </div>
           <div class={css["answer"]} aria-live="polite">
             {shown && answer}

@@ -4,6 +4,8 @@ import { useState } from "preact/hooks";
 export interface Prediction<T> {
   /** Null until there is one. */
   guess: T | null;
+  /** Whether it was made: what a slider begins with is no guess. */
+  said: boolean;
   shown: boolean;
   /** Changes the guess; once the truth is shown it stays as it was made. */
   say(guess: T): void;
@@ -14,12 +16,16 @@ export interface Prediction<T> {
 
 export function usePrediction<T>(first: T | null): Prediction<T> {
   const [guess, setGuess] = useState(first);
+  const [said, setSaid] = useState(false);
   const [shown, setShown] = useState(false);
   return {
     guess,
+    said,
     shown,
     say(next) {
-      if (!shown) setGuess(() => next);
+      if (shown) return;
+      setGuess(() => next);
+      setSaid(true);
     },
     show: () => setShown(true),
     again: () => setShown(false),

@@ -8,7 +8,7 @@ import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
 import { studioHref } from "../../kit/frame/studio-link";
 import { EXACT, VerdictChip, Why } from "../../kit/frame/verdict";
-import { gasket, HEIGHT } from "../../kit/maps/families";
+import { gasket, HEIGHT, unevenGasket } from "../../kit/maps/families";
 import { tex } from "../../kit/notation/tex";
 import { Drawn, Span } from "../../kit/picture/annotated";
 import annotatedCss from "../../kit/picture/annotated.module.css";
@@ -22,7 +22,12 @@ import css from "./page.module.css";
 const WHOLE: Box = { x0: 0, y0: 0, x1: 1, y1: HEIGHT };
 /** Where pieces 1 and 2 meet. */
 const MEET = 0.5;
-const [LOWEST, HIGHEST] = [0.4, 0.56];
+/** The scales of pieces 2 and 3 in the question: they share a point, so only piece 1 may part from them. */
+const [OTHER, TOP] = [0.6, 0.4];
+/** Where piece 2 begins: piece 1 has to reach as far. */
+const TRUTH = 1 - OTHER;
+const [LOWEST, HIGHEST] = [0.25, 0.5];
+const pieces = (r: number) => unevenGasket([r, OTHER, TOP]);
 
 /** What touching means. */
 export function Page(heading: Heading) {
@@ -50,21 +55,22 @@ export function Page(heading: Heading) {
         {
           name: "Maps, towards the corners of a triangle of side 1",
 
-          value: [tex`f_i(x) = r x + (1 - r)\, c_i`],
+          value: [tex`f_i(x) = r_i x + (1 - r_i)\, c_i`],
         },
-        { name: "Scale in the picture above", symbol: "r", value: "½" },
-        { name: "Scale you chose", symbol: "r", value: fixed(r, 3) },
+        { name: "Scales in the picture above", value: "½, ½, ½" },
+        { name: "Scales in the question", value: `${fixed(r, 3)}, ${fixed(OTHER)}, ${fixed(TOP)}` },
       ]}
       sources={
         <p>
           That a shape of this kind is in one piece exactly when its pieces hang together by touching is a
-          theorem of Masayoshi Hata (1985). Burch and Hart use this family of triangles for their Table 1.
+          theorem of Masayoshi Hata (1985). Burch and Hart use triangles of three equal pieces for their Table
+          1.
         </p>
       }
       studio={{
         href: studioHref({
-          a: { name: "Gasket, maps at 0.4", maps: gasket(LOWEST) },
-          b: { name: "Gasket, maps at 0.56", maps: gasket(HIGHEST) },
+          a: { name: "Piece 1 at 0.25", maps: pieces(LOWEST) },
+          b: { name: "Piece 1 at 0.5", maps: pieces(HIGHEST) },
           t: (r - LOWEST) / (HIGHEST - LOWEST),
         }),
       }}
@@ -76,7 +82,7 @@ export function Page(heading: Heading) {
 
 /** The gasket, and its meeting point through a lens. */
 function Meeting() {
-  const [power, setPower] = useState(6);
+  const [power, setPower] = useState(0);
   const maps = useMemo(() => gasket(0.5), []);
   const half = 0.7 * 2 ** -power;
   const lens = useMemo<Box>(() => lensAt(half), [half]);
@@ -101,19 +107,33 @@ function Meeting() {
             <span class="number">The same place, {times === 1 ? "as it is" : `${times} times larger`}</span>
           }
         >
-          <Picture
+          <Drawn
             maps={maps}
             box={lens}
             margin={0}
             label={`The meeting point ${times} times larger: two tips that share a point.`}
-          />
+          >
+            {(place, unit) => {
+              // As wide as a quarter of the picture, in a round number.
+              const length = 10 ** Math.floor(Math.log10(130 / unit));
+              const [x, y] = place([lens.x0, lens.y0]);
+              return (
+                <Span
+                  from={[x + 12, y - 22]}
+                  to={[x + 12 + length * unit, y - 22]}
+                  name={lengthWords(length)}
+                  kind="below"
+                />
+              );
+            }}
+          </Drawn>
         </Panel>
       </div>
       <div class={layout["controls"]}>
         <SliderControl
           label="Strength of the lens"
           range={[0, 16]}
-          step={1}
+          step={0.05}
           value={power}
           text={`${times} ×`}
           valueText={`${times} times`}
@@ -124,8 +144,8 @@ function Meeting() {
   );
 }
 
-function lensAt(half: number): Box {
-  return { x0: MEET - half, x1: MEET + half, y0: -0.35 * half, y1: 1.15 * half };
+function lensAt(half: number, at = MEET): Box {
+  return { x0: at - half, x1: at + half, y0: -0.35 * half, y1: 1.15 * half };
 }
 
 interface PartingProps {
@@ -134,39 +154,45 @@ interface PartingProps {
 }
 
 function Parting({ prediction, r }: PartingProps) {
-  const maps = useMemo(() => gasket(r), [r]);
-  const gap = 1 - 2 * r;
+  const maps = useMemo(() => pieces(r), [r]);
+  const gap = TRUTH - r;
   return (
     <Question
       prediction={prediction}
-      beside={<Picture maps={maps} box={WHOLE} label={`The triangle with pieces of scale ${fixed(r, 3)}.`} />}
+      beside={
+        <Picture
+          maps={maps}
+          box={WHOLE}
+          label={`A triangle of three unlike pieces: piece 1 at the lower left has scale ${fixed(r, 3)}.`}
+        />
+      }
       answer={
         <Truth
-          line={`You said ${fixed(r, 3)}. They part below 0.500. ${nearWords(r, 0.5, { close: 0.0025, fair: 0.012 })}`}
+          line={`You said ${fixed(r, 3)}. They part below ${fixed(TRUTH, 3)}. ${nearWords(r, TRUTH, { close: 0.0025, fair: 0.012 })}`}
         >
           <p>
-            Along the bottom edge piece 1 reaches from 0 to r, and piece 2 from 1 − r to 1. They share a point
-            as long as r is at least 1 − r, which is to say ½.{" "}
+            Along the bottom edge piece 1 reaches from 0 to its scale r. Piece 2 is {fixed(OTHER)} wide, so it
+            begins at {fixed(TRUTH)}. They share a point as long as r is at least that.{" "}
             {gap > 1e-9
-              ? `At your ${fixed(r, 3)} there is a gap of 1 − 2r = ${lengthWords(gap)} of the side, whether or not the eye finds it.`
+              ? `At your ${fixed(r, 3)} there is a gap of ${lengthWords(gap)} of the side, whether or not the eye finds it.`
               : gap < -1e-9
                 ? `At your ${fixed(r, 3)} they do not only touch but overlap, by ${lengthWords(-gap)} of the side.`
-                : "At exactly ½ they touch in a single point."}
+                : `At exactly ${fixed(TRUTH)} they touch in a single point.`}
           </p>
         </Truth>
       }
       after={<Closer r={r} gap={gap} />}
     >
       <Guess
-        ask="Now let every piece shrink towards its own corner. Drag to where you think they just part."
-        label="Scale of the pieces"
+        ask="Piece 2 is larger now, 0.6 of the whole. Let piece 1 shrink into its corner: how small may it get before the two part?"
+        label="Scale of piece 1"
         symbol="r"
         min={LOWEST}
         max={HIGHEST}
         step={0.001}
         format={(value) => fixed(value, 3)}
         prediction={prediction}
-        truth={0.5}
+        truth={TRUTH}
       />
     </Question>
   );
@@ -174,10 +200,10 @@ function Parting({ prediction, r }: PartingProps) {
 
 /** The guess through a lens that is strong enough to show what is between the pieces. */
 function Closer({ r, gap }: { r: number; gap: number }) {
-  const maps = useMemo(() => gasket(r), [r]);
+  const maps = useMemo(() => pieces(r), [r]);
   const judged = useVerdict(maps, 1e-6);
-  const half = Math.min(0.5, Math.max(2e-3, 2 * Math.abs(gap)));
-  const box = useMemo(() => lensAt(half), [half]);
+  const half = Math.min(0.4, Math.max(2e-3, 2 * Math.abs(gap)));
+  const box = useMemo(() => lensAt(half, (r + TRUTH) / 2), [half, r]);
   return (
     <figure class={`${layout["panel"]} ${css["closer"]}`}>
       <Drawn
@@ -188,7 +214,7 @@ function Closer({ r, gap }: { r: number; gap: number }) {
       >
         {(place) =>
           gap > 1e-9 && (
-            <Span from={place([r, 0])} to={place([1 - r, 0])} name={lengthWords(gap)} kind="below strong" />
+            <Span from={place([r, 0])} to={place([TRUTH, 0])} name={lengthWords(gap)} kind="below strong" />
           )
         }
       </Drawn>

@@ -56,8 +56,9 @@ export function Page(heading: Heading) {
             two ways of pairing the pieces.
           </p>
           <p>
-            So each pairing has its own map of shapes (as in Lesson 7), and its own ways across. For some
-            there is a way on which the shape stays in one piece. For others, every way breaks.
+            So each pairing has its own map of shapes, as in <a href="#learn/e7">Straight on, or led</a>, and
+            its own ways across. For some there is a way on which the shape stays in one piece. For others,
+            every way breaks.
           </p>
         </>
       }
