@@ -5,6 +5,7 @@ import initCore from "../../www/pkg/frond.js";
 import initProof, { connectedness } from "../../www/pkg/frond-proof.js";
 import { mapsAt } from "../../www/src/figures/kit/maps/morphs";
 import * as map from "../../www/src/figures/lessons/lesson-20/map";
+import * as bend from "../../www/src/figures/lessons/lesson-22/answer";
 import type { Connectedness } from "../../www/src/wasm/api";
 
 const read = (name: string) => readFile(new URL(`../../www/pkg/${name}`, import.meta.url));
@@ -48,5 +49,32 @@ describe("Reading a map", () => {
     const likely: Connectedness = { ...at(0, 0.5), verdict: "touching" };
     expect(isBorder([0.165, 0.166], [likely, at(0.166, LINE.v)])).toBe(false);
     expect(isNarrow(likely)).toBe(false);
+  });
+});
+
+describe("Every level, or only the whole", () => {
+  const { apartFromPlain, DELTA, FAR, isQuietAndLively, NEAR, NEARLY_PLAIN, shares, WHOLE } = bend;
+
+  it("is plain at roughness 0, and at locality 9", () => {
+    for (const piece of [WHOLE, FAR, NEAR]) {
+      expect(apartFromPlain(piece, 0, 0)).toBe(0);
+      expect(apartFromPlain(piece, 9, DELTA)).toBe(0);
+      expect(apartFromPlain(piece, 0, DELTA)).toBeGreaterThan(0.05);
+    }
+  });
+
+  it("shares out the lift as the program does", () => {
+    // Two turned letters for the third level: what is apart from plain at a small roughness is that share, or less.
+    const [, , third = 0] = shares(0, 0.01);
+    const apart = (delta: number) => apartFromPlain(WHOLE, 0, delta);
+    expect(apart(0.01) / third).toBeCloseTo(apart(0.002) / (shares(0, 0.002)[2] ?? 0), 2);
+  });
+
+  it("has exercises that can be solved as their hints say, and are not solved at the start", () => {
+    expect(apartFromPlain(WHOLE, 0, 0.25)).toBeLessThan(NEARLY_PLAIN);
+    expect(apartFromPlain(WHOLE, 0, DELTA)).toBeGreaterThan(NEARLY_PLAIN);
+    const both = (kb: number) =>
+      isQuietAndLively(apartFromPlain(FAR, kb, DELTA), apartFromPlain(NEAR, kb, DELTA));
+    expect([0, 2, 3, 4, 9].filter(both)).toEqual([3]);
   });
 });

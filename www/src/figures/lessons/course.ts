@@ -267,6 +267,16 @@ const COURSE: readonly UnitEntry[] = [
         load: () => import("./lesson-11/page"),
         thumb: () => import("./lesson-11/thumb"),
       },
+      {
+        id: "e22",
+        title: "Every level, or only the whole",
+        about: "Two numbers lead from a plain bend to a fractal one: who answers, and how loudly?",
+        minutes: 6,
+        after: ["e11"],
+        figures: ["d4"],
+        load: () => import("./lesson-22/page"),
+        thumb: () => import("./lesson-22/thumb"),
+      },
     ],
   },
   {
