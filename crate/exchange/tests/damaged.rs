@@ -113,6 +113,61 @@ fn chunks_that_lie_about_their_length_hold_no_link() {
 }
 
 #[test]
+fn a_link_is_found_behind_large_chunks() {
+    let picture = picture();
+    let at = picture.windows(4).position(|kind| kind == b"iTXt").unwrap() - 4;
+    let mut large = u32::to_be_bytes(3 << 20).to_vec();
+    large.extend(b"IDAT");
+    large.resize(12 + (3 << 20), 0);
+    let bytes = [&picture[..at], &large, &picture[at..]].concat();
+    assert_eq!(read(&bytes).unwrap().link.as_deref(), Some("v=1&a=fern"));
+}
+
+#[test]
+fn weights_that_say_nothing_are_left_out() {
+    let found = |text: &str| read(text.as_bytes()).unwrap().systems.remove(0);
+    // Without their sign; and not at all, where they are all zero or have no sum.
+    for (weights, wanted) in [
+        (["-0.25", "0.5"], &[0.25, 0.5][..]),
+        (["-1", "-2"], &[1.0, 2.0]),
+        (["0", "0"], &[]),
+        (["1e308", "-1e308"], &[]),
+    ] {
+        let [one, other] = weights;
+        for text in [
+            format!("a {{\n.5 0 0 .5 0 0 {one}\n.5 0 0 .5 1 0 {other}\n}}"),
+            format!(".5 0 0 .5 0 0 {one}\n.5 0 0 .5 1 0 {other}\n"),
+            format!("{{\"maps\": [[0,0,0,0,0,0],[0,0,0,0,1,0]], \"probabilities\": [{one}, {other}]}}"),
+        ] {
+            let system = found(&text);
+            assert_eq!(system.probabilities, wanted, "{text}");
+            assert_eq!(system.remarks.len(), usize::from(text.contains("-")), "{:?}", system.remarks);
+        }
+    }
+    for weights in ["[1]", "[1,2,3]", "[1,null]", "{}"] {
+        let system =
+            found(&format!("{{\"maps\": [[0,0,0,0,0,0],[0,0,0,0,1,0]], \"probabilities\": {weights}}}"));
+        assert_eq!((system.probabilities.len(), system.remarks.len()), (0, 1), "{weights}");
+    }
+    // Written, they are what each map leaves of areas.
+    let mut system = system(2);
+    system.probabilities = vec![0.0, 0.0];
+    for format in READ.into_iter().filter(|format| *format != ExportFormat::Json) {
+        let weights = found(&export(&system, format).unwrap()).probabilities;
+        assert!(weights.len() == 2 && weights.iter().all(|weight| *weight > 0.0), "{format:?}: {weights:?}");
+    }
+}
+
+#[test]
+fn many_maps_take_as_many_steps() {
+    let list = |count: usize| (0..count).map(|k| format!("[{k},0]")).collect::<Vec<_>>().join("|");
+    let file = |count: usize| format!("@\nf={0}\nA=.5*(f)*f{1}*A\n", list(8), "*1".repeat(count));
+    assert_eq!(code(&file(100)), "ifstile");
+    // Each of these is 64 products.
+    assert_eq!(code(&file(2000)), "aifs-unread");
+}
+
+#[test]
 fn the_same_text_of_any_machine_is_the_same() {
     for (kind, text) in texts() {
         let wanted = read(text.as_bytes()).unwrap();

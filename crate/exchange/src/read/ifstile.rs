@@ -565,6 +565,22 @@ mod tests {
     }
 
     #[test]
+    fn hidden_blocks_are_no_shapes_of_their_own() {
+        let found = |letter: char| read_ifstile(&format!("@b\n$a={letter}\nA=[.5,0,0,.5]*A\n@:b\n$n=Two\n"));
+        let names = |letter| found(letter).unwrap().systems.into_iter().map(|it| it.name).collect::<Vec<_>>();
+        assert_eq!(names('h'), ["Two"]);
+        assert_eq!(names('x'), ["", "Two"]);
+    }
+
+    #[test]
+    fn a_set_is_what_mentions_itself_where_it_is_last_defined() {
+        let half = "[.5,0,0,.5]";
+        assert_eq!(rows(&format!("@b\nA={half}*A\nB=(1|A)*B\n@:b\nA={half}\n"))[1][0], 0.5);
+        assert_eq!(rows(&format!("@\nA=A*A\nA={half}\nB=A*B\n")).len(), 1);
+        assert!(told(&format!("@\nA={half}*A\nB={half}*B\n")).contains("“A” and “B” are two sets."));
+    }
+
+    #[test]
     fn what_is_not_read_is_told_with_its_line() {
         for (text, start) in [
             ("@\n$dim=2\n$subspace=[s,0]\nA=A", "Line 3: $subspace"),
