@@ -4,6 +4,8 @@
 //! instead of floating point, and knows nothing of searching. Doubles are whole multiples of a power of two, so
 //! that nothing is rounded anywhere. Only multiplications, additions and comparisons are used.
 //!
+#![doc = include_str!("../picture.svg")]
+//!
 //! # What a [`Certificate`] proves
 //!
 //! 1. *There is an attractor `A`, and it lies in `P`.* `P` is a convex polygon with an inside, and every word `u` of

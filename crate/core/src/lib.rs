@@ -4,6 +4,8 @@
 //! its attractor, the one shape that is the union of its own images. What is the same in the plane and in space is
 //! written once, over [`Dimension`]: `Ifs` alone is one of the plane, [`Ifs3`] one of space.
 //!
+#![doc = include_str!("../picture.svg")]
+//!
 //! ```
 //! use frond_core::{Affine2, ChaosGame, Ifs, Morph, MorphOptions};
 //! use glam::DVec2;

@@ -1,5 +1,7 @@
 //! Fractal deformation: pull one corner of a grid, and every part at every scale answers.
 //!
+#![doc = include_str!("../picture.svg")]
+//!
 //! After Fujimoto, Ohno, Muraoka and Chiba, "Fractal Deformation Using Displacement Vectors Based on Extended
 //! Iterated Shuffle Transformation". Every point of a self-similar shape has a code, the letters of the pieces
 //! that hold it, from the largest on. A [`Mesh`] gives each point a displacement; [`shuffle`] reverses a block

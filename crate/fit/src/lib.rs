@@ -2,6 +2,8 @@
 //!
 //! After Cochran, Hart and Flynn, "On Approximating Rough Curves With Fractal Functions", and beyond it.
 //!
+#![doc = include_str!("../picture.svg")]
+//!
 //! - [`FractalFunction`] and [`FractalCurve`] are made of smaller copies of parts of themselves: FIF, where each piece
 //!   copies the whole; RFIF, where it copies what lies between two knots; PFIF, where it copies any part.
 //! - [`Hough`] finds maps that a graph is made of by voting; [`name_clusters`] tells maps from echoes, [`assemble`]

@@ -6,6 +6,8 @@
 //! spanning tree of the distances between the pieces. It is zero exactly where the attractor is connected, and
 //! continuous in the maps. All of the crate bounds this one number, from below and from above.
 //!
+#![doc = include_str!("../picture.svg")]
+//!
 //! # By topic
 //!
 //! *One system.* [`connectedness`] gives the full answer: a [`Verdict`], bounds of the gap, which pieces meet.
