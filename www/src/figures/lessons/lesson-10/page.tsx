@@ -20,6 +20,7 @@ import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
 import { Matching, matchingWords } from "./matching";
 import css from "./page.module.css";
+import { TEACHING } from "./teaching";
 
 const EPSILON = 1 / 600;
 const SIZE = 85;
@@ -63,6 +64,7 @@ export function Page(heading: Heading) {
         </>
       }
       question={<Pairing prediction={prediction} />}
+      teaching={TEACHING}
       parameters={[
         { name: "First shape", symbol: "A", value: "Heighway’s dragon, written with three maps" },
         { name: "Last shape", symbol: "B", value: "the gasket" },

@@ -12,6 +12,7 @@ import { Bent } from "../../kit/picture/deformed";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
+import { TEACHING } from "./teaching";
 
 type Guess = "still" | "along" | "alike" | "apart";
 const TRUTH: Guess = "alike";
@@ -36,6 +37,7 @@ export function Page(heading: Heading) {
         </>
       }
       question={<What prediction={prediction} />}
+      teaching={TEACHING}
       parameters={[
         {
           name: "Maps",

@@ -17,6 +17,7 @@ import { Guess } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { nearWords, type Prediction, usePrediction } from "../frame/prediction";
+import { TEACHING } from "./teaching";
 
 /** The dust of the finished picture, and the one that is asked about. */
 const [SHOWN, ASKED] = [0.45, 0.49];
@@ -56,6 +57,7 @@ export function Page(heading: Heading) {
         </>
       }
       question={<When prediction={prediction} />}
+      teaching={TEACHING}
       parameters={[
         { name: "Maps", value: [tex`f_1(x) = r x`, tex`f_2(x) = r x + 1 - r`] },
         { name: "Scale in the picture above", symbol: "r", value: String(SHOWN) },

@@ -23,6 +23,7 @@ import { Guess } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { nearWords, type Prediction, usePrediction } from "../frame/prediction";
+import { TEACHING } from "./teaching";
 
 const FROM = "dragon-3";
 const TO = "terdragon";
@@ -65,6 +66,7 @@ export function Page(heading: Heading) {
         </>
       }
       question={<Breaking prediction={prediction} way={way} onWay={setWay} />}
+      teaching={TEACHING}
       parameters={[
         { name: "First shape", symbol: "A", value: "Heighway’s dragon, written with three maps" },
         { name: "Last shape", symbol: "B", value: "the terdragon" },

@@ -1,0 +1,24 @@
+import type { Teaching } from "../frame/teaching";
+
+export const TEACHING: Teaching = {
+  aim: "To tell a proof that pieces are apart from a picture in which they look apart, and to see what such a proof cannot do.",
+  mistakes: [
+    "“If the points that stand for the pieces are apart, the pieces are.” Each point stands for a part that reaches around it.",
+    "“With enough steps it is proved that they meet.” The bound only ever shows that pieces are apart.",
+    "“A finer step is always nearer to the truth.” Before the bound falls below the distance nothing at all is known.",
+  ],
+  questions: [
+    {
+      ask: "By what factor does the reach of a bar shrink from one step to the next?",
+      answer: "By r, the scale of the maps.",
+    },
+    {
+      ask: "Pieces 0.2 apart: is a proof found sooner or later than for pieces 0.02 apart?",
+      answer: "Sooner: the bars need not be as short.",
+    },
+    {
+      ask: "For r = 1/2 the pieces meet. What does the machine say after a thousand steps?",
+      answer: "That nothing is known yet.",
+    },
+  ],
+};

@@ -1,0 +1,21 @@
+import type { Teaching } from "../frame/teaching";
+
+export const TEACHING: Teaching = {
+  aim: "To see a morph as a way across a map of shapes, and that another way may hold together where the straight one breaks.",
+  mistakes: [
+    "“If both ends are in one piece, all between them is.” Here it is not.",
+    "“The straight way is the natural one.” It is one choice: turning and moving in step.",
+    "“A longer way is worse.” Length on the map does not matter; the widest gap on the way does.",
+  ],
+  questions: [
+    {
+      ask: "What do u and v say of a shape between A and B?",
+      answer: "How far its maps have turned and stretched (u), and how far they have moved (v).",
+    },
+    { ask: "Where on the map are A and B?", answer: "At (0, 0) and (1, 1)." },
+    {
+      ask: "May a way go outside of the square from 0 to 1?",
+      answer: "Yes: there, too, each point is a shape.",
+    },
+  ],
+};
