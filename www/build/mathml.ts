@@ -1,15 +1,12 @@
 /** Formulas as MathML, made while the site is built: what browsers draw themselves, without a script or a font. */
 import temml from "temml";
 
-/** Short names for what is written often. */
-const MACROS = { "\\abs": "\\left\\lvert #1 \\right\\rvert", "\\set": "\\{ #1 \\}" };
-
-/** What a formula says in TeX as MathML. Throws what is wrong with it. */
+/** What a formula says in TeX as MathML. Throws what is wrong with it. It may be copied: no names but LaTeX’s own. */
 export function mathml(tex: string, display = false): string {
   if (tex.trim() === "") throw new Error("A formula is empty.");
   // Only classes may be given, which the places of numbers need.
   const trust = ({ command }: { command: string }) => command === "\\class";
-  const options = { displayMode: display, throwOnError: true, macros: { ...MACROS }, trust };
+  const options = { displayMode: display, throwOnError: true, trust };
   let written: string;
   try {
     written = temml.renderToString(tex, options);

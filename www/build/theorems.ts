@@ -15,9 +15,9 @@ interface Theorem {
 
 const INTRODUCTION = String.raw`
       <p>Throughout, $f_1, \dots, f_N$ are affine maps of the plane that contract in one norm: there is an
-      $s < 1$ with $\abs{f_k(x) - f_k(y)} \le s \abs{x - y}$ for all of them. Their attractor $A$
+      $s < 1$ with $\lvert f_k(x) - f_k(y) \rvert \le s \lvert x - y \rvert$ for all of them. Their attractor $A$
       is the one non-empty compact set with $$A = \bigcup_{i=1}^{N} f_i(A)$$ (Hutchinson 1981). For a
-      word $u = k_1 k_2 \dots k_n$ write $f_u$ for $f_{k_1} \circ \dots \circ f_{k_n}$, $A_u = f_u(A)$ for its piece and $\abs{u}$ for the
+      word $u = k_1 k_2 \dots k_n$ write $f_u$ for $f_{k_1} \circ \dots \circ f_{k_n}$, $A_u = f_u(A)$ for its piece and $\lvert u \rvert$ for the
       norm of the linear part of $f_u$. The <em>gap</em> $g$ is the longest edge of a shortest tree that joins the pieces $A_1, \dots, A_N$, an
       edge being as long as its two pieces are apart.</p>`;
 
@@ -40,11 +40,11 @@ const THEOREMS: readonly Theorem[] = [
     kinds: ["area"],
     title: "Pieces too large to lie side by side",
     text: String.raw`
-      <p><strong>Theorem.</strong> If $\abs{\det f_i} + \abs{\det f_j} \ge 1$, the pieces $A_i$ and $A_j$ meet.</p>
+      <p><strong>Theorem.</strong> If $\lvert \det f_i \rvert + \lvert \det f_j \rvert \ge 1$, the pieces $A_i$ and $A_j$ meet.</p>
       <p><strong>Proof.</strong> Suppose that they do not. Let $B$ be all points within $r$ of $A$, where $r$ is so small that the points
       within $s r$ of $A_i$ and those within $s r$ of $A_j$ are apart. The images $f_i(B)$ and
       $f_j(B)$ lie in these two disjoint sets, both compact and inside $B$, and what $B$ has beside them has a positive area. So the area of $B$
-      is more than $\abs{\det f_i} + \abs{\det f_j}$ times itself, and the sum is below 1. ∎</p>`,
+      is more than $\lvert \det f_i \rvert + \lvert \det f_j \rvert$ times itself, and the sum is below 1. ∎</p>`,
   },
   {
     kinds: ["crossings"],
@@ -55,7 +55,7 @@ const THEOREMS: readonly Theorem[] = [
       as short as its gap, so that two smaller copies whose ends take turns around a disc would have to come nearer to each other than that
       gap. They take it for two similarities with one factor. Stated here for any number of affine maps, with a graph of pairs in place of the one
       pair, and with straight rays in place of arcs around a disc.</p>
-      <p><strong>Theorem.</strong> Let $G \ge g$, and $r_u = \abs{u}\, G / 2$ for a word $u$. Suppose that for a word
+      <p><strong>Theorem.</strong> Let $G \ge g$, and $r_u = \lvert u \rvert\, G / 2$ for a word $u$. Suppose that for a word
       $u$ that begins with $i$ and a word $v$ that begins with $j$ there are points $p_1, p_2$ of $A_u$ and
       $q_1, q_2$ of $A_v$, and for each of them a unit vector, such that</p>
       <ol>
@@ -70,20 +70,20 @@ const THEOREMS: readonly Theorem[] = [
       $b\,(d \cdot e) = a + d \cdot (p - q) > a$, times $e$ it is $a\,(d \cdot e) = b + e \cdot (q - p) > b$. So $a$ and $b$ are positive, and
       $d \cdot e$ is more than both $a / b$ and $b / a$, one of which is at least 1: a contradiction. ∎</p>
       <p><strong>Proof.</strong> Suppose that $g > 0$. As above, $A$ is connected in steps of $g$, and so
-      $A_u$ in steps of $\abs{u}\, g$. The union $P$ of the closed discs of radius $\abs{u}\, g / 2 \le r_u$ about
-      its points is therefore connected by paths, and so is the union $Q$ of those of radius $\abs{v}\, g / 2$ about the points of
+      $A_u$ in steps of $\lvert u \rvert\, g$. The union $P$ of the closed discs of radius $\lvert u \rvert\, g / 2 \le r_u$ about
+      its points is therefore connected by paths, and so is the union $Q$ of those of radius $\lvert v \rvert\, g / 2$ about the points of
       $A_v$. A large disc $D$ holds $P$, $Q$ and the beginnings of the rays. One path goes from the boundary of $D$ along the ray to
       $p_1$, within $P$ to $p_2$ and out along its ray; another one likewise by $q_1$, $Q$ and $q_2$. They join
       alternating points of the boundary inside $D$, so they meet. Not on two rays, by the lemma; nor on a ray of the one and in the union of the
       other, by 1. So $P$ and $Q$ meet, and the distance of $A_i$ and $A_j$ is at most that of $A_u$ and $A_v$, which is at most
-      $(\abs{u} + \abs{v})\, g / 2 \le s g < g$. As this holds for the edges of a connected graph, and as pieces
+      $(\lvert u \rvert + \lvert v \rvert)\, g / 2 \le s g < g$. As this holds for the edges of a connected graph, and as pieces
       that meet are at distance 0, the longest edge of a shortest tree is below $g$: a contradiction. So
       $g = 0$, and $A$ is connected by Hata's theorem. ∎</p>
       <p>All conditions are strict inequalities, between points and convex hulls: a little play in the maps leaves them true. This is why what
       proves one sample of the map of parameters mostly proves its neighbours, each of which is checked on its own. That two bars lie across
       each other is no proof while $G$ is not known to be small: they may pass through each other's gaps.</p>
       <p><strong>On a line</strong> nothing can cross. There one point of $A_i$ between two points of $A_j$ does the same: it
-      is within $\abs{f_j}\, g / 2$ of a point of $A_j$, and so nearer than $g$.</p>`,
+      is within $\lvert f_j \rvert\, g / 2$ of a point of $A_j$, and so nearer than $g$.</p>`,
   },
   {
     kinds: ["differences"],

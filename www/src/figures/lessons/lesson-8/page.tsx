@@ -65,8 +65,8 @@ export function Page(heading: Heading) {
           <p>
             Take two maps that differ only by where they put things: both turn and shrink by the same complex
             number <Formula>s</Formula>, and one then moves to the left, the other to the right. One number,
-            one shape. Its size <Formula tex={tex`\abs{s}`} /> says how much the maps shrink, its angle how
-            far they turn.
+            one shape. Its size <Formula tex={tex`\lvert s \rvert`} /> says how much the maps shrink, its
+            angle how far they turn.
           </p>
           <p>
             A shape of two pieces has only two ways to be: the pieces meet, and it is in one piece; or they do
@@ -80,7 +80,7 @@ export function Page(heading: Heading) {
       parameters={[
         { name: "Maps", value: [tex`f_1(z) = s z - 1`, tex`f_2(z) = s z + 1`] },
         { name: "The ring", symbol: "s", value: complexWords(s) },
-        { name: "Its size", symbol: tex`\abs{s}`, value: fixed(Math.hypot(...s), 4) },
+        { name: "Its size", symbol: tex`\lvert s \rvert`, value: fixed(Math.hypot(...s), 4) },
         { name: "Verdict at s", symbol: "ε", value: [tex`10^{-6}`, " of the size"] },
         { name: "Map of M", symbol: "ε", value: [tex`10^{-4}`, " of the size"] },
       ]}
