@@ -134,6 +134,7 @@ export function figurePictures(source: Source): Record<string, { cells: Cell[]; 
     e10: row(...TIMES.slice(1, 4).map((t) => plane(between(shape("fern"), reversed(shape("tree")), t, t)))),
     e12: row(...[1, 2, 3].map(() => plane(shape("gasket").maps))),
     e13: row(plane(shape("fern").maps.slice(1)), plane(shape("fern").maps)),
+    e14: row(triangle(0.35), triangle(0.45), triangle(0.55)),
     e16: row(triangle(0.5), plane(shape("gasket").maps.slice(0, 2))),
     e17: row(plane(shape("gasket").maps), plane(shape("carpet").maps)),
     e18: row(rough([0, 0.7, 0.3, 0.9, 0.2], 0.25), rough([0, 0.7, 0.3, 0.9, 0.2], 0.5)),

@@ -55,6 +55,15 @@ const COURSE: readonly UnitEntry[] = [
         load: () => import("./lesson-13/page"),
         thumb: () => import("./lesson-13/thumb"),
       },
+      {
+        id: "e14",
+        title: "Why maps must shrink",
+        about: "Apply a map again and again: which points come home, and which go away?",
+        minutes: 7,
+        after: ["e12"],
+        load: () => import("./lesson-14/page"),
+        thumb: () => import("./lesson-14/thumb"),
+      },
     ],
   },
   {
