@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { gasket, HEIGHT } from "../../kit/maps/families";
-import { pieceOf, pointOf, readAddress } from "./address";
+import { firstDigits, isSameAddress, pieceOf, pointOf, readAddress } from "./address";
 
 const MAPS = gasket(0.5);
 const read = (text: string) => {
@@ -29,6 +29,20 @@ describe("addresses", () => {
     // While it is typed.
     expect(read("1(")).toEqual({ first: [0], again: [] });
     expect(read(" 1 ( 2 )")).toEqual({ first: [0], again: [1] });
+  });
+
+  it("are the same however they are written", () => {
+    for (const other of ["12(2)", "1(22)", "122(222)"])
+      expect(isSameAddress(read("1(2)"), read(other))).toBe(true);
+    expect(isSameAddress(read("(12)"), read("1(21)"))).toBe(true);
+    for (const [one, other] of [
+      ["1(2)", "2(1)"],
+      ["(12)", "(121)"],
+      ["(112)", "(1121)"],
+    ] as const)
+      expect(isSameAddress(read(one), read(other)), one).toBe(false);
+    expect(firstDigits(read("1(23)"), 6)).toEqual([0, 1, 2, 1, 2, 1]);
+    expect(firstDigits(read("13"), 6)).toEqual([0, 2]);
   });
 
   it.each([

@@ -40,3 +40,17 @@ export function pointOf(maps: readonly MapRow[], { first, again }: Address): Poi
   // What is said again and again leads to the point that those maps together leave in place.
   return apply(along(maps, first), fixedPoint(along(maps, again)));
 }
+
+/** The first digits of an address, from 0: as many as are asked for, or all there are. */
+export function firstDigits({ first, again }: Address, count: number): number[] {
+  const digits = first.slice(0, count);
+  for (let i = 0; again.length > 0 && digits.length < count; i++) digits.push(again[i % again.length] ?? 0);
+  return digits;
+}
+
+/** Whether two addresses without end have the same digits, however they are written: 1(2) is 12(22). */
+export function isSameAddress(one: Address, other: Address): boolean {
+  // Once both repeat, they agree for ever if they do for as long as both rounds together.
+  const enough = Math.max(one.first.length, other.first.length) + one.again.length + other.again.length;
+  return firstDigits(one, enough).join() === firstDigits(other, enough).join();
+}

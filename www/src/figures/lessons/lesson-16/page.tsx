@@ -1,32 +1,23 @@
 import { useMemo, useState } from "preact/hooks";
-import type { Box } from "#document/framing";
-import { Button } from "#ui/controls/Button";
-import { useOwnId } from "#ui/id";
 import { Formula } from "../../kit/frame/formula";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
-import { gasket, HEIGHT } from "../../kit/maps/families";
-import { apply, type Point } from "../../kit/maps/pieces";
+import { HEIGHT } from "../../kit/maps/families";
+import type { Point } from "../../kit/maps/pieces";
 import { tex } from "../../kit/notation/tex";
-import { Drawn, type Place } from "../../kit/picture/annotated";
+import { Drawn, PieceNames } from "../../kit/picture/annotated";
 import { Choices, Reply } from "../frame/choices";
-import { Exercise } from "../frame/exercise";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, usePrediction } from "../frame/prediction";
-import { type Address, pieceOf, pointOf, readAddress } from "./address";
+import { firstDigits, pointOf } from "./address";
+import { Exercises } from "./exercises";
 import css from "./page.module.css";
+import { AddressField, BOX, MAPS, Mark, readOr, Seen } from "./seen";
 import { TEACHING } from "./teaching";
-
-const MAPS = gasket(0.5);
-const BOX: Box = { x0: 0, y0: 0, x1: 1, y1: HEIGHT };
-const TRIANGLE: readonly Point[] = [
-  [0, 0],
-  [1, 0],
-  [0.5, HEIGHT],
-];
-const KEYS = ["1", "2", "3", "(", ")"] as const;
+import { middleOf, triangleOf } from "./view";
+import { Zoom } from "./zoom";
 
 /** Addresses. */
 export function Page(heading: Heading) {
@@ -41,36 +32,13 @@ export function Page(heading: Heading) {
             132 is piece 2 of that. Every digit leads to a piece half as large.
           </p>
           <p>
-            Type digits and watch where they lead. For a single point the digits have to go on for ever: 1(2)
-            means 1222…, with the part in brackets again and again.
+            Type digits, or press a piece, and watch where they lead. For a single point the digits have to go
+            on for ever: 1(2) means 1222…, with the part in brackets again and again.
           </p>
         </>
       }
       question={<Which prediction={prediction} />}
-      exercises={
-        <>
-          <Find
-            number={1}
-            target={[0.25, HEIGHT / 2]}
-            hints={[
-              "It is in piece 1 and in piece 3, where the two meet.",
-              "In piece 1 it is the top corner: the digit 3, again and again.",
-            ]}
-          >
-            Give an address of the marked point, the middle of the left side.
-          </Find>
-          <Find
-            number={2}
-            target={[1 / 3, 0]}
-            hints={[
-              "It is in piece 1. In there it is two thirds along: so in piece 2 of it. Within that it is one third along again.",
-              "The same two digits come again and again.",
-            ]}
-          >
-            Give an address of the marked point, one third along the bottom.
-          </Find>
-        </>
-      }
+      exercises={<Exercises />}
       teaching={TEACHING}
       parameters={[
         {
@@ -102,118 +70,47 @@ export function Page(heading: Heading) {
   );
 }
 
-interface SeenProps {
-  text: string;
-  onText: (text: string) => void;
-  label: string;
-}
-
-/** An address to be typed, with buttons for fingers, and what is wrong with it. */
-function AddressField({ text, onText, label }: SeenProps) {
-  const id = useOwnId("address");
-  const address = readAddress(text, MAPS.length);
-  const problem = typeof address === "string" ? address : "";
-  return (
-    <div class={css["field"]}>
-      <label for={id}>{label}</label>
-      <input
-        id={id}
-        class={css["typed"]}
-        type="text"
-        inputMode="numeric"
-        autocomplete="off"
-        spellcheck={false}
-        maxLength={30}
-        value={text}
-        aria-invalid={problem !== ""}
-        aria-describedby={`${id}-problem`}
-        onInput={(event) => onText(event.currentTarget.value)}
-      />
-      <div class={layout["buttons"]}>
-        {KEYS.map((key) => (
-          <Button key={key} onClick={() => onText(text + key)}>
-            {key}
-          </Button>
-        ))}
-        <Button onClick={() => onText(text.slice(0, -1))} disabled={text === ""}>
-          Back
-        </Button>
-      </div>
-      <p id={`${id}-problem`} class={layout["missing"]} aria-live="polite">
-        {problem}
-      </p>
-    </div>
-  );
-}
-
-/** The shape with the piece or the point of an address. */
-function Seen({ address, target }: { address: Address | null; target?: Point }) {
-  const piece = address ? pieceOf(MAPS, address) : null;
-  const point = address ? pointOf(MAPS, address) : null;
-  const steps = address?.first ?? [];
-  const label =
-    point !== null
-      ? `The gasket with the point of that address, ${point[0].toFixed(3)} from the left and ${point[1].toFixed(3)} up.`
-      : `The gasket with the piece of that address, ${2 ** steps.length} times smaller than the whole.`;
-  return (
-    <Drawn maps={MAPS} box={BOX} label={label}>
-      {(place) => (
-        <>
-          {address &&
-            steps.map((_, i) => {
-              const inside = { first: steps.slice(0, i + 1), again: [] };
-              return (
-                <Outline key={i} place={place} map={pieceOf(MAPS, inside)} last={i === steps.length - 1} />
-              );
-            })}
-          {target && <Mark place={place} at={target} kind="target" />}
-          {piece && point && <Mark place={place} at={point} kind="here" />}
-        </>
-      )}
-    </Drawn>
-  );
-}
-
-function Outline({ place, map, last }: { place: Place; map: ReturnType<typeof pieceOf>; last: boolean }) {
-  const corners = TRIANGLE.map((corner) => place(apply(map, corner)).join(" "));
-  return <path class={`${css["piece"]} ${last ? css["last"] : ""}`} d={`M${corners.join("L")}Z`} />;
-}
-
-function Mark({ place, at, kind }: { place: Place; at: Point; kind: "here" | "target" }) {
-  const [x, y] = place(at);
-  return (
-    <circle
-      class={kind === "here" ? css["here"] : css["target"]}
-      cx={x}
-      cy={y}
-      r={kind === "here" ? 5 : 10}
-    />
-  );
-}
-
-const readOr = (text: string) => {
-  const address = readAddress(text, MAPS.length);
-  return typeof address === "string" ? null : address;
-};
+/** So many digits of an address without end are gone into. */
+const DEEP = 9;
 
 function Typed() {
   const [text, setText] = useState("13");
   const address = readOr(text);
-  const count = address?.first.length ?? 0;
+  const letters = useMemo(() => {
+    const read = readOr(text);
+    return read ? firstDigits(read, read.again.length > 0 ? DEEP : read.first.length) : [];
+  }, [text]);
+  const point = address && pointOf(MAPS, address);
+  const size = letters.length === 0 ? "" : `, ${2 ** letters.length} times smaller than the whole`;
   return (
     <div class={`${layout["two-columns"]} ${layout["even"]}`}>
-      <Seen address={address} />
+      <Zoom
+        letters={letters}
+        label={`The piece of the first ${letters.length} digits with its three pieces in colour${size}.`}
+        onPick={(letter) => !point && setText(`${text.trim()}${letter + 1}`)}
+      >
+        {(place) =>
+          point ? (
+            <Mark place={place} at={point} kind="target" />
+          ) : (
+            <PieceNames at={[0, 1, 2].map((letter) => place(middleOf(triangleOf([...letters, letter]))))} />
+          )
+        }
+      </Zoom>
       <div class={lessonCss["ask"]}>
         <AddressField label="Address" text={text} onText={setText} />
-        <p aria-live="polite">
+        <p class={css["words"]} aria-live="polite">
           {address === null
             ? ""
-            : address.again.length > 0
-              ? "A single point: the digits never end."
-              : count === 0
-                ? "The whole shape."
-                : `A piece, ${2 ** count} times smaller than the whole.`}
+            : point
+              ? `A single point: the digits never end. Here you see as far as the first ${DEEP} of them.`
+              : letters.length === 0
+                ? "The whole shape. Press one of its pieces to go into it."
+                : `A piece${size}. Press one of its pieces to go on.`}
         </p>
+        <div class={css["whole"]}>
+          <Seen address={address} />
+        </div>
       </div>
     </div>
   );
@@ -304,40 +201,5 @@ function Which({ prediction }: { prediction: Prediction<Spot> }) {
         truth="bottom"
       />
     </Question>
-  );
-}
-
-interface FindProps {
-  number: number;
-  target: Point;
-  hints: readonly string[];
-  children: string;
-}
-
-function Find({ number, target, hints, children }: FindProps) {
-  const [text, setText] = useState("");
-  const address = readOr(text);
-  const point = address && pointOf(MAPS, address);
-  const off = point && Math.hypot(point[0] - target[0], point[1] - target[1]);
-  const solved = off !== null && off < 1e-9;
-  return (
-    <Exercise
-      number={number}
-      ask={children}
-      hints={hints}
-      solved={solved}
-      status={
-        off === null
-          ? "A point has digits without end: end with brackets."
-          : solved
-            ? `${text} leads there.`
-            : `${text} leads to a point ${off.toFixed(3)} away from it.`
-      }
-    >
-      <div class={`${layout["two-columns"]} ${layout["even"]}`}>
-        <Seen address={address} target={target} />
-        <AddressField label="Your address" text={text} onText={setText} />
-      </div>
-    </Exercise>
   );
 }
