@@ -27,6 +27,8 @@ import { TEACHING } from "./teaching";
 const MAPS = gasket(0.5);
 const BOX: Box = { x0: 0, y0: 0, x1: 1, y1: 1 };
 const MOST = 8;
+/** So far the film goes before there is a prediction: its answer is not to be seen on it. */
+const BEFORE = 3;
 /** Steps a second while it plays. */
 const PACE = 1.25;
 
@@ -85,7 +87,7 @@ export function Page(heading: Heading) {
       }
       studio={{ href: studioHref({ a: preset("gasket"), b: preset("tree") }) }}
     >
-      <Film />
+      <Film most={prediction.shown ? MOST : BEFORE} />
     </Lesson>
   );
 }
@@ -93,15 +95,15 @@ export function Page(heading: Heading) {
 const stepsWords = (steps: number) => `${steps} step${steps === 1 ? "" : "s"}`;
 
 /** Steps that play, once by themselves unless less motion is wanted. */
-function useSteps() {
+function useSteps(most: number) {
   const [time, setTime] = useState(0);
   const player = usePlay((seconds) => {
-    const next = Math.min(MOST, time + PACE * seconds);
+    const next = Math.min(most, time + PACE * seconds);
     setTime(next);
-    return next < MOST;
+    return next < most;
   });
   const toggle = () => {
-    if (!player.playing && time >= MOST) setTime(0);
+    if (!player.playing && time >= most) setTime(0);
     player.toggle();
   };
   const begun = useRef(false);
@@ -114,11 +116,11 @@ function useSteps() {
     player.stop();
     setTime(steps);
   };
-  return { steps: Math.floor(time + 1e-9), playing: player.playing, toggle, go };
+  return { steps: Math.floor(Math.min(most, time) + 1e-9), playing: player.playing, toggle, go };
 }
 
-function Film() {
-  const { steps, playing, toggle, go } = useSteps();
+function Film({ most }: { most: number }) {
+  const { steps, playing, toggle, go } = useSteps(most);
   const [name, setName] = useState<Name>("letter");
   const [own, setOwn] = useState<ImageBitmap | null>(null);
   const [problem, setProblem] = useState("");
@@ -184,11 +186,16 @@ function Film() {
         )}
         <div class={css["play"]}>
           <PlayButton playing={playing} onToggle={toggle} />
-          <SliderControl label="steps" symbol="n" range={[0, MOST]} whole value={steps} onChange={go} />
+          <SliderControl label="steps" symbol="n" range={[0, most]} whole value={steps} onChange={go} />
         </div>
         <p class="number" aria-live={playing ? "off" : "polite"}>
           {3 ** steps} {steps === 0 ? "figure" : "copies"},{" "}
           {2 ** steps === 1 ? "as large as it is" : `${2 ** steps} times smaller`}
+        </p>
+        <p class={layout["hint"]}>
+          {most < MOST
+            ? `Once you have guessed, below, it goes on to ${MOST}.`
+            : `It goes on to ${MOST} now.`}
         </p>
       </div>
     </div>
