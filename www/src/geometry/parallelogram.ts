@@ -29,6 +29,34 @@ export function cornersOf(map: MapRow, frame: Box): Corners {
   };
 }
 
+/** The middle of a parallelogram. */
+export function middleOf({ x, y }: Corners): World {
+  return world((x.x + y.x) / 2, (x.y + y.y) / 2);
+}
+
+export function angleOf([x, y]: readonly [number, number]): number {
+  return Math.atan2(y, x);
+}
+
+/** The direction from the middle in which the handle stands that turns it: along its second side, of length 1. */
+export function armOf({ origin, x, y }: Corners): [number, number] {
+  const up: [number, number] = [y.x - origin.x, y.y - origin.y];
+  const across: [number, number] = [origin.y - x.y, x.x - origin.x];
+  for (const [dx, dy] of [up, across]) {
+    const length = Math.hypot(dx, dy);
+    if (length > 0) return [dx / length, dy / length];
+  }
+  return [0, 1];
+}
+
+/** The map turned by an angle about the middle of its parallelogram. */
+export function turned([a, b, c, d, e, f]: MapRow, frame: Box, by: number): MapRow {
+  const [cos, sin] = [Math.cos(by), Math.sin(by)];
+  const [x, y] = [(frame.x0 + frame.x1) / 2, (frame.y0 + frame.y1) / 2];
+  const [p, q, r, s] = [cos * a - sin * c, cos * b - sin * d, sin * a + cos * c, sin * b + cos * d];
+  return [p, q, r, s, (a - p) * x + (b - q) * y + e, (c - r) * x + (d - s) * y + f];
+}
+
 /**
  * The map whose parallelogram has one grip at `to`. The origin moves the whole; an end of a side moves that side alone;
  * the far corner turns and scales the whole about the origin. A drag that would ask the impossible changes nothing.

@@ -15,8 +15,8 @@ class Knob extends EventTarget {
     return event;
   }
   /** In CSS pixels of the drawing. */
-  point(type: string, x: number, y: number, button = 0): void {
-    this.fire(`pointer${type}`, { pointerId: 7, clientX: x + 10, clientY: y + 20, button });
+  point(type: string, x: number, y: number, altKey = false, button = 0): void {
+    this.fire(`pointer${type}`, { pointerId: 7, clientX: x + 10, clientY: y + 20, altKey, button });
   }
 }
 
@@ -42,11 +42,14 @@ it("follows the pointer from where it was taken, without a jump, until it is let
   knob.point("move", 90, 90);
   knob.point("down", 103, 48);
   knob.point("move", 113, 50);
-  knob.point("move", 103, 48);
+  knob.point("move", 103, 48, true);
   expect(endGesture).not.toHaveBeenCalled();
   knob.point("up", 103, 48);
   knob.point("move", 0, 0);
-  expect(grip.moveTo.mock.calls).toEqual([[screen(110, 52)], [screen(100, 50)]]);
+  expect(grip.moveTo.mock.calls).toEqual([
+    [screen(110, 52), false],
+    [screen(100, 50), true],
+  ]);
   expect(knob.setPointerCapture.mock.calls).toEqual([[7]]);
   expect(endGesture).toHaveBeenCalledTimes(1);
 });
@@ -62,7 +65,7 @@ it("lets go where the pointer is taken away", () => {
 
 it("is not moved by another button, nor where it is gone", () => {
   const { knob } = attached();
-  knob.point("down", 100, 50, 2);
+  knob.point("down", 100, 50, false, 2);
   expect(grip.take).not.toHaveBeenCalled();
   grip.take.mockReturnValue(null);
   knob.point("down", 100, 50);

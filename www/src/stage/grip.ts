@@ -7,7 +7,8 @@ import { placeIn } from "#ui/panZoom";
 export interface Grip {
   /** Where it is when it is taken hold of; null where it is gone. */
   take(event: PointerEvent): Screen | null;
-  moveTo(to: Screen): void;
+  /** `free` where Alt is held. */
+  moveTo(to: Screen, free: boolean): void;
   /** True when the key was one of its own. */
   key(event: KeyboardEvent): boolean;
   focus?(): void;
@@ -41,7 +42,7 @@ export function attachGrip(node: SVGElement, grip: () => Grip): () => void {
   const move = (event: PointerEvent) => {
     if (!offset) return;
     const { x, y } = pointer(event);
-    grip().moveTo(screen(x + offset.x, y + offset.y));
+    grip().moveTo(screen(x + offset.x, y + offset.y), event.altKey);
   };
   const up = () => {
     if (offset) endGesture();

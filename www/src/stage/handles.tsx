@@ -6,7 +6,18 @@ import { announce } from "#document/notice";
 import { edit, inGesture, scene } from "#document/scene";
 import { lengthWords } from "#format/verdict";
 import { type Screen, screen, toScreen, toWorld, type World } from "#geometry/coordinates";
-import { type Corners, cornersOf, dragged, GRIPS, type Grip } from "#geometry/parallelogram";
+import { mapWords } from "#geometry/maps/affine2";
+import {
+  armOf,
+  type Corners,
+  cornersOf,
+  dragged,
+  GRIPS,
+  type Grip,
+  middleOf,
+  turned,
+} from "#geometry/parallelogram";
+import { restsOf, snapped, spun } from "#geometry/snap";
 import type { MapRow, Shape } from "#wasm/api";
 import { useGrip } from "./grip";
 import { stageStyle } from "./picture-style";
@@ -23,6 +34,18 @@ const NAMES: Record<Grip, string> = {
   y: "second side",
   turn: "turns and scales it",
 };
+
+/** How near, in CSS pixels, what is dragged has to come to rest at something. */
+const REACH = 8;
+/** How far from the side of a map the handle stands that only turns it. */
+const ARM = 30;
+/** By how much a key turns a map, in degrees. */
+const TURN = 5;
+
+/** Whether what is dragged comes to rest at the other maps. Alt does the opposite. */
+export const snapping = signal(true);
+/** Where it rests just now. */
+const rest = signal<World | null>(null);
 
 const shape = computed<Shape | null>(() => {
   const target = selection.value?.target;
@@ -48,6 +71,7 @@ export function Handles() {
     <svg class="overlay" width={size.width} height={size.height}>
       <title>Maps of the shape as parallelograms</title>
       <Outline corners={cornersOf([1, 0, 0, 1, 0, 0], frame.value)} class="frame" />
+      {inGesture.value && rest.value && <Resting at={place(rest.value)} />}
       {order.map((i) => {
         const map = maps[i];
         if (!map) return null;
@@ -109,6 +133,7 @@ function OneMap({ index, map, colour, chosen }: OneMapProps) {
       </text>
       {chosen &&
         GRIPS.map((grip) => <Handle key={grip} index={index} grip={grip} at={place(corners[grip])} />)}
+      {chosen && <Turner index={index} corners={corners} />}
     </g>
   );
 }
@@ -135,6 +160,72 @@ function Handle({ index, grip, at }: { index: number; grip: Grip; at: { x: numbe
   );
 }
 
+/** A ring round the place where a drag has come to rest. */
+function Resting({ at }: { at: { x: number; y: number } }) {
+  return <circle class="link-ring" cx={at.x} cy={at.y} r={12} />;
+}
+
+/** Where the handle stands that only turns a map: beyond the side across from the first one. */
+function turnerAt(corners: Corners): Screen {
+  const from = place(middleOf(corners));
+  const to = between(place(corners.y), place(corners.turn));
+  const [dx, dy] = armOf(corners);
+  const half = Math.hypot(to.x - from.x, to.y - from.y);
+  const out = screen(from.x + (half + ARM) * dx, from.y - (half + ARM) * dy);
+  const { width, height } = stageSize.value;
+  const seen = Math.min(out.x, out.y, width - out.x, height - out.y) > ARM / 2;
+  // Where that is off the stage it stands on the map itself.
+  return seen ? out : screen(from.x + (half - ARM) * dx, from.y - (half - ARM) * dy);
+}
+
+function Turner({ index, corners }: { index: number; corners: Corners }) {
+  const from = place(middleOf(corners));
+  const at = turnerAt(corners);
+  const now = () => {
+    const map = shape.peek()?.maps[index];
+    return map ? turnerAt(cornersOf(map, frame.peek())) : null;
+  };
+  const grip = useGrip({
+    take(event) {
+      event.stopPropagation();
+      return now();
+    },
+    moveTo(to, free) {
+      const point = toWorld(to, effectiveView.peek(), stageSize.peek());
+      rest.value = null;
+      change(index, (map) => spun(map, frame.peek(), point, free === snapping.peek()), `turn ${index}`);
+    },
+    key(event) {
+      const [x = 0, y = 0] = ARROWS[event.key] ?? [];
+      if ((x === 0 && y === 0) || event.ctrlKey || event.metaKey || event.altKey) return false;
+      const by = ((event.shiftKey ? 1 : TURN) * (x > 0 || y > 0 ? -1 : 1) * Math.PI) / 180;
+      const { scale } = effectiveView.peek();
+      change(index, (map) => rounded(turned(map, frame.peek(), by), scale), `turn keys ${index}`);
+      const map = shape.peek()?.maps[index];
+      if (map) announce(`Map ${index + 1}: ${mapWords(map)}`);
+      return true;
+    },
+  });
+  return (
+    <>
+      <line class={css["arm"]} x1={from.x} y1={from.y} x2={at.x} y2={at.y} />
+      {/* biome-ignore lint/a11y/useSemanticElements: there are no buttons in SVG */}
+      <g
+        class="grip turn"
+        data-handle=""
+        role="button"
+        tabindex={0}
+        aria-label={`Map ${index + 1}, only turns it: arrow keys, with Shift finer`}
+        transform={`translate(${at.x} ${at.y})`}
+        ref={grip}
+      >
+        <circle class={css["reach"]} r={22} />
+        <path class="knob" d="M5 -4A6.500 6.500 0 1 0 6.500 1M6 -8V-3.500H1.500" />
+      </g>
+    </>
+  );
+}
+
 /** Drags and arrow keys for one grip. */
 const useMapGrip = (index: number, grip: Grip, onTake?: () => void) =>
   useGrip({
@@ -143,7 +234,7 @@ const useMapGrip = (index: number, grip: Grip, onTake?: () => void) =>
       onTake?.();
       return gripPlace(index, grip);
     },
-    moveTo: (to) => moveTo(index, grip, to, `drag ${index} ${grip}`),
+    moveTo: (to, free) => moveTo(index, grip, to, `drag ${index} ${grip}`, free !== snapping.peek()),
     key(event) {
       if (onTake && (event.key === "Enter" || event.key === " ")) {
         onTake();
@@ -171,16 +262,34 @@ function gripPlace(index: number, grip: Grip): Screen | null {
   return map ? toScreen(cornersOf(map, frame.peek())[grip], effectiveView.peek(), stageSize.peek()) : null;
 }
 
-function moveTo(index: number, grip: Grip, to: { x: number; y: number }, gesture: string): void {
+function moveTo(index: number, grip: Grip, to: { x: number; y: number }, gesture: string, rests = false) {
+  const view = effectiveView.peek();
+  const point = toWorld(screen(to.x, to.y), view, stageSize.peek());
+  change(
+    index,
+    (map, maps) => {
+      const box = frame.peek();
+      if (rests) {
+        const found = snapped(map, box, grip, point, restsOf(maps, index, box), REACH / view.scale);
+        rest.value = found.at;
+        // What rests is exact, and stays so.
+        if (found.at) return found.map;
+      } else rest.value = null;
+      return rounded(dragged(map, box, grip, point), view.scale);
+    },
+    gesture,
+  );
+}
+
+/** Another map in the place of one; a run of them is one step of undo. */
+function change(index: number, to: (map: MapRow, maps: readonly MapRow[]) => MapRow, gesture: string): void {
   const target = selection.peek()?.target;
   if (!target) return;
-  const point = toWorld(screen(to.x, to.y), effectiveView.peek(), stageSize.peek());
   edit(
     (before) => {
       const map = before[target].maps[index];
       if (!map) return before;
-      const maps = before[target].maps.slice();
-      maps[index] = rounded(dragged(map, frame.peek(), grip, point), effectiveView.peek().scale);
+      const maps = before[target].maps.with(index, to(map, before[target].maps));
       // Touched maps are no preset any more.
       return { ...before, [target]: { name: before[target].name, maps } };
     },

@@ -10,7 +10,6 @@ import { scene } from "#document/scene";
 import { tool } from "#document/tool";
 import { lazily } from "#ui/lazy";
 import { stageKey } from "./gestures";
-import { Handles } from "./handles";
 import { Picture } from "./picture";
 import css from "./stage.module.css";
 import {
@@ -64,7 +63,7 @@ export function MapOverlay() {
   return (
     <>
       {!comparing.value && <Evidence />}
-      <Handles />
+      {selection.value !== null && <Handles />}
     </>
   );
 }
@@ -142,6 +141,8 @@ export function Stage({
 
 /** It lies over the picture, which does not wait for it. */
 const Evidence = lazily(() => import("./evidence").then((module) => module.Evidence));
+/** Loaded with the panel of the maps. */
+const Handles = lazily(() => import("./handles").then((module) => module.Handles));
 /** Loaded when there is a curve to draw. */
 const CurvePicture = lazily(() => import("./curve/picture").then((module) => module.CurvePicture));
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { MapRow } from "#wasm/api";
-import { compose, decompose, determinant, halfAbout, mapWords, reflect } from "./affine2";
+import { compose, decompose, determinant, mapWords, reflect } from "./affine2";
 
 const close = (got: MapRow, want: MapRow) => {
   got.forEach((x, i) => {
@@ -63,13 +63,6 @@ describe("reflect", () => {
     const [a, b, c, d, e, f] = reflect([0.5, 0.1, 0.2, 0.4, 1, 2], 0.7);
     expect(a * 0.7 + b * 3 + e).toBeCloseTo(0.5 * 0.7 + 0.1 * 3 + 1, 12);
     expect(c * 0.7 + d * 3 + f).toBeCloseTo(0.2 * 0.7 + 0.4 * 3 + 2, 12);
-  });
-});
-
-describe("halfAbout", () => {
-  it("fixes its point", () => {
-    const [a, , , d, e, f] = halfAbout([3, -1]);
-    expect([a * 3 + e, d * -1 + f]).toEqual([3, -1]);
   });
 });
 

@@ -60,11 +60,6 @@ export function reflect([a, b, c, d, e, f]: MapRow, centreX: number): MapRow {
   return [-a || 0, b, -c || 0, d, e + 2 * a * centreX, f + 2 * c * centreX];
 }
 
-/** A half-size copy that leaves one point where it is. */
-export function halfAbout([x, y]: readonly [number, number]): MapRow {
-  return [0.5, 0, 0, 0.5, x / 2, y / 2];
-}
-
 export function determinant([a, b, c, d]: MapRow): number {
   return a * d - b * c;
 }

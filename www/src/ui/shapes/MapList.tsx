@@ -47,12 +47,16 @@ interface MapToolsProps<Row> {
   most: number;
   /** Takes other maps, opens one of them and says what was done. */
   onPress: (next: Row[], open: number, said: string) => void;
+  /** The copy of one, where it is not the same in every number. */
+  copyOf?: (row: Row) => Row;
   /** What else can be done to it. */
   children?: ComponentChildren;
 }
 
+const same = <Row,>(row: Row): Row => row;
+
 /** What can be done to one map of several. */
-export function MapTools<Row>({ maps, index, most, onPress, children }: MapToolsProps<Row>) {
+export function MapTools<Row>({ maps, index, most, onPress, copyOf = same, children }: MapToolsProps<Row>) {
   return (
     <div class={css["map-tools"]}>
       <IconButton
@@ -62,7 +66,7 @@ export function MapTools<Row>({ maps, index, most, onPress, children }: MapTools
         disabled={maps.length >= most}
         onClick={() =>
           onPress(
-            [...maps, ...maps.slice(index, index + 1)],
+            [...maps, ...maps.slice(index, index + 1).map(copyOf)],
             maps.length,
             `Map ${maps.length + 1} is a copy of map ${index + 1}.`,
           )

@@ -1,11 +1,16 @@
 import { useEffect, useRef, useState } from "preact/hooks";
+import { boxOf } from "#document/framing";
 import { selection } from "#document/morph";
 import { announce, wordsOf } from "#document/notice";
 import { originOf } from "#document/presets";
 import { edit, endGesture } from "#document/scene";
-import { halfAbout, mapWords, reflect } from "#geometry/maps/affine2";
+import { UNIT } from "#geometry/boxes";
+import { mapWords, reflect } from "#geometry/maps/affine2";
+import { beside, oneMore } from "#geometry/maps/beside";
+import { snapping } from "#stage/handles";
 import { Button, IconButton } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
+import { Switch } from "#ui/controls/Switch";
 import { Problem } from "#ui/panel/Problem";
 import { MapList, MapTools } from "#ui/shapes/MapList";
 import type { MapRow } from "#wasm/api";
@@ -77,6 +82,8 @@ export function MapEditor({ target, chosen }: { target: End; chosen: number | nu
       gesture,
     );
 
+  /** Where maps are put. */
+  const frame = () => boxOf(maps) ?? UNIT;
   const mirror = (index: number, map: MapRow) =>
     press(maps.with(index, reflect(map, middle(maps)[0])), index, `Map ${index + 1} is mirrored.`);
 
@@ -91,7 +98,13 @@ export function MapEditor({ target, chosen }: { target: End; chosen: number | nu
             onChange={(next, field) => change(index, next, `map-${target}-${index}-${field}`)}
             onDone={endGesture}
           />
-          <MapTools maps={maps} index={index} most={MOST_MAPS} onPress={press}>
+          <MapTools
+            maps={maps}
+            index={index}
+            most={MOST_MAPS}
+            copyOf={(one) => beside(maps, one, frame())}
+            onPress={press}
+          >
             <IconButton
               icon="reflect"
               label="Mirror this map"
@@ -126,6 +139,14 @@ export function MapEditor({ target, chosen }: { target: End; chosen: number | nu
           { value: "numbers", label: "Six numbers" },
         ]}
       />
+      <Switch
+        checked={snapping.value}
+        onChange={(on) => {
+          snapping.value = on;
+        }}
+      >
+        Snap to corners, edges and angles (Alt: the other way)
+      </Switch>
       <MapList
         numbered
         maps={maps.map(mapWords)}
@@ -140,7 +161,7 @@ export function MapEditor({ target, chosen }: { target: End; chosen: number | nu
           icon="add"
           disabled={maps.length >= MOST_MAPS}
           onClick={() =>
-            press([...maps, halfAbout(middle(maps))], maps.length, `Map ${maps.length + 1} is new.`)
+            press([...maps, oneMore(maps, frame())], maps.length, `Map ${maps.length + 1} is new.`)
           }
         >
           Add a map
