@@ -29,6 +29,10 @@ export function Header() {
   const studio = at === "studio";
   return (
     <header class="header">
+      {/* No link: fragments of the address are documents here. */}
+      <button type="button" class={css["skip"]} onClick={skip}>
+        Skip to the {studio ? "picture" : "text"}
+      </button>
       <a class="wordmark" href={studioHref()} onClick={stay}>
         <Mark />
         Frond
@@ -126,6 +130,13 @@ function StudioTools() {
       <Tool glyph="help" command="help" label="Help" class="wide" onClick={openHelp} />
     </>
   );
+}
+
+/** Past the header. */
+function skip(): void {
+  const places = document.querySelectorAll<HTMLElement>("main :is([role='application'], h1[tabindex])");
+  // Of two stages one is away.
+  [...places].find((place) => place.getClientRects().length > 0)?.focus();
 }
 
 /** Whoever is in the studio already stays in it: the address in the link may be older than the document. */
