@@ -57,7 +57,8 @@ export function beside(maps: readonly MapRow[], map: MapRow, frame: Box): MapRow
   }
   if (best === null) return map;
   const [a, b, c, d, e, f] = map;
-  return [a, b, c, d, round(e + best.x - own.x0), round(f + best.y - own.y0)];
+  const step = 10 ** Math.floor(Math.log10(size > 0 ? size : 1) - 3);
+  return [a, b, c, d, round(e + best.x - own.x0, step), round(f + best.y - own.y0, step)];
 }
 
 /** A copy for one more map: as small as it has to be for so many to lie side by side, a half at most. */
@@ -66,5 +67,6 @@ export function oneMore(maps: readonly MapRow[], frame: Box): MapRow {
   return beside(maps, [scale, 0, 0, scale, 0, 0], frame);
 }
 
-/** Without the dust of sums. */
-const round = (x: number): number => Number(x.toFixed(12)) || 0;
+/** A short number: the frame is only known to so much, too. By division, which gives the shortest digits. */
+const round = (x: number, step: number): number =>
+  (step < 1 ? Math.round(x / step) / Math.round(1 / step) : Math.round(x / step) * step) || 0;
