@@ -136,6 +136,18 @@ test("the two maps of Table 1 are found, picked by key, and put together; a link
   expect(await graph(studio)).toEqual(found);
 });
 
+test("what is put together keeps a tolerance, and says what a polyline as near takes", async ({ page }) => {
+  await open(page);
+  await search(page, "table1");
+  const field = page.getByRole("spinbutton", { name: /^Nowhere farther off than/ });
+  await field.fill("5");
+  await page.keyboard.press("Enter");
+  await page.getByRole("button", { name: "Assemble", exact: true }).click();
+  const words = page.locator("[data-part=assembled]");
+  await expect(words).toContainText(/It is made of \d+ numbers; a polyline that is as near takes \d+\./);
+  await expect(words).not.toContainText("e-");
+});
+
 test("a search is stopped at once, and what was there stays", async ({ page }) => {
   await open(page);
   await search(page, "table1");

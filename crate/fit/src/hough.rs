@@ -20,7 +20,7 @@ mod share;
 mod space;
 mod transform;
 
-pub use assemble::{Assembly, Model, assemble};
+pub use assemble::{Assembly, Model, Within, assemble, assemble_within};
 pub use cluster::{Cluster, Found, Kind, name_clusters, refine_map};
 pub use echo::Letter;
 pub use error::HoughError;

@@ -7,9 +7,9 @@
 //! - [`FractalFunction`] and [`FractalCurve`] are made of smaller copies of parts of themselves: FIF, where each piece
 //!   copies the whole; RFIF, where it copies what lies between two knots; PFIF, where it copies any part.
 //! - [`Hough`] finds maps that a graph is made of by voting; [`name_clusters`] tells maps from echoes, [`assemble`]
-//!   makes a whole function of them, [`assemble_picked`] one of those that were picked,
-//!   [`FractalFunction::to_recurrent`] a RFIF of a PFIF. A [`Series`] is measured data, [`Components`] the directions
-//!   in which clusters spread.
+//!   makes a whole function of them, [`assemble_within`] the shortest that is nowhere farther off than a tolerance,
+//!   [`assemble_picked`] one of those that were picked, [`FractalFunction::to_recurrent`] a RFIF of a PFIF. A
+//!   [`Series`] is measured data, [`Components`] the directions in which clusters spread.
 //! - [`fit_collage`] is the paper's fit of a ring of feature points.
 //! - [`Fitter`] fits a [`ClosedCurve`], knots with edges that are straight or copies of arcs, which is closed by
 //!   construction, no farther from the outline than the best polyline of as many numbers, and crosses itself nowhere
@@ -75,7 +75,8 @@ pub use grown::{island, maple_leaf, noisy, oak_leaf};
 pub use hough::{
     Assembly, BINS, Candidate, Cluster, Components, Features, FirstPass, Found, Hough, HoughError,
     HoughOptions, HoughProgress, Kind, Letter, MAX_CELLS, MAX_FEATURES, Model, PLANE, Pick, SecondPass,
-    assemble, assemble_picked, gather, in_range, name_clusters, refine_map, share_cells,
+    Within, assemble, assemble_picked, assemble_within, gather, in_range, name_clusters, refine_map,
+    share_cells,
 };
 pub use outline::{
     Fidelity, Guard, MAX_OUTLINE, MAX_PREPARED, Near, Nearest, Outline, OutlineError, contacts, crossings,

@@ -1,5 +1,10 @@
 //! A whole fractal function from candidate maps.
 
+mod polyline;
+mod within;
+
+pub use within::{Within, assemble_within};
+
 use glam::{DMat2, DVec2};
 
 use super::features::Features;

@@ -5,8 +5,8 @@
 
 use frond_fit::{
     Assembly, BINS, Candidate, Cluster, Components, Features, FirstPass, FunctionError, HoughError,
-    HoughOptions, HoughProgress, Kind, Letter, Model, Pick, SecondPass, Series, assemble, assemble_picked,
-    gather, in_range, name_clusters, refine_map, share_cells,
+    HoughOptions, HoughProgress, Kind, Letter, Model, Pick, SecondPass, Series, Within, assemble,
+    assemble_picked, assemble_within, gather, in_range, name_clusters, refine_map, share_cells,
 };
 use js_sys::{Array, Float64Array, Uint32Array};
 use serde::{Deserialize, Serialize};
@@ -271,6 +271,10 @@ struct PlainAssembly {
     used: Vec<Option<usize>>,
     mean_square: f64,
     worst: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    numbers: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    polyline: Option<usize>,
 }
 
 impl From<Assembly> for PlainAssembly {
@@ -287,16 +291,30 @@ impl From<Assembly> for PlainAssembly {
             used: whole.used,
             mean_square: whole.mean_square,
             worst: whole.worst,
+            numbers: None,
+            polyline: None,
         }
     }
 }
 
-/// A whole function of the candidates that do it best.
+/// A whole function of the candidates that do it best. With a `tolerance`, in heights of the graph: the one of fewest
+/// numbers that is nowhere farther off, never more than a polyline takes; both are told.
 #[wasm_bindgen(js_name = houghAssemble)]
-pub fn hough_assemble(coarse: &[f64], fine: &[f64], candidates: JsValue) -> Result<JsValue, JsValue> {
+pub fn hough_assemble(
+    coarse: &[f64],
+    fine: &[f64],
+    candidates: JsValue,
+    tolerance: Option<f64>,
+) -> Result<JsValue, JsValue> {
     let candidates: Vec<Candidate> = read("The list of candidates", candidates)?;
-    let whole = assemble(&features(coarse)?, &features(fine)?, &candidates).map_err(of_function)?;
-    write(&PlainAssembly::from(whole))
+    let (coarse, fine) = (features(coarse)?, features(fine)?);
+    let Some(tolerance) = tolerance else {
+        let whole = assemble(&coarse, &fine, &candidates).map_err(of_function)?;
+        return write(&PlainAssembly::from(whole));
+    };
+    let Within { assembly, numbers, polyline } =
+        assemble_within(&coarse, &fine, &candidates, tolerance).map_err(of_function)?;
+    write(&PlainAssembly { numbers: Some(numbers), polyline: Some(polyline), ..assembly.into() })
 }
 
 #[derive(Deserialize)]

@@ -58,6 +58,9 @@ export interface Assembled {
   used: (number | null)[];
   meanSquare: number;
   worst: number;
+  /** Within a tolerance: how many numbers it is made of, and how many a polyline takes that is as near. */
+  numbers?: number;
+  polyline?: number;
 }
 
 export interface Counting {
@@ -199,12 +202,12 @@ export const houghTasks = {
     return fit.houghRefine(sets.coarse, sets.fine, Float64Array.from(map));
   },
 
-  /** A whole function of the best candidates. */
+  /** The shortest function of candidates that is nowhere farther off than a tolerance, in heights of the graph. */
   houghAssemble(
     { fit }: Plain,
-    { sets, candidates }: { sets: FeatureSets; candidates: HoughCandidate[] },
+    args: { sets: FeatureSets; candidates: HoughCandidate[]; tolerance: number },
   ): Assembled {
-    return fit.houghAssemble(sets.coarse, sets.fine, candidates);
+    return fit.houghAssemble(args.sets.coarse, args.sets.fine, args.candidates, args.tolerance);
   },
 
   /** A whole function of maps that were picked with their domains. */

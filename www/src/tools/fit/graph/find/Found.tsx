@@ -2,10 +2,11 @@ import { signal } from "@preact/signals";
 import { formatNumber } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
+import { SliderField } from "#ui/controls/SliderField";
 import { Switch } from "#ui/controls/Switch";
 import graphCss from "../graph.module.css";
 import { graph } from "../model/document";
-import { axisWords, countWords, offWords, spreadWords } from "../model/words";
+import { axisWords, costWords, countWords, offWords, spreadWords } from "../model/words";
 import { CandidateList } from "./Candidates";
 import { type AxesId, ClusterPlot } from "./ClusterPlot";
 import {
@@ -15,12 +16,15 @@ import {
   copying,
   current,
   found,
+  LEAST_TOLERANCE,
   live,
+  MOST_TOLERANCE,
   picks,
   running,
   search,
   tableThree,
   tied,
+  tolerance,
 } from "./search";
 
 const axes = signal<AxesId>("ac");
@@ -103,6 +107,21 @@ function Assembly() {
       >
         Show the chosen map on the graph
       </Switch>
+      <SliderField
+        label="Nowhere farther off than"
+        unit="% of the height"
+        value={100 * tolerance.value}
+        min={Math.log10(100 * LEAST_TOLERANCE)}
+        max={Math.log10(100 * MOST_TOLERANCE)}
+        step={0.01}
+        digits={2}
+        scale={{ to: Math.log10, from: (at) => Number((10 ** at).toPrecision(2)) }}
+        field={{ min: 100 * LEAST_TOLERANCE, max: 100 * MOST_TOLERANCE, step: 0.1 }}
+        words={`${formatNumber(100 * tolerance.value, 2)} percent of the height`}
+        onChange={(next) => {
+          tolerance.value = next / 100;
+        }}
+      />
       <div class="row">
         <Button
           kind="primary"
@@ -139,7 +158,8 @@ function Assembly() {
       )}
       {done && done.graph === graph.value && (
         <p class="hint" data-part="assembled">
-          {done.graph.kind.toUpperCase()} of {done.graph.pieces.length} pieces: {offWords(done)}.
+          {done.graph.kind.toUpperCase()} of {done.graph.pieces.length} pieces: {offWords(done)}.{" "}
+          {costWords(done)}
         </p>
       )}
     </div>

@@ -59,6 +59,10 @@ export const chosen = signal<number | null>(null);
 export const copying = signal(true);
 /** Whether ends of picked pieces are moved so that they meet. */
 export const tied = signal(true);
+/** How far off what is put together may be, in heights of the graph. */
+export const tolerance = signal(0.02);
+export const LEAST_TOLERANCE = 0.001;
+export const MOST_TOLERANCE = 0.2;
 export const assembling = signal(false);
 /** How the graph on the stage was put together, as long as it is that graph. */
 export const assembled = signal<Assembled | null>(null);
@@ -234,7 +238,11 @@ export async function assemble(by: "hand" | "itself"): Promise<void> {
     const { sets } = now;
     const got =
       by === "itself"
-        ? await fitTask("houghAssemble", { sets, candidates: candidatesOf(now) })
+        ? await fitTask("houghAssemble", {
+            sets,
+            candidates: candidatesOf(now),
+            tolerance: tolerance.peek(),
+          })
         : await fitTask("houghPicked", {
             sets,
             picks: picks.peek().map(({ map, domain }) => ({ map, domain })),

@@ -2,7 +2,7 @@ import { expect, it } from "vitest";
 import type { FoundCluster } from "#workers/fit/hough";
 import { firstLook, tableThree } from "../find/search";
 import { TABLE_3 } from "../printed";
-import { aboutOf, axisWords, errorWords, nameOf, offWords } from "./words";
+import { aboutOf, axisWords, costWords, errorWords, nameOf, offWords } from "./words";
 
 const cluster = (over: Partial<FoundCluster>): FoundCluster => ({
   hits: 9,
@@ -44,6 +44,23 @@ it("says how far off a graph is in the units of its heights", () => {
   expect(offWords({ worst: 31.26, meanSquare: 123 })).toBe(
     "off by 31.3 at most, 11.1 in the root mean square",
   );
+});
+
+it("says what a graph costs beside a polyline", () => {
+  const graph = (c: number) => ({
+    kind: "fif" as const,
+    pieces: [
+      {
+        map: [0.5, 0, c, 0, 0] as [number, number, number, number, number],
+        domain: [0, 1] as [number, number],
+      },
+    ],
+  });
+  expect(costWords({ numbers: 8, polyline: 40, graph: graph(0.4) })).toBe(
+    "It is made of 8 numbers; a polyline that is as near takes 40.",
+  );
+  expect(costWords({ numbers: 40, polyline: 40, graph: graph(0) })).toContain("copies do not pay");
+  expect(costWords({ graph: graph(0.4) })).toBe("");
 });
 
 it("says a direction in its largest parts", () => {

@@ -2,7 +2,7 @@
 
 import { formatNumber } from "#format/numbers";
 import { significant } from "#format/significant";
-import type { Clusters, FoundCluster } from "#workers/fit/hough";
+import type { Assembled, Clusters, FoundCluster } from "#workers/fit/hough";
 import type { Kind } from "./model";
 
 export const KINDS: readonly { value: Kind; label: string; about: string }[] = [
@@ -49,6 +49,19 @@ export function errorWords({ candidate }: FoundCluster): string {
 /** How far a graph is from what is measured, in the units of the heights. */
 export function offWords({ worst, meanSquare }: { worst: number; meanSquare: number }): string {
   return `off by ${significant(worst)} at most, ${significant(Math.sqrt(meanSquare))} in the root mean square`;
+}
+
+/** What a graph within a tolerance costs, beside the polyline that is as near. */
+export function costWords({
+  numbers,
+  polyline,
+  graph,
+}: Pick<Assembled, "numbers" | "polyline" | "graph">): string {
+  if (numbers === undefined || polyline === undefined) return "";
+  if (graph.pieces.every(({ map }) => map[2] === 0)) {
+    return `A polyline of ${numbers} numbers: copies do not pay at this tolerance.`;
+  }
+  return `It is made of ${numbers} numbers; a polyline that is as near takes ${polyline}.`;
 }
 
 export function countWords(count: number): string {
