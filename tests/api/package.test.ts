@@ -17,7 +17,7 @@ const manifest: { exports: Record<string, string | Record<string, string>> } = J
 const PROMISED = `presets validate attractor rasterize bounds connectedness certificate connectedCertificate checkCertificate indexBuffer
   barnsleyTest pair interpolate locus LocusTiles planPath planPathIn checkPath certifyPath candidates rateCandidate routes
   familyMaps criticalScale FamilyTiles PathSearch conjugate polar encodeScene decodeScene defaultScene settleLocus settleFamily
-  CurveMorph curvePresets curveFacts packCurve unpackCurve quantised curveMaps curveSvg curveCsv
+  CurveMorph curvePresets curveFacts packCurve unpackCurve quantised curveMaps curveCopies curveSteps curveSvg curveCsv
   interpolation sampleGraph graphAt graphFacts toRecurrent`;
 
 describe("the package", () => {

@@ -35,6 +35,40 @@ test("what is seen first is a leaf with its fit, and the slider changes it", asy
   await tool.fitted();
 });
 
+test("each copy is seen with its arc, by keys and by pointer, and the curve grows out of its knots", async ({
+  page,
+}) => {
+  const tool = new FitTool(page);
+  await tool.open();
+  await tool.fitted();
+  const panel = page.getByRole("region", { name: "Its copies" });
+  await panel.getByRole("switch", { name: "Show which edge copies which arc" }).check({ force: true });
+  const number = panel.getByRole("spinbutton", { name: /^Copy, of/ });
+  const words = panel.locator("[data-part=copy]");
+  await expect(words).toHaveText(/^This edge is that arc of \d+ edges: .* times as long/);
+  await number.focus();
+  await page.keyboard.press("ArrowUp");
+  await expect(number).toHaveValue("2");
+  // All over the stage the pointer comes near some other copy.
+  const box = await page.getByTestId("fit-stage").boundingBox();
+  if (!box) throw new Error("there is no stage");
+  const seen = new Set<string>();
+  for (let i = 1; i < 20; i++) {
+    await page.mouse.move(box.x + (box.width * i) / 20, box.y + box.height / 2);
+    seen.add(await number.inputValue());
+  }
+  expect(seen.size).toBeGreaterThan(1);
+  const whole = await tool.lit();
+  const grow = panel.getByRole("slider", { name: "Steps of growth" });
+  await grow.focus();
+  await page.keyboard.press("Home");
+  await expect(grow).toHaveAttribute("aria-valuetext", "the polygon of knots");
+  await expect.poll(() => tool.lit()).not.toBe(whole);
+  await panel.getByRole("button", { name: "Show all of it" }).click();
+  await expect(grow).toHaveAttribute("aria-valuetext", "all of it");
+  await expectClean(page);
+});
+
 test("a photograph becomes a mask, an outline, a fit, a shape of the morph, and a link opens it", async ({
   page,
 }) => {

@@ -1,10 +1,12 @@
 //! Self-affine closed curves: knots, and edges that are straight or copies of arcs.
 
 mod candidates;
+mod copies;
 mod expansion;
 mod fault;
 mod final_refine;
 mod fitter;
+mod growth;
 mod judge;
 mod moves;
 mod normal;
@@ -14,6 +16,7 @@ mod refine;
 mod straight;
 mod text;
 
+pub use copies::CopyFacts;
 pub use fault::CurveFault;
 pub use fitter::{ClosedFit, FitError, Fitter, Progress, Stage};
 pub use judge::{DRAWING_LEVELS, DRAWING_TOLERANCE};

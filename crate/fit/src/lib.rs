@@ -61,8 +61,8 @@ mod series;
 
 pub use baseline::{bezier, fourier, least_squares_polyline, split_polyline};
 pub use closed::{
-    ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, CurveFault, DRAWING_LEVELS, DRAWING_TOLERANCE, FitError,
-    Fitter, MAX_KNOTS, MAX_SPAN, MAX_TEXT, PackError, Progress, Stage, partition,
+    ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, CopyFacts, CurveFault, DRAWING_LEVELS, DRAWING_TOLERANCE,
+    FitError, Fitter, MAX_KNOTS, MAX_SPAN, MAX_TEXT, PackError, Progress, Stage, partition,
 };
 pub use collage::{Bounding, CollageError, CollageFit, CollageOptions, Domains, RingMap, fit_collage};
 pub use curve_morph::{CurveMorph, MAX_FILE_POINTS, MorphError, MorphedCurve};

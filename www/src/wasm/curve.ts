@@ -10,6 +10,8 @@ export type CurveMorphHandle = InstanceType<Curves["CurveMorph"]>;
 export type CurveMorphFacts = ReturnType<CurveMorphHandle["facts"]>;
 /** What makes an edge of a closed curve. */
 export type CurveMap = ReturnType<Curves["curveMaps"]>[number];
+/** How a copied edge lies to its arc. */
+export type CurveCopy = ReturnType<Curves["curveCopies"]>[number];
 
 const ready = signal(false);
 

@@ -5,7 +5,7 @@ use glam::{DMat2, DVec2};
 use super::{ArcCopy, ClosedCurve, complex, over};
 
 /// The most points of an expansion.
-const MAX_VERTICES: usize = 1 << 18;
+pub(crate) const MAX_VERTICES: usize = 1 << 18;
 
 /// Derivatives smaller than this are left out.
 const LEAST_DERIVATIVE: f64 = 1e-3;
@@ -21,7 +21,7 @@ pub(crate) struct Vertex {
 }
 
 impl Vertex {
-    fn knot(curve: &ClosedCurve, index: usize, jets: bool) -> Self {
+    pub fn knot(curve: &ClosedCurve, index: usize, jets: bool) -> Self {
         let knots = if jets { vec![(index as u32, DMat2::IDENTITY)] } else { Vec::new() };
         Self { at: curve.knots[index], size: f64::INFINITY, knots, factors: Vec::new() }
     }
@@ -134,19 +134,7 @@ impl ClosedCurve {
             return level;
         }
         for _ in 0..levels {
-            let mut next = Expansion {
-                vertices: Vec::with_capacity(2 * level.vertices.len()),
-                starts: Vec::with_capacity(count + 1),
-            };
-            for (i, knot) in knots.iter().enumerate() {
-                next.starts.push(next.vertices.len());
-                next.vertices.push(knot.clone());
-                if let Some(copy) = self.edges[i] {
-                    let frame = Frame::new(self, i, copy);
-                    frame.open(&level, tolerance, jets, &mut next.vertices);
-                }
-            }
-            next.starts.push(next.vertices.len());
+            let next = self.opened(&level, &knots, tolerance, jets);
             // Every corner is exact from the level on that brings it: one that brings none is the last.
             let done = next.vertices.len() == level.vertices.len() || next.vertices.len() > MAX_VERTICES;
             level = next;
@@ -155,6 +143,30 @@ impl ClosedCurve {
             }
         }
         level
+    }
+
+    /// Each copy as the image of its arc in `level`.
+    pub(crate) fn opened(
+        &self,
+        level: &Expansion,
+        knots: &[Vertex],
+        tolerance: f64,
+        jets: bool,
+    ) -> Expansion {
+        let mut next = Expansion {
+            vertices: Vec::with_capacity(2 * level.vertices.len()),
+            starts: Vec::with_capacity(knots.len() + 1),
+        };
+        for (i, knot) in knots.iter().enumerate() {
+            next.starts.push(next.vertices.len());
+            next.vertices.push(knot.clone());
+            if let Some(copy) = self.edges[i] {
+                let frame = Frame::new(self, i, copy);
+                frame.open(level, tolerance, jets, &mut next.vertices);
+            }
+        }
+        next.starts.push(next.vertices.len());
+        next
     }
 }
 

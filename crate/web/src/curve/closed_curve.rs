@@ -1,6 +1,6 @@
 //! Closed curves made of smaller copies of their own arcs, from JavaScript.
 
-use frond_fit::{ClosedCurve, MAX_TEXT, PackError, spectral_norm};
+use frond_fit::{ClosedCurve, CopyFacts, MAX_TEXT, PackError, spectral_norm};
 use frond_scene::Curve;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -85,6 +85,49 @@ pub fn curve_facts(
         ("length", length.into()),
         ("contractivity", norms.fold(0.0, f64::max).into()),
     ]))
+}
+
+#[derive(Serialize)]
+struct EdgeCopy {
+    edge: usize,
+    from: usize,
+    span: usize,
+    ratio: f64,
+    across: f64,
+    degrees: f64,
+    mirrored: bool,
+}
+
+/// How each copied edge lies to its arc: its knot, the arc's first knot and its edges, how many times as long and as
+/// far from the chord it is, by how many degrees it is turned (counterclockwise, y up), and whether it is mirrored.
+#[wasm_bindgen(
+    js_name = curveCopies,
+    unchecked_return_type = "{ edge: number; from: number; span: number; ratio: number; across: number; degrees: number; mirrored: boolean }[]"
+)]
+pub fn curve_copies(
+    #[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue,
+) -> Result<JsValue, JsValue> {
+    let facts = read_curve(&curve)?.copy_facts().into_iter();
+    let plain = |CopyFacts { edge, from, span, ratio, across, degrees, mirrored }| EdgeCopy {
+        edge,
+        from,
+        span,
+        ratio,
+        across,
+        degrees,
+        mirrored,
+    };
+    write(&facts.map(plain).collect::<Vec<_>>())
+}
+
+/// The curve after a number of steps (any number from 0), as x0, y0, x1, y1, ..: 0 is the polygon of its knots, and at
+/// each step every copy is drawn anew from what its arc was before.
+#[wasm_bindgen(js_name = curveSteps)]
+pub fn curve_steps(
+    #[wasm_bindgen(unchecked_param_type = "Curve")] curve: JsValue,
+    steps: f64,
+) -> Result<Vec<f64>, JsValue> {
+    Ok(read_curve(&curve)?.grown(steps).into_iter().flat_map(|p| p.to_array()).collect())
 }
 
 #[derive(Serialize)]

@@ -4,6 +4,7 @@ import { useEffect } from "preact/hooks";
 import { narrow } from "#ui/media";
 import { PanelFoot } from "#ui/panel/PanelFoot";
 import { fitTask } from "#workers/fit/client";
+import { CopiesPanel } from "./copies/CopiesPanel";
 import { GraphPanel, GraphStage, GraphStrip, graphOpen, ModeChoice } from "./mode";
 import { CutPanel } from "./panel/CutPanel";
 import { FiguresPanel } from "./panel/FiguresPanel";
@@ -50,6 +51,7 @@ function Outline() {
       <OutlinePanel />
       <ModelPanel />
       <FiguresPanel />
+      <CopiesPanel />
       <UsePanel />
       {narrow.value && <Layers />}
       <PanelFoot />

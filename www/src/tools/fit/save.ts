@@ -78,13 +78,14 @@ export function savePng(): void {
     const context = canvas.getContext("2d");
     if (!context) throw new Error("no canvas");
     const fit = palette(dark.peek() ? "dark" : "light")[2] ?? GREY;
-    const colours = { stage: WHITE, ink: fit, quiet: fit, fit, bad: BAD, accent: fit };
+    const colours = { stage: WHITE, ink: fit, quiet: fit, fit, bad: BAD, accent: fit, arcs: [] };
     const view = fitFor(box, canvas, 0.02);
     const nothing = {
       photo: null,
       mask: null,
       outline: null,
       filled: false,
+      copies: null,
       marks: null,
       strokes: [],
       cursor: null,

@@ -120,5 +120,6 @@ function coloursOf(isDark: boolean): Colours {
     fit: palette(isDark ? "dark" : "light")[2] ?? GREY,
     bad: of("bad"),
     accent: of("accent"),
+    arcs: palette(isDark ? "dark" : "light"),
   };
 }

@@ -4,6 +4,7 @@ import type { View } from "#geometry/coordinates";
 import { type Frame as CanvasFrame, fillPath, outlinePaths, place } from "#stage/curve/outline";
 import type { Collage } from "#workers/fit/curve";
 import type { Masked, Stroke } from "#workers/fit/trace-types";
+import type { CopyPaths } from "../copies/copies";
 import type { Frame } from "../work/frame";
 import { veilOf } from "./veil";
 
@@ -14,6 +15,8 @@ export interface Colours {
   fit: string;
   bad: string;
   accent: string;
+  /** Of arcs that are copied, again and again. */
+  arcs: readonly string[];
 }
 
 /** All that is on the stage. Points are x0, y0, x1, y1, .. in the plane. */
@@ -28,6 +31,8 @@ export interface Sight {
   fit: Float64Array | null;
   /** Pieces of the paper's fit in its place. */
   collage: Collage | null;
+  /** Which edges copy which arcs. */
+  copies: CopyPaths | null;
   marks: Float64Array | null;
   strokes: readonly Stroke[];
   cursor: { x: number; y: number; radius: number; what: "keep" | "remove" } | null;
@@ -64,6 +69,7 @@ export function paint(
     ring(context, on, ratio, sight.fit, colours.fit, look, colours);
   }
   if (sight.collage) pieces(context, on, ratio, sight.collage, colours);
+  if (sight.copies) paintCopies(context, on, ratio, sight.copies, colours);
   if (sight.marks) dots(context, on, ratio, sight.marks, colours);
   paintBrush(context, on, ratio, sight, colours);
 }
@@ -150,6 +156,38 @@ function pieces(
     context.stroke();
     context.setLineDash([]);
   }
+}
+
+/** Copies in the colour of their arc; the one that is looked at is thick, its arc dashed, whatever their colours. */
+function paintCopies(
+  context: CanvasRenderingContext2D,
+  on: CanvasFrame,
+  ratio: number,
+  { edges, groups, chosen, arc }: CopyPaths,
+  colours: Colours,
+): void {
+  const line = (points: Float64Array, colour: string, width: number) => {
+    const placed = place(points, on).points;
+    context.beginPath();
+    for (let i = 0; i + 1 < placed.length; i += 2) {
+      if (i === 0) context.moveTo(placed[0] ?? 0, placed[1] ?? 0);
+      else context.lineTo(placed[i] ?? 0, placed[i + 1] ?? 0);
+    }
+    context.strokeStyle = colour;
+    context.lineWidth = width * ratio;
+    context.stroke();
+  };
+  const colourOf = (index: number) => colours.arcs[(groups[index] ?? 0) % colours.arcs.length] ?? colours.ink;
+  for (const [index, path] of edges.entries()) line(path, colourOf(index), 2.5);
+  line(arc, colours.stage, 6);
+  context.setLineDash([7 * ratio, 6 * ratio]);
+  line(arc, colours.ink, 3);
+  context.setLineDash([]);
+  const one = edges[chosen];
+  if (!one) return;
+  line(one, colours.stage, 9);
+  line(one, colours.ink, 6);
+  line(one, colourOf(chosen), 3);
 }
 
 function dots(

@@ -1,10 +1,11 @@
 /** Pan, pinch, wheel and brush on the stage of the fit. */
 import type { Screen } from "#geometry/coordinates";
 import { attachPanZoom, type PanZoom, panZoomKey, placeIn } from "#ui/panZoom";
+import { chooseNear } from "../copies/copies";
 import { frame } from "../work/outline";
 import { opened } from "../work/source";
 import { beginStroke, cursor, dropStroke, endStroke, goOn, painting } from "./brush";
-import { fitStage, panBy, under, zoomBy } from "./camera";
+import { effectiveView, fitStage, panBy, under, zoomBy } from "./camera";
 
 const PICTURE: PanZoom = { pan: panBy, zoom: zoomBy, fit: fitStage };
 
@@ -14,6 +15,14 @@ function pixelUnder(at: Screen): { x: number; y: number } {
   const { scale, x: fx, y: fy } = frame.peek();
   const height = opened.peek()?.height ?? 0;
   return { x: x / scale + fx, y: height - (y / scale + fy) };
+}
+
+/** How near the pointer comes to a copy that it means, in CSS pixels. */
+const NEAR = 14;
+
+function lookAt(at: Screen): void {
+  const { x, y } = under(at);
+  chooseNear(x, y, NEAR / effectiveView.peek().scale);
 }
 
 /** Returns the end of it. */
@@ -27,6 +36,7 @@ export function attachGestures(element: HTMLElement): () => void {
     "pointermove",
     (event) => {
       if (painting.peek()) cursor.value = pixelAt(event);
+      else if (event.buttons === 0 && event.pointerType !== "touch") lookAt(placeIn(element, event));
     },
     { signal },
   );
@@ -44,6 +54,7 @@ export function attachGestures(element: HTMLElement): () => void {
     fit() {
       if (!painting.peek()) fitStage();
     },
+    tap: lookAt,
     // The middle button moves the picture, whatever is in hand.
     takes: ({ button, target }) => button <= 1 && !(target as Element).closest("button"),
     begin(event) {

@@ -6,6 +6,7 @@ import type { Curve } from "#wasm/api";
 import type { CurveMorphHandle } from "#wasm/curve";
 import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";
+import { copyPaths, grown } from "../copies/copies";
 import { collage, collageOptions, shownFit } from "../work/fitting";
 import { masked } from "../work/mask";
 import { frame, prepared, raw, ready } from "../work/outline";
@@ -86,7 +87,8 @@ export const sight: ReadonlySignal<Sight> = computed(() => {
     frame: frame.value,
     outline: outline && (cut || alone || outlineShown.value || !(fit || paper)) ? outline : null,
     filled: !cut && !picture && (alone || !(fit || paper)),
-    fit: shown && fit ? polyline(fit.curve, fit.points, effectiveView.value) : null,
+    fit: shown && fit ? (grown.value ?? polyline(fit.curve, fit.points, effectiveView.value)) : null,
+    copies: shown && fit ? copyPaths.value : null,
     collage: shown && paper ? paper.fit : null,
     marks: shown && knotsShown.value ? marks : null,
     strokes: cut && stroke.value ? [stroke.value] : [],
