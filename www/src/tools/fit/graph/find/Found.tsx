@@ -109,7 +109,8 @@ function Assembly() {
       </Switch>
       <SliderField
         label="Nowhere farther off than"
-        unit="% of the height"
+        unit="%"
+        ends={["0.1% of the height", "20%"]}
         value={100 * tolerance.value}
         min={Math.log10(100 * LEAST_TOLERANCE)}
         max={Math.log10(100 * MOST_TOLERANCE)}

@@ -57,7 +57,7 @@ export function GraphStage() {
         faint: copyShown.value !== null,
         series: series.value?.points ?? null,
         copy: copyShown.value,
-        worst: errors.value?.where ?? null,
+        worst: errors.value && errors.value.worst > 0 ? errors.value.where : null,
         chosenPiece: chosenPiece.value,
       },
       {
@@ -105,7 +105,7 @@ function choosePiece(left: number, top: number): void {
 
 function Foot() {
   const off = errors.value;
-  const words = off && offWords(off);
+  const words = off && offWords(off).replace("off", "Off");
   const wrong = problem.value;
   const zoom = magnified.value;
   return (
