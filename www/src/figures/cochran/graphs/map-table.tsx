@@ -1,6 +1,5 @@
 import type { ComponentChildren } from "preact";
 import { fixed } from "#format/numbers";
-import { Formula } from "../../kit/frame/formula";
 import { Table } from "../../kit/frame/table";
 import tableCss from "../../kit/frame/table.module.css";
 import type { ShearMap } from "./printed-tables";
@@ -41,7 +40,7 @@ export function MapTable({
       columns={[
         first,
         ...before,
-        ...[..."abcde"].map((name) => <Formula key={name}>{name}</Formula>),
+        ...[..."abcde"].map((name) => <em key={name}>{name}</em>),
         ...behind,
       ]}
       wide={`${caption} (table)`}
