@@ -52,16 +52,20 @@ export function Page(heading: Heading) {
       teaching={TEACHING}
       parameters={[
         { name: "Points", value: "at x = 0, ¼, ½, ¾ and 1" },
-        { name: "Map of piece i", value: "(x + i) / 4 across, i from 0 to 3; cᵢ x + sᵢ y + dᵢ up" },
-        { name: "cᵢ and dᵢ", value: "such that the ends of the whole go to the ends of the piece" },
+        {
+          name: "Map of piece i, from 1 to 4",
+          value: [tex`x \to \frac{x + i - 1}{4}`, ", ", tex`y \to c_i x + s_i y + d_i`],
+        },
+        { name: "Its slope and shift", value: "such that the ends of the whole go to the ends of the piece" },
         { name: "Roughness", symbol: "s", value: `the same for all four above, 0 to ${MOST}` },
         { name: "Drawn", value: "at 1024 even steps; there the heights are exact but for rounding" },
       ]}
       sources={
         <p>
           Such curves through given points are Michael Barnsley’s (1986). Their dimension by boxes was found
-          by Douglas Hardin and Peter Massopust (1986): for N pieces of the same width it is 1 + log(|s₁| + …
-          + |s_N|) / log N if the sum is above 1 and the points are not on one line; else it is 1.
+          by Douglas Hardin and Peter Massopust (1986). For N pieces of the same width it is{" "}
+          <Formula tex={tex`1 + \frac{\log(|s_1| + \dots + |s_N|)}{\log N}`} /> if the sum is above 1 and the
+          points are not on one line; else it is 1.
         </p>
       }
       studio={{
