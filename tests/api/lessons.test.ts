@@ -3,8 +3,10 @@ import { readFile } from "node:fs/promises";
 import { beforeAll, describe, expect, it } from "vitest";
 import initCore from "../../www/pkg/frond.js";
 import initProof, { connectedness } from "../../www/pkg/frond-proof.js";
+import { mapsOf } from "../../www/src/figures/kit/locus/set-m";
 import { mapsAt } from "../../www/src/figures/kit/maps/morphs";
 import * as map from "../../www/src/figures/lessons/lesson-20/map";
+import { APART_S } from "../../www/src/figures/lessons/lesson-21/curves";
 import * as bend from "../../www/src/figures/lessons/lesson-22/answer";
 import type { Connectedness } from "../../www/src/wasm/api";
 
@@ -77,4 +79,10 @@ describe("Every level, or only the whole", () => {
       isQuietAndLively(apartFromPlain(FAR, kb, DELTA), apartFromPlain(NEAR, kb, DELTA));
     expect([0, 2, 3, 4, 9].filter(both)).toEqual([3]);
   });
+});
+
+it("Two curves that must cross: the two pieces are apart, though no picture shows it", () => {
+  const found = connectedness({ maps: mapsOf(APART_S) }, { epsilon: 1e-6 });
+  expect(found.verdict).toBe("disconnected");
+  expect(found.gap.upper / found.diameter).toBeLessThan(1 / 600);
 });

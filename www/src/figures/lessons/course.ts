@@ -260,6 +260,15 @@ const COURSE: readonly UnitEntry[] = [
         load: () => import("./lesson-4/page"),
         thumb: () => import("./lesson-4/thumb"),
       },
+      {
+        id: "e21",
+        title: "Two curves that must cross",
+        about: "When crossing proves touching, and when it is only a picture.",
+        minutes: 6,
+        after: ["e1"],
+        load: () => import("./lesson-21/page"),
+        thumb: () => import("./lesson-21/thumb"),
+      },
     ],
   },
   {

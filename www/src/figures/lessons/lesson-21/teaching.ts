@@ -1,0 +1,25 @@
+import type { Teaching } from "../frame/teaching";
+
+export const TEACHING: Teaching = {
+  aim: "To tell a proof from a picture: to say why two curves whose ends take turns must meet, and why pieces that only look so need more.",
+  mistakes: [
+    "That two shapes which lie over each other in a picture share a point. Each may pass through the gaps of the other.",
+    "That a finer picture settles it. Every picture has a finest detail, and a gap may be finer.",
+    "That it matters which sides of the square the ends are on. Only their order round the border does.",
+  ],
+  questions: [
+    {
+      ask: "Is it still so in space, for two curves in a cube?",
+      answer: "No. One passes in front of the other: there is room to go round.",
+    },
+    {
+      ask: "Why is a piece of a shape no curve?",
+      answer: "It may be in pieces itself, and that it is not is just what is to be proved.",
+    },
+    {
+      ask: "The widest gap is said to be g. Why are the gaps within a piece narrower?",
+      answer:
+        "A piece is the whole, made smaller by a factor below 1 (in a suitable norm), and so are its gaps.",
+    },
+  ],
+};
