@@ -141,6 +141,7 @@ export function figurePictures(source: Source): Record<string, { cells: Cell[]; 
     e15: one("fern"),
     e11: pulled("gasket", [0.3, 0.2], 0, 1.2),
     e20: row(morph("dragon-3", "gasket", 0.5), morph("dragon-3", "gasket", 0.5, 1.75)),
+    e23: one("maple"),
     e24: row({ ...solid("sponge"), turn: 0.4 }, plane(space.projectExactly(of("sponge"), [0, 1, 0]))),
     e21: row(polygon(2, [0.0227, 0.703]).cells[0] as Cell, morph("dragon-3", "gasket", 0.5, 1.75)),
     e22: pulled("gasket", [0.3, 0.2], 0.2, 0.6),

@@ -301,7 +301,18 @@ const COURSE: readonly UnitEntry[] = [
     id: "leaves",
     title: "Leaves",
     about: "From a shape that one has to the few maps that make it.",
-    lessons: [],
+    lessons: [
+      {
+        id: "e23",
+        title: "Cover the leaf",
+        about: "Cover a leaf with small copies of itself: how good is what they make?",
+        minutes: 10,
+        after: ["e12"],
+        figures: ["c7"],
+        load: () => import("./lesson-23/page"),
+        thumb: () => import("./lesson-23/thumb"),
+      },
+    ],
   },
   {
     id: "space",

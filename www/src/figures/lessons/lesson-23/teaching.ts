@@ -1,0 +1,24 @@
+import type { Teaching } from "../frame/teaching";
+
+export const TEACHING: Teaching = {
+  aim: "To find maps for a given shape by covering it with copies of itself, and to know how well that must turn out.",
+  mistakes: [
+    "“What the maps make is exactly as good as the collage.” It may be worse: its pieces are copies of itself.",
+    "“Large copies are better, since few of them cover the leaf.” The larger they are, the less is promised.",
+    "“The promise says how far it is off.” It only says that it is not farther off; mostly it is much nearer.",
+  ],
+  questions: [
+    {
+      ask: "A collage is 2 mm off and its largest copy is 3/4 as large as the leaf. What is promised?",
+      answer: "At most 8 mm: 2 / (1 − 3/4).",
+    },
+    {
+      ask: "What is promised when the copies cover the leaf perfectly?",
+      answer: "0 / (1 − s) = 0: the leaf is the shape of these maps itself.",
+    },
+    {
+      ask: "One copy as large as the leaf covers it perfectly. Why is that no solution?",
+      answer: "It does not shrink: with s = 1 nothing is promised, and the map does not settle any shape.",
+    },
+  ],
+};
