@@ -37,12 +37,7 @@ export function MapTable({
   return (
     <Table
       caption={caption}
-      columns={[
-        first,
-        ...before,
-        ...[..."abcde"].map((name) => <em key={name}>{name}</em>),
-        ...behind,
-      ]}
+      columns={[first, ...before, ...[..."abcde"].map((name) => <em key={name}>{name}</em>), ...behind]}
       wide={`${caption} (table)`}
     >
       <tbody>
