@@ -43,7 +43,8 @@ test("a curve for one end makes both ends curves, in one step, and a system brin
 
   await choose(page, "B", /^Snowflake/);
   expect((await studio.scene()).curves).toMatchObject({ a: { preset: "maple" }, b: { preset: "snowflake" } });
-  const undo = page.getByRole("button", { name: "Undo" });
+  // The notice has one of its own.
+  const undo = page.getByRole("banner").getByRole("button", { name: "Undo" });
   await undo.click();
   expect((await studio.scene()).curves?.b.preset).toBe("oak");
   await undo.click();

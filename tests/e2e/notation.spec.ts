@@ -1,7 +1,8 @@
 import { openFigure } from "./figure-pages";
 import { expect, test } from "./fixture";
 
-test.use({ permissions: ["clipboard-read", "clipboard-write"] });
+// The tab is that of all tests, so that it has to be asked for here.
+test.beforeEach(({ page }) => page.context().grantPermissions(["clipboard-read", "clipboard-write"]));
 
 test("a formula is drawn by the browser, and copied as LaTeX by keys", async ({ page }) => {
   await openFigure(page, "e4");
