@@ -125,7 +125,7 @@ describe("Link", () => {
     link.follow();
     vi.advanceTimersByTime(5000);
     expect(bar.text).toBe("figures/3");
-    expect(route.value).toEqual({ page: "figures", figure: "3" });
+    expect(route.value).toEqual({ page: "figures", figure: "3", state: "" });
   });
 
   it("comes back to the document as it was left", () => {
@@ -171,16 +171,21 @@ describe("Link", () => {
 describe("parseRoute", () => {
   it("knows the figures from documents", () => {
     expect(parseRoute("")).toEqual({ page: "studio" });
-    expect(parseRoute("figures")).toEqual({ page: "figures", figure: null });
-    expect(parseRoute("figures/table-1")).toEqual({ page: "figures", figure: "table-1" });
+    expect(parseRoute("figures")).toEqual({ page: "figures", figure: null, state: "" });
+    expect(parseRoute("figures/table-1")).toEqual({ page: "figures", figure: "table-1", state: "" });
     expect(parseRoute("v=1&a=figures")).toEqual({ page: "studio" });
     expect(parseRoute("figures/../../x")).toEqual({ page: "studio" });
     expect(parseRoute("learning")).toEqual({ page: "studio" });
   });
 
   it("knows the lessons, also by the addresses that they had", () => {
-    expect(parseRoute("learn")).toEqual({ page: "learn", figure: null });
-    expect(parseRoute("learn/e1")).toEqual({ page: "learn", figure: "e1" });
-    expect(parseRoute("figures/e11")).toEqual({ page: "learn", figure: "e11" });
+    expect(parseRoute("learn")).toEqual({ page: "learn", figure: null, state: "" });
+    expect(parseRoute("learn/e1")).toEqual({ page: "learn", figure: "e1", state: "" });
+    expect(parseRoute("learn/e1/at=question&r=0.3")).toEqual({
+      page: "learn",
+      figure: "e1",
+      state: "at=question&r=0.3",
+    });
+    expect(parseRoute("figures/e11")).toEqual({ page: "learn", figure: "e11", state: "" });
   });
 });

@@ -12,6 +12,8 @@ export type Route = { page: "studio" } | Place;
 export interface Place {
   page: "figures" | "learn";
   figure: string | null;
+  /** What the one is set to, as it writes it itself; empty as it begins. */
+  state: string;
 }
 
 /** The part of the wasm package that turns documents into links and back. */
@@ -37,14 +39,14 @@ export const route: ReadonlySignal<Route> = routed;
 export const openings = signal(0);
 
 /**
- * `#figures`, `#figures/3`, `#learn` and `#learn/e1` are pages; every other fragment is a document. Lessons were among
- * the figures once: `#figures/e1` leads to them still.
+ * `#figures`, `#figures/3`, `#learn` and `#learn/e1` are pages, `#learn/e1/r=0.3` one that is set to something; every
+ * other fragment is a document. Lessons were among the figures once: `#figures/e1` leads to them still.
  */
 export function parseRoute(fragment: string): Route {
-  const match = /^(figures|learn)(?:\/([\w-]{1,32}))?$/.exec(fragment);
+  const match = /^(figures|learn)(?:\/([\w-]{1,32})(?:\/(\S*))?)?$/.exec(fragment);
   if (!match) return { page: "studio" };
-  const [, place, figure = null] = match;
-  return { page: place === "learn" || /^e\d+$/i.test(figure ?? "") ? "learn" : "figures", figure };
+  const [, place, figure = null, state = ""] = match;
+  return { page: place === "learn" || /^e\d+$/i.test(figure ?? "") ? "learn" : "figures", figure, state };
 }
 
 /** Keeps the address and the document in step, each following the other. */

@@ -1,12 +1,15 @@
 import type { ComponentType } from "preact";
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import type { Place } from "#document/link";
-import { wordsOf } from "#document/notice";
+import { notify, wordsOf } from "#document/notice";
 import { Button } from "#ui/controls/Button";
 import type { Figure, Row } from "./figure";
 import figuresCss from "./figures.module.css";
 import type { Heading } from "./kit/frame/frame";
 import { copySelection } from "./kit/notation/copy";
+import { Page as PageOf } from "./kit/state/kept";
+import { PageState } from "./kit/state/page-state";
+import { openedStep, showStep } from "./kit/state/steps";
 import { Contents } from "./lessons/contents";
 import { find, hrefOf, lessonOf, neighbours, related } from "./list";
 import { pageOf } from "./loading";
@@ -18,22 +21,26 @@ interface Shown {
   place: Place["page"];
   /** As the address has it. */
   name: string | null;
+  state: string;
   Page: ComponentType<Heading> | null;
 }
 
-interface FiguresProps {
+interface FiguresProps extends Omit<Place, "page"> {
   place: Place["page"];
-  figure: string | null;
 }
 
 const TITLES = { figures: "Figures", learn: "Learn" };
 
 /** The figures of the papers and the lessons as live pages: all of them, or the one that the address names. */
-export function Figures({ place, figure: name }: FiguresProps) {
+export function Figures({ place, figure: name, state }: FiguresProps) {
   const top = useRef<HTMLDivElement>(null);
-  const { shown, problem, retry } = useShown(place, name);
+  const { shown, problem, retry } = useShown(place, name, state);
   const found = shown?.name ? find(shown.name) : null;
   const { figure } = found ?? {};
+  const page = useMemo(
+    () => new PageState(figure && hrefOf(figure).slice(1), shown?.Page ? shown.state : "", tellUnread),
+    [figure, shown],
+  );
   const before = useRef<Shown | null>(null);
   useEffect(printLight, []);
   useEffect(() => {
@@ -46,14 +53,16 @@ export function Figures({ place, figure: name }: FiguresProps) {
   useEffect(() => {
     if (!shown) return;
     document.title = `${figure ? `${figure.number}: ${figure.title}` : TITLES[shown.place]} · Frond`;
-    if (before.current !== null && before.current !== shown) {
+    const step = shown.Page && openedStep(page);
+    if (step) showStep(top.current, step);
+    else if (before.current !== null && before.current !== shown) {
       // Another page is read from its top, a list from where it was left; and whoever listens hears its name.
       const at = shown.Page ? 0 : (left.get(shown.place) ?? 0);
       top.current?.closest("main")?.scrollTo({ top: at });
       top.current?.querySelector<HTMLElement>("h1")?.focus({ preventScroll: true });
     }
     before.current = shown;
-  }, [shown, figure]);
+  }, [shown, figure, page]);
 
   return (
     <div
@@ -67,7 +76,14 @@ export function Figures({ place, figure: name }: FiguresProps) {
       {found && figure && shown?.Page ? (
         <article class={figuresCss["figure"]} aria-busy={shown.name !== name}>
           <TopNav {...found} />
-          <shown.Page key={figure.id} id={figure.id} number={figure.number} title={figure.title} />
+          <PageOf.Provider value={page}>
+            <shown.Page
+              key={`${figure.id}/${shown.state}`}
+              id={figure.id}
+              number={figure.number}
+              title={figure.title}
+            />
+          </PageOf.Provider>
           <Related figure={figure} />
           <NextNav {...found} />
         </article>
@@ -79,8 +95,12 @@ export function Figures({ place, figure: name }: FiguresProps) {
   );
 }
 
+function tellUnread(): void {
+  notify({ kind: "info", text: "Part of this link could not be read: that part is as the page begins." });
+}
+
 /** What is asked for once it is fetched; what was shown before stays until then. */
-function useShown(place: Place["page"], name: string | null) {
+function useShown(place: Place["page"], name: string | null, state: string) {
   const [shown, setShown] = useState<Shown | null>(null);
   const [problem, setProblem] = useState<string | null>(null);
   const [tries, setTries] = useState(0);
@@ -89,14 +109,14 @@ function useShown(place: Place["page"], name: string | null) {
     let asked = true;
     const figure = name === null ? undefined : find(name)?.figure;
     Promise.resolve(figure ? pageOf(figure) : null).then(
-      (Page) => asked && setShown({ place, name, Page }),
+      (Page) => asked && setShown({ place, name, state, Page }),
       (reason) => asked && setProblem(wordsOf(reason)),
     );
     return () => {
       asked = false;
       setProblem(null);
     };
-  }, [place, name, tries]);
+  }, [place, name, state, tries]);
   return { shown, problem, retry: () => setTries(tries + 1) };
 }
 

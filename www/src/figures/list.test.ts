@@ -39,6 +39,24 @@ it("keeps the addresses that were given out", () => {
   for (const id of [...kept, ...space, ...lessons]) expect(find(id), id).not.toBeNull();
 });
 
+/** A folder's own values in the address, by the names that are written out. */
+it("gives no value of a page the name of another", async () => {
+  const sources = import.meta.glob<string>("./*/**/*.tsx", { query: "?raw", import: "default" });
+  const names = new Map<string, string[]>();
+  for (const [file, load] of Object.entries(sources)) {
+    const folder = file.replace(/\/[^/]*$/, "");
+    const found = [...(await load()).matchAll(/useKept(?:<[^(]*>)?\(\s*"([^"]*)"/g)].map(
+      ([, name = ""]) => name,
+    );
+    names.set(folder, [...(names.get(folder) ?? []), ...found]);
+  }
+  for (const [folder, all] of names) {
+    expect(new Set(all).size, `${folder}: ${all}`).toBe(all.length);
+    if (!folder.includes("/kit/") && !folder.endsWith("/frame")) expect(all).not.toContain("at");
+  }
+  expect([...names.values()].flat().length).toBeGreaterThan(40);
+});
+
 describe("the course", () => {
   const order = LESSONS.map(({ id }) => id);
 

@@ -116,11 +116,11 @@ export function fetchAhead(): void {
 
 const PAGES = { studio: "", figures: "Figures · ", learn: "Learn · " };
 
-type FiguresComponent = ComponentType<{ place: Place["page"]; figure: string | null }>;
+type FiguresComponent = ComponentType<Omit<Place, "page"> & { place: Place["page"] }>;
 const figures = signal<FiguresComponent | null>(null);
 
 /** The figures and the lessons are loaded when they are first asked for. */
-function FiguresPage({ page, figure }: Place) {
+function FiguresPage({ page, ...at }: Place) {
   // The studio opens them.
   useEffect(
     () =>
@@ -140,5 +140,5 @@ function FiguresPage({ page, figure }: Place) {
     );
   }, []);
   const Figures = figures.value;
-  return <main class={css["figures-page"]}>{Figures ? <Figures place={page} figure={figure} /> : null}</main>;
+  return <main class={css["figures-page"]}>{Figures ? <Figures place={page} {...at} /> : null}</main>;
 }

@@ -77,15 +77,15 @@ export function Embed({ backend }: { backend: "auto" | PainterBackend }) {
 }
 
 /** A figure or a lesson. */
-function Page({ page, figure }: Place) {
+function Page({ page, figure, state }: Place) {
   return (
     <>
       <main class={css["embed"]}>
         <div class={css["page"]}>
-          <Figures place={page} figure={figure} />
+          <Figures place={page} figure={figure} state={state} />
         </div>
         <footer class={css["foot"]}>
-          <OutLink to={`#${page}${figure === null ? "" : `/${figure}`}`} />
+          <OutLink to={`#${[page, figure, state].filter(Boolean).join("/")}`} />
         </footer>
       </main>
       <Notices />

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { Icon } from "#ui/controls/Icon";
 import type { Notation, Tex } from "../notation/tex";
+import { CopyLink } from "../state/copy-link";
 import { Formula, Given } from "./formula";
 import css from "./frame.module.css";
 import { SaveMenu } from "./save-menu";
@@ -98,7 +99,7 @@ interface HeadProps extends Omit<Heading, "id"> {
 /** The name of a page, its way into the studio, and its text. */
 export function Head({ number, title, badge, studio, children }: HeadProps) {
   return (
-    <header class={css["figure-head"]}>
+    <header class={css["figure-head"]} data-step="text">
       <div>
         <p class={css["figure-number"]}>
           {number}{" "}
@@ -115,6 +116,7 @@ export function Head({ number, title, badge, studio, children }: HeadProps) {
             <Icon name="arrow" />
           </a>
         )}
+        <CopyLink />
         <SaveMenu number={number} title={title} />
       </div>
       <div class={css["figure-lead"]}>{children}</div>

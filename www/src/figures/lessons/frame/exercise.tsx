@@ -5,6 +5,7 @@ import { Icon } from "#ui/controls/Icon";
 import { useOwnId } from "#ui/id";
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
+import { CopyLink } from "../../kit/state/copy-link";
 import { useValue } from "../../kit/workers";
 import { done, markDone } from "./done";
 import css from "./exercise.module.css";
@@ -35,15 +36,23 @@ export function Exercise({ number, ask, hints, solved, status, children }: Exerc
     if (solved) markDone(name);
   }, [solved, name]);
   return (
-    <section class={frameCss["figure-live"]} data-testid="exercise" aria-labelledby={heading}>
-      <h3 id={heading} class={css["name"]}>
-        Exercise {number}
-        {was && (
-          <span class={css["was"]}>
-            <Icon name="check" size={16} /> solved
-          </span>
-        )}
-      </h3>
+    <section
+      class={frameCss["figure-live"]}
+      data-testid="exercise"
+      data-step={`exercise-${number}`}
+      aria-labelledby={heading}
+    >
+      <div class={frameCss["step-head"]}>
+        <h3 id={heading} class={css["name"]}>
+          Exercise {number}
+          {was && (
+            <span class={css["was"]}>
+              <Icon name="check" size={16} /> solved
+            </span>
+          )}
+        </h3>
+        <CopyLink step={`exercise-${number}`} />
+      </div>
       <p class={css["ask"]}>{ask}</p>
       {children}
       <p class={css["status"]} data-solved={solved ? "" : undefined} aria-live="polite">

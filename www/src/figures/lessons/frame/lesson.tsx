@@ -4,6 +4,7 @@ import { Button } from "#ui/controls/Button";
 import { Head, type Heading, type Parameter, Parameters } from "../../kit/frame/frame";
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
+import { CopyLink } from "../../kit/state/copy-link";
 import { markDone } from "./done";
 import css from "./lesson.module.css";
 import { LessonId } from "./lesson-id";
@@ -33,7 +34,12 @@ export function Lesson(props: LessonProps) {
       <Head number={props.number} title={props.title} badge="by Frond" studio={props.studio}>
         {props.text}
       </Head>
-      <section class={frameCss["figure-live"]} data-testid="live" aria-label="The picture">
+      <section
+        class={frameCss["figure-live"]}
+        data-testid="live"
+        data-step="picture"
+        aria-label="The picture"
+      >
         {props.children}
       </section>
       {props.question}
@@ -82,9 +88,13 @@ export function Question({ prediction, beside, children, answer, after }: Questi
     <section
       class={`${frameCss["figure-live"]} ${css["question"]}`}
       data-testid="live"
+      data-step="question"
       aria-labelledby="question"
     >
-      <h2 id="question">What do you think?</h2>
+      <div class={frameCss["step-head"]}>
+        <h2 id="question">What do you think?</h2>
+        <CopyLink step="question" />
+      </div>
       <div
         class={
           beside === undefined

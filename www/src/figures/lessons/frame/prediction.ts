@@ -1,4 +1,6 @@
 import { useState } from "preact/hooks";
+import { type Field, flag } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 
 /** What somebody expects to see, and whether they have looked. */
 export interface Prediction<T> {
@@ -14,22 +16,31 @@ export interface Prediction<T> {
   again(): void;
 }
 
-export function usePrediction<T>(first: T | null): Prediction<T> {
-  const [guess, setGuess] = useState(first);
-  const [said, setSaid] = useState(false);
-  const [shown, setShown] = useState(false);
+/** `kept` says how a guess stands in the address of the lesson. */
+export function usePrediction<T>(first: T | null, kept: Field<T>): Prediction<T> {
+  const [opened, noteGuess] = useKept<T | null>("guess", null, orNone(kept));
+  const [shown, setShown] = useKept("shown", false, flag);
+  const [guess, setGuess] = useState(opened ?? first);
+  const [said, setSaid] = useState(opened !== null);
   return {
     guess,
     said,
-    shown,
+    // There is nothing to compare the truth with before a guess.
+    shown: shown && said,
     say(next) {
-      if (shown) return;
+      if (shown && said) return;
       setGuess(() => next);
+      noteGuess(() => next);
       setSaid(true);
     },
     show: () => setShown(true),
     again: () => setShown(false),
   };
+}
+
+/** None is written as nothing. */
+function orNone<T>(of: Field<T>): Field<T | null> {
+  return { write: (value) => (value === null ? "" : of.write(value)), read: of.read };
 }
 
 /** How near a guessed number came, in plain words: no marks are given. */

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import { lengthWords } from "#format/verdict";
@@ -13,6 +13,8 @@ import { tex } from "../../kit/notation/tex";
 import { Drawn, Span } from "../../kit/picture/annotated";
 import annotatedCss from "../../kit/picture/annotated.module.css";
 import { Picture } from "../../kit/picture/picture";
+import { number } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { useVerdict } from "../../kit/workers";
 import { Guess } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
@@ -31,7 +33,7 @@ const pieces = (r: number) => unevenGasket([r, OTHER, TOP]);
 
 /** What touching means. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<number>(HIGHEST);
+  const prediction = usePrediction<number>(HIGHEST, number(LOWEST, HIGHEST, 3));
   const r = prediction.guess ?? HIGHEST;
   return (
     <Lesson
@@ -82,7 +84,7 @@ export function Page(heading: Heading) {
 
 /** The gasket, and its meeting point through a lens. */
 function Meeting() {
-  const [power, setPower] = useState(0);
+  const [power, setPower] = useKept("lens", 0, number(0, 16, 2));
   const maps = useMemo(() => gasket(0.5), []);
   const half = 0.7 * 2 ** -power;
   const lens = useMemo<Box>(() => lensAt(half), [half]);

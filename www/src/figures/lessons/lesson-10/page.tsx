@@ -14,6 +14,8 @@ import { Square } from "../../kit/locus/locus-square";
 import { useChart } from "../../kit/locus/morph-locus";
 import { boxAround, type Ends } from "../../kit/maps/morphs";
 import { Drawn, middles, PieceNames } from "../../kit/picture/annotated";
+import { oneOf } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { useAsk } from "../../kit/workers";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
@@ -44,7 +46,7 @@ const LAST = "gasket";
 
 /** The wrong pairing. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Name>(null);
+  const prediction = usePrediction<Name>(null, oneOf(NAMES));
   const guess = prediction.guess ?? "same";
   return (
     <Lesson
@@ -178,7 +180,7 @@ function Pairing({ prediction }: { prediction: Prediction<Name> }) {
 
 /** The maps of shapes of all three pairings. */
 function Maps() {
-  const [first, setFirst] = useState<First>("dragon-3");
+  const [first, setFirst] = useKept<First>("first", "dragon-3", oneOf(FIRST.map(({ value }) => value)));
   const ends = useMemo(() => endsOf(first), [first]);
   return (
     <>

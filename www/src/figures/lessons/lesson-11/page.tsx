@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { bendAt } from "#document/deform/bend";
 import { fixed } from "#format/numbers";
 import { bentHref } from "../../fujimoto/deformations/deformations";
@@ -9,6 +9,8 @@ import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
 import { tex } from "../../kit/notation/tex";
 import { Bent } from "../../kit/picture/deformed";
+import { number, oneOf } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
@@ -19,7 +21,7 @@ const TRUTH: Guess = "alike";
 
 /** Plain or fractal. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Guess>(null);
+  const prediction = usePrediction<Guess>(null, oneOf(["still", "along", "alike", "apart"]));
   return (
     <Lesson
       {...heading}
@@ -132,7 +134,7 @@ function What({ prediction }: { prediction: Prediction<Guess> }) {
 
 /** Both views with the slide from fractal to plain. */
 function After() {
-  const [kb, setKb] = useState(0);
+  const [kb, setKb] = useKept("locality", 0, number(0, KE, 1));
   const bend = useBend(kb, 1);
   return (
     <>

@@ -14,6 +14,8 @@ import { copies, STARTS } from "../../kit/maps/iterates";
 import { apply, type Point } from "../../kit/maps/pieces";
 import { tex } from "../../kit/notation/tex";
 import { Iterates, type Start } from "../../kit/picture/iterates";
+import { oneOf, whole } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { usePlay } from "../../kit/time/play";
 import { Choices, Reply } from "../frame/choices";
 import { Exercise } from "../frame/exercise";
@@ -46,7 +48,7 @@ const START_OF: Record<keyof typeof STARTS, Start> = {
 
 /** Hutchinson's theorem, seen. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Left>(null);
+  const prediction = usePrediction<Left>(null, oneOf(OPTIONS.map(({ value }) => value)));
   return (
     <Lesson
       {...heading}
@@ -96,7 +98,7 @@ const stepsWords = (steps: number) => `${steps} step${steps === 1 ? "" : "s"}`;
 
 /** Steps that play, once by themselves unless less motion is wanted. */
 function useSteps(most: number) {
-  const [time, setTime] = useState(0);
+  const [time, setTime] = useKept("step", 0, whole(0, MOST));
   const player = usePlay((seconds) => {
     const next = Math.min(most, time + PACE * seconds);
     setTime(next);
@@ -121,7 +123,7 @@ function useSteps(most: number) {
 
 function Film({ most }: { most: number }) {
   const { steps, playing, toggle, go } = useSteps(most);
-  const [name, setName] = useState<Name>("letter");
+  const [name, setName] = useKept<Name>("start", "letter", oneOf(NAMES.map(({ value }) => value)));
   const [own, setOwn] = useState<ImageBitmap | null>(null);
   const [problem, setProblem] = useState("");
   const start = name === "own" ? own && { picture: own } : START_OF[name];
@@ -249,7 +251,7 @@ function Difference({ prediction }: { prediction: Prediction<Left> }) {
 
 /** Two starts side by side. */
 function Beside() {
-  const [steps, setSteps] = useState(0);
+  const [steps, setSteps] = useKept("beside", 0, whole(0, MOST));
   return (
     <>
       <div class={`${layout["two-columns"]} ${layout["even"]}`}>
@@ -282,7 +284,7 @@ function Beside() {
 }
 
 function HowMany() {
-  const [steps, setSteps] = useState(2);
+  const [steps, setSteps] = useKept("x1.steps", 2, whole(0, 20));
   return (
     <Exercise
       number={1}
@@ -335,7 +337,7 @@ function edges(): Point[][] {
 }
 
 function Unchanged() {
-  const [name, setName] = useState<Kept>("full");
+  const [name, setName] = useKept<Kept>("x2.start", "full", oneOf(KEPT.map(({ value }) => value)));
   const start = useMemo<Start>(() => {
     if (name === "square") return START_OF.square;
     if (name === "full") return { outlines: [TRIANGLE] };

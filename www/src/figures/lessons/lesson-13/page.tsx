@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Switch } from "#ui/controls/Switch";
 import type { MapRow } from "#wasm/api";
@@ -10,6 +10,8 @@ import { boxAround } from "../../kit/maps/morphs";
 import { apply, type Point } from "../../kit/maps/pieces";
 import { Drawn } from "../../kit/picture/annotated";
 import { Picture } from "../../kit/picture/picture";
+import { flag, list, number, oneOf, text } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Choices, Reply } from "../frame/choices";
 import { Exercise } from "../frame/exercise";
 import { Lesson, Question, Truth } from "../frame/lesson";
@@ -19,9 +21,11 @@ import { chosen, lean, leaning, PARTS } from "./maps";
 import css from "./page.module.css";
 import { TEACHING } from "./teaching";
 
+const EVERY = PARTS.map(() => true);
+
 /** Barnsley's fern. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Lost>(null);
+  const prediction = usePrediction<Lost>(null, oneOf(OPTIONS.map(({ value }) => value)));
   const fern = useMemo(() => preset("fern"), []);
   return (
     <Lesson
@@ -73,7 +77,7 @@ const useFrame = (maps: MapRow[]) => useMemo(() => boxAround([maps]), [maps]);
 
 /** Each copy with its frame, to be switched off. */
 function Switched({ fern }: FernProps) {
-  const [on, setOn] = useState<readonly boolean[]>(PARTS.map(() => true));
+  const [on, setOn] = useKept<readonly boolean[]>("on", EVERY, list(flag, PARTS.length, PARTS.length));
   const maps = useMemo(() => chosen(fern, on), [fern, on]);
   const box = useFrame(fern);
   const corners: Point[] = [
@@ -194,7 +198,7 @@ const WHICH = [2, 3, 4] as const;
 const GONE = 4;
 
 function Missing({ fern }: FernProps) {
-  const [said, setSaid] = useState("0");
+  const [said, setSaid] = useKept("x1.missing", "0", text(/[0-4]/));
   const maps = useMemo(() => fern.filter((_, i) => i !== GONE - 1), [fern]);
   const box = useFrame(fern);
   return (
@@ -233,7 +237,7 @@ function Missing({ fern }: FernProps) {
 }
 
 function Straight({ fern }: FernProps) {
-  const [degrees, setDegrees] = useState(() => Math.round(2 * lean(fern)) / 2);
+  const [degrees, setDegrees] = useKept("x2.lean", Math.round(2 * lean(fern)) / 2, number(-12, 12, 1));
   const maps = useMemo(() => leaning(fern, degrees), [fern, degrees]);
   const box = useFrame(maps);
   return (

@@ -1,4 +1,3 @@
-import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
 import type { MapRow } from "#wasm/api";
@@ -7,6 +6,8 @@ import { Formula } from "../../kit/frame/formula";
 import layout from "../../kit/frame/layout.module.css";
 import { norm, type Point } from "../../kit/maps/pieces";
 import { tex } from "../../kit/notation/tex";
+import { list, number, oneOf } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Exercise } from "../frame/exercise";
 import lessonCss from "../frame/lesson.module.css";
 import { far, orbit, pushing, repeated } from "./orbit";
@@ -27,8 +28,8 @@ export function Exercises() {
 
 /** A map that more than doubles some lengths and yet leads home. */
 function Stretch() {
-  const [scale, setScale] = useState(0.6);
-  const [push, setPush] = useState(1);
+  const [scale, setScale] = useKept("x1.scale", 0.6, number(0.5, 1.2, 2));
+  const [push, setPush] = useKept("x1.push", 1, number(0, 3, 2));
   const map = pushing(scale, push);
   const longest = norm(map);
   // The map has one factor only, its scale: below 1 all points come home, whatever the push.
@@ -72,7 +73,11 @@ const WANTED = 5;
 
 /** Two maps, each of which leads home, and which together need not. */
 function ByTurns() {
-  const [letters, setLetters] = useState<(typeof LETTERS)[number][]>([]);
+  const [letters, setLetters] = useKept<readonly (typeof LETTERS)[number][]>(
+    "x2.steps",
+    [],
+    list(oneOf(LETTERS), 0, MOST),
+  );
   const points = orbit(
     letters.map((letter) => MAPS[letter]),
     UP,

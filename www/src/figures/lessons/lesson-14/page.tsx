@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Plot } from "../../kit/chart/plot";
 import { SliderControl } from "../../kit/frame/control";
@@ -9,6 +9,8 @@ import { preset, studioHref } from "../../kit/frame/studio-link";
 import { gasket } from "../../kit/maps/families";
 import type { Point } from "../../kit/maps/pieces";
 import { tex } from "../../kit/notation/tex";
+import { number, oneOf } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
@@ -31,7 +33,7 @@ type Fate = "away" | "home" | "ring";
 
 /** Why maps must shrink. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Fate>(null);
+  const prediction = usePrediction<Fate>(null, oneOf(OPTIONS.map(({ value }) => value)));
   return (
     <Lesson
       {...heading}
@@ -77,7 +79,7 @@ export function Page(heading: Heading) {
 
 /** One slider, from far below 1 to above it. */
 function Spiral() {
-  const [scale, setScale] = useState(0.9);
+  const [scale, setScale] = useKept("scale", 0.9, number(0.5, 1.2, 2));
   const points = useMemo(() => orbit(repeated(turning(scale, DEGREES), STEPS), START), [scale]);
   const words = scaleWords(scale);
   return (

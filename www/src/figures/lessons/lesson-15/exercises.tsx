@@ -1,9 +1,11 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { SliderControl } from "../../kit/frame/control";
 import layout from "../../kit/frame/layout.module.css";
 import { gasket } from "../../kit/maps/families";
 import { apply, compose, type Point } from "../../kit/maps/pieces";
 import type { Place } from "../../kit/picture/annotated";
+import { number } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Exercise } from "../frame/exercise";
 import lessonCss from "../frame/lesson.module.css";
 import { CORNERS } from "../lesson-2/throws";
@@ -24,7 +26,7 @@ const WANTED = [
 
 /** A die that gives two pieces what is asked. */
 export function Shares() {
-  const die = useWeights([0.5, 0.5, 0.5]);
+  const die = useWeights("x1.weights", [0.5, 0.5, 0.5]);
   const game = useMemo(() => play(MAPS, die.weights, MANY), [die.weights]);
   const [top, small] = PIECES.map((address) => share(die.weights, address));
   const right = [top, small].map((is = 0, i) => {
@@ -71,7 +73,7 @@ const RIGHT = 0.36;
 
 /** A triangle of two unequal pieces, to be shaded evenly. */
 export function Evenly() {
-  const [chance, setChance] = useState(0.6);
+  const [chance, setChance] = useKept("x2.chance", 0.6, number(0.05, 0.95, 2));
   const game = useMemo(() => play(CUT, [chance, 1 - chance], 2 * MANY), [chance]);
   const solved = Math.abs(chance - RIGHT) < 0.0101;
   const said = solved

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { SliderControl } from "../../kit/frame/control";
 import { Formula } from "../../kit/frame/formula";
 import type { Heading } from "../../kit/frame/frame";
@@ -8,6 +8,8 @@ import { preset, studioHref } from "../../kit/frame/studio-link";
 import { gasket } from "../../kit/maps/families";
 import { tex } from "../../kit/notation/tex";
 import { middles, PieceNames } from "../../kit/picture/annotated";
+import { number, oneOf } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
@@ -30,7 +32,7 @@ const FAIR = [1, 1, 1, 1] as const;
 
 /** The chances of the die: not the shape, but its shade. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Seen>(null);
+  const prediction = usePrediction<Seen>(null, oneOf(OPTIONS.map(({ value }) => value)));
   return (
     <Lesson
       {...heading}
@@ -91,7 +93,7 @@ export function Page(heading: Heading) {
 }
 
 function Loaded() {
-  const die = useWeights([1, 0.4, 0.2]);
+  const die = useWeights("weights", [1, 0.4, 0.2]);
   const game = useMemo(() => play(MAPS, die.weights, MANY), [die.weights]);
   return (
     <div class={`${layout["two-columns"]} ${layout["even"]}`}>
@@ -188,7 +190,7 @@ const LAPPED = gasket(0.64);
 /** The fern by dice from fair to areas, and what becomes of overlaps. */
 function Better() {
   const { maps } = useMemo(() => preset("fern"), []);
-  const [to, setTo] = useState(1);
+  const [to, setTo] = useKept("dice", 1, number(0, 1, 2));
   const areas = useMemo(() => byArea(maps), [maps]);
   const weights = useMemo(() => areas.map((area) => (1 - to) / areas.length + to * area), [areas, to]);
   const game = useMemo(() => play(maps, weights, THROWS), [maps, weights]);

@@ -1,14 +1,16 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { SliderControl } from "../../kit/frame/control";
+import { list, number } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { chances } from "./dice";
 
 /** A chance as parts of 100. */
 export const percent = (chance: number) => `${fixed(100 * chance, 1)} of 100`;
 
-/** A weight for each face of the die. */
-export function useWeights(first: readonly number[]) {
-  const [weights, setWeights] = useState(first);
+/** A weight for each face of the die; `name` is theirs in the address of the lesson. */
+export function useWeights(name: string, first: readonly number[]) {
+  const [weights, setWeights] = useKept(name, first, list(number(0.01, 1, 2), first.length, first.length));
   const each = useMemo(() => chances(weights), [weights]);
   const set = (face: number, weight: number) =>
     setWeights(weights.map((old, i) => (i === face ? weight : old)));

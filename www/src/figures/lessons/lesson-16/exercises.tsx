@@ -1,10 +1,11 @@
-import { useState } from "preact/hooks";
 import layout from "../../kit/frame/layout.module.css";
 import { HEIGHT } from "../../kit/maps/families";
 import type { Point } from "../../kit/maps/pieces";
+import { list } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Exercise } from "../frame/exercise";
 import { isSameAddress, pointOf } from "./address";
-import { AddressField, MAPS, readOr, Seen } from "./seen";
+import { ADDRESS, AddressField, MAPS, readOr, Seen } from "./seen";
 
 /** Where the pieces 31 and 32 touch. */
 const TOUCH: Point = [0.5, HEIGHT / 2];
@@ -46,7 +47,7 @@ interface FindProps {
 }
 
 function Find({ number, target, hints, children }: FindProps) {
-  const [text, setText] = useState("");
+  const [text, setText] = useKept(`x${number}.address`, "", ADDRESS);
   const address = readOr(text);
   const point = address && pointOf(MAPS, address);
   const off = point && Math.hypot(point[0] - target[0], point[1] - target[1]);
@@ -77,7 +78,7 @@ const NAMES = ["One address", "The other address"] as const;
 
 /** Both addresses of a point in which two pieces touch. */
 function Both() {
-  const [texts, setTexts] = useState<readonly string[]>(["", ""]);
+  const [texts, setTexts] = useKept<readonly string[]>("x3.addresses", ["", ""], list(ADDRESS, 2, 2, ";"));
   const addresses = texts.map(readOr);
   const isThere = addresses.map((address) => {
     const point = address && pointOf(MAPS, address);

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { Formula } from "../../kit/frame/formula";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
@@ -7,6 +7,8 @@ import { HEIGHT } from "../../kit/maps/families";
 import type { Point } from "../../kit/maps/pieces";
 import { tex } from "../../kit/notation/tex";
 import { Drawn, PieceNames } from "../../kit/picture/annotated";
+import { oneOf } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
@@ -14,14 +16,14 @@ import { type Prediction, usePrediction } from "../frame/prediction";
 import { firstDigits, pointOf } from "./address";
 import { Exercises } from "./exercises";
 import css from "./page.module.css";
-import { AddressField, BOX, MAPS, Mark, readOr, Seen } from "./seen";
+import { ADDRESS, AddressField, BOX, MAPS, Mark, readOr, Seen } from "./seen";
 import { TEACHING } from "./teaching";
 import { middleOf, triangleOf } from "./view";
 import { Zoom } from "./zoom";
 
 /** Addresses. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Spot>(null);
+  const prediction = usePrediction<Spot>(null, oneOf(OPTIONS.map(({ value }) => value)));
   return (
     <Lesson
       {...heading}
@@ -74,7 +76,7 @@ export function Page(heading: Heading) {
 const DEEP = 9;
 
 function Typed() {
-  const [text, setText] = useState("13");
+  const [text, setText] = useKept("address", "13", ADDRESS);
   const address = readOr(text);
   const letters = useMemo(() => {
     const read = readOr(text);

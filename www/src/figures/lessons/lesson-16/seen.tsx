@@ -6,6 +6,7 @@ import layout from "../../kit/frame/layout.module.css";
 import { gasket, HEIGHT } from "../../kit/maps/families";
 import { apply, type Point } from "../../kit/maps/pieces";
 import { Drawn, type Place } from "../../kit/picture/annotated";
+import { text } from "../../kit/state/fields";
 import { type Address, pieceOf, pointOf, readAddress } from "./address";
 import css from "./page.module.css";
 
@@ -16,6 +17,8 @@ const TRIANGLE: readonly Point[] = [
   [1, 0],
   [0.5, HEIGHT],
 ];
+/** How what is typed stands in the address of the lesson. */
+export const ADDRESS = text(/[\d() ]{0,30}/);
 const KEYS = ["1", "2", "3", "(", ")"] as const;
 
 interface AddressFieldProps {

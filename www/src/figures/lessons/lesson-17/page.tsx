@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import { Plot } from "../../kit/chart/plot";
@@ -14,7 +14,10 @@ import { copies } from "../../kit/maps/iterates";
 import { tex } from "../../kit/notation/tex";
 import { Drawn } from "../../kit/picture/annotated";
 import { Picture } from "../../kit/picture/picture";
+import { number, oneOf, whole } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { useVerdict } from "../../kit/workers";
+
 import { Choices, Reply } from "../frame/choices";
 import { Exercise } from "../frame/exercise";
 import { Lesson, Question, Truth } from "../frame/lesson";
@@ -32,7 +35,7 @@ const option = (value: Name) => ({ value, label: NAMES[value] });
 
 /** Dimension, by boxes. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Times>(null);
+  const prediction = usePrediction<Times>(null, oneOf(OPTIONS.map(({ value }) => value)));
   return (
     <Lesson
       {...heading}
@@ -77,7 +80,7 @@ export function Page(heading: Heading) {
       }
       studio={{ href: studioHref({ a: preset("gasket"), b: preset("carpet") }) }}
     >
-      <Counting names={["line", "square"]} />
+      <Counting as="shape" names={["line", "square"]} />
     </Lesson>
   );
 }
@@ -115,9 +118,10 @@ function Boxed({ name, level }: { name: Name; level: number }) {
 
 const sideWords = (base: number, level: number) => (level === 0 ? "1" : `1/${base ** level}`);
 
-function Counting({ names }: { names: readonly Name[] }) {
-  const [name, setName] = useState<Name>(names[0] ?? "line");
-  const [level, setLevel] = useState(1);
+/** `as` is its name in the address of the lesson. */
+function Counting({ names, as }: { names: readonly Name[]; as: string }) {
+  const [name, setName] = useKept<Name>(as, names[0] ?? "line", oneOf(names));
+  const [level, setLevel] = useKept(`${as}.level`, 1, whole(0, 12));
   const shape = GRIDDED[name];
   const at = Math.min(level, shape.most);
   const count = useMemo(() => boxesOf(shape, at).length, [shape, at]);
@@ -230,7 +234,7 @@ function HowMany({ prediction }: { prediction: Prediction<Times> }) {
       after={
         shown && (
           <>
-            <Counting names={["gasket", "carpet", "line", "square"]} />
+            <Counting as="counted" names={["gasket", "carpet", "line", "square"]} />
             <TooMuch />
           </>
         )
@@ -266,7 +270,7 @@ function Bars({ r }: { r: number }) {
 }
 
 function HalfDust() {
-  const [r, setR] = useState(0.4);
+  const [r, setR] = useKept("x1.scale", 0.4, number(0.05, 0.5));
   const d = moran([r, r]);
   return (
     <Exercise
@@ -295,7 +299,7 @@ function HalfDust() {
 }
 
 function Roomy() {
-  const [r, setR] = useState(0.4);
+  const [r, setR] = useKept("x2.scale", 0.4, number(0.3, 0.6));
   const maps = useMemo(() => gasket(r), [r]);
   const judged = useVerdict(maps, EXACT);
   const fresh = judged?.maps === maps ? judged.answer : null;

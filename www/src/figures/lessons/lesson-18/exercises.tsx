@@ -1,7 +1,8 @@
-import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { SliderControl } from "../../kit/frame/control";
 import layout from "../../kit/frame/layout.module.css";
+import { list, whole } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Exercise } from "../frame/exercise";
 import lessonCss from "../frame/lesson.module.css";
 import { Curve } from "./curve";
@@ -10,7 +11,7 @@ import { dimension, spares, total } from "./rough";
 type Points = { heights: readonly number[] };
 
 export function Half({ heights }: Points) {
-  const [percent, setPercent] = useState(30);
+  const [percent, setPercent] = useKept("x1.percent", 30, whole(0, 95));
   const s = percent / 100;
   const curve = { heights: [heights[0] ?? 0, heights[1] ?? 0, heights[2] ?? 0], factors: [s, s] };
   return (
@@ -41,7 +42,11 @@ export function Half({ heights }: Points) {
 }
 
 export function Sparing({ heights }: Points) {
-  const [percents, setPercents] = useState<readonly number[]>([40, 40, 40, 40]);
+  const [percents, setPercents] = useKept<readonly number[]>(
+    "x2.percents",
+    [40, 40, 40, 40],
+    list(whole(-95, 95), 4, 4),
+  );
   const curve = { heights, factors: percents.map((percent) => percent / 100) };
   const straight = percents.filter((percent) => percent === 0).length;
   return (

@@ -1,4 +1,3 @@
-import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Plot } from "../../kit/chart/plot";
 import { SliderControl } from "../../kit/frame/control";
@@ -7,6 +6,8 @@ import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { studioHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
+import { list, number, oneOf } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
@@ -17,6 +18,7 @@ import { climb, dimension, isStraight, mapsOf, samples } from "./rough";
 import { TEACHING } from "./teaching";
 
 const HEIGHTS = [0, 0.7, 0.3, 0.9, 0.2];
+const POINTS = list(number(0, 1), HEIGHTS.length, HEIGHTS.length);
 /** The largest factor that is offered: at 1 nothing would shrink any more. */
 const MOST = 0.8;
 const even = (heights: readonly number[], s: number) => ({ heights, factors: [s, s, s, s] });
@@ -24,7 +26,7 @@ type Start = "any" | "quarter" | "half" | "never";
 
 /** Fractal functions, and what makes them rough. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Start>(null);
+  const prediction = usePrediction<Start>(null, oneOf(OPTIONS.map(({ value }) => value)));
   return (
     <Lesson
       {...heading}
@@ -94,8 +96,8 @@ function Roughness({ value, onChange }: { value: number; onChange: (s: number) =
 }
 
 function Play() {
-  const [heights, setHeights] = useState<readonly number[]>(HEIGHTS);
-  const [s, setS] = useState(0.35);
+  const [heights, setHeights] = useKept<readonly number[]>("heights", HEIGHTS, POINTS);
+  const [s, setS] = useKept("roughness", 0.35, number(0, MOST, 2));
   return (
     <>
       <Curve
@@ -133,7 +135,7 @@ const OPTIONS = [
 ] as const;
 
 function When({ prediction }: { prediction: Prediction<Start> }) {
-  const [s, setS] = useState(0.1);
+  const [s, setS] = useKept("asked", 0.1, number(0, MOST, 2));
   const curve = even(HEIGHTS, s);
   return (
     <Question
@@ -181,8 +183,8 @@ const GRID = Array.from({ length: 41 }, (_, i) => i / 50);
 
 /** The curve, how its ups and downs grow, and its dimension. */
 function Explore() {
-  const [heights, setHeights] = useState<readonly number[]>(HEIGHTS);
-  const [s, setS] = useState(0.5);
+  const [heights, setHeights] = useKept<readonly number[]>("measured", HEIGHTS, POINTS);
+  const [s, setS] = useKept("measure", 0.5, number(0, MOST, 2));
   const curve = even(heights, s);
   const climbs = LEVELS.map((level) => climb(samples(curve, level)));
   return (

@@ -5,6 +5,8 @@ import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { gasket } from "../../kit/maps/families";
 import { tex } from "../../kit/notation/tex";
+import { oneOf, whole } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
@@ -21,7 +23,7 @@ type Where = "none" | "middle" | "edges";
 
 /** The chaos game, thrown by hand. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Where>(null);
+  const prediction = usePrediction<Where>(null, oneOf(["none", "middle", "edges"]));
   return (
     <Lesson
       {...heading}
@@ -128,7 +130,7 @@ function ByHand() {
 
 function Empty({ prediction }: { prediction: Prediction<Where> }) {
   const { shown } = prediction;
-  const [count, setCount] = useState(MANY_THROWS);
+  const [count, setCount] = useKept("throws", MANY_THROWS, whole(1, MANY_THROWS));
   const game = useMemo(() => started(shown ? count : 0), [shown, count]);
   const hatched = useMemo(() => (shown ? holes(3) : []), [shown]);
   return (

@@ -1,4 +1,3 @@
-import { useState } from "preact/hooks";
 import type { LocusResult } from "#compute/results";
 import { fixed } from "#format/numbers";
 import { shareOf, shareWords } from "#format/verdict";
@@ -9,6 +8,8 @@ import { Formula } from "../../kit/frame/formula";
 import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
 import { tex } from "../../kit/notation/tex";
+import { point } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Exercise } from "../frame/exercise";
 import { Chart } from "./chart";
 import { Here, usePlace } from "./here";
@@ -31,7 +32,7 @@ export function Exercises(props: ExercisesProps) {
 }
 
 function NarrowGap({ field }: ExercisesProps) {
-  const [at, setAt] = useState<Uv>([0.5, 0.5]);
+  const [at, setAt] = useKept<Uv>("x1.place", [0.5, 0.5], point(-1, 2));
   const place = usePlace(at);
   const { answer } = place;
   return (
@@ -74,7 +75,11 @@ function gapWords(answer: Connectedness | null): string {
 const SIDES = ["First place", "Second place"] as const;
 
 function Border() {
-  const [places, setPlaces] = useState<[number, number]>([LINE.u0, LINE.u1]);
+  const [places, setPlaces] = useKept<[number, number]>(
+    "x2.places",
+    [LINE.u0, LINE.u1],
+    point(LINE.u0, LINE.u1),
+  );
   const [first, second] = [usePlace([places[0], LINE.v]), usePlace([places[1], LINE.v])];
   const both = [first, second];
   const known = first.answer !== null && second.answer !== null;

@@ -7,6 +7,7 @@ import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
+import { oneOf } from "../../kit/state/fields";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
@@ -20,7 +21,7 @@ import { Touching } from "./touching";
 
 /** How a map of shapes is read. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Which>(null);
+  const prediction = usePrediction<Which>(null, oneOf(["1", "2", "3", "none"]));
   const { field, proved } = useProved(prediction.shown);
   return (
     <Lesson

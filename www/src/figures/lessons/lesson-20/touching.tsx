@@ -4,6 +4,8 @@ import { Button } from "#ui/controls/Button";
 import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
 import { PointControls } from "../../kit/frame/point-controls";
+import { point } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Chart } from "./chart";
 import { Here, usePlace } from "./here";
 import { markOf, type Touch, touched } from "./map";
@@ -13,7 +15,7 @@ const FIRST: Uv = [0, 0.5];
 
 /** An empty map: each touch shows a shape, and leaves a mark. */
 export function Touching() {
-  const [at, setAt] = useState<Uv>(FIRST);
+  const [at, setAt] = useKept<Uv>("place", FIRST, point(-1, 2));
   const [touches, setTouches] = useState<readonly Touch[]>([]);
   const place = usePlace(at);
   const mark = place.answer && markOf(place.answer);

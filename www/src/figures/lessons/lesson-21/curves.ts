@@ -1,5 +1,6 @@
 /** Two curves in a square, each from one place of its border to another. */
 import type { Point } from "../../kit/maps/pieces";
+import { number, parts } from "../../kit/state/fields";
 
 /** Places on the border: 0 to 4, counter-clockwise from the lower left corner, a side for each unit. */
 export function onBorder(place: number): Point {
@@ -29,6 +30,13 @@ export interface Curve {
   /** How far it swings to both sides on its way. */
   swing: number;
 }
+
+/** As it stands in the address of the lesson. */
+export const CURVE = parts<Curve>({
+  from: number(0, 4, 2),
+  to: number(0, 4, 2),
+  swing: number(-0.6, 0.6, 2),
+});
 
 const STEPS = 60;
 

@@ -1,6 +1,6 @@
-import { useState } from "preact/hooks";
+import { useKept } from "../../kit/state/kept";
 import { Exercise } from "../frame/exercise";
-import { type Curve, onRight, takeTurns } from "./curves";
+import { CURVE, type Curve, onRight, takeTurns } from "./curves";
 import { Ends, Square, words } from "./square";
 
 export function Exercises() {
@@ -42,7 +42,7 @@ interface PlacedProps {
 }
 
 function Placed({ number, a, first, solves, ask, hints }: PlacedProps) {
-  const [b, setB] = useState(first);
+  const [b, setB] = useKept(`x${number}.b`, first, CURVE);
   return (
     <Exercise number={number} ask={ask} hints={hints} solved={solves(a, b)} status={words(a, b)}>
       <Square a={a} b={b} onB={setB} />

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { verdictPhrase } from "#format/verdict";
 import { SliderControl } from "../../kit/frame/control";
 import { Formula } from "../../kit/frame/formula";
@@ -11,11 +11,13 @@ import { mapsOf } from "../../kit/locus/set-m";
 import { boxAround, mapsAt } from "../../kit/maps/morphs";
 import { tex } from "../../kit/notation/tex";
 import { Picture } from "../../kit/picture/picture";
+import { oneOf } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { useVerdict } from "../../kit/workers";
 import { type Choice, Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
-import { APART_S, type Curve } from "./curves";
+import { APART_S, CURVE, type Curve } from "./curves";
 import { Exercises } from "./exercises";
 import { Ends, Square, words } from "./square";
 import { TEACHING } from "./teaching";
@@ -25,7 +27,7 @@ const TRUTH: Guess = "apart";
 
 /** Why crossing proves touching, and what it takes. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Guess>(null);
+  const prediction = usePrediction<Guess>(null, oneOf(["meet", "apart"]));
   return (
     <Lesson
       {...heading}
@@ -70,8 +72,8 @@ export function Page(heading: Heading) {
 }
 
 function Play() {
-  const [a, setA] = useState<Curve>({ from: 3.5, to: 1.5, swing: 0.25 });
-  const [b, setB] = useState<Curve>({ from: 0.35, to: 2.4, swing: -0.2 });
+  const [a, setA] = useKept<Curve>("a", { from: 3.5, to: 1.5, swing: 0.25 }, CURVE);
+  const [b, setB] = useKept<Curve>("b", { from: 0.35, to: 2.4, swing: -0.2 }, CURVE);
   return (
     <>
       <Square a={a} b={b} onB={setB} />

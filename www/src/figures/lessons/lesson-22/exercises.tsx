@@ -1,6 +1,8 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import layout from "../../kit/frame/layout.module.css";
+import { number } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Exercise } from "../frame/exercise";
 import {
   apartFromPlain,
@@ -27,7 +29,7 @@ export function Exercises() {
 const percent = (part: number) => `${fixed(100 * part, 1)}%`;
 
 function Nearly() {
-  const [delta, setDelta] = useState(DELTA);
+  const [delta, setDelta] = useKept("x1.roughness", DELTA, number(0, 2, 2));
   const apart = useMemo(() => apartFromPlain(WHOLE, 0, delta), [delta]);
   return (
     <Exercise
@@ -49,7 +51,7 @@ function Nearly() {
 }
 
 function Between() {
-  const [kb, setKb] = useState(0);
+  const [kb, setKb] = useKept("x2.locality", 0, number(0, 12, 1));
   const [far, near] = useMemo(() => [apartFromPlain(FAR, kb, DELTA), apartFromPlain(NEAR, kb, DELTA)], [kb]);
   return (
     <Exercise

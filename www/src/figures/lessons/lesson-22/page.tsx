@@ -1,4 +1,3 @@
-import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { bentHref } from "../../fujimoto/deformations/deformations";
 import { GASKET, KE, liftOf } from "../../fujimoto/deformations/lifted-gasket";
@@ -6,6 +5,8 @@ import { SliderControl } from "../../kit/frame/control";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { tex } from "../../kit/notation/tex";
+import { number, oneOf } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { type Choice, Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
@@ -20,9 +21,9 @@ const TRUTH: Guess = "plain";
 
 /** The two extremes of a fractal deformation, and the two numbers that lead from one to the other. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Guess>(null);
-  const [kb, setKb] = useState(0);
-  const [pull, setPull] = useState(1);
+  const prediction = usePrediction<Guess>(null, oneOf(["rest", "plain", "weaker", "apart"]));
+  const [kb, setKb] = useKept("locality", 0, number(0, 12, 1));
+  const [pull, setPull] = useKept("pull", 1, number(0, 1, 2));
   return (
     <Lesson
       {...heading}
@@ -137,7 +138,7 @@ function Turned({ prediction }: { prediction: Prediction<Guess> }) {
 
 /** Roughness to play with, and the shares of the levels. */
 function Loudness() {
-  const [delta, setDelta] = useState(0.5);
+  const [delta, setDelta] = useKept("roughness", 0.5, number(0, 2, 2));
   return (
     <>
       <Both kb={0} delta={delta} />

@@ -1,6 +1,7 @@
 /** A leaf covered with copies of itself: how well, what their maps make, and what is known of that beforehand. */
 import type { MapRow } from "#wasm/api";
 import { norm, type Point } from "../../kit/maps/pieces";
+import { type Field, list, number } from "../../kit/state/fields";
 import { byArea, play } from "../lesson-15/dice";
 import { CENTRE, inLeaf } from "./leaf";
 import { hausdorff, imageOf, type Raster, rasterOf, rasterOfPoints, type Worst } from "./raster";
@@ -30,6 +31,18 @@ export function mapOf({ at, size, width, turn }: Copy): MapRow {
   const [x, y] = CENTRE;
   return [a, b, c, d, at[0] - a * x - b * y, at[1] - c * x - d * y];
 }
+
+const NUMBERS = list(number(-180, 180, 3), 5, 5, ":");
+
+/** As it stands in the address of the lesson. */
+export const COPY: Field<Copy> = {
+  write: ({ at, size, width, turn }) => NUMBERS.write([...at, size, width, turn]),
+  read(text) {
+    const [x, y, size, width, turn] = NUMBERS.read(text) ?? [];
+    if (x === undefined || y === undefined || size === undefined || width === undefined) return null;
+    return tame({ at: [x, y], size, width, turn: turn ?? 0 });
+  },
+};
 
 /** The factor by which all maps shrink at least. */
 export function contraction(maps: readonly MapRow[]): number {

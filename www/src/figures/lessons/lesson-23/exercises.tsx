@@ -1,7 +1,8 @@
-import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { SliderControl } from "../../kit/frame/control";
 import layout from "../../kit/frame/layout.module.css";
+import { number } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Exercise } from "../frame/exercise";
 import { bound } from "./collage";
 import { Game, madeWords, useCollage, useMade } from "./game";
@@ -10,7 +11,7 @@ const PROMISE = 0.25;
 
 /** The game with its number: the promise is to be brought down. */
 export function Promise25() {
-  const collage = useCollage();
+  const collage = useCollage("x1.copies");
   const made = useMade(collage.maps);
   const solved = collage.collage !== null && collage.most <= PROMISE;
   return (
@@ -38,7 +39,7 @@ const [OFF, LIMIT, LARGEST] = [0.06, 0.2, 0.7];
 
 /** The promise read backwards. */
 export function HowLarge() {
-  const [s, setS] = useState(0.5);
+  const [s, setS] = useKept("x2.s", 0.5, number(0.1, 0.95, 2));
   const most = bound(OFF, s);
   const kept = most <= LIMIT + 1e-9;
   const solved = kept && s > LARGEST - 0.011;

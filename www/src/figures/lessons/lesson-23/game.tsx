@@ -4,12 +4,15 @@ import { fixed } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
 import { Choice, SliderControl } from "../../kit/frame/control";
 import layout from "../../kit/frame/layout.module.css";
+import { list } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import lessonCss from "../frame/lesson.module.css";
 import { Board } from "./board";
 import {
   ACROSS,
   attractorWorst,
   bound,
+  COPY,
   type Copy,
   collageWorst,
   contraction,
@@ -23,9 +26,9 @@ import {
   WIDTHS,
 } from "./collage";
 
-/** The copies of a player, and how well they cover the leaf. */
-export function useCollage(first = START) {
-  const [copies, setCopies] = useState(first);
+/** The copies of a player, and how well they cover the leaf; `name` is theirs in the address of the lesson. */
+export function useCollage(name: string) {
+  const [copies, setCopies] = useKept(name, START, list(COPY, FEWEST, MOST, ";"));
   const [chosen, choose] = useState(0);
   const maps = useMemo(() => copies.map(mapOf), [copies]);
   const collage = useMemo(() => collageWorst(maps), [maps]);

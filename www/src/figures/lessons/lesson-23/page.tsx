@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Plot } from "../../kit/chart/plot";
 import { SliderControl } from "../../kit/frame/control";
@@ -7,6 +7,8 @@ import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
+import { number, oneOf } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
@@ -18,7 +20,7 @@ import { TEACHING } from "./teaching";
 
 /** The collage theorem. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Most>(null);
+  const prediction = usePrediction<Most>(null, oneOf(OPTIONS.map(({ value }) => value)));
   const made = useMemo(() => ({ name: "Covered leaf", maps: GOOD.map(mapOf) }), []);
   return (
     <Lesson
@@ -74,7 +76,7 @@ export function Page(heading: Heading) {
 }
 
 function First() {
-  const collage = useCollage();
+  const collage = useCollage("copies");
   const made = useMade(collage.maps);
   return (
     <Game collage={collage}>
@@ -142,7 +144,7 @@ const STEPS = Array.from({ length: 46 }, (_, i) => i / 50);
 
 /** What is promised, by the size of the largest copy. */
 function Promised() {
-  const [s, setS] = useState(0.5);
+  const [s, setS] = useKept("s", 0.5, number(0, 0.9, 2));
   const times = bound(1, s);
   return (
     <>

@@ -1,9 +1,9 @@
-import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import type { MapRow3 } from "#wasm/api";
+import { useKept } from "../../kit/state/kept";
 import { Exercise } from "../frame/exercise";
 import { Shadow } from "./shadow";
-import { type Eye, NEAR_DEGREES, offDiagonal, offEdges, SPONGE, STANDING } from "./shapes";
+import { EYE, type Eye, NEAR_DEGREES, offDiagonal, offEdges, SPONGE, STANDING } from "./shapes";
 
 export function Exercises() {
   return (
@@ -52,7 +52,7 @@ interface TurnedProps {
 }
 
 function Turned({ number, maps, name, first, off, ask, hints, found }: TurnedProps) {
-  const [eye, setEye] = useState(first);
+  const [eye, setEye] = useKept(`x${number}.eye`, first, EYE);
   const degrees = off(eye);
   const solved = degrees <= NEAR_DEGREES;
   return (

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { loadSpace } from "#wasm/space";
 import { SpacePicture } from "../../darwish/space/space-picture";
 import { inSpaceTool, presetMaps } from "../../darwish/space/tool-link";
@@ -7,13 +7,15 @@ import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
 import { tex } from "../../kit/notation/tex";
+import { oneOf } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
 import { Exercises } from "./exercises";
 import { Shadow, ShadowPanel } from "./shadow";
 import css from "./shadow.module.css";
-import { type Eye, LYING, SPONGE, viewOf } from "./shapes";
+import { EYE, type Eye, LYING, SPONGE, viewOf } from "./shapes";
 import { TEACHING } from "./teaching";
 
 type Guess = "gasket" | "cross" | "holes" | "full";
@@ -26,8 +28,8 @@ export const needs = [loadSpace];
 
 /** Shadows of shapes of space. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Guess>(null);
-  const [eye, setEye] = useState<Eye>({ turn: 6, tilt: 4 });
+  const prediction = usePrediction<Guess>(null, oneOf(["gasket", "cross", "holes", "full"]));
+  const [eye, setEye] = useKept<Eye>("eye", { turn: 6, tilt: 4 }, EYE);
   return (
     <Lesson
       {...heading}
@@ -156,6 +158,6 @@ function Balancing({ prediction }: { prediction: Prediction<Guess> }) {
 
 /** The same, lit from wherever one likes. */
 function Lit() {
-  const [eye, setEye] = useState<Eye>({ turn: 0, tilt: 60 });
+  const [eye, setEye] = useKept<Eye>("lamp", { turn: 0, tilt: 60 }, EYE);
   return <Shadow maps={LYING} name="the tetrahedron" eye={eye} onEye={setEye} />;
 }

@@ -2,6 +2,7 @@
 import type { Box } from "#document/framing";
 import type { MapRow, MapRow3, Point3, SpaceView } from "#wasm/api";
 import { axesOf } from "../../darwish/space/eye";
+import { number, parts } from "../../kit/state/fields";
 
 /** Towards each of these corners, by one factor: r x + (1 - r) c. */
 function scalings(r: number, corners: readonly Point3[]): MapRow3[] {
@@ -45,6 +46,9 @@ export interface Eye {
   turn: number;
   tilt: number;
 }
+
+/** As it stands in the address of the lesson. */
+export const EYE = parts<Eye>({ turn: number(-720, 720, 1), tilt: number(-90, 90, 1) });
 
 /** All are as far from the middle at most. */
 const RADIUS = Math.sqrt(3);

@@ -11,6 +11,7 @@ import { cutKoch, PEAK } from "../../kit/maps/families";
 import { apply, type Point } from "../../kit/maps/pieces";
 import { tex } from "../../kit/notation/tex";
 import { Drawn, PieceNames, Span } from "../../kit/picture/annotated";
+import { list, oneOf } from "../../kit/state/fields";
 import { useVerdict } from "../../kit/workers";
 import choicesCss from "../frame/choices.module.css";
 import { Lesson, Question, Truth } from "../frame/lesson";
@@ -41,7 +42,7 @@ const edge = ([i, j]: Pair): Edge => ({ between: [i, j], at: 0, pixel: 0 });
 
 /** The overlap graph. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<readonly string[]>(null);
+  const prediction = usePrediction<readonly string[]>(null, list(oneOf(PAIRS.map(key)), 0, PAIRS.length));
   return (
     <Lesson
       {...heading}

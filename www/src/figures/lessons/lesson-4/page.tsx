@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { reasonWords } from "#format/reason";
 import { Segmented } from "#ui/controls/Segmented";
@@ -13,6 +13,8 @@ import { studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";
 import { dust } from "../../kit/maps/families";
 import { tex } from "../../kit/notation/tex";
+import { oneOf, whole } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Guess } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
@@ -34,7 +36,7 @@ export const needs = [loadProof];
 
 /** Barnsley's bound closing in. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<number>(2);
+  const prediction = usePrediction<number>(2, whole(0, MOST_ROUNDS - 1));
   const rounds = useMemo(() => barnsley(SHOWN, MOST_ROUNDS), []);
   return (
     <Lesson
@@ -179,7 +181,7 @@ function When({ prediction }: { prediction: Prediction<number> }) {
 
 /** The same at other scales, and at the one where it never ends. */
 function Never() {
-  const [scale, setScale] = useState<Scale>("0.5");
+  const [scale, setScale] = useKept<Scale>("scale", "0.5", oneOf(SCALES.map(({ value }) => value)));
   const r = Number(scale);
   const rounds = useMemo(() => barnsley(r, MOST_ROUNDS), [r]);
   const apart = rounds.at(-1)?.apart === true;

@@ -1,6 +1,8 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { SliderControl } from "../../kit/frame/control";
 import layout from "../../kit/frame/layout.module.css";
+import { whole } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Exercise } from "../frame/exercise";
 import { bufferOf, Pixels, seemsIn } from "./seen";
 
@@ -11,7 +13,7 @@ const words = (count: number) => (count === 1 ? "in one piece" : `in ${count} pi
 
 /** A picture may also part what touches. */
 export function OtherWay() {
-  const [size, setSize] = useState(15);
+  const [size, setSize] = useKept("x1.size", 15, whole(1, 99));
   const count = useMemo(() => seemsIn(bufferOf(TOUCHING, size)), [size]);
   return (
     <Exercise
@@ -36,7 +38,7 @@ export function OtherWay() {
 
 /** More pixels may say less. */
 export function NotBetter() {
-  const [size, setSize] = useState(15);
+  const [size, setSize] = useKept("x2.size", 15, whole(1, 99));
   const [one, more] = useMemo(
     () => [size, size + 2].map((side) => seemsIn(bufferOf(APART, side))) as [number, number],
     [size],

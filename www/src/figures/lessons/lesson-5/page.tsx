@@ -12,6 +12,7 @@ import { Table } from "../../kit/frame/table";
 import tableCss from "../../kit/frame/table.module.css";
 import { gasket } from "../../kit/maps/families";
 import { tex } from "../../kit/notation/tex";
+import { number } from "../../kit/state/fields";
 import { useChannel, useValue } from "../../kit/workers";
 import { Guess } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
@@ -30,7 +31,7 @@ const [LOWEST, HIGHEST] = [0.46, 0.505];
 
 /** The resolution's lie. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<number>(LOWEST);
+  const prediction = usePrediction<number>(LOWEST, number(LOWEST, HIGHEST));
   const r = prediction.guess ?? LOWEST;
   return (
     <Lesson

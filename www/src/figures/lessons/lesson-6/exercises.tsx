@@ -1,9 +1,10 @@
-import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import type { MapRow } from "#wasm/api";
 import { SliderControl } from "../../kit/frame/control";
 import layout from "../../kit/frame/layout.module.css";
 import { mapsAt } from "../../kit/maps/morphs";
+import { whole } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { Exercise } from "../frame/exercise";
 import { flagPath, leastScale, stopHolds, turned } from "./flag";
 import flagCss from "./flag.module.css";
@@ -38,7 +39,7 @@ function Letters({ degrees, label }: { degrees: readonly number[]; label: string
 }
 
 export function Halved() {
-  const [angle, setAngle] = useState(60);
+  const [angle, setAngle] = useKept("x1.angle", 60, whole(0, 180));
   const least = leastScale(angle * RADIAN);
   return (
     <Exercise
@@ -64,7 +65,7 @@ export function Halved() {
 }
 
 export function Stopped() {
-  const [angle, setAngle] = useState(150);
+  const [angle, setAngle] = useKept("x2.angle", 150, whole(0, 180));
   const least = Math.min(leastScale((180 - angle) * RADIAN), leastScale(angle * RADIAN));
   return (
     <Exercise

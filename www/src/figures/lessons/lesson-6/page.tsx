@@ -10,6 +10,7 @@ import { preset, studioHref } from "../../kit/frame/studio-link";
 import { determinant, gasket, turnedGasket } from "../../kit/maps/families";
 import { boxAround, determinants, type Ends, mapsAt } from "../../kit/maps/morphs";
 import { Picture } from "../../kit/picture/picture";
+import { oneOf } from "../../kit/state/fields";
 import { Time, useTime } from "../../kit/time/time";
 import { Choices, Reply } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
@@ -31,7 +32,7 @@ type Halfway = "same" | "half" | "point" | "mirror";
 
 /** Why polar. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Halfway>(null);
+  const prediction = usePrediction<Halfway>(null, oneOf(OPTIONS.map(({ value }) => value)));
   const time = useTime(0.5);
   return (
     <Lesson

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { shareWords, toldOf, verdictWords } from "#format/verdict";
 import { type Uv, uvAt } from "#geometry/path";
@@ -18,6 +18,8 @@ import { tex } from "../../kit/notation/tex";
 import { Drawn } from "../../kit/picture/annotated";
 import { Picture } from "../../kit/picture/picture";
 import stillsCss from "../../kit/picture/stills.module.css";
+import { number, point } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { useStates, useVerdict } from "../../kit/workers";
 import { Guess } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
@@ -45,8 +47,8 @@ export const needs = [loadProof];
 
 /** Straight against drawn path. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<number>(0);
-  const [way, setWay] = useState<Uv>([0.5, 0.5]);
+  const prediction = usePrediction<number>(0, number(0, 1, 2));
+  const [way, setWay] = useKept<Uv>("way", [0.5, 0.5], point(-1, 2));
   const t = prediction.guess ?? 0;
   return (
     <Lesson
@@ -238,7 +240,7 @@ function Coordinate({ name, about, value, onChange }: CoordinateProps) {
 
 /** A look at the led morph. */
 function Halfway({ points }: { points: readonly Uv[] }) {
-  const [t, setT] = useState(0.5);
+  const [t, setT] = useKept("moment", 0.5, number(0, 1, 2));
   const maps = useMemo(() => mapsAt(ends(), uvAt(points, t)), [points, t]);
   const box = useMemo(() => boxAround([maps]), [maps]);
   const judged = useVerdict(maps);

@@ -16,6 +16,8 @@ import { type Complex, mapsOf, quarterJob, unfolded } from "../../kit/locus/set-
 import { boxAround } from "../../kit/maps/morphs";
 import { tex } from "../../kit/notation/tex";
 import { Picture } from "../../kit/picture/picture";
+import { oneOf, point } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { useChannel, useValue, useVerdict } from "../../kit/workers";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
@@ -55,8 +57,8 @@ type Which = "whole" | "dust";
 
 /** The set M. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Which>(null);
-  const [s, setS] = useState<Complex>(FIRST);
+  const prediction = usePrediction<Which>(null, oneOf(["whole", "dust"]));
+  const [s, setS] = useKept<Complex>("s", FIRST, point(-1, 1, 6));
   return (
     <Lesson
       {...heading}
@@ -180,7 +182,7 @@ interface WhereProps {
 function Where({ prediction, s, onS }: WhereProps) {
   const { shown } = prediction;
   // What was asked about: afterwards the ring may go on.
-  const [asked, setAsked] = useState<Complex>(FIRST);
+  const [asked, setAsked] = useKept<Complex>("asked", FIRST, point(-1, 1, 6));
   const at = shown ? asked : s;
   const maps = useMemo(() => mapsOf(at), [at]);
   const judged = useVerdict(maps, EXACT);

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
 import { lengthWords, shareOf, shareWords } from "#format/verdict";
@@ -14,6 +14,8 @@ import { HEIGHT, unevenGasket } from "../../kit/maps/families";
 import { boxAround } from "../../kit/maps/morphs";
 import { type Apart, distances, spanningTree } from "../../kit/maps/pieces";
 import { Drawn, middles, PieceNames, type Place, Span } from "../../kit/picture/annotated";
+import { type Field, list, number, oneOf } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { useVerdict } from "../../kit/workers";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
@@ -24,11 +26,13 @@ import { type Prediction, usePrediction } from "../frame/prediction";
 const ALONE = [0.5, 0.5, 0.3] as const;
 const THREE = [0.52, 0.42, 0.28] as const;
 const WHOLE: Box = { x0: 0, y0: 0, x1: 1, y1: HEIGHT };
+type Scales = readonly [number, number, number];
+const SCALES = list(number(0.2, 0.6, 2), 3, 3) as Field<Scales>;
 type Gap = "least" | "tree" | "widest" | "sum";
 
 /** Why three pieces differ from two. */
 export function Page(heading: Heading) {
-  const prediction = usePrediction<Gap>(null);
+  const prediction = usePrediction<Gap>(null, oneOf(["least", "tree", "widest", "sum"]));
   return (
     <Lesson
       {...heading}
@@ -178,7 +182,7 @@ function Measured({ maps, all, tree }: MeasuredProps) {
 
 /** The same three with scales to play with. */
 function Explore() {
-  const [scales, setScales] = useState<[number, number, number]>([...THREE]);
+  const [scales, setScales] = useKept<Scales>("scales", THREE, SCALES);
   const maps = useMemo(() => unevenGasket(scales), [scales]);
   const all = useMemo(() => distances(maps, 1e-3), [maps]);
   const { edges } = useMemo(() => spanningTree(3, all), [all]);

@@ -1,0 +1,32 @@
+import { createContext } from "preact";
+import { type StateUpdater, useContext, useLayoutEffect, useState } from "preact/hooks";
+import type { Field } from "./fields";
+import { PageState } from "./page-state";
+
+/** The page that one is in. Small pictures and tests are in none: there nothing is opened, and nothing kept. */
+export const Page = createContext<PageState>(new PageState());
+
+/**
+ * As `useState`, for what belongs into the address of the page: it begins as the address says, and what it becomes goes
+ * into the link that is copied. No other value of the page may have the name, and links are a promise: it stays.
+ */
+export function useKept<T>(
+  name: string,
+  first: T,
+  field: Field<T>,
+): [value: T, set: (next: StateUpdater<T>) => void] {
+  const page = useContext(Page);
+  const [value, setValue] = useState<T>(() => page.opened(name, field) ?? first);
+  const text = field.write(value);
+  useNoted(name, text === field.write(first) ? null : text);
+  return [value, setValue];
+}
+
+/** Notes a value of the page that is kept elsewhere; null where it is as it was at first. */
+export function useNoted(name: string, text: string | null): void {
+  const page = useContext(Page);
+  useLayoutEffect(() => {
+    page.note(name, text);
+    return () => page.note(name, null);
+  }, [page, name, text]);
+}
