@@ -1,6 +1,6 @@
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, test } from "vitest";
 import type { MapRow } from "#wasm/api";
-import { compose, decompose, determinant, mapWords, reflect } from "./affine2";
+import { after2, compose, decompose, determinant, mapWords, reflect } from "./affine2";
 
 const close = (got: MapRow, want: MapRow) => {
   got.forEach((x, i) => {
@@ -73,4 +73,9 @@ describe("mapWords", () => {
     expect(mapWords([0.5, 0, 0, -0.5, 0, 0])).toBe("×0.5, mirrored");
     expect(mapWords([0, 0, 0, 0.16, 0, 0])).toBe("flat");
   });
+});
+
+test("one map after another", () => {
+  expect(after2([0, -1, 1, 0, 3, 1], [2, 0, 0, 3, 4, 5])).toEqual([0, -3, 2, 0, -2, 5]);
+  for (const map of Object.values(cases)) close(after2(map, [1, 0, 0, 1, 0, 0]), map);
 });

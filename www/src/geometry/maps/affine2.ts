@@ -60,6 +60,12 @@ export function reflect([a, b, c, d, e, f]: MapRow, centreX: number): MapRow {
   return [-a || 0, b, -c || 0, d, e + 2 * a * centreX, f + 2 * c * centreX];
 }
 
+/** First `inner`, then `outer`. */
+export function after2(outer: MapRow, [a, b, c, d, e, f]: MapRow): MapRow {
+  const [p, q, r, s, x, y] = outer;
+  return [p * a + q * c, p * b + q * d, r * a + s * c, r * b + s * d, p * e + q * f + x, r * e + s * f + y];
+}
+
 export function determinant([a, b, c, d]: MapRow): number {
   return a * d - b * c;
 }

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { MapRow3, Point3 } from "#wasm/api";
+import type { MapRow, MapRow3, Point3 } from "#wasm/api";
 import { about3, after3, scale3, shift3, turns3 } from "./affine3";
 import { apartBy, apartWords } from "./apart";
 
@@ -40,4 +40,20 @@ test("what is not the same is told", () => {
     "All 2,000 points are the same to the last digit.",
   );
   expect(apartBy(made, [[Number.NaN, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]], by).most).toBeNaN();
+});
+
+test("in the plane as in space", () => {
+  const gasket = [
+    [0.5, 0, 0, 0.5, 0, 0],
+    [0.5, 0, 0, 0.5, 0.5, 0],
+    [0.5, 0, 0, 0.5, 0.25, 0.433],
+  ] as MapRow[];
+  // A turn by a right angle and a shift: T w T^-1 by hand.
+  const turned = gasket.map(
+    ([a, b, c, d, e, f]): MapRow => [d, -c, -b, a, 3 - f - d * 3 + c, 1 + e + b * 3 - a],
+  );
+  const moved = apartBy(gasket, turned, [0, -1, 1, 0, 3, 1]);
+  expect(moved.most / moved.size).toBeLessThan(1e-12);
+  expect(moved.size).toBeGreaterThan(1);
+  expect(apartBy(gasket, turned, [0, -1, 1, 0, 3, 1.01]).most).toBeCloseTo(0.01, 9);
 });

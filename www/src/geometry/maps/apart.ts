@@ -1,5 +1,5 @@
 /** How far the two ways to move a shape are apart: to move its points, and to move its parameters (eq 1). */
-import type { MapRow3 } from "#wasm/api";
+import { axesOf, type Row } from "./row";
 
 export interface Apart {
   points: number;
@@ -16,30 +16,31 @@ const FORGET = 400;
  * Plays one chaos game twice, with the same maps in the same order: once with the parameters as made, whose points are
  * then moved by `by`, and once with the moved parameters.
  */
-export function apartBy(
-  made: readonly MapRow3[],
-  now: readonly MapRow3[],
-  by: MapRow3,
+export function apartBy<Map extends Row>(
+  made: readonly Map[],
+  now: readonly Map[],
+  by: Map,
   points = 2000,
 ): Apart {
   const count = Math.min(made.length, now.length);
+  const axes = axesOf(by);
   // Written over and over: this is asked for at every step of a hand.
-  const plain = new Float64Array(3);
-  const drawn = new Float64Array(3);
-  const moved = new Float64Array(3);
-  const low = new Float64Array(3).fill(Infinity);
-  const high = new Float64Array(3).fill(-Infinity);
+  const plain = new Float64Array(axes);
+  const drawn = new Float64Array(axes);
+  const moved = new Float64Array(axes);
+  const low = new Float64Array(axes).fill(Infinity);
+  const high = new Float64Array(axes).fill(-Infinity);
   let seed = 1;
   let most = 0;
   for (let i = 0; i < FORGET + points && count > 0; i++) {
     seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
     const map = Math.floor((seed / 2 ** 32) * count);
-    take(made[map] as MapRow3, plain, plain);
-    take(now[map] as MapRow3, drawn, drawn);
+    take(made[map] as Map, plain, plain);
+    take(now[map] as Map, drawn, drawn);
     if (i < FORGET) continue;
     take(by, plain, moved);
     let sum = 0;
-    for (let k = 0; k < 3; k++) {
+    for (let k = 0; k < axes; k++) {
       const at = moved[k] ?? 0;
       sum += (at - (drawn[k] ?? 0)) ** 2;
       if (at < (low[k] ?? 0)) low[k] = at;
@@ -52,13 +53,16 @@ export function apartBy(
   return { points, most, size: Math.hypot(...high.map((x, k) => x - (low[k] ?? 0))) };
 }
 
-function take(map: MapRow3, from: Float64Array, to: Float64Array): void {
-  const x = from[0] ?? 0;
-  const y = from[1] ?? 0;
-  const z = from[2] ?? 0;
-  to[0] = map[0] * x + map[1] * y + map[2] * z + map[9];
-  to[1] = map[3] * x + map[4] * y + map[5] * z + map[10];
-  to[2] = map[6] * x + map[7] * y + map[8] * z + map[11];
+const before = new Float64Array(3);
+
+function take(map: Row, from: Float64Array, to: Float64Array): void {
+  const axes = from.length;
+  before.set(from);
+  for (let row = 0; row < axes; row++) {
+    let sum = map[axes * axes + row] ?? 0;
+    for (let k = 0; k < axes; k++) sum += (map[axes * row + k] ?? 0) * (before[k] ?? 0);
+    to[row] = sum;
+  }
 }
 
 /** The distance in words: as a part of the size, as nobody sees anything below a pixel. */

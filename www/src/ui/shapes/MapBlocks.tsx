@@ -1,7 +1,8 @@
 import { fixed } from "#format/numbers";
+import { axesOf, linesOf } from "#geometry/maps/row";
 import css from "./map-blocks.module.css";
 
-/** One affine map of space: the three rows of its matrix, then its translation. */
+/** One affine map of the plane or of space: the rows of its matrix, then its translation. */
 type Numbers = ArrayLike<number>;
 
 interface MapBlocksProps {
@@ -11,15 +12,13 @@ interface MapBlocksProps {
   digits?: number;
   /** The number of the first map. Default 1. */
   first?: number;
-  /** Whether a number is set apart: the map, and its place in the row of twelve. */
+  /** Whether a number is set apart: the map, and its place in its row of numbers. */
   marked?: (map: number, place: number) => boolean;
   /** What a number that is set apart is, in a word or two: "changed". */
   mark?: string;
 }
 
-const ROWS = [0, 1, 2] as const;
-
-/** Maps as they are printed: for each the three rows of its matrix, and behind a line its translation. */
+/** Maps as they are printed: for each the rows of its matrix, and behind a line its translation. */
 export function MapBlocks({ label, maps, digits = 4, first = 1, marked, mark = "marked" }: MapBlocksProps) {
   return (
     <ul class={css["map-blocks"]} aria-label={label} style={{ "--digits": String(digits) }}>
@@ -34,12 +33,13 @@ export function MapBlocks({ label, maps, digits = 4, first = 1, marked, mark = "
               <sub>{index + first}</sub>
             </caption>
             <tbody>
-              {ROWS.map((row) => (
-                <tr key={row}>
-                  {[3 * row, 3 * row + 1, 3 * row + 2, 9 + row].map((place) => {
+              {linesOf(axesOf(map)).map((line) => (
+                <tr key={line[0]}>
+                  {line.map((place, k) => {
                     const apart = marked?.(index, place) ?? false;
+                    const shift = k === line.length - 1;
                     return (
-                      <td key={place} class={`${place > 8 ? css["shift"] : ""} ${apart ? css["apart"] : ""}`}>
+                      <td key={place} class={`${shift ? css["shift"] : ""} ${apart ? css["apart"] : ""}`}>
                         {told(map[place] ?? 0, digits)}
                         {apart && <span class="unseen"> ({mark})</span>}
                       </td>

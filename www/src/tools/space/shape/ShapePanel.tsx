@@ -4,9 +4,8 @@ import { formatNumber } from "#format/numbers";
 import { Fold } from "#ui/panel/Fold";
 import { mapsNote } from "#ui/shapes/ShapeGrid";
 import { FactsPanel } from "./FactsPanel";
-import { HandPanel } from "./maps/HandPanel";
 import { MapEditor } from "./maps/MapEditor";
-import { ParameterTable } from "./maps/ParameterTable";
+import { ObjectHand } from "./maps/ObjectHand";
 import { facts, object, watchRest } from "./now";
 import { ObjectPanel } from "./object/ObjectPanel";
 import { ProjectionPanel } from "./projection/ProjectionPanel";
@@ -22,8 +21,7 @@ function Parts() {
   return (
     <>
       <ObjectPanel />
-      <HandPanel />
-      <ParameterTable />
+      <ObjectHand />
       <Folds />
     </>
   );

@@ -1,7 +1,10 @@
 import { expect, test } from "vitest";
-import { IDENTITY } from "#document/space/space";
-import { apply3, determinant3 } from "#geometry/maps/affine3";
+import type { MapRow3 } from "#wasm/api";
+import { apply3, determinant3 } from "./affine3";
 import { AT_REST, fromSlider, type Kind, nearlySame, stepOf, toSlider, transformOf } from "./hand";
+import { inPlane } from "./row";
+
+const IDENTITY: MapRow3 = [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0];
 
 test("at rest nothing is done", () => {
   for (const kind of Object.keys(AT_REST) as Kind[]) {
@@ -15,6 +18,14 @@ test("degrees, lengths, factors and slides", () => {
   expect(apply3(transformOf("move", { x: 1, z: -2 }, [9, 9, 9]), [1, 1, 1])).toEqual([2, 1, -1]);
   expect(determinant3(transformOf("scale", { all: 2, y: 3 }, [1, 1, 1]))).toBe(24);
   expect(apply3(transformOf("shear", { xz: 0.5 }, [0, 0, 1]), [0, 0, 3])).toEqual([1, 0, 3]);
+});
+
+test("the same in the plane", () => {
+  const turned = inPlane(transformOf("turn", { z: 90 }, [1, 0, 0])).map((x) => Number(x.toFixed(9)) || 0);
+  expect(turned).toEqual([0, -1, 1, 0, 1, -1]);
+  expect(inPlane(transformOf("move", { x: 1, y: -2 }, [9, 9, 0]))).toEqual([1, 0, 0, 1, 1, -2]);
+  expect(inPlane(transformOf("scale", { all: 2, y: 3 }, [1, 1, 0]))).toEqual([2, 0, 0, 6, -1, -5]);
+  expect(inPlane(transformOf("shear", { xy: 0.5, yx: 0.25 }, [0, 0, 0]))).toEqual([1, 0.5, 0.25, 1, 0, 0]);
 });
 
 test("rounding is no change", () => {

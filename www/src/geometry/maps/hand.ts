@@ -1,7 +1,10 @@
-/** What the sliders of the hand come to: one transform, from how the object was when the hand was laid on it. */
-
-import { about3, scale3, shift3, turns3 } from "#geometry/maps/affine3";
+/**
+ * What the sliders of the hand come to: one transform, from how the object was when the hand was laid on it. In the
+ * plane it is turned about z, and nothing is done along that axis (`inPlane`).
+ */
 import type { MapRow3, Point3 } from "#wasm/api";
+import { about3, scale3, shift3, turns3 } from "./affine3";
+import type { Row } from "./row";
 
 export type Kind = "turn" | "move" | "scale" | "shear";
 
@@ -33,9 +36,9 @@ export function transformOf(kind: Kind, numbers: Numbers, centre: Point3): MapRo
 }
 
 /** Whether a transform is another but for rounding: the time line keeps them by their parts. */
-export function nearlySame(p: MapRow3, q: MapRow3): boolean {
+export function nearlySame(p: Row, q: Row): boolean {
   const size = Math.max(1, ...p.map(Math.abs));
-  return p.every((x, i) => Math.abs(x - (q[i] ?? 0)) <= 1e-7 * size);
+  return [...p].every((x, i) => Math.abs(x - (q[i] ?? 0)) <= 1e-7 * size);
 }
 
 /** A step that a slider of this reach moves by: 1, 2 or 5 of some power of ten, about a hundredth. */
