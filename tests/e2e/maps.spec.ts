@@ -71,6 +71,25 @@ test("maps are changed by hand, by numbers and by keys, and their number, too", 
     expect(moved[4]).toBeGreaterThan(maps[1]?.[4] ?? 0);
     expect(moved[5]).toBeGreaterThan(maps[1]?.[5] ?? 0);
   });
+  await test.step("the whole shape is taken in hand: its parameters move, its points are told to be the same", async () => {
+    const before = (await studio.scene()).a.maps;
+    const undo = page.getByRole("button", { name: "Undo", exact: true });
+    await page.locator("body").press("Shift+E");
+    const table = page.getByRole("region", { name: "Its parameters", exact: true });
+    await expect(table).toContainText("All as taken");
+    await page.getByRole("button", { name: /^The whole shape, only turns it/ }).press("ArrowLeft");
+    await page.getByRole("spinbutton", { name: "Turned" }).fill("85");
+    await page.getByRole("spinbutton", { name: "Turned" }).press("Enter");
+    await expect(table).toContainText(
+      /numbers are not as taken.*2,000 points: apart by less than .*, which is rounding/,
+    );
+    expect((await studio.scene()).a.maps).not.toEqual(before);
+    await undo.click();
+    await undo.click();
+    expect((await studio.scene()).a.maps).toEqual(before);
+    await expect(table).toContainText("All as taken");
+    await page.getByRole("radio", { name: "Map by map" }).check();
+  });
   await test.step("maps are added, copied, mirrored, taken away, and reset", async () => {
     await page.getByRole("button", { name: "Reset" }).click();
     const before = await studio.look();

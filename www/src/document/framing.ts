@@ -1,6 +1,6 @@
 /** Which part of the plane has to be seen, so that the shape has room at every moment. */
 import { computed, type ReadonlySignal } from "@preact/signals";
-import { type Box, calmTrack, stillTrack, type Track, union } from "#geometry/boxes";
+import { type Box, calmTrack, stillTrack, type Track, UNIT, union } from "#geometry/boxes";
 import { uvAt } from "#geometry/path";
 import type { Deformation, MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
@@ -8,6 +8,7 @@ import { curveBoxAt, curveMorph, curveTime } from "./curve/curve";
 import { aspect, mapsOfRectangle } from "./deform/photograph";
 import { locusView, mapsAt, morphOptions, pairing, pathPoints, selection, shown, standing } from "./morph";
 import { scene } from "./scene";
+import { type Taken, takenOf } from "./whole";
 
 export { type Box, diagonal } from "#geometry/boxes";
 
@@ -132,7 +133,9 @@ const bentBox: ReadonlySignal<Box | null> = computed(() => {
 export const stageTrack: ReadonlySignal<Track> = computed(() => {
   const bent = bentBox.value;
   if (bent) return stillTrack(bent, LOOKS);
-  if (selection.value) return stillTrack(editBox(shown.value), LOOKS);
+  const editing = selection.value;
+  if (editing?.whole) return stillTrack(takenTrack(takenOf(scene.value[editing.target])), LOOKS);
+  if (editing) return stillTrack(editBox(shown.value), LOOKS);
   return elsewhere.value ? stillTrack(boxOf(shown.value) ?? pairBox.value, LOOKS) : pathTrack.value;
 });
 
@@ -140,12 +143,36 @@ export const stageTrack: ReadonlySignal<Track> = computed(() => {
 function editBox(maps: MapRow[]): Box {
   const box = boxOf(maps);
   if (!box) return pairBox.value;
-  const images = maps.map(([a, b, c, d, e, f]): Box => {
-    const xs = [box.x0, box.x1].flatMap((x) => [box.y0, box.y1].map((y) => a * x + b * y + e));
-    const ys = [box.x0, box.x1].flatMap((x) => [box.y0, box.y1].map((y) => c * x + d * y + f));
-    return { x0: Math.min(...xs), y0: Math.min(...ys), x1: Math.max(...xs), y1: Math.max(...ys) };
-  });
-  return union([box, ...images]);
+  return union([box, ...maps.map((map) => imageOf(box, map))]);
+}
+
+/** The box around the image of a box. */
+function imageOf(box: Box, [a, b, c, d, e, f]: MapRow): Box {
+  const xs = [box.x0, box.x1].flatMap((x) => [box.y0, box.y1].map((y) => a * x + b * y + e));
+  const ys = [box.x0, box.x1].flatMap((x) => [box.y0, box.y1].map((y) => c * x + d * y + f));
+  return { x0: Math.min(...xs), y0: Math.min(...ys), x1: Math.max(...xs), y1: Math.max(...ys) };
+}
+
+/** How narrow the box of a shape in hand may be, in proportion: of what is flat nothing could be taken hold of. */
+const NARROWEST = 0.1;
+
+/** The box of a shape as it was taken in hand; its image is where the shape is now. */
+export function boxOfTaken({ made }: Taken): Box {
+  const { x0, y0, x1, y1 } = boxOf(made.maps) ?? UNIT;
+  const least = Math.max(NARROWEST * Math.max(x1 - x0, y1 - y0), 1e-9) / 2;
+  const [x, y] = [(x0 + x1) / 2, (y0 + y1) / 2];
+  return {
+    x0: Math.min(x0, x - least),
+    y0: Math.min(y0, y - least),
+    x1: Math.max(x1, x + least),
+    y1: Math.max(y1, y + least),
+  };
+}
+
+/** Where the shape in hand was and where it is: it is seen to move. */
+function takenTrack(taken: Taken): Box {
+  const box = boxOfTaken(taken);
+  return union([box, imageOf(box, taken.moved)]);
 }
 
 /** What stays free round a fitted box, in pixels of the picture. */

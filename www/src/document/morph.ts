@@ -7,8 +7,15 @@ import { scene } from "./scene";
 
 export { timesOf, uvAt } from "#geometry/path";
 
-/** Editing the maps of one end: the stage shows that shape and its parallelograms. */
-export const selection = signal<{ target: "a" | "b"; map: number | null } | null>(null);
+/** What is edited: the maps of one end, or, taken in hand, the whole shape. The stage shows that shape alone. */
+interface Selection {
+  target: "a" | "b";
+  map: number | null;
+  whole?: boolean;
+}
+
+/** Editing one end: the stage shows that shape and its parallelograms. */
+export const selection = signal<Selection | null>(null);
 
 // Parts of the scene, so that what hangs on a part is not computed again when only the moment has changed.
 const a = computed(() => scene.value.a.maps);

@@ -142,7 +142,7 @@ export function Stage({
 /** It lies over the picture, which does not wait for it. */
 const Evidence = lazily(() => import("./evidence").then((module) => module.Evidence));
 /** Loaded with the panel of the maps. */
-const Handles = lazily(() => import("./handles").then((module) => module.Handles));
+const Handles = lazily(() => import("./handles/Handles").then((module) => module.Handles));
 /** Loaded when there is a curve to draw. */
 const CurvePicture = lazily(() => import("./curve/picture").then((module) => module.CurvePicture));
 

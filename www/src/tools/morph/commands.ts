@@ -7,7 +7,7 @@ import { colourCommand, fitCommand, galleryCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import { exportCommand } from "#ui/files/exporting";
 import type { Timeline } from "#ui/strip/timeline";
-import { editMaps, gallery } from "./dialogs";
+import { editMaps, gallery, takeWhole } from "./dialogs";
 import { toggleLarge } from "./locus/view/large";
 import { frames } from "./strip/FilmStrip";
 import { scrubTo } from "./strip/scrub";
@@ -58,6 +58,18 @@ export const commands: readonly Command[] = [
     run: () => {
       if (selection.peek() === null) editMaps("a");
       else selection.value = null;
+    },
+  },
+  {
+    id: "whole",
+    label: "Take the whole shape in hand",
+    group: SHAPES,
+    keys: ["Shift+E"],
+    enabled: () => !curved.peek(),
+    run() {
+      const now = selection.peek();
+      if (now?.whole) selection.value = null;
+      else takeWhole(now?.target ?? "a");
     },
   },
   {

@@ -13,6 +13,12 @@ export function editMaps(target: End): void {
   selection.value = { target, map: 0 };
 }
 
+/** Takes a shape in hand, as a whole. */
+export function takeWhole(target: End): void {
+  evidenceOpen.value = false;
+  selection.value = { target, map: 0, whole: true };
+}
+
 /** The buttons that do, by the end whose maps they open. */
 export const PENCILS = { a: createRef<HTMLButtonElement>(), b: createRef<HTMLButtonElement>() };
 

@@ -38,7 +38,14 @@ function Systems() {
   return (
     <>
       {/* What is worked on stands on top. */}
-      {editing !== null && <MapEditor key={editing.target} target={editing.target} chosen={editing.map} />}
+      {editing !== null && (
+        <MapEditor
+          key={editing.target}
+          target={editing.target}
+          chosen={editing.map}
+          whole={editing.whole ?? false}
+        />
+      )}
       <Ends key="ends" />
       {editing === null ? <Morph /> : <LocusBeside />}
     </>

@@ -7,7 +7,7 @@ import { edit, endGesture } from "#document/scene";
 import { UNIT } from "#geometry/boxes";
 import { mapWords, reflect } from "#geometry/maps/affine2";
 import { beside, oneMore } from "#geometry/maps/beside";
-import { snapping } from "#stage/handles";
+import { snapping } from "#stage/handles/held";
 import { Button, IconButton } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { Switch } from "#ui/controls/Switch";
@@ -21,6 +21,7 @@ import { shapes } from "../parts";
 import { Swatch } from "../shapes/Swatch";
 import { NumberFields, PartFields } from "./MapFields";
 import css from "./maps.module.css";
+import { WholeShape } from "./WholeShape";
 
 /** Why maps cannot be a shape, in a sentence; nothing where they can. */
 function problemWith(maps: MapRow[]): string | undefined {
@@ -42,13 +43,15 @@ function middle(maps: MapRow[]): [number, number] {
   }
 }
 
-/** The maps of one end by numbers; on the stage the same maps are parallelograms to drag. */
-export function MapEditor({ target, chosen }: { target: End; chosen: number | null }) {
-  const [form, setForm] = useState<"parts" | "numbers">("parts");
-  const [problem, setProblem] = useState<string | null>(null);
-  const shape = shapes[target].value;
-  const { maps } = shape;
-  const origin = originOf(shape);
+interface MapEditorProps {
+  target: End;
+  chosen: number | null;
+  /** It is taken in hand as a whole. */
+  whole: boolean;
+}
+
+/** One end by numbers, map by map or as a whole; on the stage the same are parallelograms to drag. */
+export function MapEditor({ target, chosen, whole }: MapEditorProps) {
   const heading = useRef<HTMLHeadingElement>(null);
   // The button that was pressed is further down now.
   useEffect(() => {
@@ -57,6 +60,41 @@ export function MapEditor({ target, chosen }: { target: End; chosen: number | nu
       heading.current?.focus({ preventScroll: true });
     if (side) side.scrollTop = 0;
   }, []);
+  return (
+    <section class={css["editor"]} aria-label={`Maps of shape ${nameOf(target)}`}>
+      <header class="section-head">
+        <h2 tabIndex={-1} ref={heading}>
+          Maps of {nameOf(target)}: {shapes[target].value.name}
+        </h2>
+        <Button kind="primary" icon="check" onClick={endEditing}>
+          Done
+        </Button>
+      </header>
+      <Segmented
+        label="What is edited"
+        value={whole ? "whole" : "maps"}
+        options={[
+          { value: "maps", label: "Map by map" },
+          { value: "whole", label: "The whole shape" },
+        ]}
+        command="whole"
+        onChange={(next) => {
+          endGesture();
+          selection.value = { target, map: chosen, ...(next === "whole" ? { whole: true } : {}) };
+        }}
+      />
+      {whole ? <WholeShape target={target} /> : <Maps target={target} chosen={chosen} />}
+    </section>
+  );
+}
+
+/** The maps one by one. */
+function Maps({ target, chosen }: { target: End; chosen: number | null }) {
+  const [form, setForm] = useState<"parts" | "numbers">("parts");
+  const [problem, setProblem] = useState<string | null>(null);
+  const shape = shapes[target].value;
+  const { maps } = shape;
+  const origin = originOf(shape);
   const pick = (map: number | null) => {
     selection.value = { target, map };
   };
@@ -118,15 +156,7 @@ export function MapEditor({ target, chosen }: { target: End; chosen: number | nu
   };
 
   return (
-    <section class={css["editor"]} aria-label={`Maps of shape ${nameOf(target)}`}>
-      <header class="section-head">
-        <h2 tabIndex={-1} ref={heading}>
-          Maps of {nameOf(target)}: {shape.name}
-        </h2>
-        <Button kind="primary" icon="check" onClick={endEditing}>
-          Done
-        </Button>
-      </header>
+    <>
       <p class="hint">
         Drag the outlines on the picture, or type. Fractions and roots are read too: 1/3, √3/2.
       </p>
@@ -185,6 +215,6 @@ export function MapEditor({ target, chosen }: { target: End; chosen: number | nu
           Reset
         </Button>
       </div>
-    </section>
+    </>
   );
 }

@@ -9,7 +9,7 @@ import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
 import endsCss from "#ui/shapes/ends.module.css";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import { asBoth, type End, nameOf, other, swap } from "../changes";
-import { editMaps, endEditing, gallery, PENCILS } from "../dialogs";
+import { editMaps, endEditing, gallery, PENCILS, takeWhole } from "../dialogs";
 import { shapes } from "../parts";
 
 /** The two ends of the morph, with the arrow that swaps them. */
@@ -62,6 +62,11 @@ function Card({ end }: { end: End }) {
             onSelect: () => {
               gallery.value = end;
             },
+          },
+          {
+            label: "Turn, move or scale it",
+            icon: "edit",
+            onSelect: () => takeWhole(end),
           },
           {
             label: "Maps as text …",

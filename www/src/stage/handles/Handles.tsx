@@ -1,0 +1,132 @@
+/** The maps of a shape, or the whole of it, drawn over the picture to be dragged. */
+import { computed, signal, useSignalEffect } from "@preact/signals";
+import type { ComponentChildren } from "preact";
+import { type Box, boxOf, boxOfTaken } from "#document/framing";
+import { selection } from "#document/morph";
+import { edit, inGesture, scene } from "#document/scene";
+import { placeShape, STILL, takenOf } from "#document/whole";
+import { UNIT } from "#geometry/boxes";
+import { cornersOf } from "#geometry/parallelogram";
+import { restsOf } from "#geometry/snap";
+import type { Shape } from "#wasm/api";
+import { stageStyle } from "../picture-style";
+import { stageSize } from "../view";
+import { type Held, rest } from "./held";
+import { Outline, Parallelogram, place, Resting } from "./Parallelogram";
+
+const shape = computed<Shape | null>(() => {
+  const target = selection.value?.target;
+  return target ? scene.value[target] : null;
+});
+
+/** What is edited, by its handles. */
+export function Handles() {
+  if (!shape.value) return null;
+  return selection.value?.whole ? <Whole /> : <Maps />;
+}
+
+/** The box of the whole, and what lies over it. */
+function Overlay({ title, box, children }: { title: string; box: Box; children: ComponentChildren }) {
+  const size = stageSize.value;
+  return (
+    <svg class="overlay" width={size.width} height={size.height}>
+      <title>{title}</title>
+      <Outline corners={cornersOf(STILL, box)} class="frame" />
+      {inGesture.value && rest.value && <Resting at={place(rest.value)} />}
+      {children}
+    </svg>
+  );
+}
+
+/** The box whose images are shown. It stands still while a map is dragged, although the attractor changes. */
+const frame = signal<Box>(UNIT);
+
+/** Each map is a parallelogram: the image of the box of the whole. */
+function Maps() {
+  const maps = shape.value?.maps;
+  useSignalEffect(() => {
+    const now = shape.value?.maps;
+    if (now && !inGesture.value) frame.value = boxOf(now) ?? frame.peek();
+  });
+  const chosen = selection.value;
+  if (!maps || !chosen) return null;
+  // The chosen one last, so that it lies on top.
+  const order = maps.map((_, i) => i).sort((p, q) => Number(p === chosen.map) - Number(q === chosen.map));
+  const { palette } = stageStyle.value;
+  return (
+    <Overlay title="Maps of the shape as parallelograms" box={frame.value}>
+      {order.map((i) => {
+        const map = maps[i];
+        if (!map) return null;
+        return (
+          <Parallelogram
+            key={i}
+            held={heldMap(i)}
+            map={map}
+            colour={palette[i % palette.length] ?? "currentColor"}
+            mark={`${i + 1}`}
+            chosen={i === chosen.map}
+            choose={() => {
+              const now = selection.peek();
+              if (now) selection.value = { ...now, map: i };
+            }}
+          />
+        );
+      })}
+    </Overlay>
+  );
+}
+
+const heldMap = (index: number): Held => ({
+  name: `Map ${index + 1}`,
+  id: `${index}`,
+  map: () => shape.peek()?.maps[index] ?? null,
+  box: () => frame.value,
+  rests: () => restsOf(shape.peek()?.maps ?? [], index, frame.peek()),
+  change(to, gesture) {
+    const target = selection.peek()?.target;
+    if (!target) return;
+    edit(
+      (before) => {
+        const map = before[target].maps[index];
+        if (!map) return before;
+        const maps = before[target].maps.with(index, to(map));
+        // Touched maps are no preset any more.
+        return { ...before, [target]: { name: before[target].name, maps } };
+      },
+      { gesture },
+    );
+  },
+});
+
+/** The shape as it was taken in hand, and all that was done to it since. */
+const taken = computed(() => (shape.value ? takenOf(shape.value) : null));
+const takenBox = computed(() => (taken.value ? boxOfTaken(taken.value) : UNIT));
+
+/** The whole shape: its box as it was taken, and the image of that box where it is now. */
+function Whole() {
+  const { moved } = taken.value ?? { moved: STILL };
+  return (
+    <Overlay title="The shape in its box" box={takenBox.value}>
+      <Parallelogram held={WHOLE} map={moved} colour="var(--accent)" chosen />
+    </Overlay>
+  );
+}
+
+const WHOLE: Held = {
+  name: "The whole shape",
+  id: "whole",
+  map: () => taken.peek()?.moved ?? null,
+  box: () => takenBox.value,
+  rests: () => restsOf([], 0, takenBox.peek()),
+  change(to, gesture) {
+    const target = selection.peek()?.target;
+    const before = taken.peek();
+    if (!target || !before) return;
+    try {
+      placeShape(target, to(before.moved), { gesture });
+    } catch {
+      // Drawn flat, it would be no shape: it stays as it was until the hand goes on.
+    }
+  },
+};
