@@ -1,7 +1,9 @@
 import "./field.css";
 import { useState } from "preact/hooks";
-import { addStep, formatNumber, keyStep, parseNumber, rangeProblem } from "#format/numbers";
+import { parseNumber } from "#format/formula";
+import { addStep, formatNumber, keyStep, rangeProblem } from "#format/numbers";
 import { useOwnId } from "../id";
+import { keepTyped, typedAs } from "./typed";
 
 export interface NumberFieldProps {
   /** Name in words. */
@@ -29,13 +31,15 @@ export interface NumberFieldProps {
   problems?: { id: string; tell: (problem: string | null) => void };
 }
 
-/** A number that can be typed, as a fraction too, or stepped with the arrow keys (shift finer, alt coarser). */
+/** A number that can be typed, as a formula too, or stepped with the arrow keys (shift finer, alt coarser). */
 export function NumberField(props: NumberFieldProps) {
   const { label, symbol, value, min, max, whole = false, unit, terse = false } = props;
   const { step = whole ? 1 : 0.01, digits = whole ? 0 : 4 } = props;
   const id = useOwnId("number");
   const [draft, setDraft] = useState<string | null>(null);
   const [problem, setProblem] = useState<string | null>(null);
+  const name = `${label} ${symbol ?? ""}`;
+  const shown = typedAs(name, value) ?? formatNumber(value, digits);
   const kept = `Kept: ${formatNumber(value, digits)}.`;
   const tell = (words: string | null) => {
     setProblem(words);
@@ -50,13 +54,15 @@ export function NumberField(props: NumberFieldProps) {
   const commit = () => {
     if (draft === null) return;
     // Text that was touched but says the same keeps the digits that are not shown.
-    if (draft.trim() === formatNumber(value, digits)) {
+    if (draft.trim() === shown) {
       revert();
       return;
     }
-    const parsed = parseNumber(draft);
-    if (parsed.ok) offer(parsed.value, draft);
-    else tell(parsed.message);
+    const parsed = parseNumber(draft, unit);
+    if (parsed.ok) {
+      keepTyped(name, parsed.value, draft);
+      offer(parsed.value, draft);
+    } else tell(parsed.message);
   };
   const revert = () => {
     setDraft(null);
@@ -79,7 +85,7 @@ export function NumberField(props: NumberFieldProps) {
           autocomplete="off"
           spellcheck={false}
           enterkeyhint="done"
-          value={draft ?? formatNumber(value, digits)}
+          value={draft ?? shown}
           disabled={props.disabled ?? false}
           aria-valuenow={value}
           aria-valuemin={min}
@@ -104,7 +110,7 @@ export function NumberField(props: NumberFieldProps) {
               const by = keyStep(event, step);
               if (by === null) return;
               event.preventDefault();
-              const parsed = draft === null ? null : parseNumber(draft);
+              const parsed = draft === null ? null : parseNumber(draft, unit);
               const next = addStep(parsed?.ok === true ? parsed.value : value, by);
               offer(Math.min(max ?? next, Math.max(min ?? next, next)), null);
             }

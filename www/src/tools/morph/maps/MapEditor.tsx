@@ -158,7 +158,7 @@ function Maps({ target, chosen }: { target: End; chosen: number | null }) {
   return (
     <>
       <p class="hint">
-        Drag the outlines on the picture, or type. Fractions and roots are read too: 1/3, √3/2.
+        Drag the outlines on the picture, or type numbers or formulas: 1/3, √3/2, (1 + sqrt 5)/2, cos 30°.
       </p>
       <Segmented
         label="How a map is told"

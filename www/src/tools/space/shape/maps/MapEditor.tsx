@@ -78,7 +78,7 @@ export function MapEditor() {
   return (
     <div class="stack">
       <p class="hint">
-        As made, before it was moved. Fractions and roots are read too: 1/3, √3/2.
+        As made, before it was moved. Formulas are read too: 1/3, √3/2, cos 30°.
         {timeline.value && " With a time line, numbers that you change are kept at this moment."}
       </p>
       <MapList
