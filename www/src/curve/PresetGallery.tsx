@@ -3,7 +3,8 @@ import { curved } from "#document/curve/curve";
 import { originOf, presets } from "#document/presets";
 import { Dialog } from "#ui/overlay/Dialog";
 import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
-import type { Preset, Shape } from "#wasm/api";
+import type { Shape } from "#wasm/api";
+import { OwnShapes } from "./OwnShapes";
 import { Shelf } from "./parts";
 
 interface PresetGalleryProps {
@@ -12,23 +13,25 @@ interface PresetGalleryProps {
   /** What is chosen for, with the shape that it has now. */
   end: "a" | "b" | "bent";
   now: Shape;
-  onChoose: (preset: Preset) => void;
+  onChoose: (shape: Shape) => void;
   onClose: () => void;
 }
 
-/** Every preset, and the closed curves, to choose one from. */
+/** The shapes that a person keeps, every preset, and the closed curves, to choose one from. */
 export function PresetGallery({ title, about, end, now, onChoose, onClose }: PresetGalleryProps) {
+  const take = (shape: Shape) => {
+    onChoose(shape);
+    onClose();
+  };
   return (
     <Dialog wide title={title} about={about} onClose={onClose}>
+      <OwnShapes onChoose={take} />
       <ShapeGrid
         presets={presets()}
         pictures={thumbnails.value}
         noteOf={mapsNote}
         chosen={curved.value ? undefined : originOf(now)?.id}
-        onChoose={(preset) => {
-          onChoose(preset);
-          onClose();
-        }}
+        onChoose={({ id, name, maps }) => take({ preset: id, name, maps })}
       />
       <Shelf end={end} onChosen={onClose} />
     </Dialog>

@@ -3,7 +3,7 @@ import { editSystems } from "#document/curve/systems";
 import { selection } from "#document/morph";
 import { dismiss, notify } from "#document/notice";
 import { lastStep, scene, undo } from "#document/scene";
-import { chooseOwn, type End } from "#tools/morph/changes";
+import { choose, type End } from "#tools/morph/changes";
 import type { MapRow, Scene } from "#wasm/api";
 
 /** Which end of the morph a system becomes. */
@@ -17,7 +17,8 @@ interface Own {
 /** The document with the system at one end or both, and the moment where it is seen. */
 export function withSystem(before: Scene, system: Own, where: Where): Scene {
   const ends: End[] = where === "both" ? ["a", "b"] : [where];
-  const { tool: _tool, ...taken } = ends.reduce((now, end) => chooseOwn(now, end, system), before);
+  const { name, maps } = system;
+  const { tool: _tool, ...taken } = ends.reduce((now, end) => choose(now, end, { name, maps }), before);
   const { at: _at, ...locus } = taken.locus ?? {};
   return {
     ...taken,

@@ -5,6 +5,7 @@ import { announce } from "#document/notice";
 import { exportOpen } from "#film/open";
 import { Button, IconButton } from "#ui/controls/Button";
 import { Dialog } from "#ui/overlay/Dialog";
+import { NameInput } from "#ui/shapes/NameInput";
 import { Thumbnail } from "#ui/shapes/Thumbnail";
 import type { Scene } from "#wasm/api";
 import { frond } from "#wasm/core";
@@ -142,26 +143,13 @@ function Entry({ row, scene, onOpen, onRename, onPin, onRemove }: EntryProps) {
       </button>
       <div class={css["recent-words"]}>
         {naming ? (
-          <input
-            class={css["recent-name"]}
-            aria-label={`Name of ${name}`}
-            maxLength={LONGEST_NAME}
-            // biome-ignore lint/a11y/noAutofocus: it takes the place of the button that was pressed.
-            autoFocus
-            defaultValue={row.name}
-            onKeyDown={(event) => {
-              event.stopPropagation();
-              if (event.key === "Enter") event.currentTarget.blur();
-              if (event.key === "Escape") {
-                event.preventDefault();
-                setNaming(false);
-              }
-            }}
-            onBlur={(event) => {
-              const given = event.currentTarget.value.trim();
-              setNaming(false);
-              if (given !== "" && given !== row.name) onRename(given);
-            }}
+          <NameInput
+            label={`Name of ${name}`}
+            name={row.name}
+            longest={LONGEST_NAME}
+            focused
+            onName={onRename}
+            onEnd={() => setNaming(false)}
           />
         ) : (
           <b>{name}</b>

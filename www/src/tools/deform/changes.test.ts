@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { AT_REST } from "#document/deform/bend";
-import type { Deformation, MapRow, Preset, Scene } from "#wasm/api";
+import type { Deformation, MapRow, Scene, Shape } from "#wasm/api";
 import {
   choose,
   inBox,
@@ -26,7 +26,7 @@ const four: Deformation = {
 
 describe("choose", () => {
   const maps: MapRow[] = [[0.5, 0, 0, 0.5, 0, 0]];
-  const preset: Preset = { id: "one", name: "One", about: "", maps };
+  const one: Shape = { preset: "one", name: "One", maps };
   const scene: Scene = {
     a: { name: "A", maps },
     b: { name: "B", maps },
@@ -42,7 +42,7 @@ describe("choose", () => {
 
   it("shows that shape, with the mesh around it", () => {
     const bent = { ...four, subject: "picture" as const };
-    const after = choose({ ...scene, deform: bent }, preset, [0, 0, 2, 4]);
+    const after = choose({ ...scene, deform: bent }, one, [0, 0, 2, 4]);
     expect(after).toMatchObject({ a: { preset: "one", name: "One" }, t: 0, correspondence: [], turns: [] });
     expect(after.locus?.at).toBeUndefined();
     expect(after.locus?.zoom).toBe(3);
@@ -51,7 +51,7 @@ describe("choose", () => {
   });
 
   it("adds no mesh where there is none yet", () => {
-    expect(choose(scene, preset, [0, 0, 2, 4]).deform).toBeUndefined();
+    expect(choose(scene, one, [0, 0, 2, 4]).deform).toBeUndefined();
   });
 
   it("leaves a polygon's plane for the path", () => {

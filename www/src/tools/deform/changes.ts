@@ -3,7 +3,7 @@
 import { withoutCurves } from "#document/curve/changes";
 import { MOST_KEYS, momentOf, SAME } from "#document/deform/keys";
 import { inBox } from "#geometry/mesh";
-import type { Deformation, MapRow, Preset, Scene } from "#wasm/api";
+import type { Deformation, MapRow, Scene, Shape } from "#wasm/api";
 
 export { inBox } from "#geometry/mesh";
 
@@ -11,9 +11,8 @@ export { inBox } from "#geometry/mesh";
 export const DEEPEST = 12;
 export const MOST_ROUGHNESS = 1.5;
 
-/** A shape of the gallery, with the mesh around it: the moment goes to the start, where the shape is. */
-export function choose(scene: Scene, preset: Preset, box: Deformation["box"]): Scene {
-  const shape = { preset: preset.id, name: preset.name, maps: preset.maps };
+/** A shape, with the mesh around it: the moment goes to the start, where the shape is. */
+export function choose(scene: Scene, shape: Shape, box: Deformation["box"]): Scene {
   const chosen: Scene = { ...withoutCurves(onPath(scene)), a: shape, t: 0, correspondence: [], turns: [] };
   return scene.deform ? { ...chosen, deform: inBox({ ...scene.deform, subject: "shape" }, box) } : chosen;
 }

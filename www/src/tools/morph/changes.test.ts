@@ -37,7 +37,7 @@ const scene: Scene = {
 
 describe("shapes", () => {
   it("asks anew which map becomes which when a shape is chosen", () => {
-    const next = choose(scene, "b", { id: "three", name: "Three", about: "", maps: [half] });
+    const next = choose(scene, "b", { preset: "three", name: "Three", maps: [half] });
     expect(next.b).toEqual({ preset: "three", name: "Three", maps: [half] });
     expect(next.correspondence).toEqual([]);
     expect(next.turns).toEqual([]);

@@ -1,7 +1,7 @@
 /** What the panel does to the document, as functions from scene to scene. */
 
 import { sameMaps } from "#geometry/maps/same-maps";
-import type { Candidate, MapRow, PathPoint, Preset, Route, Scene, Shape } from "#wasm/api";
+import type { Candidate, MapRow, PathPoint, Route, Scene, Shape } from "#wasm/api";
 
 export type End = "a" | "b";
 
@@ -13,14 +13,14 @@ export const nameOf = (end: End): string => (end === "a" ? "A" : "B");
 export const MOST_MAPS = 64;
 export const MOST_POINTS = 64;
 
-/** A shape of the gallery at one end. */
-export function choose(scene: Scene, end: End, preset: Preset): Scene {
-  return withShape(scene, end, { preset: preset.id, name: preset.name, maps: preset.maps });
+/** A shape of the gallery, or from elsewhere, at one end. */
+export function choose(scene: Scene, end: End, shape: Shape): Scene {
+  return withShape(scene, end, shape);
 }
 
-/** A shape from elsewhere at one end. */
-export function chooseOwn(scene: Scene, end: End, { name, maps }: Shape): Scene {
-  return withShape(scene, end, { name, maps });
+/** Another name for the shape of one end. It is no longer the gallery's, whose names are its own. */
+export function rename(scene: Scene, end: End, name: string): Scene {
+  return { ...scene, [end]: { name, maps: scene[end].maps } };
 }
 
 /** The shape of one end at both. */

@@ -157,9 +157,9 @@ export function Gallery() {
       about="The grid is put around it. Shape A of the morph becomes it, too."
       end="bent"
       now={a.value}
-      onChoose={(preset) => {
-        edit((before) => choose(before, preset, boxAround(preset.maps)));
-        announce(`${preset.name}, with the grid around it.`);
+      onChoose={(shape) => {
+        edit((before) => choose(before, shape, boxAround(shape.maps)));
+        announce(`${shape.name}, with the grid around it.`);
       }}
       onClose={() => {
         gallery.value = false;

@@ -2,6 +2,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { boxOf } from "#document/framing";
 import { selection } from "#document/morph";
 import { announce, wordsOf } from "#document/notice";
+import { LONGEST_NAME } from "#document/own-shapes";
 import { originOf } from "#document/presets";
 import { edit, endGesture } from "#document/scene";
 import { UNIT } from "#geometry/boxes";
@@ -13,9 +14,10 @@ import { Segmented } from "#ui/controls/Segmented";
 import { Switch } from "#ui/controls/Switch";
 import { Problem } from "#ui/panel/Problem";
 import { MapList, MapTools } from "#ui/shapes/MapList";
+import { NameInput } from "#ui/shapes/NameInput";
 import type { MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
-import { type End, MOST_MAPS, nameOf, setMaps } from "../changes";
+import { type End, MOST_MAPS, nameOf, rename, setMaps } from "../changes";
 import { endEditing } from "../dialogs";
 import { shapes } from "../parts";
 import { Swatch } from "../shapes/Swatch";
@@ -64,12 +66,21 @@ export function MapEditor({ target, chosen, whole }: MapEditorProps) {
     <section class={css["editor"]} aria-label={`Maps of shape ${nameOf(target)}`}>
       <header class="section-head">
         <h2 tabIndex={-1} ref={heading}>
-          Maps of {nameOf(target)}: {shapes[target].value.name}
+          Maps of {nameOf(target)}
         </h2>
         <Button kind="primary" icon="check" onClick={endEditing}>
           Done
         </Button>
       </header>
+      <NameInput
+        label={`Name of shape ${nameOf(target)}`}
+        name={shapes[target].value.name}
+        longest={LONGEST_NAME}
+        onName={(name) => {
+          edit((before) => rename(before, target, name));
+          announce(`Shape ${nameOf(target)} is now called ${name}.`);
+        }}
+      />
       <Segmented
         label="What is edited"
         value={whole ? "whole" : "maps"}

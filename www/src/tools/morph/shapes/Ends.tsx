@@ -1,6 +1,6 @@
 import { thumbnails } from "#compute/results";
 import { selection } from "#document/morph";
-import { announce } from "#document/notice";
+import { announce, notify } from "#document/notice";
 import { edit, scene } from "#document/scene";
 import { IconButton } from "#ui/controls/Button";
 import { startExport } from "#ui/files/exporting";
@@ -72,6 +72,18 @@ function Card({ end }: { end: End }) {
             label: "Maps as text …",
             icon: "file",
             onSelect: startExport,
+          },
+          {
+            label: "Keep this shape",
+            icon: "check",
+            onSelect: async () => {
+              const { keepShape } = await import("#document/own-shapes");
+              const problem = keepShape(shapes[end].peek());
+              notify({
+                kind: "info",
+                text: problem ?? `${name} is kept: it is in the gallery, under Yours.`,
+              });
+            },
           },
           {
             label: `Use as ${nameOf(other(end))} too`,

@@ -17,11 +17,11 @@ export function Gallery() {
       about="Each is made of smaller copies of itself. Its maps can be edited afterwards."
       end={end}
       now={shapes[end].value}
-      onChoose={(preset) => {
-        void editSystems((before) => choose(before, end, preset));
+      onChoose={(shape) => {
+        void editSystems((before) => choose(before, end, shape));
         if (selection.peek()?.target === end) selection.value = { target: end, map: 0 };
         pick(null);
-        announce(`Shape ${nameOf(end)} is now ${preset.name}.`);
+        announce(`Shape ${nameOf(end)} is now ${shape.name}.`);
       }}
       onClose={() => {
         gallery.value = null;

@@ -1,0 +1,75 @@
+import { useEffect, useState } from "preact/hooks";
+import { thumbnails } from "#compute/results";
+import { thumbnailsOf } from "#compute/thumbnails";
+import { announce, notify, wordsOf } from "#document/notice";
+import { LONGEST_NAME, type OwnShape, ownShapes, removeOwnShape, renameOwnShape } from "#document/own-shapes";
+import { IconButton } from "#ui/controls/Button";
+import { NameInput } from "#ui/shapes/NameInput";
+import { mapsNote } from "#ui/shapes/ShapeGrid";
+import { Thumbnail } from "#ui/shapes/Thumbnail";
+import type { Shape } from "#wasm/api";
+import { frond } from "#wasm/core";
+import css from "./own-shapes.module.css";
+
+const pictureOf = (id: string) => `own-${id}`;
+
+/** The shapes that a person keeps, to choose one from, to rename and to remove. Nothing where there are none. */
+export function OwnShapes({ onChoose }: { onChoose: (shape: Shape) => void }) {
+  const shapes = ownShapes.value;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: a signal: other shapes are to have their pictures.
+  useEffect(() => thumbnailsOf(shapes.map(({ id, maps }) => ({ id: pictureOf(id), maps }))), [shapes]);
+  if (shapes.length === 0) return null;
+  return (
+    <section class={css["own"]} aria-label="Your shapes">
+      <h3>Yours</h3>
+      <ul class={css["list"]}>
+        {shapes.map((shape) => (
+          <Item key={shape.id} shape={shape} onChoose={onChoose} />
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function Item({ shape, onChoose }: { shape: OwnShape; onChoose: (shape: Shape) => void }) {
+  const { id, name, maps } = shape;
+  const [naming, setNaming] = useState(false);
+  const tell = (problem: string | null, done: string) =>
+    problem === null ? announce(done) : notify({ kind: "info", text: problem });
+  const take = () => {
+    try {
+      frond.validate({ maps });
+      onChoose({ name, maps });
+    } catch (problem) {
+      notify({ kind: "info", text: `${name} cannot be used: ${wordsOf(problem)}` });
+    }
+  };
+  return (
+    <li class={css["item"]}>
+      <button type="button" class={css["face"]} aria-label={`${name}, ${mapsNote(shape)}`} onClick={take}>
+        <Thumbnail bitmap={thumbnails.value.get(pictureOf(id))} />
+        {!naming && <span class={css["name"]}>{name}</span>}
+      </button>
+      {naming && (
+        <NameInput
+          label={`Name of ${name}`}
+          name={name}
+          longest={LONGEST_NAME}
+          focused
+          onName={(given) => tell(renameOwnShape(id, given), `Renamed to ${given}.`)}
+          onEnd={() => setNaming(false)}
+        />
+      )}
+      <span class={css["tools"]}>
+        <small>{mapsNote(shape)}</small>
+        <IconButton icon="edit" kind="quiet" label={`Rename ${name}`} onClick={() => setNaming(true)} />
+        <IconButton
+          icon="bin"
+          kind="quiet"
+          label={`Remove ${name}`}
+          onClick={() => tell(removeOwnShape(id), `${name} was removed.`)}
+        />
+      </span>
+    </li>
+  );
+}

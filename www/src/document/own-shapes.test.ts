@@ -1,0 +1,75 @@
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import type { Shape } from "#wasm/api";
+
+const HALF: Shape = { preset: "half", name: "Half", maps: [[0.5, 0, 0, 0.5, 0, 0]] };
+let storage: Map<string, string>;
+let isFull: boolean;
+
+beforeEach(() => {
+  storage = new Map();
+  isFull = false;
+  vi.stubGlobal("localStorage", {
+    getItem: (key: string) => storage.get(key) ?? null,
+    setItem: (key: string, text: string) => {
+      if (isFull) throw new DOMException("full", "QuotaExceededError");
+      storage.set(key, text);
+    },
+  });
+  vi.resetModules();
+});
+afterEach(() => vi.unstubAllGlobals());
+
+const opened = () => import("./own-shapes");
+
+it("keeps shapes, the latest first, over a new visit", async () => {
+  const { keepShape } = await opened();
+  expect(keepShape(HALF)).toBeNull();
+  expect(keepShape({ ...HALF, name: "Other" })).toBeNull();
+  vi.resetModules();
+  const { ownShapes } = await opened();
+  expect(ownShapes.value.map(({ name }) => name)).toEqual(["Other", "Half"]);
+  expect(ownShapes.value[1]?.maps).toEqual(HALF.maps);
+});
+
+it("renames and removes the one that is meant", async () => {
+  const { keepShape, ownShapes, renameOwnShape, removeOwnShape } = await opened();
+  keepShape(HALF);
+  keepShape(HALF);
+  const [first, second] = ownShapes.value;
+  expect(renameOwnShape(second?.id ?? "", "  Mine  ")).toBeNull();
+  expect(ownShapes.value.map(({ name }) => name)).toEqual(["Half", "Mine"]);
+  expect(renameOwnShape(second?.id ?? "", " ")).toMatch(/name/);
+  removeOwnShape(first?.id ?? "");
+  expect(ownShapes.value.map(({ name }) => name)).toEqual(["Mine"]);
+});
+
+it("says so where there is no room, and has the shape all the same", async () => {
+  const { keepShape, ownShapes } = await opened();
+  isFull = true;
+  expect(keepShape(HALF)).toMatch(/until the page is closed/);
+  expect(ownShapes.value).toHaveLength(1);
+});
+
+it("keeps sixty and no more", async () => {
+  const { keepShape, ownShapes } = await opened();
+  for (let i = 0; i < 60; i++) expect(keepShape(HALF)).toBeNull();
+  expect(keepShape(HALF)).toMatch(/Remove one/);
+  expect(ownShapes.value).toHaveLength(60);
+});
+
+it("passes over what is no shape", async () => {
+  const { readShapes } = await opened();
+  const good = { id: "a", name: "A", maps: HALF.maps };
+  const bad = [
+    null,
+    1,
+    {},
+    { ...good, maps: [] },
+    { ...good, maps: [[1, 2, 3]] },
+    { ...good, maps: [[1, 2, 3, 4, 5, null]] },
+    { ...good, maps: Array.from({ length: 65 }, () => HALF.maps[0]) },
+    { ...good, name: 3 },
+  ];
+  expect(readShapes(JSON.stringify([...bad, good]))).toEqual([good]);
+  for (const text of [null, "", "{", "{}", "3"]) expect(readShapes(text)).toEqual([]);
+});

@@ -1,0 +1,85 @@
+/** Shapes that a person keeps, in this browser: the gallery lists them beside its own. */
+import { type ReadonlySignal, signal } from "@preact/signals";
+import type { MapRow, Shape } from "#wasm/api";
+
+export interface OwnShape {
+  id: string;
+  name: string;
+  maps: MapRow[];
+}
+
+const KEY = "frond.shapes";
+const MOST_SHAPES = 60;
+const MOST_MAPS = 64;
+/** Characters; a link keeps no more of a name. */
+export const LONGEST_NAME = 60;
+
+const kept = signal<readonly OwnShape[]>(load());
+
+/** The latest first. */
+export const ownShapes: ReadonlySignal<readonly OwnShape[]> = kept;
+
+/** Keeps a shape as it is now. What stands in the way of that comes back in words. */
+export function keepShape({ name, maps }: Shape): string | null {
+  if (kept.peek().length >= MOST_SHAPES)
+    return `There are ${MOST_SHAPES} shapes of yours, and no more are kept. Remove one first.`;
+  return save([{ id: crypto.randomUUID(), name: name.slice(0, LONGEST_NAME), maps }, ...kept.peek()]);
+}
+
+export function renameOwnShape(id: string, name: string): string | null {
+  const given = name.trim().slice(0, LONGEST_NAME);
+  return given === ""
+    ? "A name has at least one letter."
+    : save(kept.peek().map((one) => (one.id === id ? { ...one, name: given } : one)));
+}
+
+export function removeOwnShape(id: string): string | null {
+  return save(kept.peek().filter((one) => one.id !== id));
+}
+
+/** What the browser's storage holds, without what can be no shape: other programs of this address write there, too. */
+export function readShapes(text: string | null): OwnShape[] {
+  let rows: unknown;
+  try {
+    rows = JSON.parse(text ?? "[]");
+  } catch {
+    return [];
+  }
+  return Array.isArray(rows) ? rows.flatMap((row) => sound(row) ?? []).slice(0, MOST_SHAPES) : [];
+}
+
+function sound(row: unknown): OwnShape | null {
+  if (typeof row !== "object" || row === null) return null;
+  const { id, name, maps } = row as Record<string, unknown>;
+  if (typeof id !== "string" || typeof name !== "string" || !Array.isArray(maps)) return null;
+  if (maps.length === 0 || maps.length > MOST_MAPS || !maps.every(isMap)) return null;
+  return { id, name: name.slice(0, LONGEST_NAME), maps };
+}
+
+function isMap(map: unknown): map is MapRow {
+  return Array.isArray(map) && map.length === 6 && map.every((number) => Number.isFinite(number));
+}
+
+function load(): OwnShape[] {
+  try {
+    return readShapes(localStorage.getItem(KEY));
+  } catch {
+    return [];
+  }
+}
+
+/** They stay for this visit even where the browser keeps nothing. */
+function save(next: readonly OwnShape[]): string | null {
+  kept.value = next;
+  try {
+    localStorage.setItem(KEY, JSON.stringify(next));
+    return null;
+  } catch {
+    return "This browser keeps nothing more for Frond: it is here until the page is closed. The link holds it, too.";
+  }
+}
+
+// Another tab has changed them.
+globalThis.addEventListener?.("storage", (event) => {
+  if (event.key === KEY || event.key === null) kept.value = load();
+});
