@@ -61,9 +61,11 @@ export function Page(heading: Heading) {
       ]}
       sources={
         <p>
-          The collage theorem stands in Michael Barnsley’s <cite>Fractals Everywhere</cite> (1988): if all
-          maps <Formula tex={tex`f_1, \dots, f_N`} /> shrink distances by a factor of at most{" "}
-          <Formula>s</Formula> below 1, and <Formula>A</Formula> is their attractor, then{" "}
+          The collage theorem is due to Michael Barnsley, Vincent Ervin, Douglas Hardin and John Lancaster (
+          <cite>Solution of an inverse problem for fractals and other sets</cite>, 1986), and stands in
+          Barnsley’s <cite>Fractals Everywhere</cite> (1988): if all maps{" "}
+          <Formula tex={tex`f_1, \dots, f_N`} /> shrink distances by a factor of at most <Formula>s</Formula>{" "}
+          below 1, and <Formula>A</Formula> is their attractor, then{" "}
           <Formula tex={tex`h(L, A) \le \frac{h(L,\, f_1(L) \cup \dots \cup f_N(L))}{1 - s}`} copy /> for
           every set <Formula>L</Formula> that is bounded, closed and not empty. The leaf is Frond’s own.
         </p>
@@ -122,8 +124,8 @@ function HowFar({ prediction }: { prediction: Prediction<Most> }) {
             <p>
               With copies of at most <Formula>s</Formula> times the size it is{" "}
               <Formula tex={tex`d \le c / (1 - s)`} />, where <Formula>c</Formula> is how far the collage is
-              off. This promise is Barnsley’s collage theorem (1988). Whoever covers a shape well has found
-              maps that make nearly that shape.
+              off. This promise is the collage theorem (Barnsley and others 1986). Whoever covers a shape well
+              has found maps that make nearly that shape.
             </p>
           </Truth>
         </>
