@@ -62,11 +62,14 @@ fn install(steps: &mut Steps, program: &str, package: &str, version: &str) -> Ou
         return Ok(());
     }
     steps.run(&format!("install {package} {version} into {} (once, some minutes)", tools().display()), || {
-        let line = format!("install {package} --version ={version} --force");
+        // It speaks to drivers on this machine alone, without encryption, which would be a third of what is compiled.
+        let line = format!("install {package} --version ={version} --force --no-default-features");
         let build = |locked: &[&str]| {
             let mut command = cargo(&line);
             // Nothing of this workspace's settings is for other people's programs.
             own_flags(&mut command);
+            // It works for seconds: what a better optimised program saves takes longer to compile.
+            command.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1");
             command.current_dir(std::env::temp_dir());
             run(command.args(locked).arg("--root").arg(tools()))
         };
