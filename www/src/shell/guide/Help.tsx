@@ -2,9 +2,9 @@ import { useEffect } from "preact/hooks";
 import { type Command, help } from "#ui/commands";
 import { Button } from "#ui/controls/Button";
 import { ShortcutsDialog } from "#ui/overlay/ShortcutsDialog";
+import { WORDS } from "#ui/terms/words";
 import css from "./help.module.css";
 import { goRound } from "./state";
-import { WORDS } from "./words";
 
 const close = () => {
   help.value = false;

@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
 import { LESSONS } from "#figures/lessons/course";
+import { WORDS } from "#ui/terms/words";
 import type { Scene } from "#wasm/api";
 import { seenIn } from "./seen";
 import { type Doing, STEPS } from "./steps";
-import { WORDS } from "./words";
 
 const doing = (change: Partial<Omit<Doing, "scene">> & { t?: number; kind?: string } = {}): Doing => ({
   scene: { t: change.t ?? 0, path: { kind: change.kind ?? "drawn", points: [] } } as unknown as Scene,

@@ -1,6 +1,8 @@
 import { resolutionWords, shareWords, toldOf, verdictWords } from "#format/verdict";
 import { STATE } from "#geometry/states";
 import { gradient } from "#style/ramp";
+import { Term } from "#ui/terms/Term";
+import type { TermName } from "#ui/terms/words";
 import css from "./locus.module.css";
 import { decades, type LocusStyle } from "./paint";
 
@@ -23,6 +25,7 @@ export function Legend({ states, epsilon, style, proved = null }: LegendProps) {
           key={state}
           box={box}
           words={state === STATE.connected ? provedWords(proved) : wordsOf(state, epsilon)}
+          term={TERMS[state]}
         />
       ))}
       {broken && style === "yesno" && <Entry box="broken" words={APART} />}
@@ -38,6 +41,12 @@ const BOXES = [
   [STATE.undecided, "open"],
   [STATE.none, "none"],
 ] as const;
+
+const TERMS: Readonly<Record<number, TermName>> = {
+  [STATE.connected]: "proved",
+  [STATE.touching]: "looks whole",
+  [STATE.hidden]: "gap",
+};
 
 const lowered = (words: string) => words.charAt(0).toLowerCase() + words.slice(1);
 const textOf = (state: number, epsilon?: number) => lowered(verdictWords(toldOf(state, 1), epsilon).text);
@@ -59,7 +68,9 @@ function provedWords(part: number | null): string {
 function Ramp({ least }: { least: number }) {
   return (
     <li class={css["ramp"]}>
-      <span>{APART}, gap</span>
+      <span>
+        <Term name="gap">{APART}, gap</Term>
+      </span>
       <span class={css["ramp-bar"]}>
         <span class={`${css["legend-box"]} gap`} style={{ backgroundImage: gradient() }} />
         {decades(least).map(({ gap, at }) => (
@@ -73,10 +84,10 @@ function Ramp({ least }: { least: number }) {
   );
 }
 
-function Entry({ box, words }: { box: string; words: string }) {
+function Entry({ box, words, term }: { box: string; words: string; term?: TermName | undefined }) {
   return (
     <li>
-      <span class={`${css["legend-box"]} ${box}`} /> {words}
+      <span class={`${css["legend-box"]} ${box}`} /> {term ? <Term name={term}>{words}</Term> : words}
     </li>
   );
 }

@@ -1,4 +1,4 @@
-/** The words of the page, each in a sentence or two. */
+/** The words of the page, each in a sentence or two: for help, and where they stand. */
 
 export interface Word {
   word: string;
@@ -6,6 +6,9 @@ export interface Word {
   /** The lesson that it leads to. */
   lesson?: string;
 }
+
+/** Words that explain themselves where they stand. */
+export type TermName = "proved" | "looks whole" | "gap" | "u and v" | "the map of morphs" | "M";
 
 export const WORDS: readonly Word[] = [
   {

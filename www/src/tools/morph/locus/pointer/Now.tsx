@@ -6,6 +6,8 @@ import { fixed } from "#format/numbers";
 import { complexWords } from "#format/parameters";
 import { verdictPhrase } from "#format/verdict";
 import { Button } from "#ui/controls/Button";
+import { Term } from "#ui/terms/Term";
+import type { TermName } from "#ui/terms/words";
 import { type End, nameOf } from "../../changes";
 import fieldCss from "../field.module.css";
 import { addAt } from "../path/way";
@@ -27,8 +29,8 @@ function OfMorph() {
   return (
     <div class="locus-now">
       <dl>
-        <Value name="turn and stretch" symbol="u" value={fixed(u, digits)} />
-        <Value name="move" symbol="v" value={fixed(v, digits)} />
+        <Value name="turn and stretch" term="u and v" symbol="u" value={fixed(u, digits)} />
+        <Value name="move" term="u and v" symbol="v" value={fixed(v, digits)} />
         {third && <Value name="stretch ahead" symbol="w" value={fixed(w, 2)} />}
       </dl>
       {at && <There />}
@@ -57,10 +59,17 @@ function There() {
   return <p class="hint">At this point: {verdictPhrase(known.connectedness, known.epsilon)}.</p>;
 }
 
-function Value({ name, symbol, value }: { name: string; symbol: string; value: string }) {
+interface ValueProps {
+  name: string;
+  term?: TermName;
+  symbol: string;
+  value: string;
+}
+
+function Value({ name, term, symbol, value }: ValueProps) {
   return (
     <div>
-      <dt>{name}</dt>
+      <dt>{term ? <Term name={term}>{name}</Term> : name}</dt>
       <dd>
         <span class="symbol">{symbol}</span> <output>{value}</output>
       </dd>
@@ -75,7 +84,7 @@ function OfFamily() {
   return (
     <div class="locus-now">
       <dl>
-        <Value name="turn and shrink by" symbol="s" value={words} />
+        <Value name="turn and shrink by" term="M" symbol="s" value={words} />
       </dl>
       <There />
       <div class={fieldCss["locus-act"]}>
