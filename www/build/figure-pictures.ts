@@ -63,7 +63,7 @@ const LED: [u: number, v: number][] = [
 
 /** By the figure's id; what there are several of lies in a grid of so many columns. */
 export function figurePictures(source: Source): Record<string, { cells: Cell[]; columns?: number }> {
-  const { shape, between, family, solid, space } = source;
+  const { shape, between, moved, family, solid, space } = source;
   const one = (id: string) => ({ cells: [plane(shape(id).maps)] });
   const row = (...cells: Cell[]) => ({ cells });
   const morph = (a: string, b: string, u: number, v = u, linear = false) =>
@@ -117,6 +117,7 @@ export function figurePictures(source: Source): Record<string, { cells: Cell[]; 
     s6: turned("pyramid", 0, 1),
     s7: turned("fern", 0.5),
     s8: turned("tree", 0, 1),
+    s34: row(plane(shape("fern").maps), plane(moved(shape("fern"), [0.75, 0.72, -0.4, 0.7, 0, 0]))),
     s35: row({ ...solid("dust"), turn: 0.5 }, plane(space.projectExactly(of("dust"), [0.3, 0.2, 1]))),
     s9: row(
       { solid: [{ maps: meet?.first ?? [] }], turn: 0.5 },

@@ -22,6 +22,8 @@ export interface Source {
   shape(id: string): Shape;
   /** A moment of the ways from one shape to another. */
   between(a: Shape, b: Shape, u: number, v?: number, linear?: boolean): number[][];
+  /** The same shape elsewhere: its maps, conjugated. */
+  moved(shape: Shape, by: MapRow): number[][];
   family(sides: number, s: [re: number, im: number]): number[][];
   bounds(maps: number[][]): { min: [number, number]; max: [number, number] };
   /** A shape of space. */
@@ -73,6 +75,7 @@ export async function drawer(): Promise<Drawer> {
       const mode = linear ? "linear" : "polar";
       return plane.interpolate({ maps: from }, { maps: to }, { u, v, mode }).maps;
     },
+    moved: ({ maps }, by) => plane.conjugate(rows(maps), by).maps,
     family: (sides, s) => plane.familyMaps({ sides }, s).maps,
     bounds: (maps) => plane.bounds(rows(maps)),
     solid: (id) => ({ solid: [{ maps: named(solids, id).maps }] }),

@@ -306,6 +306,15 @@ export const ROWS: readonly Row[] = [
         thumb: () => import("./darwish/figure-viii/thumb"),
       },
       {
+        id: "s34",
+        number: "Space, Section 3.4",
+        short: "3.4",
+        title: "One formula for every move",
+        about: "Drag a shape of the plane: none of its points is moved, all of its parameters are.",
+        load: () => import("./darwish/section-3-4/page"),
+        thumb: () => import("./darwish/section-3-4/thumb"),
+      },
+      {
         id: "s35",
         number: "Space, Section 3.5",
         short: "3.5",

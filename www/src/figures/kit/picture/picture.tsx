@@ -1,10 +1,11 @@
-import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { useMemo, useRef, useState } from "preact/hooks";
 import { type Box, fitFor } from "#document/framing";
 import { dark } from "#document/preferences";
 import type { Size } from "#geometry/coordinates";
 import { palette } from "#style/palette";
 import type { Bend, Colouring, MapRow } from "#wasm/api";
 import type { Task } from "#workers/pool/protocol";
+import { useRested } from "../rest";
 import { useAsk, useValue } from "../workers";
 import { pictured, usePixels } from "./canvas";
 import css from "./picture.module.css";
@@ -22,9 +23,7 @@ export interface PictureProps {
   bend?: Bend;
 }
 
-/** So long after the last change, in milliseconds, the picture is drawn in full. */
-const REST_MS = 150;
-/** How much coarser it is until then. */
+/** How much coarser it is until what bends it rests. */
 const COARSE = 2;
 
 /** An attractor, drawn by a worker, as large as its place. */
@@ -40,7 +39,7 @@ export function Picture({
   const canvas = useRef<HTMLCanvasElement>(null);
   const full = usePixels(canvas);
   const onDark = useValue(dark);
-  const coarse = !useRest(bend);
+  const coarse = useRested(bend) !== bend;
   const [shown, setShown] = useState<Task<"picture"> | null>(null);
   const task = useMemo<Task<"picture"> | null>(() => {
     if (full === null) return null;
@@ -80,14 +79,4 @@ function paint(canvas: HTMLCanvasElement, bitmap: ImageBitmap): void {
 
 function coarser({ width, height }: Size) {
   return { width: Math.max(1, Math.round(width / COARSE)), height: Math.max(1, Math.round(height / COARSE)) };
-}
-
-/** Whether a value has stayed the same for a moment. */
-function useRest(value: unknown): boolean {
-  const [rested, setRested] = useState(value);
-  useEffect(() => {
-    const timer = setTimeout(() => setRested(() => value), REST_MS);
-    return () => clearTimeout(timer);
-  }, [value]);
-  return rested === value;
 }
