@@ -9,7 +9,7 @@ use crate::frame::Frame;
 use crate::gap::pair_descent::{Explore, Pair, Sight};
 use crate::gap::piece_distance::Metric;
 use crate::support::extremes::{larger, lesser};
-use crate::support::f64x4::{DVec2x4, F64x4};
+use crate::support::f64x4::DVec2x4;
 use crate::support::table::SupportTable;
 
 /// The differences of the pieces of maps `M x + t_i`.
@@ -136,7 +136,7 @@ impl DifferenceSet {
         steps.extend(sorted.chunks(4).map(|four| {
             let lane = |k: usize| four[k.min(four.len() - 1)];
             let four = [lane(0), lane(1), lane(2), lane(3)];
-            DVec2x4 { x: F64x4(four.map(|d| d.x)), y: F64x4(four.map(|d| d.y)) }
+            DVec2x4::new(four)
         }));
     }
 
@@ -189,7 +189,7 @@ impl DifferenceSet {
         for (block, &step) in self.steps.iter().enumerate() {
             let next = after(self.powers[k], offset, step);
             let squares = next.dot(next);
-            for (l, &square) in squares.0.iter().enumerate().take(self.count - 4 * block) {
+            for (l, &square) in squares.to_array().iter().enumerate().take(self.count - 4 * block) {
                 let this = (square, 4 * block + l);
                 if square < best.0 {
                     (best, second) = (this, best);
@@ -246,7 +246,7 @@ impl Explore for Translates<'_> {
         let shifts = &self.differences.shifts;
         let offset = |j: u32| shifts[i as usize] - shifts[j as usize];
         let lanes = [0, 1, 2, 3].map(|k| offset((others.start + k).min(others.end - 1)));
-        let offsets = DVec2x4 { x: F64x4(lanes.map(|o| o.x)), y: F64x4(lanes.map(|o| o.y)) };
+        let offsets = DVec2x4::new(lanes);
         self.differences.size(1, self.frame.maps[0].linear, self.frame.factor);
         let looks = self.metric.differences(self.support, self.differences.powers[1], offsets);
         for (k, j) in others.enumerate() {

@@ -2,10 +2,10 @@
 
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};
+use wide::{f32x4, u32x4};
 
 use crate::frame::Frame;
 use crate::support::extremes::larger;
-use crate::support::f64x4::F64x4;
 
 /// Looks for two points of the attractor, one in each of two pieces, that lie within a given distance of
 /// each other: always into those parts whose middles are nearest for their size, and back to the last that was
@@ -16,6 +16,9 @@ use crate::support::f64x4::F64x4;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct GreedySearch {
     lanes: Vec<Lane>,
+    /// The maps of the words that lead from a piece to its parts, one or several letters at once, and their norms.
+    words: Vec<(Affine2, f64)>,
+    /// The norms of the maps.
     sizes: Vec<f64>,
     /// A point of the attractor, in the frame.
     point: DVec2,
@@ -23,15 +26,15 @@ pub(crate) struct GreedySearch {
     passed: Vec<(TwoPieces, usize)>,
 }
 
-/// The translations and norms of four maps.
-#[derive(Clone, Copy, Debug, Default)]
+/// The translations and norms of four words. Single precision is enough to choose by.
+#[derive(Clone, Copy, Debug)]
 struct Lane {
-    x: F64x4,
-    y: F64x4,
-    size: F64x4,
+    x: f32x4,
+    y: f32x4,
+    size: f32x4,
     /// What a lane's score is raised by: beyond all others where it holds no map. An infinite score would no longer be
     /// a number once that of its map is written into its lowest bits.
-    far: F64x4,
+    far: f32x4,
 }
 
 /// Two pieces: their linear parts, about how large they are, and the difference of their middles.
@@ -45,29 +48,45 @@ struct TwoPieces {
 
 /// How far the middles of two pieces may be apart, against the radii of the discs they lie in, squared, to be looked
 /// into: mostly a piece does not fill its disc.
-const SQUARE_TO_ENTER: f64 = 0.4;
+const SQUARE_TO_ENTER: f32 = 0.4;
 /// How often to go back.
 const MOST_RETURNS: usize = 16;
+/// Of so many maps at most words of two letters are looked at.
+const MOST_MAPS_TWICE: usize = 4;
 /// Steps in all.
 const MOST_STEPS: usize = 160;
 /// The lowest bits of a score hold the number of its map.
-const NUMBER_BITS: u64 = 63;
+const NUMBER_BITS: u32 = 63;
 
 impl GreedySearch {
     /// Gets ready for the maps of `frame`; `false` if it has no point to begin with.
     pub fn set(&mut self, frame: &Frame) -> bool {
-        self.lanes.clear();
         self.sizes.clear();
-        for four in frame.maps.chunks(4) {
-            // A lane without a map is too far away to be chosen, also for a piece that is a mere point.
-            let mut lane = Lane { far: F64x4::splat(f64::MAX), ..Lane::default() };
-            for (k, map) in four.iter().enumerate() {
-                let size = map.norm();
-                lane.far.0[k] = 0.0;
-                (lane.x.0[k], lane.y.0[k], lane.size.0[k]) = (map.translation.x, map.translation.y, size);
-                self.sizes.push(size);
+        self.sizes.extend(frame.maps.iter().map(|map| map.norm()));
+        self.words.clear();
+        self.words.extend(frame.maps.iter().copied().zip(self.sizes.iter().copied()));
+        // Where there are few maps, two letters at once: half as many steps, and each looks farther.
+        if self.words.len() <= MOST_MAPS_TWICE {
+            let letters = self.words.len();
+            for k in 0..letters {
+                let (first, size) = self.words[k];
+                for l in 0..letters {
+                    let (second, other) = self.words[l];
+                    self.words.push((first * second, size * other));
+                }
             }
-            self.lanes.push(lane);
+            self.words.drain(..letters);
+        }
+        self.lanes.clear();
+        for four in self.words.chunks(4) {
+            // A lane without a map is too far away to be chosen, also for a piece that is a mere point.
+            let [mut x, mut y, mut size, mut far] = [[0.0; 4], [0.0; 4], [0.0; 4], [f32::MAX; 4]];
+            for (k, (map, norm)) in four.iter().enumerate() {
+                let DVec2 { x: across, y: up } = map.translation;
+                (x[k], y[k], size[k], far[k]) = (across as f32, up as f32, *norm as f32, 0.0);
+            }
+            let [x, y, size, far] = [x, y, size, far].map(f32x4::new);
+            self.lanes.push(Lane { x, y, size, far });
         }
         let point = frame.maps.iter().find_map(|map| map.fixed_point());
         self.point = point.unwrap_or_default();
@@ -95,8 +114,7 @@ impl GreedySearch {
         let mut back = 0;
         for _ in 0..MOST_STEPS {
             let [p, q] = pair.linear;
-            let between = pair.apart + p * self.point - q * self.point;
-            let squared = frame.square(between);
+            let squared = frame.square(pair.apart + (p - q) * self.point);
             if squared <= reach {
                 return Some(squared);
             }
@@ -105,11 +123,12 @@ impl GreedySearch {
                 self.passed.push((pair, number(second)));
             }
             if best < SQUARE_TO_ENTER {
-                pair = self.enter(frame, pair, number(best));
+                self.enter(&mut pair, number(best))?;
             } else {
                 back += 1;
                 let (passed, part) = self.passed.pop().filter(|_| back <= MOST_RETURNS)?;
-                pair = self.enter(frame, passed, part);
+                pair = passed;
+                self.enter(&mut pair, part)?;
             }
         }
         None
@@ -118,54 +137,67 @@ impl GreedySearch {
     /// Scores of the two parts of the larger piece whose middles are nearest to that of the other piece, for their
     /// size; with their numbers.
     #[inline(always)]
-    fn nearest_parts(&self, pair: &TwoPieces) -> (f64, f64) {
+    fn nearest_parts(&self, pair: &TwoPieces) -> (f32, f32) {
         let large = usize::from(pair.size[0] < pair.size[1]);
         let m = pair.linear[large];
-        let (size, other) = (pair.size[large], pair.size[1 - large]);
         let apart = pair.apart * SIGN[large];
-        let (mut best, mut second) = (f64::INFINITY, f64::INFINITY);
-        for (block, lane) in self.lanes.iter().enumerate() {
-            let x =
-                F64x4::splat(apart.x) + F64x4::splat(m.x_axis.x) * lane.x + F64x4::splat(m.y_axis.x) * lane.y;
-            let y =
-                F64x4::splat(apart.y) + F64x4::splat(m.x_axis.y) * lane.x + F64x4::splat(m.y_axis.y) * lane.y;
-            let r = F64x4::splat(size) * lane.size + F64x4::splat(other);
+        let splat = |x: f64| f32x4::splat(x as f32);
+        let (size, other) = (splat(pair.size[large]), splat(pair.size[1 - large]));
+        let (apart_x, apart_y) = (splat(apart.x), splat(apart.y));
+        let [xx, xy, yx, yy] = [m.x_axis.x, m.x_axis.y, m.y_axis.x, m.y_axis.y].map(splat);
+        // The two least in each lane.
+        let (mut best, mut second) = (f32x4::splat(f32::MAX), f32x4::splat(f32::MAX));
+        let mut numbers = u32x4::new([0, 1, 2, 3]);
+        for lane in &self.lanes {
+            let x = apart_x + xx * lane.x + yx * lane.y;
+            let y = apart_y + xy * lane.x + yy * lane.y;
+            let r = size * lane.size + other;
             let score = (x * x + y * y) / (r * r) + lane.far;
-            let numbered = |k: usize| {
-                let number = (4 * block + k) as u64;
-                f64::from_bits(score.0[k].to_bits() & !NUMBER_BITS | number)
-            };
-            // The two least, without a branch.
-            let ([a, b], [c, d]) = (ordered(numbered(0), numbered(1)), ordered(numbered(2), numbered(3)));
-            let [least, more] = ordered(a, c);
-            let next = ordered(more, ordered(b, d)[0])[0];
-            let [least, more] = ordered(least, best);
-            (best, second) = (least, ordered(ordered(next, second)[0], more)[0]);
+            let score = f32x4::from_bits(score.to_bits() & u32x4::splat(!NUMBER_BITS) | numbers);
+            numbers += u32x4::splat(4);
+            // Where a score is no number, the other one is taken.
+            second = least(greatest(score, best), second);
+            best = least(score, best);
         }
-        (best, second)
+        let ([a, b, c, d], [p, q, r, s]) = (best.to_array(), second.to_array());
+        let ([a, b], [c, d]) = (ordered(a, b), ordered(c, d));
+        let ([least, more], [p, _], [r, _]) = (ordered(a, c), ordered(p, q), ordered(r, s));
+        let ([b, _], [p, _]) = (ordered(b, d), ordered(p, r));
+        (least, ordered(more, ordered(b, p)[0])[0])
     }
 
     #[inline(always)]
-    fn enter(&self, frame: &Frame, mut pair: TwoPieces, part: usize) -> TwoPieces {
+    fn enter(&self, pair: &mut TwoPieces, part: usize) -> Option<()> {
         let large = usize::from(pair.size[0] < pair.size[1]);
-        let Affine2 { linear, translation } = frame.maps[part];
+        let (Affine2 { linear, translation }, size) = *self.words.get(part)?;
         let m = pair.linear[large];
         pair.apart += m * translation * SIGN[large];
         pair.linear[large] = m * linear;
-        pair.size[large] *= self.sizes[part];
-        pair
+        pair.size[large] *= size;
+        Some(())
     }
 }
 
 const SIGN: [f64; 2] = [1.0, -1.0];
 
+/// The lesser of each two; the second where one is NaN. The machines' own instructions differ in that.
 #[inline(always)]
-fn number(score: f64) -> usize {
+fn least(a: f32x4, b: f32x4) -> f32x4 {
+    if cfg!(target_arch = "wasm32") { b.fast_min(a) } else { a.fast_min(b) }
+}
+
+#[inline(always)]
+fn greatest(a: f32x4, b: f32x4) -> f32x4 {
+    if cfg!(target_arch = "wasm32") { b.fast_max(a) } else { a.fast_max(b) }
+}
+
+#[inline(always)]
+fn number(score: f32) -> usize {
     (score.to_bits() & NUMBER_BITS) as usize
 }
 
 #[inline(always)]
-fn ordered(a: f64, b: f64) -> [f64; 2] {
+fn ordered(a: f32, b: f32) -> [f32; 2] {
     if a < b { [a, b] } else { [b, a] }
 }
 

@@ -167,9 +167,10 @@ impl Metric {
         see: impl Fn(DVec2x4) -> (F64x4, [DVec2x4; 2]),
     ) -> Looks {
         let first = self.along::<PLAIN>(middle, middle, &see);
-        if first.apart.0.iter().all(|&apart| apart > 0.0) {
-            let apart = self.distance::<PLAIN>(first.apart, first.scale, first.blur).0;
-            let distances = Distances { apart, overlap: first.overlap.0, reach: first.reach.0 };
+        if first.apart.all_positive() {
+            let apart = self.distance::<PLAIN>(first.apart, first.scale, first.blur).to_array();
+            let distances =
+                Distances { apart, overlap: first.overlap.to_array(), reach: first.reach.to_array() };
             return Looks { distances, points: first.points };
         }
         // The point nearest to the origin between `middle` and the difference of the points, both of them
@@ -191,9 +192,9 @@ impl Metric {
             y: nearer(first.points[k].y, second.points[k].y),
         };
         let distances = Distances {
-            apart: self.distance::<PLAIN>(apart, scale, blur).0,
-            overlap: first.overlap.min(second.overlap).0,
-            reach: first.reach.min(second.reach).0,
+            apart: self.distance::<PLAIN>(apart, scale, blur).to_array(),
+            overlap: first.overlap.min(second.overlap).to_array(),
+            reach: first.reach.min(second.reach).to_array(),
         };
         Looks { distances, points: [chosen(0), chosen(1)] }
     }
@@ -260,7 +261,7 @@ impl Sides {
     fn new(parts: &[Piece], other: &Affine2) -> Self {
         let last = parts.len() - 1;
         let lanes = [&parts[0], &parts[last.min(1)], &parts[last.min(2)], &parts[last.min(3)]];
-        let four = |f: fn(&Affine2) -> f64| F64x4(lanes.map(|piece| f(&piece.map)));
+        let four = |f: fn(&Affine2) -> f64| F64x4::new(lanes.map(|piece| f(&piece.map)));
         let a = Linear4 {
             x: DVec2x4 { x: four(|m| m.linear.x_axis.x), y: four(|m| m.linear.x_axis.y) },
             y: DVec2x4 { x: four(|m| m.linear.y_axis.x), y: four(|m| m.linear.y_axis.y) },

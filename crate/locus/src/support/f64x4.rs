@@ -1,12 +1,15 @@
-//! Four numbers at once: what a compiler turns into vector instructions.
+//! Four numbers at once.
+//!
+//! Left to itself the compiler makes vector instructions of some loops and not of others; `wide` says which.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use glam::DVec2;
+use wide::f64x4;
 
 /// Four numbers.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct F64x4(pub [f64; 4]);
+pub(crate) struct F64x4(f64x4);
 
 /// Four vectors of the plane.
 #[derive(Clone, Copy, Debug, Default)]
@@ -17,50 +20,77 @@ pub(crate) struct DVec2x4 {
 
 impl F64x4 {
     #[inline(always)]
+    pub fn new(four: [f64; 4]) -> Self {
+        Self(f64x4::new(four))
+    }
+
+    #[inline(always)]
     pub fn splat(x: f64) -> Self {
-        Self([x; 4])
+        Self(f64x4::splat(x))
     }
 
     #[inline(always)]
-    pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
-        Self([f(self.0[0]), f(self.0[1]), f(self.0[2]), f(self.0[3])])
-    }
-
-    #[inline(always)]
-    pub fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        let ([a, b, c, d], [p, q, r, s]) = (self.0, other.0);
-        Self([f(a, p), f(b, q), f(c, r), f(d, s)])
+    pub fn to_array(self) -> [f64; 4] {
+        self.0.to_array()
     }
 
     #[inline(always)]
     pub fn abs(self) -> Self {
-        self.map(f64::abs)
+        Self(self.0.abs())
     }
 
     #[inline(always)]
     pub fn sqrt(self) -> Self {
-        self.map(f64::sqrt)
+        Self(self.0.sqrt())
     }
 
     /// The lesser of each two; the second where one is NaN.
     #[inline(always)]
     pub fn min(self, other: Self) -> Self {
-        self.zip(other, |a, b| if a < b { a } else { b })
+        match KIND {
+            Kind::SecondOfNan => Self(self.0.fast_min(other.0)),
+            Kind::FirstOfNan => Self(other.0.fast_min(self.0)),
+            Kind::Other => self.choose_less(other, self, other),
+        }
     }
 
     /// The greater of each two; the second where one is NaN.
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {
-        self.zip(other, |a, b| if a > b { a } else { b })
+        match KIND {
+            Kind::SecondOfNan => Self(self.0.fast_max(other.0)),
+            Kind::FirstOfNan => Self(other.0.fast_max(self.0)),
+            Kind::Other => other.choose_less(self, self, other),
+        }
     }
 
     /// `yes` where `self < other`, else `no`.
     #[inline(always)]
     pub fn choose_less(self, other: Self, yes: Self, no: Self) -> Self {
-        let pick = |k: usize| if self.0[k] < other.0[k] { yes.0[k] } else { no.0[k] };
-        Self([pick(0), pick(1), pick(2), pick(3)])
+        Self(self.0.simd_lt(other.0).bitselect(yes.0, no.0))
+    }
+
+    /// Whether all are greater than 0.
+    #[inline(always)]
+    pub fn all_positive(self) -> bool {
+        f64x4::ZERO.simd_lt(self.0).all()
     }
 }
+
+/// What a machine's own least and greatest of two numbers are where one is NaN.
+enum Kind {
+    SecondOfNan,
+    FirstOfNan,
+    Other,
+}
+
+const KIND: Kind = if cfg!(target_arch = "x86_64") {
+    Kind::SecondOfNan
+} else if cfg!(target_arch = "wasm32") {
+    Kind::FirstOfNan
+} else {
+    Kind::Other
+};
 
 macro_rules! lanewise {
     ($($trait:ident $f:ident $op:tt),*) => {$(
@@ -68,7 +98,7 @@ macro_rules! lanewise {
             type Output = Self;
             #[inline(always)]
             fn $f(self, other: Self) -> Self {
-                self.zip(other, |a, b| a $op b)
+                Self(self.0 $op other.0)
             }
         }
     )*};
@@ -79,7 +109,7 @@ impl Neg for F64x4 {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        self.map(|a| -a)
+        Self(-self.0)
     }
 }
 
@@ -87,6 +117,12 @@ impl DVec2x4 {
     #[inline(always)]
     pub fn splat(p: DVec2) -> Self {
         Self { x: F64x4::splat(p.x), y: F64x4::splat(p.y) }
+    }
+
+    /// The vectors with these coordinates.
+    #[inline(always)]
+    pub fn new(four: [DVec2; 4]) -> Self {
+        Self { x: F64x4::new(four.map(|p| p.x)), y: F64x4::new(four.map(|p| p.y)) }
     }
 
     #[inline(always)]
@@ -97,7 +133,7 @@ impl DVec2x4 {
     /// Vector `k`.
     #[inline(always)]
     pub fn at(self, k: usize) -> DVec2 {
-        DVec2::new(self.x.0[k], self.y.0[k])
+        DVec2::new(self.x.to_array()[k], self.y.to_array()[k])
     }
 }
 

@@ -68,7 +68,7 @@ fn locate(per: usize, d: DVec2x4) -> Place {
     let along = slope * F64x4::splat(0.5 * per) + F64x4::splat(0.5 * per);
     // The nearest whole number below, or that just above which is one sector on at its very beginning.
     let whole = along - F64x4::splat(0.5) + F64x4::splat(ROUND_TO_WHOLE);
-    let index = |x: F64x4| x.0.map(|x| (x.to_bits() & INDEX_MASK) as usize);
+    let index = |x: F64x4| x.to_array().map(|x| (x.to_bits() & INDEX_MASK) as usize);
     Place {
         low: index(whole + side),
         near: index(along + side + F64x4::splat(ROUND_TO_WHOLE)),
@@ -115,7 +115,7 @@ impl SupportTable {
         let half = 2 * self.per;
         for k in (0..half).step_by(4) {
             let four = [k, k + 1, k + 2, k + 3].map(|k| self.direction(k));
-            let d = DVec2x4 { x: F64x4(four.map(|d| d.x)), y: F64x4(four.map(|d| d.y)) };
+            let d = DVec2x4::new(four);
             let mut far = d.dot(d).sqrt() * F64x4::splat(rest);
             let mut point = DVec2x4::default();
             for power in powers {
@@ -134,7 +134,7 @@ impl SupportTable {
             }
             for l in 0..4 {
                 let p = point.at(l);
-                (self.values[k + l], self.points[k + l]) = (far.0[l] * (1.0 + 1e-12), p);
+                (self.values[k + l], self.points[k + l]) = (far.to_array()[l] * (1.0 + 1e-12), p);
                 (self.values[k + l + half], self.points[k + l + half]) = (self.values[k + l], -p);
             }
         }
@@ -160,7 +160,7 @@ impl SupportTable {
         self.links.clear();
         for k in (0..4 * per).step_by(4) {
             let four = [k, k + 1, k + 2, k + 3].map(|k| self.direction(k));
-            let d = DVec2x4 { x: F64x4(four.map(|d| d.x)), y: F64x4(four.map(|d| d.y)) };
+            let d = DVec2x4::new(four);
             for map in maps {
                 let (x, y) = (DVec2x4::splat(map.linear.x_axis), DVec2x4::splat(map.linear.y_axis));
                 let place = locate(per, DVec2x4 { x: x.dot(d), y: y.dot(d) });
@@ -172,7 +172,7 @@ impl SupportTable {
                     shift: DVec2x4::splat(map.translation).dot(d),
                 });
             }
-            self.values[k..k + 4].copy_from_slice(&(d.dot(d).sqrt() * F64x4::splat(1.0 + 1e-12)).0);
+            self.values[k..k + 4].copy_from_slice(&(d.dot(d).sqrt() * F64x4::splat(1.0 + 1e-12)).to_array());
         }
         self.wrap(|table, k, from| table.values[k] = table.values[from]);
         for _ in 0..rounds {
@@ -189,17 +189,22 @@ impl SupportTable {
         for (chunk, links) in self.links.chunks_exact(maps).enumerate() {
             let mut best = F64x4::splat(f64::NEG_INFINITY);
             for link in links {
-                let gather =
-                    |step: usize| F64x4(link.low.map(|low| self.values[usize::from(low & 63) + step]));
-                best = best.max(link.from_low * gather(0) + link.from_high * gather(1) + link.shift);
+                best = best.max(self.far(link));
             }
             let values = &mut self.values[4 * chunk..4 * chunk + 4];
-            let old = F64x4([values[0], values[1], values[2], values[3]]);
+            let old = F64x4::new([values[0], values[1], values[2], values[3]]);
             change = change.max(old - best);
-            values.copy_from_slice(&old.min(best).0);
+            values.copy_from_slice(&old.min(best).to_array());
         }
         self.wrap(|table, k, from| table.values[k] = table.values[from]);
-        change.0.into_iter().fold(0.0, f64::max)
+        change.to_array().into_iter().fold(0.0, f64::max)
+    }
+
+    /// How far the image under a map reaches in four directions, as far as the table tells.
+    #[inline(always)]
+    fn far(&self, link: &Lowering) -> F64x4 {
+        let gather = |step: usize| F64x4::new(link.low.map(|low| self.values[usize::from(low & 63) + step]));
+        link.from_low * gather(0) + link.from_high * gather(1) + link.shift
     }
 
     /// Finds points: each is the image of one before under the map that reaches farthest.
@@ -207,15 +212,12 @@ impl SupportTable {
         let fan = 4 * self.per;
         let mut steps = [(0_u8, 0_u8); 4 * FINE_PER_SIDE];
         for (chunk, links) in self.links.chunks_exact(maps.len()).enumerate() {
-            let mut best = F64x4::splat(f64::NEG_INFINITY);
+            let mut best = [f64::NEG_INFINITY; 4];
             for (i, link) in links.iter().enumerate() {
+                let values = self.far(link).to_array();
                 for k in 0..4 {
-                    let low = usize::from(link.low[k] & 63);
-                    let value = link.from_low.0[k] * self.values[low]
-                        + link.from_high.0[k] * self.values[low + 1]
-                        + link.shift.0[k];
-                    if value > best.0[k] {
-                        best.0[k] = value;
+                    if values[k] > best[k] {
+                        best[k] = values[k];
                         steps[4 * chunk + k] = (i as u8, link.near[k]);
                     }
                 }
@@ -259,17 +261,17 @@ impl SupportTable {
     #[inline(always)]
     pub fn support4(&self, d: DVec2x4) -> (F64x4, DVec2x4) {
         let place = locate(self.per, d);
-        let gather = |step: usize| F64x4(place.low.map(|low| self.values[low + step]));
+        let gather = |step: usize| F64x4::new(place.low.map(|low| self.values[low + step]));
         let (a, b) = (gather(0), gather(1));
         let points = place.near.map(|near| self.points[near]);
-        let points = DVec2x4 { x: F64x4(points.map(|p| p.x)), y: F64x4(points.map(|p| p.y)) };
+        let points = DVec2x4::new(points);
         (place.length * (a + place.along * (b - a)), points)
     }
 
     /// [`SupportTable::support4`] in one direction.
     pub fn support(&self, d: DVec2) -> (f64, DVec2) {
         let (far, points) = self.support4(DVec2x4::splat(d));
-        (far.0[0], points.at(0))
+        (far.to_array()[0], points.at(0))
     }
 
     /// The diameter of the attractor, at most, where lengths are measured after `to_plane`.
@@ -278,7 +280,7 @@ impl SupportTable {
         let mut widest = F64x4::default();
         for k in (0..2 * self.per).step_by(4) {
             let four = [k, k + 1, k + 2, k + 3].map(|k| self.direction(k));
-            let d = DVec2x4 { x: F64x4(four.map(|d| d.x)), y: F64x4(four.map(|d| d.y)) };
+            let d = DVec2x4::new(four);
             let pulled = DVec2x4 { x: x.dot(d), y: y.dot(d) };
             let (there, _) = self.support4(pulled);
             let (back, _) = self.support4(DVec2x4 { x: -pulled.x, y: -pulled.y });
@@ -287,7 +289,7 @@ impl SupportTable {
         // The two points farthest apart lie along a direction at most half a step off one of the fan, and the
         // widest step is at the middle of a side.
         let cosine = if self.per == FINE_PER_SIDE { 0.992_507_556 } else { 0.973_248_989 };
-        widest.0.into_iter().fold(0.0, f64::max) / cosine
+        widest.to_array().into_iter().fold(0.0, f64::max) / cosine
     }
 }
 
