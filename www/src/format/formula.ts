@@ -1,6 +1,6 @@
 /** Numbers as people type them: decimals, fractions, roots, and formulas of these. */
 
-type Parsed = { ok: true; value: number } | { ok: false; message: string };
+export type Parsed = { ok: true; value: number } | { ok: false; message: string };
 
 const HINT = "Type a number such as 0.5, 1/3 or √3/2.";
 /** No formula for one number is longer; so neither is the way into its brackets. */

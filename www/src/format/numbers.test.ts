@@ -1,6 +1,31 @@
 import { describe, expect, it } from "vitest";
 import { parseNumber } from "./formula";
-import { addStep, fixed, formatNumber, keyStep, rangeProblem } from "./numbers";
+import { addStep, fixed, formatNumber, keyStep, plainNumber, rangeProblem } from "./numbers";
+
+describe("plainNumber", () => {
+  it("reads digits just as formulas do, and nothing else", () => {
+    for (const text of ["0.5", " -.5 ", "+2.", "−0,25", "1e-3", "40000", "007", "-0"]) {
+      const read = parseNumber(text);
+      expect(plainNumber(text), text).toBe(read.ok && read.value);
+    }
+    for (const text of [
+      "",
+      " ",
+      ".",
+      "-",
+      "1/3",
+      "50%",
+      "40 000",
+      "1,2,3",
+      "0x10",
+      "1e999",
+      "NaN",
+      "--1",
+      "1e",
+    ])
+      expect(plainNumber(text), text).toBeNull();
+  });
+});
 
 describe("formatNumber", () => {
   it("drops trailing zeros and keeps whole numbers whole", () => {

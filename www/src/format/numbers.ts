@@ -1,5 +1,16 @@
 /** Numbers as fields show them and step them. */
 
+/** Digits as people type them, `-.5`, `0,25`, `1e-3`; null for all else, which may be a formula. */
+export function plainNumber(text: string): number | null {
+  const digits = text
+    .trim()
+    .replace(/^[−–]/, "-")
+    .replace(/^([^,]*\d),(\d[^,]*)$/, "$1.$2");
+  if (!/^[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?$/i.test(digits)) return null;
+  const value = Number(digits);
+  return Number.isFinite(value) ? value + 0 : null;
+}
+
 /** Says what is wrong with a number outside a range, or nothing. Both ends belong to the range. */
 export function rangeProblem(value: number, min?: number, max?: number): string | undefined {
   if (min !== undefined && value < min) return `At least ${formatNumber(min)}, please.`;

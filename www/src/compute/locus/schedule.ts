@@ -6,7 +6,7 @@ import { cancel, epoch, sliceMilliseconds, submit, workers } from "#workers/pool
 import { inputs as morph } from "../inputs";
 import { planFrom } from "../plan";
 import { publish } from "../results";
-import { type CardChoice, lookForCard } from "./card-trial";
+import type { CardChoice } from "./card-trial";
 import { BOUNDS, COARSE_SIZE, EPSILON, type LocusInputs, LocusWork, SIZE, STRIDES } from "./job";
 import { homeIsSeen, scheduleWindow } from "./schedule-window";
 import { Soon } from "./soon";
@@ -139,7 +139,11 @@ let considered = false;
 function considerCard(): void {
   if (considered) return;
   considered = true;
-  void lookForCard(choice);
+  // Fetched when nothing waits for it. Where it cannot be had, all goes on without a card.
+  import("./card-trial").then(
+    ({ lookForCard }) => lookForCard(choice),
+    () => undefined,
+  );
 }
 
 function paint(): void {

@@ -1,9 +1,12 @@
 import "./field.css";
 import { useState } from "preact/hooks";
-import { parseNumber } from "#format/formula";
-import { addStep, formatNumber, keyStep, rangeProblem } from "#format/numbers";
+import type { Parsed } from "#format/formula";
+import { addStep, formatNumber, keyStep, plainNumber, rangeProblem } from "#format/numbers";
 import { useOwnId } from "../id";
 import { keepTyped, typedAs } from "./typed";
+
+const readFormula = async (text: string, unit: string | undefined): Promise<Parsed> =>
+  (await import("#format/formula")).parseNumber(text, unit);
 
 export interface NumberFieldProps {
   /** Name in words. */
@@ -51,18 +54,28 @@ export function NumberField(props: NumberFieldProps) {
     tell(refusal);
     setDraft(refusal === null ? null : text);
   };
-  const commit = () => {
-    if (draft === null) return;
+  const take = (read: Parsed, text: string) => {
+    if (!read.ok) return tell(read.message);
+    keepTyped(name, read.value, text);
+    offer(read.value, text);
+  };
+  /** Digits are taken at once, formulas when what reads them is there. */
+  const commit = (then?: () => void) => {
+    const text = draft;
     // Text that was touched but says the same keeps the digits that are not shown.
-    if (draft.trim() === shown) {
-      revert();
-      return;
+    if (text === null || text.trim() === shown) revert();
+    else {
+      const plain = plainNumber(text);
+      if (plain === null) {
+        void readFormula(text, unit).then((read) => {
+          take(read, text);
+          then?.();
+        });
+        return;
+      }
+      take({ ok: true, value: plain }, text);
     }
-    const parsed = parseNumber(draft, unit);
-    if (parsed.ok) {
-      keepTyped(name, parsed.value, draft);
-      offer(parsed.value, draft);
-    } else tell(parsed.message);
+    then?.();
   };
   const revert = () => {
     setDraft(null);
@@ -96,8 +109,7 @@ export function NumberField(props: NumberFieldProps) {
           onFocus={(event) => event.currentTarget.select()}
           onInput={(event) => setDraft(event.currentTarget.value)}
           onBlur={() => {
-            commit();
-            props.onDone?.();
+            commit(props.onDone);
           }}
           onKeyDown={(event) => {
             if (event.key === "Enter") commit();
@@ -110,8 +122,7 @@ export function NumberField(props: NumberFieldProps) {
               const by = keyStep(event, step);
               if (by === null) return;
               event.preventDefault();
-              const parsed = draft === null ? null : parseNumber(draft, unit);
-              const next = addStep(parsed?.ok === true ? parsed.value : value, by);
+              const next = addStep((draft === null ? null : plainNumber(draft)) ?? value, by);
               offer(Math.min(max ?? next, Math.max(min ?? next, next)), null);
             }
           }}

@@ -14,7 +14,7 @@ export function keepTyped(field: string, value: number, text: string): void {
   const key = keyOf(field, value);
   kept.delete(key);
   const words = text.trim();
-  if (words.length > LONGEST || /^[-−–+]?[\d.,\s]*(?:e[-−+]?\d+)?%?$/i.test(words)) return;
+  if (words.length > LONGEST || !/[a-z√°^/*+()]/i.test(words.replace(/^[-+]|e[-−+]?\d+$/gi, ""))) return;
   kept.set(key, words);
   for (const oldest of kept.keys()) {
     if (kept.size <= MOST_KEPT) break;
