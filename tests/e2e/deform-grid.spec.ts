@@ -172,6 +172,7 @@ test("what is chosen is moved by numbers", async ({ studio, page }) => {
   await page.keyboard.up("Shift");
   await right.fill("1/8");
   await right.press("Enter");
+  await expect(right).toHaveAttribute("data-settled", "true");
   expect(await grid.moved(2, 2)).toEqual([0.125, 0]);
   expect(await grid.moved(3, 2)).toEqual([0.125, 0]);
   await right.fill("1e300");

@@ -40,6 +40,7 @@ test("a way point is moved by the mouse, by numbers and by keys", async ({ studi
     const u = page.getByRole("spinbutton", { name: "turn and stretch, u" });
     await u.fill("3/4");
     await u.press("Enter");
+    await expect(u).toHaveAttribute("data-settled", "true");
     expect((await studio.scene()).path.points[1]).toEqual([0.75, 0.9]);
     for (const bad of ["7", "three", "NaN", "1e999", ""]) {
       await u.fill(bad);

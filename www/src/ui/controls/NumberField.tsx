@@ -5,8 +5,15 @@ import { addStep, formatNumber, keyStep, plainNumber, rangeProblem } from "#form
 import { useOwnId } from "../id";
 import { keepTyped, typedAs } from "./typed";
 
-const readFormula = async (text: string, unit: string | undefined): Promise<Parsed> =>
-  (await import("#format/formula")).parseNumber(text, unit);
+/** Fetched when a field is first entered: on most visits nobody types a formula. */
+let formulas: Promise<typeof import("#format/formula")> | null = null;
+const fetchFormulas = () => {
+  formulas ??= import("#format/formula").catch((problem) => {
+    formulas = null;
+    throw problem;
+  });
+  return formulas;
+};
 
 export interface NumberFieldProps {
   /** Name in words. */
@@ -67,8 +74,8 @@ export function NumberField(props: NumberFieldProps) {
     else {
       const plain = plainNumber(text);
       if (plain === null) {
-        void readFormula(text, unit).then((read) => {
-          take(read, text);
+        void fetchFormulas().then(({ parseNumber }) => {
+          take(parseNumber(text, unit), text);
           then?.();
         });
         return;
@@ -106,7 +113,10 @@ export function NumberField(props: NumberFieldProps) {
           aria-valuetext={`${formatNumber(value, digits)}${unit ?? ""}`}
           aria-invalid={problem !== null}
           aria-describedby={problem === null ? undefined : (props.problems?.id ?? `${id}-problem`)}
-          onFocus={(event) => event.currentTarget.select()}
+          onFocus={(event) => {
+            event.currentTarget.select();
+            fetchFormulas().catch(() => {});
+          }}
           onInput={(event) => setDraft(event.currentTarget.value)}
           onBlur={() => {
             commit(props.onDone);
