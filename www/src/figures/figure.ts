@@ -1,6 +1,7 @@
 /** What a figure or a lesson is to those who list it. */
 import type { ComponentType } from "preact";
 import type { Heading } from "./kit/frame/frame";
+import type { Field } from "./kit/state/fields";
 
 export interface Figure {
   /** The last part of its address, `#figures/7` or `#learn/e1`; further ones lead to the same page. */
@@ -19,6 +20,8 @@ export interface Figure {
 
 export interface PageModule extends Needing {
   Page: ComponentType<Heading>;
+  /** What of it stands in its address, by name. */
+  STATE?: Readonly<Record<string, readonly [first: unknown, field: Field<unknown>]>>;
 }
 
 /** A small picture, made by the same parts as the figure itself. */

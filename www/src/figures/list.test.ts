@@ -120,3 +120,97 @@ it.each([
     `"badge":"${badge}"`,
   );
 });
+
+/** What nobody but a page of Frond would write, and what it might. */
+const HOSTILE = [
+  "",
+  "0",
+  "1",
+  "-1",
+  "2.5",
+  "999999999",
+  "1e9",
+  "1e-99",
+  "NaN",
+  "Infinity",
+  "0x10",
+  "null",
+  "own",
+  "__proto__",
+  "constructor",
+  "1,1",
+  "1,1,1",
+  "0,0;0,0;0,0",
+  "1,0;0.5,1;0,0",
+  "0,0,0,0,0,0,0",
+  "0,0,0,0,0,0,0;eye",
+  "9,9,9,9,9,9,9;eye;eye",
+  "a".repeat(3000),
+  "1,".repeat(1500),
+  "\u0000",
+  "<b>",
+  "٣",
+];
+
+describe("the address of a figure", () => {
+  const figures = ROWS.flatMap((row) => row.figures);
+
+  it.each(figures.map((figure) => [figure.number, figure] as const))(
+    "%s has all that it is set to",
+    async (_, figure) => {
+      const { STATE = {} } = await figure.load();
+      for (const [name, [first, field]] of Object.entries(STATE)) {
+        // What is nothing at first is not written.
+        if (first === null) continue;
+        const text = field.write(first);
+        expect(text.length, name).toBeLessThan(100);
+        expect(field.read(text), `${name}=${text}`).toEqual(nearly(first));
+      }
+    },
+  );
+
+  it.each(figures.map((figure) => [figure.number, figure] as const))(
+    "%s reads nothing else",
+    async (_, figure) => {
+      const { STATE = {} } = await figure.load();
+      for (const [name, [, field]] of Object.entries(STATE))
+        for (const text of HOSTILE) {
+          const value = field.read(text);
+          // What is read can be written, and is the same when it is read again.
+          if (value !== null) expect(field.read(field.write(value)), `${name}=${text}`).toEqual(value);
+        }
+    },
+  );
+
+  it("knows every value that a page keeps", async () => {
+    const sources = import.meta.glob<string>("./{burch-hart,fujimoto,cochran,darwish}/*/page.tsx", {
+      query: "?raw",
+      import: "default",
+    });
+    let count = 0;
+    for (const [file, load] of Object.entries(sources)) {
+      const source = await load();
+      expect(source.match(/\buseState[<(]/g) ?? [], file).toHaveLength(SHORT_LIVED[file] ?? 0);
+      for (const [, name, ...given] of source.matchAll(/useKept\("([^"]*)", \.\.\.STATE\.(\w+)\)/g)) {
+        expect(given, file).toEqual([name]);
+        count++;
+      }
+    }
+    expect(count).toBeGreaterThan(50);
+  });
+});
+
+/** States of pages that are no part of their address: what is measured, and what follows from what is kept. */
+const SHORT_LIVED: Readonly<Record<string, number>> = {
+  "./burch-hart/figure-2/page.tsx": 1,
+  "./burch-hart/table-1/page.tsx": 4,
+  "./darwish/figure-iv/page.tsx": 1,
+};
+
+/** As near as an address has it. */
+function nearly(value: unknown): unknown {
+  if (typeof value === "number") return Number.isInteger(value) ? value || 0 : expect.closeTo(value, 3);
+  if (Array.isArray(value)) return value.map(nearly);
+  if (value === null || typeof value !== "object") return value;
+  return Object.fromEntries(Object.entries(value).map(([name, part]) => [name, nearly(part)]));
+}

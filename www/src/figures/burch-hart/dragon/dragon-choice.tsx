@@ -1,10 +1,22 @@
+import { useContext, useLayoutEffect } from "preact/hooks";
 import { Segmented } from "#ui/controls/Segmented";
 import type { Parameter } from "../../kit/frame/frame";
+import { oneOf } from "../../kit/state/fields";
+import { Page, useNoted } from "../../kit/state/kept";
 import { aboutDragon, DRAGONS, dragon } from "./dragon";
 import css from "./dragon-choice.module.css";
 
-/** Which dragon stands for the paper's. */
+/** As it stands in the address of each figure. */
+export const DRAGON = oneOf(DRAGONS.map(({ value }) => value));
+
+/** Which dragon stands for the paper's: the same in all of its figures, so that each of their links says so. */
 export function DragonChoice() {
+  const page = useContext(Page);
+  useLayoutEffect(() => {
+    const opened = page.opened("dragon", DRAGON);
+    if (opened) dragon.value = opened;
+  }, [page]);
+  useNoted("dragon", dragon.value);
   return (
     <div class={css["dragon-choice"]}>
       <Segmented

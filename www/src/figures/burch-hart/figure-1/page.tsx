@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
 import { loadProof, prover } from "#wasm/proof";
@@ -14,18 +14,26 @@ import { studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";
 import { dust } from "../../kit/maps/families";
 import { tex } from "../../kit/notation/tex";
+import { number, whole } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import css from "./page.module.css";
 
 const MOST_ROUNDS = 10;
 const [LOWEST, HIGHEST] = [0.25, 0.55];
+
+/** What stands in its address. */
+export const STATE = {
+  r: kept(0.47, number(LOWEST, HIGHEST, 3)),
+  rounds: kept(2, whole(1, MOST_ROUNDS)),
+};
 
 /** What must be there before it is shown. */
 export const needs = [loadProof];
 
 /** Barnsley's object test on a dust of two maps. */
 export function Page(heading: Heading) {
-  const [r, setR] = useState(0.47);
-  const [wanted, setWanted] = useState(2);
+  const [r, setR] = useKept("r", ...STATE.r);
+  const [wanted, setWanted] = useKept("rounds", ...STATE.rounds);
   // The test ends with its first proof, so there may be fewer rounds than were asked for.
   const rounds = useMemo(() => barnsley(r, wanted), [r, wanted]);
   const last = rounds.at(-1);

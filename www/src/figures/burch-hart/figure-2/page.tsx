@@ -17,6 +17,8 @@ import layout from "../../kit/frame/layout.module.css";
 import { preset, studioHref } from "../../kit/frame/studio-link";
 import { Chip } from "../../kit/frame/verdict";
 import { shrink } from "../../kit/maps/families";
+import { number, oneOf, whole } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { usePlay } from "../../kit/time/play";
 import timeCss from "../../kit/time/time.module.css";
 import { useVerdict } from "../../kit/workers";
@@ -37,13 +39,22 @@ const STEPS = [
   { value: "100", label: "100" },
 ] as const;
 
+/** What stands in its address. */
+export const STATE = {
+  shape: kept<(typeof SHAPES)[number]["value"]>("gasket", oneOf(SHAPES.map(({ value }) => value))),
+  pixels: kept(31, whole(8, 96)),
+  scale: kept(1, number(0.8, 1, 3)),
+  points: kept(300, whole(0, MOST_POINTS)),
+  step: kept<(typeof STEPS)[number]["value"]>("10", oneOf(STEPS.map(({ value }) => value))),
+};
+
 /** The index buffer, point by point. */
 export function Page(heading: Heading) {
-  const [shape, setShape] = useState<(typeof SHAPES)[number]["value"]>("gasket");
-  const [size, setSize] = useState(31);
-  const [scale, setScale] = useState(1);
-  const [count, setCount] = useState(300);
-  const [step, setStep] = useState<(typeof STEPS)[number]["value"]>("10");
+  const [shape, setShape] = useKept("shape", ...STATE.shape);
+  const [size, setSize] = useKept("pixels", ...STATE.pixels);
+  const [scale, setScale] = useKept("scale", ...STATE.scale);
+  const [count, setCount] = useKept("points", ...STATE.points);
+  const [step, setStep] = useKept("step", ...STATE.step);
 
   const maps = useMemo(() => shrink(preset(shape).maps, scale), [shape, scale]);
   const run = useRun(maps, size, count);

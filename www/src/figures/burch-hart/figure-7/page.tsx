@@ -1,4 +1,4 @@
-import { useEffect, useMemo, useState } from "preact/hooks";
+import { useEffect, useMemo } from "preact/hooks";
 import type { LocusResult } from "#compute/results";
 import { fixed } from "#format/numbers";
 import { verdictPhrase } from "#format/verdict";
@@ -16,16 +16,23 @@ import { shareWords } from "../../kit/maps/breakage";
 import { boxAround, mapsAt, STRAIGHT } from "../../kit/maps/morphs";
 import { tex } from "../../kit/notation/tex";
 import { Picture } from "../../kit/picture/picture";
+import { point as pointOf } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { useValue, useVerdict } from "../../kit/workers";
 import { chart, dragon, ends, followChart } from "../dragon/dragon";
 import { DragonChoice, dragonParameters, WHY_DRAGON } from "../dragon/dragon-choice";
 import { dragonWords } from "../dragon/film";
 import css from "./page.module.css";
 
+/** What stands in its address. */
+export const STATE = {
+  point: kept<Uv>([0.5, 0.5], pointOf(-1, 2, 3)),
+};
+
 /** The connectedness locus of dragon and gasket. */
 export function Page(heading: Heading) {
   useEffect(followChart, []);
-  const [point, setPoint] = useState<Uv>([0.5, 0.5]);
+  const [point, setPoint] = useKept("point", ...STATE.point);
   const { field, plan, problem } = chart.value;
   const pair = useValue(ends);
   const maps = useMemo(() => mapsAt(pair, point), [pair, point]);

@@ -24,6 +24,8 @@ import { Table } from "../../kit/frame/table";
 import tableCss from "../../kit/frame/table.module.css";
 import { gasket } from "../../kit/maps/families";
 import { tex } from "../../kit/notation/tex";
+import { oneOf } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { useChannel, useValue } from "../../kit/workers";
 
 const SEED = 1;
@@ -35,9 +37,14 @@ const POINTS = [
 ] as const;
 type Points = (typeof POINTS)[number]["value"];
 
+/** What stands in its address. */
+export const STATE = {
+  points: kept<Points>("1000000", oneOf(POINTS.map(({ value }) => value))),
+};
+
 /** The accuracy of the index buffer, measured. */
 export function Page(heading: Heading) {
-  const [points, setPoints] = useState<Points>("1000000");
+  const [points, setPoints] = useKept("points", ...STATE.points);
   const measured = useMeasurement(Number(points));
   const rows = rowsOf(measured.all);
   const grouped = POINTS.find((one) => one.value === points)?.label ?? points;

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed, formatNumber } from "#format/numbers";
 import { NumberField } from "#ui/controls/NumberField";
 import { Switch } from "#ui/controls/Switch";
@@ -10,6 +10,8 @@ import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { fitHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
+import { flag, list, number, only, point } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { byPiece, rangeOf } from "../graphs/graphs";
 import { Profile } from "../graphs/profile";
 import { Grip } from "./grip";
@@ -31,14 +33,31 @@ const FIELDS = [
 ] as const;
 const POINT_NAMES = ["First point", "Middle point", "Last point"];
 
+/** Where points may be: the first and the last at the ends of the interval, the middle one well between. */
+const isPlace = (index: number, t: number) =>
+  index === 1 ? t >= LEAST_GAP && t <= 1 - LEAST_GAP : t === index / 2;
+
+/** What stands in its address. */
+export const STATE = {
+  points: kept<Points>(
+    FIGURE_1.points,
+    // In order, with their ends where the interval has its own, and as high as they can be dragged.
+    only(list(point(LOW, HIGH), 3, 3, ";"), (points) =>
+      points.every(([t, x], i) => isPlace(i, t) && x <= HIGH),
+    ),
+  ),
+  c: kept(FIGURE_1.c, list(number(-MOST_C, MOST_C, 3), 2, 2)),
+  backwards: kept<readonly boolean[]>([false, false], list(flag, 2, 2)),
+};
+
 /** What must be there before it is shown. */
 export const needs = [loadCurves];
 
 /** A fractal interpolation function, to be taken hold of. */
 export function Page(heading: Heading) {
-  const [points, setPoints] = useState<Points>(FIGURE_1.points);
-  const [c, setC] = useState<readonly number[]>(FIGURE_1.c);
-  const [reflected, setReflected] = useState<readonly boolean[]>([false, false]);
+  const [points, setPoints] = useKept("points", ...STATE.points);
+  const [c, setC] = useKept("c", ...STATE.c);
+  const [reflected, setReflected] = useKept("backwards", ...STATE.backwards);
   const graph = useMemo(() => interpolated(points, c, reflected), [points, c, reflected]);
   const facts = useMemo(() => rough.graphFacts(graph), [graph]);
   const samples = useMemo(() => rough.sampleGraph(graph, { tolerance: 0.004, most: 20_000 }), [graph]);

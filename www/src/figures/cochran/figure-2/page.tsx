@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed, formatNumber } from "#format/numbers";
 import { TABLE_1 as TABLE_1_GRAPH } from "#tools/fit/graph/printed";
 import { loadCurves, rough } from "#wasm/curve";
@@ -8,6 +8,8 @@ import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
 import { fitHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
+import { number, oneOf, whole } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { byPiece, fixedPointImages, rangeOf } from "../graphs/graphs";
 import { MapTable } from "../graphs/map-table";
 import { applied, TABLE_1 } from "../graphs/printed-tables";
@@ -31,14 +33,21 @@ function misfit(): { left: number; right: number } {
   };
 }
 
+/** What stands in its address. */
+export const STATE = {
+  features: kept(6, whole(0, MOST_LEVEL)),
+  show: kept<"whole" | "copies">("whole", oneOf(["whole", "copies"])),
+  closer: kept(0, number(0, CLOSEST, 1)),
+};
+
 /** What must be there before it is shown. */
 export const needs = [loadCurves];
 
 /** The function of Table 1, and where its maps meet. */
 export function Page(heading: Heading) {
-  const [level, setLevel] = useState(6);
-  const [shown, setShown] = useState<"whole" | "copies">("whole");
-  const [closer, setCloser] = useState(0);
+  const [level, setLevel] = useKept("features", ...STATE.features);
+  const [shown, setShown] = useKept("show", ...STATE.show);
+  const [closer, setCloser] = useKept("closer", ...STATE.closer);
   const samples = useMemo(() => rough.sampleGraph(TABLE_1_GRAPH, { tolerance: 0.003, most: 20_000 }), []);
   const facts = useMemo(() => rough.graphFacts(TABLE_1_GRAPH), []);
   const features = useMemo(() => fixedPointImages(TABLE_1, level), [level]);

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
@@ -7,6 +7,8 @@ import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { tex } from "../../kit/notation/tex";
+import { flag, number, parts, whole } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { arrowhead } from "../graphs/arrowhead";
 import css from "./page.module.css";
 import { type Eye, FROM_CORNER, SpaceView, STEEPEST } from "./space-curve";
@@ -19,11 +21,18 @@ const VIEWS: readonly { name: string; about: string; eye: Eye }[] = [
 ];
 const MOST_DEPTH = 7;
 
+/** What stands in its address. */
+export const STATE = {
+  eye: kept<Eye>(FROM_CORNER, parts({ turn: number(-180, 180, 1), tilt: number(-STEEPEST, STEEPEST, 1) })),
+  levels: kept(6, whole(1, MOST_DEPTH)),
+  shadows: kept(true, flag),
+};
+
 /** The Sierpinski space curve and its three projections. */
 export function Page(heading: Heading) {
-  const [eye, setEye] = useState<Eye>(FROM_CORNER);
-  const [depth, setDepth] = useState(6);
-  const [shadows, setShadows] = useState(true);
+  const [eye, setEye] = useKept("eye", ...STATE.eye);
+  const [depth, setDepth] = useKept("levels", ...STATE.levels);
+  const [shadows, setShadows] = useKept("shadows", ...STATE.shadows);
   const points = useMemo(() => arrowhead(depth), [depth]);
   const pieces = points.length - 1;
   const view = VIEWS.find((one) => one.eye.turn === eye.turn && one.eye.tilt === eye.tilt);

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed, formatNumber } from "#format/numbers";
 import { TABLE_3 as TABLE_3_GRAPH } from "#tools/fit/graph/printed";
 import { Choice, SliderControl } from "../../kit/frame/control";
@@ -6,6 +6,8 @@ import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { fitHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
+import { number, oneOf, parts } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { bestCopy, type Heights, heightsAlong, TOP } from "../graphs/arrowhead";
 import { rangeOf } from "../graphs/graphs";
 import { Profile } from "../graphs/profile";
@@ -29,10 +31,16 @@ type Third = (typeof THIRDS)[number]["value"];
 /** Nearer than this, in parts of the height, is a copy to the last pixel. */
 const SAME = 1e-9;
 
+/** What stands in its address. */
+export const STATE = {
+  heights: kept<Heights>(TOP, parts({ A: number(0, 1, 2), B: number(0, 1, 2), C: number(0, 1, 2) })),
+  third: kept<Third>("0", oneOf(THIRDS.map(({ value }) => value))),
+};
+
 /** The top projection of the space curve, a function that is no copy of itself. */
 export function Page(heading: Heading) {
-  const [heights, setHeights] = useState<Heights>(TOP);
-  const [third, setThird] = useState<Third>("0");
+  const [heights, setHeights] = useKept("heights", ...STATE.heights);
+  const [third, setThird] = useKept("third", ...STATE.third);
   const whole = useMemo(() => heightsAlong(DEPTH, heights), [heights]);
   const copies = useMemo(() => [0, 1, 2].map((i) => bestCopy(whole, i)), [whole]);
   const copy = third === "none" ? undefined : copies[Number(third)];

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { fixed } from "#format/numbers";
 import { palette } from "#style/palette";
@@ -12,6 +12,8 @@ import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
 import { fitHref } from "../../kit/frame/studio-link";
 import { tex } from "../../kit/notation/tex";
+import { flag, whole } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { useValue } from "../../kit/workers";
 import { cornerImages, heightsOf, TOP } from "../graphs/arrowhead";
 import { stepFor } from "../graphs/graphs";
@@ -39,12 +41,18 @@ function hiddenVariable(): Election {
   return { name: "hidden variable", sets: { coarse, fine }, reflected: true };
 }
 
+/** What stands in its address. */
+export const STATE = {
+  cluster: kept(0, whole(0, TOP_100 - 1)),
+  refined: kept(false, flag),
+};
+
 /** The clusters of votes for the function of Figure 4, from four sides. */
 export function Page(heading: Heading) {
   const election = useMemo(hiddenVariable, []);
   const voting = useVotes(election);
-  const [chosen, setChosen] = useState(0);
-  const [refined, setRefined] = useState(false);
+  const [chosen, setChosen] = useKept("cluster", ...STATE.cluster);
+  const [refined, setRefined] = useKept("refined", ...STATE.refined);
   const space = voting.outcome?.clusters.space ?? null;
   const found = useMemo(() => voting.outcome?.clusters.found.slice(0, TOP_100) ?? [], [voting.outcome]);
   const index = Math.min(chosen, Math.max(0, found.length - 1));

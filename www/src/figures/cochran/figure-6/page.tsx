@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { TABLE_3 as TABLE_3_GRAPH } from "#tools/fit/graph/printed";
 import type { Graph } from "#wasm/api";
@@ -8,6 +8,8 @@ import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { fitHref } from "../../kit/frame/studio-link";
 import { Table } from "../../kit/frame/table";
+import { oneOf, whole } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { heightsAlong, TOP } from "../graphs/arrowhead";
 import { byPiece, rangeOfPiece } from "../graphs/graphs";
 import { MapTable } from "../graphs/map-table";
@@ -23,13 +25,19 @@ const MISSED = { min: 0, max: 0.1, ticks: [0, 0.05, 0.1], name: "distance" };
 
 type Model = "pfif" | "rfif";
 
+/** What stands in its address. */
+export const STATE = {
+  model: kept<Model>("pfif", oneOf(["pfif", "rfif"])),
+  piece: kept(0, whole(0, MOST_PIECES - 1)),
+};
+
 /** What must be there before it is shown. */
 export const needs = [loadCurves];
 
 /** The seven maps of Table 3, how far they are off, and the same function as an RFIF. */
 export function Page(heading: Heading) {
-  const [model, setModel] = useState<Model>("pfif");
-  const [chosen, setChosen] = useState(0);
+  const [model, setModel] = useKept("model", ...STATE.model);
+  const [chosen, setChosen] = useKept("piece", ...STATE.piece);
   const original = useMemo(() => heightsAlong(6, TOP), []);
   const recurrent = useMemo(() => rough.toRecurrent(TABLE_3_GRAPH, MOST_PIECES), []);
   const graph: Graph = model === "rfif" && recurrent ? recurrent : TABLE_3_GRAPH;

@@ -1,10 +1,12 @@
 /** The paper's fits of the leaf: all of each, and where its copies should meet. */
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import type { Box } from "#geometry/boxes";
 import type { Collage } from "#workers/fit/curve";
 import { SliderControl } from "../../kit/frame/control";
 import { Panel } from "../../kit/frame/panel";
+import { whole } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { NUMBERS_A_MAP } from "./leaf-fits";
 import { type OutlineLine, OutlineView } from "./outline-view";
 
@@ -56,6 +58,8 @@ export function CollagePanel({ maps, collage, leaf, box, tied }: CollagePanelPro
 
 /** Half the side of the magnified part, in parts of the leaf's width. */
 const MAGNIFIED_HALF = 0.035;
+/** Which of the gaps is shown. */
+const GAP = kept(0, whole(0, 99));
 
 interface CloserProps extends PanelProps {
   maps: number;
@@ -64,7 +68,7 @@ interface CloserProps extends PanelProps {
 
 /** Where two copies of the paper's fit should meet: the places in the order of their gaps. */
 export function Closer({ maps, collage, leaf, box }: CloserProps) {
-  const [rank, setRank] = useState(0);
+  const [rank, setRank] = useKept("gap", ...GAP);
   const joints = useMemo(() => (collage ? jointsOf(collage) : []), [collage]);
   const joint = joints[Math.min(rank, joints.length - 1)];
   const near = MAGNIFIED_HALF * (box.x1 - box.x0);

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { UNIT } from "#geometry/boxes";
 import { boxOfPoints } from "#geometry/point-box";
@@ -12,6 +12,8 @@ import { Panel } from "../../kit/frame/panel";
 import { fitHref } from "../../kit/frame/studio-link";
 import { Table } from "../../kit/frame/table";
 import tableCss from "../../kit/frame/table.module.css";
+import { type Field, flag, only, whole } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import {
   type CurveState,
   FEATURES,
@@ -29,12 +31,20 @@ import css from "./page.module.css";
 const SEED = 1;
 const MOST_SEED = 9999;
 
+/** What stands in its address. */
+export const STATE = {
+  seed: kept(SEED, whole(1, MOST_SEED)),
+  tied: kept(false, flag),
+  apart: kept(false, flag),
+  maps: kept<Maps>(29, only(whole(1, 99), (count) => MAPS.some((one) => one === count)) as Field<Maps>),
+};
+
 /** A leaf, the paper's two fits of it, and a closed curve of as many numbers. */
 export function Page(heading: Heading) {
-  const [seed, setSeed] = useState(SEED);
-  const [tied, setTied] = useState(false);
-  const [separable, setSeparable] = useState(false);
-  const [maps, setMaps] = useState<Maps>(29);
+  const [seed, setSeed] = useKept("seed", ...STATE.seed);
+  const [tied, setTied] = useKept("tied", ...STATE.tied);
+  const [separable, setSeparable] = useKept("apart", ...STATE.apart);
+  const [maps, setMaps] = useKept("maps", ...STATE.maps);
   const numbers = NUMBERS_A_MAP * maps;
   const { leaf, problem } = useLeaf(seed);
   const collages = useCollages(leaf, tied, separable);

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { TABLE_1 as TABLE_1_GRAPH } from "#tools/fit/graph/printed";
 import { Switch } from "#ui/controls/Switch";
@@ -7,6 +7,8 @@ import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
 import { fitHref } from "../../kit/frame/studio-link";
+import { flag } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { fixedPointImages } from "../graphs/graphs";
 import { MapTable } from "../graphs/map-table";
 import { COUNTED, TABLE_1, TABLE_2 } from "../graphs/printed-tables";
@@ -25,9 +27,14 @@ const MOST_HITS = (65 * 64 * 63) / 6;
 /** The words of the printed rows: compositions of the maps of Table 1. */
 const WORDS = ["T₁ itself", "T₂ itself", "echo: T₂ T₁ T₂⁻¹", "echo: T₁ T₁ T₂⁻¹", "echo: T₁ T₂ T₁⁻¹"];
 
+/** What stands in its address. */
+export const STATE = {
+  mirrored: kept(false, flag),
+};
+
 /** The maps of Table 1, found again by voting. */
 export function Page(heading: Heading) {
-  const [reflected, setReflected] = useState(false);
+  const [reflected, setReflected] = useKept("mirrored", ...STATE.mirrored);
   const election = useMemo((): Election => {
     const [coarse, fine] = [COARSE, FINE].map((depth) =>
       Float64Array.from(fixedPointImages(TABLE_1, depth).flat()),

@@ -1,13 +1,23 @@
 import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
-import { CUT_OFF, MATRICES, TurnedTriangle, turnedInTool, useTurnedTriangle } from "../space/triangle";
+import {
+  CUT_OFF,
+  MATRICES,
+  stateOf,
+  TurnedTriangle,
+  turnedInTool,
+  useTurnedTriangle,
+} from "../space/triangle";
+
+/** What stands in its address. */
+export const STATE = stateOf("halves", [0, 0, 0]);
 
 /** What must be there before it is shown. */
 export const needs = [loadSpace];
 
 /** Sierpinski's triangle in space, as it was made. */
 export function Page(heading: Heading) {
-  const turned = useTurnedTriangle("halves", [0, 0, 0]);
+  const turned = useTurnedTriangle(STATE);
   return (
     <Frame
       {...heading}

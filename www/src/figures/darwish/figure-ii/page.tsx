@@ -3,17 +3,27 @@ import { loadSpace } from "#wasm/space";
 import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import { tex } from "../../kit/notation/tex";
-import { CUT_OFF, MATRICES, TurnedTriangle, turnedInTool, useTurnedTriangle } from "../space/triangle";
+import {
+  CUT_OFF,
+  MATRICES,
+  stateOf,
+  TurnedTriangle,
+  turnedInTool,
+  useTurnedTriangle,
+} from "../space/triangle";
 import type { Angles } from "../space/turning";
 
 const TURNED: Angles = [25, -35, 40];
+
+/** What stands in its address. */
+export const STATE = stateOf("sheet", TURNED);
 
 /** What must be there before it is shown. */
 export const needs = [loadSpace];
 
 /** The triangle turned about x, y and z. */
 export function Page(heading: Heading) {
-  const turned = useTurnedTriangle("sheet", TURNED);
+  const turned = useTurnedTriangle(STATE);
   const { angles } = turned;
   return (
     <Frame

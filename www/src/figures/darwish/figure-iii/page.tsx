@@ -1,29 +1,38 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { after3, shift3, turns3 } from "#geometry/maps/affine3";
 import { loadSpace } from "#wasm/space";
 import { SliderControl } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
-import { fromOrigin } from "../space/eye";
+import { number } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
+import { fromOrigin, VIEW } from "../space/eye";
 import { LookAgain } from "../space/look-again";
 import { triangle } from "../space/shapes";
 import { inSpaceTool } from "../space/tool-link";
 import { CUT_OFF } from "../space/triangle";
-import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
+import { ANGLES, AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
 const ANGLE = 0.06;
 /** Halves about corners at 30 have translations of 15, as printed. */
 const PRINTED = 30;
+
+/** What stands in its address. */
+export const STATE = {
+  angles: kept<Angles>([20, 30, -65], ANGLES),
+  away: kept(PRINTED, number(20, 90, 1)),
+  view: kept(fromOrigin([PRINTED, 0, 0], ANGLE), VIEW),
+};
 
 /** What must be there before it is shown. */
 export const needs = [loadSpace];
 
 /** The triangle far before the eye, which is at the origin. */
 export function Page(heading: Heading) {
-  const [angles, setAngles] = useState<Angles>([20, 30, -65]);
-  const [away, setAway] = useState(PRINTED);
-  const [view, setView] = useState(() => fromOrigin([PRINTED, 0, 0], ANGLE));
+  const [angles, setAngles] = useKept("angles", ...STATE.angles);
+  const [away, setAway] = useKept("away", ...STATE.away);
+  const [view, setView] = useKept("view", ...STATE.view);
   const made = useMemo(() => triangle("halves"), []);
   const by = useMemo(() => after3(shift3([away, 0, 0]), turns3(inRadians(angles))), [angles, away]);
   const home = fromOrigin([away, 0, 0], ANGLE);

@@ -7,10 +7,13 @@ import { loadSpace, solid } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { tex } from "../../kit/notation/tex";
+import { whole } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
+import { VIEW } from "../space/eye";
 import { triangle } from "../space/shapes";
 import { inSpaceTool } from "../space/tool-link";
 import { CUT_OFF, TRIANGLE_VIEW } from "../space/triangle";
-import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
+import { ANGLES, AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
 const STILL = scale3([1, 1, 1]);
 const MOST_TURNS = 10_999;
@@ -33,17 +36,29 @@ function onward(course: Course, times: number): Course {
   return { ...course, times: course.times + times, now, by };
 }
 
+/** What stands in its address. */
+export const STATE = {
+  angles: kept<Angles>([7, 11, 13], ANGLES),
+  turns: kept(4, whole(0, MOST_TURNS)),
+  view: kept(TRIANGLE_VIEW, VIEW),
+};
+
 /** What must be there before it is shown. */
 export const needs = [loadSpace];
 
 /** Turned again and again: what rounding does to parameters that come of parameters. */
 export function Page(heading: Heading) {
   const made = useMemo(() => triangle("sheet"), []);
-  const [angles, setAngles] = useState<Angles>([7, 11, 13]);
+  const [angles, setAngles] = useKept("angles", ...STATE.angles);
   const start = (next: Angles, times: number) =>
     onward({ step: turns3(inRadians(next)), times: 0, now: made, by: STILL }, times);
-  const [course, setCourse] = useState(() => start([7, 11, 13], 4));
-  const [view, setView] = useState(TRIANGLE_VIEW);
+  const [turns, setTurns] = useKept("turns", ...STATE.turns);
+  const [course, setCourse] = useState(() => start(angles, turns));
+  const go = (next: Course) => {
+    setCourse(next);
+    setTurns(next.times);
+  };
+  const [view, setView] = useKept("view", ...STATE.view);
   return (
     <Frame
       {...heading}
@@ -87,7 +102,7 @@ export function Page(heading: Heading) {
             <Button
               key={times}
               disabled={course.times + times > MOST_TURNS}
-              onClick={() => setCourse(onward(course, times))}
+              onClick={() => go(onward(course, times))}
             >
               {times === 1 ? "Turn once more" : `${times.toLocaleString("en")} times`}
             </Button>
@@ -96,7 +111,7 @@ export function Page(heading: Heading) {
             kind="quiet"
             icon="reset"
             disabled={course.times === 0}
-            onClick={() => setCourse(start(angles, 0))}
+            onClick={() => go(start(angles, 0))}
           >
             As made
           </Button>
@@ -108,7 +123,7 @@ export function Page(heading: Heading) {
           angles={angles}
           onChange={(next) => {
             setAngles(next);
-            setCourse(start(next, Math.min(course.times, 40)));
+            go(start(next, Math.min(course.times, 40)));
           }}
         />
       </Conjugated>

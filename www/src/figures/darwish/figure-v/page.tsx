@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { scale3, shift3 } from "#geometry/maps/affine3";
 import { Button } from "#ui/controls/Button";
@@ -7,7 +7,9 @@ import { SliderControl } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { tex } from "../../kit/notation/tex";
-import { fromOrigin } from "../space/eye";
+import { number } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
+import { fromOrigin, VIEW } from "../space/eye";
 import { LookAgain } from "../space/look-again";
 import { PYRAMID_ANGLE, PYRAMID_AWAY, pyramid } from "../space/shapes";
 import { inSpaceTool } from "../space/tool-link";
@@ -15,13 +17,19 @@ import { Conjugated } from "../space/turning";
 
 const STILL = scale3([1, 1, 1]);
 
+/** What stands in its address. */
+export const STATE = {
+  away: kept(PYRAMID_AWAY, number(12, 40, 1)),
+  view: kept(fromOrigin([PYRAMID_AWAY, 0, 0], PYRAMID_ANGLE), VIEW),
+};
+
 /** What must be there before it is shown. */
 export const needs = [loadSpace];
 
 /** Five halves, as far before the eye as one likes. */
 export function Page(heading: Heading) {
-  const [away, setAway] = useState(PYRAMID_AWAY);
-  const [view, setView] = useState(() => fromOrigin([PYRAMID_AWAY, 0, 0], PYRAMID_ANGLE));
+  const [away, setAway] = useKept("away", ...STATE.away);
+  const [view, setView] = useKept("view", ...STATE.view);
   const made = useMemo(() => pyramid([PYRAMID_AWAY, 0, 0]), []);
   const by = useMemo(() => (away === PYRAMID_AWAY ? STILL : shift3([away - PYRAMID_AWAY, 0, 0])), [away]);
   const home = fromOrigin([away, 0, 0], PYRAMID_ANGLE);

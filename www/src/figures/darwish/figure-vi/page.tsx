@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { about3, apply3, turns3 } from "#geometry/maps/affine3";
 import { Button } from "#ui/controls/Button";
@@ -7,25 +7,34 @@ import { Choice } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { tex } from "../../kit/notation/tex";
-import { fromOrigin, seen } from "../space/eye";
+import { oneOf } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
+import { fromOrigin, seen, VIEW } from "../space/eye";
 import { LookAgain } from "../space/look-again";
 import { PYRAMID_ANGLE, PYRAMID_AWAY, pyramid } from "../space/shapes";
 import spaceCss from "../space/space.module.css";
 import { inSpaceTool } from "../space/tool-link";
-import { AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
+import { ANGLES, AngleSliders, type Angles, Conjugated, inRadians } from "../space/turning";
 
 const MIDDLE = [PYRAMID_AWAY, 0, 0] as const;
 const HOME = fromOrigin([...MIDDLE], PYRAMID_ANGLE);
 const START: Angles = [0, 20, 40];
+
+/** What stands in its address. */
+export const STATE = {
+  angles: kept(START, ANGLES),
+  about: kept<"itself" | "eye">("itself", oneOf(["itself", "eye"])),
+  view: kept(HOME, VIEW),
+};
 
 /** What must be there before it is shown. */
 export const needs = [loadSpace];
 
 /** The pyramid turned, about itself or about the eye. */
 export function Page(heading: Heading) {
-  const [angles, setAngles] = useState(START);
-  const [about, setAbout] = useState<"itself" | "eye">("itself");
-  const [view, setView] = useState(HOME);
+  const [angles, setAngles] = useKept("angles", ...STATE.angles);
+  const [about, setAbout] = useKept("about", ...STATE.about);
+  const [view, setView] = useKept("view", ...STATE.view);
   const made = useMemo(() => pyramid([...MIDDLE]), []);
   const by = useMemo(() => {
     const turn = turns3(inRadians(angles));

@@ -1,14 +1,22 @@
-import { useState } from "preact/hooks";
 import { formatNumber } from "#format/numbers";
 import { scale3 } from "#geometry/maps/affine3";
+import type { SpaceView } from "#wasm/api";
 import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { optional } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
+import { VIEW } from "../space/eye";
 import { LookAgain } from "../space/look-again";
 import { Scenery, useScene } from "../space/scenery";
 import { inSpaceTool } from "../space/tool-link";
 
 const STILL = scale3([1, 1, 1]);
+
+/** What stands in its address. */
+export const STATE = {
+  view: kept<SpaceView | null>(null, optional(VIEW)),
+};
 
 /** What must be there before it is shown. */
 export const needs = [loadSpace];
@@ -16,7 +24,8 @@ export const needs = [loadSpace];
 /** Ground, trees, ferns and clouds from the origin. */
 export function Page(heading: Heading) {
   const { made, count: maps, home } = useScene();
-  const [view, setView] = useState(home);
+  const [turned, setView] = useKept("view", ...STATE.view);
+  const view = turned ?? home;
   return (
     <Frame
       {...heading}

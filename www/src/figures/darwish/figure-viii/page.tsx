@@ -1,20 +1,30 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed, formatNumber } from "#format/numbers";
 import { about3, turns3 } from "#geometry/maps/affine3";
 import { Button } from "#ui/controls/Button";
 import mapBlocksCss from "#ui/shapes/map-blocks.module.css";
+import type { SpaceView } from "#wasm/api";
 import { loadSpace } from "#wasm/space";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { optional } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
+import { VIEW } from "../space/eye";
 import { LookAgain } from "../space/look-again";
 import { MIDDLE, Scenery, useScene } from "../space/scenery";
 import { inSpaceTool } from "../space/tool-link";
-import { AngleSliders, type Angles, inRadians } from "../space/turning";
+import { ANGLES, AngleSliders, type Angles, inRadians } from "../space/turning";
 import css from "./page.module.css";
 import { FIGURE_VII, FIGURE_VIII, farthest, type Matrix3, TURN, turned } from "./printed-matrices";
 
 const START: Angles = [0, 0, 50];
 const NONE: Angles = [0, 0, 0];
+
+/** What stands in its address. */
+export const STATE = {
+  angles: kept(START, ANGLES),
+  view: kept<SpaceView | null>(null, optional(VIEW)),
+};
 
 /** What must be there before it is shown. */
 export const needs = [loadSpace];
@@ -22,8 +32,9 @@ export const needs = [loadSpace];
 /** The scene of Figure vii turned, by the parameters of every object in it. */
 export function Page(heading: Heading) {
   const { made, count: maps, home } = useScene();
-  const [angles, setAngles] = useState(START);
-  const [view, setView] = useState(home);
+  const [angles, setAngles] = useKept("angles", ...STATE.angles);
+  const [seen, setView] = useKept("view", ...STATE.view);
+  const view = seen ?? home;
   const by = useMemo(() => about3(turns3(inRadians(angles)), [...MIDDLE]), [angles]);
   return (
     <Frame

@@ -4,6 +4,7 @@ import type { Point3 } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { Control } from "../../kit/frame/control";
 import layout from "../../kit/frame/layout.module.css";
+import { type Field, list, number, parts, text } from "../../kit/state/fields";
 import { sharesLinear } from "./meets";
 import css from "./own-shape.module.css";
 
@@ -17,8 +18,20 @@ export interface Own {
 
 export const OWN: Own = { first: "sponge", second: "dust", scale: 1, shift: [0, 0, 0] };
 
-const AXES = ["x", "y", "z"] as const;
+const LEAST = 0.01;
 const FARTHEST = 100;
+/** Of a shape of the gallery; whether there is one of this name is asked where it is shown. */
+const ID = text(/[a-z0-9-]{1,32}/);
+
+/** As it stands in an address. */
+export const OWN_FIELD: Field<Own> = parts({
+  first: ID,
+  second: ID,
+  scale: number(LEAST, FARTHEST, 6),
+  shift: list(number(-FARTHEST, FARTHEST, 6), 3, 3, "_") as Field<Point3>,
+});
+
+const AXES = ["x", "y", "z"] as const;
 
 /** Which two shapes, and where the second lies. */
 export function OwnShapes({ own, onChange }: { own: Own; onChange: (own: Own) => void }) {
@@ -33,7 +46,7 @@ export function OwnShapes({ own, onChange }: { own: Own; onChange: (own: Own) =>
           label="Scale of the second shape"
           symbol="×"
           value={own.scale}
-          min={0.01}
+          min={LEAST}
           max={FARTHEST}
           step={0.1}
           onChange={(scale) => onChange({ ...own, scale })}

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import { Segmented } from "#ui/controls/Segmented";
@@ -8,11 +8,14 @@ import { loadSpace, solid } from "#wasm/space";
 import { Head, type Heading, Parameters } from "../../kit/frame/frame";
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
+import { flag, optional, parts, text } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { useValue } from "../../kit/workers";
-import { presetMaps, spaceHref } from "../space/tool-link";
+import { VIEW } from "../space/eye";
+import { hasPreset, presetMaps, spaceHref } from "../space/tool-link";
 import { type Layer, MeetView } from "./meet-view";
 import { findingOf, inner, isFlat, placed } from "./meets";
-import { OWN, type Own, OwnShapes } from "./own-shape";
+import { OWN, OWN_FIELD, OwnShapes } from "./own-shape";
 import css from "./page.module.css";
 import { MeetProduct } from "./product";
 import { type Met, useMeet } from "./use-intersection";
@@ -30,14 +33,24 @@ interface Pair {
   known: { name: string; isAttractor: boolean; why: string } | null;
 }
 
+/** What stands in its address. */
+export const STATE = {
+  which: kept("0", text(/[01]|own/)),
+  own: kept(OWN, OWN_FIELD),
+  shown: kept({ first: true, second: true }, parts({ first: flag, second: flag })),
+  view: kept<SpaceView | null>(null, optional(VIEW)),
+};
+
 /** What must be there before it is shown. */
 export const needs = [loadSpace];
 
 /** The question that the paper ends with. */
 export function Page(heading: Heading) {
   const examples = useMemo(() => solid.meetExamples(), []);
-  const [which, setWhich] = useState("0");
-  const [own, setOwn] = useState<Own>(OWN);
+  const [which, setWhich] = useKept("which", ...STATE.which);
+  const [asked, setOwn] = useKept("own", ...STATE.own);
+  // An address may name shapes that there are not.
+  const own = [asked.first, asked.second].every(hasPreset) ? asked : OWN;
   const pair = useMemo((): Pair => {
     const example = examples[Number(which)];
     if (which !== OWN_ID && example) {
@@ -108,7 +121,7 @@ interface MeetingProps {
 
 /** Both shapes, and what they share. */
 function Meeting({ pair, met, stale }: MeetingProps) {
-  const [shown, setShown] = useState({ first: true, second: true });
+  const [shown, setShown] = useKept("shown", ...STATE.shown);
   const flat = isFlat(pair.first) && isFlat(pair.second);
   const whole = useMemo((): SpaceView => {
     const objects = [
@@ -118,7 +131,7 @@ function Meeting({ pair, met, stale }: MeetingProps) {
     const view = solid.defaultView({ objects, light: solid.defaultSpace().light });
     return flat ? { ...view, turn: 0, tilt: Math.PI / 2 } : view;
   }, [pair, flat]);
-  const [turned, setTurned] = useState<SpaceView | null>(null);
+  const [turned, setTurned] = useKept("view", ...STATE.view);
   // Turned by hand it stays turned; how near it is hangs on the shapes.
   const view = turned ? { ...whole, turn: turned.turn, tilt: turned.tilt } : whole;
   const first = useCloud(pair.first, 1);

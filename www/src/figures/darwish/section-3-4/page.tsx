@@ -24,7 +24,7 @@ import { useDrag } from "../../kit/picture/drag";
 import { Picture } from "../../kit/picture/picture";
 import { useRested } from "../../kit/rest";
 import { number, oneOf } from "../../kit/state/fields";
-import { useKept } from "../../kit/state/kept";
+import { kept, useKept } from "../../kit/state/kept";
 import { useVerdict } from "../../kit/workers";
 import spaceCss from "../space/space.module.css";
 import { AT_FIRST, type Moves, NONE, transformOf } from "./moves";
@@ -42,6 +42,16 @@ const SEEN = 0.5e-3;
 /** Samples a side. */
 const SAMPLES = 85;
 
+/** What stands in its address. */
+export const STATE = {
+  shape: kept<Name>("fern", oneOf(SHAPES.map(({ value }) => value))),
+  turn: kept(AT_FIRST.turn, number(-180, 180, 1)),
+  size: kept(AT_FIRST.size, number(0.2, 2, 2)),
+  slide: kept(AT_FIRST.slide, number(-1.5, 1.5, 2)),
+  x: kept(AT_FIRST.x, number(-1, 1, 3)),
+  y: kept(AT_FIRST.y, number(-1, 1, 3)),
+};
+
 /** A shape of the gallery, and what is moved is measured by. */
 function shapeOf(name: Name) {
   const shape = preset(name);
@@ -56,12 +66,12 @@ function shapeOf(name: Name) {
 
 /** Section 3.4 in the plane: the transform of a shape, done to its parameters. */
 export function Page(heading: Heading) {
-  const [name, setName] = useKept<Name>("shape", "fern", oneOf(SHAPES.map(({ value }) => value)));
-  const [turn, setTurn] = useKept("turn", AT_FIRST.turn, number(-180, 180, 1));
-  const [size, setSize] = useKept("size", AT_FIRST.size, number(0.2, 2, 2));
-  const [slide, setSlide] = useKept("slide", AT_FIRST.slide, number(-1.5, 1.5, 2));
-  const [x, setX] = useKept("x", AT_FIRST.x, number(-1, 1, 3));
-  const [y, setY] = useKept("y", AT_FIRST.y, number(-1, 1, 3));
+  const [name, setName] = useKept("shape", ...STATE.shape);
+  const [turn, setTurn] = useKept("turn", ...STATE.turn);
+  const [size, setSize] = useKept("size", ...STATE.size);
+  const [slide, setSlide] = useKept("slide", ...STATE.slide);
+  const [x, setX] = useKept("x", ...STATE.x);
+  const [y, setY] = useKept("y", ...STATE.y);
   const { shape, unit, middle, box } = useMemo(() => shapeOf(name), [name]);
   const by = useMemo(
     () => transformOf({ turn, size, slide, x, y }, middle, unit),

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { wordsOf } from "#document/notice";
 import { formatNumber } from "#format/numbers";
 import { axisWords, divergingWords, unit } from "#format/placement";
@@ -12,6 +12,9 @@ import { SliderControl } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { Panel } from "../../kit/frame/panel";
+import { number, oneOf, optional } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
+import { VIEW } from "../space/eye";
 import spaceCss from "../space/space.module.css";
 import { SpaceDots } from "../space/space-dots";
 import { inSpaceTool, presetMaps } from "../space/tool-link";
@@ -67,14 +70,22 @@ function sideView(maps: MapRow3[]): SpaceView | null {
   }
 }
 
+/** What stands in its address. */
+export const STATE = {
+  shape: kept<Name>("fern", oneOf(SHAPES.map(({ value }) => value))),
+  way: kept("y", oneOf(Object.keys(DIRECTIONS))),
+  thickness: kept(-0.5, number(LEAST_EXPONENT, 0, 1)),
+  view: kept<SpaceView | null>(null, optional(VIEW)),
+};
+
 /** What must be there before it is shown. */
 export const needs = [loadSpace];
 
 /** Section 3.5: a projection as the limit of flattening. */
 export function Page(heading: Heading) {
-  const [shape, setShape] = useState<Name>("fern");
-  const [way, setWay] = useState("y");
-  const [power, setPower] = useState(-0.5);
+  const [shape, setShape] = useKept("shape", ...STATE.shape);
+  const [way, setWay] = useKept("way", ...STATE.way);
+  const [power, setPower] = useKept("thickness", ...STATE.thickness);
   const maps = useMemo(() => presetMaps(shape), [shape]);
   const direction = DIRECTIONS[way] ?? [0, 1, 0];
   const epsilon = Number((10 ** power).toPrecision(2));
@@ -83,7 +94,7 @@ export function Page(heading: Heading) {
   const first = useMemo(() => flattened(maps, direction, 1), [maps, direction]);
   // The view is that of the shape before it is flattened, so that it is seen to become thin.
   const whole = useMemo(() => sideView(upright(first) ?? []), [first]);
-  const [turned, setTurned] = useState<SpaceView | null>(null);
+  const [turned, setTurned] = useKept("view", ...STATE.view);
   const view = turned ?? whole;
   const shown = useMemo(() => upright(flat), [flat]);
   return (

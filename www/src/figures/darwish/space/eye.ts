@@ -2,6 +2,26 @@
 
 import { apply3, determinant3 } from "#geometry/maps/affine3";
 import type { MapRow3, Point3, SpaceView } from "#wasm/api";
+import { type Field, list, number } from "../../kit/state/fields";
+
+const STEEPEST = Math.PI / 2;
+/** Where it looks, from how far, how turned and tilted, and how wide: no scene of a page is larger. */
+const NUMBERS = list(number(-1e6, 1e6, 6), 7, 7);
+
+/** As it stands in an address. */
+export const VIEW: Field<SpaceView> = {
+  write: ({ target, distance, turn, tilt, angle, holds }) =>
+    [NUMBERS.write([...target, distance, turn, tilt, angle]), ...(holds ? [holds] : [])].join(";"),
+  read(text) {
+    const [numbers = "", holds, ...more] = text.split(";", 3);
+    const read = NUMBERS.read(numbers);
+    if (!read || more.length > 0 || (holds !== undefined && holds !== "eye")) return null;
+    const [x = 0, y = 0, z = 0, distance = 0, turn = 0, tilt = 0, angle = 0] = read;
+    const sees = distance > 0 && angle > 0 && angle < Math.PI && Math.abs(tilt) <= STEEPEST + 1e-4;
+    const view: SpaceView = { target: [x, y, z], distance, turn, tilt, angle };
+    return sees ? { ...view, ...(holds ? { holds } : {}) } : null;
+  },
+};
 
 interface Axes {
   eye: Point3;
@@ -21,8 +41,6 @@ export function axesOf({ target, distance, turn, tilt }: SpaceView): Axes {
     eye: target.map((x, k) => x - distance * (ahead[k] ?? 0)) as Point3,
   };
 }
-
-const STEEPEST = Math.PI / 2;
 
 /** Turned by radians: about the target, or about the eye where that is held. */
 export function orbited(view: SpaceView, turn: number, tilt: number): SpaceView {

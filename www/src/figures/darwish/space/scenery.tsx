@@ -1,10 +1,12 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { type Apart, apartBy, apartWords } from "#geometry/maps/apart";
 import { Button } from "#ui/controls/Button";
 import { MapBlocks } from "#ui/shapes/MapBlocks";
 import type { MapRow3, SpaceObject, SpaceView } from "#wasm/api";
 import { solid } from "#wasm/space";
 import layout from "../../kit/frame/layout.module.css";
+import { whole } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import spaceCss from "./space.module.css";
 import { SpacePicture } from "./space-picture";
 
@@ -20,6 +22,9 @@ export function useScene() {
   }, []);
 }
 
+/** Whose parameters are shown. */
+const OF = kept(0, whole(0, 30));
+
 interface SceneryProps {
   made: readonly SpaceObject[];
   /** What is done to each of them. */
@@ -31,7 +36,7 @@ interface SceneryProps {
 
 /** Several objects, each with parameters of its own: all are moved by moving these. */
 export function Scenery({ made, by, view, onView, label }: SceneryProps) {
-  const [chosen, setChosen] = useState(0);
+  const [chosen, setChosen] = useKept("of", ...OF);
   const objects = useMemo(
     () =>
       made.map(({ maps, tint }) => ({

@@ -16,6 +16,8 @@ export function inSpaceTool(objects: SpaceObject[], view?: SpaceView) {
   return { href: spaceHref(objects, view), label: "Open in the Space tool" };
 }
 
+export const hasPreset = (id: string) => solid.presets3().some((one) => one.id === id);
+
 /** The maps of a shape of the gallery. */
 export function presetMaps(id: string): MapRow3[] {
   const found = solid.presets3().find((one) => one.id === id);

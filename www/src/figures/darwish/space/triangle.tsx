@@ -1,12 +1,15 @@
 /** What the figures of the triangle share: where it is seen from, which maps make it, and what was not printed. */
 
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { turns3 } from "#geometry/maps/affine3";
 import type { SpaceView } from "#wasm/api";
 import { Choice } from "../../kit/frame/control";
+import { oneOf } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
+import { VIEW } from "./eye";
 import { type Form, triangle } from "./shapes";
 import { inSpaceTool } from "./tool-link";
-import { AngleSliders, type Angles, Conjugated, inRadians } from "./turning";
+import { ANGLES, AngleSliders, type Angles, Conjugated, inRadians } from "./turning";
 
 export const TRIANGLE_VIEW: SpaceView = {
   target: [0, 0, 0],
@@ -25,11 +28,18 @@ export const MATRICES: Readonly<Record<Form, string>> = {
   sheet: "diag(0.5, 0, 0.5)",
 };
 
+/** What stands in the addresses of its figures. */
+export const stateOf = (form: Form, angles: Angles) => ({
+  form: kept(form, oneOf<Form>(["halves", "sheet"])),
+  angles: kept(angles, ANGLES),
+  view: kept(TRIANGLE_VIEW, VIEW),
+});
+
 /** The triangle turned by three angles: what its figures keep, and what follows. */
-export function useTurnedTriangle(firstForm: Form, firstAngles: Angles) {
-  const [form, setForm] = useState(firstForm);
-  const [angles, setAngles] = useState(firstAngles);
-  const [view, setView] = useState(TRIANGLE_VIEW);
+export function useTurnedTriangle(state: ReturnType<typeof stateOf>) {
+  const [form, setForm] = useKept("form", ...state.form);
+  const [angles, setAngles] = useKept("angles", ...state.angles);
+  const [view, setView] = useKept("view", ...state.view);
   const made = useMemo(() => triangle(form), [form]);
   const by = useMemo(() => turns3(inRadians(angles)), [angles]);
   return { form, setForm, angles, setAngles, view, setView, made, by };

@@ -7,11 +7,15 @@ import type { MapRow3, Point3, SpaceView } from "#wasm/api";
 import { solid } from "#wasm/space";
 import { SliderControl } from "../../kit/frame/control";
 import layout from "../../kit/frame/layout.module.css";
+import { type Field, list, whole } from "../../kit/state/fields";
 import spaceCss from "./space.module.css";
 import { SpacePicture } from "./space-picture";
 
 /** Degrees about x, then y, then z. */
 export type Angles = Point3;
+
+/** As they stand in an address. */
+export const ANGLES = list(whole(-180, 180), 3, 3) as Field<Angles>;
 
 const AXES = ["x", "y", "z"] as const;
 

@@ -1,4 +1,3 @@
-import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { SliderControl } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
@@ -8,6 +7,8 @@ import { acrossAndUp, PointControls } from "../../kit/frame/point-controls";
 import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";
 import { tex } from "../../kit/notation/tex";
+import { point as pointOf, whole } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { CodeRow } from "../codes/code-row";
 import { type Cube, codeOf, codeWords, lettersOf } from "../codes/codes";
 import { squareMaps } from "../codes/square-maps";
@@ -25,10 +26,16 @@ const PANELS: readonly { letter: string; cube: Cube }[] = [
 ];
 const MOST_LETTERS = 6;
 
+/** What stands in its address. */
+export const STATE = {
+  point: kept<Point>([0.62, 0.3], pointOf(0, 1)),
+  letters: kept(2, whole(1, MOST_LETTERS)),
+};
+
 /** Address mappings on unit cubes. */
 export function Page(heading: Heading) {
-  const [point, setPoint] = useState<Point>([0.62, 0.3]);
-  const [letters, setLetters] = useState(2);
+  const [point, setPoint] = useKept("point", ...STATE.point);
+  const [letters, setLetters] = useKept("letters", ...STATE.letters);
   const [x, y] = point;
   return (
     <Frame

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { SliderControl } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
@@ -8,6 +8,8 @@ import { acrossAndUp, PointControls } from "../../kit/frame/point-controls";
 import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";
 import { tex } from "../../kit/notation/tex";
+import { point as pointOf, whole } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { addresses, onGasket, pieceOf, rightGasket } from "../codes/addresses";
 import { codeWords } from "../codes/codes";
 import { deformationBy } from "../deformations/deformations";
@@ -24,10 +26,16 @@ const MOST_STEPS = 7;
 const LETTERS = 6;
 const TOLD = 4;
 
+/** What stands in its address. */
+export const STATE = {
+  point: kept<Point>([0.5, 0], pointOf(0, 1)),
+  steps: kept(2, whole(2, MOST_STEPS)),
+};
+
 /** Address mappings on attractors. */
 export function Page(heading: Heading) {
-  const [point, setPoint] = useState<Point>([0.5, 0]);
-  const [steps, setSteps] = useState(2);
+  const [point, setPoint] = useKept("point", ...STATE.point);
+  const [steps, setSteps] = useKept("steps", ...STATE.steps);
   const found = useMemo(
     () =>
       GASKETS.map(({ r }) => {

@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Segmented } from "#ui/controls/Segmented";
 import { Formula } from "../../kit/frame/formula";
@@ -9,6 +9,8 @@ import { acrossAndUp, PointControls } from "../../kit/frame/point-controls";
 import { studioHref } from "../../kit/frame/studio-link";
 import type { Point } from "../../kit/maps/pieces";
 import { tex } from "../../kit/notation/tex";
+import { flag, oneOf, only, parts, point as pointOf, whole } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { rightGasket } from "../codes/addresses";
 import { codeOf, codeWords } from "../codes/codes";
 import { squareMaps } from "../codes/square-maps";
@@ -24,11 +26,24 @@ const SUBJECTS = [
   { value: "gasket", label: "(b) Gasket, L = 3" },
 ] as const;
 
+/** What stands in its address. */
+export const STATE = {
+  subject: kept<Subject>("square", oneOf(SUBJECTS.map(({ value }) => value))),
+  shuffle: kept<Chosen>(
+    { kb: 0, ke: 3, superposed: false },
+    only(
+      parts({ kb: whole(0, 2), ke: whole(0, COLUMNS), superposed: flag }),
+      ({ kb, ke, superposed }) => kb <= ke && (!superposed || ke === COLUMNS),
+    ),
+  ),
+  point: kept<Point>([0.7, 0.2], pointOf(0, 1)),
+};
+
 /** The colour matrix of shuffles. */
 export function Page(heading: Heading) {
-  const [subject, setSubject] = useState<Subject>("square");
-  const [chosen, setChosen] = useState<Chosen>({ kb: 0, ke: 3, superposed: false });
-  const [point, setPoint] = useState<Point>([0.7, 0.2]);
+  const [subject, setSubject] = useKept("subject", ...STATE.subject);
+  const [chosen, setChosen] = useKept("shuffle", ...STATE.shuffle);
+  const [point, setPoint] = useKept("point", ...STATE.point);
   const at = useMemo(() => (subject === "square" ? point : inGasket(point)), [subject, point]);
   const code = codeOf(SQUARE, at, COLUMNS);
   return (

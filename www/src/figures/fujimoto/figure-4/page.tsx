@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { bendAt } from "#document/deform/bend";
 import { fixed } from "#format/numbers";
 import { lengthWords } from "#format/verdict";
@@ -10,6 +10,8 @@ import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { tex } from "../../kit/notation/tex";
 import { Bent } from "../../kit/picture/deformed";
+import { number } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { Time, useTime } from "../../kit/time/time";
 import { type BentPanel, bentHref } from "../deformations/deformations";
 import { GASKET, KE, LIFT_BOX, liftOf } from "../deformations/lifted-gasket";
@@ -35,10 +37,15 @@ const MOMENTS = [
   { value: "1", label: "t₂" },
 ] as const;
 
+/** What stands in its address. */
+export const STATE = {
+  kb: kept(0, number(0, KE, 1)),
+};
+
 /** The gasket, bent in eight ways at once, and the slide from plain to fractal. */
 export function Page(heading: Heading) {
   const time = useTime(0.75);
-  const [kb, setKb] = useState(0);
+  const [kb, setKb] = useKept("kb", ...STATE.kb);
   const { t } = time;
   return (
     <Frame

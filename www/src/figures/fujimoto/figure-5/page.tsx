@@ -1,4 +1,4 @@
-import { useCallback, useMemo, useState } from "preact/hooks";
+import { useCallback, useMemo } from "preact/hooks";
 import { bendAt } from "#document/deform/bend";
 import type { Box } from "#document/framing";
 import { fixed } from "#format/numbers";
@@ -8,6 +8,8 @@ import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import type { Point } from "../../kit/maps/pieces";
 import { tex } from "../../kit/notation/tex";
+import { oneOf } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { type BentPanel, bentHref } from "../deformations/deformations";
 import { LettersPanel } from "../deformations/letters-panel";
 import { type Lens, Magnified, WithFrames } from "../deformations/magnified";
@@ -56,10 +58,15 @@ const SPINS = [
 
 /** As the paper words it: by "the rotation factors" of the maps. */
 
+/** What stands in its address. */
+export const STATE = {
+  spin: kept<Spin>(SPIN, oneOf(SPINS.map(({ value }) => value))),
+};
+
 /** The fern in the wind. */
 export function Page(heading: Heading) {
   const sway = useSway(0.2);
-  const [spin, setSpin] = useState<Spin>(SPIN);
+  const [spin, setSpin] = useKept("spin", ...STATE.spin);
   const deformationOf = useCallback(
     (settings: Partial<Deformation>) => swayOf({ ...settings, spin }),
     [spin],

@@ -1,16 +1,19 @@
-import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Slider } from "#ui/controls/Slider";
 import { PlayButton } from "#ui/strip/PlayButton";
 import { Formula } from "../../kit/frame/formula";
+import { number } from "../../kit/state/fields";
+import { useKept } from "../../kit/state/kept";
 import { usePlay } from "../../kit/time/play";
 import timeCss from "../../kit/time/time.module.css";
 
 const SECONDS = 6;
+/** As it stands in an address. */
+const MOMENT = number(0, 1, 3);
 
 /** The moment of something that goes round and round. */
 export function useSway(start: number) {
-  const [t, setT] = useState(start);
+  const [t, setT] = useKept("t", start, MOMENT);
   const player = usePlay((seconds) => {
     setT((t + seconds / SECONDS) % 1);
     return true;

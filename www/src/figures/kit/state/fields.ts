@@ -17,7 +17,8 @@ export function number(min: number, max: number, digits = 4): Field<number> {
     write: (value) => String(Number(value.toFixed(digits))),
     read(text) {
       const value = NUMBER.test(text) ? Number(text) : Number.NaN;
-      return value >= min && value <= max ? value : null;
+      // As fine as it is written, so that what is copied again is the same.
+      return value >= min && value <= max ? Number(value.toFixed(digits)) : null;
     },
   };
 }
@@ -44,6 +45,22 @@ export const flag: Field<boolean> = {
   write: (value) => (value ? "1" : "0"),
   read: (text) => (text === "1" ? true : text === "0" ? false : null),
 };
+
+/** A value that may also be none, which is written as nothing. */
+export function optional<T>({ write, read }: Field<T>): Field<T | null> {
+  return { write: (value) => (value === null ? "" : write(value)), read };
+}
+
+/** What is more than of its kind. */
+export function only<T>({ write, read }: Field<T>, is: (value: T) => boolean): Field<T> {
+  return {
+    write,
+    read(text) {
+      const value = read(text);
+      return value !== null && is(value) ? value : null;
+    },
+  };
+}
 
 /** Several values of one kind, at least and at most so many; lists within lists part their values by another mark. */
 export function list<T>(of: Field<T>, least: number, most: number, mark = ","): Field<readonly T[]> {

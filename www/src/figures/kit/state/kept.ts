@@ -6,6 +6,9 @@ import { PageState } from "./page-state";
 /** The page that one is in. Small pictures and tests are in none: there nothing is opened, and nothing kept. */
 export const Page = createContext<PageState>(new PageState());
 
+/** How a value begins, and how it is written: what `useKept` is given besides its name. */
+export const kept = <T>(first: T, field: Field<T>): readonly [first: T, field: Field<T>] => [first, field];
+
 /**
  * As `useState`, for what belongs into the address of the page: it begins as the address says, and what it becomes goes
  * into the link that is copied. No other value of the page may have the name, and links are a promise: it stays.

@@ -1,18 +1,21 @@
-import { useState } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import type { Stretch } from "#geometry/states";
 import { Slider } from "#ui/controls/Slider";
 import { SliderBreaks } from "#ui/controls/SliderMarks";
 import { PlayButton } from "#ui/strip/PlayButton";
 import { Formula } from "../frame/formula";
+import { number } from "../state/fields";
+import { useKept } from "../state/kept";
 import { usePlay } from "./play";
 import css from "./time.module.css";
 
 const SECONDS = 8;
+/** As it stands in an address. */
+const MOMENT = number(0, 1, 3);
 
 /** The moment of a morph, and what moves it. */
 export function useTime(start: number) {
-  const [t, setT] = useState(start);
+  const [t, setT] = useKept("t", start, MOMENT);
   const player = usePlay((seconds) => {
     const next = Math.min(1, t + seconds / SECONDS);
     setT(next);

@@ -24,3 +24,25 @@ test("a link to a step of a lesson opens it as it was, and is copied again", asy
   await expect(page.getByTestId("truth")).toHaveCount(0);
   await expect(page.getByRole("button", { name: "Show me" })).toBeDisabled();
 });
+
+test("a figure opens as its link has it, and what a link should not have is left out", async ({ page }) => {
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  await page.goto("./#figures/7/dragon=terdragon&point=0.25,1.5");
+  await expect(page.getByRole("radio", { name: "Terdragon" })).toBeChecked();
+  const u = page.getByRole("slider", { name: "u, turn and stretch" });
+  await expect(u).toHaveValue("0.25");
+  await u.press("ArrowRight");
+  await page.getByRole("button", { name: "Copy a link" }).click();
+  await expect(page.getByText("Link copied.")).toBeVisible();
+  const copied = new URL(await page.evaluate(() => navigator.clipboard.readText())).hash;
+  expect(copied).toMatch(
+    /^#figures\/7\/(dragon=terdragon&point=0\.2\d+,1\.5|point=0\.2\d+,1\.5&dragon=terdragon)$/,
+  );
+  expect(copied).not.toContain("0.25,");
+
+  await page.evaluate(() => location.assign("#figures/s34/shape=%3Cb%3E&turn=1e9&x=0.5"));
+  await expect(page.getByText("Part of this link could not be read")).toBeVisible();
+  await expect(page.getByRole("radio", { name: "Fern" })).toBeChecked();
+  await expect(page.getByRole("slider", { name: "Turned" })).toHaveValue("40");
+  await expect(page.getByRole("slider", { name: "Moved along x" })).toHaveValue("0.5");
+});
