@@ -49,21 +49,29 @@ pub struct System {
     /// How often each is chosen in the chaos game, as it is given: none is negative, their sum need not be 1. Empty
     /// where nothing is said.
     pub probabilities: Vec<f64>,
+    /// The colour of each map, red, green and blue. Empty where nothing is said.
+    pub colours: Vec<[u8; 3]>,
     /// What was left out or changed in reading it, a sentence each.
     pub remarks: Vec<String>,
 }
 
 impl System {
+    /// A system of which no more is known.
+    #[must_use]
+    pub const fn of(name: String, maps: Maps) -> Self {
+        Self { name, maps, probabilities: Vec::new(), colours: Vec::new(), remarks: Vec::new() }
+    }
+
     /// A system of the plane.
     #[must_use]
     pub const fn plane(name: String, maps: Vec<Row>) -> Self {
-        Self { name, maps: Maps::Plane(maps), probabilities: Vec::new(), remarks: Vec::new() }
+        Self::of(name, Maps::Plane(maps))
     }
 
     /// A system of space.
     #[must_use]
     pub const fn space(name: String, maps: Vec<Row3>) -> Self {
-        Self { name, maps: Maps::Space(maps), probabilities: Vec::new(), remarks: Vec::new() }
+        Self::of(name, Maps::Space(maps))
     }
 
     /// Whether it has an attractor that can be drawn.

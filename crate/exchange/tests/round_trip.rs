@@ -48,6 +48,9 @@ fn comes_back(system: &System) {
         assert_eq!(bits(&found.systems[0].maps), bits(&system.maps), "{format:?}\n{text}");
         assert_eq!(found.systems[0].name, held(&system.name, format), "{format:?}\n{text}");
         assert_eq!((&found.remarks, &found.systems[0].remarks), (&vec![], &vec![]), "{format:?}\n{text}");
+        if matches!(format, ExportFormat::Json | ExportFormat::Flame) {
+            assert_eq!(found.systems[0].colours, system.colours, "{format:?}");
+        }
         if !system.probabilities.is_empty() {
             assert_eq!(found.systems[0].probabilities, system.probabilities, "{format:?}");
         }
@@ -150,15 +153,16 @@ fn system() -> impl Strategy<Value = System> {
             .prop_map(|(one, other)| std::array::from_fn(|k| if k < 6 { one[k] } else { other[k - 6] }))
     };
     let maps = prop_oneof![
-        3 => proptest::collection::vec(row(), 1..=12).prop_map(Maps::Plane),
+        3 => proptest::collection::vec(row(), 1..=20).prop_map(Maps::Plane),
         1 => proptest::collection::vec(row3(), 1..=6).prop_map(Maps::Space),
     ];
-    (name(), maps).prop_flat_map(|(name, maps)| {
-        weights(maps.len()).prop_map(move |probabilities| System {
-            name: name.clone(),
-            maps: maps.clone(),
+    (name(), maps, any::<bool>()).prop_flat_map(|(name, maps, coloured)| {
+        let count = if coloured && matches!(maps, Maps::Plane(_)) { maps.len() } else { 0 };
+        let colours = proptest::collection::vec(any::<[u8; 3]>(), count);
+        (weights(maps.len()), colours).prop_map(move |(probabilities, colours)| System {
             probabilities,
-            remarks: Vec::new(),
+            colours,
+            ..System::of(name.clone(), maps.clone())
         })
     })
 }

@@ -32,7 +32,8 @@ use fit::{read_curves, read_fit, write_curves, write_fit};
 use locus::{read_locus, read_way_points, write_locus};
 use space::{read_space, write_space};
 use words::{
-    choice, damaged, escape, name_of, number, numbers, read_list, read_numbers, tidy, unescape, within,
+    choice, colour_words, damaged, escape, is_colour, name_of, number, numbers, read_colours, read_list,
+    read_numbers, tidy, unescape, within,
 };
 
 /// The version that is written.
@@ -89,6 +90,12 @@ fn write(scene: &Scene) -> Result<String, LinkError> {
     }
     if scene.colouring != Colouring::Map {
         let _ = write!(link, "&colour={}", name_of(&COLOURS, &scene.colouring));
+    }
+    if !scene.palette.is_empty() {
+        if let Some(wrong) = scene.palette.iter().find(|text| !is_colour(text)) {
+            return Err(damaged("palette", wrong));
+        }
+        let _ = write!(link, "&palette={}", colour_words(&scene.palette));
     }
     if scene.compare {
         link.push_str("&compare=1");
@@ -219,6 +226,9 @@ fn read_morph<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Scene, LinkE
         }
     }
     scene.colouring = choice("colour", get("colour"), &COLOURS)?;
+    if let Some(text) = get("palette") {
+        scene.palette = read_colours(text, MAX_MAPS).ok_or_else(|| damaged("palette", text))?;
+    }
     scene.tool = choice("tool", get("tool"), &Tool::NAMES)?;
     Ok(scene)
 }

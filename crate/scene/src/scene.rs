@@ -205,6 +205,9 @@ pub struct Scene {
     /// What colours mean.
     #[serde(default)]
     pub colouring: Colouring,
+    /// The colours of its maps, "#rrggbb", repeated where there are more maps; the page's own where there are none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub palette: Vec<String>,
     /// Whether the elementwise morph is shown beside the polar one.
     #[serde(default)]
     pub compare: bool,
@@ -269,6 +272,7 @@ impl Default for Scene {
             correspondence: Vec::new(),
             turns: Vec::new(),
             colouring: Colouring::Map,
+            palette: Vec::new(),
             compare: false,
             view: None,
             locus: None,

@@ -330,6 +330,8 @@ export interface Scene {
   /** Empty for the default. */
   turns: number[];
   colouring: Colouring;
+  /** "#rrggbb": the colours of the maps, repeated where there are more maps; at most 64. Absent: the page's own. */
+  palette?: string[];
   /** Show the elementwise morph beside the polar one. */
   compare: boolean;
   /** Absent: the whole attractor is fitted to the stage. `zoom` is in pixels a unit over those of the fit. */
@@ -870,6 +872,8 @@ export type ImportedSystem = {
   name: string;
   /** As the file gives them, none negative; their sum need not be 1. */
   probabilities?: number[];
+  /** "#rrggbb", one a map; absent where the file gives none. */
+  colours?: string[];
   /** What was left out or changed in reading it, a sentence each. */
   remarks: string[];
   /** Why it cannot be drawn; absent where it can. */

@@ -88,6 +88,13 @@ impl LinkedMorph {
         if self.scene.turns.len() == self.morph.len() { self.scene.turns.clone() } else { Vec::new() }
     }
 
+    /// The colours that the link gives the maps, whole numbers, 0xrrggbb; empty where it gives none.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn palette(&self) -> Vec<u32> {
+        self.scene.palette.iter().filter_map(|text| u32::from_str_radix(text.get(1..)?, 16).ok()).collect()
+    }
+
     /// The maps at a parameter, six numbers each.
     #[must_use]
     pub fn maps(&self, u: f64, v: f64, w: f64) -> Vec<f64> {

@@ -1,9 +1,10 @@
-//! `.flame` files of flam3, Apophysis and others: XML, a `flame` with an `xform` for each transform.
+//! `.flame` files of flam3, Apophysis, JWildfire and others: XML, a `flame` with an `xform` for each transform; in
+//! JWildfire also a `jwf-flame` of several `layer`s, each of which is read as a system.
 //!
 //! A transform is an affine map, `coefs`, a sum of functions of the plane ("variations"), each with its weight, and
 //! perhaps a second affine map, `post`. Of the functions only `linear` is affine: with its weight it is read, with all
 //! others it is not. Numbers stand in columns, `a d b e c f` for x' = a x + b y + c and y' = d x + e y + f, and y
-//! points down.
+//! points down. `color` says where on the flame's palette a transform is: the colour there is kept.
 //!
 //! A transform of weight 0 is never chosen, and no part of the picture that other programs draw: it is left out, but
 //! from flames that Frond wrote, whose shape has all maps.
@@ -14,16 +15,21 @@ use quick_xml::escape::unescape;
 use quick_xml::events::attributes::Attributes;
 use quick_xml::events::{BytesStart, Event};
 
+use super::flame_palette::Palette;
 use super::problem::{Gathered, ImportError, MAX_SYSTEMS};
 use crate::system::{Row, System};
 use crate::text::{Lines, name_or, number, short};
 
+/// What a flame is called.
+const FLAMES: [&str; 2] = ["flame", "jwf-flame"];
+/// The tags by which a file with flames is known.
+pub const SIGNS: [&str; 3] = ["flame", "flames", "jwf-flame"];
 /// The function that is affine, under all its names.
 const LINEAR: [&str; 3] = ["linear", "linear3D", "linear2D"];
 /// What moves only a third coordinate, or nothing at all.
 const STILL: [&str; 6] = ["flatten", "zscale", "ztranslate", "pre_zscale", "pre_ztranslate", "flatten3D"];
 /// What a transform says besides its functions.
-const OTHER: [&str; 20] = [
+const OTHER: [&str; 22] = [
     "weight",
     "color",
     "color_speed",
@@ -44,6 +50,8 @@ const OTHER: [&str; 20] = [
     "coefs_angle",
     "post_angle",
     "mutation_weight",
+    "material",
+    "material_speed",
 ];
 /// What a flame says where Frond wrote it.
 pub const OWN_VERSION: &str = "Frond";
@@ -84,14 +92,33 @@ pub fn read_flames(text: &str) -> Result<Gathered, ImportError> {
                 }
             }
             Event::Empty(tag) if is_flame(tag.name().as_ref()) => finish(Flame::new(&tag, lines.line(at))),
+            Event::Start(tag) if is_layer(tag.name().as_ref()) => {
+                if let Some(flame) = open.take() {
+                    open = Some(flame.layer(lines.line(at)));
+                    if flame.layers > 0 || flame.count > 0 {
+                        finish(flame);
+                    }
+                }
+            }
             Event::Start(tag) | Event::Empty(tag) => {
                 if let Some(flame) = &mut open {
+                    flame.palette.end();
                     flame.take(&tag, || lines.line(at));
+                }
+            }
+            Event::Text(text) => {
+                if let Some(flame) = &mut open {
+                    flame.palette.take_text(&text);
                 }
             }
             Event::End(tag) if is_flame(tag.name().as_ref()) => {
                 if let Some(flame) = open.take() {
                     finish(flame);
+                }
+            }
+            Event::End(_) => {
+                if let Some(flame) = &mut open {
+                    flame.palette.end();
                 }
             }
             Event::Eof => break,
@@ -113,7 +140,11 @@ pub fn read_flames(text: &str) -> Result<Gathered, ImportError> {
 
 /// Some programs write it with a capital letter.
 fn is_flame(tag: &str) -> bool {
-    tag.eq_ignore_ascii_case("flame")
+    FLAMES.iter().any(|name| tag.eq_ignore_ascii_case(name))
+}
+
+fn is_layer(tag: &str) -> bool {
+    tag.eq_ignore_ascii_case("layer")
 }
 
 /// A flame that is being read.
@@ -125,8 +156,13 @@ struct Flame {
     own: bool,
     /// Whether the file ends before it does.
     cut: bool,
+    /// Layers that have begun.
+    layers: usize,
     maps: Vec<Row>,
     weights: Vec<Option<f64>>,
+    /// Where each is on the palette.
+    places: Vec<f64>,
+    palette: Palette,
     /// Transforms there are, those without a linear part or a weight, and those with more than it.
     count: usize,
     bent: usize,
@@ -147,11 +183,16 @@ impl Flame {
                         unescape(value).map_or_else(|_| name_or(value, ""), |name| name_or(&name, ""));
                 }
                 "version" => flame.own = value == OWN_VERSION,
-                "palette" => flame.leave("its palette, since shapes have no colours of their own"),
+                "palette" => flame.palette.named = true,
                 _ => {}
             }
         }
         flame
+    }
+
+    /// The next of its layers.
+    fn layer(&self, line: usize) -> Self {
+        Self { name: self.name.clone(), own: self.own, layers: self.layers + 1, line, ..Self::default() }
     }
 
     fn leave(&mut self, what: &'static str) {
@@ -169,9 +210,9 @@ impl Flame {
                 }
             }
             "finalxform" => self.leave("its final transform"),
-            "color" | "colors" | "palette" | "gradient" => {
-                self.leave("its palette, since shapes have no colours of their own");
-            }
+            "bgxform" => self.leave("its background"),
+            "color" | "colors" | "palette" => self.palette.take(tag.name().as_ref(), attributes(tag)),
+            "gradient" => self.palette.named = true,
             "symmetry" => self.leave("its symmetry"),
             _ => {}
         }
@@ -183,6 +224,8 @@ impl Flame {
             return Err(format!("<{}> is miswritten: each number needs its quotes.", short(tag, 60)));
         }
         let (mut coefs, mut post, mut weight) = (None, None, None);
+        // Where none is said, flam3 goes from end to end.
+        let mut place = ((self.count - 1) % 2) as f64;
         let (mut linear, mut functions, mut named, mut any) = (0.0, Vec::new(), Vec::new(), false);
         for (key, value) in attributes(tag) {
             let one = || {
@@ -192,6 +235,7 @@ impl Flame {
                 "coefs" => coefs = Some(columns(key, value)?),
                 "post" => post = Some(columns(key, value)?),
                 "weight" => weight = Some(one()?),
+                "color" => place = number(value.trim()).unwrap_or(place),
                 "chaos" => self.leave("which transform may follow which (xaos)"),
                 // Of old: the weights of all functions in their order, or the number of one.
                 "var" => {
@@ -208,7 +252,7 @@ impl Flame {
                     any = true;
                     linear += one()?;
                 }
-                _ if OTHER.contains(&key) || STILL.contains(&key) => {}
+                _ if OTHER.contains(&key) || STILL.contains(&key) || of_jwildfire(key) => {}
                 _ => {
                     if let Some(x) = number(value.trim()) {
                         any = true;
@@ -252,13 +296,30 @@ impl Flame {
         }
         self.maps.push(turned_over(map.to_row()));
         self.weights.push(weight);
+        self.places.push(place);
         Ok(())
     }
 
     fn finish(self) -> Result<System, ImportError> {
         let Self {
-            name, maps, weights, count, bent, unused, partly, functions, left, wrong, line, cut, ..
+            name,
+            layers,
+            maps,
+            weights,
+            places,
+            palette,
+            count,
+            bent,
+            unused,
+            partly,
+            functions,
+            mut left,
+            wrong,
+            line,
+            cut,
+            ..
         } = self;
+        let name = if layers > 1 { name_or(&format!("{name} layer {layers}"), "") } else { name };
         let whose = if name.is_empty() { "The flame".to_owned() } else { format!("“{name}”") };
         let fail = |code, line, why| Err(ImportError::At { code, line, why });
         if let Some((line, why)) = wrong {
@@ -316,12 +377,21 @@ impl Flame {
                 if unused == 1 { "One transform has".into() } else { format!("{unused} transforms have") };
             system.remarks.push(format!("{which} the weight 0: left out."));
         }
+        system.colours = palette.colours(&places);
+        if system.colours.is_empty() && palette.named {
+            left.push("its palette, whose colours do not stand in the file");
+        }
         if !left.is_empty() {
             system.remarks.push(format!("Left out: {}.", left.join("; ")));
         }
         system.take_weights(&weights);
         Ok(system)
     }
+}
+
+/// What JWildfire says of a transform's light, and of the order of its functions.
+fn of_jwildfire(key: &str) -> bool {
+    key.starts_with("mod_") || key.ends_with("_fx_priority")
 }
 
 /// The map whose six numbers stand in columns; y still points down.
@@ -400,7 +470,39 @@ mod tests {
         // Halved, then turned by a quarter and moved by 1: x' = -(y + 4)/2 + 1, y' = (x + 2)/2 with y down.
         assert_eq!(rows[1], [0.0, 0.5, -0.5, 0.0, -1.0, -1.0]);
         assert_eq!(first.probabilities, [0.5, 2.0]);
-        assert_eq!(first.remarks, ["Left out: its palette, since shapes have no colours of their own."]);
+        assert_eq!(first.remarks, ["Left out: its palette, whose colours do not stand in the file."]);
+    }
+
+    #[test]
+    fn each_map_keeps_its_colour() {
+        let xform = |color: &str| format!("<xform {color} coefs='.5 0 0 .5 0 0'/>");
+        let palette = "<palette count='4' format='RGB'>\n  FF0000 00FF00\n  0000FF 101112 </palette>";
+        let flame = |list: &[&str]| {
+            let xforms: String = list.iter().map(|color| xform(color)).collect();
+            flames(&format!("<flame>{xforms}<finalxform color='1'/>{palette}<edit>by Ada</edit></flame>"))
+                .remove(0)
+        };
+        let found = flame(&["color='0.34'", "color='1'", "color='0'"]);
+        assert_eq!(found.colours, [[0, 255, 0], [16, 17, 18], [255, 0, 0]]);
+        // As flam3 does, from end to end.
+        assert_eq!(flame(&["", "", ""]).colours, [[255, 0, 0], [16, 17, 18], [255, 0, 0]]);
+    }
+
+    #[test]
+    fn layers_are_systems() {
+        let layer = |x: u8| {
+            format!(
+                "<layer weight='1'><xform linear3D='1' linear3D_fx_priority='-1' mod_gamma='0.5' material='2' coefs='.5 0 0 .5 {x} 0'/></layer>"
+            )
+        };
+        let head = "<flames><jwf-flame name='Deep'>";
+        let found = flames(&format!("{head}{}{}</jwf-flame>{}</flames>", layer(1), layer(2), "<flame/>"));
+        let names: Vec<&str> = found.iter().map(|system| &*system.name).collect();
+        assert_eq!(names, ["Deep", "Deep layer 2"]);
+        for (system, x) in found.iter().zip([1.0, 2.0]) {
+            assert_eq!(system.maps, Maps::Plane(vec![[0.5, 0.0, 0.0, 0.5, x, 0.0]]));
+            assert_eq!(system.remarks, [""; 0]);
+        }
     }
 
     #[test]
@@ -419,7 +521,7 @@ mod tests {
                 "1 of 3 transforms are kept. One has no linear part (julian, spherical).",
                 "Of one transform only the linear part is kept, not what is added to it (julian, spherical).",
                 "One transform has the weight 0: left out.",
-                "Left out: its final transform; its palette, since shapes have no colours of their own.",
+                "Left out: its final transform.",
                 "One weight is negative: taken without the sign.",
             ]
         );

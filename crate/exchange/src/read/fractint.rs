@@ -222,7 +222,7 @@ impl<'a> Entry<'a> {
             let (rows, weights) = self.rows::<6>()?;
             (Maps::Plane(rows), weights)
         };
-        let mut system = System { name: self.name, maps, probabilities: Vec::new(), remarks: Vec::new() };
+        let mut system = System::of(self.name, maps);
         if unsaid {
             let remark =
                 "No (3D) stands behind the name, but each line has 13 numbers: read as a system of space.";

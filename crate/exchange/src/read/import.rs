@@ -1,5 +1,6 @@
 //! A file of any kind: what it is, and the systems in it.
 
+use super::flame::SIGNS;
 use super::problem::{Gathered, ImportError};
 use super::{flame, fractint, ifstile, json, table};
 use crate::png::{is_png, link_in_png};
@@ -136,9 +137,13 @@ fn format_of(bytes: &[u8]) -> Result<FileFormat, ImportError> {
         return Err(ImportError::Unknown);
     }
     if text.starts_with('<') {
-        let known = text
-            .match_indices('<')
-            .any(|(at, _)| text.get(at + 1..at + 6).is_some_and(|tag| tag.eq_ignore_ascii_case("flame")));
+        // The name ends there: programs have tags like flame_transform.
+        let ends = |at: usize| !text[at..].starts_with(|c: char| c.is_alphanumeric() || "_-.".contains(c));
+        let begins = |at: usize, name: &str| {
+            let end = at + 1 + name.len();
+            text.get(at + 1..end).is_some_and(|tag| tag.eq_ignore_ascii_case(name)) && ends(end)
+        };
+        let known = text.match_indices('<').any(|(at, _)| SIGNS.iter().any(|name| begins(at, name)));
         return if known { Ok(FileFormat::Flame) } else { Err(ImportError::Unknown) };
     }
     // A system of Fractint without a name begins with a brace, too.
@@ -193,9 +198,12 @@ mod tests {
             (b"\xef\xbb\xbffern\r\n{\r\n}", "fractint"),
             (b"<?xml version='1.0'?>\n<flames><flame/></flames>", "flame"),
             (b"<?xml version='1.0'?>\n<FLAME/>", "flame"),
+            (b"<jwf-flame name='a'/>", "flame"),
             (b"comment {\n@ 1993, by hand\n}\nfern { 1 2 3 4 5 6 }", "fractint"),
             (b"@home { 1 2 3 4 5 6 }", "fractint"),
+            (b"<flames name='a'/>", "flame"),
             (b"<html><body>", "file-unknown"),
+            (b"<IFS><flame_transform/></IFS>", "file-unknown"),
             (b"<svg xmlns='http://www.w3.org/2000/svg'/>", "file-unknown"),
             (b" {\"maps\": []}", "json"),
             (b"[[1,2,3,4,5,6]]", "json"),

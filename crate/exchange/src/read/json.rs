@@ -5,6 +5,7 @@ use frond_scene::{Scene, encode};
 use serde_json::Value;
 
 use super::problem::{Gathered, ImportError, MAX_SYSTEMS};
+use crate::colour::read_hex;
 use crate::system::{Maps, System};
 use crate::text::{name_or, short};
 
@@ -104,13 +105,22 @@ fn system(value: &Value, number: usize) -> Result<System, ImportError> {
     } else {
         Maps::Plane(rows.iter().map(|row| std::array::from_fn(|k| row[k])).collect())
     };
-    let mut system = System { name, maps, probabilities: Vec::new(), remarks: Vec::new() };
+    let mut system = System::of(name, maps);
     if let Some(given) = value.get("probabilities") {
         match numbers(given) {
             Some(given) if given.len() == rows.len() => {
                 system.take_weights(&given.into_iter().map(Some).collect::<Vec<_>>());
             }
             _ => system.remarks.push("Its probabilities are not one number for each map: left out.".into()),
+        }
+    }
+    if let Some(given) = value.get("colours") {
+        let colours = given.as_array().filter(|list| list.len() == rows.len()).and_then(|list| {
+            list.iter().map(|one| one.as_str().and_then(read_hex)).collect::<Option<Vec<_>>>()
+        });
+        match colours {
+            Some(colours) => system.colours = colours,
+            None => system.remarks.push("Its colours are not one \"#rrggbb\" for each map: left out.".into()),
         }
     }
     Ok(system)

@@ -61,7 +61,7 @@ pub fn read_table(text: &str) -> Result<Gathered, ImportError> {
     } else {
         Maps::Plane(table.iter().map(|(_, row)| std::array::from_fn(|k| row[k])).collect())
     };
-    let mut system = System { name: String::new(), maps, probabilities: Vec::new(), remarks: Vec::new() };
+    let mut system = System::of(String::new(), maps);
     system.take_weights(&weights);
     let mut all = Gathered::default();
     if decimal_commas && text.contains(',') {

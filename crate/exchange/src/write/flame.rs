@@ -3,6 +3,7 @@
 use frond_core::{Affine2, Hull, Ifs};
 use quick_xml::escape::escape;
 
+use crate::colour::{Rgb, hex};
 use crate::number::decimal;
 use crate::read::flame::{OWN_VERSION, turned_over};
 use crate::system::{Row, System};
@@ -27,15 +28,46 @@ pub fn write(system: &System, rows: &[Row]) -> String {
         -centre.y,
         scale,
     );
-    let colours = (rows.len() - 1).max(1) as f64;
+    let places: Vec<f64> = (0..rows.len()).map(|k| place(k, rows.len())).collect();
     for (k, (&row, weight)) in rows.iter().zip(system.weights()).enumerate() {
         let [a, b, c, d, e, f] = turned_over(row).map(decimal);
         text.push_str(&format!(
             "   <xform weight=\"{}\" color=\"{:.4}\" linear=\"1\" coefs=\"{a} {c} {b} {d} {e} {f}\"/>\n",
             decimal(weight),
-            k as f64 / colours,
+            places[k],
         ));
     }
+    if system.colours.len() == rows.len() {
+        text.push_str(&palette(&places, &system.colours));
+    }
     text.push_str("</flame>\n</flames>\n");
+    text
+}
+
+/// Where a map is on the palette, from 0 to 1, with as many digits as are written.
+fn place(k: usize, count: usize) -> f64 {
+    (1e4 * k as f64 / (count - 1).max(1) as f64).round() / 1e4
+}
+
+/// A palette that has these colours at these places, and goes evenly from one to the next.
+fn palette(places: &[f64], colours: &[Rgb]) -> String {
+    let anchors: Vec<usize> = places.iter().map(|place| (255.0 * place).round() as usize).collect();
+    let mut text = "   <palette count=\"256\" format=\"RGB\">\n".to_owned();
+    for at in 0..256 {
+        let next = anchors.partition_point(|&anchor| anchor < at).min(anchors.len() - 1);
+        let before = if anchors[next] > at { next.saturating_sub(1) } else { next };
+        let span = anchors[next].saturating_sub(anchors[before]).max(1) as f64;
+        let gone = (at.min(anchors[next]) - anchors[before]) as f64 / span;
+        let mix = |k: usize| {
+            let [from, to] = [before, next].map(|i| f64::from(colours[i][k]));
+            (from + gone * (to - from)).round() as u8
+        };
+        let digits = hex([mix(0), mix(1), mix(2)]);
+        text.push_str(&digits[1..]);
+        if at % 8 == 7 {
+            text.push('\n');
+        }
+    }
+    text.push_str("   </palette>\n");
     text
 }

@@ -1,5 +1,6 @@
 //! JSON, a map a line.
 
+use crate::colour::hex;
 use crate::number::decimal;
 use crate::system::System;
 use crate::text::name_or;
@@ -19,6 +20,10 @@ pub fn write(system: &System) -> String {
     fields.push(format!("  \"maps\": [\n{}\n  ]", rows.join(",\n")));
     if !system.probabilities.is_empty() {
         fields.push(format!("  \"probabilities\": {}", list(&system.probabilities)));
+    }
+    if !system.colours.is_empty() {
+        let words: Vec<String> = system.colours.iter().map(|&one| format!("\"{}\"", hex(one))).collect();
+        fields.push(format!("  \"colours\": [{}]", words.join(", ")));
     }
     format!("{{\n{}\n}}\n", fields.join(",\n"))
 }

@@ -11,7 +11,9 @@ use std::fmt::Write as _;
 use frond_deform::{Continuity, Roughness, Spin};
 
 use super::error::LinkError;
-use super::words::{choice, damaged, name_of, number, numbers, read_numbers, read_some, within};
+use super::words::{
+    choice, colour_words, damaged, name_of, number, numbers, read_colours, read_numbers, read_some, within,
+};
 use crate::deformation::{Deformation, Key, MAX_KEYS, MAX_SIDE, Subject, Tint};
 
 /// Lengths beyond are a mistake.
@@ -71,9 +73,8 @@ pub(super) fn write_deform(link: &mut String, deform: &Deformation) {
     }
     if let Some(tint) = &deform.tint {
         let terms = name_of(&TERMS, &tint.superposed);
-        let colours: Vec<&str> = tint.colours.iter().map(|text| text.trim_start_matches('#')).collect();
-        let _ =
-            write!(link, "&tint={}:{terms}:{}", numbers(&[tint.kb, tint.ke, tint.delta]), colours.join(","));
+        let colours = colour_words(&tint.colours);
+        let _ = write!(link, "&tint={}:{terms}:{colours}", numbers(&[tint.kb, tint.ke, tint.delta]));
     }
 }
 
@@ -192,14 +193,9 @@ fn read_tint(text: &str, count: usize) -> Result<Tint, LinkError> {
     let list = read_some("tint", head)?;
     let &[kb, ke, delta] = &list[..] else { return Err(wrong()) };
     let superposed = choice("tint", Some(terms), &TERMS)?;
-    let colours: Vec<String> = colours.split(',').take(count + 1).map(|text| format!("#{text}")).collect();
-    let is_colour = |text: &String| text.len() == 7 && text[1..].bytes().all(|b| b.is_ascii_hexdigit());
+    let colours = read_colours(colours, count).filter(|colours| colours.len() == count).ok_or_else(wrong)?;
     let fits = (0.0..=DEEPEST_LETTER).contains(&ke)
         && (0.0..=ke).contains(&kb)
         && (0.0..=MOST_ROUGHNESS).contains(&delta);
-    if fits && colours.len() == count && colours.iter().all(is_colour) {
-        Ok(Tint { colours, kb, ke, delta, superposed })
-    } else {
-        Err(wrong())
-    }
+    if fits { Ok(Tint { colours, kb, ke, delta, superposed }) } else { Err(wrong()) }
 }

@@ -179,7 +179,8 @@ prop_compose! {
         turn in -2..=2_i32,
         view in proptest::option::of((-5.0..5.0_f64, -5.0..5.0_f64, 0.1..1e9_f64)),
         locus in proptest::option::of(any_locus()),
-        (deform, curves, fit, space) in (
+        (palette, deform, curves, fit, space) in (
+            proptest::collection::vec((0..1_u32 << 24).prop_map(|colour| format!("#{colour:06x}")), 0..9),
             proptest::option::of(any_deform()),
             proptest::option::of((any_curve(), any_curve())),
             proptest::option::of(any_fit()),
@@ -189,7 +190,7 @@ prop_compose! {
     ) -> Scene {
         let maps = a.maps.len().max(b.maps.len());
         Scene {
-            a, b, t, colouring, compare,
+            a, b, t, colouring, palette, compare,
             mode: if linear { Mode::Linear } else { Mode::Polar },
             path: Path { kind, points },
             correspondence: if reversed { (0..maps).rev().collect() } else { Vec::new() },
@@ -244,6 +245,25 @@ fn links_read_like_words() {
         encode(&scene),
         "v=1&a=dragon-3&b=gasket&path=auto:0.25,1.5;0.5,-0.125&t=0.5&match=3,1,2&compare=1"
     );
+}
+
+#[test]
+fn colours_read_like_words() {
+    let scene = Scene { palette: vec!["#ff0000".into(), "#00C0ff".into()], ..Scene::default() };
+    let link = "v=1&a=dragon-3&b=gasket&palette=ff0000,00C0ff";
+    assert_eq!(encode(&scene), link);
+    assert_eq!(decode(link), (scene, None));
+    let many = vec!["000000"; 65].join(",");
+    for wrong in ["", "red", "ff00", "ff0000,", "ff0000,#00ff00", &many] {
+        let key = match decode(&format!("palette={wrong}")).1 {
+            Some(LinkError::Value { key, .. }) => key,
+            other => panic!("{wrong}: {other:?}"),
+        };
+        assert_eq!(key, "palette");
+    }
+    // What would be more than a colour in a link is none.
+    let scene = Scene { palette: vec!["#ff0000&t=0.5".into()], ..Scene::default() };
+    assert!(super::encode(&scene).is_err());
 }
 
 #[test]

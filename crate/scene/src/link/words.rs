@@ -88,6 +88,23 @@ pub(crate) fn number(x: f64) -> String {
     text.strip_suffix(".0").map_or(text.clone(), ToOwned::to_owned)
 }
 
+/// Whether a colour is written "#rrggbb".
+pub(crate) fn is_colour(text: &str) -> bool {
+    text.len() == 7 && text.starts_with('#') && text[1..].bytes().all(|b| b.is_ascii_hexdigit())
+}
+
+/// Colours "#rrggbb" as a link has them.
+pub(crate) fn colour_words(colours: &[String]) -> String {
+    let words: Vec<&str> = colours.iter().map(|text| text.trim_start_matches('#')).collect();
+    words.join(",")
+}
+
+/// The same read again.
+pub(crate) fn read_colours(text: &str, most: usize) -> Option<Vec<String>> {
+    let colours: Vec<String> = text.split(',').take(most + 1).map(|text| format!("#{text}")).collect();
+    (colours.len() <= most && colours.iter().all(|text| is_colour(text))).then_some(colours)
+}
+
 /// A name without control characters and not too long.
 pub(crate) fn tidy(name: &str) -> String {
     name.chars().filter(|c| !c.is_control()).take(MAX_NAME).collect::<String>().trim().to_owned()

@@ -14,7 +14,7 @@ use std::fmt::Write as _;
 use frond_core::{Course, Ease, Mode};
 use thiserror::Error;
 
-use crate::link::words::{escape, name_of, number, numbers, tidy, unescape};
+use crate::link::words::{escape, is_colour, name_of, number, numbers, tidy, unescape};
 use crate::scene::{MAX_WAY_POINTS, Path, PathKind, WayPoint};
 use crate::space::document::{
     MAX_KEYS3, MAX_OBJECTS3, PAGE_BACKGROUND, PaintName, Repeat, Shape3, Space, SpaceKey, SpaceLight,
@@ -381,10 +381,6 @@ fn entry<'a, T>(list: &'a mut Vec<Option<T>>, index: &str) -> Option<&'a mut Opt
         list.push(None);
     }
     list.get_mut(index)
-}
-
-fn is_colour(text: &str) -> bool {
-    text.len() == 7 && text.starts_with('#') && text[1..].bytes().all(|b| b.is_ascii_hexdigit())
 }
 
 /// Whether all of it is in range, and every shape one.

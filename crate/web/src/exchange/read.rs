@@ -14,6 +14,8 @@ struct PlainSystem {
     maps: Vec<Vec<f64>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     probabilities: Vec<f64>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    colours: Vec<String>,
     remarks: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     problem: Option<String>,
@@ -22,12 +24,13 @@ struct PlainSystem {
 impl From<System> for PlainSystem {
     fn from(system: System) -> Self {
         let problem = system.check().err().map(|error| error.to_string());
-        let System { name, maps, probabilities, remarks } = system;
+        let System { name, maps, probabilities, colours, remarks } = system;
+        let colours = colours.iter().map(|[r, g, b]| format!("#{r:02x}{g:02x}{b:02x}")).collect();
         let (dimension, maps) = match maps {
             Maps::Plane(rows) => (2, rows.iter().map(|row| row.to_vec()).collect()),
             Maps::Space(rows) => (3, rows.iter().map(|row| row.to_vec()).collect()),
         };
-        Self { name, dimension, maps, probabilities, remarks, problem }
+        Self { name, dimension, maps, probabilities, colours, remarks, problem }
     }
 }
 

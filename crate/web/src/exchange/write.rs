@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::{bad_input, failure, of_ifs};
+use crate::boundary::palette::read_palette;
 use crate::boundary::value::{longer_than, read, write};
 
 #[derive(Serialize)]
@@ -38,13 +39,15 @@ struct PlainSystem<Row> {
     maps: Vec<Row>,
     #[serde(default)]
     probabilities: Vec<f64>,
+    #[serde(default)]
+    colours: Vec<String>,
 }
 
 /// Maps of the plane or of space as a text. Throws where there are none, or the form is one of the plane alone.
 #[wasm_bindgen(js_name = exportMaps)]
 pub fn export_maps(
     #[wasm_bindgen(
-        unchecked_param_type = "{ name?: string; maps: MapRow[] | MapRow3[]; probabilities?: number[] }"
+        unchecked_param_type = "{ name?: string; maps: MapRow[] | MapRow3[]; probabilities?: number[]; colours?: string[] }"
     )]
     system: JsValue,
     #[wasm_bindgen(unchecked_param_type = "ExportFormat")] format: &str,
@@ -56,11 +59,12 @@ pub fn export_maps(
     }
     let solid = maps.dyn_ref::<Array>().is_some_and(|maps| longer_than(&maps.get(0), 6).is_some());
     let system = if solid {
-        let PlainSystem { name, maps, probabilities } = read("The system", system)?;
+        let PlainSystem { name, maps, probabilities, .. } = read("The system", system)?;
         System { probabilities, ..System::space(name, maps) }
     } else {
-        let PlainSystem { name, maps, probabilities } = read("The system", system)?;
-        System { probabilities, ..System::plane(name, maps) }
+        let PlainSystem { name, maps, probabilities, colours } = read("The system", system)?;
+        let colours = read_palette(&colours)?;
+        System { probabilities, colours, ..System::plane(name, maps) }
     };
     let format =
         ExportFormat::by_id(format).ok_or_else(|| bad_input("format", "there is none of this name"))?;
