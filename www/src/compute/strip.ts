@@ -1,5 +1,7 @@
 /** What is known of the moments of a path: where it breaks, and small pictures of it. */
+
 import { effect, untracked } from "@preact/signals";
+import { pieceColours } from "#document/colours";
 import { fitFor, pathTrack } from "#document/framing";
 import { mapsAt, pathPoints } from "#document/morph";
 import { dark } from "#document/preferences";
@@ -8,7 +10,6 @@ import { shareOf, stateOf, type Told } from "#format/verdict";
 import { boxAt } from "#geometry/boxes";
 import { type Uv, uvAt } from "#geometry/path";
 import { stretches, widestOf } from "#geometry/states";
-import { palette } from "#style/palette";
 import type { Colouring, MapRow } from "#wasm/api";
 import { Coalesce } from "#workers/pool/coalesce";
 import { epoch, submit } from "#workers/pool/engine";
@@ -98,7 +99,7 @@ export function scheduleStrip(): void {
       inputs: morph.value,
       points: pathPoints.value,
       colouring: scene.value.colouring,
-      dark: dark.value,
+      colours: pieceColours(dark.value ? "dark" : "light"),
     };
     epoch.value;
     untracked(() => {
@@ -112,16 +113,15 @@ interface What {
   inputs: LocusInputs;
   points: Uv[];
   colouring: Colouring;
-  dark: boolean;
+  colours: string[];
 }
 
-function stripJob({ inputs, points, colouring, dark: onDark }: What): Job<"picture"> {
+function stripJob({ inputs, points, colouring, colours }: What): Job<"picture"> {
   const dpr = Math.min(2, globalThis.devicePixelRatio || 1);
   const size = { width: Math.round(FRAME_WIDTH * dpr), height: Math.round(FRAME_HEIGHT * dpr) };
   const edge = MARGIN * dpr;
   const insets = { top: edge, right: edge, bottom: edge, left: edge };
   const track = pathTrack.peek();
-  const colours = palette(onDark ? "dark" : "light");
   const order = frameTimes().map((_, i) => i);
   const places = new Map<object, number>();
   return {

@@ -7,7 +7,7 @@ import { percent } from "#format/path-words";
 import sheet from "#style/element.css?inline";
 import { palette } from "#style/palette";
 import { Frame } from "./frame";
-import { Picture } from "./picture";
+import { Picture, type PictureChoices } from "./picture";
 import { failureOf } from "./protocol";
 import type { PictureOptions, Shown, Teller, Told } from "./shown";
 import { momentOf, WishError, wishOf } from "./wish";
@@ -258,7 +258,7 @@ export class FrondView extends HTMLElement {
         return;
       }
       const base = this.#studio();
-      const choices = { ...this.#play(), palette: this.#colours(), proof: base && `${base}frond-proof.js` };
+      const choices = { ...this.#play(), ...this.#colours(), proof: base && `${base}frond-proof.js` };
       const picture = await Picture.open(this.#ui.drawn(), { fragment: wish.fragment, t, ...choices }, tell);
       if (turn !== this.#opening || !this.isConnected) {
         picture.close();
@@ -346,16 +346,18 @@ export class FrondView extends HTMLElement {
     this.#ui.lay(this.hasAttribute("controls"), this.getAttribute("poster"), this.#label());
   }
 
-  #colours(): number[] {
+  /** Those of the page come before those of the link, and these before those of the theme. */
+  #colours(): Pick<PictureChoices, "palette" | "firm"> {
     const own = getComputedStyle(this)
       .getPropertyValue("--frond-palette")
       .match(/#[0-9a-f]{6}\b/gi);
     const theme = this.#ui.themed();
-    return (own ?? palette(theme)).map((colour) => Number.parseInt(colour.slice(1), 16));
+    const colours = (own ?? palette(theme)).map((colour) => Number.parseInt(colour.slice(1), 16));
+    return { palette: colours, firm: own !== null };
   }
 
   #restyle(): void {
-    if (this.#shown instanceof Picture) this.#shown.choose({ palette: this.#colours() });
+    if (this.#shown instanceof Picture) this.#shown.choose(this.#colours());
     else if (this.#shown) {
       this.#close();
       this.#later();

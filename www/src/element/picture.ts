@@ -15,6 +15,8 @@ export interface PictureChoices {
   /** Back and forth for ever; else it stops at the end. */
   loop: boolean;
   palette: number[];
+  /** Whether the page chose it; else a link may have colours of its own. */
+  firm: boolean;
   /** Where the module that proves is; null where nobody knows. */
   proof: string | null;
 }
@@ -135,6 +137,12 @@ export class Picture implements Shown {
     return Array.from({ length: all.length / 6 }, (_, i) => all.slice(6 * i, 6 * i + 6));
   }
 
+  #colours(): number[] {
+    const { palette, firm } = this.#choices;
+    const own = firm ? [] : [...this.#morph.palette];
+    return own.length > 0 ? own : palette;
+  }
+
   choose(choices: Partial<PictureChoices>): void {
     this.#choices = { ...this.#choices, ...choices };
     this.draw();
@@ -251,7 +259,7 @@ export class Picture implements Shown {
     const free = 1 - 2 * MARGIN;
     const scale = Math.min((free * size.width) / across, (free * size.height) / up);
     const view = { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2, scale: Math.max(scale, 1e-6) };
-    return { fragment: this.#fragment, at: this.#at(), ...size, view, palette: this.#choices.palette };
+    return { fragment: this.#fragment, at: this.#at(), ...size, view, palette: this.#colours() };
   }
 
   /** Asks for the picture as it is to be now; while one is drawn, only the last that was asked for waits. */

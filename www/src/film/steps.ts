@@ -1,6 +1,7 @@
 /** A shape in the making: a figure, its copies under all maps, their copies, and so on. */
 import { boxOf, fitFor } from "#document/framing";
 import type { Box } from "#geometry/boxes";
+import { after2 } from "#geometry/maps/affine2";
 import { isDark } from "#style/ground";
 import { palette } from "#style/palette";
 import type { MapRow } from "#wasm/api";
@@ -34,13 +35,8 @@ export function stepsOf(maps: readonly MapRow[]): Copy[][] {
     const seen = last.some(({ map: [a, b, c, d] }) => Math.hypot(a, b, c, d) > DOT);
     const copies = last.length * maps.length;
     if (!seen || steps.length > MOST_STEPS || copies > MOST_COPIES || copies === 0) return steps;
-    steps.push(maps.flatMap((map, by) => last.map((copy) => ({ map: composed(map, copy.map), by }))));
+    steps.push(maps.flatMap((map, by) => last.map((copy) => ({ map: after2(map, copy.map), by }))));
   }
-}
-
-/** First `inner`, then `outer`. */
-function composed([a, b, c, d, e, f]: MapRow, [p, q, r, s, t, u]: MapRow): MapRow {
-  return [a * p + b * r, a * q + b * s, c * p + d * r, c * q + d * s, a * t + b * u + e, c * t + d * u + f];
 }
 
 type Corners = ReturnType<typeof seedCorners>;

@@ -45,22 +45,14 @@ worker.addEventListener("message", (event) => {
 });
 
 async function copyFirst(event: Fetching): Promise<Response> {
-  const cache = await caches.open(CACHE);
-  const copy = await cache.match(nameOf(event.request.url));
-  if (copy) return copy;
-  const answer = await fetch(event.request);
-  if (answer.ok) event.waitUntil(put(cache, event.request.url, answer.clone()));
-  return answer;
+  return (await copyOf(event.request.url)) ?? (await fetched(event));
 }
 
 async function freshFirst(event: Fetching): Promise<Response> {
-  const cache = await caches.open(CACHE);
   try {
-    const answer = await fetch(event.request);
-    if (answer.ok) event.waitUntil(put(cache, event.request.url, answer.clone()));
-    return answer;
+    return await fetched(event);
   } catch (problem) {
-    const copy = await cache.match(nameOf(event.request.url));
+    const copy = await copyOf(event.request.url);
     if (copy) return copy;
     if (event.request.mode === "navigate") return away();
     throw problem;
@@ -76,12 +68,27 @@ function away(): Response {
   );
 }
 
-/** Storage may be full, or forbidden: then it is not kept. */
-async function put(cache: Cache, url: string, answer: Response): Promise<void> {
+async function fetched(event: Fetching): Promise<Response> {
+  const answer = await fetch(event.request);
+  if (answer.ok) event.waitUntil(put(event.request.url, answer.clone()));
+  return answer;
+}
+
+/** Storage may be full, broken or forbidden: then there is no copy, and the page works all the same. */
+async function copyOf(url: string): Promise<Response | undefined> {
   try {
-    await cache.put(nameOf(url), answer);
+    return await (await caches.open(CACHE)).match(nameOf(url));
   } catch {
-    // The page works all the same.
+    return undefined;
+  }
+}
+
+async function put(url: string, answer: Response): Promise<void> {
+  try {
+    await (await caches.open(CACHE)).put(nameOf(url), answer);
+    await trimSoon();
+  } catch {
+    // As above.
   }
 }
 
@@ -94,11 +101,27 @@ async function keepAll(urls: readonly string[]): Promise<void> {
     if (await cache.match(name)) continue;
     try {
       const answer = await fetch(name);
-      if (answer.ok) await put(cache, name, answer);
+      if (answer.ok) await cache.put(name, answer);
     } catch {
       // Another time.
     }
   }
+  await trim();
+}
+
+/** Files come many at a time: their sizes are looked at once for all. */
+const TOGETHER_MS = 2000;
+let trimming: Promise<void> | null = null;
+
+function trimSoon(): Promise<void> {
+  trimming ??= new Promise((done) => setTimeout(done, TOGETHER_MS)).then(trim).finally(() => {
+    trimming = null;
+  });
+  return trimming;
+}
+
+async function trim(): Promise<void> {
+  const cache = await caches.open(CACHE);
   const kept = [];
   for (const request of await cache.keys()) {
     const bytes = (await (await cache.match(request))?.blob())?.size ?? 0;

@@ -1,5 +1,7 @@
 /** The picture on the stage as a file. */
+
 import { curveDrawer } from "#curve/film";
+import { pieceColours } from "#document/colours";
 import { curveMorph, curveTime } from "#document/curve/curve";
 import { bend, deformation } from "#document/deform/bend";
 import { pictureShown } from "#document/deform/picture";
@@ -11,7 +13,6 @@ import type { Still } from "#film/subject";
 import { effectiveView, stageSize } from "#stage/view";
 import { NIGHT, PAPER } from "#style/colours";
 import { isDark } from "#style/ground";
-import { palette } from "#style/palette";
 import { download, plainName } from "#ui/files/download";
 import { whileDrawn } from "#ui/files/saving";
 import { makePicture } from "#workers/film/picture";
@@ -39,7 +40,7 @@ export async function stageStill(): Promise<Still> {
     const view = { ...seen, scale: seen.scale * larger };
     if (photograph) return sheetDrawer(look, alone, { picture: photograph, parts, view }, () => bent);
     if (curve) return curveDrawer(look, colouring, () => ({ s, bend: bent, view }));
-    const colours = palette(isDark(look.ground) ? "dark" : "light");
+    const colours = pieceColours(isDark(look.ground) ? "dark" : "light");
     const options = { view, colouring, palette: colours, ...(bent ? { bend: bent } : {}) };
     return planeDrawer(look, alone, () => ({ maps, options }));
   };

@@ -138,7 +138,8 @@ function image(map: MapRow | undefined, [x, y]: [number, number]): [number, numb
   return [a * x + b * y + e, c * x + d * y + f];
 }
 
-const hulls = computed(() => {
+/** Those that are marked now. */
+export const hulls = computed(() => {
   const now = proof.value;
   // Pieces that hold together are shown by what holds them.
   if (now?.state !== "there" || !now.check.valid || "links" in now.certificate) return [];

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::pieces::Pieces;
+use crate::colour::hex;
 use crate::system::{Row, System};
 
 /// The most pieces of a drawing.
@@ -27,7 +28,8 @@ pub fn write(system: &System, rows: &[Row]) -> Option<String> {
         rows.len()
     );
     for letter in 0..rows.len() {
-        let colour = COLOURS[letter % COLOURS.len()];
+        let own = system.colours.get(letter).map(|&colour| hex(colour));
+        let colour = own.as_deref().unwrap_or(COLOURS[letter % COLOURS.len()]);
         let _ = write!(text, "<path fill=\"{colour}\" stroke=\"{colour}\" d=\"");
         for (map, _) in shape.pieces.iter().filter(|(_, first)| *first == letter) {
             for (i, point) in shape.outline.iter().enumerate() {
@@ -83,6 +85,9 @@ mod tests {
                 assert!(at[1] >= MARGIN - 1.1 && at[1] <= height - MARGIN + 0.1, "{at:?}");
             }
         }
+        let mut system = System::plane(String::new(), gasket.to_vec());
+        system.colours = vec![[255, 0, 0], [0, 255, 0], [0, 0, 255]];
+        assert!(write(&system, &gasket).unwrap().contains("<path fill=\"#00ff00\" stroke=\"#00ff00\""));
         // Of the gasket there are all pieces of some depth.
         let text = write(&System::plane(String::new(), gasket.to_vec()), &gasket).unwrap();
         assert!(text.contains("<desc>6561 pieces"), "{}", &text[..300]);

@@ -66,6 +66,10 @@ export function after2(outer: MapRow, [a, b, c, d, e, f]: MapRow): MapRow {
   return [p * a + q * c, p * b + q * d, r * a + s * c, r * b + s * d, p * e + q * f + x, r * e + s * f + y];
 }
 
+export function imageOf([a, b, c, d, e, f]: MapRow, [x, y]: readonly [number, number]): [number, number] {
+  return [a * x + b * y + e, c * x + d * y + f];
+}
+
 export function determinant([a, b, c, d]: MapRow): number {
   return a * d - b * c;
 }

@@ -65,7 +65,7 @@ async function planeShown(scene: Scene, system: System): Promise<Shown> {
       const track = bending && there.length > 0 ? stillTrack(union(there), 2) : calmTrack(boxes);
       const systems = await mapsAt(moments);
       const pool = system.pool();
-      const colours = palette(ground !== null && dark(ground) ? "dark" : "light");
+      const colours = scene.palette ?? palette(ground !== null && dark(ground) ? "dark" : "light");
       return (i) => {
         const moment = moments[i] ?? 0;
         const view = viewOf(boxAt(track, moment), width, height);

@@ -170,7 +170,8 @@ export async function take(
   where: Where = "a",
 ): Promise<void> {
   const name = system.name || file.replace(ENDING, "") || "Maps";
-  const said = [...system.remarks, ...remarks, ...weightsWords(system)].join(" ");
+  const coloured = system.colours && where !== "b" ? ["Its colours are kept."] : [];
+  const said = [...system.remarks, ...remarks, ...weightsWords(system), ...coloured].join(" ");
   try {
     if (system.problem) throw new Error(system.problem);
     if (system.dimension === 3) {
@@ -180,7 +181,7 @@ export async function take(
       takeFound({ name, maps: system.maps }, said);
       cameFrom(from, step);
     } else {
-      await intoMorph({ name, maps: system.maps }, where, said);
+      await intoMorph({ name, maps: system.maps, colours: system.colours }, where, said);
     }
   } catch (problem) {
     notify({

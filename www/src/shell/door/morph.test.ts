@@ -37,6 +37,16 @@ test.each([
   expect(after.path).toBe(before.path);
 });
 
+test("colours of a file come with A, and go with it", () => {
+  const coloured = { ...system, colours: ["#ff0000", "#00ff00"] };
+  const after = withSystem(before, coloured, "a");
+  expect(after.palette).toEqual(coloured.colours);
+  expect(withSystem(before, coloured, "both").palette).toEqual(coloured.colours);
+  expect("palette" in withSystem(before, coloured, "b")).toBe(false);
+  expect(withSystem(after, system, "b").palette).toEqual(coloured.colours);
+  expect("palette" in withSystem(after, system, "a")).toBe(false);
+});
+
 const ends = () => [scene.peek().a.name, scene.peek().b.name];
 const asB = () => notices.peek().at(-1)?.action?.run();
 

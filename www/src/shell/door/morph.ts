@@ -12,6 +12,8 @@ export type Where = "a" | "b" | "both";
 interface Own {
   name: string;
   maps: MapRow[];
+  /** "#rrggbb", one a map. */
+  colours?: string[] | undefined;
 }
 
 /** The document with the system at one end or both, and the moment where it is seen. */
@@ -20,8 +22,12 @@ export function withSystem(before: Scene, system: Own, where: Where): Scene {
   const { name, maps } = system;
   const { tool: _tool, ...taken } = ends.reduce((now, end) => choose(now, end, { name, maps }), before);
   const { at: _at, ...locus } = taken.locus ?? {};
+  // Colours are those of the maps of A.
+  const { palette: earlier, ...rest } = taken;
+  const palette = where === "b" ? earlier : system.colours;
   return {
-    ...taken,
+    ...rest,
+    ...(palette ? { palette } : {}),
     tool: "morph",
     t: where === "b" ? 1 : 0,
     // What was looked at off the path is not what was opened.

@@ -2,6 +2,7 @@
  * The studio on paper: what a graphics card draws does not come there, so a complete picture stands in, with the maps
  * and the link. Plain nodes and no component: it has to be there before `beforeprint` returns.
  */
+import { pieceColours } from "#document/colours";
 import { curved } from "#document/curve/curve";
 import { bend } from "#document/deform/bend";
 import { pictureShown } from "#document/deform/picture";
@@ -10,7 +11,6 @@ import { scene } from "#document/scene";
 import { percent } from "#format/path-words";
 import { effectiveView, stageSize } from "#stage/view";
 import { WHITE } from "#style/colours";
-import { palette } from "#style/palette";
 import type { NamedMaps } from "#ui/files/exporting";
 import { whileDrawn } from "#ui/files/saving";
 import { frond } from "#wasm/core";
@@ -79,7 +79,7 @@ function atOnce(): HTMLElement {
       height: canvas.height,
       view: { ...seen, scale: FINE * seen.scale },
       colouring: scene.peek().colouring,
-      palette: palette("light"),
+      palette: pieceColours("light"),
       ...(bent ? { bend: bent } : {}),
     };
     try {

@@ -1,5 +1,7 @@
 /** What there is to film of a deformation: its key frames, once through. */
+
 import { curveDrawer } from "#curve/film";
+import { pieceColours } from "#document/colours";
 import { curved, curveTime } from "#document/curve/curve";
 import { bendAt, deformation } from "#document/deform/bend";
 import { pictureShown } from "#document/deform/picture";
@@ -12,7 +14,6 @@ import { boxAt } from "#geometry/boxes";
 import { frameView } from "#stage/frame-view";
 import { NIGHT, PAPER } from "#style/colours";
 import { isDark } from "#style/ground";
-import { palette } from "#style/palette";
 import { plainName } from "#ui/files/download";
 import { planeDrawer } from "#workers/film/plane-drawer";
 import { sheetDrawer } from "#workers/film/sheet-drawer";
@@ -46,7 +47,7 @@ export async function films(): Promise<Films> {
     const view = frameView(box, look);
     if (photograph) return sheetDrawer(look, alone, { picture: photograph, parts: bent.parts, view }, bendOf);
     if (curved.peek()) return curveDrawer(look, colouring, (at) => ({ s, bend: bendOf(at), view }));
-    const colours = palette(isDark(look.ground) ? "dark" : "light");
+    const colours = pieceColours(isDark(look.ground) ? "dark" : "light");
     return planeDrawer(look, alone, (at) => ({
       maps,
       options: { view, colouring, palette: colours, bend: bendOf(at) },

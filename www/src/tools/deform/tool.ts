@@ -1,3 +1,4 @@
+import { ownColours } from "#document/colours";
 import { standing } from "#document/morph";
 import { scene } from "#document/scene";
 import type { Tool } from "#stage/tool";
@@ -15,6 +16,8 @@ export const tool: Tool = {
   timeline,
   commands: () => commands,
   films,
-  maps: () => [{ label: "Shape", name: scene.peek().a.name, maps: standing.peek() }],
+  maps: () => [
+    { label: "Shape", name: scene.peek().a.name, maps: standing.peek(), palette: ownColours(scene.peek()) },
+  ],
   open: openPhotograph,
 };

@@ -1,4 +1,5 @@
 import { edit } from "#document/scene";
+import { OwnColours } from "#stage/OwnColours";
 import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Colouring, Mode } from "#wasm/api";
@@ -45,6 +46,7 @@ export function MotionPanel() {
         options={COLOURINGS}
         onChange={(next) => edit((before) => ({ ...before, colouring: next }))}
       />
+      <OwnColours />
     </section>
   );
 }

@@ -1,6 +1,8 @@
 /** What there is to film of a morph: its way from the first shape to the last, and a shape in the making. */
+
 import { along, locus } from "#compute/results";
 import { curveDrawer } from "#curve/film";
+import { pieceColours } from "#document/colours";
 import { curved, curveMorph } from "#document/curve/curve";
 import { bend } from "#document/deform/bend";
 import { pathTrack } from "#document/framing";
@@ -19,7 +21,6 @@ import { frameView } from "#stage/frame-view";
 import { paint } from "#stage/locus/paint";
 import { NIGHT, PAPER } from "#style/colours";
 import { isDark } from "#style/ground";
-import { palette } from "#style/palette";
 import { plainName } from "#ui/files/download";
 import { planeDrawer } from "#workers/film/plane-drawer";
 import type { Drawer, FrameLook, Inset, Place } from "#workers/film/subject";
@@ -41,7 +42,7 @@ export async function films(): Promise<Films> {
     if (curve) {
       return curveDrawer(look, colouring, (at) => ({ s: moment(at), bend: bent, view: view(moment(at)) }));
     }
-    const colours = palette(isDark(look.ground) ? "dark" : "light");
+    const colours = pieceColours(isDark(look.ground) ? "dark" : "light");
     return planeDrawer(look, how?.alone ?? false, (at) => {
       const t = moment(at);
       return {

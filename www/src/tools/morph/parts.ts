@@ -1,5 +1,7 @@
 /** Parts of the document, so that what shows a part is not drawn again at every moment of a morph that plays. */
+
 import { computed, type ReadonlySignal } from "@preact/signals";
+import { ownColours } from "#document/colours";
 import { current } from "#document/morph";
 import { scene } from "#document/scene";
 import type { NamedMaps } from "#ui/files/exporting";
@@ -20,11 +22,12 @@ export const turns: ReadonlySignal<number[]> = computed(() => scene.value.turns)
 /** The maps of both ends, and of the moment where that is neither. */
 export function namedMaps(): NamedMaps[] {
   const { a, b, t } = scene.peek();
+  const palette = ownColours(scene.peek());
   const ends = [
-    { label: "A", name: a.name, maps: a.maps },
-    { label: "B", name: b.name, maps: b.maps },
+    { label: "A", name: a.name, maps: a.maps, palette },
+    { label: "B", name: b.name, maps: b.maps, palette },
   ];
   if (t === 0 || t === 1) return ends;
   const name = `${a.name} to ${b.name} at ${t.toFixed(2)}`;
-  return [...ends, { label: `t = ${t.toFixed(2)}`, name, maps: current.peek() }];
+  return [...ends, { label: `t = ${t.toFixed(2)}`, name, maps: current.peek(), palette }];
 }

@@ -9,6 +9,8 @@ export interface NamedMaps {
   label: string;
   name: string;
   maps: readonly MapRow[] | readonly MapRow3[];
+  /** "#rrggbb": their colours, repeated where there are more maps; those of the page are no part of a file. */
+  palette?: readonly string[] | null;
 }
 
 /** Whether the dialog is open. */

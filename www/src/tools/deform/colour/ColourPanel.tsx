@@ -1,6 +1,7 @@
 import { computed } from "@preact/signals";
 import { changeDeformation, deformation } from "#document/deform/bend";
 import { edit, endGesture, scene } from "#document/scene";
+import { OwnColours } from "#stage/OwnColours";
 import { GREY } from "#style/colours";
 import { Button } from "#ui/controls/Button";
 import { SliderField } from "#ui/controls/SliderField";
@@ -48,6 +49,7 @@ export function ColourPanel() {
         options={ringed.value ? CURVE_COLOURINGS : COLOURINGS}
         onChange={(next) => edit((before) => withColouring(before, next, deformation.peek()))}
       />
+      <OwnColours />
       {colouring.value === "grid" && !ringed.value && (
         <GridColours now={tint.value ?? firstTint(deformation.value)} />
       )}

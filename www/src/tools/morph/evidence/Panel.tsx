@@ -1,15 +1,21 @@
 import { verdict } from "#compute/results";
+import { pieceColours } from "#document/colours";
 import { boxOf } from "#document/framing";
 import { shown } from "#document/morph";
+import { notify, wordsOf } from "#document/notice";
 import { dark } from "#document/preferences";
-import { verdictWords } from "#format/verdict";
+import { scene } from "#document/scene";
+import { percent } from "#format/path-words";
+import { shareOf, shareWords, verdictWords } from "#format/verdict";
+import { hulls } from "#stage/evidence";
 import panelCss from "#stage/evidence-panel.module.css";
 import { evidenceKept, evidenceOpen } from "#stage/evidence-shown";
-import { palette } from "#style/palette";
-import { IconButton } from "#ui/controls/Button";
+import { Button, IconButton } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
+import { download, plainName } from "#ui/files/download";
 import { Graph } from "#ui/shapes/Graph";
 import type { Connectedness, MapRow, Reason } from "#wasm/api";
+import { frond } from "#wasm/core";
 import css from "./evidence.module.css";
 import { CHIP_ID, PANEL_ID } from "./ids";
 import { Proof } from "./Proof";
@@ -65,8 +71,37 @@ function Account({ answer, epsilon }: { answer: Connectedness; epsilon: number }
       >
         Keep the marks on the picture
       </Switch>
+      <Button kind="quiet" icon="save" onClick={() => void saveDrawing(answer, epsilon)}>
+        Save the drawing (SVG)
+      </Button>
     </>
   );
+}
+
+async function saveDrawing(answer: Connectedness, epsilon: number): Promise<void> {
+  const maps = shown.peek();
+  const { a, b, t } = scene.peek();
+  const name = t === 0 ? a.name : t === 1 ? b.name : `${a.name} to ${b.name}, ${percent(t)}`;
+  try {
+    const { evidenceDrawing } = await import("./drawing");
+    const gap = answer.closest && answer.verdict === "disconnected" ? answer.closest : null;
+    const text = evidenceDrawing({
+      title: `${name}: ${verdictWords(answer, epsilon).text}`,
+      words: [accountOf(answer, epsilon), answer.reason?.text ?? ""].join(" ").trim(),
+      maps,
+      hull: frond.bounds({ maps }).hull,
+      colours: pieceColours("light"),
+      links: answer.reason?.links ?? [],
+      sides: hulls.peek(),
+      gap: gap && { ...gap, words: shareWords(shareOf(answer)) },
+    });
+    download(
+      new Blob([text], { type: "image/svg+xml" }),
+      `frond-${plainName(name, "shape", 48)}-evidence.svg`,
+    );
+  } catch (problem) {
+    notify({ kind: "error", text: `The drawing could not be saved: ${wordsOf(problem)}` });
+  }
 }
 
 /** Kinds of reasons that are written down as certificates. */
@@ -123,7 +158,7 @@ function Groups({ answer }: { answer: Connectedness }) {
         count={count}
         angles={maps.length === count ? anglesOf(maps) : answer.components.map((_, i) => i)}
         edges={answer.overlaps}
-        colours={palette(dark.value ? "dark" : "light")}
+        colours={pieceColours(dark.value ? "dark" : "light")}
         label={`Which pieces meet: ${answer.overlaps.map(([i, j]) => `${i + 1} with ${j + 1}`).join(", ") || "none"}`}
       />
       <figcaption>

@@ -1,3 +1,4 @@
+import { pieceColours } from "#document/colours";
 import "#ui/panel/fold.css";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { BOUNDS } from "#compute/locus/job";
@@ -8,7 +9,6 @@ import { dark } from "#document/preferences";
 import { edit } from "#document/scene";
 import { matchWords, meritWords } from "#format/path-words";
 import { paint } from "#stage/locus/paint";
-import { palette } from "#style/palette";
 import { Button } from "#ui/controls/Button";
 import { useOwnId } from "#ui/id";
 import type { RatedCandidate } from "#wasm/api";
@@ -137,7 +137,7 @@ const STEP = 18;
 
 /** Maps of A above, of B below, a line from each to what it becomes; a ring for each turn more. */
 function Arrows({ becomes, turns }: { becomes: readonly number[]; turns: readonly number[] }) {
-  const colours = palette(dark.value ? "dark" : "light");
+  const colours = pieceColours(dark.value ? "dark" : "light");
   if (becomes.length > MOST_ARROWS)
     return <span class={css["matching-words"]}>{matchWords(becomes, turns)}</span>;
   const x = (i: number) => STEP * (i + 0.5);

@@ -1,9 +1,10 @@
 /** What is at the parameter that is pointed at: a small picture and a verdict, asked for at low cost. */
+
 import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
+import { pieceColours } from "#document/colours";
 import { mapsAt } from "#document/morph";
 import { dark } from "#document/preferences";
 import type { Uv } from "#geometry/path";
-import { palette } from "#style/palette";
 import type { Connectedness, MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { Coalesce } from "#workers/pool/coalesce";
@@ -85,7 +86,7 @@ function look(at: Uv): Job<"verdict" | "picture"> {
   const { family: kind, sides } = view.peek();
   const scale = Math.min(2, globalThis.devicePixelRatio || 1);
   const side = Math.round(SIDE * scale);
-  const colours = palette(dark.peek() ? "dark" : "light");
+  const colours = pieceColours(dark.peek() ? "dark" : "light");
   const answer: Seen = { at, bitmap: null, answer: null, epsilon: epsilon.peek() };
   const tasks = maps
     ? [
