@@ -1,5 +1,6 @@
 /** Small pictures of the gallery and of both ends. */
 import { effect, untracked } from "@preact/signals";
+import { pieceColours } from "#document/colours";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
 import { palette } from "#style/palette";
@@ -31,13 +32,13 @@ export function scheduleThumbnails(): void {
     const { maps } = scene.value.a;
     dark.value;
     epoch.value;
-    untracked(() => want("a", maps));
+    untracked(() => want("a", maps, pieceColours(theme())));
   });
   effect(() => {
     const { maps } = scene.value.b;
     dark.value;
     epoch.value;
-    untracked(() => want("b", maps));
+    untracked(() => want("b", maps, pieceColours(theme())));
   });
   effect(() => {
     dark.value;
@@ -67,8 +68,9 @@ export function thumbnailsOf(shapes: readonly { id: string; maps: MapRow[] }[]):
   };
 }
 
-function want(id: string, maps: MapRow[]): void {
-  const colours = palette(dark.peek() ? "dark" : "light");
+const theme = () => (dark.peek() ? "dark" : "light");
+
+function want(id: string, maps: MapRow[], colours = palette(theme())): void {
   const before = wanted.get(id);
   if (before?.maps === maps && before.colours === colours) return;
   wanted.set(id, { maps, colours });

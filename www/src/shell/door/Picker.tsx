@@ -5,6 +5,7 @@ import { Segmented } from "#ui/controls/Segmented";
 import { Dialog } from "#ui/overlay/Dialog";
 import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
 import type { ImportedSystem } from "#wasm/api";
+import { loadSpace } from "#wasm/space";
 import { type Choice, choice, take } from "./door";
 import type { Where } from "./morph";
 import css from "./picker.module.css";
@@ -21,22 +22,24 @@ export function Picker() {
   const { file, systems, remarks } = choice.value ?? NOTHING;
   const [where, setWhere] = useState<Where>("a");
   const [sought, setSought] = useState("");
-  const items: Item[] = useMemo(
-    () =>
-      systems.map((system, i) => ({
-        ...system,
-        id: `file-${i}`,
-        name: system.name || `System ${i + 1}`,
-        about: system.problem ?? system.remarks.join(" ") ?? "",
-      })),
-    [systems],
-  );
+  const [solids, setSolids] = useState<ReadonlyMap<string, ImageBitmap>>(new Map());
+  const items: Item[] = useMemo(() => {
+    turn++;
+    return systems.map((system, i) => ({
+      ...system,
+      // Pictures of an earlier file have other ids.
+      id: `file-${turn}-${i}`,
+      name: system.name || `System ${i + 1}`,
+      about: system.problem ?? system.remarks.join(" ") ?? "",
+    }));
+  }, [systems]);
   const found = useMemo(() => named(items, sought), [items, sought]);
   const shown = useMemo(() => found.slice(0, MOST_SHOWN), [found]);
   useEffect(
     () => thumbnailsOf(shown.flatMap((one) => (one.dimension === 2 ? [{ id: one.id, maps: one.maps }] : []))),
     [shown],
   );
+  useEffect(() => solidPictures(shown, setSolids), [shown]);
   const close = () => {
     choice.value = null;
   };
@@ -83,7 +86,7 @@ export function Picker() {
       <ShapeGrid
         key={sought}
         presets={shown}
-        pictures={thumbnails.value}
+        pictures={solids.size > 0 ? new Map([...thumbnails.value, ...solids]) : thumbnails.value}
         noteOf={(item) => (item.dimension === 3 ? `space, ${mapsNote(item)}` : mapsNote(item))}
         chosen={undefined}
         onChoose={(item) => {
@@ -93,6 +96,34 @@ export function Picker() {
       />
     </Dialog>
   );
+}
+
+/** How many files were looked at. */
+let turn = 0;
+
+/** Pictures of those of space, carved by a worker that is fetched for it, until the returned function is called. */
+function solidPictures(
+  shown: readonly Item[],
+  give: (pictures: ReadonlyMap<string, ImageBitmap>) => void,
+): () => void {
+  const subjects = shown.flatMap(({ id, name, problem, ...system }) =>
+    system.dimension === 3 && problem === undefined ? [{ id, objects: [{ name, maps: system.maps }] }] : [],
+  );
+  let stops: (() => void)[] = [];
+  let gone = false;
+  if (subjects.length > 0) {
+    Promise.all([import("#tools/space/shape/object/thumbs"), loadSpace()]).then(
+      ([{ makePictures, pictures }]) => {
+        if (!gone) stops = [pictures.subscribe(give), makePictures(subjects)];
+      },
+      // Without pictures they can still be chosen.
+      () => {},
+    );
+  }
+  return () => {
+    gone = true;
+    for (const stop of stops) stop();
+  };
 }
 
 /** Those with these letters in their name. */

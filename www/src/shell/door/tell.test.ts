@@ -29,6 +29,8 @@ test.each([
   ["maps", ".5 0 0 .5 0 0\n"],
   ["maps", "<flames name='a'><flame/></flames>"],
   ["maps", "<Flames><flame/></Flames>"],
+  ["maps", "<jwf-flame name='a'><layer/></jwf-flame>"],
+  ["other", "<IFS><flame_transform/></IFS>"],
   ["maps", "@\n$dim=2\nA=2^-1*A"],
   ["maps", '{"name":"Fern","maps":[[1,2,3,4,5,6]]}'],
   ["maps", "[[1,2,3,4,5,6]]"],

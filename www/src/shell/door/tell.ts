@@ -45,7 +45,7 @@ export function mayHoldLink(head: Uint8Array): boolean {
 
 function ofXml(text: string): FileKind {
   if (/<(\w+:)?svg/.test(text)) return "outline";
-  return /<flames?\b/i.test(text) ? "maps" : "other";
+  return /<(flames?|jwf-flame)\b/i.test(text) ? "maps" : "other";
 }
 
 function ofJson(text: string): FileKind {
