@@ -102,6 +102,22 @@ test("a plain page shows morphs in a few lines, and leaves nothing behind", asyn
   );
   await page.locator("#fern").scrollIntoViewIfNeeded();
 
+  // What is overtaken while it opens is not shown later on.
+  const overtaken = await page.evaluate(async () => {
+    const far = (window as unknown as Host).view("far");
+    far.setAttribute("a", "tree");
+    // The opening has begun, and waits for its module.
+    await null;
+    far.setAttribute("a", "hammer");
+    await new Promise((done) => setTimeout(done, 500));
+    try {
+      return far.maps();
+    } catch (problem) {
+      return (problem as { code: string }).code;
+    }
+  });
+  expect(overtaken).toBe("not-ready");
+
   // The last of many changes wins; nonsense, moves and removals leave nothing but a word.
   await page.evaluate(async () => {
     const fern = (window as unknown as Host).view("fern");

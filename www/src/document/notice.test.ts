@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import { dismiss, notices, notify } from "./notice";
+import { dismiss, notices, notify, wordsOf } from "./notice";
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => {
@@ -22,4 +22,14 @@ it("keeps what tells of work that goes on until the work has ended", () => {
   expect(texts()).toEqual(["Drawing the picture to save …"]);
   dismiss(id);
   expect(texts()).toEqual([]);
+});
+
+it("says what to do where a script of the page is not there any more", () => {
+  for (const said of [
+    "Failed to fetch dynamically imported module: https://example.org/assets/tool-abc.js",
+    "error loading dynamically imported module: https://example.org/assets/tool-abc.js",
+    "Importing a module script failed.",
+  ])
+    expect(wordsOf(new TypeError(said))).toContain("load the page again");
+  expect(wordsOf(new Error("The file is empty."))).toBe("The file is empty.");
 });

@@ -42,10 +42,19 @@ export function announce(text: string): void {
   spoken.value = text;
 }
 
+/** What browsers say of a script that is not there: a newer version of the site may have other files. */
+const UNFETCHED = /dynamically imported module|importing a module script failed/i;
+const AGAIN =
+  "It could not be fetched. The network may be away, or a newer Frond is there: load the page again, what you made stays in the address.";
+
+/** For what only another start of the page may mend. */
+export const loadAgain = { label: "Load it again", run: () => location.reload() };
+
 /** The words of anything that was thrown: a `FrondError`, an `Error`, or a bare value. */
 export function wordsOf(problem: unknown): string {
   if (typeof problem === "object" && problem !== null && "message" in problem) {
     const { message } = problem as { message: unknown };
+    if (typeof message === "string" && UNFETCHED.test(message)) return AGAIN;
     if (typeof message === "string" && message) return message;
   }
   return String(problem);

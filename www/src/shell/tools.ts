@@ -1,7 +1,7 @@
 /** The tools of the studio, in the order of the bar on top. */
 import { effect, signal } from "@preact/signals";
 import { keepToo } from "#document/keep";
-import { notify, wordsOf } from "#document/notice";
+import { loadAgain, notify, wordsOf } from "#document/notice";
 import { reducedMotion } from "#document/preferences";
 import { tool as opened, openTool } from "#document/tool";
 import type { Tool, ToolEntry } from "#stage/tool";
@@ -48,7 +48,8 @@ export function watchTools(): () => void {
       (tool) => {
         fetched.value = new Map(fetched.peek()).set(entry, tool);
       },
-      (problem) => notify({ kind: "error", text: `${entry.missing}: ${wordsOf(problem)}` }),
+      (problem) =>
+        notify({ kind: "error", text: `${entry.missing}. ${wordsOf(problem)}`, action: loadAgain }),
     );
   });
 }

@@ -1,7 +1,7 @@
 import { signal } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
-import { notify, wordsOf } from "#document/notice";
+import { loadAgain, notify, wordsOf } from "#document/notice";
 
 /** A component that is loaded when it is first shown: nothing until then. */
 export function lazily<P extends object>(load: () => Promise<ComponentType<P>>): ComponentType<P> {
@@ -14,7 +14,11 @@ export function lazily<P extends object>(load: () => Promise<ComponentType<P>>):
           there.value = { Component };
         },
         (problem) =>
-          notify({ kind: "error", text: `A part of the page could not be loaded: ${wordsOf(problem)}` }),
+          notify({
+            kind: "error",
+            text: `A part of the page could not be loaded. ${wordsOf(problem)}`,
+            action: loadAgain,
+          }),
       );
     }, []);
     const Component = there.value?.Component;
