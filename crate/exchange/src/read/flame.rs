@@ -236,6 +236,8 @@ impl Flame {
                 "post" => post = Some(columns(key, value)?),
                 "weight" => weight = Some(one()?),
                 "color" => place = number(value.trim()).unwrap_or(place),
+                // Ones say nothing.
+                "chaos" if value.split_ascii_whitespace().all(|word| number(word) == Some(1.0)) => {}
                 "chaos" => self.leave("which transform may follow which (xaos)"),
                 // Of old: the weights of all functions in their order, or the number of one.
                 "var" => {
@@ -486,6 +488,17 @@ mod tests {
         assert_eq!(found.colours, [[0, 255, 0], [16, 17, 18], [255, 0, 0]]);
         // As flam3 does, from end to end.
         assert_eq!(flame(&["", "", ""]).colours, [[255, 0, 0], [16, 17, 18], [255, 0, 0]]);
+    }
+
+    #[test]
+    fn what_changes_nothing_is_not_said_to_be_left_out() {
+        let remarks = |chaos: &str| {
+            flames(&format!("<flame><xform chaos='{chaos}' coefs='.5 0 0 .5 0 0'/></flame>"))
+                .remove(0)
+                .remarks
+        };
+        assert_eq!(remarks("1 1.0 1 "), [""; 0]);
+        assert_eq!(remarks("1 0.5"), ["Left out: which transform may follow which (xaos)."]);
     }
 
     #[test]

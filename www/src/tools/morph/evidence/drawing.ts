@@ -21,11 +21,15 @@ export interface Evidence {
 }
 
 /** The most pieces of a drawing, and the size below which none is taken apart, as a part of the whole. */
-const MOST_PIECES = 4000;
+const MOST_PIECES = 3000;
 const FINE = 1 / 700;
+/** Corners of the outline of a piece; in so small a thing more are not seen. */
+const MOST_CORNERS = 12;
 const SIDE = 900;
 const MARGIN = 30;
 const RING = 7;
+
+const tenth = (x: number) => Math.round(10 * x) / 10;
 
 export function evidenceDrawing(evidence: Evidence): string {
   const { title, words, maps, hull, colours, links, sides, gap } = evidence;
@@ -35,16 +39,18 @@ export function evidenceDrawing(evidence: Evidence): string {
   const [across, down] = [Math.max(...xs) - left, top - Math.min(...ys)];
   const scale = SIDE / Math.max(across, down, 1e-300);
   const at = ([x, y]: Point): Point => [
-    rounded(MARGIN + (x - left) * scale),
-    rounded(MARGIN + (top - y) * scale),
+    tenth(MARGIN + (x - left) * scale),
+    tenth(MARGIN + (top - y) * scale),
   ];
   const area = (corners: readonly Point[]) => `M${corners.map((corner) => at(corner).join(" ")).join("L")}Z`;
   const colourOf = (map: number) => colours[map % colours.length] ?? GREY;
 
+  const few = Math.max(1, hull.length / MOST_CORNERS);
+  const outline = hull.filter((_, i) => Math.floor(i / few) !== Math.floor((i - 1) / few));
   const pieces = piecesOf(maps, hull, Math.max(across, down));
   const shape = maps.map((_, first) => {
     const own = pieces.filter((piece) => piece.first === first);
-    const d = own.map(({ map }) => area(hull.map((corner) => imageOf(map, corner)))).join("");
+    const d = own.map(({ map }) => area(outline.map((corner) => imageOf(map, corner)))).join("");
     return tag("path", { fill: colourOf(first), stroke: colourOf(first), d });
   });
   const parts = [
