@@ -54,6 +54,10 @@ test("a page of another origin shows a morph, and drives it", async ({ page, bas
     .toBe(true);
   await say({ frond: 1, type: "seek" });
   await expect.poll(async () => (await heard()).filter(({ type }) => type === "error").length).toBe(1);
+  // A link that cannot be read is said to be one, and what is there stays.
+  await say({ frond: 1, type: "open", fragment: "a=hammer" });
+  await expect.poll(async () => (await heard()).filter(({ type }) => type === "error").length).toBe(2);
+  expect((await heard()).findLast(({ type }) => type === "error")?.message).toContain("hammer");
   await expect.poll(async () => (await heard()).some(({ verdict }) => verdict !== undefined)).toBe(true);
   const out = frame.getByRole("link", { name: "Open in Frond" });
   await expect(out).toHaveAttribute("href", /^\.\/#v=1&a=koch&b=gasket/);

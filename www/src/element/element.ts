@@ -329,7 +329,10 @@ export class FrondView extends HTMLElement {
   #rested(): void {
     this.#ui.describe(this.#label());
     if (this.hasAttribute("verdict") && this.#shown instanceof Picture)
-      this.#shown.verdict().catch((problem) => this.#send("error", failureOf(problem)));
+      this.#shown.verdict().catch((problem) => {
+        this.#ui.verdict("Not decided: its module could not be fetched.");
+        this.#send("error", failureOf(problem));
+      });
   }
 
   #decided(told: Told): void {

@@ -3,9 +3,11 @@ import { effect } from "@preact/signals";
 import { verdict } from "#compute/results";
 import { curved } from "#document/curve/curve";
 import { phasePlaying } from "#document/deform/bend";
+import { parseRoute } from "#document/link";
 import { playing, spacePlaying } from "#document/playback";
 import { scene } from "#document/scene";
 import { verdictLine } from "#format/verdict";
+import { frond } from "#wasm/core";
 import { link } from "../actions";
 import { openedTool } from "../tools";
 import { type Asked, askedBy, type Told } from "./messages";
@@ -50,7 +52,10 @@ export function talk(origin: string | null): () => void {
     if (asked.type === "hello") {
       listener = event.origin;
       tell(state());
-    } else act(asked);
+      return;
+    }
+    const problem = act(asked);
+    if (problem !== null) tell({ type: "error", message: problem }, event.origin);
   };
   addEventListener("message", hear);
   // It says nothing of the document, so anybody may have it.
@@ -70,8 +75,18 @@ export function talk(origin: string | null): () => void {
   };
 }
 
-function act(asked: Exclude<Asked, { type: "hello" }>): void {
+/** What is wrong with what was asked for, in words: then all stays as it is. */
+function act(asked: Exclude<Asked, { type: "hello" }>): string | null {
+  if (asked.type === "open") return open(asked.fragment);
   if (asked.type === "seek") seek(asked.t);
-  else if (asked.type === "open") location.replace(`#${asked.fragment}`);
   else if (moving() !== (asked.type === "play")) openedTool().tool?.timeline?.toggle();
+  return null;
+}
+
+function open(fragment: string): string | null {
+  const problem = parseRoute(fragment).page === "studio" ? frond.decodeScene(fragment).problem : undefined;
+  // Of a link of a later version it shows what it can.
+  if (problem && problem.code !== "link-later") return problem.message;
+  location.replace(`#${fragment}`);
+  return null;
 }
