@@ -45,6 +45,18 @@ test("a system of the plane opens in Morph from wherever it is dropped, as one s
   expect((await studio.scene()).a.preset).toBe("fern");
   await page.getByRole("button", { name: "Undo", exact: true }).first().click();
   await expect.poll(async () => (await studio.scene()).b.preset).toBe("tree");
+  // Colours that a file brings are those of the picture, until they are given back.
+  const xform = (x: number) =>
+    `<xform weight="1" color="${x}" linear="1" coefs=".4 0 0 .4 ${x} 0" post="1 0 0 1 0 0"/>`;
+  const palette = '<palette count="2" format="RGB">FF0000 00C000</palette>';
+  await arrive(page, "drop", "two.flame", `<flame name="two">${xform(0)}${xform(1)}${palette}</flame>`);
+  const shown = async () => (await studio.look()).colours.slice(0, 2).sort();
+  await expect.poll(shown).toEqual(["#00c000", "#ff0000"]);
+  await page.getByRole("button", { name: "Frond’s colours" }).click();
+  await expect.poll(shown).not.toContain("#ff0000");
+  expect((await studio.scene()).palette).toBeUndefined();
+  await page.getByRole("button", { name: "Undo", exact: true }).first().click();
+  await page.getByRole("button", { name: "Undo", exact: true }).first().click();
   // All of several files are there to choose from, also where figures were looked at.
   await page.evaluate(() => {
     location.hash = "#figures";
