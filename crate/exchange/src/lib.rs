@@ -18,7 +18,7 @@
 //! | file | what of it |
 //! |---|---|
 //! | Fractint's `.ifs`, and others like it | six or seven numbers a map, in space (`(3D)`) twelve or thirteen |
-//! | `.flame` (flam3, Apophysis, JWildfire) | transforms with a linear part, their `post` composed, the colours of these; all else is said |
+//! | `.flame` (flam3, Apophysis, JWildfire) | the linear part of transforms, with `post`, and their colours |
 //! | `.aifs` (IFStile) | maps of numbers, their products and one equation of a set; `read/ifstile.rs` says what else |
 //! | JSON | `{ maps }` as the programming interface has it, alone or several; whole documents |
 //! | tables | six or seven columns, in space twelve or thirteen |
@@ -29,7 +29,8 @@
 //!
 //! # In which order to read it
 //!
-//! 1. `system`: what is exchanged. `number`: how its numbers are written where exact ones are wanted; `colour` the same.
+//! 1. `system`: what is exchanged. `number`: how its numbers are written where exact ones are wanted. `colour`: as the
+//!    web writes them.
 //! 2. `read/`: a file a format; `import` tells which it is, `problem` says what can be wrong.
 //! 3. `write/`: a file a format; `export` chooses, and says what each is called.
 //! 4. `png`: the link in a picture. `locus`: the samples of a locus, for other programs to work on.
