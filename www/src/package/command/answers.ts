@@ -1,6 +1,6 @@
 /** What the command answers without a picture: loci, verdicts, checks of proofs, and maps for other programs. */
 import type { ExportFormat, Ifs } from "#wasm/api";
-import { morphOf, opened } from "./morph";
+import { morphOf, type NamedMaps, opened, withColours } from "./morph";
 import { endOf, number, type Options, outOf, Refusal, whole } from "./options";
 import type { System } from "./system";
 
@@ -30,7 +30,7 @@ export async function locus(link: string, options: Options, system: System): Pro
 }
 
 /** Maps of a file, or of a link at a moment. */
-async function mapsOf(subject: string, options: Options, system: System): Promise<Ifs & { name: string }> {
+async function mapsOf(subject: string, options: Options, system: System): Promise<NamedMaps> {
   let link = subject;
   if (!subject.includes("=") || /^[./]/.test(subject)) {
     const { importFile } = await system.exchange();
@@ -41,14 +41,15 @@ async function mapsOf(subject: string, options: Options, system: System): Promis
       if (systems.length > 1) system.tell(`The first of ${systems.length} systems: ${first.name}`);
       if (first.maps.some((map) => map.length !== 6))
         throw new Refusal(`${subject} holds maps of space: open it in the studio, in Space.`);
-      return { name: first.name, maps: first.maps as Ifs["maps"] };
+      const { name, maps, colours } = first;
+      return { name, maps: maps as Ifs["maps"], ...(colours ? { colours } : {}) };
     }
     if (inside === undefined) throw new Refusal(`There are no maps in ${subject}.`);
     link = inside;
   }
   const { scene, at } = await morphOf(await opened(link, system), system);
   const [ifs] = await at([number(options, "t", 0, 1, scene.t)]);
-  return { maps: ifs?.maps ?? [], name: `${scene.a.name} to ${scene.b.name}` };
+  return withColours(ifs?.maps ?? [], `${scene.a.name} to ${scene.b.name}`, scene);
 }
 
 export async function connectedness(subject: string, options: Options, system: System): Promise<number> {

@@ -49,6 +49,15 @@ export async function morphOf(scene: Scene, system: System) {
   return { draw, scene, ends, morph, at };
 }
 
+/** Maps with their name, and their colours where a link or a file gives them some. */
+export type NamedMaps = Ifs & { name: string; colours?: string[] };
+
+/** Those of a document, one a map. */
+export function withColours(maps: Ifs["maps"], name: string, { palette }: Scene): NamedMaps {
+  if (!palette || palette.length === 0) return { maps, name };
+  return { maps, name, colours: maps.map((_, i) => palette[i % palette.length] ?? "") };
+}
+
 /** How a link bends its shape at a moment of its bending; null where it does not. */
 export function bendOf({ deform, tool }: Scene) {
   if (!deform || !(deform.on || tool === "deform")) return null;

@@ -3,7 +3,7 @@ import { type Box, boxAt, calmTrack, stillTrack, union } from "#geometry/boxes";
 import { WHITE } from "#style/colours";
 import { palette } from "#style/palette";
 import type { Bend, Ifs, Scene } from "#wasm/api";
-import { bendOf, morphOf } from "./morph";
+import { bendOf, morphOf, type NamedMaps, withColours } from "./morph";
 import { Refusal } from "./options";
 import type { Draw, Pixels, System } from "./system";
 
@@ -24,7 +24,7 @@ export interface Shown {
   /** Why there is nothing to film. */
   still: string | null;
   /** The maps of a moment, where these are all that there is to see. */
-  plain?: (t: number) => Promise<Ifs & { name: string }>;
+  plain?: (t: number) => Promise<NamedMaps>;
   /** Makes ready what is needed for these moments; then each can be drawn. */
   frames(moments: number[], look: Look): Promise<(i: number) => Promise<Pixels>>;
 }
@@ -56,7 +56,9 @@ async function planeShown(scene: Scene, system: System): Promise<Shown> {
     t: bending && deform ? deform.phase : t,
     round: bending && deform?.loop === true,
     still: bending && (deform?.keys.length ?? 0) < 2 ? "it has one key frame, and so stands still" : null,
-    ...(bend ? {} : { plain: async (moment) => ({ name, maps: (await mapsAt([moment]))[0]?.maps ?? [] }) }),
+    ...(bend
+      ? {}
+      : { plain: async (moment) => withColours((await mapsAt([moment]))[0]?.maps ?? [], name, scene) }),
     async frames(moments, { width, height, ground }) {
       const looks = moments.length === 1 ? moments : Array.from({ length: LOOKS }, (_, i) => i / (LOOKS - 1));
       const seen = await mapsAt(looks);
