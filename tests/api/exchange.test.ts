@@ -61,6 +61,20 @@ describe("files of other programs", () => {
     );
   });
 
+  it("keep the colours of their maps", () => {
+    const { maps } = shape("gasket");
+    const colours = ["#ff0000", "#00c0ff", "#102030"];
+    for (const form of ["json", "flame"] as const) {
+      const text = exchange.exportMaps({ name: "Mine", maps, colours }, form);
+      expect(exchange.importFile(bytes(text)).systems[0]?.colours).toEqual(colours);
+      expect(exchange.importFile(bytes(exchange.exportMaps({ maps }, form))).systems[0]).not.toHaveProperty(
+        "colours",
+      );
+    }
+    expect(exchange.exportMaps({ maps, colours }, "svg")).toContain('fill="#00c0ff"');
+    expect(refused(() => exchange.exportMaps({ maps, colours: ["red"] }, "flame"))).toBe("bad-input");
+  });
+
   it("are refused with a code and a word that helps", () => {
     expect(refused(() => exchange.importFile(bytes("")))).toBe("file-empty");
     expect(refused(() => exchange.importFile(bytes("a {\n1 2 x }")))).toBe("ifs-number");
