@@ -20,7 +20,7 @@ export function OwnShapes({ onChoose }: { onChoose: (shape: Shape) => void }) {
   useEffect(() => thumbnailsOf(shapes.map(({ id, maps }) => ({ id: pictureOf(id), maps }))), [shapes]);
   if (shapes.length === 0) return null;
   return (
-    <section class={css["own"]} aria-label="Your shapes">
+    <section class={css["own-shapes"]} aria-label="Your shapes">
       <h3>Yours</h3>
       <ul class={css["list"]}>
         {shapes.map((shape) => (
@@ -48,7 +48,7 @@ function Item({ shape, onChoose }: { shape: OwnShape; onChoose: (shape: Shape) =
     <li class={css["item"]}>
       <button type="button" class={css["face"]} aria-label={`${name}, ${mapsNote(shape)}`} onClick={take}>
         <Thumbnail bitmap={thumbnails.value.get(pictureOf(id))} />
-        {!naming && <span class={css["name"]}>{name}</span>}
+        {!naming && <span class={css["own-name"]}>{name}</span>}
       </button>
       {naming && (
         <NameInput
@@ -60,7 +60,7 @@ function Item({ shape, onChoose }: { shape: OwnShape; onChoose: (shape: Shape) =
           onEnd={() => setNaming(false)}
         />
       )}
-      <span class={css["tools"]}>
+      <span class={css["own-tools"]}>
         <small>{mapsNote(shape)}</small>
         <IconButton icon="edit" kind="quiet" label={`Rename ${name}`} onClick={() => setNaming(true)} />
         <IconButton
