@@ -2,9 +2,15 @@
 import { readFile } from "node:fs/promises";
 import { beforeAll, describe, expect, it } from "vitest";
 import initCore from "../../www/pkg/frond.js";
-import initProof, { connectedness } from "../../www/pkg/frond-proof.js";
-import { mapsOf } from "../../www/src/figures/kit/locus/set-m";
+import initProof, { checkPath, connectedness, planPath } from "../../www/pkg/frond-proof.js";
+import { barnsley } from "../../www/src/figures/kit/connectedness/barnsley";
+import { preset } from "../../www/src/figures/kit/frame/studio-link";
+import { type Complex, mapsOf } from "../../www/src/figures/kit/locus/set-m";
 import { mapsAt } from "../../www/src/figures/kit/maps/morphs";
+import * as cells from "../../www/src/figures/lessons/lesson-3/cells";
+import { sideOf } from "../../www/src/figures/lessons/lesson-7/sides";
+import { isLargeDust, isSmallPiece } from "../../www/src/figures/lessons/lesson-8/found";
+import { kept, PAIRINGS } from "../../www/src/figures/lessons/lesson-10/pairings";
 import * as map from "../../www/src/figures/lessons/lesson-20/map";
 import { APART_S } from "../../www/src/figures/lessons/lesson-21/curves";
 import * as bend from "../../www/src/figures/lessons/lesson-22/answer";
@@ -85,4 +91,79 @@ it("Two curves that must cross: the two pieces are apart, though no picture show
   const found = connectedness({ maps: mapsOf(APART_S) }, { epsilon: 1e-6 });
   expect(found.verdict).toBe("disconnected");
   expect(found.gap.upper / found.diameter).toBeLessThan(1 / 600);
+});
+
+describe("Dots and lines", () => {
+  const judged = (chosen: number[]) => connectedness({ maps: cells.mapsOf(chosen) }, { epsilon: 1e-6 });
+
+  it("finds stars, and no others", () => {
+    const isStar = (chosen: number[]) => cells.isStar(chosen.length, judged(chosen).overlaps);
+    expect(isStar([1, 3, 4, 5, 7])).toBe(true);
+    expect(isStar([0, 2, 4, 6, 8])).toBe(true);
+    expect(isStar([0, 1, 2])).toBe(false);
+    expect(isStar([0, 1, 2, 4, 7])).toBe(false);
+  });
+
+  it("tells cells that share an edge from pieces that touch", () => {
+    const isDeceiving = (chosen: number[]) => cells.isDeceiving(chosen, judged(chosen));
+    expect(isDeceiving([0, 1])).toBe(true);
+    expect(isDeceiving([1, 4])).toBe(true);
+    expect(isDeceiving([0, 1, 2])).toBe(false);
+    expect(isDeceiving([0, 2])).toBe(false);
+  });
+});
+
+it("A bound that closes in: its exercises have the solutions that are given", () => {
+  const steps = (r: number) => barnsley(r, 11).at(-1)?.n;
+  expect([0.42, 0.45, 0.48, 0.49].map(steps)).toEqual([2, 2, 4, 5]);
+  expect(2 * 0.48 ** 6).toBeLessThan(0.04);
+  expect(2 * 0.48 ** 5).toBeGreaterThan(0.04);
+});
+
+it("Straight on, or led: there is a way on either side, and where the exercises begin there is none", () => {
+  const [from, to] = [{ maps: preset("dragon-3").maps }, { maps: preset("terdragon").maps }];
+  const holds = (u: number, v: number) =>
+    checkPath(from, to, [[0, 0], [u, v], [1, 1]], { epsilon: 1 / 600, samples: 301 }).holds; // biome-ignore format: a path
+  expect([holds(0.5, 0.1), sideOf([0.5, 0.1])]).toEqual([true, "turning first"]);
+  expect([holds(0.2, 0.45), sideOf([0.2, 0.45])]).toEqual([true, "moving first"]);
+  expect([holds(0.8, 0.3), holds(0.1, 0.9)]).toEqual([false, false]);
+});
+
+it("The set M: dust and one piece where the exercises say, and not where they begin", () => {
+  const judged = (s: Complex) => connectedness({ maps: mapsOf(s) }, { epsilon: 1e-6 });
+  const dust = (s: Complex) => isLargeDust(s, judged(s));
+  expect([dust([0, 0.7]), dust([0, -0.7]), dust([0, 0.71]), dust([0.5, 0.5]), dust([0.4, 0.5])]).toEqual([
+    true,
+    true,
+    false,
+    false,
+    false,
+  ]);
+  const piece = (s: Complex) => isSmallPiece(s, judged(s));
+  expect([piece([0.5, 0]), piece([-0.5, 0]), piece([0.3, 0.4]), piece([0, 0.5]), piece([0.51, 0])]).toEqual([
+    true,
+    true,
+    false,
+    false,
+    false,
+  ]);
+});
+
+it("The wrong pairing: the six pairings of dragon and gasket", () => {
+  const [from, to] = [{ maps: preset("dragon-3").maps }, { maps: preset("gasket").maps }];
+  const plans = PAIRINGS.map((pairing) => ({
+    pairing,
+    ...planPath(from, to, { correspondence: [...pairing], epsilon: 1 / 600 }),
+  }));
+  const two = plans.filter(({ pairing }) => kept(pairing) === 1);
+  expect(two.map(({ pairing, holds }) => [pairing.join(""), holds])).toEqual([
+    ["102", false],
+    ["021", true],
+    ["210", true],
+  ]);
+  const round = plans.filter(({ pairing }) => kept(pairing) === 0);
+  expect(round.map(({ pairing, gap }) => [pairing.join(""), gap < 0.01])).toEqual([
+    ["120", true],
+    ["201", false],
+  ]);
 });

@@ -19,7 +19,9 @@ import { useVerdict } from "../../kit/workers";
 import { Guess } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { nearWords, usePrediction } from "../frame/prediction";
+import { Exercises } from "./exercises";
 import css from "./page.module.css";
+import { TEACHING } from "./teaching";
 
 const WHOLE: Box = { x0: 0, y0: 0, x1: 1, y1: HEIGHT };
 /** Where pieces 1 and 2 meet. */
@@ -53,6 +55,8 @@ export function Page(heading: Heading) {
         </>
       }
       question={<Parting prediction={prediction} r={r} />}
+      exercises={<Exercises />}
+      teaching={TEACHING}
       parameters={[
         {
           name: "Maps, towards the corners of a triangle of side 1",

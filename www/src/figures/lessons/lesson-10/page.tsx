@@ -1,9 +1,7 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { meritWords } from "#format/path-words";
 import { shareWords } from "#format/verdict";
-import type { PathPlan } from "#wasm/api";
 import { frond } from "#wasm/core";
-import type { Task } from "#workers/pool/protocol";
 import { Choice } from "../../kit/frame/control";
 import type { Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
@@ -16,15 +14,15 @@ import { boxAround, type Ends } from "../../kit/maps/morphs";
 import { Drawn, middles, PieceNames } from "../../kit/picture/annotated";
 import { oneOf } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
-import { useAsk } from "../../kit/workers";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
+import { Exercises } from "./exercises";
 import { Matching, matchingWords } from "./matching";
 import css from "./page.module.css";
+import { endsOf, FIRST, type First, LAST, usePlan } from "./plan";
 import { TEACHING } from "./teaching";
 
-const EPSILON = 1 / 600;
 const SIZE = 85;
 
 /** For each map of the first shape the map of the last that it becomes. */
@@ -36,13 +34,6 @@ const MATCHINGS = {
 type Name = keyof typeof MATCHINGS;
 const NAMES: readonly Name[] = ["swap", "same", "round"];
 const LETTERS: Record<Name, string> = { swap: "P", same: "Q", round: "R" };
-
-const FIRST = [
-  { value: "dragon-3", label: "Heighway’s dragon" },
-  { value: "terdragon-mirrored", label: "Mirrored terdragon" },
-] as const;
-type First = (typeof FIRST)[number]["value"];
-const LAST = "gasket";
 
 /** The wrong pairing. */
 export function Page(heading: Heading) {
@@ -66,6 +57,7 @@ export function Page(heading: Heading) {
         </>
       }
       question={<Pairing prediction={prediction} />}
+      exercises={<Exercises />}
       teaching={TEACHING}
       parameters={[
         { name: "First shape", symbol: "A", value: "Heighway’s dragon, written with three maps" },
@@ -97,8 +89,6 @@ export function Page(heading: Heading) {
     </Lesson>
   );
 }
-
-const endsOf = (first: First): Ends => ({ from: preset(first).maps, to: preset(LAST).maps });
 
 /** Both ends, and two half-way shapes between them. */
 function Between() {
@@ -132,7 +122,11 @@ function Pairing({ prediction }: { prediction: Prediction<Name> }) {
   const { shown, guess } = prediction;
   const ends = useMemo(() => endsOf("dragon-3"), []);
   // Asked for before they are shown: they take a moment.
-  const plans = { swap: usePlan(ends, "swap"), same: usePlan(ends, "same"), round: usePlan(ends, "round") };
+  const plans = {
+    swap: usePlan(ends, MATCHINGS.swap),
+    same: usePlan(ends, MATCHINGS.same),
+    round: usePlan(ends, MATCHINGS.round),
+  };
   const whole = NAMES.filter((name) => plans[name]?.holds);
   const known = NAMES.every((name) => plans[name] !== null);
   const truth = known ? (whole[0] ?? null) : null;
@@ -205,7 +199,7 @@ function Chart({ ends, name }: { ends: Ends; name: Name }) {
   const options = useMemo(() => ({ correspondence: [...MATCHINGS[name]] }), [name]);
   const wish = useMemo(() => ({ ends, options, size: SIZE }), [ends, options]);
   const field = useChart(wish);
-  const plan = usePlan(ends, name);
+  const plan = usePlan(ends, MATCHINGS[name]);
   const holds = plan?.holds ?? false;
   const state = plan === null ? "being looked for" : meritWords(plan);
   return (
@@ -227,15 +221,4 @@ function Chart({ ends, name }: { ends: Ends; name: Name }) {
       />
     </Panel>
   );
-}
-
-/** The best path of a pairing, or null until it is found. */
-function usePlan(ends: Ends, name: Name): PathPlan | null {
-  const [found, setFound] = useState<{ of: object; plan: PathPlan } | null>(null);
-  const task = useMemo<Task<"plan3">>(
-    () => ({ kind: "plan3", ...ends, options: { correspondence: [...MATCHINGS[name]], epsilon: EPSILON } }),
-    [ends, name],
-  );
-  useAsk<"plan3">(task, 36, { accept: (of, plan) => setFound({ of, plan }) });
-  return found && found.of === task ? found.plan : null;
 }

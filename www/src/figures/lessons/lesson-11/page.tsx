@@ -14,6 +14,7 @@ import { useKept } from "../../kit/state/kept";
 import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
+import { Exercises } from "./exercises";
 import { TEACHING } from "./teaching";
 
 type Guess = "still" | "along" | "alike" | "apart";
@@ -39,6 +40,7 @@ export function Page(heading: Heading) {
         </>
       }
       question={<What prediction={prediction} />}
+      exercises={<Exercises />}
       teaching={TEACHING}
       parameters={[
         {

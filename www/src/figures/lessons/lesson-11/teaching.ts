@@ -21,4 +21,10 @@ export const TEACHING: Teaching = {
       answer: "How much: it weighs the small parts against the large.",
     },
   ],
+  answer:
+    "Each triangle is lifted in the middle of its own long side, at every scale. A code that ends like that of the middle begins like it when it is read the other way round.",
+  solutions: [
+    "2311: the letters of 1132 in the other order.",
+    "1231: the first letter stays, and 132 is turned round.",
+  ],
 };

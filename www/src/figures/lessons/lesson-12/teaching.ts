@@ -22,4 +22,9 @@ export const TEACHING: Teaching = {
       answer: "A copy that is not made smaller keeps all of the difference, and hands it on at every step.",
     },
   ],
+  answer: "Hardly anything: each step halves all distances, so eight steps leave 1/256 of the difference.",
+  solutions: [
+    "10 steps: 2 to the power of 10 is 1024, the first power of 2 above 1000.",
+    "The gasket. It is made of three half-size copies of itself already.",
+  ],
 };

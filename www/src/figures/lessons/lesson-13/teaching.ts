@@ -21,4 +21,9 @@ export const TEACHING: Teaching = {
       answer: "Where the last two maps put their leaf: the same height for both.",
     },
   ],
+  answer: "Every stem, down to the smallest: each leaf is a copy of the whole, and so is each leaflet.",
+  solutions: [
+    "Map 4: the leaves of one side are missing, and so are the leaflets of one side of each leaf.",
+    "0°: the large map then no longer turns, and nothing bends.",
+  ],
 };

@@ -22,4 +22,10 @@ export const TEACHING: Teaching = {
       answer: "No: a point straight above the middle goes away, by a tenth more with each step.",
     },
   ],
+  answer:
+    "Away for two steps, to 1.84 times as far, and then into the middle: in the long run only the scale counts.",
+  solutions: [
+    "A scale below 1, and enough push: scale 0.8 and push 2, for example. In the long run only the scale counts.",
+    "A and B by turns, A first: what A moves across, B pushes up by. Each pair of steps makes the point larger.",
+  ],
 };

@@ -21,4 +21,10 @@ export const TEACHING: Teaching = {
       answer: "Each further pair of leaflets takes four times as long as the one below it.",
     },
   ],
+  answer:
+    "The lower leaflets in full, and hardly anything of the tip: map 2, which makes most of the fern, is thrown only one time in four, and the tip is map 2 again and again.",
+  solutions: [
+    "Weights 0.4, 0.6 and 1, or 0.6, 0.4 and 1: the chances are 0.2, 0.3 and 0.5, and 0.2 · 0.3 = 0.06.",
+    "0.36, which is 0.6 · 0.6: a piece gets the share of the marks that it has of the area.",
+  ],
 };

@@ -15,4 +15,10 @@ export const TEACHING: Teaching = {
       answer: "Exactly one: at each size it is in one piece only.",
     },
   ],
+  answer: "B, the middle of the bottom: in piece 1, and then always to the right. 2(1) is the same point.",
+  solutions: [
+    "1(3), or 3(1): the middle of the left side is where pieces 1 and 3 touch.",
+    "(12): one third is two thirds of the left half, and that is one third of the right half of it.",
+    "31(2) and 32(1).",
+  ],
 };

@@ -18,4 +18,9 @@ export const TEACHING: Teaching = {
       answer: "To a line: log 4 / log 3 = 1.26.",
     },
   ],
+  answer: "Three times as many. 2 to the power of 1.585 is 3: that is its dimension.",
+  solutions: [
+    "¼: two copies, and 2 · √¼ = 1.",
+    "½: the pieces meet in single points, and the dimension is log 3 / log 2 = 1.585. With less they are apart, with more they overlap.",
+  ],
 };

@@ -6,7 +6,7 @@ import { useKept } from "../../kit/state/kept";
 import { Exercise } from "../frame/exercise";
 import lessonCss from "../frame/lesson.module.css";
 import { Curve } from "./curve";
-import { dimension, spares, total } from "./rough";
+import { dimension, isQuarter, spares, total } from "./rough";
 
 type Points = { heights: readonly number[] };
 
@@ -17,12 +17,12 @@ export function Half({ heights }: Points) {
   return (
     <Exercise
       number={1}
-      ask="Now only three points, so two pieces. Choose the roughness so that the dimension lies between 1.24 and 1.26."
+      ask="Now only three points, so two pieces. Choose the roughness so that the dimension lies between 1.23 and 1.27."
       hints={[
         "With two pieces the roughnesses sum to 2s, and the dimension is 1 + log(2s) / log 2.",
         "So 2s must be near 2 to the power of ¼, which is 1.19.",
       ]}
-      solved={dimension(curve) > 1.24 && dimension(curve) < 1.26}
+      solved={isQuarter(curve)}
       status={`Both roughnesses sum to ${fixed(2 * s)}: dimension ${fixed(dimension(curve), 3)}.`}
     >
       <div class={`${layout["two-columns"]} ${layout["even"]}`}>

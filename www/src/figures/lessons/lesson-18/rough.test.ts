@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { climb, dimension, isStraight, mapsOf, samples, spares } from "./rough";
+import { climb, dimension, isQuarter, isStraight, mapsOf, samples, spares } from "./rough";
 
 const HEIGHTS = [0, 0.6, 0.2, 0.9, 0.4];
 const even = (factor: number) => ({ heights: HEIGHTS, factors: [factor, factor, factor, factor] });
@@ -62,6 +62,12 @@ describe("its dimension", () => {
     const [near, nearer] = [5, 6].map((level) => climb(samples(even(0.15), level)));
     expect((nearer ?? 0) / (near ?? 1)).toBeLessThan(1.05);
   });
+});
+
+it("finds a dimension of 1.25 at a hundredth that the slider has", () => {
+  const at = (percent: number) =>
+    isQuarter({ heights: [0, 0.7, 0.3], factors: [percent / 100, percent / 100] });
+  expect(Array.from({ length: 96 }, (_, percent) => percent).filter(at)).toEqual([59, 60]);
 });
 
 it("needs two rough pieces for a dimension above 1.2, and no more", () => {

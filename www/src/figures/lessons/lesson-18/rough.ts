@@ -59,6 +59,11 @@ export function dimension({ heights, factors }: Rough): number {
   return 1 + Math.log(sum) / Math.log(factors.length);
 }
 
+/** A dimension of about a quarter more than a line: what hundredths of a roughness can reach. */
+export function isQuarter(curve: Rough): boolean {
+  return Math.abs(dimension(curve) - 1.25) < 0.02;
+}
+
 /** Whether a curve of four pieces has a dimension above 1.2 with as many straight pieces as there can be: two. */
 export function spares(curve: Rough): boolean {
   return dimension(curve) > 1.2 && curve.factors.filter((factor) => factor === 0).length === 2;

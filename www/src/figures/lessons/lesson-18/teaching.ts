@@ -22,4 +22,10 @@ export const TEACHING: Teaching = {
         "It is that line: copies of a straight line that are sheared to fit between the points are straight.",
     },
   ],
+  answer:
+    "Beyond ¼. There the four roughnesses sum to 1; with more, the dimension is 1 + log(4s) / log 4, which is more than 1.",
+  solutions: [
+    "0.59 or 0.60: the dimension is 1 + log(2s) / log 2.",
+    "Two pieces straight, and two of 0.7 or more in size: 0.7 + 0.7 = 1.4 is above 1.32. One alone is below 1.",
+  ],
 };

@@ -12,7 +12,9 @@ import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, usePrediction } from "../frame/prediction";
 import { Board } from "./board";
+import { Exercises } from "./exercises";
 import css from "./page.module.css";
+import { TEACHING } from "./teaching";
 import { holes, Throws } from "./throws";
 
 const FIRST = 5;
@@ -40,6 +42,8 @@ export function Page(heading: Heading) {
         </>
       }
       question={<Empty prediction={prediction} />}
+      exercises={<Exercises />}
+      teaching={TEACHING}
       parameters={[
         { name: "A throw towards corner c", value: "½ x + ½ c" },
         { name: "Corners", symbol: tex`c_i`, value: "those of a triangle of side 1" },

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { HEIGHT } from "../../kit/maps/families";
-import { CORNERS, hash, holes, isInMiddle, START, Throws, weights } from "./throws";
+import { CORNERS, hash, holes, isInMiddle, landed, START, Throws, weights } from "./throws";
 
 describe("the chaos game by hand", () => {
   it("goes half of the way", () => {
@@ -54,4 +54,20 @@ it("hashes evenly into 32 bits", () => {
   const ones = Array.from({ length: 4096 }, (_, n) => hash(n));
   expect(new Set(ones).size).toBe(4096);
   expect(ones.every((x) => Number.isInteger(x) && x >= 0 && x < 2 ** 32)).toBe(true);
+});
+
+it("lands in a piece of a piece by its last two throws, whatever came before", () => {
+  const landedIn = (...corners: number[]) => landed(corners);
+  expect(landedIn()).toBe("none");
+  expect(landedIn(2, 1)).toBe("there");
+  expect(landedIn(0, 0, 2, 1)).toBe("there");
+  expect(landedIn(1)).toBe("large");
+  expect(landedIn(1, 2)).toBe("turned");
+  expect(landedIn(2, 1, 0)).toBe("elsewhere");
+  // By the places of the marks, too: the piece lies between 0.5 and 1 across, and its top part above a quarter.
+  const game = new Throws();
+  for (const corner of [2, 1]) game.throwTo(corner);
+  const [, second, third] = weights(game.here);
+  expect(second).toBeGreaterThanOrEqual(0.5);
+  expect(third).toBeGreaterThanOrEqual(0.25);
 });

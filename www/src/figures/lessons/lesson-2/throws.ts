@@ -80,3 +80,16 @@ export function hash(n: number): number {
   x = Math.imul(x ^ (x >>> 15), 0x735a2d97);
   return (x ^ (x >>> 15)) >>> 0;
 }
+
+/** Piece 3 of piece 2, from 0: what one is to throw into, and with how many throws at most. */
+export const TARGET: readonly number[] = [1, 2];
+export const MOST_AIMED = 4;
+
+/** Where throws have led: the last one is the first digit of the piece that the mark is in. */
+export function landed(corners: readonly number[]): "none" | "there" | "large" | "turned" | "elsewhere" {
+  const [last, before] = [corners.at(-1), corners.at(-2)];
+  if (last === undefined) return "none";
+  const [large, small] = TARGET;
+  if (last === large) return before === small ? "there" : "large";
+  return last === small && before === large ? "turned" : "elsewhere";
+}

@@ -23,4 +23,10 @@ export const TEACHING: Teaching = {
         "Nothing by itself. A gap changes without jumps, so that a wide one reaches to the points nearby; a thin line may slip between samples.",
     },
   ],
+  answer:
+    "Place 3, the one that is far from both A and B. Its pieces lie across each other, and a small push does not part what crosses.",
+  solutions: [
+    "u = 0.17, v = 0.5, for example.",
+    "Near u = 0.166 on the line v = 0.5: 0.165 is in one piece and 0.167 is not.",
+  ],
 };

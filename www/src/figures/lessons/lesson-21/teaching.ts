@@ -22,4 +22,10 @@ export const TEACHING: Teaching = {
         "A piece is the whole, made smaller by a factor below 1 (in a suitable norm), and so are its gaps.",
     },
   ],
+  answer:
+    "No, though no picture shows it: a piece may have gaps, and another one may go through them. That two pieces lie across each other is no proof.",
+  solutions: [
+    "One end of B on the short way between the ends of A, over the lower left corner; the other one anywhere else.",
+    "One end of B on the right side below the end of A, the other one above it: they take turns on the border.",
+  ],
 };

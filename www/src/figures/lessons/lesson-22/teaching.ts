@@ -21,4 +21,7 @@ export const TEACHING: Teaching = {
       answer: "At 1: each share is as large as the one before.",
     },
   ],
+  answer:
+    "The plain bend, exactly. The shares of the levels sum to 1 at every roughness, and at 0 the first level, which turns no letter round, has all of it.",
+  solutions: ["A roughness of 0.25 at most, and 0.1 at least.", "Locality 3."],
 };

@@ -21,4 +21,10 @@ export const TEACHING: Teaching = {
       answer: "It does not shrink: with s = 1 nothing is promised, and the map does not settle any shape.",
     },
   ],
+  answer:
+    "At most 2 mm: 1 + ½ + ¼ + … = 2. With copies of at most s times the size it is 1 / (1 − s) times as far off as the collage.",
+  solutions: [
+    "Copies of size 0.6 on the three lobes, those at the sides turned by 60° and −60°, and a small one of 0.3 in the middle.",
+    "0.7: 0.06 / (1 − 0.7) = 0.2.",
+  ],
 };

@@ -24,4 +24,10 @@ export const TEACHING: Teaching = {
         "Already the whole square: each of them has a square of half the side for its shadow, one in each corner.",
     },
   ],
+  answer:
+    "A square without a hole: the four copies of a copy fill the four quarters of its square, and so on down.",
+  solutions: [
+    "45° round, and 35° up: there the shadow is a whole hexagon.",
+    "60° round and 35° up, for example: the light then comes at right angles to two edges that do not meet.",
+  ],
 };

@@ -16,7 +16,9 @@ import { useVerdict } from "../../kit/workers";
 import choicesCss from "../frame/choices.module.css";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import { type Prediction, usePrediction } from "../frame/prediction";
+import { Exercises } from "./exercises";
 import css from "./page.module.css";
+import { TEACHING } from "./teaching";
 
 type Pair = readonly [i: number, j: number];
 
@@ -61,6 +63,8 @@ export function Page(heading: Heading) {
         </>
       }
       question={<Edges prediction={prediction} />}
+      exercises={<Exercises />}
+      teaching={TEACHING}
       parameters={[
         { name: "Maps above", value: "four of scale ⅓: Koch’s curve" },
         { name: "Maps below", value: "the same, the sides of the peak turned outward" },

@@ -19,6 +19,7 @@ import { Guess } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { nearWords, type Prediction, usePrediction } from "../frame/prediction";
+import { Exercises } from "./exercises";
 import { TEACHING } from "./teaching";
 
 /** The dust of the finished picture, and the one that is asked about. */
@@ -59,6 +60,7 @@ export function Page(heading: Heading) {
         </>
       }
       question={<When prediction={prediction} />}
+      exercises={<Exercises />}
       teaching={TEACHING}
       parameters={[
         { name: "Maps", value: [tex`f_1(x) = r x`, tex`f_2(x) = r x + 1 - r`] },

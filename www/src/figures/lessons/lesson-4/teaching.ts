@@ -21,4 +21,10 @@ export const TEACHING: Teaching = {
       answer: "That nothing is known yet.",
     },
   ],
+  answer:
+    "n = 5. The bound 2rⁿ⁺¹ falls to about half with each step, and gets below the distance there. The narrower the gap, the longer it takes.",
+  solutions: [
+    "r = 0.48, for example.",
+    "5: 2 · 0.48⁶ = 0.0245 is below 0.04, and 2 · 0.48⁵ = 0.0510 is not.",
+  ],
 };

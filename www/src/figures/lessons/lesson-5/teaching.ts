@@ -22,4 +22,10 @@ export const TEACHING: Teaching = {
       answer: "Put each piece, or each part of it, into a disc. If no two discs meet, the pieces are apart.",
     },
   ],
+  answer:
+    "From 0.4966 on: a gap that is much narrower than a pixel falls inside one, and is gone. Twice the pixels halve the lie, and never end it.",
+  solutions: [
+    "Any even number, 16 for example: the common point of pieces 1 and 2 then lies on a line between two pixels, and no pixel holds both tips.",
+    "27: with 29 pixels it is wrong again.",
+  ],
 };

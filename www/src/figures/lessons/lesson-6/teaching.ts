@@ -22,4 +22,10 @@ export const TEACHING: Teaching = {
         "Those that are not turned against each other, such as a small and a large one that both stand upright.",
     },
   ],
+  answer:
+    "A single point. A half turn changes the sign of every number, so their means are 0, and the map sends everything to one place.",
+  solutions: [
+    "120°. Half-way lies the middle of the chord between two points of a circle; it is cos(120° / 2) = ½ of the radius away from the centre.",
+    "A stop at 90°. Then each part is a quarter turn, and the least on the way is cos 45° = 0.707.",
+  ],
 };

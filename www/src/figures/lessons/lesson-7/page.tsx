@@ -3,7 +3,7 @@ import { fixed } from "#format/numbers";
 import { shareWords, toldOf, verdictWords } from "#format/verdict";
 import { type Uv, uvAt } from "#geometry/path";
 import { STATE } from "#geometry/states";
-import { loadProof, prover } from "#wasm/proof";
+import { loadProof } from "#wasm/proof";
 import { SliderControl } from "../../kit/frame/control";
 import { Formula } from "../../kit/frame/formula";
 import type { Heading } from "../../kit/frame/frame";
@@ -13,7 +13,7 @@ import { Chip, VerdictChip } from "../../kit/frame/verdict";
 import { Square } from "../../kit/locus/locus-square";
 import { useChart } from "../../kit/locus/morph-locus";
 import { breakage, stretchWords } from "../../kit/maps/breakage";
-import { boxAround, type Ends, framesAlong, mapsAt, STRAIGHT } from "../../kit/maps/morphs";
+import { boxAround, framesAlong, mapsAt, STRAIGHT } from "../../kit/maps/morphs";
 import { tex } from "../../kit/notation/tex";
 import { Drawn } from "../../kit/picture/annotated";
 import { Picture } from "../../kit/picture/picture";
@@ -25,22 +25,11 @@ import { Guess } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { nearWords, type Prediction, usePrediction } from "../frame/prediction";
+import { Exercises } from "./exercises";
+import { Coordinate, ends, FROM, judge, SAMPLES, SIZE, TO } from "./leading";
 import { TEACHING } from "./teaching";
 
-const FROM = "dragon-3";
-const TO = "terdragon";
-const EPSILON = 1 / 600;
-const SAMPLES = 301;
-const SIZE = 121;
 const STILLS = 10;
-
-let kept: Ends | null = null;
-
-/** Both shapes, read from the gallery once. */
-function ends(): Ends {
-  kept ??= { from: preset(FROM).maps, to: preset(TO).maps };
-  return kept;
-}
 
 /** What must be there before it is shown. */
 export const needs = [loadProof];
@@ -68,6 +57,7 @@ export function Page(heading: Heading) {
         </>
       }
       question={<Breaking prediction={prediction} way={way} onWay={setWay} />}
+      exercises={<Exercises />}
       teaching={TEACHING}
       parameters={[
         { name: "First shape", symbol: "A", value: "Heighway’s dragon, written with three maps" },
@@ -175,14 +165,7 @@ function Leading({ way, onWay }: { way: Uv; onWay: (way: Uv) => void }) {
   const wish = useMemo(() => ({ ends: ends(), options: {}, size: SIZE }), []);
   const field = useChart(wish);
   const points = useMemo((): Uv[] => [[0, 0], way, [1, 1]], [way]);
-  const check = useMemo(
-    () =>
-      prover().checkPath({ maps: wish.ends.from }, { maps: wish.ends.to }, points, {
-        epsilon: EPSILON,
-        samples: SAMPLES,
-      }),
-    [wish, points],
-  );
+  const check = useMemo(() => judge(points), [points]);
   return (
     <div class={`${layout["two-columns"]} ${layout["even"]}`}>
       <Square
@@ -214,27 +197,6 @@ function Leading({ way, onWay }: { way: Uv; onWay: (way: Uv) => void }) {
         <Halfway points={points} />
       </div>
     </div>
-  );
-}
-
-interface CoordinateProps {
-  name: "u" | "v";
-  about: string;
-  value: number;
-  onChange: (value: number) => void;
-}
-
-function Coordinate({ name, about, value, onChange }: CoordinateProps) {
-  return (
-    <SliderControl
-      label={`way point, ${about}`}
-      name={`Way point ${name}, ${about}`}
-      symbol={name}
-      range={[-1, 2]}
-      step={0.05}
-      value={value}
-      onChange={onChange}
-    />
   );
 }
 

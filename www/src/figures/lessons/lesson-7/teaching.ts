@@ -18,4 +18,7 @@ export const TEACHING: Teaching = {
       answer: "Yes: there, too, each point is a shape.",
     },
   ],
+  answer:
+    "At t = 0.55, and again from 0.58 to 0.70: the pieces have turned far enough to let go, and have not yet moved to where they would meet again.",
+  solutions: ["u = 0.5, v = 0.1, for example.", "u = 0.2, v = 0.45, for example."],
 };

@@ -24,6 +24,7 @@ import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, usePrediction } from "../frame/prediction";
 import { complexWords, Disc, Sliders } from "./disc";
+import { Exercises } from "./exercises";
 import { TEACHING } from "./teaching";
 
 const FIRST: Complex = [0.4, 0.5];
@@ -78,6 +79,7 @@ export function Page(heading: Heading) {
         </>
       }
       question={<Where prediction={prediction} s={s} onS={setS} />}
+      exercises={<Exercises />}
       teaching={TEACHING}
       parameters={[
         { name: "Maps", value: [tex`f_1(z) = s z - 1`, tex`f_2(z) = s z + 1`] },

@@ -18,4 +18,10 @@ export const TEACHING: Teaching = {
       answer: "They are mirror images of each other.",
     },
   ],
+  answer:
+    "It depends on the s that was chosen. Below |s| = ½ all is dust, from 0.7071 on all is in one piece; between the two circles only the shape itself tells.",
+  solutions: [
+    "0.7i: its square is −0.49, a real number, so the shape is made of two dusts of scale 0.49, one across and one up.",
+    "½ or −½: the shape is a line segment. With |s| = ½ two pieces have together just the dimension of a line.",
+  ],
 };

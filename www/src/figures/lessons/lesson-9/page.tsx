@@ -21,6 +21,8 @@ import { Choices } from "../frame/choices";
 import { Lesson, Question, Truth } from "../frame/lesson";
 import lessonCss from "../frame/lesson.module.css";
 import { type Prediction, usePrediction } from "../frame/prediction";
+import { Exercises } from "./exercises";
+import { TEACHING } from "./teaching";
 
 /** Scales of the three pieces: two that meet and one alone, and three apart by three different gaps. */
 const ALONE = [0.5, 0.5, 0.3] as const;
@@ -50,6 +52,8 @@ export function Page(heading: Heading) {
         </>
       }
       question={<Widest prediction={prediction} />}
+      exercises={<Exercises />}
+      teaching={TEACHING}
       parameters={[
         { name: "Two pieces", value: "s z − 1 and s z + 1, s = ½ + ½i" },
         { name: "Three pieces", value: "towards the corners of a triangle of side 1" },
