@@ -1,16 +1,15 @@
 /** The link of the document, and the ways in which it goes to others. */
-import { useEffect, useMemo, useState } from "preact/hooks";
-import { encode } from "uqr";
+import { useEffect, useState } from "preact/hooks";
 import { ownPicture, pictureShown } from "#document/deform/picture";
 import { notify, wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
 import { exportOpen } from "#film/open";
 import type { Still } from "#film/subject";
 import { escaped } from "#format/html";
-import { NIGHT, WHITE } from "#style/colours";
 import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
 import { Dialog } from "#ui/overlay/Dialog";
+import { QrCode } from "#ui/overlay/QrCode";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import { link } from "./actions";
 import { Publish } from "./publish/Publish";
@@ -93,7 +92,7 @@ export function ShareDialog({ still }: { still: (() => Promise<Still>) | undefin
             </Switch>
           </>
         )}
-        <Code address={address} />
+        <QrCode address={address} />
         <div class={css["share-more"]}>
           <Button
             icon="copy"
@@ -144,28 +143,6 @@ async function seenWords(): Promise<string> {
   return background === undefined || background === "page"
     ? "Whoever opens the link sees the same shapes, before the colour of their own page."
     : "Whoever opens the link sees the same picture.";
-}
-
-/** For a telephone that is held before the screen. */
-function Code({ address }: { address: string }) {
-  const code = useMemo(() => {
-    try {
-      return encode(address, { ecc: "L", border: 4 });
-    } catch {
-      return null;
-    }
-  }, [address]);
-  if (!code) return <p class="hint">The link is too long for a QR code. Send it as text.</p>;
-  const { size, data } = code;
-  const path = data
-    .flatMap((row, y) => row.flatMap((dark, x) => (dark ? [`M${x} ${y}h1v1h-1z`] : [])))
-    .join("");
-  return (
-    <svg class={css["code"]} viewBox={`0 0 ${size} ${size}`} role="img" aria-label="QR code of the link">
-      <rect width={size} height={size} fill={WHITE} />
-      <path d={path} fill={NIGHT} shape-rendering="crispEdges" />
-    </svg>
-  );
 }
 
 function addressWith(start: "here" | "first", plays: boolean): string | null {

@@ -1,0 +1,81 @@
+import { describe, expect, it } from "vitest";
+import { type Answers, askedOf, latest, read, written } from "./answers";
+import { EMPTY, itemsOf, linksIn, type Sheet, sheetAddress, sheetIn } from "./sheet";
+
+const SHEET: Sheet = {
+  title: "Class 9b, “M” & more",
+  lessons: ["e12", "e7"],
+  shapes: ["gasket"],
+  links: ["learn/e7/at=question&guess=0.3", "v=1&a=koch"],
+};
+
+describe("a sheet", () => {
+  it("is read from its address as it was written", () => {
+    expect(sheetIn(sheetAddress(SHEET))).toEqual({ sheet: SHEET, whole: true });
+    expect(itemsOf(SHEET)).toEqual(["e12", "e7", "shape:gasket", "link:1", "link:2"]);
+  });
+
+  it.each(["", "title=x", "lessons=", "<script>", "%", "lessons=../x"])("is not in %s", (state) => {
+    expect(sheetIn(state)).toBeNull();
+  });
+
+  it("says when a part of it was lost", () => {
+    const found = sheetIn("lessons=e1,e2&shapes=a%20b");
+    expect(found).toEqual({ sheet: { ...EMPTY, lessons: ["e1", "e2"] }, whole: false });
+  });
+
+  it("takes links of Frond, and tells what is none", () => {
+    expect(
+      linksIn(
+        "https://frond.example/#learn/e1/at=question\n  http://x/some/#v=1&a=gasket  \nhello http://x/",
+      ),
+    ).toEqual({ links: ["learn/e1/at=question", "v=1&a=gasket"], wrong: ["hello", "http://x/"] });
+    expect(linksIn(`http://x/#v=1&a=${"1".repeat(2000)}`).wrong.length).toBe(1);
+    expect(linksIn("http://x/#v=1 ".repeat(20)).links.length).toBe(8);
+  });
+});
+
+const ANSWERS: Answers = {
+  name: "Ana",
+  title: "M",
+  saved: "2026-01-02T10:00:00Z",
+  items: [{ item: "e1", done: true, exercises: [1, 2], answer: "0.4" }],
+};
+
+describe("a file of answers", () => {
+  it("is read as it was written", () => {
+    expect(read(written(ANSWERS))).toEqual(ANSWERS);
+  });
+
+  it.each([
+    ["", /no JSON/],
+    ["%PDF-1.7", /no JSON/],
+    ["[]", /no file of answers/],
+    ['{"kind":"other"}', /no file of answers/],
+    ['{"kind":"frond answers","version":9,"items":[]}', /later version/],
+    ['{"kind":"frond answers","version":1}', /damaged/],
+    ['{"kind":"frond answers","version":1,"items":[{"item":"<b>","done":true,"exercises":[]}]}', /damaged/],
+    [`{"kind":"frond answers","version":1,"items":[${"{},".repeat(500)}{}]}`, /damaged/],
+  ])("is told from %s", (text, words) => {
+    expect(read(text)).toMatch(words);
+  });
+
+  it("keeps what it holds within bounds", () => {
+    const long = {
+      ...ANSWERS,
+      name: "x".repeat(500),
+      items: [{ ...ANSWERS.items[0], answer: "y".repeat(9000) }],
+    };
+    const found = read(JSON.stringify({ kind: "frond answers", version: 1, ...long }));
+    if (typeof found === "string") throw new Error(found);
+    expect(found.name.length).toBe(80);
+    expect(found.items[0]?.answer.length).toBe(4000);
+  });
+});
+
+it("shows the latest of each name, and all that anybody was asked", () => {
+  const later = { ...ANSWERS, saved: "2026-01-03T10:00:00Z", items: [] };
+  const other = { ...ANSWERS, name: "Ben", items: [{ item: "e2", done: false, exercises: [], answer: "" }] };
+  expect(latest([later, ANSWERS, other])).toEqual([later, other]);
+  expect(askedOf([ANSWERS, other])).toEqual(["e1", "e2"]);
+});

@@ -1,0 +1,151 @@
+import { useContext, useState } from "preact/hooks";
+import { Button } from "#ui/controls/Button";
+import { Icon } from "#ui/controls/Icon";
+import { download, plainName } from "#ui/files/download";
+import frameCss from "../../kit/frame/frame.module.css";
+import layout from "../../kit/frame/layout.module.css";
+import { Page } from "../../kit/state/kept";
+import { useValue } from "../../kit/workers";
+import { done } from "../frame/done";
+import { type Answer, MOST_WORDS, written } from "./answers";
+import css from "./class.module.css";
+import { keep, keptOf } from "./kept";
+import { itemsWithNames } from "./names";
+import { sheetIn } from "./sheet";
+
+/** The sheet of a class, as those see it who work on it. */
+export function Pupil() {
+  const { state } = useContext(Page);
+  const found = sheetIn(state);
+  return (
+    <div class={css["page"]}>
+      <p>
+        <a href="#learn">All lessons</a>
+      </p>
+      {found ? (
+        <Filled state={state} {...found} />
+      ) : (
+        <>
+          <h1 tabIndex={-1}>Class sheet</h1>
+          <p role="alert" class={layout["missing"]}>
+            There is nothing on this sheet: the link may have been cut. Ask for it once more, or{" "}
+            <a href="#learn">look at all lessons</a>.
+          </p>
+        </>
+      )}
+    </div>
+  );
+}
+
+type FilledProps = NonNullable<ReturnType<typeof sheetIn>> & { state: string };
+
+function Filled({ sheet, whole, state }: FilledProps) {
+  const marks = useValue(done);
+  const [mine, setMine] = useState(() => keptOf(state));
+  const [isKept, setIsKept] = useState(true);
+  const items = itemsWithNames(sheet);
+  const change = (part: Partial<typeof mine>) => {
+    const next = { ...mine, ...part };
+    setMine(next);
+    setIsKept(keep(next));
+  };
+  const isDone = (key: string) => (key.includes(":") ? mine.seen.includes(key) : marks.has(key));
+  const solved = (key: string) =>
+    [...marks].filter((mark) => mark.startsWith(`${key}.`)).map((mark) => Number(mark.split(".")[1]));
+  const save = () => {
+    const answers = items.map(
+      ({ key }): Answer => ({
+        item: key,
+        done: isDone(key),
+        exercises: solved(key).sort((p, q) => p - q),
+        answer: mine.answers[key] ?? "",
+      }),
+    );
+    const saved = new Date().toISOString();
+    const text = written({ name: mine.name, title: sheet.title, saved, items: answers });
+    download(
+      new Blob([text], { type: "application/json" }),
+      `answers-${plainName(mine.name, "no-name")}.json`,
+    );
+  };
+  return (
+    <>
+      <h1 tabIndex={-1}>{sheet.title || "Class sheet"}</h1>
+      <p class={frameCss["figure-lead"]}>
+        Work through these in any order. What you do and write stays in this browser; nobody sees it until you
+        save it as a file and hand it in.
+      </p>
+      {!whole && (
+        <p role="status" class={layout["missing"]}>
+          Part of this sheet could not be read. Ask whether the link was whole.
+        </p>
+      )}
+      {!isKept && (
+        <p role="status" class={layout["missing"]}>
+          This browser keeps nothing: save your answers before you leave this page.
+        </p>
+      )}
+      <label class={css["field"]}>
+        Your name
+        <input
+          type="text"
+          maxLength={80}
+          value={mine.name}
+          onInput={({ currentTarget }) => change({ name: currentTarget.value })}
+        />
+      </label>
+      <ol class={css["items"]}>
+        {items.map(({ key, name, href }) => {
+          const count = solved(key).length;
+          return (
+            <li key={key}>
+              <div class={css["item-head"]}>
+                {href === null ? <span>{name}</span> : <a href={href}>{name}</a>}
+                {key.includes(":") ? (
+                  <label class={css["tick"]}>
+                    <input
+                      type="checkbox"
+                      checked={isDone(key)}
+                      onChange={({ currentTarget }) =>
+                        change({
+                          seen: currentTarget.checked
+                            ? [...mine.seen, key]
+                            : mine.seen.filter((one) => one !== key),
+                        })
+                      }
+                    />
+                    done
+                  </label>
+                ) : (
+                  <span class={isDone(key) ? css["done"] : css["open"]}>
+                    {isDone(key) && <Icon name="check" size={16} />}
+                    {isDone(key) ? "question answered" : "not answered yet"}
+                    {count > 0 && `, ${count} exercise${count === 1 ? "" : "s"} solved`}
+                  </span>
+                )}
+              </div>
+              <label class={css["field"]}>
+                What did you find?
+                <textarea
+                  rows={2}
+                  maxLength={MOST_WORDS}
+                  value={mine.answers[key] ?? ""}
+                  aria-label={`What did you find? ${name}`}
+                  onInput={({ currentTarget }) =>
+                    change({ answers: { ...mine.answers, [key]: currentTarget.value } })
+                  }
+                />
+              </label>
+            </li>
+          );
+        })}
+      </ol>
+      <div class={layout["buttons"]}>
+        <Button kind="primary" icon="save" disabled={mine.name.trim() === ""} onClick={save}>
+          Save my answers
+        </Button>
+        {mine.name.trim() === "" && <p class={layout["hint"]}>Write your name first.</p>}
+      </div>
+    </>
+  );
+}

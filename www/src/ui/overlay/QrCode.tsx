@@ -1,0 +1,26 @@
+import { useMemo } from "preact/hooks";
+import { encode } from "uqr";
+import { NIGHT, WHITE } from "#style/colours";
+import css from "./qr-code.module.css";
+
+/** A link for a telephone that is held before the screen. */
+export function QrCode({ address }: { address: string }) {
+  const code = useMemo(() => {
+    try {
+      return encode(address, { ecc: "L", border: 4 });
+    } catch {
+      return null;
+    }
+  }, [address]);
+  if (!code) return <p class="hint">The link is too long for a QR code. Send it as text.</p>;
+  const { size, data } = code;
+  const path = data
+    .flatMap((row, y) => row.flatMap((dark, x) => (dark ? [`M${x} ${y}h1v1h-1z`] : [])))
+    .join("");
+  return (
+    <svg class={css["code"]} viewBox={`0 0 ${size} ${size}`} role="img" aria-label="QR code of the link">
+      <rect width={size} height={size} fill={WHITE} />
+      <path d={path} fill={NIGHT} shape-rendering="crispEdges" />
+    </svg>
+  );
+}
