@@ -106,6 +106,8 @@ const SHARED: Record<string, string> = {
   // What the tool of morphs refines of them.
   "tools/morph/locus/": "field",
   "tools/morph/strip/": "strip",
+  // What becomes of all of these on paper, and on slides.
+  "figures/lessons/frame/": "handout slides",
 };
 
 it("has no style outside of modules but of words that rooms share", () => {

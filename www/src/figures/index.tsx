@@ -6,6 +6,7 @@ import { Button } from "#ui/controls/Button";
 import type { Figure, Row } from "./figure";
 import figuresCss from "./figures.module.css";
 import type { Heading } from "./kit/frame/frame";
+import { printLight } from "./kit/frame/print";
 import { copySelection } from "./kit/notation/copy";
 import { Page as PageOf } from "./kit/state/kept";
 import { PageState } from "./kit/state/page-state";
@@ -14,7 +15,6 @@ import { Contents } from "./lessons/contents";
 import { find, hrefOf, lessonOf, neighbours, related } from "./list";
 import { pageOf } from "./loading";
 import { Overview } from "./overview";
-import { printLight } from "./print";
 
 /** What stands on the page: the page of a figure or a lesson, or all of them. */
 interface Shown {
@@ -31,16 +31,28 @@ interface FiguresProps extends Omit<Place, "page"> {
 
 const TITLES = { figures: "Figures", learn: "Learn" };
 
+/** Pages of the course that are no lessons. */
+const CLASS: Record<string, () => Promise<ComponentType<Heading>>> = {
+  class: () => import("./lessons/class/teacher").then(({ Teacher }) => Teacher as ComponentType<Heading>),
+  sheet: () => import("./lessons/class/pupil").then(({ Pupil }) => Pupil as ComponentType<Heading>),
+};
+const isClass = (place: Place["page"], name: string | null): name is string =>
+  place === "learn" && name !== null && Object.hasOwn(CLASS, name);
+
 /** The figures of the papers and the lessons as live pages: all of them, or the one that the address names. */
 export function Figures({ place, figure: name, state }: FiguresProps) {
   const top = useRef<HTMLDivElement>(null);
   const { shown, problem, retry } = useShown(place, name, state);
   const found = shown?.name ? find(shown.name) : null;
   const { figure } = found ?? {};
-  const page = useMemo(
-    () => new PageState(figure && hrefOf(figure).slice(1), shown?.Page ? shown.state : "", tellUnread),
-    [figure, shown],
-  );
+  const page = useMemo(() => {
+    const place = figure
+      ? hrefOf(figure).slice(1)
+      : isClass("learn", shown?.name ?? null)
+        ? `learn/${shown?.name}`
+        : "";
+    return new PageState(place, shown?.Page ? shown.state : "", tellUnread);
+  }, [figure, shown]);
   const before = useRef<Shown | null>(null);
   useEffect(printLight, []);
   useEffect(() => {
@@ -87,6 +99,10 @@ export function Figures({ place, figure: name, state }: FiguresProps) {
           <Related figure={figure} />
           <NextNav {...found} />
         </article>
+      ) : shown?.Page ? (
+        <PageOf.Provider value={page}>
+          <shown.Page key={`${shown.name}/${shown.state}`} id="" number="" title="" />
+        </PageOf.Provider>
       ) : (
         shown &&
         (shown.place === "learn" ? <Contents missing={shown.name} /> : <Overview missing={shown.name} />)
@@ -108,7 +124,8 @@ function useShown(place: Place["page"], name: string | null, state: string) {
   useEffect(() => {
     let asked = true;
     const figure = name === null ? undefined : find(name)?.figure;
-    Promise.resolve(figure ? pageOf(figure) : null).then(
+    const page = figure ? pageOf(figure) : isClass(place, name) ? CLASS[name]?.() : null;
+    Promise.resolve(page ?? null).then(
       (Page) => asked && setShown({ place, name, state, Page }),
       (reason) => asked && setProblem(wordsOf(reason)),
     );

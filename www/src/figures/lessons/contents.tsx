@@ -63,6 +63,10 @@ export function Contents({ missing }: { missing: string | null }) {
         ))}
       </ol>
       <p class={css["papers"]}>
+        For teachers: each lesson can be shown as slides and printed as a handout, and{" "}
+        <a href="#learn/class">a class sheet</a> gives a class one link to what you have chosen.
+      </p>
+      <p class={css["papers"]}>
         All of it comes from somewhere: <a href="#figures">the figures of four papers</a>, each as a page that
         moves.
       </p>

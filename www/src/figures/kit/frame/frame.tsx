@@ -94,10 +94,12 @@ interface HeadProps extends Omit<Heading, "id"> {
   studio?: { href: string; label?: string };
   /** The text that leads in. */
   children: ComponentChildren;
+  /** What else can be done with the page. */
+  more?: ComponentChildren;
 }
 
 /** The name of a page, its way into the studio, and its text. */
-export function Head({ number, title, badge, studio, children }: HeadProps) {
+export function Head({ number, title, badge, studio, children, more }: HeadProps) {
   return (
     <header class={css["figure-head"]} data-step="text">
       <div>
@@ -116,6 +118,7 @@ export function Head({ number, title, badge, studio, children }: HeadProps) {
             <Icon name="arrow" />
           </a>
         )}
+        {more}
         <CopyLink />
         <SaveMenu number={number} title={title} />
       </div>

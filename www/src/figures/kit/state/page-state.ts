@@ -38,13 +38,16 @@ export function addressOf(values: Iterable<readonly [name: string, value: string
 export class PageState {
   /** Where the page is, `learn/e7`; empty for what is no page of its own. */
   readonly place: string;
+  /** What its address has after the place, as it was opened. */
+  readonly state: string;
   readonly #opened: ReadonlyMap<string, string>;
   readonly #now = new Map<string, string>();
   readonly #onUnread: () => void;
 
-  /** `state` is what its address has after the place; `onUnread` is called for each part that cannot be read. */
+  /** `onUnread` is called for each part that cannot be read. */
   constructor(place = "", state = "", onUnread: () => void = () => {}) {
     this.place = place;
+    this.state = state;
     const values = valuesIn(state);
     this.#opened = values ?? new Map();
     this.#onUnread = onUnread;

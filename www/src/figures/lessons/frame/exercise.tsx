@@ -10,6 +10,7 @@ import { useValue } from "../../kit/workers";
 import { done, markDone } from "./done";
 import css from "./exercise.module.css";
 import { LessonId } from "./lesson-id";
+import { Room } from "./room";
 
 interface ExerciseProps {
   /** Its place among the exercises of the lesson, from 1. */
@@ -63,6 +64,7 @@ export function Exercise({ number, ask, hints, solved, status, children }: Exerc
         )}
         {status}
       </p>
+      <Room lines={4} />
       <div class={css["hints"]} aria-live="polite">
         {hints.slice(0, told).map((hint, i) => (
           <p key={hint}>

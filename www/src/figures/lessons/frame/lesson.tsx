@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
-import { useContext } from "preact/hooks";
-import { Button } from "#ui/controls/Button";
+import { useContext, useEffect } from "preact/hooks";
+import { Button, IconButton } from "#ui/controls/Button";
 import { Head, type Heading, type Parameter, Parameters } from "../../kit/frame/frame";
 import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
@@ -8,7 +8,10 @@ import { CopyLink } from "../../kit/state/copy-link";
 import { markDone } from "./done";
 import css from "./lesson.module.css";
 import { LessonId } from "./lesson-id";
+import { printHandout, printHandouts } from "./paper";
 import type { Prediction } from "./prediction";
+import { Room, Whose } from "./room";
+import { Slides, SlidesButton } from "./slides";
 import { ForTeachers, type Teaching } from "./teaching";
 
 interface LessonProps extends Heading {
@@ -20,7 +23,7 @@ interface LessonProps extends Heading {
   question: ComponentChildren;
   /** What is to be made at the end, which the program checks. */
   exercises?: ComponentChildren;
-  teaching?: Teaching;
+  teaching: Teaching;
   parameters: readonly Parameter[];
   /** Who found what is told here. */
   sources: ComponentChildren;
@@ -29,9 +32,28 @@ interface LessonProps extends Heading {
 
 /** What every lesson has around its pictures. Nothing of it was printed in a paper. */
 export function Lesson(props: LessonProps) {
+  useEffect(printHandouts, []);
   return (
     <LessonId.Provider value={props.id}>
-      <Head number={props.number} title={props.title} badge="by Frond" studio={props.studio}>
+      <Whose />
+      <Head
+        number={props.number}
+        title={props.title}
+        badge="by Frond"
+        studio={props.studio}
+        more={
+          <>
+            <SlidesButton />
+            <IconButton
+              icon="print"
+              kind="quiet"
+              label="Print a handout"
+              description="with room to write, and the answers on a page of their own"
+              onClick={() => void printHandout()}
+            />
+          </>
+        }
+      >
         {props.text}
       </Head>
       <section
@@ -49,7 +71,7 @@ export function Lesson(props: LessonProps) {
           {props.exercises}
         </div>
       )}
-      <div class={frameCss["figure-foot"]}>
+      <div class={`${frameCss["figure-foot"]} ${css["foot"]}`}>
         <section aria-labelledby="figure-parameters">
           <h2 id="figure-parameters">Parameters</h2>
           <Parameters of={props.parameters} />
@@ -59,7 +81,8 @@ export function Lesson(props: LessonProps) {
           {props.sources}
         </section>
       </div>
-      {props.teaching && <ForTeachers {...props.teaching} />}
+      <ForTeachers lesson={`${props.number}, ${props.title}`} teaching={props.teaching} />
+      <Slides />
     </LessonId.Provider>
   );
 }
@@ -105,7 +128,8 @@ export function Question({ prediction, beside, children, answer, after }: Questi
         {beside !== undefined && <div class={layout["panel"]}>{beside}</div>}
         <div class={css["ask"]}>
           {children}
-          <div class={layout["buttons"]}>
+          <Room lines={4} />
+          <div class={`${layout["buttons"]} ${css["look"]}`}>
             <Button kind={shown ? "plain" : "primary"} disabled={!said} onClick={shown ? again : look}>
               {shown ? "Think again" : "Show me"}
             </Button>

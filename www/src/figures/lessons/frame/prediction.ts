@@ -1,6 +1,8 @@
 import { useState } from "preact/hooks";
 import { type Field, flag } from "../../kit/state/fields";
 import { useKept } from "../../kit/state/kept";
+import { useValue } from "../../kit/workers";
+import { paper } from "./paper";
 
 /** What somebody expects to see, and whether they have looked. */
 export interface Prediction<T> {
@@ -22,11 +24,12 @@ export function usePrediction<T>(first: T | null, kept: Field<T>): Prediction<T>
   const [shown, setShown] = useKept("shown", false, flag);
   const [guess, setGuess] = useState(opened ?? first);
   const [said, setSaid] = useState(opened !== null);
+  const covered = useValue(paper);
   return {
-    guess,
+    guess: covered ? first : guess,
     said,
     // There is nothing to compare the truth with before a guess.
-    shown: shown && said,
+    shown: shown && said && !covered,
     say(next) {
       if (shown && said) return;
       setGuess(() => next);

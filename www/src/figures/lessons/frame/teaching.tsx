@@ -1,3 +1,6 @@
+import { useLayoutEffect, useRef } from "preact/hooks";
+import { useValue } from "../../kit/workers";
+import { paper } from "./paper";
 import css from "./teaching.module.css";
 
 /** What a teacher wants to know of a lesson. */
@@ -8,16 +11,50 @@ export interface Teaching {
   mistakes: readonly string[];
   /** To ask a class, each with an answer. */
   questions: readonly { ask: string; answer: string }[];
+  /** The answer to the lesson's own question. */
+  answer: string;
+  /** A solution of each exercise, in their order. */
+  solutions: readonly string[];
 }
 
-/** For whoever teaches with it; folded away for those who learn. */
-export function ForTeachers({ aim, mistakes, questions }: Teaching) {
+interface ForTeachersProps {
+  /** The lesson, as paper names it. */
+  lesson: string;
+  teaching: Teaching;
+}
+
+/** For whoever teaches with it; folded away for those who learn. On paper it is a page of its own. */
+export function ForTeachers({ lesson, teaching }: ForTeachersProps) {
+  const { aim, mistakes, questions, answer, solutions } = teaching;
+  const fold = useRef<HTMLDetailsElement>(null);
+  const covered = useValue(paper);
+  useLayoutEffect(() => {
+    if (!covered || !fold.current || fold.current.open) return;
+    const opened = fold.current;
+    opened.open = true;
+    return () => {
+      opened.open = false;
+    };
+  }, [covered]);
   return (
-    <details class={css["teaching"]}>
+    <details class={css["teaching"]} ref={fold}>
       <summary>For teachers</summary>
       <div>
+        <p class={css["paper-name"]}>Answers, and words for teachers: {lesson}</p>
         <h3>Aim</h3>
         <p>{aim}</p>
+        <h3>The question</h3>
+        <p>{answer}</p>
+        {solutions.length > 0 && (
+          <>
+            <h3>Solutions of the exercises</h3>
+            <ol>
+              {solutions.map((solution) => (
+                <li key={solution}>{solution}</li>
+              ))}
+            </ol>
+          </>
+        )}
         <h3>Common mistakes</h3>
         <ul>
           {mistakes.map((mistake) => (

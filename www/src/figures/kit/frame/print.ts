@@ -8,11 +8,12 @@ export function printLight(): () => void {
   const begin = () => {
     if (!dark.peek() || before !== null) return;
     before = theme.peek();
-    setAtOnce("light");
+    atOnce(() => setTheme("light", { keep: false }));
   };
   const end = () => {
-    if (before !== null) setAtOnce(before);
+    const theme = before;
     before = null;
+    if (theme !== null) atOnce(() => setTheme(theme, { keep: false }));
   };
   addEventListener("beforeprint", begin);
   addEventListener("afterprint", end);
@@ -24,11 +25,11 @@ export function printLight(): () => void {
 }
 
 /** The browser takes the page as it stands when the listener returns: nothing may wait for its turn. */
-function setAtOnce(next: Theme): void {
+export function atOnce(change: () => void): void {
   const { debounceRendering } = options;
   options.debounceRendering = (render) => render();
   try {
-    setTheme(next, { keep: false });
+    change();
   } finally {
     if (debounceRendering) options.debounceRendering = debounceRendering;
     else delete options.debounceRendering;

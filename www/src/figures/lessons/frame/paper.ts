@@ -1,0 +1,50 @@
+/** A lesson on paper: nothing is guessed and nothing told, and what a teacher wants to know is on a page of its own. */
+import { signal } from "@preact/signals";
+import { atOnce } from "../../kit/frame/print";
+
+const on = signal(false);
+
+/** Whether the lesson is on its way to paper, where guesses and answers are covered. */
+export const paper = on;
+
+/** The paper that there is, whatever its size: lessons are no pictures that have to keep their place. */
+const PAGE = "@media print { @page { size: auto; margin: 14mm } }";
+
+/** So long, in milliseconds, pictures take at most that are drawn anew because guesses are covered. */
+const DRAWN_MS = 1500;
+const LOOK_MS = 100;
+
+/** From now on, until what it gives is called, this page is printed as a handout. */
+export function printHandouts(): () => void {
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(PAGE);
+  document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
+  const begin = () => atOnce(() => set(true));
+  const end = () => atOnce(() => set(false));
+  addEventListener("beforeprint", begin);
+  addEventListener("afterprint", end);
+  return () => {
+    set(false);
+    removeEventListener("beforeprint", begin);
+    removeEventListener("afterprint", end);
+    document.adoptedStyleSheets = document.adoptedStyleSheets.filter((one) => one !== sheet);
+  };
+}
+
+function set(is: boolean): void {
+  on.value = is;
+}
+
+const drawn = () => document.querySelectorAll("article canvas[data-complete]").length;
+
+/** Prints, once the pictures are as they are to be. */
+export async function printHandout(): Promise<void> {
+  const before = drawn();
+  set(true);
+  for (let waited = 0; waited < DRAWN_MS; waited += LOOK_MS) {
+    await new Promise((done) => setTimeout(done, LOOK_MS));
+    if (waited > 2 * LOOK_MS && drawn() >= before) break;
+  }
+  print();
+  set(false);
+}

@@ -1,0 +1,170 @@
+import "./slides.css";
+import { signal } from "@preact/signals";
+import { useEffect, useState } from "preact/hooks";
+import { Button, IconButton } from "#ui/controls/Button";
+import { listenForEscape } from "#ui/escape";
+import { focusOf } from "#ui/focus";
+import { stepsIn } from "../../kit/state/steps";
+import { useValue } from "../../kit/workers";
+import css from "./slides.module.css";
+
+/** Whether the lesson is shown step by step, as large as the screen. */
+const presenting = signal(false);
+
+/** Shows the lesson as slides. */
+export function SlidesButton() {
+  return (
+    <IconButton
+      icon="slides"
+      kind="quiet"
+      label="Show as slides"
+      description="step by step, as large as the screen"
+      onClick={() => {
+        presenting.value = true;
+        // Where the system does not give the whole screen, the window is filled.
+        document.documentElement.requestFullscreen?.().catch(() => undefined);
+      }}
+    />
+  );
+}
+
+/** The bar below the slides; it is the last part of a lesson. */
+export function Slides() {
+  return useValue(presenting) ? <Shown /> : null;
+}
+
+const leave = () => {
+  presenting.value = false;
+  if (document.fullscreenElement) document.exitFullscreen().catch(() => undefined);
+};
+
+function Shown() {
+  const [at, setAt] = useState(0);
+  const [names, setNames] = useState<readonly string[]>([]);
+  const [dot, setDot] = useState(false);
+  const last = names.length - 1;
+
+  // The lesson is what it was; only one of its steps is seen.
+  useEffect(() => {
+    const root = document.documentElement;
+    const before = document.activeElement;
+    root.dataset["slides"] = "";
+    return () => {
+      delete root.dataset["slides"];
+      const here = steps().find(({ dataset }) => dataset["now"] !== undefined);
+      for (const step of steps()) delete step.dataset["now"];
+      here?.scrollIntoView({ block: "start" });
+      if (before instanceof HTMLElement) before.focus({ preventScroll: true });
+    };
+  }, []);
+  useEffect(() => {
+    const all = steps();
+    setNames(all.map(nameOf));
+    for (const [i, step] of all.entries()) {
+      if (i === at) step.dataset["now"] = "";
+      else delete step.dataset["now"];
+    }
+    const here = all[at];
+    if (!here) return;
+    here.tabIndex = -1;
+    here.focus({ preventScroll: true });
+    here.closest("main")?.scrollTo({ top: 0 });
+  }, [at]);
+
+  useEffect(() => listenForEscape(leave), []);
+  useEffect(() => {
+    // The system takes Escape there, and says so.
+    const onChange = () => document.fullscreenElement === null && leave();
+    document.addEventListener("fullscreenchange", onChange);
+    return () => document.removeEventListener("fullscreenchange", onChange);
+  }, []);
+  useEffect(() => {
+    const onKey = (event: KeyboardEvent) => {
+      if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+      const act = actOf(event);
+      if (act === null) return;
+      event.preventDefault();
+      event.stopPropagation();
+      if (act === "dot") setDot((now) => !now);
+      else setAt((now) => Math.min(last, Math.max(0, now + act)));
+    };
+    // Before sliders, which have the Page keys, too.
+    document.addEventListener("keydown", onKey, true);
+    return () => document.removeEventListener("keydown", onKey, true);
+  }, [last]);
+
+  return (
+    <div data-slides-bar="">
+      <div class={css["slides-bar"]} role="toolbar" aria-label="Slides">
+        <Button icon="back" disabled={at === 0} onClick={() => setAt(at - 1)}>
+          Back
+        </Button>
+        <span class={css["where"]} aria-live="polite">
+          <span class="number">
+            {at + 1} of {names.length}
+          </span>{" "}
+          {names[at]}
+        </span>
+        <Button
+          pressed={dot}
+          description="A large dot that follows the mouse (L)"
+          onClick={() => setDot(!dot)}
+        >
+          Pointer
+        </Button>
+        <Button description="Back to the page (Esc)" onClick={leave}>
+          Leave
+        </Button>
+        <Button kind="primary" disabled={at >= last} onClick={() => setAt(at + 1)}>
+          Next
+        </Button>
+      </div>
+      {dot && <Dot />}
+    </div>
+  );
+}
+
+/** What a press asks for: so many slides on, or the dot. */
+function actOf({ key, target }: KeyboardEvent): number | "dot" | null {
+  const focus = focusOf(target);
+  if (key === "PageDown") return 1;
+  if (key === "PageUp") return -1;
+  if (focus === "typing") return null;
+  if (key === "l" || key === "L") return "dot";
+  // What lives by the arrow keys keeps them.
+  const taken =
+    focus === "slider" || isMoved(target) || (target instanceof Element && target.matches("input"));
+  if (taken) return null;
+  return key === "ArrowRight" ? 1 : key === "ArrowLeft" ? -1 : null;
+}
+
+/** Handles and pictures that can be moved by keys take the focus, and are no part of the text. */
+function isMoved(target: EventTarget | null): boolean {
+  return (
+    target instanceof HTMLElement &&
+    target.tabIndex >= 0 &&
+    !target.matches("button, a, summary, [data-step]")
+  );
+}
+
+function Dot() {
+  const [place, setPlace] = useState<{ x: number; y: number } | null>(null);
+  useEffect(() => {
+    const move = ({ clientX: x, clientY: y }: PointerEvent) => setPlace({ x, y });
+    addEventListener("pointermove", move);
+    return () => removeEventListener("pointermove", move);
+  }, []);
+  return (
+    place && <div class={css["dot"]} style={{ translate: `${place.x}px ${place.y}px` }} aria-hidden="true" />
+  );
+}
+
+function steps(): HTMLElement[] {
+  const article = document.querySelector("article");
+  return article ? stepsIn(article) : [];
+}
+
+/** What a step is called: its own name, or that of its heading. */
+function nameOf(step: HTMLElement): string {
+  return step.getAttribute("aria-label") ?? step.querySelector("h1, h2, h3")?.textContent?.trim() ?? "";
+}
