@@ -14,6 +14,7 @@ import { kept, PAIRINGS } from "../../www/src/figures/lessons/lesson-10/pairings
 import * as map from "../../www/src/figures/lessons/lesson-20/map";
 import { APART_S } from "../../www/src/figures/lessons/lesson-21/curves";
 import * as bend from "../../www/src/figures/lessons/lesson-22/answer";
+import * as walk from "../../www/src/figures/lessons/lesson-25/walk";
 import type { Connectedness } from "../../www/src/wasm/api";
 
 const read = (name: string) => readFile(new URL(`../../www/pkg/${name}`, import.meta.url));
@@ -166,4 +167,22 @@ it("The wrong pairing: the six pairings of dragon and gasket", () => {
     ["120", true],
     ["201", false],
   ]);
+});
+
+describe("A walk along the edge of M", () => {
+  const at = (degrees: number) =>
+    connectedness({ maps: mapsOf(walk.onCircle(walk.ASKED, degrees)) }, { epsilon: 1e-6 }).verdict;
+
+  it("changes three times, and all of it is proved", () => {
+    const states = Array.from({ length: walk.TO - walk.FROM + 1 }, (_, i) => at(walk.FROM + i));
+    expect(new Set(states)).toEqual(new Set(["connected", "disconnected"]));
+    expect(walk.changes(states)).toBe(walk.CHANGES);
+    const whole = states.flatMap((state, i) => (state === "connected" ? [walk.FROM + i] : []));
+    expect(whole).toEqual([65, 66, 67, 68, 76, 77, 78, 79, 80, 81]);
+  });
+
+  it("closes at the root of one half, straight up", () => {
+    const up = (size: number) => connectedness({ maps: mapsOf(walk.onCircle(size, 90)) }, { epsilon: 1e-6 });
+    expect([707, 708].map((size) => up(size / 1000).verdict)).toEqual(["disconnected", "connected"]);
+  });
 });

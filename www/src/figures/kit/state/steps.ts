@@ -21,7 +21,13 @@ export function showStep(inside: Element | null, name: string): void {
   if (!step) return;
   step.tabIndex = -1;
   step.focus({ preventScroll: true });
-  step.scrollIntoView({ block: "start" });
+  toTop(step);
+}
+
+/** Scrolls what scrolls, and not the page around it. */
+export function toTop(step: Element): void {
+  const main = step.closest("main");
+  main?.scrollBy({ top: step.getBoundingClientRect().top - main.getBoundingClientRect().top });
 }
 
 /** A step as the state of an address has it. */

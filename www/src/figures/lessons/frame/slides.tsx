@@ -4,7 +4,7 @@ import { useEffect, useState } from "preact/hooks";
 import { Button, IconButton } from "#ui/controls/Button";
 import { listenForEscape } from "#ui/escape";
 import { focusOf } from "#ui/focus";
-import { stepsIn } from "../../kit/state/steps";
+import { stepsIn, toTop } from "../../kit/state/steps";
 import { useValue } from "../../kit/workers";
 import css from "./slides.module.css";
 
@@ -53,7 +53,7 @@ function Shown() {
       delete root.dataset["slides"];
       const here = steps().find(({ dataset }) => dataset["now"] !== undefined);
       for (const step of steps()) delete step.dataset["now"];
-      here?.scrollIntoView({ block: "start" });
+      if (here) toTop(here);
       if (before instanceof HTMLElement) before.focus({ preventScroll: true });
     };
   }, []);
