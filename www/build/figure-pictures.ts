@@ -143,6 +143,8 @@ export function figurePictures(source: Source): Record<string, { cells: Cell[]; 
     e11: pulled("gasket", [0.3, 0.2], 0, 1.2),
     e20: row(morph("dragon-3", "gasket", 0.5), morph("dragon-3", "gasket", 0.5, 1.75)),
     e23: one("maple"),
+    e27: row(plane(shape("maple").maps), plane(shape("fern").maps)),
+    e28: row({ ...solid("tetrahedron"), turn: 0.4 }),
     e25: polygon(2, [0.276, 0.621], [0.21, 0.647], [0.141, 0.665], [0.047, 0.678]),
     e26: polygon(2, [0.019, 0.55], [0.022, 0.64], [0.5, 0.5]),
     e24: row({ ...solid("sponge"), turn: 0.4 }, plane(space.projectExactly(of("sponge"), [0, 1, 0]))),

@@ -14,13 +14,16 @@ it("does with the turned point what the old map did with the old one", () => {
     const [turned = map] = turnedMaps([map], 37);
     const at = [0.3, -0.8, 0.5] as const;
     const moved = point(turnBy(37), point(map, at));
-    for (const [i, x] of point(turned, point(turnBy(37), at)).entries()) expect(x).toBeCloseTo(moved[i] ?? 0, 12);
+    for (const [i, x] of point(turned, point(turnBy(37), at)).entries())
+      expect(x).toBeCloseTo(moved[i] ?? 0, 12);
   }
 });
 
 it("leaves what only shrinks as it is, and turns its shift", () => {
   for (const [i, map] of turnedMaps(SHAPE, 25).entries()) {
-    expect(map.slice(0, 9).map((x) => Math.round(1e9 * x) / 1e9 + 0)).toEqual([0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5]);
+    expect(map.slice(0, 9).map((x) => Math.round(1e9 * x) / 1e9 + 0)).toEqual([
+      0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5,
+    ]);
     expect(Math.hypot(...map.slice(9))).toBeCloseTo(Math.hypot(...(SHAPE[i]?.slice(9) ?? [])), 12);
   }
 });

@@ -1,0 +1,94 @@
+/** Lessons before a class: slides, handouts, and the sheet that goes round. */
+import { readFile } from "node:fs/promises";
+import { expectClean } from "./axe";
+import { openFigure } from "./figure-pages";
+import { expect, test } from "./fixture";
+
+test("a lesson is shown step by step by keys, with a dot for the mouse, and left by Escape", async ({
+  page,
+}) => {
+  await openFigure(page, "e6");
+  await page.getByRole("button", { name: "Show as slides" }).click();
+  const bar = page.getByRole("toolbar", { name: "Slides" });
+  await expect(bar).toContainText("1 of 5");
+  await expect(page.getByRole("banner")).toBeHidden();
+  await expect(page.getByRole("region", { name: "The picture" })).toBeHidden();
+  await page.keyboard.press("ArrowRight");
+  await expect(page.getByRole("region", { name: "The picture" })).toBeVisible();
+  await expect(page.getByRole("heading", { level: 1 })).toBeHidden();
+  await page.keyboard.press("PageDown");
+  await expect(bar).toContainText("3 of 5 What do you think?");
+  await expectClean(page);
+  // A slider keeps its arrows; the Page keys go on all the same.
+  await page.keyboard.press("PageDown");
+  const slider = page.getByRole("slider", { name: "Turn at the beginning" });
+  await slider.press("ArrowRight");
+  await expect(bar).toContainText("4 of 5");
+  await slider.press("PageUp");
+  await expect(bar).toContainText("3 of 5");
+  const pointer = bar.getByRole("button", { name: "Pointer" });
+  await page.keyboard.press("l");
+  await expect(pointer).toHaveAttribute("aria-pressed", "true");
+  await page.keyboard.press("Escape");
+  await expect(bar).toHaveCount(0);
+  await expect(page.getByRole("banner")).toBeVisible();
+  await expect(page.getByRole("button", { name: "Show as slides" })).toBeVisible();
+});
+
+test("a handout asks and does not tell, and has its answers on a page of their own", async ({ page }) => {
+  await openFigure(page, "e6");
+  await page.getByText("A single point").click();
+  await page.getByRole("button", { name: "Show me" }).click();
+  await expect(page.getByTestId("truth")).toBeVisible();
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  await page.emulateMedia({ media: "print" });
+  await expect(page.getByTestId("truth")).toHaveCount(0);
+  await expect(page.getByRole("radio", { checked: true })).toHaveCount(0);
+  await expect(page.getByRole("button", { name: "A hint" }).first()).toBeHidden();
+  await expect(page.getByText("Solutions of the exercises")).toBeVisible();
+  // Nothing is cut at the side, on either paper.
+  for (const format of ["A4", "Letter"]) {
+    const pdf = (await page.pdf({ format })).toString("latin1");
+    expect(pdf.match(/\/Type \/Page\b/g)?.length, format).toBeGreaterThan(1);
+  }
+  await page.emulateMedia({ media: "screen" });
+  await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+  await expect(page.getByTestId("truth")).toBeVisible();
+  await expect(page.getByText("Solutions of the exercises")).toBeHidden();
+});
+
+test("a sheet goes to a class, and its answers come back as a table", async ({ page }) => {
+  await page.goto("./#learn/class");
+  await page.getByLabel("Its title").fill("Class 9b");
+  await page.getByLabel("Two pieces that touch").check();
+  await page.getByText("Shapes of the gallery").click();
+  await page.getByLabel("Links that you have copied").fill("https://x/#learn/e7/at=question nonsense");
+  await expect(page.getByText("One line is left out")).toBeVisible();
+  await expect(page.getByRole("img", { name: "QR code of the link" })).toBeVisible();
+  await expectClean(page);
+  await page.getByRole("link", { name: "See it as your class does" }).click();
+  await expect(page.getByRole("heading", { level: 1, name: "Class 9b" })).toBeVisible();
+  await expectClean(page);
+  const save = page.getByRole("button", { name: "Save my answers" });
+  await expect(save).toBeDisabled();
+  await page.getByLabel("Your name").fill("Ana");
+  await page.getByLabel(/What did you find\? .*Two pieces/).fill("They part below 0.4");
+  await page.getByRole("checkbox", { name: "done" }).check();
+  // What was written is there after a visit elsewhere.
+  await page.getByRole("link", { name: /Two pieces that touch/ }).click();
+  await page.goBack();
+  await expect(page.getByLabel("Your name")).toHaveValue("Ana");
+  const [download] = await Promise.all([page.waitForEvent("download"), save.click()]);
+  expect(download.suggestedFilename()).toBe("answers-ana.json");
+  const file = await readFile(await download.path());
+
+  await page.evaluate(() => location.assign("#learn/class"));
+  await page.getByLabel("Files of answers").setInputFiles([
+    { name: "ana.json", mimeType: "application/json", buffer: file },
+    { name: "photo.json", mimeType: "application/json", buffer: Buffer.from("{}") },
+  ]);
+  const row = page.getByRole("row", { name: /^Ana/ });
+  await expect(row).toContainText("They part below 0.4");
+  await expect(row).toContainText("done");
+  await expect(page.getByText("photo.json: This is no file of answers.")).toBeVisible();
+});
