@@ -12,8 +12,8 @@ export const PAIRS: readonly Pair[] = [
 const EXACT = 1e-9;
 
 /**
- * How far two pieces are apart; below 0, how far they overlap on their side. Along the side they lie on, piece i reaches
- * as far as its scale from one corner, and piece j from the other; elsewhere they are no nearer.
+ * How far two pieces are apart; below 0, how far they overlap on their side. Along the side they lie on, piece i
+ * reaches as far as its scale from one corner, and piece j from the other; elsewhere they are no nearer.
  */
 export function apart(scales: Scales, [i, j]: Pair): number {
   return 1 - (scales[i] ?? 0) - (scales[j] ?? 0);

@@ -41,8 +41,8 @@ export function Page(heading: Heading) {
         <>
           <p>
             The set <em>M</em> holds every complex number <Formula>s</Formula> whose shape of two pieces is in
-            one piece. Below the size ½ there is nothing of it but two spikes, from 0.7071 on there is nothing
-            else. Its edge lies between. What does it look like?
+            one piece. Below the size ½ there is nothing of it, and from 0.7071 on there is nothing else. Its
+            edge lies between. What does it look like?
           </p>
           <p>
             Walk along a circle: the size of s stays at {SHOWN}, and only the angle changes, from no turn at
@@ -62,9 +62,10 @@ export function Page(heading: Heading) {
       ]}
       sources={
         <p>
-          M is Michael Barnsley’s and Andrew Harrington’s (1985); that it lies between the two circles but for
-          its spikes is theirs. Christoph Bandt (2002) and Danny Calegari, Sarah Koch and Alden Walker (2017)
-          have studied its edge and its holes. What is said here of single numbers s is proved by Frond.
+          M is Michael Barnsley’s and Andrew Harrington’s (1985); that all is dust below ½, and in one piece
+          from 0.7071 on, is theirs. Christoph Bandt (2002) and Danny Calegari, Sarah Koch and Alden Walker
+          (2017) have studied its edge and its holes. What is said here of single numbers s is proved by
+          Frond.
         </p>
       }
       studio={{

@@ -36,8 +36,8 @@ export function Page(heading: Heading) {
             300 points wide and high, is 90,000 points, and shows no more than points.
           </p>
           <p>
-            But how long is a number? Write each with few digits after the point, and the maps are a little
-            other maps. They make a leaf as well, another one. How much other?
+            But how long is a number? Write each with few digits after the point, and they are slightly
+            different maps. These make a leaf as well, a different one. How different?
           </p>
         </>
       }

@@ -26,7 +26,7 @@ const OPTIONS = [
   {
     value: "both",
     label: "Both",
-    wrong: "Look at the rows of the matrix while you turn: do they change?",
+    wrong: "Look at the rows of the matrix below while you turn: do they change?",
   },
 ] as const;
 
@@ -103,7 +103,7 @@ function WhatChanges({ prediction }: { prediction: Prediction<What> }) {
           </Truth>
         </>
       }
-      after={<Turning degrees={degrees} onDegrees={setDegrees} maps={maps} />}
+      after={<Turning numbers degrees={degrees} onDegrees={setDegrees} maps={maps} />}
     >
       <Choices<What>
         ask="Each of these maps has a matrix of nine numbers, which says how it turns and shrinks, and a shift of three. When the whole shape is turned, which of them have to change?"

@@ -14,10 +14,12 @@ interface TurningProps {
   degrees: number;
   onDegrees: (degrees: number) => void;
   maps: MapRow3[];
+  /** Whether the numbers of one map are shown beside it. */
+  numbers?: boolean;
 }
 
 /** A shape with the maps that it is made of, and what turns them. */
-export function Turning({ degrees, onDegrees, maps }: TurningProps) {
+export function Turning({ degrees, onDegrees, maps, numbers = false }: TurningProps) {
   const objects = useMemo(() => [{ maps }], [maps]);
   const view = useMemo(() => viewOf(EYE), []);
   return (
@@ -38,7 +40,7 @@ export function Turning({ degrees, onDegrees, maps }: TurningProps) {
           valueText={`${degrees} degrees`}
           onChange={onDegrees}
         />
-        <Numbers map={maps[1]} />
+        {numbers && <Numbers map={maps[1]} />}
       </div>
     </div>
   );
