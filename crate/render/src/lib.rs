@@ -1,4 +1,4 @@
-//! Pictures of attractors: on the CPU, complete, for thumbnails and as truth in tests; and with wgpu, on
+//! Pictures of attractors: on the CPU, complete, for thumbnails and as truth in tests; and by a graphics card, with
 //! WebGPU or WebGL2, for the stage.
 //!
 //! A picture shows every pixel that a piece of the attractor reaches into, and no other. [`rasterize`]

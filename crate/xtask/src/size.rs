@@ -14,6 +14,8 @@ use crate::stamp;
 /// Bytes of wasm to the first picture that a graphics card draws, by WebGPU, at most: the module that describes and
 /// draws, which computes a coarse one at once, and the renderer.
 const MOST_PICTURE_BYTES: usize = 650_000;
+/// Bytes of the renderer for WebGL2 at most: old laptops and phones are who needs it.
+const MOST_WEBGL2_BYTES: usize = 265_000;
 /// Bytes of the scripts that index.html loads by itself, at most; what is loaded when asked for is not among them.
 const MOST_SCRIPT_BYTES: usize = 80_000;
 
@@ -23,7 +25,7 @@ const MOST_ELEMENT_BYTES: usize = 150_000;
 /// Weighs dist/ and fails where it is too heavy.
 ///
 /// What comes after the first picture is only weighed: the workers' module, which decides and proves, those of the fit,
-/// of space and of files, and the renderer for WebGL2, which brings wgpu's own validation and translation of shaders.
+/// of space and of files.
 pub fn gate() -> Outcome {
     let dist = root().join("dist");
     let weigh =
@@ -53,6 +55,7 @@ pub fn gate() -> Outcome {
     for (what, bytes, most) in [
         ("wasm to the first picture", first, Some(MOST_PICTURE_BYTES)),
         ("the same with WebGPU", first + webgpu, Some(MOST_PICTURE_BYTES)),
+        ("the renderer for WebGL2", webgl2, Some(MOST_WEBGL2_BYTES)),
         ("wasm in all with WebGPU", first + proof + webgpu, None),
         ("wasm in all with WebGL2", first + proof + webgl2, None),
         ("wasm of closed curves", curve, None),

@@ -42,22 +42,6 @@ impl Events {
         Self { id, lost: Arc::new(AtomicBool::new(false)) }
     }
 
-    /// Listens to a device.
-    pub fn watch(&self, device: &wgpu::Device) {
-        let (id, lost) = (self.id, Arc::clone(&self.lost));
-        device.set_device_lost_callback(move |reason, message| {
-            let message = if message.is_empty() { format!("{reason:?}") } else { message };
-            tell_loss(id, &lost, message);
-        });
-        let (id, lost) = (self.id, Arc::clone(&self.lost));
-        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
-            // What fails after a loss fails because of it.
-            if !lost.load(Ordering::Relaxed) {
-                tell(id, &Event::Fault(error.to_string()));
-            }
-        }));
-    }
-
     /// Whether the device is lost.
     pub fn is_lost(&self) -> bool {
         self.lost.load(Ordering::Relaxed)
@@ -69,7 +53,7 @@ impl Events {
     }
 }
 
-/// A way to tell that a device is lost where wgpu does not see it, as with the context of WebGL.
+/// A way to tell what happens to a device: the page sees some of it, as when the context of WebGL goes.
 #[derive(Clone, Debug)]
 pub struct Loss {
     id: u32,
@@ -80,6 +64,13 @@ impl Loss {
     /// Tells it; only the first time counts.
     pub fn tell(&self, reason: &str) {
         tell_loss(self.id, &self.lost, reason.to_owned());
+    }
+
+    /// Tells of a call that was in error. What fails after a loss fails because of it.
+    pub(super) fn fault(&self, message: &str) {
+        if !self.is_lost() {
+            tell(self.id, &Event::Fault(message.to_owned()));
+        }
     }
 
     /// Whether the device is lost.

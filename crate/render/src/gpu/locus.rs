@@ -149,7 +149,7 @@ impl LocusGpu {
 
     #[cfg(target_arch = "wasm32")]
     async fn name(_: &wgpu::AdapterInfo) -> String {
-        super::device::webgpu_names().await
+        super::webgpu::webgpu_names().await
     }
 
     #[cfg(not(target_arch = "wasm32"))]
@@ -309,7 +309,7 @@ impl Future for Arrival {
 
 fn pipeline(device: &wgpu::Device) -> (wgpu::ComputePipeline, wgpu::BindGroupLayout) {
     let source =
-        wgpu::ShaderSource::Wgsl(Cow::Borrowed(include_str!(concat!(env!("OUT_DIR"), "/shader/locus.wgsl"))));
+        wgpu::ShaderSource::Wgsl(Cow::Borrowed(include_str!(concat!(env!("OUT_DIR"), "/locus.wgsl"))));
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("locus"), source });
     let kinds = [
         wgpu::BufferBindingType::Uniform,

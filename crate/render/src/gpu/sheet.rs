@@ -3,14 +3,11 @@
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 
-use super::buffer::uniform;
 use super::device::Gpu;
-use super::pipeline::{
-    Pipeline, begin, draw_full_screen, full_screen, layout, module, texture as texture_entry,
-    uniform as uniform_entry,
-};
-use super::pipelines::PICTURE_FORMAT;
-use super::texture::{extent, texture, view, write};
+use super::interface::{Buffer, Pipeline, Texture, Usage, draw};
+use super::pass::{Bound, Draw, Pass};
+use super::shaders::SHEET;
+use super::words::{Attribute, Blend, Each, Format, Layout, Recipe, Slot};
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::sheet::{Level, Photo, Sheet, SheetOptions, draw_sheet, on_target};
@@ -33,16 +30,13 @@ struct Shown {
 /// The photograph on the card, the sheet, and what it was drawn to.
 #[derive(Debug)]
 pub(super) struct SheetGpu {
-    draw: wgpu::RenderPipeline,
-    show: wgpu::RenderPipeline,
-    read: wgpu::RenderPipeline,
-    resolve_layout: wgpu::BindGroupLayout,
-    photo: wgpu::BindGroup,
-    /// While drawing, while showing, while reading.
-    shown: [wgpu::Buffer; 3],
-    corners: wgpu::Buffer,
-    places: wgpu::Buffer,
-    indices: wgpu::Buffer,
+    draw: Pipeline,
+    show: Pipeline,
+    photo: Texture,
+    shown: Buffer,
+    corners: Buffer,
+    places: Buffer,
+    indices: Buffer,
     /// How many indices there are, and the sheet's cells and step that they are for.
     count: u32,
     cells: (usize, usize),
@@ -53,39 +47,38 @@ pub(super) struct SheetGpu {
 /// What was drawn.
 #[derive(Debug)]
 struct Drawn {
-    texture: wgpu::Texture,
-    view: wgpu::TextureView,
-    window: Window,
+    texture: Texture,
     factor: u32,
 }
 
+/// Where corners are, and their places on the photograph.
+const BUFFERS: [Layout; 2] =
+    [(Each::Vertex, &[Attribute::Floats(2)]), (Each::Vertex, &[Attribute::Floats(2)])];
+
 impl SheetGpu {
     pub fn new(gpu: &Gpu, photo: &Photo) -> Self {
-        let device = &gpu.device;
-        let source = include_str!(concat!(env!("OUT_DIR"), "/shader/sheet.wgsl"));
-        let module = module(device, "sheet", source);
-        let colours = |filterable| wgpu::TextureSampleType::Float { filterable };
-        let photo_layout = layout(
-            device,
-            "photograph",
-            &[uniform_entry(0), texture_entry(1, colours(true)), sampler_entry(2)],
-        );
-        let resolve_layout = layout(device, "sheet", &[uniform_entry(0), texture_entry(3, colours(false))]);
-        let shown = ["drawn sheet", "shown sheet", "read sheet"].map(|label| uniform::<Shown>(device, label));
-        let resolve = |format: wgpu::TextureFormat| {
-            let shader = ["sheet_screen", "sheet_resolve"];
-            full_screen(device, &module, &resolve_layout, shader, &[Some(format.into())])
+        let card = &gpu.card;
+        let recipe = Recipe {
+            shader: SHEET,
+            vertex: "sheet_vertex",
+            fragment: "sheet_fragment",
+            slots: &[(0, Slot::Uniform), (1, Slot::Photo)],
+            buffers: &BUFFERS,
+            points: false,
+            on_top: None,
+            // Triangles come from the front to the back: each is laid under what is there.
+            blend: Some(Blend::Under),
+            onto: &[Format::Colours],
         };
+        let (shader, slots) = (["sheet_screen", "sheet_resolve"], [(0, Slot::Uniform), (3, Slot::Pixels)]);
         Self {
-            draw: draw_pipeline(device, &module, &photo_layout),
-            show: resolve(gpu.format()),
-            read: resolve(PICTURE_FORMAT),
-            resolve_layout,
-            photo: upload(gpu, photo, &photo_layout, &shown[0]),
-            shown,
-            corners: buffer(device, "corners", 4, wgpu::BufferUsages::VERTEX),
-            places: buffer(device, "places", 4, wgpu::BufferUsages::VERTEX),
-            indices: buffer(device, "triangles", 4, wgpu::BufferUsages::INDEX),
+            draw: Pipeline::new(card, &recipe),
+            show: Pipeline::new(card, &Recipe::full_screen(SHEET, shader, &slots, &[Format::Canvas])),
+            photo: upload(gpu, photo),
+            shown: Buffer::new(card, "shown", Usage::Uniform),
+            corners: Buffer::new(card, "corners", Usage::Items),
+            places: Buffer::new(card, "places", Usage::Items),
+            indices: Buffer::new(card, "triangles", Usage::Indices),
             count: 0,
             cells: (0, 0),
             screen: Vec::new(),
@@ -115,22 +108,24 @@ impl SheetGpu {
         self.prepare(gpu, sheet, step);
         self.screen.clear();
         self.screen.extend(screen.iter().map(|p| p.as_vec2().to_array()));
-        gpu.queue.write_buffer(&self.corners, 0, bytemuck::cast_slice(&self.screen));
+        self.corners.fill(&gpu.card, &self.screen);
         let size = [target.width as f32, target.height as f32];
-        let shown = Shown { size, factor: factor as i32, premultiply: 1.0 };
-        gpu.queue.write_buffer(&self.shown[0], 0, bytemuck::bytes_of(&shown));
+        self.shown.set(&gpu.card, &[Shown { size, factor: factor as i32, premultiply: 1.0 }]);
         let drawn = self.fit(gpu, target, factor);
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        {
-            let mut pass = begin(&mut encoder, "sheet", &drawn.view);
-            pass.set_pipeline(&self.draw);
-            pass.set_bind_group(0, &self.photo, &[]);
-            pass.set_vertex_buffer(0, self.corners.slice(..));
-            pass.set_vertex_buffer(1, self.places.slice(..));
-            pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-            pass.draw_indexed(0..self.count, 0, 0..1);
-        }
-        gpu.queue.submit([encoder.finish()]);
+        let pass = Pass {
+            pipeline: &self.draw,
+            bindings: &[(0, Bound::Uniform(&self.shown)), (1, Bound::Texture(&self.photo))],
+            onto: &[&drawn.texture],
+            depth: None,
+            clear: true,
+        };
+        let all = Draw {
+            buffers: [Some((&self.corners, 0)), Some((&self.places, 0))],
+            indices: Some(&self.indices),
+            count: self.count,
+            instances: 1,
+        };
+        draw(&gpu.card, &pass, [all]);
         self.target = Some(drawn);
         u64::from(self.count / 3)
     }
@@ -145,21 +140,16 @@ impl SheetGpu {
             *pixel = [r, g, b, 255].map(|c| ((c * a + 127) / 255) as u8);
         }
         let drawn = self.fit(gpu, window, 1);
-        write(gpu, drawn.texture.as_image_copy(), window, &picture);
+        drawn.texture.write(&gpu.card, 0, window, &picture);
         self.target = Some(drawn);
     }
 
     /// The target, of the right size.
     fn fit(&mut self, gpu: &Gpu, window: Window, factor: u32) -> Drawn {
-        if let Some(kept) = self.target.take().filter(|kept| kept.window == window) {
+        if let Some(kept) = self.target.take().filter(|kept| kept.texture.window == window) {
             return Drawn { factor, ..kept };
         }
-        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT
-            | wgpu::TextureUsages::TEXTURE_BINDING
-            | wgpu::TextureUsages::COPY_DST;
-        let texture = texture(gpu, "sheet", window, PICTURE_FORMAT, usage);
-        let view = view(&texture);
-        Drawn { texture, view, window, factor }
+        Drawn { texture: Texture::new(&gpu.card, "sheet", window, Format::Colours), factor }
     }
 
     /// Fills the buffers that hold whatever the corners are, but where they are.
@@ -170,143 +160,45 @@ impl SheetGpu {
         let vertices = sheet.corners().len();
         if self.cells.0 != sheet.side() {
             let places: Vec<[f32; 2]> = (0..vertices).map(|i| sheet.place(i).as_vec2().to_array()).collect();
-            let size = size_of_val(sheet.corners());
-            self.corners = buffer(&gpu.device, "corners", size, wgpu::BufferUsages::VERTEX);
-            self.places = buffer(&gpu.device, "places", size, wgpu::BufferUsages::VERTEX);
-            gpu.queue.write_buffer(&self.places, 0, bytemuck::cast_slice(&places));
+            self.places.fill(&gpu.card, &places);
         }
         let indices: Vec<u32> = sheet.triangles(step).flatten().collect();
-        self.indices = buffer(&gpu.device, "triangles", size_of_val(&indices[..]), wgpu::BufferUsages::INDEX);
-        gpu.queue.write_buffer(&self.indices, 0, bytemuck::cast_slice(&indices));
+        self.indices.fill(&gpu.card, &indices);
         self.count = indices.len() as u32;
         self.cells = (sheet.side(), step);
     }
 
-    /// Makes a picture of what was drawn, if anything was: for the canvas, or straight for reading.
-    pub fn resolve(
-        &self,
-        gpu: &Gpu,
-        straight: bool,
-        picture: &wgpu::TextureView,
-    ) -> Option<wgpu::CommandEncoder> {
-        let drawn = self.target.as_ref()?;
-        let (pipeline, buffer, premultiply) =
-            if straight { (&self.read, &self.shown[2], 0.0) } else { (&self.show, &self.shown[1], 1.0) };
-        let size = [drawn.window.width as f32, drawn.window.height as f32];
-        let shown = Shown { size, factor: drawn.factor as i32, premultiply };
-        gpu.queue.write_buffer(buffer, 0, bytemuck::bytes_of(&shown));
-        let bindings = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("sheet"),
-            layout: &self.resolve_layout,
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() },
-                wgpu::BindGroupEntry {
-                    binding: 3,
-                    resource: wgpu::BindingResource::TextureView(&drawn.view),
-                },
-            ],
-        });
-        Some(draw_full_screen(&gpu.device, pipeline, &bindings, picture))
+    /// Makes a picture of what was drawn, if anything was: for the canvas, or straight for reading. Returns whether it
+    /// was.
+    pub fn resolve(&self, gpu: &Gpu, straight: bool, picture: &Texture) -> bool {
+        let Some(Drawn { texture, factor }) = &self.target else { return false };
+        let size = [texture.window.width as f32, texture.window.height as f32];
+        let premultiply = if straight { 0.0 } else { 1.0 };
+        self.shown.set(&gpu.card, &[Shown { size, factor: *factor as i32, premultiply }]);
+        let pass = Pass {
+            pipeline: &self.show,
+            bindings: &[(0, Bound::Uniform(&self.shown)), (3, Bound::Texture(texture))],
+            onto: &[picture],
+            depth: None,
+            clear: true,
+        };
+        draw(&gpu.card, &pass, [Draw::SCREEN]);
+        true
     }
 }
 
 /// The photograph with its halvings, as far as the card takes them.
-fn upload(gpu: &Gpu, photo: &Photo, layout: &wgpu::BindGroupLayout, shown: &wgpu::Buffer) -> wgpu::BindGroup {
+fn upload(gpu: &Gpu, photo: &Photo) -> Texture {
     let fits = |level: &&Level| level.width.max(level.height) <= gpu.max_side;
     let levels: Vec<_> = photo.levels().iter().filter(fits).collect();
-    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("photograph"),
-        size: extent(levels.first().map_or(Window { width: 1, height: 1 }, |level| window_of(level))),
-        mip_level_count: levels.len().max(1) as u32,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: PICTURE_FORMAT,
-        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
-        view_formats: &[],
-    });
-    for (i, level) in levels.iter().enumerate() {
-        let place = wgpu::TexelCopyTextureInfo { mip_level: i as u32, ..texture.as_image_copy() };
-        write(gpu, place, window_of(level), level.pixels.as_flattened());
+    let window = levels.first().map_or(Window { width: 1, height: 1 }, |level| window_of(level));
+    let texture = Texture::photo(&gpu.card, window, levels.len().max(1) as u32);
+    for (i, level) in (0..).zip(&levels) {
+        texture.write(&gpu.card, i, window_of(level), level.pixels.as_flattened());
     }
-    let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-        label: Some("between"),
-        mag_filter: wgpu::FilterMode::Linear,
-        min_filter: wgpu::FilterMode::Linear,
-        mipmap_filter: wgpu::MipmapFilterMode::Linear,
-        ..wgpu::SamplerDescriptor::default()
-    });
-    let view = view(&texture);
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("photograph"),
-        layout,
-        entries: &[
-            wgpu::BindGroupEntry { binding: 0, resource: shown.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&view) },
-            wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&sampler) },
-        ],
-    })
+    texture
 }
 
 fn window_of(level: &Level) -> Window {
     Window { width: level.width, height: level.height }
-}
-
-fn buffer(
-    device: &wgpu::Device,
-    label: &'static str,
-    size: usize,
-    usage: wgpu::BufferUsages,
-) -> wgpu::Buffer {
-    device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some(label),
-        size: size as u64,
-        usage: usage | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    })
-}
-
-fn sampler_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
-    wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::FRAGMENT,
-        ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
-        count: None,
-    }
-}
-
-fn draw_pipeline(
-    device: &wgpu::Device,
-    module: &wgpu::ShaderModule,
-    bindings: &wgpu::BindGroupLayout,
-) -> wgpu::RenderPipeline {
-    let corner = |attributes| wgpu::VertexBufferLayout {
-        array_stride: size_of::<[f32; 2]>() as u64,
-        step_mode: wgpu::VertexStepMode::Vertex,
-        attributes,
-    };
-    // Triangles come from the front to the back: each is laid under what is there.
-    let under = wgpu::BlendComponent {
-        src_factor: wgpu::BlendFactor::OneMinusDstAlpha,
-        dst_factor: wgpu::BlendFactor::One,
-        operation: wgpu::BlendOperation::Add,
-    };
-    let blend = Some(wgpu::BlendState { color: under, alpha: under });
-    Pipeline {
-        module,
-        bindings,
-        vertex: "sheet_vertex",
-        fragment: "sheet_fragment",
-        buffers: &[
-            Some(corner(&wgpu::vertex_attr_array![0 => Float32x2])),
-            Some(corner(&wgpu::vertex_attr_array![1 => Float32x2])),
-        ],
-        topology: wgpu::PrimitiveTopology::TriangleList,
-        depth: None,
-        targets: &[Some(wgpu::ColorTargetState {
-            format: PICTURE_FORMAT,
-            blend,
-            write_mask: wgpu::ColorWrites::ALL,
-        })],
-    }
-    .create(device)
 }

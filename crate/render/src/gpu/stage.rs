@@ -4,14 +4,14 @@ use frond_core::{Colouring, Hull, Ifs};
 use frond_deform::Bend;
 use glam::DVec2;
 
-use super::buffer::uniform;
 use super::device::Gpu;
+use super::interface::{Buffer, ReadBack, Texture, Usage};
 use super::passes::deformed::{DeformedPass, Make};
 use super::passes::image::ImagePass;
 use super::passes::plain::PlainPass;
-use super::readback::ReadBack;
 use super::state::{Shown, StageState, Style, Work};
-use super::target::Target;
+use super::target::{Paint, Target};
+use super::words::Format;
 use crate::picture::colour::Colours;
 use crate::picture::resolve::{picture_of_codes, picture_of_density};
 use crate::picture::view::View;
@@ -46,7 +46,7 @@ pub struct Stage {
     state: StageState,
     frame: Option<Frame>,
     view: Option<View>,
-    straight_colours: wgpu::Buffer,
+    straight_colours: Buffer,
     plain: PlainPass,
     deformed: Option<DeformedPass>,
     image: Option<ImagePass>,
@@ -59,7 +59,7 @@ impl Stage {
         Self {
             frame: None,
             view: None,
-            straight_colours: uniform::<Colours>(&gpu.device, "straight colours"),
+            straight_colours: Buffer::new(&gpu.card, "straight colours", Usage::Uniform),
             plain: PlainPass::new(),
             deformed: None,
             image: None,
@@ -241,13 +241,9 @@ impl Stage {
     fn present(&mut self, frame: &Frame) {
         let Some((target, colours)) = self.picture(frame, true) else { return };
         let Some(canvas) = self.state.gpu.frame() else { return };
-        let view = canvas.texture.create_view(&wgpu::TextureViewDescriptor::default());
-        self.state.gpu.queue.write_buffer(&self.state.colours, 0, bytemuck::bytes_of(&colours));
-        let pipeline = self.state.pipelines.show(target.kind);
-        let encoder =
-            target.resolve(&self.state.gpu, &self.state.pipelines, &self.state.colours, pipeline, &view);
-        self.state.gpu.queue.submit([encoder.finish()]);
-        self.state.gpu.queue.present(canvas);
+        self.state.colours.set(&self.state.gpu.card, &[colours]);
+        target.resolve(&self.state.gpu, self.state.paint(), &canvas.texture);
+        self.state.gpu.present(canvas);
         self.state.stale = false;
     }
 
@@ -260,12 +256,10 @@ impl Stage {
             return image.read(&self.state);
         }
         let (target, colours) = self.picture(frame, false)?;
-        let texture = ReadBack::texture(&self.state.gpu, self.state.window);
-        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        self.state.gpu.queue.write_buffer(&self.straight_colours, 0, bytemuck::bytes_of(&colours));
-        let pipeline = self.state.pipelines.read(target.kind);
-        let encoder =
-            target.resolve(&self.state.gpu, &self.state.pipelines, &self.straight_colours, pipeline, &view);
-        Some(ReadBack::begin(&self.state.gpu, encoder, &texture, self.state.window))
+        let gpu = &self.state.gpu;
+        let texture = Texture::new(&gpu.card, "read", self.state.window, Format::Colours);
+        self.straight_colours.set(&gpu.card, &[colours]);
+        target.resolve(gpu, Paint { colours: &self.straight_colours, ..self.state.paint() }, &texture);
+        Some(gpu.read(&texture))
     }
 }

@@ -2,12 +2,12 @@
 
 use frond_core::{Affine2, Colouring};
 
-use super::buffer::uniform;
 use super::device::Gpu;
+use super::interface::{Buffer, Usage};
 use super::passes::density::DensityPass;
 use super::passes::points::PointsPass;
 use super::pipelines::{Kind, Pipelines};
-use super::target::Target;
+use super::target::{Paint, Target};
 use crate::picture::colour::Colours;
 use crate::picture::view::View;
 use crate::picture::window::Window;
@@ -98,7 +98,7 @@ pub(super) struct StageState {
     pub back: Option<Target>,
     pub sums: Option<Target>,
     pub painted: Option<Target>,
-    pub colours: wgpu::Buffer,
+    pub colours: Buffer,
     /// What is drawn into the back, bit by bit.
     pub points_pass: PointsPass,
     pub density: DensityPass,
@@ -109,7 +109,7 @@ pub(super) struct StageState {
 impl StageState {
     pub fn new(gpu: Gpu) -> Self {
         Self {
-            pipelines: Pipelines::new(&gpu.device, gpu.format(), gpu.sums),
+            pipelines: Pipelines::new(&gpu.card),
             window: Window { width: 0, height: 0 },
             sampling: 2.0,
             style: Style::default(),
@@ -122,12 +122,17 @@ impl StageState {
             back: None,
             sums: None,
             painted: None,
-            colours: uniform::<Colours>(&gpu.device, "colours"),
+            colours: Buffer::new(&gpu.card, "colours", Usage::Uniform),
             points_pass: PointsPass::new(&gpu),
             density: DensityPass::new(&gpu),
             halvings: 1,
             gpu,
         }
+    }
+
+    /// What targets are drawn with.
+    pub fn paint(&self) -> Paint<'_> {
+        Paint { pipelines: &self.pipelines, colours: &self.colours }
     }
 
     /// Sets the size of the canvas, and how finely it is sampled.
@@ -161,7 +166,7 @@ impl StageState {
             _ => (self.painted.take(), Kind::Picture),
         };
         let kept = kept.filter(|target| target.window == window);
-        kept.unwrap_or_else(|| Target::new(&self.gpu, &self.pipelines, &self.colours, kind, window))
+        kept.unwrap_or_else(|| Target::new(&self.gpu, kind, window))
     }
 
     /// Pixels of a picture that is made at once, each way, for each one shown.
@@ -221,8 +226,9 @@ impl StageState {
             (self.density.go_on_without(frame, &colours, self.window), Shown::SoftSums)
         } else {
             let target = self.fit(Shown::Sums, 1.0);
-            self.gpu.queue.write_buffer(&self.colours, 0, bytemuck::bytes_of(&colours));
-            let enough = self.density.go_on(&self.gpu, &self.pipelines, frame, &target, budget);
+            self.colours.set(&self.gpu.card, &[colours]);
+            let paint = Paint { pipelines: &self.pipelines, colours: &self.colours };
+            let enough = self.density.go_on(&self.gpu, paint, frame, &target, budget);
             self.sums = Some(target);
             (enough, Shown::Sums)
         };

@@ -47,7 +47,7 @@ pub(crate) async fn open(canvas: JsValue, options: JsValue) -> Result<(Gpu, Held
     let gpu = Gpu::open(&canvas, wanted, Rc::new(move |event| hear(event, on_lost.as_ref())))
         .await
         .map_err(|error| failure(error.code(), &error.to_string()))?;
-    // wgpu does not see it when the context of WebGL goes.
+    // Nobody else sees it when the context of WebGL goes.
     let loss = gpu.loss();
     let context_lost = Closure::<dyn Fn()>::new(move || loss.tell("the browser took the WebGL context away"));
     let callback = context_lost.as_ref().unchecked_ref();

@@ -9,6 +9,7 @@ use crate::coverage::sweep::Progress;
 use crate::density::Density;
 use crate::gpu::passes::points::PointsPass;
 use crate::gpu::state::{MOST_POINTS, SWEEP_SIZES, Shown, StageState, VISITS_A_FRAME, Work};
+use crate::gpu::target::Paint;
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
@@ -259,7 +260,13 @@ impl DeformedPass {
             Work::Points => {
                 let Some(back) = &state.back else { return };
                 let plan = &self.back.plan;
-                if state.points_pass.go_on(&state.gpu, &state.pipelines, plan, back, budget) {
+                if state.points_pass.go_on(
+                    &state.gpu,
+                    Paint { pipelines: &state.pipelines, colours: &state.colours },
+                    plan,
+                    back,
+                    budget,
+                ) {
                     state.finish(Shown::Back, plan.exact, plan.points());
                 }
             }
@@ -314,7 +321,13 @@ impl DeformedPass {
         let plan = &self.front.plan;
         let followed = self.followed.get_or_insert_with(|| PointsPass::new(&state.gpu));
         followed.begin(&state.gpu, plan, &target);
-        followed.go_on(&state.gpu, &state.pipelines, plan, &target, u64::MAX);
+        followed.go_on(
+            &state.gpu,
+            Paint { pipelines: &state.pipelines, colours: &state.colours },
+            plan,
+            &target,
+            u64::MAX,
+        );
         state.front = Some(target);
         state.show(Shown::Front, factor, plan.points());
     }

@@ -1,10 +1,9 @@
 //! Pictures of densities.
 
 use crate::density::Density;
-use crate::gpu::buffer::Buffer;
 use crate::gpu::device::Gpu;
-use crate::gpu::pipelines::Pipelines;
-use crate::gpu::target::Target;
+use crate::gpu::interface::{Buffer, Usage};
+use crate::gpu::target::{Paint, Target};
 use crate::picture::colour::Colours;
 use crate::picture::view::View;
 use crate::picture::window::Window;
@@ -44,8 +43,8 @@ impl DensityPass {
     pub fn new(gpu: &Gpu) -> Self {
         Self {
             density: None,
-            vertices: Buffer::new(&gpu.device, "samples"),
-            instances: Buffer::new(&gpu.device, "heavy pieces"),
+            vertices: Buffer::new(&gpu.card, "samples", Usage::Items),
+            instances: Buffer::new(&gpu.card, "heavy pieces", Usage::Items),
             samples: Vec::new(),
             cloud: Vec::new(),
             sums: Vec::new(),
@@ -66,7 +65,7 @@ impl DensityPass {
         let instances: Vec<_> = pieces
             .map(|piece| Instance::new(&piece.map, piece.letters, piece.mass as f32 * density.gain))
             .collect();
-        self.instances.fill(&gpu.device, &gpu.queue, &instances);
+        self.instances.fill(&gpu.card, &instances);
         self.density = Some(density);
         self.sums.clear();
         self.passes = 0;
@@ -77,7 +76,7 @@ impl DensityPass {
     pub fn go_on(
         &mut self,
         gpu: &Gpu,
-        pipelines: &Pipelines,
+        paint: Paint<'_>,
         frame: &Frame,
         target: &Target,
         budget: u64,
@@ -91,12 +90,12 @@ impl DensityPass {
             self.cloud.clear();
             let samples = self.samples.iter();
             self.cloud.extend(samples.map(|s| Vertex::new(s.position, s.letters, s.mass)));
-            self.vertices.fill(&gpu.device, &gpu.queue, &self.cloud);
+            self.vertices.fill(&gpu.card, &self.cloud);
             let all =
                 Batch { vertices: 0..self.cloud.len() as u32, instances: 0..density.pieces.len() as u32 };
             let clear = self.passes == 0;
             let batches = std::slice::from_ref(&all);
-            target.draw(gpu, pipelines, clear, &self.vertices, &self.instances, batches);
+            target.draw(gpu, paint, clear, &self.vertices, &self.instances, batches);
             self.passes = self.passes.saturating_add(1);
             self.points += all.points();
             if all.points() == 0 || self.passes == u16::MAX {

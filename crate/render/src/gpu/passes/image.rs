@@ -4,9 +4,10 @@ use frond_deform::Bend;
 use glam::DVec2;
 
 use crate::gpu::device::Gpu;
-use crate::gpu::readback::ReadBack;
+use crate::gpu::interface::{ReadBack, Texture};
 use crate::gpu::sheet::SheetGpu;
 use crate::gpu::state::{StageState, Work};
+use crate::gpu::words::Format;
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::sheet::{BentSheet, Photo, Sheet};
@@ -89,20 +90,15 @@ impl ImagePass {
 
     fn present(&self, state: &mut StageState) {
         let Some(canvas) = state.gpu.frame() else { return };
-        let view = canvas.texture.create_view(&wgpu::TextureViewDescriptor::default());
-        if let Some(encoder) = self.card.resolve(&state.gpu, false, &view) {
-            state.gpu.queue.submit([encoder.finish()]);
-        }
-        state.gpu.queue.present(canvas);
+        self.card.resolve(&state.gpu, false, &canvas.texture);
+        state.gpu.present(canvas);
         state.stale = false;
     }
 
     /// Begins to read the picture that is shown.
     pub fn read(&self, state: &StageState) -> Option<ReadBack> {
-        let texture = ReadBack::texture(&state.gpu, state.window);
-        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let encoder = self.card.resolve(&state.gpu, true, &view)?;
-        Some(ReadBack::begin(&state.gpu, encoder, &texture, state.window))
+        let texture = Texture::new(&state.gpu.card, "read", state.window, Format::Colours);
+        self.card.resolve(&state.gpu, true, &texture).then(|| state.gpu.read(&texture))
     }
 }
 

@@ -6,6 +6,7 @@ use crate::coverage::sweep::Progress;
 use crate::gpu::passes::cpu::CpuPass;
 use crate::gpu::passes::density::DensityPass;
 use crate::gpu::state::{MOST_POINTS, SWEEP_SIZES, Shown, StageState, VISITS_A_FRAME, Work};
+use crate::gpu::target::Paint;
 use crate::picture::view::View;
 use crate::picture::window::Window;
 use crate::pieces::frame::Frame;
@@ -47,7 +48,13 @@ impl PlainPass {
             Work::Choose => self.choose(state, frame, view, budget),
             Work::Points => {
                 let Some(back) = &state.back else { return };
-                if state.points_pass.go_on(&state.gpu, &state.pipelines, &self.plan, back, budget) {
+                if state.points_pass.go_on(
+                    &state.gpu,
+                    Paint { pipelines: &state.pipelines, colours: &state.colours },
+                    &self.plan,
+                    back,
+                    budget,
+                ) {
                     state.finish(Shown::Back, self.plan.exact, self.plan.points());
                 }
             }
@@ -78,7 +85,13 @@ impl PlainPass {
         let factor = state.factor();
         let target = state.fit(Shown::Front, factor);
         state.points_pass.begin(&state.gpu, &self.plan, &target);
-        state.points_pass.go_on(&state.gpu, &state.pipelines, &self.plan, &target, u64::MAX);
+        state.points_pass.go_on(
+            &state.gpu,
+            Paint { pipelines: &state.pipelines, colours: &state.colours },
+            &self.plan,
+            &target,
+            u64::MAX,
+        );
         state.front = Some(target);
         state.show(Shown::Front, factor, self.plan.points());
     }

@@ -1,9 +1,8 @@
 //! Pictures of planned points.
 
-use crate::gpu::buffer::Buffer;
 use crate::gpu::device::Gpu;
-use crate::gpu::pipelines::Pipelines;
-use crate::gpu::target::Target;
+use crate::gpu::interface::{Buffer, Usage};
+use crate::gpu::target::{Paint, Target};
 use crate::plan::{Batch, Plan};
 
 /// A [`Plan`] that is drawn, all at once or bit by bit.
@@ -19,8 +18,8 @@ pub(in crate::gpu) struct PointsPass {
 impl PointsPass {
     pub fn new(gpu: &Gpu) -> Self {
         Self {
-            vertices: Buffer::new(&gpu.device, "vertices"),
-            instances: Buffer::new(&gpu.device, "instances"),
+            vertices: Buffer::new(&gpu.card, "vertices", Usage::Items),
+            instances: Buffer::new(&gpu.card, "instances", Usage::Items),
             next: (0, 0),
             clear: true,
         }
@@ -28,24 +27,17 @@ impl PointsPass {
 
     /// Begins to draw what was points_pass.
     pub fn begin(&mut self, gpu: &Gpu, plan: &Plan, target: &Target) {
-        self.vertices.fill(&gpu.device, &gpu.queue, &plan.vertices);
-        self.instances.fill(&gpu.device, &gpu.queue, &plan.instances);
+        self.vertices.fill(&gpu.card, &plan.vertices);
+        self.instances.fill(&gpu.card, &plan.instances);
         target.prepare(gpu, 1.0, plan.tinted, plan.sides);
         self.next = (0, 0);
         self.clear = true;
     }
 
     /// Draws about `budget` more points. Returns whether all are drawn.
-    pub fn go_on(
-        &mut self,
-        gpu: &Gpu,
-        pipelines: &Pipelines,
-        plan: &Plan,
-        target: &Target,
-        budget: u64,
-    ) -> bool {
+    pub fn go_on(&mut self, gpu: &Gpu, paint: Paint<'_>, plan: &Plan, target: &Target, budget: u64) -> bool {
         let portion = self.portion(plan, budget);
-        target.draw(gpu, pipelines, self.clear, &self.vertices, &self.instances, &portion);
+        target.draw(gpu, paint, self.clear, &self.vertices, &self.instances, &portion);
         self.clear = false;
         self.next.0 >= plan.batches.len()
     }

@@ -2,13 +2,13 @@
 
 use super::pipelines::Pipelines3;
 use super::target::Target3;
-use crate::gpu::buffer::{Buffer, uniform};
 use crate::gpu::device::Gpu;
-use crate::gpu::pipeline::draw_full_screen;
-use crate::gpu::readback::ReadBack;
+use crate::gpu::interface::{Buffer, ReadBack, Texture, Usage, draw};
+use crate::gpu::pass::{Bound, Draw, Pass};
+use crate::gpu::words::Format;
 use crate::picture::colour::Colours;
 use crate::picture::window::Window;
-use crate::solid::{Cloud, Eye, Instance3, Lamp, MAX_OBJECTS, SplatStep, Vertex3};
+use crate::solid::{Cloud, Eye, Lamp, MAX_OBJECTS, SplatStep};
 
 /// What [`Stage3::draw`] came to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,11 +47,11 @@ pub struct Stage3 {
     /// Which of them holds the picture.
     shown: usize,
     still: Option<Target3>,
-    eye: wgpu::Buffer,
-    lamp: wgpu::Buffer,
+    eye: Buffer,
+    lamp: Buffer,
     /// One for each length of a step.
-    splats: Vec<wgpu::Buffer>,
-    colours_buffer: wgpu::Buffer,
+    splats: Vec<Buffer>,
+    colours_buffer: Buffer,
     stale: bool,
     complete: bool,
 }
@@ -69,17 +69,17 @@ impl Stage3 {
     #[must_use]
     pub fn new(gpu: Gpu) -> Self {
         Self {
-            pipelines: Pipelines3::new(&gpu.device, gpu.format()),
+            pipelines: Pipelines3::new(&gpu.card),
             window: Window { width: 0, height: 0 },
             batches: Vec::new(),
             uniforms: None,
             target: None,
             shown: 0,
             still: None,
-            eye: uniform::<Eye>(&gpu.device, "eye"),
-            lamp: uniform::<Lamp>(&gpu.device, "lamp"),
+            eye: Buffer::new(&gpu.card, "eye", Usage::Uniform),
+            lamp: Buffer::new(&gpu.card, "lamp", Usage::Uniform),
             splats: Vec::new(),
-            colours_buffer: uniform::<Colours>(&gpu.device, "colours"),
+            colours_buffer: Buffer::new(&gpu.card, "colours", Usage::Uniform),
             stale: true,
             complete: false,
             gpu,
@@ -109,13 +109,13 @@ impl Stage3 {
     pub fn set_clouds(&mut self, clouds: &[Cloud]) {
         let batch = |cloud: &Cloud| {
             let mut batch = Batch3 {
-                vertices: Buffer::new(&self.gpu.device, "points of space"),
-                instances: Buffer::new(&self.gpu.device, "pieces of space"),
+                vertices: Buffer::new(&self.gpu.card, "points of space", Usage::Items),
+                instances: Buffer::new(&self.gpu.card, "pieces of space", Usage::Items),
                 counts: [cloud.vertices.len() as u32, cloud.instances.len() as u32],
                 gap: cloud.gap,
             };
-            batch.vertices.fill(&self.gpu.device, &self.gpu.queue, &cloud.vertices);
-            batch.instances.fill(&self.gpu.device, &self.gpu.queue, &cloud.instances);
+            batch.vertices.fill(&self.gpu.card, &cloud.vertices);
+            batch.instances.fill(&self.gpu.card, &cloud.instances);
             batch
         };
         self.batches = clouds.iter().take(MAX_OBJECTS).map(batch).collect();
@@ -176,77 +176,79 @@ impl Stage3 {
     fn draw_points(&mut self, uniforms: &Uniforms3) {
         let window = self.window;
         let targets = self.target.get_or_insert_with(|| [0, 1].map(|_| Target3::new(&self.gpu, window)));
-        self.gpu.queue.write_buffer(&self.eye, 0, bytemuck::bytes_of(&uniforms.eye));
-        self.gpu.queue.write_buffer(&self.lamp, 0, bytemuck::bytes_of(&uniforms.lamp));
-        let bindings = self.gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("eye"),
-            layout: &self.pipelines.eye_layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: self.eye.as_entire_binding() }],
+        let card = &self.gpu.card;
+        self.eye.set(card, &[uniforms.eye]);
+        self.lamp.set(card, &[uniforms.lamp]);
+        let pass = Pass {
+            pipeline: &self.pipelines.points,
+            bindings: &[(0, Bound::Uniform(&self.eye))],
+            onto: &[&targets[0].codes, &targets[0].depths],
+            depth: Some(&targets[0].nearest),
+            clear: true,
+        };
+        let some = self.batches.iter().filter(|batch| !batch.counts.contains(&0));
+        let draws = some.map(|batch| Draw {
+            buffers: [Some((&batch.vertices, 0)), Some((&batch.instances, 0))],
+            indices: None,
+            count: batch.counts[0],
+            instances: batch.counts[1],
         });
-        let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        {
-            let mut pass = targets[0].pass(&mut encoder, true);
-            pass.set_pipeline(&self.pipelines.points);
-            pass.set_bind_group(0, &bindings, &[]);
-            for batch in &self.batches {
-                let [vertices, instances] = batch.counts;
-                pass.set_vertex_buffer(0, batch.vertices.items::<Vertex3>(&(0..vertices)));
-                pass.set_vertex_buffer(1, batch.instances.items::<Instance3>(&(0..instances)));
-                pass.draw(0..vertices, 0..instances);
-            }
-        }
+        draw(card, &pass, draws);
         let gaps: Vec<f32> = self.batches.iter().map(|batch| batch.gap).collect();
         let Lamp { size, focal, range: [nearest, ..], .. } = uniforms.lamp;
         let steps = SplatStep::steps(size, focal, nearest, &gaps);
         while self.splats.len() < steps.len() {
-            self.splats.push(uniform::<SplatStep>(&self.gpu.device, "splat"));
+            self.splats.push(Buffer::new(card, "splat", Usage::Uniform));
         }
         for (buffer, step) in self.splats.iter().zip(&steps) {
-            self.gpu.queue.write_buffer(buffer, 0, bytemuck::bytes_of(step));
+            buffer.set(card, &[*step]);
         }
         let splats = self.splats.iter().take(steps.len()).map(|buffer| (&self.pipelines.splat, buffer));
         // From one target to the other and back.
         self.shown = 0;
         for (pipeline, buffer) in splats.chain([(&self.pipelines.fill_holes, &self.lamp)]) {
-            let bindings =
-                targets[self.shown].bindings(&self.gpu, &self.pipelines, buffer, &self.colours_buffer);
+            let (from, onto) = (&targets[self.shown], &targets[1 - self.shown]);
+            let pass = Pass {
+                pipeline,
+                bindings: &from.bindings(buffer, &self.colours_buffer),
+                onto: &[&onto.codes, &onto.depths],
+                depth: None,
+                clear: true,
+            };
+            draw(card, &pass, [Draw::SCREEN]);
             self.shown = 1 - self.shown;
-            let mut pass = targets[self.shown].pass(&mut encoder, false);
-            pass.set_pipeline(pipeline);
-            pass.set_bind_group(0, &bindings, &[]);
-            pass.draw(0..3, 0..1);
         }
-        self.gpu.queue.submit([encoder.finish()]);
     }
 
-    /// Lights what is there into a picture.
-    fn light(
-        &self,
-        picture: &wgpu::TextureView,
-        pipeline: &wgpu::RenderPipeline,
-        premultiply: f32,
-    ) -> Option<wgpu::CommandEncoder> {
-        let uniforms = self.uniforms.as_ref()?;
+    /// Lights what is there into a picture. Returns whether there is anything.
+    fn light(&self, picture: &Texture, premultiply: f32) -> bool {
+        let Some(uniforms) = &self.uniforms else { return false };
         let (target, lamp) = if self.complete {
-            (self.still.as_ref()?, &uniforms.still_lamp)
+            (self.still.as_ref(), &uniforms.still_lamp)
         } else {
-            (&self.target.as_ref()?[self.shown], &uniforms.lamp)
+            (self.target.as_ref().map(|targets| &targets[self.shown]), &uniforms.lamp)
         };
-        self.gpu.queue.write_buffer(&self.lamp, 0, bytemuck::bytes_of(lamp));
-        let colours = Colours { premultiply, ..uniforms.colours };
-        self.gpu.queue.write_buffer(&self.colours_buffer, 0, bytemuck::bytes_of(&colours));
-        let bindings = target.bindings(&self.gpu, &self.pipelines, &self.lamp, &self.colours_buffer);
-        Some(draw_full_screen(&self.gpu.device, pipeline, &bindings, picture))
+        let Some(target) = target else { return false };
+        let card = &self.gpu.card;
+        self.lamp.set(card, &[*lamp]);
+        self.colours_buffer.set(card, &[Colours { premultiply, ..uniforms.colours }]);
+        let pass = Pass {
+            pipeline: &self.pipelines.show,
+            bindings: &target.bindings(&self.lamp, &self.colours_buffer),
+            onto: &[picture],
+            depth: None,
+            clear: true,
+        };
+        draw(card, &pass, [Draw::SCREEN]);
+        true
     }
 
     fn show(&mut self) {
         let Some(frame) = self.gpu.frame() else { return };
-        let view = frame.texture.create_view(&wgpu::TextureViewDescriptor::default());
-        if let Some(encoder) = self.light(&view, &self.pipelines.show, 1.0) {
-            self.gpu.queue.submit([encoder.finish()]);
+        if self.light(&frame.texture, 1.0) {
             self.stale = false;
         }
-        self.gpu.queue.present(frame);
+        self.gpu.present(frame);
     }
 
     /// Begins to read the picture that is shown, with straight alpha. `None` where there is none.
@@ -255,9 +257,7 @@ impl Stage3 {
         if self.gpu.is_lost() || self.window.width == 0 || self.window.height == 0 {
             return None;
         }
-        let texture = ReadBack::texture(&self.gpu, self.window);
-        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let encoder = self.light(&view, &self.pipelines.read, 0.0)?;
-        Some(ReadBack::begin(&self.gpu, encoder, &texture, self.window))
+        let texture = Texture::new(&self.gpu.card, "read", self.window, Format::Colours);
+        self.light(&texture, 0.0).then(|| self.gpu.read(&texture))
     }
 }

@@ -1,0 +1,98 @@
+//! The device.
+
+use std::sync::Arc;
+
+use js_sys::{Function, Promise, Reflect, global};
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::JsFuture;
+
+use crate::gpu::events::Loss;
+use crate::gpu::words::Format;
+
+/// A device of WebGPU.
+#[derive(Debug)]
+pub struct Card {
+    pub(super) device: wgpu::Device,
+    pub(super) queue: wgpu::Queue,
+    sums: wgpu::TextureFormat,
+    canvas: wgpu::TextureFormat,
+    /// Its name, as far as the browser tells.
+    pub description: String,
+    /// Whether the browser says that it is no graphics card.
+    pub software: bool,
+    /// The longest side of what can be drawn to.
+    pub max_side: u32,
+    /// Whether it can add up weights.
+    pub densities: bool,
+}
+
+impl Card {
+    pub const BACKEND: &'static str = "webgpu";
+
+    /// Opens a device.
+    pub(super) async fn request(adapter: &wgpu::Adapter) -> Result<(wgpu::Device, wgpu::Queue), String> {
+        let descriptor = wgpu::DeviceDescriptor {
+            // Sums of many small weights are truer in 32 bits, where these can be blended.
+            required_features: adapter.features() & wgpu::Features::FLOAT32_BLENDABLE,
+            required_limits: wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits()),
+            ..wgpu::DeviceDescriptor::default()
+        };
+        adapter.request_device(&descriptor).await.map_err(|e| e.to_string())
+    }
+
+    /// What can be done with a device, where the canvas is of such a format. It tells what happens to it.
+    pub(super) async fn new(
+        adapter: &wgpu::Adapter,
+        (device, queue): (wgpu::Device, wgpu::Queue),
+        canvas: wgpu::TextureFormat,
+        loss: Loss,
+    ) -> Self {
+        let lost = loss.clone();
+        device.set_device_lost_callback(move |reason, message| {
+            lost.tell(&if message.is_empty() { format!("{reason:?}") } else { message });
+        });
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| loss.fault(&error.to_string())));
+        let float32 = device.features().contains(wgpu::Features::FLOAT32_BLENDABLE);
+        Self {
+            description: webgpu_names().await,
+            software: adapter.get_info().device_type == wgpu::DeviceType::Cpu,
+            max_side: device.limits().max_texture_dimension_2d,
+            densities: true,
+            sums: if float32 { wgpu::TextureFormat::Rgba32Float } else { wgpu::TextureFormat::Rgba16Float },
+            canvas,
+            device,
+            queue,
+        }
+    }
+
+    /// What wgpu calls such a format.
+    pub(super) fn format(&self, format: Format) -> wgpu::TextureFormat {
+        match format {
+            Format::Word => wgpu::TextureFormat::R32Uint,
+            Format::Sums => self.sums,
+            Format::Colours => wgpu::TextureFormat::Rgba8Unorm,
+            Format::Canvas => self.canvas,
+            Format::Depth => wgpu::TextureFormat::Depth24Plus,
+        }
+    }
+
+    /// Destroys the device.
+    pub fn destroy(&self) {
+        self.device.destroy();
+    }
+}
+
+/// What WebGPU tells of its adapter, which wgpu does not pass on. Empty where anything is missing.
+pub async fn webgpu_names() -> String {
+    async fn info() -> Result<JsValue, JsValue> {
+        let gpu = Reflect::get(&Reflect::get(&global(), &"navigator".into())?, &"gpu".into())?;
+        let request: Function = Reflect::get(&gpu, &"requestAdapter".into())?.dyn_into()?;
+        let adapter = JsFuture::from(request.call0(&gpu)?.dyn_into::<Promise>()?).await?;
+        Reflect::get(&adapter, &"info".into())
+    }
+    let info = info().await.unwrap_or(JsValue::UNDEFINED);
+    let field = |name: &str| Reflect::get(&info, &name.into()).ok().and_then(|value| value.as_string());
+    let names =
+        ["vendor", "architecture", "device", "description"].map(|name| field(name).unwrap_or_default());
+    names.into_iter().filter(|name| !name.is_empty()).collect::<Vec<_>>().join(", ")
+}
