@@ -118,9 +118,11 @@ export function Head({ number, title, badge, studio, children, more }: HeadProps
             <Icon name="arrow" />
           </a>
         )}
-        {more}
-        <CopyLink />
-        <SaveMenu number={number} title={title} />
+        <div class={css["figure-icons"]}>
+          {more}
+          <CopyLink />
+          <SaveMenu number={number} title={title} />
+        </div>
       </div>
       <div class={css["figure-lead"]}>{children}</div>
     </header>

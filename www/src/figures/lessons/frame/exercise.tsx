@@ -64,7 +64,7 @@ export function Exercise({ number, ask, hints, solved, status, children }: Exerc
         )}
         {status}
       </p>
-      <Room lines={4} />
+      <Room lines={3} />
       <div class={css["hints"]} aria-live="polite">
         {hints.slice(0, told).map((hint, i) => (
           <p key={hint}>

@@ -67,7 +67,7 @@ export function Lesson(props: LessonProps) {
       {props.question}
       {props.exercises !== undefined && (
         <div class={css["exercises"]}>
-          <h2>Now make one yourself</h2>
+          <h2 class={css["make"]}>Now make one yourself</h2>
           {props.exercises}
         </div>
       )}

@@ -99,11 +99,13 @@ function Shown() {
         <Button icon="back" disabled={at === 0} onClick={() => setAt(at - 1)}>
           Back
         </Button>
+        {/* That of the page is on its first slide. */}
+        {at > 0 && <h1 class="unseen">{names[0]}</h1>}
         <span class={css["where"]} aria-live="polite">
           <span class="number">
             {at + 1} of {names.length}
           </span>{" "}
-          {names[at]}
+          <span class={css["name"]}>{names[at]}</span>
         </span>
         <Button
           pressed={dot}

@@ -104,7 +104,7 @@ function Tried({ number, ask, hints, asked, other, found }: TriedProps) {
             onChange={setName}
           />
           <Matching matching={pairing} wide />
-          <p class={layout["hint"]}>Beside it: the shape half-way on the straight line.</p>
+          <p class={layout["hint"]}>The picture is the shape half-way on the straight line.</p>
         </div>
       </div>
     </Exercise>
