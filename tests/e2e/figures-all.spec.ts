@@ -43,6 +43,8 @@ for (const { title, ids } of UNITS) {
         await expect(picture).toHaveAccessibleName(/\w+ \w+/);
         await expect.poll(() => picture.evaluate(coloursOf)).toBeGreaterThan(1);
         await expectClean(page);
+        await expect(page.getByTestId("exercise")).not.toHaveCount(0);
+        await expect(page.getByTestId("exercise").locator("[data-solved]")).toHaveCount(0);
         await expectAnswer(page);
         links.push(...(await studioLinks(page)));
       });
