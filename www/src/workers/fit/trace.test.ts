@@ -71,12 +71,12 @@ describe("opening a file", () => {
   const open = (file: Blob, name = "leaf.png", context = worker()) =>
     traceTasks.openFile(context, { file, name });
 
-  test("50 megapixels are refused before anything is decoded", async () => {
+  test("70 megapixels are refused before anything is decoded", async () => {
     const decode = vi.fn();
     vi.stubGlobal("createImageBitmap", decode);
-    await expect(open(png(10_000, 5000))).rejects.toMatchObject({
+    await expect(open(png(10_000, 7000))).rejects.toMatchObject({
       code: "too-large",
-      message: expect.stringMatching(/50 megapixels, and at most 40 .* smaller/),
+      message: expect.stringMatching(/70 megapixels, and at most 64 .* smaller/),
     });
     expect(decode).not.toHaveBeenCalled();
   });

@@ -1,5 +1,5 @@
 /** The most pixels that are decoded. */
-export const MOST_MEGAPIXELS = 40;
+export const MOST_MEGAPIXELS = 64;
 
 /** "10,000 × 5,000 pixels, 50 megapixels" */
 export function inWords({ width, height }: { width: number; height: number }): string {

@@ -1,9 +1,10 @@
 import { boxAround, changeDeformation, deformation } from "#document/deform/bend";
 import { type Photograph, pictureMaps, showPicture } from "#document/deform/picture";
 import { announce, notify } from "#document/notice";
-import { HEAD_BYTES } from "#workers/image/header";
+import { smallBitmap } from "#workers/image/decode";
+import { HEAD_BYTES, type Header, readHeader } from "#workers/image/header";
 import { inBox } from "../changes";
-import { damaged, kept, refusal, shortName } from "./words";
+import { damaged, kept, LONGEST, refusal, shortName } from "./words";
 
 let latest = 0;
 
@@ -13,12 +14,13 @@ export async function takeFile(file: Blob, given: string): Promise<void> {
   const name = shortName(given);
   try {
     const head = new Uint8Array(await file.slice(0, HEAD_BYTES).arrayBuffer());
-    const refused = refusal(name, head);
+    const header = readHeader(head);
+    const refused = refusal(name, header);
     if (refused !== null) {
       refuse(refused);
       return;
     }
-    const photograph = await decode(file, name);
+    const photograph = await decode(file, name, header);
     if (turn === latest) show(photograph, `${name} is on the stage.`);
   } catch {
     if (turn === latest) refuse(damaged(name));
@@ -44,8 +46,8 @@ function show(photograph: Photograph | null, words: string): void {
   announce(words);
 }
 
-async function decode(file: Blob, name: string): Promise<Photograph> {
-  let bitmap = await createImageBitmap(file);
+async function decode(file: Blob, name: string, { kind, size }: Header): Promise<Photograph> {
+  let bitmap = await smallBitmap(file, kind === "avif" ? undefined : size, 2 * LONGEST ** 2);
   const { width, height } = kept(bitmap.width, bitmap.height);
   if (width !== bitmap.width || height !== bitmap.height) {
     const whole = bitmap;

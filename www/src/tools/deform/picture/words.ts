@@ -1,4 +1,4 @@
-import { type Header, readHeader } from "#workers/image/header";
+import type { Header } from "#workers/image/header";
 import { inWords, MOST_MEGAPIXELS, shortName as shortOf } from "#workers/image/limits";
 
 /** The longest side that is kept, in pixels. */
@@ -7,8 +7,7 @@ export const LONGEST = 2048;
 const STAYS = "The picture on the stage stays as it is.";
 
 /** Why a file is not taken, or null if it may be decoded. */
-export function refusal(name: string, head: Uint8Array): string | null {
-  const { kind, size } = readHeader(head);
+export function refusal(name: string, { kind, size }: Header): string | null {
   if (kind === "svg") {
     return `“${name}” is a drawing (SVG), not a picture made of pixels: save it as PNG first. ${STAYS}`;
   }
@@ -39,5 +38,3 @@ export function kept(width: number, height: number): { width: number; height: nu
 export function shortName(name: string): string {
   return shortOf(name, "Picture");
 }
-
-export type { Header };
