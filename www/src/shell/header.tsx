@@ -2,10 +2,9 @@ import type { ComponentChildren } from "preact";
 import { route } from "#document/link";
 import { selection } from "#document/morph";
 import { setTheme, type Theme, theme } from "#document/preferences";
-import { canRedo, canUndo, redo, undo } from "#document/scene";
 import { openTool, tool } from "#document/tool";
 import { filmProgress, openFilm, openMesh, openPicture, openRecent, openShare } from "#film/open";
-import { help, withKey } from "#ui/commands";
+import { commandCalled, help, withKey } from "#ui/commands";
 import { Icon } from "#ui/controls/Icon";
 import { askForFile } from "#ui/files/door";
 import { startExport } from "#ui/files/exporting";
@@ -117,11 +116,25 @@ function curveItems(): MenuItem[] {
   }));
 }
 
+/** Takes back or takes again whatever the key does: in some tools what is no part of the document comes first. */
+function Back({ glyph, label }: { glyph: "undo" | "redo"; label: string }) {
+  const command = commandCalled(glyph);
+  return (
+    <Tool
+      glyph={glyph}
+      label={label}
+      command={glyph}
+      disabled={command?.enabled?.() !== true}
+      onClick={() => command?.run?.(0)}
+    />
+  );
+}
+
 function StudioTools() {
   return (
     <>
-      <Tool glyph="undo" label="Undo" command="undo" disabled={!canUndo.value} onClick={undo} />
-      <Tool glyph="redo" label="Redo" command="redo" disabled={!canRedo.value} onClick={redo} />
+      <Back glyph="undo" label="Undo" />
+      <Back glyph="redo" label="Redo" />
       <Tool glyph="open" label="Open a file" command="open" class="wide" onClick={() => askForFile()} />
       <Tool glyph="recent" label="Recent" class="wide" onClick={openRecent} />
       <div class="wide">

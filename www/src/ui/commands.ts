@@ -1,6 +1,6 @@
 /** What can be done by a key: keyboard, help and tool tips come from the one list that a tool has. */
 import { signal } from "@preact/signals";
-import { redo, undo } from "#document/scene";
+import { canRedo, canUndo, redo, undo } from "#document/scene";
 import { askForFile } from "./files/door";
 import { type Focus, focusOf, type KeyPress } from "./focus";
 
@@ -25,12 +25,21 @@ export const help = signal(false);
 
 /** In every tool. Some take back what is no part of the document first. */
 export const everywhere = (back: Partial<Command> = {}, forth: Partial<Command> = {}): Command[] => [
-  { id: "undo", label: "Undo", group: "Everywhere", keys: ["Z", "Ctrl+Z"], run: undo, ...back },
+  {
+    id: "undo",
+    label: "Undo",
+    group: "Everywhere",
+    keys: ["Z", "Ctrl+Z"],
+    enabled: () => canUndo.value,
+    run: undo,
+    ...back,
+  },
   {
     id: "redo",
     label: "Redo",
     group: "Everywhere",
     keys: ["Shift+Z", "Ctrl+Y", "Ctrl+Shift+Z"],
+    enabled: () => canRedo.value,
     run: redo,
     ...forth,
   },
@@ -96,9 +105,13 @@ export function commandOf(
 /** What keys ask for now: nothing where nobody listens. */
 const heard = signal<() => readonly Command[]>(() => []);
 
+/** The command of that name in what keys ask for now, for a button that does the same. */
+export const commandCalled = (id: string): Command | undefined =>
+  heard.value().find((command) => command.id === id);
+
 /** What a button says of itself, with the key of its command where it has one. */
 export function withKey(words: string, id: string | undefined): string {
-  const key = heard.value().find((command) => command.id === id)?.keys[0];
+  const key = id === undefined ? undefined : commandCalled(id)?.keys[0];
   return key === undefined ? words : `${words} (${key})`;
 }
 

@@ -1,6 +1,6 @@
 /** What keys do while the fit is open. */
 import { fitDocument } from "#document/fit";
-import { redo, undo } from "#document/scene";
+import { canRedo, canUndo, redo, undo } from "#document/scene";
 import { fitCommand, handCommand, switchCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import { brushSize, hand, painting } from "./stage/brush";
@@ -44,7 +44,7 @@ const OUTLINE: readonly Command[] = [
   }),
   fitCommand(fitStage),
   handCommand(hand, ["move", "keep", "remove"], {
-    label: "What a drag does, the next, the one before: move, keep, remove",
+    label: "What a drag does, the next, the one before: move, leaf, not leaf",
     group: CUTTING,
     enabled: () => cutting.peek(),
   }),
@@ -68,9 +68,13 @@ const OUTLINE: readonly Command[] = [
   ...everywhere(
     {
       label: "Undo: the last stroke first",
+      enabled: () => (cutting.value && canUndoStroke()) || canUndo.value,
       run: () => (cutting.peek() && canUndoStroke() ? undoStroke() : undo()),
     },
-    { run: () => (cutting.peek() && canRedoStroke() ? redoStroke() : redo()) },
+    {
+      enabled: () => (cutting.value && canRedoStroke()) || canRedo.value,
+      run: () => (cutting.peek() && canRedoStroke() ? redoStroke() : redo()),
+    },
   ),
 ];
 
