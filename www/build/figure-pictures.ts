@@ -109,6 +109,7 @@ export function figurePictures(source: Source): Record<string, { cells: Cell[]; 
     c5: row(...[0.3, 0.45, 0.6, 0.75].map((d) => rough([0, 0.5, 0.2, 0.4], d))),
     c6: row(rough([0, 0.5, 0.3, 0.9, 0.4, 0.7, 0.2, 0], 0.3)),
     c7: one("tree"),
+    c43: row(plane(shape("tree").maps), plane(shape("tree").maps)),
     s1: turned("triangle", 0.4),
     s2: turned("triangle", 0, 0.7, 1.4),
     s3: turned("tetrahedron", 0.5),

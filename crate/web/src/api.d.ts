@@ -401,6 +401,35 @@ export interface Graph {
   pieces: GraphPiece[];
 }
 
+/** A part of a fractal curve: the curve over the image of `domain` is that over `domain`, mapped. */
+export interface PlaneGraphPiece {
+  /**
+   * t' = a t + d, x' = bx t + cx x + cxy y + ex, y' = by t + cyx x + cy y + ey (Cochran, Hart & Flynn, eq 9; eq 8 where
+   * cxy and cyx are 0).
+   */
+  map: [
+    a: number,
+    bx: number,
+    by: number,
+    cx: number,
+    cxy: number,
+    cyx: number,
+    cy: number,
+    d: number,
+    ex: number,
+    ey: number,
+  ];
+  domain: [from: number, to: number];
+}
+
+/** A fractal curve of the plane over a parameter t. */
+export interface PlaneGraph {
+  /** From left to right. */
+  pieces: PlaneGraphPiece[];
+  /** By how much all maps shrink together, at most (eq 2 with norms for factors); told, and not read. */
+  contractivity?: number;
+}
+
 /** What a document says of fitting. The outline, or the photograph it was taken from, is not part of it. */
 export interface Fit {
   mode: "outline" | "graph";

@@ -224,6 +224,15 @@ export const ROWS: readonly Row[] = [
         load: () => import("./cochran/figure-7/page"),
         thumb: () => import("./cochran/figure-7/thumb"),
       },
+      {
+        id: "c43",
+        number: "Rough curves, Section 4.3",
+        short: "4.3",
+        title: "From pixels to maps, step by step",
+        about: "A bitmap, its boundary, 261 points, and two fits: every step of the paper’s way to its leaf.",
+        load: () => import("./cochran/figure-7-steps/page"),
+        thumb: () => import("./cochran/figure-7-steps/thumb"),
+      },
     ],
   },
   {

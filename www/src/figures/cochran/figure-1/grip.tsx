@@ -5,6 +5,8 @@ import css from "./grip.module.css";
 
 interface GripProps {
   name: string;
+  /** What its two numbers are called. */
+  axes?: readonly [across: string, up: string];
   t: number;
   x: number;
   place: PlaceOf;
@@ -17,7 +19,7 @@ interface GripProps {
 const STEP = 0.02;
 
 /** A point of a graph that mouse, finger and arrow keys move. */
-export function Grip({ name, t, x, place, valueAt, onMove }: GripProps) {
+export function Grip({ name, axes: [across, up] = ["t", "x"], t, x, place, valueAt, onMove }: GripProps) {
   const host = useRef<HTMLButtonElement>(null);
   const offset = useRef<[number, number]>([0, 0]);
   const [left, top] = place(t, x);
@@ -31,7 +33,7 @@ export function Grip({ name, t, x, place, valueAt, onMove }: GripProps) {
       type="button"
       class={css["grip-point"]}
       style={{ left: `${left}px`, top: `${top}px` }}
-      aria-label={`${name} at t = ${fixed(t)}, x = ${fixed(x)}: arrow keys move it, with Shift finer`}
+      aria-label={`${name} at ${across} = ${fixed(t)}, ${up} = ${fixed(x)}: arrow keys move it, with Shift finer`}
       onPointerDown={(event) => {
         if (event.button !== 0) return;
         event.currentTarget.setPointerCapture(event.pointerId);

@@ -2,14 +2,15 @@ import { useMemo } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { Button } from "#ui/controls/Button";
 import { Switch } from "#ui/controls/Switch";
-import { SliderControl } from "../../kit/frame/control";
+import { Choice, SliderControl } from "../../kit/frame/control";
 import { Formula } from "../../kit/frame/formula";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { tex } from "../../kit/notation/tex";
-import { flag, number, parts, whole } from "../../kit/state/fields";
+import { flag, number, oneOf, parts, whole } from "../../kit/state/fields";
 import { kept, useKept } from "../../kit/state/kept";
-import { arrowhead } from "../graphs/arrowhead";
+import { arrowhead, PIECES } from "../graphs/arrowhead";
+import { PlaneMapTable } from "../graphs/plane-map-table";
 import css from "./page.module.css";
 import { type Eye, FROM_CORNER, SpaceView, STEEPEST } from "./space-curve";
 
@@ -20,12 +21,27 @@ const VIEWS: readonly { name: string; about: string; eye: Eye }[] = [
   { name: "From the corner", about: "all three at once", eye: FROM_CORNER },
 ];
 const MOST_DEPTH = 7;
+/** Which of its pieces is shown alone, and what its map does. */
+const PIECE_CHOICES = [
+  { value: "all", label: "all" },
+  { value: "1", label: "P₁" },
+  { value: "2", label: "P₂" },
+  { value: "3", label: "P₃" },
+] as const;
+type Shown = (typeof PIECE_CHOICES)[number]["value"];
+const ABOUT: Readonly<Record<Shown, string>> = {
+  all: "Each third of t is the whole curve, mapped.",
+  "1": "P₁: the whole at half size, mirrored and turned. It mixes x with y.",
+  "2": "P₂: the whole at half size and no more, so that x and y stay apart.",
+  "3": "P₃: the whole at half size, mirrored and turned the other way. It mixes x with y.",
+};
 
 /** What stands in its address. */
 export const STATE = {
   eye: kept<Eye>(FROM_CORNER, parts({ turn: number(-180, 180, 1), tilt: number(-STEEPEST, STEEPEST, 1) })),
   levels: kept(6, whole(1, MOST_DEPTH)),
   shadows: kept(true, flag),
+  piece: kept<Shown>("all", oneOf(PIECE_CHOICES.map(({ value }) => value))),
 };
 
 /** The Sierpinski space curve and its three projections. */
@@ -33,6 +49,8 @@ export function Page(heading: Heading) {
   const [eye, setEye] = useKept("eye", ...STATE.eye);
   const [depth, setDepth] = useKept("levels", ...STATE.levels);
   const [shadows, setShadows] = useKept("shadows", ...STATE.shadows);
+  const [piece, setPiece] = useKept("piece", ...STATE.piece);
+  const alone = piece === "all" ? null : Number(piece) - 1;
   const points = useMemo(() => arrowhead(depth), [depth]);
   const pieces = points.length - 1;
   const view = VIEWS.find((one) => one.eye.turn === eye.turn && one.eye.tilt === eye.tilt);
@@ -72,8 +90,9 @@ export function Page(heading: Heading) {
         points={points}
         eye={eye}
         shadows={shadows}
+        piece={alone}
         onTurn={setEye}
-        label={`The space curve of ${pieces} pieces, seen from ${fixed(eye.turn, 0)} degrees round and ${fixed(eye.tilt, 0)} degrees up${view ? `: ${view.about}` : ""}`}
+        label={`The space curve of ${pieces} pieces, seen from ${fixed(eye.turn, 0)} degrees round and ${fixed(eye.tilt, 0)} degrees up${view ? `: ${view.about}` : ""}${alone === null ? "" : `; piece ${piece} is set apart`}`}
       />
       <fieldset class={layout["buttons"]}>
         <legend class="unseen">Where from</legend>
@@ -116,10 +135,21 @@ export function Page(heading: Heading) {
           valueText={`${pieces} pieces`}
           onChange={setDepth}
         />
+        <Choice
+          label="piece"
+          name="Which piece is set apart"
+          value={piece}
+          options={PIECE_CHOICES}
+          onChange={setPiece}
+        />
         <Switch checked={shadows} onChange={setShadows}>
           Shadows on the walls
         </Switch>
       </div>
+      <p class={layout["hint"]} role="status">
+        {ABOUT[piece]}
+      </p>
+      <PlaneMapTable caption="Its three maps (eq 9)" maps={PIECES} chosen={alone} />
     </Frame>
   );
 }

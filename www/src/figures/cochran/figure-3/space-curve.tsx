@@ -16,6 +16,8 @@ interface SpaceViewProps {
   /** Whether the three shadows on the walls are drawn. */
   shadows: boolean;
   label: string | null;
+  /** The one of the three pieces that is shown alone, from 0; the others are thin. */
+  piece?: number | null;
   onTurn?: (eye: Eye) => void;
 }
 
@@ -50,7 +52,7 @@ function wallsBehind({ turn, tilt }: Eye): Space {
 }
 
 /** The space curve in its box. Dragging turns it; what is done with keys, sliders beside it do. */
-export function SpaceView({ points, eye, shadows, label, onTurn }: SpaceViewProps) {
+export function SpaceView({ points, eye, shadows, label, piece = null, onTurn }: SpaceViewProps) {
   const named = label !== null;
   const draw = useCallback(
     ({ context, width, height, colours, token }: Sheet) => {
@@ -80,13 +82,13 @@ export function SpaceView({ points, eye, shadows, label, onTurn }: SpaceViewProp
         const part = points.slice(i * third, i === 2 ? points.length : (i + 1) * third + 1);
         stroke(
           part.map(({ t, x, y }): Space => [t, x, y]),
-          colours[colour] ?? "",
-          2,
+          piece === null || piece === i ? (colours[colour] ?? "") : token("--ink-3"),
+          piece === null || piece === i ? 2 : 0.8,
         );
       }
       if (named) names(context, place, token("--ink-2"), side);
     },
-    [points, eye, shadows, named],
+    [points, eye, shadows, named, piece],
   );
   const { canvas } = useDrawing(draw);
   const drag = useDrag((dx, dy) =>

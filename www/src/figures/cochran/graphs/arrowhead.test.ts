@@ -1,6 +1,15 @@
 import { describe, expect, it } from "vitest";
 import known from "../../../../../tests/known/fit/hidden_variable.json";
-import { arrowhead, bestCopy, CORNERS, cornerImages, heightsAlong, heightsOf, TOP } from "./arrowhead";
+import {
+  arrowhead,
+  bestCopy,
+  CORNERS,
+  cornerImages,
+  heightsAlong,
+  heightsOf,
+  PIECES,
+  TOP,
+} from "./arrowhead";
 
 describe("the arrowhead curve", () => {
   it("runs from A to C in equal steps, each half as long a level", () => {
@@ -17,6 +26,17 @@ describe("the arrowhead curve", () => {
         expect(p.y).toBeLessThan(CORNERS.B[1] + 1e-12);
       }
     }
+  });
+
+  it("is made of three pieces, each the whole by a map of eq 9", () => {
+    const [whole, finer] = [arrowhead(3), arrowhead(4)];
+    for (const [i, [a, bx, by, cx, cxy, cyx, cy, d, ex, ey]] of PIECES.entries())
+      for (const [k, { t, x, y }] of whole.entries()) {
+        const there = finer[27 * i + k];
+        expect(a * t + d).toBeCloseTo(there?.t ?? Number.NaN, 12);
+        expect(bx * t + cx * x + cxy * y + ex).toBeCloseTo(there?.x ?? Number.NaN, 12);
+        expect(by * t + cyx * x + cy * y + ey).toBeCloseTo(there?.y ?? Number.NaN, 12);
+      }
   });
 
   it("has the heights of the hidden-variable function", () => {

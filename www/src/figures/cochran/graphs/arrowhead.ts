@@ -2,6 +2,7 @@
  * The arrowhead curve: it runs through all of a Sierpinski gasket from corner A to corner C, and with its parameter t
  * as the third coordinate it is the space curve of Cochran, Hart & Flynn, Figure 3.
  */
+import type { PlaneGraphPiece } from "#wasm/api";
 import type { Point } from "../../kit/maps/pieces";
 
 export interface SpacePoint {
@@ -27,6 +28,12 @@ const THIRDS: readonly ((p: Point) => Point)[] = [
   ([x, y]) => [x / 2 + 0.25, y / 2 + S],
   ([x, y]) => [x / 4 - S * y + 0.75, -S * x - y / 4 + S],
 ];
+
+/** The same with t: the three maps of the space curve as eq 9 has them, a, bx, by, cx, cxy, cyx, cy, d, ex, ey. */
+export const PIECES: readonly PlaneGraphPiece["map"][] = THIRDS.map((third, i) => {
+  const [[ex, ey], [xx, yx], [xy, yy]] = [third([0, 0]), third([1, 0]), third([0, 1])];
+  return [1 / 3, 0, 0, xx - ex, xy - ex, yx - ey, yy - ey, i / 3, ex, ey];
+});
 
 /** The 3^depth + 1 points at even steps of t. */
 export function arrowhead(depth: number): SpacePoint[] {
