@@ -108,6 +108,7 @@ function Shown() {
           <span class={css["name"]}>{names[at]}</span>
         </span>
         <Button
+          class={css["pointer"]}
           pressed={dot}
           description="A large dot that follows the mouse (L)"
           onClick={() => setDot(!dot)}
