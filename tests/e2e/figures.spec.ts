@@ -59,7 +59,7 @@ test("the chaos game takes its throws by keys", async ({ page }) => {
   await page.getByRole("button", { name: "1, lower left" }).focus();
   for (const key of ["1", "2", "3", "3"]) await page.keyboard.press(key);
   await expect(page.getByText("9 throws, the last towards 3")).toBeVisible();
-  await page.getByRole("button", { name: "Clear" }).click();
+  await page.getByRole("region", { name: "The picture" }).getByRole("button", { name: "Clear" }).click();
   await expect(page.getByText("0 throws", { exact: true })).toBeVisible();
 });
 
@@ -86,7 +86,8 @@ test("a morph can be led across by keys", async ({ page }) => {
   await page.getByRole("button", { name: "Show me" }).click();
   await expect(page.getByTestId("truth")).toContainText("It first breaks at 0.55");
   await expect(page.getByText(/^widest gap 4\.\d%/)).toBeVisible();
-  const turn = page.getByRole("slider", { name: /^Way point u/ });
+  const question = page.getByRole("region", { name: "What do you think?" });
+  const turn = question.getByRole("slider", { name: /^Way point u/ });
   for (let i = 0; i < 10; i++) await turn.press("ArrowLeft");
   await expect(page.getByText("Looks whole at 1/600")).toBeVisible();
 });
