@@ -360,7 +360,7 @@ const COURSE: readonly UnitEntry[] = [
         title: "To turn a shape, turn its maps",
         about: "A shape of infinitely many points is turned by a few numbers: which ones change?",
         minutes: 6,
-        figures: ["s1"],
+        figures: ["s2"],
         load: () => import("./lesson-28/page"),
         thumb: () => import("./lesson-28/thumb"),
       },

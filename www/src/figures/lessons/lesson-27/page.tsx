@@ -139,8 +139,9 @@ function HowMany({ prediction }: { prediction: Prediction<number> }) {
             height, more than a hundredth.
           </p>
           <p>
-            So {NUMBERS * truth} digits are a leaf that no picture of 100 points can tell from the exact one.
-            A promise is the worst case: with fewer digits one may be lucky.
+            So {NUMBERS * truth} digits are a leaf that is nowhere farther from the exact one than a sixth of
+            a point, in a picture 100 points high. A promise is the worst case: with fewer digits one may be
+            lucky.
           </p>
         </Truth>
       }

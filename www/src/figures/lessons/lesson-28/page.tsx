@@ -68,10 +68,10 @@ export function Page(heading: Heading) {
       ]}
       sources={
         <p>
-          Mohamed Darwish and Abd-El-Wahab animate shapes of space so (eq 1 of their paper):{" "}
-          <a href="#figures/s1">Figure i</a> turns a tetrahedron. That the new maps have the turned shape
-          follows from John Hutchinson’s theorem (1981): the turned shape is made of its images by the new
-          maps, and there is only one such.
+          Darwish and Abd-El-Wahab animate shapes of space so (eq 1 of their paper):{" "}
+          <a href="#figures/s2">Figure ii</a> turns a triangle of space. That the new maps have the turned
+          shape follows from John Hutchinson’s theorem (1981): the turned shape is made of its images by the
+          new maps, and there is only one such.
         </p>
       }
       studio={inSpaceTool([{ name: `Turned by ${degrees}°`, maps }])}
