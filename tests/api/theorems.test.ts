@@ -15,6 +15,10 @@ it("has one place for every kind of reason", () => {
   for (const kind of kinds()) expect(text.split(`id="${kind}"`), kind).toHaveLength(2);
 });
 
+it("has the theorem on joints, to which the path leads", () => {
+  expect(theorems().split('id="joints"')).toHaveLength(2);
+});
+
 it("closes what it opens", () => {
   const open: string[] = [];
   for (const [, slash, name = ""] of theorems().matchAll(/<(\/?)([a-z0-9]+)[^>]*>/g)) {

@@ -110,6 +110,28 @@ const THEOREMS: readonly Theorem[] = [
       <p>One map has its fixed point for an attractor, and so have several that leave the same point where it is. If all maps are the same, so are
       all pieces.</p>`,
   },
+  {
+    kinds: ["joints"],
+    title: "Joints that stay joined",
+    text: String.raw`
+      <p>This is about a whole path. Maps $f_1, \dots, f_N$ are a <em>zipper</em> with the ends $p \ne q$ if there are points
+      $z_0 = p, z_1, \dots, z_N = q$ such that each $f_k$ takes $p$ and $q$ to $z_{k-1}$ and $z_k$, in this order or in the
+      other; in which, is its signature (Aseev, Tetenov and Kravchenko 2003). Koch's curve, dragons and Lévy's curve are attractors of zippers.
+      So is the gasket, if its maps are followed by symmetries that it has, which change no piece.</p>
+      <p><strong>Theorem.</strong> The attractor of a zipper is connected. If $f_1, \dots, f_N$ and $g_1, \dots, g_N$ are zippers
+      with the same ends and signature, and contract in one norm, then at every $t$ of $[0, 1]$ the maps
+      $h_k = (1 - t) f_k + t g_k$ are a zipper that contracts, and its attractor is connected.</p>
+      <p><strong>Proof.</strong> $\{p, q\}$ lies in its own image, since $p$ is the image of $p$ or of $q$ under $f_1$, and $q$ under
+      $f_N$. A compact set that lies in its own image lies in the attractor. So each piece $A_k$ has the points
+      $z_{k-1}$ and $z_k$, neighbours meet, and Hata's theorem says the rest. That each $h_k$ takes one end to
+      $w_{k-1}$ and the other to $w_k$, with $w_k$ in place of $z_k$ on the straight line from the one to the other, is
+      linear in the maps, and so is that $w_0 = p$ and $w_N = q$. A norm of matrices is convex, so where it is at most $s$ for
+      $f_k$ and $g_k$, it is for $h_k$. ∎</p>
+      <p>A similarity takes the ends of any zipper to those of another and leaves it the shape that it is. Different numbers of maps
+      become the same where pieces are split into all of theirs. What rounding leaves of the joints is bounded: if both ends are within
+      $d$ of their images, no norm is above $s < 1$ and joints are joined to within $j$, pieces that meet there are no further apart than
+      $$j + \frac{2 s d}{1 - s}.$$</p>`,
+  },
 ];
 
 const OUTLOOK = `
@@ -120,7 +142,7 @@ const OUTLOOK = `
       replays in whole numbers, and that can be saved; so do common points, areas, differences and crossings, where the checker takes for the norm that
       whose unit ball is the difference of two points of a polygon which all maps take into its inside. “Looks whole” is no proof, and is never called one.</p>
       <h2>Sources</h2>
-      <p>C. Bandt, S. Graf: Self-similar sets VII. A characterization of self-similar fractals with positive Hausdorff measure. Proc. AMS 114,
+      <p>V. V. Aseev, A. V. Tetenov, A. S. Kravchenko: On selfsimilar Jordan curves on the plane. Siberian Math. J. 44, 2003. C. Bandt, S. Graf: Self-similar sets VII. A characterization of self-similar fractals with positive Hausdorff measure. Proc. AMS 114,
       1992. M. F. Barnsley, A. N. Harrington: A Mandelbrot set for pairs of linear maps. Physica D 15, 1985. D. Calegari, S. Koch, A. Walker: Roots,
       Schottky semigroups, and a proof of Bandt's conjecture. Ergodic Theory Dynam. Systems 37, 2017. M. Hata: On the structure of
       self-similar sets. Japan J. Appl. Math. 2, 1985. J. E. Hutchinson: Fractals and self similarity. Indiana Univ. Math. J. 30, 1981.</p>`;

@@ -85,6 +85,8 @@ pub use morph::options::{Kind, Mode, MorphError, MorphOptions};
 pub use morph::pairing::{Pairing, pair};
 pub use morph::route::{Route, RouteKind, routes};
 pub use morph::turn3::Turn3;
+pub use morph::ways::ways;
+pub use morph::zipper::{Joints, joints};
 pub use order::{Ranked, Total};
 pub use projection::epsilon::{EpsilonProjection, epsilon_projection};
 pub use projection::parallel::{Plane, ProjectError, exact_projection, invariant_directions};

@@ -1,6 +1,7 @@
 //! From one system to another: the family between them, and which map becomes which.
 
 pub(crate) mod along;
+mod chains;
 pub(crate) mod correspondence2;
 mod correspondence3;
 pub(crate) mod interpolation;
@@ -9,3 +10,5 @@ pub(crate) mod pairing;
 pub(crate) mod route;
 pub(crate) mod turn2;
 pub(crate) mod turn3;
+pub(crate) mod ways;
+pub(crate) mod zipper;

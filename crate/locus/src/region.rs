@@ -6,6 +6,7 @@ pub(crate) mod derivative_bounds;
 pub(crate) mod descent;
 pub(crate) mod fill;
 pub(crate) mod inner_differences;
+pub(crate) mod joint_bound;
 pub(crate) mod prove;
 pub(crate) mod silhouette;
 pub(crate) mod trap;

@@ -2,10 +2,10 @@
 
 use std::collections::HashSet;
 
-use frond_core::{Affine2, ChaosGame, Ifs, Morph, MorphOptions, Route, RouteKind, routes};
-use frond_locus::{RateOptions, rate};
+use frond_core::{Affine2, ChaosGame, Ifs, Mode, Morph, MorphOptions, Route, RouteKind, routes, ways};
+use frond_locus::{CertifyOptions, RateOptions, certify_path, check_path, rate};
 use frond_scene::{preset, presets};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 fn ifs(rows: &[[f64; 6]]) -> Ifs {
     Ifs::new(rows.iter().map(|&row| Affine2::from_row(row)).collect()).unwrap()
@@ -69,14 +69,20 @@ fn every_route_keeps_both_shapes() {
                 assert!(route.about.ends_with('.') && route.about.len() > 20, "{name}: {}", route.about);
                 assert!(!all[..k].contains(route), "{name}");
                 let Route { from: first, to: last, correspondence, turns, .. } = route.clone();
-                assert!(first.len() == last.len() && first.len() == from.len().max(to.len()), "{name}");
+                let least = from.len().max(to.len());
+                let as_many =
+                    if route.kind == RouteKind::Joints { least..=16.max(least) } else { least..=least };
+                assert!(first.len() == last.len() && as_many.contains(&first.len()), "{name}");
                 let options = MorphOptions { correspondence, turns, ..Default::default() };
                 assert!(Morph::new(&first, &last, &options).is_ok(), "{name}");
                 if first != from.maps() {
                     assert!(same(&first, at_first), "{name}");
                 }
                 if last != to.maps() {
-                    if route.kind == RouteKind::Mirror {
+                    if let Some(place) = route.place {
+                        let laid: Vec<DVec2> = at_last.iter().map(|&p| place.apply(p)).collect();
+                        assert!(same(&last, &laid), "{name}");
+                    } else if route.kind == RouteKind::Mirror {
                         let middle = frond_core::Hull::of(to).centre().x;
                         let mirrored: Vec<DVec2> =
                             at_last.iter().map(|p| DVec2::new(2.0 * middle - p.x, p.y)).collect();
@@ -88,7 +94,7 @@ fn every_route_keeps_both_shapes() {
             }
         }
     }
-    assert_eq!(kinds.len(), 7, "each kind occurs: {kinds:?}");
+    assert_eq!(kinds.len(), 8, "each kind occurs: {kinds:?}");
 }
 
 #[test]
@@ -126,4 +132,49 @@ fn a_symmetry_of_the_gasket_opens_a_way_from_the_mirrored_terdragon() {
     let best = rated.iter().min_by(|a, b| a.1.compare(&b.1)).unwrap();
     assert!(best.1.plan.holds, "{:?}", best.1.plan);
     assert!(best.1.share > 0.05 && best.1.share < 1.0);
+}
+
+/// The ways that are looked through where nothing else holds keep the shapes as well.
+#[test]
+fn every_way_keeps_both_shapes() {
+    let mut kinds = HashSet::new();
+    for (a, b) in [("fern", "koch"), ("spiral", "fern"), ("koch", "dragon")] {
+        let (from, to) = (named(a), named(b));
+        let clouds = [cloud(&from, 30_000), cloud(&to, 30_000)];
+        let all = ways(&from, &to, 30);
+        assert!(all.len() > 20, "{a} {b}");
+        for (k, way) in all.iter().enumerate() {
+            kinds.insert((way.kind, way.mode));
+            assert!(!all[..k].contains(way), "{a} {b} {k}");
+            let middle = frond_core::Hull::of(&to).centre().x;
+            let about = |p: &DVec2| {
+                let p = if way.about.contains("mirror:") { DVec2::new(2.0 * middle - p.x, p.y) } else { *p };
+                way.place.map_or(p, |place| place.apply(p))
+            };
+            let last: Vec<DVec2> = clouds[1].iter().map(about).collect();
+            for (maps, points) in [(&way.from, &clouds[0]), (&way.to, &last)] {
+                let made = Ifs::new(maps.clone()).unwrap();
+                assert!(near(&cloud(&made, 4000), points), "{a} {b} {k}: {way:?}");
+                assert!(near(&points[..4000], &cloud(&made, 30_000)), "{a} {b} {k}: {way:?}");
+            }
+        }
+    }
+    assert!(kinds.contains(&(RouteKind::Joints, Some(Mode::Linear))), "{kinds:?}");
+    assert!(kinds.contains(&(RouteKind::Place, None)) && kinds.contains(&(RouteKind::Correspondence, None)));
+}
+
+#[test]
+fn koch_becomes_the_dragon_joint_by_joint_where_the_plain_way_breaks() {
+    let (koch, dragon) = (named("koch"), named("dragon"));
+    let way = ways(&koch, &dragon, 1).remove(0);
+    let options = MorphOptions { mode: Mode::Linear, ..Default::default() };
+    let morph = Morph::new(&way.from, &way.to, &options).unwrap();
+    let straight = [DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0)];
+    assert!(check_path(&morph, &straight, 1e-9, 500).holds);
+    let proved = certify_path(&morph, &straight, &CertifyOptions { within: 1e-12, ..Default::default() });
+    assert!(proved.holds && proved.joints == 3 && proved.gap < 1e-13, "{proved:?}");
+    // The same maps by angle and stretch, and off the straight way, are not so held.
+    let bent = [straight[0], DVec3::new(0.5, 0.3, 0.0), straight[1]];
+    assert!(!check_path(&morph, &bent, 1e-3, 500).holds);
+    assert_eq!(certify_path(&morph, &bent, &CertifyOptions { budget: 10, ..Default::default() }).joints, 0);
 }

@@ -256,6 +256,8 @@ export interface PathCertificate {
    * the budget.
    */
   complete: boolean;
+  /** How many joints of pieces the bound rests on, which stay joined on the whole path; 0 where it rests on boxes. */
+  joints: number;
 }
 
 /** A way to match the maps of two shapes. */
@@ -273,7 +275,16 @@ export interface RatedCandidate extends Candidate {
   locus: Locus;
 }
 
-export type RouteKind = "plain" | "collapse" | "correspondence" | "symmetry" | "mirror" | "refine" | "double";
+export type RouteKind =
+  | "plain"
+  | "collapse"
+  | "correspondence"
+  | "symmetry"
+  | "mirror"
+  | "refine"
+  | "double"
+  | "joints"
+  | "place";
 
 /** A way to bring two shapes to a morph. Both keep their shape; only the maps that make it may be others. */
 export interface Route {
@@ -284,6 +295,12 @@ export interface Route {
   to: MapRow[];
   correspondence: number[];
   turns: number[];
+  /** How far the maps have to move. */
+  cost: number;
+  /** How the maps have to be mixed; absent where either will do. */
+  mode?: Mode;
+  /** Where the last shape was laid: the similarity that takes it there. Absent where it stays. */
+  place?: MapRow;
 }
 
 export interface PathCheck {

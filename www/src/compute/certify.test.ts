@@ -9,11 +9,12 @@ const nothing: Certified = {
   parts: 2,
   gap: 0,
   boxes: 0,
+  joints: 0,
   worst: 0,
   holds: true,
   problem: null,
 };
-const part = { gap: 0.001, holds: true, boxes: 10, worst: 0.2, complete: true };
+const part = { gap: 0.001, holds: true, boxes: 10, joints: 0, worst: 0.2, complete: true };
 
 describe("joined", () => {
   it("keeps the weakest bound and where it is, in whatever order the parts come", () => {
@@ -25,6 +26,11 @@ describe("joined", () => {
       const all = order.reduce(joined, nothing);
       expect(all).toMatchObject({ done: 2, gap: 0.02, worst: 0.7, boxes: 20, holds: false });
     }
+  });
+
+  it("tells of joints that hold all of it", () => {
+    const held = { ...part, gap: 1e-15, boxes: 0, joints: 3 };
+    expect([held, held].reduce(joined, nothing)).toMatchObject({ boxes: 0, joints: 3, gap: 1e-15 });
   });
 
   it("has no bound where one part has none", () => {

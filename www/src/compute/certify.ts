@@ -29,6 +29,8 @@ export interface Certified {
   /** No wider gap anywhere on the parts that are done; Infinity where nothing could be proved. */
   gap: number;
   boxes: number;
+  /** Joints of pieces that the bound rests on, instead of boxes. */
+  joints: number;
   /** Where the least could be proved. */
   worst: number;
   /** Whether all of it is within what was asked for. */
@@ -52,6 +54,7 @@ export function joined(so: Certified, part: PathCertificate): Certified {
     done: so.done + 1,
     gap: Math.max(so.gap, part.gap),
     boxes: so.boxes + part.boxes,
+    joints: Math.max(so.joints, part.joints),
     worst: part.gap > so.gap ? part.worst : so.worst,
     holds: so.holds && part.holds,
   };
@@ -71,6 +74,7 @@ export function certify(): void {
     parts: PARTS,
     gap: 0,
     boxes: 0,
+    joints: 0,
     worst: 0,
     holds: true,
     problem: null,

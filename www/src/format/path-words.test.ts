@@ -73,6 +73,13 @@ describe("what is proved of a path", () => {
     );
   });
 
+  it("names joints where they hold all of it, and what rounding leaves", () => {
+    const words = certifiedWords({ ...so, gap: 2e-15, boxes: 0, joints: 3 });
+    expect(words).toContain("3 joints");
+    expect(words).toContain("2e-15 of the shape’s diameter, which is rounding");
+    expect(certifiedWords({ ...so, joints: 0 })).toContain("4,212 boxes");
+  });
+
   it("claims nothing before the end, nor without a bound", () => {
     expect(certifiedWords({ ...so, done: 12 })).toBe("Proving it: 25% of the path.");
     expect(certifiedWords({ ...so, gap: Number.POSITIVE_INFINITY })).toMatch(/^No bound could be proved/);

@@ -56,11 +56,14 @@ export function certifiedWords(so: {
   parts: number;
   gap: number;
   boxes: number;
+  joints?: number;
   worst: number;
   problem: string | null;
 }): string {
   if (so.problem !== null) return `It could not be proved. ${so.problem}`;
   if (so.done < so.parts) return `Proving it: ${percent(so.done / so.parts)} of the path.`;
+  if (so.boxes === 0 && so.joints)
+    return `Proved, everywhere on this path: each piece joins the next in one of ${so.joints} joints, and all joints stay joined, to ${so.gap.toExponential(0)} of the shape’s diameter, which is rounding.`;
   const boxes = `${so.boxes.toLocaleString("en")} ${so.boxes === 1 ? "box" : "boxes"}`;
   if (!Number.isFinite(so.gap))
     return `No bound could be proved all the way: at ${percent(so.worst)} it would take more than the ${boxes} that were looked at.`;

@@ -15,6 +15,7 @@ export const NAMES = {
   planPath: ["proof", 3],
   rateCandidate: ["proof", 3],
   routes: ["proof", 2],
+  ways: ["proof", 3],
   fitCurve: ["fit", 2],
   houghMaps: ["fit", 3],
   rivalFit: ["fit", 3],

@@ -7,7 +7,9 @@ use crate::ifs::symmetry::symmetries;
 use crate::ifs::system::Ifs;
 use crate::linear::affine::Affine2;
 use crate::morph::correspondence2::{Costs, Frame};
+use crate::morph::options::Mode;
 use crate::morph::pairing::{pair, refined};
+use crate::morph::zipper::joined;
 
 /// What a [`Route`] does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -26,6 +28,10 @@ pub enum RouteKind {
     Refine,
     /// Maps of one shape are doubled, so that both have equally many.
     Double,
+    /// Pieces that join end to end in both shapes stay joined.
+    Joints,
+    /// The last shape lies elsewhere: turned, moved, larger or smaller.
+    Place,
 }
 
 /// A way to bring two shapes to a morph: maps that have the shapes for attractors, and how they are matched.
@@ -43,6 +49,10 @@ pub struct Route {
     pub correspondence: Vec<usize>,
     /// Whole extra turns of each map.
     pub turns: Vec<i32>,
+    /// How the linear parts have to be interpolated; `None` where either will do.
+    pub mode: Option<Mode>,
+    /// The similarity that takes the last shape to where it was laid; `None` where it stays.
+    pub place: Option<Affine2>,
     /// How far the maps have to move, as of [`Candidate`](crate::Candidate).
     pub cost: f64,
 }
@@ -73,6 +83,7 @@ pub fn routes(from: &Ifs, to: &Ifs) -> Vec<Route> {
             .extend(symmetric.filter(|route| fewer(route, turned) || route.cost < CHEAPER_SHARE * base.cost));
     }
     others.extend(maker.mirrored(&base, to));
+    others.extend(by_joints(from, to));
     others.retain(|other| !base.is_like(other));
     others.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     let mut all = vec![base];
@@ -95,12 +106,47 @@ impl Route {
         self.costs(frames).overturned(&self.correspondence)
     }
 
-    fn is_like(&self, other: &Self) -> bool {
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
         self.from == other.from
             && self.to == other.to
             && self.correspondence == other.correspondence
             && self.turns == other.turns
+            && self.mode == other.mode
     }
+}
+
+/// The way on which pieces that join end to end in both shapes stay joined, if there is one.
+pub(crate) fn by_joints(from: &Ifs, to: &Ifs) -> Option<Route> {
+    let found = joined(from, to)?;
+    let maker = Maker { frames: [Frame::of(from), Frame::of(to)] };
+    let count = found.from.len();
+    let split = match (count > from.len(), count > to.len()) {
+        (true, true) => Some("both shapes are split, so that they have"),
+        (true, false) => Some("the first shape are split, so that it has"),
+        (false, true) => Some("the last shape are split, so that it has"),
+        (false, false) => None,
+    };
+    let mut about =
+        "Each piece joins the next by an end, in both shapes, and all joints stay joined.".to_owned();
+    about.push_str(&split.map_or(String::new(), |split| format!(" Pieces of {split} {count} maps.")));
+    about.push_str(&found.place.map_or(String::new(), laid));
+    let route = maker.route(RouteKind::Joints, about, found.from, found.to);
+    Some(Route { mode: Some(Mode::Linear), place: found.place, ..route })
+}
+
+/// Where the last shape was laid, in a sentence to be said after something else.
+pub(crate) fn laid(place: Affine2) -> String {
+    let along = place.linear.x_axis;
+    let (scale, degrees) = (along.length(), along.to_angle().to_degrees().round());
+    let mut done = Vec::new();
+    if degrees != 0.0 {
+        done.push(format!("turned by {degrees:.0}\u{b0}"));
+    }
+    if (scale - 1.0).abs() > 0.005 {
+        done.push(format!("{scale:.2} times as large"));
+    }
+    let done = if done.is_empty() { "moved".to_owned() } else { done.join(" and ") };
+    format!(" The last shape lies elsewhere, {done}.")
 }
 
 struct Maker {
@@ -110,7 +156,8 @@ struct Maker {
 impl Maker {
     fn route(&self, kind: RouteKind, about: String, from: Vec<Affine2>, to: Vec<Affine2>) -> Route {
         let (correspondence, turns) = ((0..from.len()).collect(), vec![0; from.len()]);
-        let mut route = Route { kind, about, from, to, correspondence, turns, cost: 0.0 };
+        let mut route =
+            Route { kind, about, from, to, correspondence, turns, mode: None, place: None, cost: 0.0 };
         self.price(&mut route);
         route
     }

@@ -10,6 +10,7 @@ use crate::family::{Leg, Motions};
 use crate::grid::LocusGrid;
 use crate::region::derivative_bounds::Extent;
 use crate::region::descent::Descent;
+use crate::region::joint_bound::joint_bound;
 use crate::region::trap::Effort;
 
 /// What to prove of a path.
@@ -47,6 +48,9 @@ pub struct PathCertificate {
     /// Whether the question is answered: it holds, or it does not anywhere near `worst`, where the gap is known to be
     /// wider than asked for. Otherwise the budget was spent.
     pub complete: bool,
+    /// How many joints of pieces the bound rests on: in a linear morph between two chains of pieces with the same ends
+    /// they stay joined on the whole straight way ([`frond_core::joints`]). 0 where it rests on boxes.
+    pub joints: usize,
 }
 
 /// A piece of a leg, and what is proved of it.
@@ -100,9 +104,12 @@ const STRAY_TO_LOOK_LONG: f64 = 0.01;
 /// A segment is connected throughout by pieces that cross ([`crossings`](crate::crossings)), or bounded by pairs of
 /// points that stay near each other. Both are proofs about all its parameters, with rounding reckoned with. Where the
 /// shapes just touch, as at the end of many a morph, no segment is proved connected, and the bound shrinks with their
-/// lengths. A path of no points holds.
+/// lengths. A path of no points holds. Where pieces stay joined end to end, that says more than any segment.
 #[must_use]
 pub fn certify_path(morph: &Morph, points: &[DVec3], options: &CertifyOptions) -> PathCertificate {
+    if let Some((gap, joints)) = joint_bound(morph, points).filter(|&(gap, _)| gap <= options.within) {
+        return PathCertificate { gap, holds: true, boxes: 0, worst: options.t0, complete: true, joints };
+    }
     let motions = Motions::of(morph);
     let legs: Vec<Leg<'_>> = match points {
         [] => Vec::new(),
@@ -113,7 +120,7 @@ pub fn certify_path(morph: &Morph, points: &[DVec3], options: &CertifyOptions) -
     let total: f64 = lengths.iter().sum();
     if !total.is_finite() {
         let gap = f64::INFINITY;
-        return PathCertificate { gap, holds: false, boxes: 0, worst: 0.0, complete: false };
+        return PathCertificate { gap, holds: false, boxes: 0, worst: 0.0, complete: false, joints: 0 };
     }
     let mut work = Work {
         legs,
@@ -147,7 +154,14 @@ pub fn certify_path(morph: &Morph, points: &[DVec3], options: &CertifyOptions) -
     }
     let complete = work.shrink(&mut cover, options.budget);
     let Some(&Ranked { item: worst, .. }) = cover.peek() else {
-        return PathCertificate { gap: 0.0, holds: true, boxes: 0, worst: options.t0, complete: true };
+        return PathCertificate {
+            gap: 0.0,
+            holds: true,
+            boxes: 0,
+            worst: options.t0,
+            complete: true,
+            joints: 0,
+        };
     };
     let at = starts[worst.leg] + lengths[worst.leg] * worst.from.midpoint(worst.to);
     PathCertificate {
@@ -156,6 +170,7 @@ pub fn certify_path(morph: &Morph, points: &[DVec3], options: &CertifyOptions) -
         boxes: cover.len(),
         worst: if total > 0.0 { at / total } else { 0.0 },
         complete,
+        joints: 0,
     }
 }
 

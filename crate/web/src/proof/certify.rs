@@ -39,12 +39,13 @@ pub fn certify_path(
     }
     let budget = plain.budget.map_or(default.budget, |budget| budget.clamp(0.0, MOST_BOXES) as usize);
     let proved = frond_locus::certify_path(&morph, &points, &CertifyOptions { within, budget, t0, t1 });
-    let PathCertificate { gap, holds, boxes, worst, complete } = proved;
+    let PathCertificate { gap, holds, boxes, worst, complete, joints } = proved;
     Ok(object(&[
         ("gap", gap.into()),
         ("holds", holds.into()),
         ("boxes", (boxes as f64).into()),
         ("worst", worst.into()),
         ("complete", complete.into()),
+        ("joints", (joints as f64).into()),
     ]))
 }

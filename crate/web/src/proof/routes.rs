@@ -108,6 +108,29 @@ pub fn routes(
     Ok(list.into())
 }
 
+/// The most ways of one list.
+const MOST_WAYS: f64 = 1000.0;
+/// How many are listed unless told.
+const USUAL_WAYS: f64 = 200.0;
+
+/// All ways that are worth being looked at where the plain one breaks, the most promising first: other matchings and
+/// windings, pieces split otherwise, the last shape laid elsewhere, and first the one that keeps joints joined, where
+/// both shapes are chains of pieces.
+#[wasm_bindgen(unchecked_return_type = "Route[]")]
+pub fn ways(
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Ifs")] to: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "{ limit?: number } | undefined")] options: JsValue,
+) -> Result<JsValue, JsValue> {
+    let plain: Listing = read("The options", options)?;
+    let limit = plain.limit.unwrap_or(USUAL_WAYS).clamp(1.0, MOST_WAYS) as usize;
+    let list = Array::new();
+    for route in frond_core::ways(&read_ifs(&from)?, &read_ifs(&to)?, limit) {
+        list.push(&write_route(&route)?);
+    }
+    Ok(list.into())
+}
+
 fn write_route(route: &Route) -> Result<JsValue, JsValue> {
     let kind = match route.kind {
         RouteKind::Plain => "plain",
@@ -117,8 +140,10 @@ fn write_route(route: &Route) -> Result<JsValue, JsValue> {
         RouteKind::Mirror => "mirror",
         RouteKind::Refine => "refine",
         RouteKind::Double => "double",
+        RouteKind::Joints => "joints",
+        RouteKind::Place => "place",
     };
-    Ok(object(&[
+    let mut fields = vec![
         ("kind", kind.into()),
         ("about", (&*route.about).into()),
         ("from", write(&rows(&route.from))?),
@@ -126,5 +151,12 @@ fn write_route(route: &Route) -> Result<JsValue, JsValue> {
         ("correspondence", write(&route.correspondence)?),
         ("turns", write(&route.turns)?),
         ("cost", route.cost.into()),
-    ]))
+    ];
+    if let Some(mode) = route.mode {
+        fields.push(("mode", write(&mode)?));
+    }
+    if let Some(place) = route.place {
+        fields.push(("place", write(&place.to_row())?));
+    }
+    Ok(object(&fields))
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { MapRow, Scene } from "#wasm/api";
+import type { MapRow, Route, Scene } from "#wasm/api";
 import {
   asBoth,
   choose,
@@ -11,6 +11,7 @@ import {
   swap,
   takeMatching,
   takeRoute,
+  takeWay,
 } from "./changes";
 
 const half: MapRow = [0.5, 0, 0, 0.5, 0, 0];
@@ -115,11 +116,42 @@ describe("ways to match and ways across", () => {
 
   it("keeps the names on a way across, and the gallery only while its maps stand", () => {
     const same = scene.a.maps.map((row): MapRow => [...row]);
-    const route = { kind: "mirror" as const, about: "", correspondence: [0, 1, 2], turns: [0, 0, 0] };
+    const route = {
+      kind: "mirror" as const,
+      about: "",
+      correspondence: [0, 1, 2],
+      turns: [0, 0, 0],
+      cost: 1,
+    };
     const next = takeRoute(scene, { ...route, from: same, to: [mirror, mirror, half] });
     expect(next.a).toBe(scene.a);
     expect(next.b).toEqual({ name: "Two", maps: [mirror, mirror, half] });
     expect(takeRoute(scene, { ...route, from: [half], to: [half] }).a).toEqual({ name: "One", maps: [half] });
     expect(next).toMatchObject({ correspondence: [], turns: [], path: { kind: "auto", points: [] } });
+  });
+
+  it("takes a way that was found with its mode, its path and its maps, and what it leaves as it is", () => {
+    const place: MapRow[] = [half, half, mirror];
+    const way: Route = {
+      kind: "place",
+      about: "",
+      from: scene.a.maps,
+      to: place,
+      correspondence: [0, 2, 1],
+      turns: [0, 0, 0],
+      cost: 1,
+    };
+    const next = takeWay(scene, way, [[0.2, 0.4]]);
+    expect(next).toMatchObject({ correspondence: [0, 2, 1], turns: [], mode: "polar", t: 0.25 });
+    expect(next.a).toBe(scene.a);
+    expect(next.b).toEqual({ name: "Two", maps: place });
+    expect(next.path).toEqual({ kind: "auto", points: [[0.2, 0.4]] });
+    const joints = takeWay(scene, { ...way, kind: "joints", mode: "linear" }, [[0.2, 0.4]]);
+    expect(joints).toMatchObject({ mode: "linear", path: { kind: "straight", points: [] } });
+    // The third parameter alone changes nothing but the path.
+    expect(takeWay(scene, null, [[0.2, 0.4, 0.1]])).toEqual({
+      ...scene,
+      path: { kind: "auto", points: [[0.2, 0.4, 0.1]] },
+    });
   });
 });

@@ -97,8 +97,18 @@ export function takeRoute(scene: Scene, route: Route): Scene {
     ...matched(route),
     a: made(scene.a, route.from),
     b: made(scene.b, route.to),
-    path: { kind: "auto", points: [] },
+    mode: route.mode ?? scene.mode,
+    path: { kind: route.kind === "joints" ? "straight" : "auto", points: [] },
   };
+}
+
+/** A way that was found, with its path: all at once, and one step to undo. */
+export function takeWay(scene: Scene, way: Route | null, points: PathPoint[]): Scene {
+  const path: Scene["path"] =
+    way?.kind === "joints"
+      ? { kind: "straight", points: [] }
+      : { kind: "auto", points: points.slice(0, MOST_POINTS) };
+  return way === null ? { ...scene, path } : { ...takeRoute(scene, way), path };
 }
 
 /** Whether the document matches the maps like this. */

@@ -20,6 +20,7 @@ type Functions = Pick<Draw, "attractor" | "rasterize"> &
     | "planPath"
     | "rateCandidate"
     | "routes"
+    | "ways"
   > &
   Pick<Fit, "fitCurve" | "houghMaps" | "rivalFit" | "traceOutline"> &
   Pick<Space, "attractor3" | "boxes3" | "checkPath3" | "connectedness3" | "facts3" | "findPath3">;

@@ -19,6 +19,8 @@ const NAMES: Record<RouteKind, string> = {
   mirror: "Through the mirror image",
   refine: "With smaller copies",
   double: "With a copy twice",
+  joints: "Joint by joint",
+  place: "From another place",
 };
 
 /** Ways to bring the two shapes to a morph, each in a sentence. */
