@@ -148,3 +148,22 @@ test("a path has 64 way points at most", async ({ studio, page }) => {
   await expect(add).toBeDisabled();
   await expect(page).toHaveURL(/path=drawn/);
 });
+
+test("where the automatic path breaks, a way that holds is found and offered", async ({ studio, page }) => {
+  await studio.open("a=koch&b=dragon&path=auto");
+  const use = page.getByRole("button", { name: "Use it" });
+  await use.waitFor({ timeout: 60_000 });
+  await expect(page.locator(".side")).toContainText("Joint by joint it holds together all the way.");
+  // Nothing was changed before it is asked for.
+  const before = await studio.scene();
+  expect(before.b.preset).toBe("dragon");
+  await use.click();
+  expect(await studio.scene()).toMatchObject({ mode: "linear", path: { kind: "straight" } });
+  expect((await studio.scene()).a.maps).toHaveLength(4);
+  await page.getByRole("button", { name: "Prove it, end to end" }).click();
+  await expect(page.getByText(/Proved, everywhere on this path: .* one of 3 joints/)).toBeVisible({
+    timeout: 30_000,
+  });
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  expect(await studio.scene()).toMatchObject({ mode: before.mode, a: before.a, b: before.b });
+});

@@ -9,6 +9,7 @@ import { scheduleRoutes } from "./routes";
 import { scheduleBreaks, scheduleStrip } from "./strip";
 import { scheduleThumbnails } from "./thumbnails";
 import { scheduleVerdict } from "./verdict";
+import { scheduleWays } from "./ways";
 
 /** Ties the engine to the document: from here on every change asks for what follows from it. */
 export function startSchedules(options: { card: CardChoice }): void {
@@ -22,4 +23,5 @@ export function startSchedules(options: { card: CardChoice }): void {
   scheduleProof();
   scheduleMatching();
   scheduleRoutes();
+  scheduleWays();
 }

@@ -7,6 +7,7 @@ const gallery = () => import("./shapes/Gallery").then((module) => module.Gallery
 const maps = () => import("./maps/MapEditor").then((module) => module.MapEditor);
 const pairs = () => import("./pairs/Pairs").then((module) => module.PairsDetail);
 const familyLines = () => import("./locus/families/FamilyLines").then((module) => module.FamilyLines);
+const otherWays = () => import("./locus/path/OtherWays").then((module) => module.OtherWays);
 const familyNotes = () => import("./locus/families/FamilyNotes").then((module) => module.FamilyNotes);
 
 export const EvidencePanel = lazily(evidence);
@@ -14,7 +15,17 @@ export const Gallery = lazily(gallery);
 export const MapEditor = lazily(maps);
 export const Pairs = lazily(pairs);
 export const FamilyLines = lazily(familyLines);
+export const OtherWays = lazily(otherWays);
 export const FamilyNotes = lazily(familyNotes);
 
 export const fetchAhead = () =>
-  Promise.all([fetchCurves(), evidence(), gallery(), maps(), pairs(), familyLines(), familyNotes()]);
+  Promise.all([
+    fetchCurves(),
+    evidence(),
+    gallery(),
+    maps(),
+    pairs(),
+    familyLines(),
+    familyNotes(),
+    otherWays(),
+  ]);

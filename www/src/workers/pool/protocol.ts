@@ -98,6 +98,20 @@ export interface Tasks {
     options: MorphOptions & { size?: number; epsilon?: number };
   };
   routes: { kind: "routes"; from: MapRow[]; to: MapRow[] };
+  /** All ways that are worth trying. */
+  ways: { kind: "ways"; from: MapRow[]; to: MapRow[]; limit: number };
+  /**
+   * The best path of a way, or the straight one. A coarse look takes some hundredths of a second; a close one, which a
+   * way that seems to hold always has, a second or more.
+   */
+  way: {
+    kind: "way";
+    from: MapRow[];
+    to: MapRow[];
+    options: MorphOptions & { epsilon: number };
+    straight: boolean;
+    closely: boolean;
+  };
   picture: { kind: "picture"; maps: MapRow[]; options: RasterOptions };
   /** What an index buffer says; its pixels stay behind. */
   buffer: { kind: "buffer"; ifs: Ifs; options: IndexBufferOptions };
@@ -115,6 +129,8 @@ interface Results {
   candidates: Candidate[];
   rate: RatedCandidate;
   routes: Route[];
+  ways: Route[];
+  way: PathPlan;
   verdict: Connectedness;
   states: Uint8Array;
   along: Told[];
@@ -149,6 +165,8 @@ export type Channel =
   | "certificate"
   | "candidates"
   | "routes"
+  | "ways"
+  | "boundary"
   | "hover"
   | "card"
   | "window"

@@ -1,11 +1,20 @@
 /** What a worker of the plane does: a function for each kind of task. */
 import { answerOf } from "#geometry/maps/polygon-family";
 import { atResolution, STATE } from "#geometry/states";
-import type { Connectedness, Ifs, Locus } from "#wasm/api";
+import type { Connectedness, Ifs, Locus, PathPoint } from "#wasm/api";
 import { frond as core, type Frond } from "#wasm/core";
 import type { LocusTiles, Proof } from "#wasm/proof";
 import type { Context } from "../lanes/task";
 import type { Kind, Result, Task } from "./protocol";
+
+/** The way on which all goes at one pace, and how many of its moments are looked at. */
+const STRAIGHT: readonly PathPoint[] = [
+  [0, 0],
+  [1, 1],
+];
+const STRAIGHT_SAMPLES = 1001;
+/** Samples a side of the map by which a way is chosen to be looked at closely. */
+const COARSE = 25;
 
 /** How single points are decided: a degenerate locus, all of whose samples are that point. */
 const POINT = { width: 2, height: 2 } as const;
@@ -105,6 +114,20 @@ export const tasks: { [K in Kind]: (hand: Hand, task: Task<K>) => Result<K> | Pr
   },
   candidates: ({ frond }, { from, to, limit }) => frond.candidates({ maps: from }, { maps: to }, { limit }),
   rate: ({ frond }, { from, to, options }) => frond.rateCandidate({ maps: from }, { maps: to }, options),
+  ways: ({ frond }, { from, to, limit }) => frond.ways({ maps: from }, { maps: to }, { limit }),
+  way({ frond }, { from, to, options, straight, closely }) {
+    const ends: [Ifs, Ifs] = [{ maps: from }, { maps: to }];
+    if (straight) {
+      const points = [...STRAIGHT];
+      const { gap, holds } = frond.checkPath(...ends, points, { ...options, samples: STRAIGHT_SAMPLES });
+      return { points, gap, holds, clearance: 0 };
+    }
+    if (!closely) {
+      const { plan } = frond.rateCandidate(...ends, { ...options, size: COARSE });
+      if (!plan.holds) return plan;
+    }
+    return frond.planPath(...ends, options);
+  },
   routes: ({ frond }, { from, to }) => frond.routes({ maps: from }, { maps: to }),
   verdict({ frond }, { maps, epsilon, polygon }) {
     const found = answer(frond, { maps }, epsilon);

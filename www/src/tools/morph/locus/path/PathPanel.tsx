@@ -2,6 +2,7 @@ import { computed, useComputed } from "@preact/signals";
 import { certified, certify, stopCertifying } from "#compute/certify";
 import { leavesPlane, plan3, wayOf } from "#compute/plan";
 import { along, locus, pathStates, plan } from "#compute/results";
+import { stuck } from "#compute/ways";
 import { locusView, pathPoints } from "#document/morph";
 import { edit } from "#document/scene";
 import { bestWords, certifiedWords, pathWords, roomWords } from "#format/path-words";
@@ -14,6 +15,7 @@ import { Switch } from "#ui/controls/Switch";
 import type { PathKind } from "#wasm/api";
 import { workers } from "#workers/pool/engine";
 import { openMatching, openRoutes } from "../../dialogs";
+import { OtherWays } from "../../later";
 import { mode, pathKind } from "../../parts";
 import { setThird, third } from "./automatic";
 import { PATH } from "./handles";
@@ -86,19 +88,17 @@ const breaksHidden = computed(() => pathStates.value.includes(STATE.hidden));
 /** Where the automatic path cannot hold: says so, and what else there is. */
 function NoWay() {
   const found = plan.value;
-  const exact = along.value;
   const looking = plan3.value !== null && plan3.value.plan === null;
-  const auto = pathKind.value === "auto";
-  const settled = auto && found !== null && exact !== null && locus.value?.progress === 1;
-  const stuck = settled && exact.breaks.length > 0 && !found.holds;
   // Who has met the third parameter may choose it; nobody else has to know of it while the plane has a path.
   const met = locusView.value.w !== 0 || thirdShown.value;
-  if (!(third.value || looking || stuck || met)) return null;
+  if (!(third.value || looking || stuck.value || met)) return null;
   const best = plan3.value?.plan ?? found;
   const inVain = plan3.value?.plan != null && !third.value;
   return (
     <div class={pathCss["path-else"]}>
-      {stuck && !looking && <p class="hint">{bestWords(best?.apart === true, plan3.value?.plan != null)}</p>}
+      {stuck.value && !looking && (
+        <p class="hint">{bestWords(best?.apart === true, plan3.value?.plan != null)}</p>
+      )}
       {mode.value === "polar" && (
         <Switch
           checked={third.value}
@@ -109,7 +109,8 @@ function NoWay() {
         </Switch>
       )}
       {inVain && <p class="hint">The third parameter does not help here.</p>}
-      {stuck && (
+      {stuck.value && <OtherWays />}
+      {stuck.value && (
         <div class={pathCss["path-offers"]}>
           <Button kind="quiet" onClick={openMatching}>
             Other ways to match
@@ -164,7 +165,12 @@ function Certificate() {
         </Button>
       ) : (
         <p class={pathCss["path-proved"]} role="status">
-          {certifiedWords(now)}
+          {certifiedWords(now)}{" "}
+          {now.joints > 0 && (
+            <a href="./theorems.html#joints" target="_blank" rel="noopener">
+              Why that is a proof
+            </a>
+          )}
         </p>
       )}
     </div>

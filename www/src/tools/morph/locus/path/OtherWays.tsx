@@ -1,0 +1,62 @@
+import { wayOf } from "#compute/plan";
+import { endBroken, type Offer, otherWays, type Search, stopLooking } from "#compute/ways";
+import { announce } from "#document/notice";
+import { edit } from "#document/scene";
+import { offerWords, triedWords } from "#format/way-words";
+import pathCss from "#stage/locus/path.module.css";
+import { Button } from "#ui/controls/Button";
+import { takeWay } from "../../changes";
+
+/** Where the automatic path breaks: what else was tried by itself, and what came of it. */
+export function OtherWays() {
+  const found = otherWays.value;
+  if (endBroken.value)
+    return (
+      <p class="hint">One of the two shapes is itself in pieces, so that no way can hold from end to end.</p>
+    );
+  if (found === null) return null;
+  return (
+    <div class={pathCss["path-ways"]}>
+      {!found.over && <Progress search={found} />}
+      {found.best && (found.over || found.best.plan.holds) && <Found offer={found.best} gap={found.gap} />}
+      {found.over && !found.best?.plan.holds && <p class="hint">{triedWords(found)}</p>}
+    </div>
+  );
+}
+
+function Progress({ search: { of, done } }: { search: Search }) {
+  return (
+    <div class={pathCss["path-proof-bar"]}>
+      <progress
+        aria-label="Other ways, being tried"
+        {...(of === null ? {} : { max: Math.max(of, 1), value: done })}
+      />
+      <span class="hint">
+        {of === null ? "Looking for other ways …" : `Trying other ways: ${done} of ${of}`}
+      </span>
+      <Button kind="quiet" onClick={stopLooking}>
+        Stop
+      </Button>
+    </div>
+  );
+}
+
+function Found({ offer, gap }: { offer: Offer; gap: number }) {
+  const words = offerWords(offer.way, offer.plan, gap);
+  return (
+    <p class={pathCss["path-offer"]} role="status">
+      <span>
+        <strong>{words.what}</strong> {words.why}
+      </span>
+      <Button
+        description="One step, which can be undone"
+        onClick={() => {
+          edit((before) => takeWay(before, offer.way, wayOf(offer.plan)));
+          announce(words.what);
+        }}
+      >
+        Use it
+      </Button>
+    </p>
+  );
+}
