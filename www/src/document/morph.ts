@@ -1,9 +1,9 @@
 /** What follows from the document for the morph: the pair, the path, the present moment, and the maps there. */
-import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { pointsOf, type Uv, uvAt } from "#geometry/path";
 import type { Ifs, LocusView, MapRow, MorphOptions, Pairing } from "#wasm/api";
 import { frond } from "#wasm/core";
-import { scene } from "./scene";
+import { inGesture, scene } from "./scene";
 
 export { timesOf, uvAt } from "#geometry/path";
 
@@ -94,15 +94,32 @@ const sides = computed(() => (locusView.value.family === "polygon" ? locusView.v
 /** Where a polygon family starts: well inside, and all in one piece for any number of sides. */
 export const FIRST_S: Uv = [0.5, 0.5];
 
-/** The parameter that the picture shows: on the path, or that which was picked off it; of a polygon family, s. */
+const heldPoint = signal<Uv | null>(null);
+
+/** The way point that a hand or a key has hold of, for as long as it does: the picture shows what is there. */
+const held: ReadonlySignal<Uv | null> = computed(() => (inGesture.value ? heldPoint.value : null));
+
+/** A way point is moved in the gesture that is under way. */
+export function hold(point: Uv): void {
+  heldPoint.value = point;
+}
+
+effect(() => {
+  if (!inGesture.value) heldPoint.value = null;
+});
+
+/**
+ * The parameter that the picture shows: on the path, or that which was picked off it, or where a way point is being
+ * moved; of a polygon family, s.
+ */
 export const here: ReadonlySignal<Uv> = computed(
-  () => off.value ?? (sides.value === null ? uv.value : FIRST_S),
+  () => held.value ?? off.value ?? (sides.value === null ? uv.value : FIRST_S),
 );
 
 /** The maps that the locus speaks of at `here`. */
 const picked: ReadonlySignal<MapRow[]> = computed(() => {
-  const [x, y] = here.value;
-  if (sides.value === null) return off.value ? mapsAt(off.value) : current.value;
+  const [x, y, w = 0] = here.value;
+  if (sides.value === null) return held.value || off.value ? mapsAt([x, y, w]) : current.value;
   try {
     return frond.familyMaps({ sides: sides.value }, [x, y]).maps;
   } catch {

@@ -1,7 +1,7 @@
 /** What hands and keys do to the path. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { along, locus, pathBreaks, verdict } from "#compute/results";
-import { here, locusView, pathPoints, uv } from "#document/morph";
+import { here, hold, locusView, pathPoints, uv } from "#document/morph";
 import { announce } from "#document/notice";
 import { setT } from "#document/playback";
 import { edit, endGesture, scene } from "#document/scene";
@@ -105,7 +105,9 @@ function set(points: Uv[], gesture?: string): void {
 /** Moves a way point; it stays on the square, and, where only u and v are given, at its own w. */
 export function moveTo(index: number, point: Uv, gesture?: string): void {
   const [u, v, w = way.peek()[index]?.[2] ?? 0] = point;
-  set(move(way.peek(), index, kept([u, v, w])), gesture);
+  const to = kept([u, v, w]);
+  if (gesture !== undefined) hold(to);
+  set(move(way.peek(), index, to), gesture);
 }
 
 /**
