@@ -205,6 +205,15 @@ test("the set M, beside what is proved of it", async ({ studio, page }) => {
   // What others proved, and what Frond finds by itself.
   await expect(page.locator(".critical")).toContainText(/0\.500000000.*0\.(5000000|4999999)/);
 
+  // What belongs to the morph gives way to the way of s.
+  await expect(page.getByRole("radio", { name: "Auto" })).toHaveCount(0);
+  await page.getByRole("slider", { name: "Turn of s about 0" }).press("ArrowRight");
+  const turned = (await studio.scene()).locus?.at ?? [0, 0];
+  expect(Math.hypot(...turned)).toBeCloseTo(Math.SQRT1_2, 6);
+  expect(turned).not.toEqual([0.5, 0.5]);
+  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  expect((await studio.scene()).locus?.at).toEqual([0.5, 0.5]);
+
   await page.getByRole("button", { name: "Use as A" }).click();
   const { a } = await studio.scene();
   expect(a.maps).toHaveLength(2);

@@ -1,6 +1,6 @@
 /** What keys do while the morph is open. */
 import { curved } from "#document/curve/curve";
-import { selection } from "#document/morph";
+import { here, locusView, selection } from "#document/morph";
 import { pause, play, playing } from "#document/playback";
 import { edit, scene } from "#document/scene";
 import { colourCommand, fitCommand, galleryCommand } from "#stage/commands";
@@ -8,7 +8,8 @@ import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import { exportCommand } from "#ui/files/exporting";
 import type { Timeline } from "#ui/strip/timeline";
 import { editMaps, gallery, takeWhole } from "./dialogs";
-import { toggleLarge } from "./locus/view/large";
+import { course, placeOf } from "./locus/families/course";
+import { toggleFull, toggleLarge } from "./locus/view/large";
 import { frames } from "./strip/FilmStrip";
 import { scrubTo } from "./strip/scrub";
 
@@ -19,12 +20,24 @@ export function nextFrame(moments: readonly number[], t: number, by: 1 | -1): nu
   return ahead ?? (by > 0 ? 1 : 0);
 }
 
+/** Whether the map is another family's, which moves by its own parameter. */
+const elsewhere = () => locusView.peek().family === "polygon" && !curved.peek();
+const orbit = () => import("./locus/families/orbit");
+
 export const timeline: Timeline = {
-  now: () => scene.peek().t,
+  now: () => (elsewhere() ? placeOf(here.peek(), course.peek()) : scene.peek().t),
   length: () => 1,
-  seek: scrubTo,
-  toggle: () => (playing.peek() ? pause() : play()),
+  seek(moment) {
+    if (elsewhere()) void orbit().then(({ orbitTo }) => orbitTo(moment));
+    else scrubTo(moment);
+  },
+  toggle() {
+    if (elsewhere()) void orbit().then(({ toggleOrbit }) => toggleOrbit());
+    else if (playing.peek()) pause();
+    else play();
+  },
   step(by) {
+    if (elsewhere()) return void orbit().then(({ orbitTo, place }) => orbitTo(place.peek() + by / 24));
     const moments = frames.peek().map((frame) => frame.t);
     scrubTo(nextFrame(moments, scene.peek().t, by));
   },
@@ -79,6 +92,14 @@ export const commands: readonly Command[] = [
     keys: ["L"],
     enabled: () => !curved.peek(),
     run: toggleLarge,
+  },
+  {
+    id: "map-full",
+    label: "The map over the whole screen, and back",
+    group: SHAPES,
+    keys: ["Shift+L"],
+    enabled: () => !curved.peek(),
+    run: () => void toggleFull(),
   },
   { ...fitCommand(), group: SHAPES },
   colourCommand(["map", "address", "density"], SHAPES, (colouring) =>

@@ -9,6 +9,7 @@ import { gallery } from "./dialogs";
 import { Gallery, MapEditor } from "./later";
 import { LocusBeside, LocusPanel } from "./locus/LocusPanel";
 import { PathPanel } from "./locus/path/PathPanel";
+import { family } from "./locus/view/view";
 import { MotionPanel } from "./MotionPanel";
 import { PairNotes, PairsPanel } from "./pairs/PairsPanel";
 import { Ends } from "./shapes/Ends";
@@ -46,13 +47,15 @@ function Systems() {
           whole={editing.whole ?? false}
         />
       )}
-      <Ends key="ends" />
+      {(editing !== null || family.value === "morph") && <Ends key="ends" />}
       {editing === null ? <Morph /> : <LocusBeside />}
     </>
   );
 }
 
 function Morph() {
+  // Of another family's map the two shapes, the path and its time are no part.
+  if (family.value === "polygon") return <LocusPanel />;
   return (
     <>
       <PairNotes />

@@ -7,7 +7,9 @@ const gallery = () => import("./shapes/Gallery").then((module) => module.Gallery
 const maps = () => import("./maps/MapEditor").then((module) => module.MapEditor);
 const pairs = () => import("./pairs/Pairs").then((module) => module.PairsDetail);
 const familyLines = () => import("./locus/families/FamilyLines").then((module) => module.FamilyLines);
+const familyStrip = () => import("./locus/families/FamilyStrip").then((module) => module.FamilyStrip);
 const otherWays = () => import("./locus/path/OtherWays").then((module) => module.OtherWays);
+const toBoundary = () => import("./locus/view/ToBoundary").then((module) => module.ToBoundary);
 const familyNotes = () => import("./locus/families/FamilyNotes").then((module) => module.FamilyNotes);
 
 export const EvidencePanel = lazily(evidence);
@@ -15,7 +17,9 @@ export const Gallery = lazily(gallery);
 export const MapEditor = lazily(maps);
 export const Pairs = lazily(pairs);
 export const FamilyLines = lazily(familyLines);
+export const FamilyStrip = lazily(familyStrip);
 export const OtherWays = lazily(otherWays);
+export const ToBoundary = lazily(toBoundary);
 export const FamilyNotes = lazily(familyNotes);
 
 export const fetchAhead = () =>
@@ -27,5 +31,7 @@ export const fetchAhead = () =>
     pairs(),
     familyLines(),
     familyNotes(),
+    familyStrip(),
     otherWays(),
+    toBoundary(),
   ]);

@@ -21,7 +21,7 @@ import { large, toggleLarge, useLarge } from "./view/large";
 import { Planes } from "./view/Planes";
 import { Slice } from "./view/Slice";
 import { shownField } from "./view/shown";
-import { Ticks } from "./view/Ticks";
+import { TickOrigins, Ticks } from "./view/Ticks";
 import { epsilon, family } from "./view/view";
 import { WindowNumbers } from "./view/WindowNumbers";
 
@@ -93,6 +93,7 @@ function Plot() {
         <Ticks axis="v" />
         <LocusSquare style={style.value} />
         <Ticks axis="u" />
+        <TickOrigins />
       </div>
       <Legend states={states.value} epsilon={epsilon.value} style={style.value} proved={proved.value} />
     </>

@@ -4,7 +4,7 @@ import { Field } from "#stage/locus/Field";
 import { LocusProgress } from "#stage/locus/LocusProgress";
 import type { LocusStyle } from "#stage/locus/paint";
 import { CurrentHandle, WayHandle } from "#stage/locus/WayPoints";
-import { FamilyLines } from "../later";
+import { FamilyLines, ToBoundary } from "../later";
 import { pathKind } from "../parts";
 import { End, PathLines, PickedMark } from "./marks";
 import { PATH } from "./path/handles";
@@ -51,6 +51,7 @@ export function LocusSquare({ style }: { style: LocusStyle }) {
       <PickedMark />
       <Cross />
       <ZoomButtons />
+      <ToBoundary />
       {problem !== null && <p class="locus-problem">{problem}</p>}
       <LocusProgress share={progress} />
       <Preview square={square} />

@@ -14,13 +14,15 @@ import { IconButton } from "#ui/controls/Button";
 import { Segmented } from "#ui/controls/Segmented";
 import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
+import { FamilyStrip } from "../later";
 import { stateNow } from "../locus/path/way";
 import { FilmStrip, frames } from "./FilmStrip";
 import { scrubTo } from "./scrub";
 import css from "./strip.module.css";
 
-/** Time: play, scrub, and the film of the whole morph. */
+/** Time: play, scrub, and the film of the whole morph; of a family, the way of its parameter. */
 export function MorphStrip() {
+  if (locusView.value.family === "polygon" && !curved.value) return <FamilyStrip />;
   return (
     <section class="strip" aria-label="Time" style={{ "--frames": String(Math.max(1, frames.value.length)) }}>
       <Play />

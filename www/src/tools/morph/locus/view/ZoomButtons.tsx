@@ -1,7 +1,7 @@
 import { MOST_ZOOM } from "#compute/locus/window";
 import { IconButton } from "#ui/controls/Button";
 import fieldCss from "../field.module.css";
-import { large, toggleLarge } from "./large";
+import { full, large, toggleFull, toggleLarge } from "./large";
 import { goHome, view, zoomBy } from "./view";
 
 const STEP = 2;
@@ -12,6 +12,15 @@ export function ZoomButtons() {
   return (
     <div class={fieldCss["locus-zoom"]}>
       {large.value && <IconButton icon="close" label="Back into the panel" onClick={toggleLarge} />}
+      {large.value && (
+        <IconButton
+          icon="enlarge"
+          label="Full screen"
+          command="map-full"
+          pressed={full.value}
+          onClick={() => void toggleFull()}
+        />
+      )}
       <IconButton
         icon="add"
         label="Nearer"

@@ -1,7 +1,18 @@
 import { describe, expect, it } from "vitest";
 import { clampedView, MOST_ZOOM, windowOf } from "#compute/locus/window";
 import type { LocusView } from "#wasm/api";
-import { arcNear, between, digitsOf, roundedTo, spot, ticksOf, wholeOf, zoomed } from "./geometry";
+import {
+  arcNear,
+  between,
+  countOf,
+  digitsOf,
+  originOf,
+  roundedTo,
+  spot,
+  ticksOf,
+  wholeOf,
+  zoomed,
+} from "./geometry";
 
 const HOME = wholeOf("morph");
 const at = (view: LocusView, [px, py]: [number, number]) => {
@@ -91,6 +102,35 @@ describe("numbers of a window", () => {
       expect(ticks.length).toBeGreaterThanOrEqual(1);
       expect(ticks.length).toBeLessThanOrEqual(9);
     }
+  });
+});
+
+describe("ticks far down", () => {
+  it("are counted from a number that is written once, and tell every place", () => {
+    for (let zoom = 1; zoom <= MOST_ZOOM; zoom *= 3.1) {
+      const { u0, u1 } = windowOf({ ...HOME, x: 0.371859123456, zoom });
+      const { at, digits } = ticksOf(u0, u1, 3);
+      const origin = originOf(u0, u1, digits);
+      if (origin === null) {
+        expect(digits).toBeLessThanOrEqual(3);
+        continue;
+      }
+      const counts = at.map((x) => countOf(x, origin));
+      expect(new Set(counts).size).toBe(at.length);
+      at.forEach((x, k) => {
+        expect(String(counts[k]).length).toBeLessThanOrEqual(4);
+        const told = origin.at + (counts[k] ?? 0) * origin.unit;
+        expect(Math.abs(told - x)).toBeLessThan(1e-3 * (u1 - u0) + 1e-15);
+      });
+    }
+  });
+  it("keep what they are counted from when one moves a little", () => {
+    const at = (x: number) => {
+      const { u0, u1 } = windowOf({ ...HOME, x, zoom: 1e6 });
+      return originOf(u0, u1, ticksOf(u0, u1, 3).digits)?.at;
+    };
+    expect(at(0.3718)).toBe(0.3718);
+    expect(at(0.3718 + 1e-7)).toBe(0.3718);
   });
 });
 

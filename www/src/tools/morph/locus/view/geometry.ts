@@ -52,6 +52,32 @@ export function ticksOf(low: number, high: number, count = 4): { at: number[]; d
   return { at, digits };
 }
 
+/** More decimals than these are not written at every tick. */
+const MOST_DECIMALS = 3;
+
+/** What the ticks of a window are counted from, where their numbers would be too long. */
+export interface Origin {
+  /** A round number near the middle. */
+  at: number;
+  digits: number;
+  /** What they are counted in: a power of ten. */
+  unit: number;
+}
+
+/** Where ticks of so many decimals are counted from; null where they are short enough to be written out. */
+export function originOf(low: number, high: number, digits: number): Origin | null {
+  if (digits <= MOST_DECIMALS) return null;
+  // One decimal less than the ticks have: it stays where it is when one moves a little.
+  return {
+    at: Number(((low + high) / 2).toFixed(Math.min(20, digits - 1))),
+    digits: digits - 1,
+    unit: 10 ** -digits,
+  };
+}
+
+/** A tick as it is counted. */
+export const countOf = (x: number, { at, unit }: Origin): number => Math.round((x - at) / unit) || 0;
+
 /** Between a card and what it is about, in CSS pixels. */
 const APART = 14;
 

@@ -1,6 +1,7 @@
 /** The map in the place of the stage, and the shape in its corner. */
-import { signal, useSignalEffect } from "@preact/signals";
+import { type ReadonlySignal, signal, useSignalEffect } from "@preact/signals";
 import { detail } from "#compute/locus/detail";
+import { notify } from "#document/notice";
 import { listenForEscape } from "#ui/escape";
 
 /** A way of looking, no part of the document. */
@@ -9,6 +10,27 @@ export const large = signal(false);
 export const toggleLarge = (): void => {
   large.value = !large.value;
 };
+
+const filling = signal(false);
+/** Whether the map has the whole screen. */
+export const full: ReadonlySignal<boolean> = filling;
+
+/** The map over the whole screen, and back. Where the browser refuses, the map is large, and that is said. */
+export async function toggleFull(): Promise<void> {
+  if (document.fullscreenElement) {
+    await document.exitFullscreen();
+    return;
+  }
+  large.value = true;
+  try {
+    await document.documentElement.requestFullscreen();
+  } catch {
+    notify({
+      kind: "info",
+      text: "This browser gives the page no full screen here. The map is as large as the page.",
+    });
+  }
+}
 
 /** Pixels a side for which the samples of the map in its panel are enough. */
 const PANEL_PIXELS = 307;
@@ -31,11 +53,21 @@ export function useLarge(): void {
     };
     measure();
     addEventListener("resize", measure);
+    const turned = () => {
+      filling.value = document.fullscreenElement !== null;
+      root.toggleAttribute("data-full-map", filling.value);
+    };
+    turned();
+    document.addEventListener("fullscreenchange", turned);
     const stop = listenForEscape(() => {
       large.value = false;
     });
     return () => {
       delete root.dataset["largeMap"];
+      document.removeEventListener("fullscreenchange", turned);
+      filling.value = false;
+      root.removeAttribute("data-full-map");
+      if (document.fullscreenElement) void document.exitFullscreen();
       detail.value = 1;
       removeEventListener("resize", measure);
       stop();

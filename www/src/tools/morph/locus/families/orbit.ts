@@ -1,0 +1,84 @@
+/** A polygon family in motion: s goes along a curve of its own plane. */
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
+import { locusWindow } from "#compute/results";
+import { whilePlaying } from "#document/frames";
+import { here } from "#document/morph";
+import type { Uv } from "#geometry/path";
+import { type Stretch, stateNear, stretches } from "#geometry/states";
+import { pickPoint, setView, view } from "../view/view";
+import { type Course, course, MOST, placeOf } from "./course";
+
+const TURN = 2 * Math.PI;
+
+/** The s at a place of the curve through another. */
+export function pointAt([x, y]: Uv, along: Course, part: number): Uv {
+  if (along === "round") {
+    const [size, angle] = [Math.hypot(x, y), TURN * part];
+    return [size * Math.cos(angle), size * Math.sin(angle)];
+  }
+  const [size, angle] = [MOST * part, Math.atan2(y, x)];
+  return [size * Math.cos(angle), size * Math.sin(angle)];
+}
+
+/** Where the picture's s is on it. */
+export const place: ReadonlySignal<number> = computed(() => placeOf(here.value, course.value));
+
+const going = signal(false);
+export const orbiting: ReadonlySignal<boolean> = going;
+
+/** Seconds once round, or out to the end. */
+const SECONDS = 12;
+let way = 1;
+
+/** s while it moves: rounding of what the document keeps would add up. */
+let exact: Uv = [0, 0];
+
+function step(dt: number): void {
+  if (view.peek().family !== "polygon") {
+    going.value = false;
+    return;
+  }
+  let next = placeOf(exact, course.peek()) + (way * dt) / SECONDS;
+  if (course.peek() === "round") next -= Math.floor(next);
+  else if (next >= 1 || next <= LEAST) {
+    way = next >= 1 ? -1 : 1;
+    next = Math.min(1, Math.max(LEAST, next));
+  }
+  exact = pointAt(exact, course.peek(), next);
+  // As the moment of the morph: no step of undo.
+  setView({ at: exact });
+}
+
+/** Where there is no turn left, the ray would be lost. */
+const LEAST = 0.02;
+
+whilePlaying(going, step, () => {
+  going.value = false;
+});
+
+export function toggleOrbit(): void {
+  exact = here.peek();
+  way = 1;
+  going.value = !going.peek();
+}
+
+/** By hand: what plays stops. */
+export function orbitTo(to: number): void {
+  going.value = false;
+  const least = course.peek() === "ray" ? LEAST : 0;
+  pickPoint(pointAt(here.peek(), course.peek(), Math.min(1, Math.max(least, to))), "orbit");
+}
+
+/** Samples along the curve. */
+const SAMPLES = 361;
+
+/** Stretches of it where the shape is in pieces, as far as the map is known. */
+export const orbitBreaks: ReadonlySignal<readonly Stretch[]> = computed(() => {
+  const pyramid = locusWindow.value?.pyramid;
+  if (pyramid?.family !== "polygon") return [];
+  const field = pyramid.read({ u0: -1, v0: -1, u1: 1, v1: 1 }, 1);
+  const points = Array.from({ length: SAMPLES }, (_, k) =>
+    pointAt(here.value, course.value, k / (SAMPLES - 1)),
+  );
+  return stretches(points.map((point) => stateNear(field, point)));
+});
