@@ -66,7 +66,8 @@ struct Step {
     to: DVec2,
 }
 
-/// At most so many chains through all maps from the start to the end; `left` steps may be taken, and fewer are then left.
+/// At most so many chains through all maps from the start to the end; `left` steps may be taken, and fewer are then
+/// left.
 pub(crate) fn chains(
     variants: &[Vec<Affine2>],
     [s, e]: [DVec2; 2],

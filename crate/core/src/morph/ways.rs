@@ -21,8 +21,8 @@ const MOST_PLACED: usize = 6;
 
 /// Ways to bring two shapes to a morph that are worth being looked at where the plain one breaks, the most promising
 /// first, at most `limit`. What is sure comes first: a way that keeps joints joined. Then each of [`routes`] with other
-/// matchings and windings, and with the last shape laid elsewhere, where its pieces have less far to go: a conjugate by a
-/// similarity is the same shape, but its translations are others, and so is the locus.
+/// matchings and windings, and with the last shape laid elsewhere, where its pieces have less far to go: a conjugate
+/// by a similarity is the same shape, but its translations are others, and so is the locus.
 #[must_use]
 pub fn ways(from: &Ifs, to: &Ifs, limit: usize) -> Vec<Route> {
     let mut sure: Vec<Route> = by_joints(from, to).into_iter().collect();

@@ -11,10 +11,10 @@
 //! and pieces of which each shares a point with the next are a connected overlap graph (Hata 1985).
 //!
 //! *Two zippers with the same ends and signature stay one on the whole straight way between them.* What is asked of the
-//! maps, `f_k(s) = f_(k+1)(e)` and its like, is linear in their six numbers, so it holds for `(1 - t) f_k + t g_k` where
-//! it holds for `f_k` and `g_k`; a norm in which both contract is convex, so these contract as well. Similarities
-//! contract in the usual one. This is the morph of mode [`Linear`](crate::Mode::Linear) along u = v. A similarity takes the ends of
-//! any zipper to those of another.
+//! maps, `f_k(s) = f_(k+1)(e)` and its like, is linear in their six numbers, so it holds for `(1 - t) f_k + t g_k`
+//! where it holds for `f_k` and `g_k`; a norm in which both contract is convex, so these contract as well.
+//! Similarities contract in the usual one. This is the morph of mode [`Linear`](crate::Mode::Linear) along u = v. A
+//! similarity takes the ends of any zipper to those of another.
 
 use std::collections::HashSet;
 

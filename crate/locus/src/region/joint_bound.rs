@@ -4,11 +4,12 @@
 //! way is one, and its attractor is connected (`frond_core`, `morph/zipper`). Numbers are rounded, so that joints are
 //! joined to within some 1e-16 only. What that leaves is bounded here.
 //!
-//! Let all maps at both ends have norm at most `L < 1`; norms are convex, so they do at every moment. Let `d` bound how far
-//! `s` and `e` are from the image of one of them under the first and the last map: that, too, is convex in the maps. With
-//! `D` the larger of the distances of `s` and `e` to the attractor `A`, `D <= d + L D`, as a map that takes `x` to within
-//! `d` of `s` takes the point of `A` nearest to `x` to within `d + L D`. So `D <= d / (1 - L)`. Pieces that meet in a joint
-//! to within `j` are then no further apart than `j + 2 L D`, and the diameter of `A` is at least `|s - e| - 2 D`.
+//! Let all maps at both ends have norm at most `L < 1`; norms are convex, so they do at every moment. Let `d` bound
+//! how far `s` and `e` are from the image of one of them under the first and the last map: that, too, is convex in
+//! the maps. With `D` the larger of the distances of `s` and `e` to the attractor `A`, `D <= d + L D`, as a map that
+//! takes `x` to within `d` of `s` takes the point of `A` nearest to `x` to within `d + L D`. So `D <= d / (1 - L)`.
+//! Pieces that meet in a joint to within `j` are then no further apart than `j + 2 L D`, and the diameter of `A` is
+//! at least `|s - e| - 2 D`.
 
 use frond_core::{Affine2, Joints, Mode, Morph, joints};
 use glam::{DVec2, DVec3};
