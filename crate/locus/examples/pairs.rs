@@ -31,8 +31,9 @@ const NATURAL: [[&str; 2]; 14] = [
 
 /// What is done for a pair at most: ways tried, and seconds.
 const MOST_WAYS: usize = 240;
-const MOST_SECONDS: f64 = 15.0;
-/// Ways that are looked at closely where none holds at first sight.
+const MOST_SECONDS: f64 = 8.0;
+/// After so many coarse looks comes a close one; and so many come last.
+const BETWEEN: usize = 12;
 const MOST_CLOSE: usize = 12;
 const STRAIGHT: [DVec3; 2] = [DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0)];
 
@@ -90,24 +91,25 @@ fn look(a: &Ifs, b: &Ifs) -> Option<Found> {
         }
         best == 0.0 || start.elapsed().as_secs_f64() > MOST_SECONDS
     };
-    let mut done = false;
     for (k, route) in all.iter().enumerate() {
         tried += 1;
         let Some((gap, sure)) = coarsely(route) else { continue };
         let gap = if gap == 0.0 && !sure { closely(route).unwrap_or(f64::INFINITY) } else { gap };
-        if !sure && gap > 0.0 {
+        if take(gap, k) {
+            open.clear();
+            break;
+        }
+        if !sure {
             open.push((gap, k));
         }
-        done = take(gap, k);
-        if done {
-            break;
-        }
-    }
-    // Finer maps find ways through what is narrow.
-    open.sort_by(|p, q| p.0.total_cmp(&q.0));
-    for &(_, k) in open.iter().take(if done { 0 } else { MOST_CLOSE }) {
-        if take(closely(&all[k]).unwrap_or(f64::INFINITY), k) {
-            break;
+        // What seems near to holding need not wait until all are seen: finer maps find ways through what is narrow.
+        if tried % BETWEEN == 0 || tried == count {
+            open.sort_by(|p, q| q.0.total_cmp(&p.0));
+            let last = if tried == count { MOST_CLOSE } else { 1 };
+            let near: Vec<usize> = (0..last).filter_map(|_| open.pop()).map(|(_, k)| k).collect();
+            if near.into_iter().any(|k| take(closely(&all[k]).unwrap_or(f64::INFINITY), k)) {
+                break;
+            }
         }
     }
     let how = format!("{how}; {tried} of {count} ways in {:.1} s", start.elapsed().as_secs_f64());

@@ -40,13 +40,15 @@ export interface Search {
 const PRIORITY = 3;
 /** Ways that are looked at, at most, and how long the workers may take for all of them. */
 const MOST_WAYS = 240;
-const MOST_MILLISECONDS = 40_000;
+const MOST_MILLISECONDS = 60_000;
+/** After so many coarse looks comes a close one. */
+const BETWEEN = 12;
 /** Ways that are tried before the third parameter is. */
 const FIRST = 12;
 /** Rest before it begins: whoever drags or tries shapes waits for nothing of it. */
 const REST_MS = 500;
 /** Ways that are looked at closely where none holds at first sight: finer maps find ways through what is narrow. */
-const MOST_CLOSE = 12;
+const MOST_CLOSE = 24;
 /** A gap that is not narrower than by this is no better. */
 const NARROWER = 0.95;
 
@@ -125,6 +127,7 @@ function searchJob({ a, b, inputs, gap }: Search): Job<"ways" | "way" | "plan3">
   /** What a coarse look has said of ways that break. */
   const rated: { way: Route; gap: number }[] = [];
   let close = 0;
+  let handed = 0;
   let over = false;
   const set = (change: (now: Search) => Partial<Search>) => {
     const now = latest.peek();
@@ -151,8 +154,12 @@ function searchJob({ a, b, inputs, gap }: Search): Job<"ways" | "way" | "plan3">
         listed = true;
         return { kind: "ways", from: a, to: b, limit: MOST_WAYS };
       }
+      if (over) return null;
+      // What seems near to holding need not wait until all are seen.
+      const now = ++handed % BETWEEN === 0 ? closer() : null;
+      if (now) return now;
       const way = todo.shift();
-      if (way === undefined) return over ? null : closer();
+      if (way === undefined) return closer();
       return ask(way, way === null ? throughThird(inputs) : askFor(way, mode, false));
     },
     accept(task, result, milliseconds) {

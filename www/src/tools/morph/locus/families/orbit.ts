@@ -62,11 +62,14 @@ export function toggleOrbit(): void {
   going.value = !going.peek();
 }
 
+/** So fine is s kept that the circle does not drift. */
+const FINE = 1e6;
+
 /** By hand: what plays stops. */
 export function orbitTo(to: number): void {
   going.value = false;
   const least = course.peek() === "ray" ? LEAST : 0;
-  pickPoint(pointAt(here.peek(), course.peek(), Math.min(1, Math.max(least, to))), "orbit");
+  pickPoint(pointAt(here.peek(), course.peek(), Math.min(1, Math.max(least, to))), "orbit", FINE);
 }
 
 /** Samples along the curve. */
