@@ -140,7 +140,9 @@ pub(crate) fn laid(place: Affine2) -> String {
     let (scale, degrees) = (along.length(), along.to_angle().to_degrees().round());
     let mut done = Vec::new();
     if degrees != 0.0 {
-        done.push(format!("turned by {degrees:.0}\u{b0}"));
+        // Half a turn is one either way; a minus is as wide as a plus.
+        let degrees = if degrees == -180.0 { 180.0 } else { degrees };
+        done.push(format!("turned by {degrees:.0}\u{b0}").replace('-', "\u{2212}"));
     }
     if (scale - 1.0).abs() > 0.005 {
         done.push(format!("{scale:.2} times as large"));

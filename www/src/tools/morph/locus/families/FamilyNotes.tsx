@@ -2,8 +2,10 @@ import { MOST_ZOOM } from "#compute/locus/window";
 import { lowered } from "#format/parameters";
 import { powerWords } from "#format/verdict";
 import { Button } from "#ui/controls/Button";
+import { narrow } from "#ui/media";
 import fieldCss from "../field.module.css";
 import { fly, pickPoint, sides } from "../view/view";
+import { Courses } from "./Courses";
 import { critical, criticalScale } from "./critical";
 import { landmarksOf, symmetryWords, theoremWords } from "./families";
 
@@ -12,6 +14,7 @@ export function FamilyNotes() {
   const n = sides.value;
   return (
     <div class="family-notes">
+      {narrow.value && <Courses />}
       <ul class={fieldCss["landmarks"]} aria-label="Places to see">
         {landmarksOf(n, criticalScale(n)).map(({ name, about, s, zoom }) => (
           <li key={name}>

@@ -3,11 +3,12 @@ import { here } from "#document/morph";
 import { endGesture } from "#document/scene";
 import { complexWords } from "#format/parameters";
 import { verdictPhrase } from "#format/verdict";
-import { Segmented } from "#ui/controls/Segmented";
 import { Slider } from "#ui/controls/Slider";
+import { narrow } from "#ui/media";
 import { PlayButton } from "#ui/strip/PlayButton";
 import css from "../field.module.css";
-import { type Course, course } from "./course";
+import { Courses } from "./Courses";
+import { course } from "./course";
 import { orbitBreaks, orbiting, orbitTo, place, toggleOrbit } from "./orbit";
 
 /** What takes the place of the morph's time, where the map is a family's: s on its way. */
@@ -21,7 +22,7 @@ export function FamilyStrip() {
       <div class={css["family-way"]}>
         <p class="number">
           s = {complexWords(here.value, 3)}
-          <span class="dim"> {round ? "on the circle about 0" : "on the ray from 0"}</span>
+          {!narrow.value && <span class="dim"> {round ? "on the circle about 0" : "on the ray from 0"}</span>}
         </p>
         <Slider
           label={round ? "Turn of s about 0" : "Size of s"}
@@ -40,17 +41,7 @@ export function FamilyStrip() {
           ))}
         </Slider>
       </div>
-      <Segmented<Course>
-        label="Where s goes"
-        value={course.value}
-        onChange={(next) => {
-          course.value = next;
-        }}
-        options={[
-          { value: "round", label: "Round", description: "About 0: the copies turn and keep their size" },
-          { value: "ray", label: "Outwards", description: "From 0: the copies grow and keep their turn" },
-        ]}
-      />
+      {!narrow.value && <Courses />}
     </section>
   );
 }

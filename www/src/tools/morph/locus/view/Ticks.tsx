@@ -32,7 +32,7 @@ export function Ticks({ axis }: { axis: "u" | "v" }) {
           <b>{origin ? signed(countOf(x, origin)) : fixed(x, digits)}</b>
         </span>
       ))}
-      <em>{NAMES[family.value][axis]}</em>
+      {!origin && <em>{NAMES[family.value][axis]}</em>}
     </div>
   );
 }
