@@ -54,8 +54,9 @@ export function useLarge(): void {
     measure();
     addEventListener("resize", measure);
     const turned = () => {
-      filling.value = document.fullscreenElement !== null;
-      root.toggleAttribute("data-full-map", filling.value);
+      const now = document.fullscreenElement !== null;
+      filling.value = now;
+      root.toggleAttribute("data-full-map", now);
     };
     turned();
     document.addEventListener("fullscreenchange", turned);
