@@ -1,6 +1,7 @@
 /** What jobs have found, for all who show it. */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { pathPoints } from "#document/morph";
+import { scene } from "#document/scene";
 import type { Told } from "#format/verdict";
 import { type Stretch, statesAlong, stretches, type Worst } from "#geometry/states";
 import type { Bounds, Connectedness, Locus, PathPlan, PathPoint } from "#wasm/api";
@@ -97,3 +98,15 @@ export const pathStates: ReadonlySignal<Uint8Array> = computed(() => {
 export const pathBreaks: ReadonlySignal<Stretch[]> = computed(
   () => along.value?.breaks ?? stretches(pathStates.value),
 );
+
+/** Whether the automatic path of the present pair is known to break, as far as this square goes. */
+export const stuck: ReadonlySignal<boolean> = computed(() => {
+  const exact = along.value;
+  return (
+    scene.value.path.kind === "auto" &&
+    publish.plan.value?.holds === false &&
+    exact !== null &&
+    exact.breaks.length > 0 &&
+    publish.locus.value?.progress === 1
+  );
+});

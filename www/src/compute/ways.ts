@@ -10,7 +10,7 @@ import type { Job, Kind, Task } from "#workers/pool/protocol";
 import { inputs as morph } from "./inputs";
 import { EPSILON, type LocusInputs } from "./locus/job";
 import { leavesPlane } from "./plan";
-import { along, locus, plan } from "./results";
+import { along, plan, stuck } from "./results";
 
 /** A way with the path that it allows. */
 export interface Offer {
@@ -59,18 +59,6 @@ export const endBroken: ReadonlySignal<boolean> = computed(() => {
   const states = along.value?.states;
   return (
     states !== undefined && [states[0], states.at(-1)].some((state) => state !== undefined && isBroken(state))
-  );
-});
-
-/** Whether the automatic path of the present pair is known to break, as far as this square goes. */
-export const stuck: ReadonlySignal<boolean> = computed(() => {
-  const exact = along.value;
-  return (
-    scene.value.path.kind === "auto" &&
-    plan.value?.holds === false &&
-    exact !== null &&
-    exact.breaks.length > 0 &&
-    locus.value?.progress === 1
   );
 });
 
@@ -211,7 +199,12 @@ function isOf<K extends Kind>(kind: K, task: Task): task is Task<K> {
   return task.kind === kind;
 }
 
+let begun = false;
+
+/** From the first time on that a path is stuck. */
 export function scheduleWays(): void {
+  if (begun) return;
+  begun = true;
   let timer: ReturnType<typeof setTimeout> | null = null;
   effect(() => {
     const now = stuck.value;

@@ -1,8 +1,7 @@
 import { computed, useComputed } from "@preact/signals";
 import { certified, certify, stopCertifying } from "#compute/certify";
 import { leavesPlane, plan3, wayOf } from "#compute/plan";
-import { along, locus, pathStates, plan } from "#compute/results";
-import { stuck } from "#compute/ways";
+import { along, locus, pathStates, plan, stuck } from "#compute/results";
 import { locusView, pathPoints } from "#document/morph";
 import { edit } from "#document/scene";
 import { bestWords, certifiedWords, pathWords, roomWords } from "#format/path-words";
