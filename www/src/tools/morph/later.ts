@@ -9,6 +9,7 @@ const pairs = () => import("./pairs/Pairs").then((module) => module.PairsDetail)
 const familyLines = () => import("./locus/families/FamilyLines").then((module) => module.FamilyLines);
 const familyStrip = () => import("./locus/families/FamilyStrip").then((module) => module.FamilyStrip);
 const otherWays = () => import("./locus/path/OtherWays").then((module) => module.OtherWays);
+const tickOrigins = () => import("./locus/view/TickOrigins").then((module) => module.TickOrigins);
 const toBoundary = () => import("./locus/view/ToBoundary").then((module) => module.ToBoundary);
 const familyNotes = () => import("./locus/families/FamilyNotes").then((module) => module.FamilyNotes);
 
@@ -19,6 +20,7 @@ export const Pairs = lazily(pairs);
 export const FamilyLines = lazily(familyLines);
 export const FamilyStrip = lazily(familyStrip);
 export const OtherWays = lazily(otherWays);
+export const TickOrigins = lazily(tickOrigins);
 export const ToBoundary = lazily(toBoundary);
 export const FamilyNotes = lazily(familyNotes);
 
@@ -33,5 +35,6 @@ export const fetchAhead = () =>
     familyNotes(),
     familyStrip(),
     otherWays(),
+    tickOrigins(),
     toBoundary(),
   ]);

@@ -10,7 +10,7 @@ import { Legend } from "#stage/locus/Legend";
 import type { LocusStyle } from "#stage/locus/paint";
 import { IconButton } from "#ui/controls/Button";
 import { Menu, type MenuItem } from "#ui/overlay/Menu";
-import { FamilyNotes } from "../later";
+import { FamilyNotes, TickOrigins } from "../later";
 import { followCritical } from "./families/critical";
 import fieldCss from "./field.module.css";
 import { LocusSquare } from "./LocusSquare";
@@ -21,13 +21,14 @@ import { large, toggleLarge, useLarge } from "./view/large";
 import { Planes } from "./view/Planes";
 import { Slice } from "./view/Slice";
 import { shownField } from "./view/shown";
-import { TickOrigins, Ticks } from "./view/Ticks";
-import { epsilon, family } from "./view/view";
+import { Ticks } from "./view/Ticks";
+import { epsilon, family, view } from "./view/view";
 import { WindowNumbers } from "./view/WindowNumbers";
 
 /** How the field is shown: a way of looking, no part of the document. */
 const style = signal<LocusStyle>("gap");
 
+const zoom = computed(() => view.value.zoom);
 const states = statesIn(shownField);
 const proved = computed(() => provedPart(shownField.value?.state ?? []));
 
@@ -93,7 +94,7 @@ function Plot() {
         <Ticks axis="v" />
         <LocusSquare style={style.value} />
         <Ticks axis="u" />
-        <TickOrigins />
+        {(large.value || zoom.value > 50) && <TickOrigins />}
       </div>
       <Legend states={states.value} epsilon={epsilon.value} style={style.value} proved={proved.value} />
     </>

@@ -1,14 +1,14 @@
-import type { ComponentChildren } from "preact";
 import { fixed } from "#format/numbers";
-import { powerWords, resolutionWords } from "#format/verdict";
 import locusCss from "#stage/locus/locus.module.css";
-import { countOf, type Origin, originOf, ticksOf } from "./geometry";
+import { countOf, originOf, ticksOf } from "./geometry";
 import { large } from "./large";
-import { epsilon, family, shownWindow, view } from "./view";
+import { family, shownWindow } from "./view";
 
-const NAMES = { morph: { u: "u", v: "v" }, polygon: { u: "Re s", v: "Im s" } };
+/** What the axes are called. */
+export const NAMES = { morph: { u: "u", v: "v" }, polygon: { u: "Re s", v: "Im s" } };
 
-function axisOf(axis: "u" | "v") {
+/** What is told along one side. */
+export function axisOf(axis: "u" | "v") {
   const { u0, u1, v0, v1 } = shownWindow.value;
   const [low, high] = axis === "u" ? [u0, u1] : [v0, v1];
   const { at, digits } = ticksOf(low, high, large.value ? 7 : family.value === "morph" ? 3 : 4);
@@ -34,36 +34,5 @@ export function Ticks({ axis }: { axis: "u" | "v" }) {
       ))}
       {!origin && <em>{NAMES[family.value][axis]}</em>}
     </div>
-  );
-}
-
-/** From here on samples are but a few steps of f64 apart. */
-const LAST_ZOOM = 1e12;
-
-/**
- * What numbers of twelve digits would say at every tick, once: from where the ticks far down are counted, and in what;
- * where numbers end; and, where there is room, how near pieces count as touching.
- */
-export function TickOrigins() {
-  const [u, v] = [axisOf("u"), axisOf("v")];
-  const { u: across, v: up } = NAMES[family.value];
-  const parts: [key: string, words: ComponentChildren][] = [];
-  if (u.origin && v.origin) {
-    const same = u.origin.unit === v.origin.unit;
-    const counted = ({ at, digits, unit }: Origin) =>
-      `${at < 0 ? "+" : "−"} ${fixed(Math.abs(at), Math.min(20, digits))}${same ? "" : `, in ${powerWords(unit)}`}`;
-    parts.push(["u", [<i key="u">{across}</i>, ` ${counted(u.origin)}`]]);
-    parts.push(["v", [<i key="v">{up}</i>, ` ${counted(v.origin)}`]]);
-    if (same) parts.push(["unit", `counted in ${powerWords(u.origin.unit)}`]);
-  }
-  if (view.value.zoom >= LAST_ZOOM) parts.push(["end", "here numbers of 64 bits end"]);
-  if (large.value) parts.push(["epsilon", `ε ${resolutionWords(epsilon.value)} of the diameter`]);
-  if (parts.length === 0) return null;
-  return (
-    <p class={`${locusCss["locus-origins"]} number`}>
-      {parts.map(([key, words]) => (
-        <span key={key}>{words}</span>
-      ))}
-    </p>
   );
 }
