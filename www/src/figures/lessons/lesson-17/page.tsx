@@ -191,7 +191,7 @@ const OPTIONS = [
     value: "2",
     label: "Twice as many, as for a line",
     wrong:
-      "A line it is not: at each step the gasket goes two ways from a box. Count the filled boxes below.",
+      "It is not a line: at each step the gasket goes two ways from a box. Count the filled boxes below.",
   },
   { value: "3", label: "Three times as many" },
   {
@@ -311,7 +311,7 @@ function Roomy() {
       number={2}
       ask="Three equal pieces in the corners of a triangle. Make a shape in one piece, of dimension above 1.5, whose pieces meet in single points at most."
       hints={[
-        "In one piece it is as soon as the pieces reach each other along the sides.",
+        "It is in one piece as soon as the pieces reach each other along the sides.",
         "Along a side of length 1 lie two pieces, each as long as the scale says.",
       ]}
       solved={fresh === null ? null : whole && !overlapping && d > 1.5}

@@ -73,7 +73,7 @@ function ByTheGap() {
       solved={solved}
       status={`2 · ${R} to the power of ${n + 1} is ${bound.toFixed(4)}${
         solved
-          ? ": the first below the gap. The test may well be ready sooner, as the distance is more than the gap."
+          ? ": the first below the gap. The test may end sooner, because the distance is more than the gap."
           : bound < gap
             ? ": below the gap, but it was so before."
             : ": not below the gap yet."
