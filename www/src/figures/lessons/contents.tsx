@@ -10,6 +10,7 @@ import overviewCss from "../overview.module.css";
 import css from "./contents.module.css";
 import { LESSONS, type Lesson, UNITS } from "./course";
 import { clearDone, done } from "./frame/done";
+import { clearGuesses } from "./frame/guesses";
 
 /** The course: its units, the lessons of each, and how far one is. */
 export function Contents({ missing }: { missing: string | null }) {
@@ -41,7 +42,7 @@ export function Contents({ missing }: { missing: string | null }) {
               <span>
                 {count} of {LESSONS.length} done. This browser keeps the marks, nobody else sees them.
               </span>
-              <Button kind="quiet" onClick={clearDone}>
+              <Button kind="quiet" onClick={clear}>
                 Clear the marks
               </Button>
             </>
@@ -72,6 +73,12 @@ export function Contents({ missing }: { missing: string | null }) {
       </p>
     </div>
   );
+}
+
+/** As if nobody had been here. */
+function clear(): void {
+  clearDone();
+  clearGuesses();
 }
 
 /** How long it takes, what it builds on, and whether it is done. */

@@ -6,6 +6,8 @@ export interface Answer {
   done: boolean;
   /** The exercises that are solved, from 1. */
   exercises: readonly number[];
+  /** What was guessed in the lesson before its truth was seen; empty where nothing was. */
+  guess: string;
   answer: string;
 }
 
@@ -25,6 +27,7 @@ export const MOST_BYTES = 500_000;
 const MOST_ITEMS = 120;
 export const MOST_WORDS = 4000;
 const MOST_NAME = 80;
+const MOST_GUESS = 160;
 
 export function written(answers: Answers): string {
   return `${JSON.stringify({ kind: KIND, version: VERSION, ...answers }, null, 1)}\n`;
@@ -60,11 +63,17 @@ export function read(text: string): Answers | string {
 
 function answerOf(value: unknown): Answer | null {
   if (!isRecord(value)) return null;
-  const { item, done, exercises, answer } = value;
+  const { item, done, exercises, guess, answer } = value;
   if (typeof item !== "string" || !/^(?:e\d{1,4}|shape:[\w-]{1,32}|link:\d{1,2})$/.test(item)) return null;
   if (typeof done !== "boolean" || !Array.isArray(exercises)) return null;
   const solved = exercises.filter((n): n is number => Number.isInteger(n) && n > 0 && n < 100);
-  return { item, done, exercises: [...new Set(solved)], answer: wordsOf(answer, MOST_WORDS) };
+  return {
+    item,
+    done,
+    exercises: [...new Set(solved)],
+    guess: wordsOf(guess, MOST_GUESS),
+    answer: wordsOf(answer, MOST_WORDS),
+  };
 }
 
 const isRecord = (value: unknown): value is Record<string, unknown> =>

@@ -39,7 +39,7 @@ const ANSWERS: Answers = {
   name: "Ana",
   title: "M",
   saved: "2026-01-02T10:00:00Z",
-  items: [{ item: "e1", done: true, exercises: [1, 2], answer: "0.4" }],
+  items: [{ item: "e1", done: true, exercises: [1, 2], guess: "0.35", answer: "0.4" }],
 };
 
 describe("a file of answers", () => {
@@ -75,7 +75,11 @@ describe("a file of answers", () => {
 
 it("shows the latest of each name, and all that anybody was asked", () => {
   const later = { ...ANSWERS, saved: "2026-01-03T10:00:00Z", items: [] };
-  const other = { ...ANSWERS, name: "Ben", items: [{ item: "e2", done: false, exercises: [], answer: "" }] };
+  const other = {
+    ...ANSWERS,
+    name: "Ben",
+    items: [{ item: "e2", done: false, exercises: [], guess: "", answer: "" }],
+  };
   expect(latest([later, ANSWERS, other])).toEqual([later, other]);
   expect(askedOf([ANSWERS, other])).toEqual(["e1", "e2"]);
 });

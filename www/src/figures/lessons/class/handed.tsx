@@ -122,11 +122,12 @@ function Table({ all }: { all: readonly Answers[] }) {
 
 function Cell({ answer }: { answer: Answer | undefined }) {
   if (!answer) return <span class={css["open"]}>not asked</span>;
-  const { done, exercises, answer: words } = answer;
+  const { done, exercises, guess, answer: words } = answer;
   return (
     <>
       <span class={done ? css["done"] : css["open"]}>{done ? "done" : "not yet"}</span>
       {exercises.length > 0 && <span class={css["open"]}>, solved: {exercises.join(", ")}</span>}
+      {guess !== "" && <p class={css["open"]}>guessed: {guess}</p>}
       {words !== "" && <p>{words}</p>}
     </>
   );

@@ -7,6 +7,7 @@ import layout from "../../kit/frame/layout.module.css";
 import { Page } from "../../kit/state/kept";
 import { useValue } from "../../kit/workers";
 import { done } from "../frame/done";
+import { guessOf } from "../frame/guesses";
 import { type Answer, MOST_WORDS, written } from "./answers";
 import css from "./class.module.css";
 import { keep, keptOf } from "./kept";
@@ -58,6 +59,7 @@ function Filled({ sheet, whole, state }: FilledProps) {
         item: key,
         done: isDone(key),
         exercises: solved(key).sort((p, q) => p - q),
+        guess: key.includes(":") ? "" : guessOf(key),
         answer: mine.answers[key] ?? "",
       }),
     );
@@ -72,8 +74,8 @@ function Filled({ sheet, whole, state }: FilledProps) {
     <>
       <h1 tabIndex={-1}>{sheet.title || "Class sheet"}</h1>
       <p class={frameCss["figure-lead"]}>
-        Work through these in any order. What you do and write stays in this browser; nobody sees it until you
-        save it as a file and hand it in.
+        Work through these in any order. What you do, guess and write stays in this browser; nobody sees it
+        until you save it as a file and hand it in.
       </p>
       {!whole && (
         <p role="status" class={layout["missing"]}>

@@ -6,6 +6,7 @@ import frameCss from "../../kit/frame/frame.module.css";
 import layout from "../../kit/frame/layout.module.css";
 import { CopyLink } from "../../kit/state/copy-link";
 import { markDone } from "./done";
+import { guessWords, keepGuess } from "./guesses";
 import css from "./lesson.module.css";
 import { LessonId } from "./lesson-id";
 import { printHandout, printHandouts } from "./paper";
@@ -101,9 +102,11 @@ export interface QuestionProps {
 
 /** Asks for a prediction and then shows what is so. The one button keeps its place, and with it the focus. */
 export function Question({ prediction, beside, children, answer, after }: QuestionProps) {
-  const { said, shown, show, again } = prediction;
+  const { guess, said, shown, show, again } = prediction;
   const lesson = useContext(LessonId);
-  const look = () => {
+  const look = ({ currentTarget }: MouseEvent) => {
+    const question = currentTarget instanceof Element ? currentTarget.closest("section") : null;
+    keepGuess(lesson, guessWords(question, guess));
     show();
     markDone(lesson);
   };

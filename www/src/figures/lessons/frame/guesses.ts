@@ -1,0 +1,58 @@
+/** What was guessed in each lesson when its truth was first looked at; kept in this browser and told to nobody. */
+const KEY = "frond.guesses";
+const MOST_WORDS = 160;
+const MOST_LESSONS = 200;
+
+/** What was kept, by lessons; what is no guess is left out. */
+export function guessesIn(text: string | null): Map<string, string> {
+  try {
+    const value: unknown = JSON.parse(text ?? "{}");
+    if (typeof value !== "object" || value === null) return new Map();
+    const all = Object.entries(value).filter(
+      (entry): entry is [string, string] => /^e\d{1,4}$/.test(entry[0]) && typeof entry[1] === "string",
+    );
+    return new Map(all.slice(0, MOST_LESSONS).map(([lesson, words]) => [lesson, words.slice(0, MOST_WORDS)]));
+  } catch {
+    return new Map();
+  }
+}
+
+function kept(): Map<string, string> {
+  try {
+    return guessesIn(localStorage.getItem(KEY));
+  } catch {
+    return new Map();
+  }
+}
+
+/** The first guess of a lesson; empty where there was none. */
+export const guessOf = (lesson: string) => kept().get(lesson) ?? "";
+
+/** A second guess, once the truth is known, is none. */
+export function keepGuess(lesson: string, words: string): void {
+  const all = kept();
+  if (all.has(lesson) || words === "") return;
+  all.set(lesson, words.slice(0, MOST_WORDS));
+  try {
+    localStorage.setItem(KEY, JSON.stringify(Object.fromEntries(all)));
+  } catch {
+    // Then nobody hears of it.
+  }
+}
+
+/** As if nobody had guessed. */
+export function clearGuesses(): void {
+  try {
+    localStorage.removeItem(KEY);
+  } catch {
+    // There are none.
+  }
+}
+
+/** A guess in words: what is ticked, as it is called, else the number. */
+export function guessWords(question: Element | null, guess: unknown): string {
+  const ticked = [...(question?.querySelectorAll("fieldset input:checked") ?? [])].map(
+    (input) => input.closest("label")?.querySelector("input + *")?.textContent?.trim() ?? "",
+  );
+  return ticked.length > 0 ? ticked.join("; ") : typeof guess === "number" ? String(guess) : "";
+}
