@@ -46,12 +46,13 @@ test("a system of the plane opens in Morph from wherever it is dropped, as one s
   await page.getByRole("button", { name: "Undo", exact: true }).first().click();
   await expect.poll(async () => (await studio.scene()).b.preset).toBe("tree");
   // Colours that a file brings are those of the picture, until they are given back.
-  const xform = (x: number) =>
-    `<xform weight="1" color="${x}" linear="1" coefs=".4 0 0 .4 ${x} 0" post="1 0 0 1 0 0"/>`;
-  const palette = '<palette count="2" format="RGB">FF0000 00C000</palette>';
-  await arrive(page, "drop", "two.flame", `<flame name="two">${xform(0)}${xform(1)}${palette}</flame>`);
-  const shown = async () => (await studio.look()).colours.slice(0, 2).sort();
-  await expect.poll(shown).toEqual(["#00c000", "#ff0000"]);
+  const xform = (color: number, x: number, y: number) =>
+    `<xform weight="1" color="${color}" linear="1" coefs=".5 0 0 .5 ${x} ${y}"/>`;
+  const xforms = xform(0, 0, 0) + xform(0.5, 0.5, 0) + xform(1, 0.25, -0.5);
+  const palette = '<palette count="3" format="RGB">FF0000 00C000 0000FF</palette>';
+  await arrive(page, "drop", "three.flame", `<flame name="three">${xforms}${palette}</flame>`);
+  const shown = async () => (await studio.look()).colours.slice(0, 3).sort();
+  await expect.poll(shown).toEqual(["#0000ff", "#00c000", "#ff0000"]);
   await page.getByRole("button", { name: "Frond’s colours" }).click();
   await expect.poll(shown).not.toContain("#ff0000");
   expect((await studio.scene()).palette).toBeUndefined();
