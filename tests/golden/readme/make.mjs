@@ -125,6 +125,12 @@ await film.waitForTimeout(800);
 await film.screenshot({ path: path("share") });
 await film.context().close();
 
+const course = await open("#learn", { colorScheme: "light" });
+await course.getByRole("heading", { level: 1 }).waitFor();
+await course.waitForTimeout(4000);
+await course.screenshot({ path: path("learn") });
+await course.context().close();
+
 const figure = await open("#figures/7");
 await figure.getByRole("heading", { level: 1 }).waitFor();
 await figure.waitForTimeout(8000);
