@@ -32,14 +32,16 @@
 //! 4. `sample/`: its points ([`ChaosGame`]) and its pieces of one size ([`adaptive_cut`]).
 //! 5. `morph/`: the family between two systems ([`Morph`]), which map becomes which ([`pair`], [`candidates`]) and what
 //!    other maps of the same shapes may be morphed instead ([`routes`]).
-//! 6. `animation/`: key frames ([`Motion3`]) and places ([`Place3`]). `projection/` and `intersection`: shadows of
+//! 6. `directed/`: several shapes that are made of copies of each other ([`DirectedIfs`]), their points and pieces, and
+//!    the way between two such systems ([`DirectedMorph`]).
+//! 7. `animation/`: key frames ([`Motion3`]) and places ([`Place3`]). `projection/` and `intersection`: shadows of
 //!    shapes of space ([`exact_projection`]), and where two shapes meet ([`intersection()`]).
 //!    [`closed_form`]: which fractions and roots doubles come near.
 //!
 //! # The papers
 //!
-//! Hutchinson 1981 and Falconer 1988 for systems and their dimensions; Burch & Hart 1997 for the morph; Darwish &
-//! Abd-El-Wahab for what is moved and projected.
+//! Hutchinson 1981 and Falconer 1988 for systems and their dimensions; Mauldin & Williams 1988 for graph-directed ones;
+//! Burch & Hart 1997 for the morph; Darwish & Abd-El-Wahab for what is moved and projected.
 //!
 //! Conventions: y points up, angles are radians, counter-clockwise. Indices count from 0 in code and from 1
 //! in messages. No panics on any input, no unsafe code, no web, no GPU.
@@ -48,6 +50,7 @@ mod animation;
 mod bounds;
 pub mod closed_form;
 mod dimension;
+mod directed;
 mod error;
 pub mod hash;
 mod ifs;
@@ -69,6 +72,14 @@ pub use bounds::bounds3::Bounds3;
 pub use bounds::hull2::Hull;
 pub use bounds::support_table3::SupportTable3;
 pub use dimension::{Dim2, Dim3, Dimension};
+pub use directed::chaos_game::DirectedGame;
+pub use directed::contraction::{DirectedContraction, StateDisc};
+pub use directed::cut::{DirectedPiece, directed_cut};
+pub use directed::dimension::directed_dimension;
+pub use directed::error::{DirectedError, MAX_STATES};
+pub use directed::map::DirectedMap;
+pub use directed::morph::{DirectedMorph, DirectedMorphError};
+pub use directed::system::DirectedIfs;
 pub use error::{IfsError, MAX_MAPS};
 pub use ifs::contraction::{Contraction, Contraction3};
 pub use ifs::fractal_dimension::{affinity_dimension, similarity_dimension};

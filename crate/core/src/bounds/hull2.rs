@@ -19,9 +19,9 @@ pub struct Hull {
 }
 
 /// How many directions there are.
-const DIRECTIONS: usize = 48;
+pub(crate) const DIRECTIONS: usize = 48;
 /// Most rounds of lowering.
-const MOST_ROUNDS: usize = 400;
+pub(crate) const MOST_ROUNDS: usize = 400;
 
 impl Hull {
     /// The polygon around the attractor of `ifs`.
@@ -47,7 +47,7 @@ impl Hull {
     }
 
     /// The polygon of these corners, counter-clockwise.
-    fn around(vertices: Vec<DVec2>) -> Self {
+    pub(crate) fn around(vertices: Vec<DVec2>) -> Self {
         let vertices = counter_clockwise(vertices);
         let (min, max) = extent(&vertices);
         let centre = (min + max) * 0.5;
@@ -117,13 +117,13 @@ fn counter_clockwise(mut polygon: Vec<DVec2>) -> Vec<DVec2> {
 }
 
 /// Unit vectors at equal angles.
-struct Directions {
-    directions: [DVec2; DIRECTIONS],
+pub(crate) struct Directions {
+    pub directions: [DVec2; DIRECTIONS],
     step: f64,
 }
 
 impl Directions {
-    fn new() -> Self {
+    pub fn new() -> Self {
         let step = std::f64::consts::TAU / DIRECTIONS as f64;
         Self { directions: std::array::from_fn(|k| DVec2::from_angle(step * k as f64)), step }
     }
@@ -168,7 +168,7 @@ impl Directions {
     /// How to bound the support in direction `d` of the image of a set under a map from that of the
     /// set: the direction that the map takes to `d` lies between two of these, and the support
     /// function is convex.
-    fn link(&self, transposed: DMat2, d: DVec2, translation: DVec2) -> Link {
+    pub fn link(&self, transposed: DMat2, d: DVec2, translation: DVec2) -> Link {
         let pulled = transposed * d;
         let length = pulled.length();
         let turn = pulled.y.atan2(pulled.x).rem_euclid(std::f64::consts::TAU) / self.step;
@@ -184,7 +184,7 @@ impl Directions {
     }
 
     /// The polygon of all points within the support values.
-    fn polygon(&self, support: &[f64; DIRECTIONS]) -> Vec<DVec2> {
+    pub fn polygon(&self, support: &[f64; DIRECTIONS]) -> Vec<DVec2> {
         let mut polygon =
             vec![DVec2::new(-2.0, -2.0), DVec2::new(2.0, -2.0), DVec2::new(2.0, 2.0), DVec2::new(-2.0, 2.0)];
         let mut clipped = Vec::with_capacity(DIRECTIONS + 4);
@@ -276,7 +276,7 @@ fn evaluate(links: &[Link], chosen: &[usize; DIRECTIONS]) -> Option<[f64; DIRECT
     support.iter().all(|value| value.abs() <= 1.0 + 1e-6).then_some(support)
 }
 
-struct Link {
+pub(crate) struct Link {
     low: usize,
     from_low: f64,
     from_high: f64,
@@ -285,7 +285,7 @@ struct Link {
 
 impl Link {
     #[inline]
-    fn bound(&self, support: &[f64; DIRECTIONS]) -> f64 {
+    pub fn bound(&self, support: &[f64; DIRECTIONS]) -> f64 {
         let high = if self.low + 1 == DIRECTIONS { 0 } else { self.low + 1 };
         self.from_low * support[self.low] + self.from_high * support[high] + self.shift
     }

@@ -31,7 +31,7 @@ pub fn affinity_dimension<D: Dimension>(ifs: &Ifs<D>) -> f64 {
 }
 
 /// The singular value function of one map: the product of the largest values, the last to the power that is left of s.
-fn falconer(values: &[f64], s: f64) -> f64 {
+pub(crate) fn falconer(values: &[f64], s: f64) -> f64 {
     if values[0] == 0.0 {
         // A map to one point: it counts as a piece only where points are counted.
         return if s == 0.0 { 1.0 } else { 0.0 };

@@ -40,7 +40,7 @@ pub(crate) fn by_volume(linear: &[DMat3]) -> Vec<f64> {
 }
 
 /// Weights that are at least `floor`, scaled to the sum 1.
-fn shared(weights: Vec<f64>, floor: f64) -> Vec<f64> {
+pub(crate) fn shared(weights: Vec<f64>, floor: f64) -> Vec<f64> {
     let weights: Vec<f64> = weights.into_iter().map(|w| w.max(floor)).collect();
     let total: f64 = weights.iter().sum();
     weights.into_iter().map(|w| w / total).collect()

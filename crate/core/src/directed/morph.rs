@@ -1,0 +1,122 @@
+//! From one graph-directed system to another.
+
+use thiserror::Error;
+
+use crate::directed::error::MAX_STATES;
+use crate::directed::map::DirectedMap;
+use crate::directed::matching::Matching;
+use crate::directed::system::DirectedIfs;
+use crate::linear::affine::Affine2;
+use crate::morph::interpolation::Morph;
+use crate::morph::options::{Mode, MorphOptions};
+
+/// Why two graph-directed systems cannot be morphed.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum DirectedMorphError {
+    /// Their graphs are too different.
+    #[error(
+        "To match these two graphs takes more than {MAX_STATES} states, since every state may become several. Choose \
+         shapes whose states copy each other more alike."
+    )]
+    TooManyStates,
+}
+
+impl DirectedMorphError {
+    /// A name that stays the same over versions, for programs.
+    #[must_use]
+    pub const fn code(&self) -> &'static str {
+        "graph-match"
+    }
+}
+
+/// A family of graph-directed systems over (u, v), the first at (0, 0) and the last at (1, 1): what [`Morph`] is for
+/// systems of one state. Burch & Hart (1997, section 7.1) ask for it; their eq 6 is what each map follows.
+///
+/// The graphs need not be the same. They are matched from the shapes (state 0) on: each map of a state becomes one
+/// of the other's, and so does what they copy; a state that becomes several is split, and where one has fewer maps some
+/// are doubled. This changes neither shape. States that a shape is not made of are left out, unless the graphs are the
+/// same.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DirectedMorph {
+    matching: Matching,
+    morph: Morph,
+    steps: Vec<String>,
+}
+
+impl DirectedMorph {
+    /// The family from `from` to `to`, each map by the shortest turn.
+    ///
+    /// # Errors
+    /// [`DirectedMorphError`] if the graphs cannot be matched.
+    pub fn new(from: &DirectedIfs, to: &DirectedIfs, mode: Mode) -> Result<Self, DirectedMorphError> {
+        let matching = Matching::of(from, to).ok_or(DirectedMorphError::TooManyStates)?;
+        let (mut first, mut last) = (Vec::new(), Vec::new());
+        for (&(i, j), maps) in matching.states.iter().zip(&matching.maps) {
+            first.extend(maps.iter().map(|&(p, _, _)| from.states()[i][p].map));
+            last.extend(maps.iter().map(|&(_, q, _)| to.states()[j][q].map));
+        }
+        let options = MorphOptions { mode, ..MorphOptions::default() };
+        // They are equally many, and nothing else is asked for.
+        let morph = Morph::new(&first, &last, &options).map_err(|_| DirectedMorphError::TooManyStates)?;
+        let steps = steps(&matching);
+        Ok(Self { matching, morph, steps })
+    }
+
+    /// Which state of the first system becomes which of the last, a pair for each state on the way.
+    #[must_use]
+    pub fn states(&self) -> &[(usize, usize)] {
+        &self.matching.states
+    }
+
+    /// How the linear parts are interpolated.
+    #[must_use]
+    pub const fn mode(&self) -> Mode {
+        self.morph.mode()
+    }
+
+    /// By how much each map turns in all, in radians, state after state: none in a linear morph.
+    #[must_use]
+    pub fn turns(&self) -> Vec<f64> {
+        let turned = |turn: &(f64, f64)| if self.mode() == Mode::Linear { 0.0 } else { turn.1 };
+        self.morph.turns().iter().map(turned).collect()
+    }
+
+    /// A sentence for each step that was taken to match the graphs; none where they are the same.
+    #[must_use]
+    pub fn steps(&self) -> &[String] {
+        &self.steps
+    }
+
+    /// The states at (u, v). Any parameters are allowed; there need not be an attractor.
+    #[must_use]
+    pub fn at(&self, u: f64, v: f64) -> Vec<Vec<DirectedMap>> {
+        let maps: Vec<Affine2> = self.morph.at(u, v);
+        let mut rest = maps.into_iter();
+        let state = |of: &Vec<(usize, usize, usize)>| {
+            of.iter().zip(rest.by_ref()).map(|(&(_, _, from), map)| DirectedMap { from, map }).collect()
+        };
+        self.matching.maps.iter().map(state).collect()
+    }
+}
+
+fn steps(matching: &Matching) -> Vec<String> {
+    let mut steps = Vec::new();
+    for (which, name) in [(0, "first"), (1, "last")] {
+        let state = |pair: &(usize, usize)| if which == 0 { pair.0 } else { pair.1 };
+        for one in 0..MAX_STATES {
+            let times = matching.states.iter().filter(|&pair| state(pair) == one).count();
+            if times > 1 {
+                let (one, times) = (one + 1, times);
+                steps.push(format!(
+                    "State {one} of the {name} shape was split into {times} states that are alike."
+                ));
+            }
+        }
+        match matching.doubled[which] {
+            0 => {}
+            1 => steps.push(format!("1 map of the {name} shape was doubled.")),
+            count => steps.push(format!("{count} maps of the {name} shape were doubled.")),
+        }
+    }
+    steps
+}
