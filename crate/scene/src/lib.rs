@@ -6,6 +6,7 @@
 //! # The order in which to read it
 //!
 //! 1. `scene`: the document, and `preset`, the gallery of shapes it begins with.
+//!    `directed` has shapes of several states.
 //! 2. `deformation`, `curve`, `fit` and `space/`: what the tools keep in it. `space/` has a gallery ([`presets3`])
 //!    and key frames ([`Film`]) of its own.
 //! 3. `link`: how each part is written and read, and that old links stay what they were.
@@ -14,6 +15,7 @@
 
 mod curve;
 mod deformation;
+mod directed;
 mod fit;
 mod link;
 mod preset;
@@ -22,6 +24,7 @@ mod space;
 
 pub use curve::{Curve, CurveEdge, CurveShape, Curves};
 pub use deformation::{Deformation, Key, MAX_KEYS, MAX_SIDE, Subject, Tint};
+pub use directed::{DirectedPreset, directed_presets};
 pub use fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS};
 pub use link::{LinkError, MAX_LINK, VERSION, decode, decode_morph, encode};
 pub use preset::{Preset, Row, preset, presets};
