@@ -29,6 +29,9 @@
 //!
 //! *Space.* [`connectedness3`], [`decide3`], [`locus3`] and [`find_path3`] answer the same.
 //!
+//! *Graph-directed systems.* [`directed_connectedness`] answers for each state, and says what it rests on;
+//! [`certify_directed`] shows that the shapes of a morph stay in one piece.
+//!
 //! # Units
 //!
 //! Gaps and distances of [`connectedness`] are in units of the plane. Epsilon, and the gaps of [`Sample`],
@@ -46,7 +49,8 @@
 //! 4. `exact` and `evidence`: proofs, in arithmetic without rounding.
 //! 5. `family`, `grid` and `region`: many parameters; `region/derivative_bounds` says how far attractors move.
 //! 6. `path`: `field` is the landscape, `plan` the way through it, `repair` checks it and plans again.
-//! 7. `space` does all this once more in three dimensions, `single` in f32 for the graphics card.
+//! 7. `directed` asks about several shapes at once that are made of copies of each other.
+//! 8. `space` does all this once more in three dimensions, `single` in f32 for the graphics card.
 //!
 //! # On what it stands
 //!
@@ -66,6 +70,7 @@
 mod classic;
 mod connectedness;
 mod decide;
+mod directed;
 mod evidence;
 mod exact;
 mod family;
@@ -85,6 +90,8 @@ pub use classic::barnsley::{BarnsleyOptions, BarnsleyTest, Round, barnsley_test}
 pub use classic::index_buffer::{Choice, IndexBuffer, IndexBufferError, IndexBufferOptions};
 pub use connectedness::{Connectedness, connectedness};
 pub use decide::{Scratch, decide, decide_bounds, decide_polygon};
+pub use directed::certify::{DirectedCertificate, DirectedCertifyOptions, StateOnTheWay, certify_directed};
+pub use directed::connectedness::{DirectedLink, StateConnectedness, directed_connectedness};
 pub use evidence::certificate::{Certificate, certificate};
 pub use evidence::connected_certificate::{
     CertifiedLink, ConnectedCertificate, Squares, connected_certificate,

@@ -184,6 +184,16 @@ impl QuadraticSystem {
         matches!((self.point(a), self.point(b)), (Some(p), Some(q)) if same(&p, &q))
     }
 
+    /// Whether an address is of the same point in another system whose roots are the same.
+    pub fn point_in(&self, other: &Self, address: &Address) -> bool {
+        matches!((self.point(address), other.point(address)), (Some(p), Some(q)) if same(&p, &q))
+    }
+
+    /// The system of some of its maps.
+    pub fn part(&self, maps: std::ops::Range<usize>) -> Self {
+        Self { maps: self.maps[maps].to_vec(), bits: self.bits }
+    }
+
     /// Whether `w_u^-1 w_v = w_s^-1 w_t`, for words whose maps have an inverse.
     pub fn same_neighbour(&self, (u, v): (&[u8], &[u8]), (s, t): (&[u8], &[u8])) -> bool {
         // w_v = w_u h and w_t = w_s h for one h: adj(w_u) w_v / det(w_u) is compared.
