@@ -30,6 +30,7 @@
 //! 3. `coverage`: a [`Sweep`] walks down the tree of pieces and skips what is outside of the window or lit already.
 //!    Where pieces overlap without end it goes over to a [`Flood`] of points on a grid. With this [`rasterize`] is
 //!    complete.
+//!    [`rasterize_directed`] draws shapes of several states.
 //! 4. A [`Plan`] is the same picture as points that a graphics card places; a [`Density`] spreads samples after the
 //!    measure.
 //! 5. [`bent`] draws what a [`Bend`](frond_deform::Bend) deforms: in pieces that are even in themselves. `sheet` does
@@ -53,6 +54,7 @@
 pub mod bent;
 mod coverage;
 mod density;
+mod directed;
 #[cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl2")))]
 pub mod gpu;
 pub mod mesh;
@@ -70,6 +72,7 @@ pub use coverage::canvas::Hit;
 pub use coverage::flood::{CloudPoint, Flood};
 pub use coverage::sweep::{Progress, Sweep};
 pub use density::Density;
+pub use directed::{DirectedColours, DirectedOptions, rasterize_directed};
 pub use picture::bitmap::Bitmap;
 pub use picture::colour::Colours;
 pub use picture::resolve::{resolve_codes, resolve_density, to_bytes};

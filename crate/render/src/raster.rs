@@ -177,7 +177,7 @@ impl Ground {
 }
 
 /// How far, in pixels, the attractor must reach into a pixel to light it for certain.
-const CERTAIN_REACH: f64 = 0.0625;
+pub(crate) const CERTAIN_REACH: f64 = 0.0625;
 /// The density of a bent attractor: the size of its pieces, their number at most, and points in a pass.
 const BENT_DENSITY: (f64, usize, usize) = (16.0, 60_000, 65_536);
 

@@ -64,7 +64,7 @@ impl Frame {
 }
 
 /// The map from the unit disc onto an ellipse that holds the points, close to the smallest there is.
-fn enclosing_ellipse(points: &[DVec2]) -> Affine2 {
+pub(crate) fn enclosing_ellipse(points: &[DVec2]) -> Affine2 {
     let count = points.len().max(1) as f64;
     let mean = points.iter().sum::<DVec2>() / count;
     // Along the axes of the spread, so that a slanted segment becomes a thin box.
@@ -150,7 +150,7 @@ const SLOW_FACTORS: (f64, f64) = (0.95, 0.5);
 const MOST_POWERS: usize = 16;
 const MOST_PAIRED: usize = 4;
 
-fn steps(maps: &[Affine2]) -> Vec<(Affine2, Letters)> {
+pub(crate) fn steps(maps: &[Affine2]) -> Vec<(Affine2, Letters)> {
     let letter = |i| Letters::NONE.then(i);
     let mut steps: Vec<_> = maps.iter().enumerate().map(|(i, map)| (*map, letter(i))).collect();
     let slow: Vec<_> = steps.iter().copied().filter(|(map, _)| map.norm() > SLOW_FACTORS.0).collect();
