@@ -13,6 +13,7 @@ mod normal;
 mod pack;
 mod partition;
 mod refine;
+mod states;
 mod straight;
 mod text;
 
