@@ -609,6 +609,91 @@ export interface BarnsleyTest {
   rounds: { distance: number; bound: number }[];
 }
 
+/** A map of a graph-directed system: a copy of a state, counted from 0. */
+export interface DirectedMap {
+  from: number;
+  map: MapRow;
+}
+
+/**
+ * A graph-directed system: 1 to 64 states, each the union of 1 to 64 copies of states. State 0 is the shape that is
+ * meant. An `Ifs` is the case of one state whose maps are all `from` 0.
+ */
+export interface DirectedIfs {
+  states: DirectedMap[][];
+}
+
+export interface DirectedPreset {
+  id: string;
+  name: string;
+  about: string;
+  system: DirectedIfs;
+}
+
+/** Where the states of a graph-directed system lie, and how they are made of each other. */
+export interface DirectedFacts {
+  /** Of each state. Its dimension, where all maps that it is made of are similitudes (Mauldin & Williams 1988). */
+  states: BoundingBox[];
+  /** States that state 0 is not made of. */
+  unreached: number[];
+  /** States that are not made of copies of themselves, at any depth. */
+  neverReturn: number[];
+  /** By how much all maps shrink in coordinates that suit each state. */
+  factor: number;
+}
+
+export interface DirectedRasterOptions {
+  width: number;
+  height: number;
+  /** Which state is drawn, from 0. Default 0. */
+  state?: number;
+  /** As of `rasterize`. Default: all of the state. */
+  view?: { x: number; y: number; scale: number };
+  /** Colours tell the state that is copied after so many maps, 1 to 8. Default 0: they tell the map. */
+  level?: number;
+  palette?: string[];
+  smooth?: boolean;
+}
+
+/** What is known of one state. */
+export interface StateConnectedness {
+  verdict: Verdict;
+  /**
+   * Bounds of the widest edge of the least spanning tree between its pieces. Where it is 0 these hold together, but may
+   * be in several pieces themselves.
+   */
+  gap: { lower: number; upper: number };
+  /** Pairs of its maps whose pieces meet, or come within epsilon of each other. */
+  overlaps: [number, number][];
+  closest?: { from: [number, number]; to: [number, number] };
+  /** Points that pieces share, exactly: the ways there through each, as maps by their place in their state, from 1. */
+  links: { pair: [number, number]; words: [string, string]; at: [number, number] }[];
+  /** Readings of numbers under which the state is proved to be in one piece, though not as they are given. */
+  assuming: string[];
+  /** States that keep it open: its pieces hold together, but some are copies of these, which may not. */
+  openBy: number[];
+  diameter: number;
+  nodes: number;
+}
+
+/** Which state of the first system becomes which of the last, and what was done to match the graphs. */
+export interface DirectedMatch {
+  states: [number, number][];
+  steps: string[];
+}
+
+/** What was shown of every moment of a way. */
+export interface DirectedCertificate {
+  /**
+   * Of each state: connected at every moment; held by gaps no wider than this part of its diameter; or neither, the
+   * first moment where it was not shown.
+   */
+  states: ({ kind: "connected" } | { kind: "within"; gap: number } | { kind: "open"; at: number })[];
+  /** Readings of numbers that exact proofs hang on. */
+  assuming: string[];
+  moments: number;
+}
+
 export interface PointCloud {
   /** x0, y0, x1, y1, .. */
   positions: Float32Array;

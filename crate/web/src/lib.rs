@@ -9,8 +9,8 @@
 //!
 //! 1. `boundary`: how values cross. `value` reads and writes maps and options, `error` is what is thrown.
 //! 2. `compute`: what describes and draws. `shape` shows best how a function is exported.
-//! 3. `proof`, `curve`, `fit`, `space`, `exchange`, `morph`: a folder or a file for each of the other modules, a file
-//!    for what belongs together.
+//! 3. `proof`, `curve`, `fit`, `space`, `directed`, `exchange`, `morph`: a folder or a file for each of the other
+//!    modules, a file for what belongs together.
 //! 4. `renderers`: the stages of `frond-render` on a canvas, for WebGPU and for WebGL2.
 //!
 //! Each folder is a feature of the crate, and `cargo xtask build` makes a module of each: crate/xtask/src/modules.rs
@@ -25,6 +25,7 @@
         feature = "proof",
         feature = "fit",
         feature = "space",
+        feature = "directed",
         feature = "exchange"
     )),
     allow(dead_code, reason = "no module alone needs all conversions")
@@ -35,6 +36,8 @@ mod boundary;
 mod compute;
 #[cfg(feature = "curve")]
 mod curve;
+#[cfg(feature = "directed")]
+pub mod directed;
 #[cfg(feature = "exchange")]
 pub mod exchange;
 #[cfg(feature = "fit")]
@@ -70,6 +73,7 @@ use wasm_bindgen::prelude::*;
         feature = "fit",
         feature = "space",
         feature = "exchange",
+        feature = "directed",
         feature = "morph"
     ))
 ))]
@@ -105,6 +109,13 @@ const SPACE_TYPES: &str = r#"import type {
 #[wasm_bindgen(typescript_custom_section)]
 const EXCHANGE_TYPES: &str =
     r#"import type { ExportFormat, ExportFormatInfo, ImportedFile, MapRow, MapRow3 } from "./frond.js";"#;
+
+/// And graph-directed shapes.
+#[cfg(all(feature = "directed", not(feature = "compute")))]
+#[wasm_bindgen(typescript_custom_section)]
+const DIRECTED_TYPES: &str = r#"import type {
+  DirectedCertificate, DirectedFacts, DirectedIfs, DirectedMatch, DirectedPreset, DirectedRasterOptions, PointCloud, StateConnectedness
+} from "./frond.js";"#;
 
 /// So do closed curves and graphs.
 #[cfg(all(feature = "curve", not(feature = "compute")))]

@@ -1,17 +1,19 @@
 //! The modules that crate/web is built into, and the files of each.
 
 /// The name of the files and the feature that makes them. The first describes and draws, and is all that the first
-/// picture needs; the second has closed curves and graphs, where the page shows some; the third decides and proves, in
-/// the workers; the fourth traces and fits outlines, in workers of its own; the fifth is for space, where its tool is
-/// open; the sixth reads and writes files of other programs, when one is opened or saved; the seventh draws a morph on
-/// other people's pages; of the others, which draw on a graphics card, a visitor gets one.
-pub const MODULES: [(&str, &str); 9] = [
+/// picture needs; the second has closed curves and graphs, where the page shows some; the third decides and proves,
+/// in the workers; the fourth traces and fits outlines, in workers of its own; the fifth is for space, where its
+/// tool is open; the sixth reads and writes files of other programs, when one is opened or saved; the seventh has
+/// shapes of several states, where some are shown; the eighth draws a morph on other people's pages; of the others,
+/// which draw on a graphics card, a visitor gets one.
+pub const MODULES: [(&str, &str); 10] = [
     ("frond", "compute"),
     ("frond-curve", "curve"),
     ("frond-proof", "proof"),
     ("frond-fit", "fit"),
     ("frond-space", "space"),
     ("frond-exchange", "exchange"),
+    ("frond-directed", "directed"),
     ("frond-morph", "morph"),
     ("frond-webgpu", "webgpu"),
     ("frond-webgl2", "webgl2"),

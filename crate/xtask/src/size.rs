@@ -45,7 +45,7 @@ pub fn gate() -> Outcome {
         };
     let (first, proof, fit) = (weigh("frond_bg")?, weigh("frond-proof_bg")?, weigh("frond-fit_bg")?);
     let (curve, space) = (weigh("frond-curve_bg")?, weigh("frond-space_bg")?);
-    let exchange = weigh("frond-exchange_bg")?;
+    let (exchange, directed) = (weigh("frond-exchange_bg")?, weigh("frond-directed_bg")?);
     let (webgpu, webgl2) = (weigh("frond-webgpu_bg")?, weigh("frond-webgl2_bg")?);
     let mut script = 0;
     for file in loaded(&dist)? {
@@ -62,6 +62,7 @@ pub fn gate() -> Outcome {
         ("wasm that fits outlines", fit, None),
         ("wasm of space", space, None),
         ("wasm of files", exchange, None),
+        ("wasm of several states", directed, None),
         ("<frond-view>", gzipped(&dist.join("frond-view.js"))?, Some(MOST_ELEMENT_BYTES)),
         ("script", script, Some(MOST_SCRIPT_BYTES)),
     ] {

@@ -1,0 +1,312 @@
+//! Graph-directed shapes: several that are made of copies of each other.
+
+use frond_core::{
+    Affine2, DirectedError, DirectedGame, DirectedIfs, DirectedMap, DirectedMorph, Hull, MAX_MAPS,
+    MAX_STATES, Mode, directed_dimension,
+};
+use frond_locus::{
+    DirectedCertifyOptions, Options, StateOnTheWay, certify_directed as certify,
+    directed_connectedness as decide,
+};
+use frond_render::{DirectedColours, DirectedOptions, View, rasterize_directed as draw};
+use frond_scene::directed_presets as presets;
+use js_sys::{Array, Float32Array, Reflect, Uint8Array, Uint8ClampedArray};
+use serde::{Deserialize, Serialize};
+use wasm_bindgen::prelude::*;
+
+use crate::boundary::error::{bad_input, failure};
+use crate::boundary::palette::read_palette;
+use crate::boundary::value::{Row, longer_than, object, point, read, write};
+
+#[derive(Deserialize, Serialize)]
+struct PlainMap {
+    from: usize,
+    map: Row,
+}
+
+#[derive(Deserialize, Serialize)]
+struct PlainSystem {
+    states: Vec<Vec<PlainMap>>,
+}
+
+impl PlainSystem {
+    fn of(states: &[Vec<DirectedMap>]) -> Self {
+        let plain = |part: &DirectedMap| PlainMap { from: part.from, map: part.map.to_row() };
+        Self { states: states.iter().map(|maps| maps.iter().map(plain).collect()).collect() }
+    }
+}
+
+fn of_directed(error: &DirectedError) -> JsValue {
+    failure(error.code(), &error.to_string())
+}
+
+/// A system that has an attractor. Longer lists than allowed are refused before their entries are read.
+fn read_system(value: &JsValue) -> Result<DirectedIfs, JsValue> {
+    let states = Reflect::get(value, &"states".into()).unwrap_or(JsValue::UNDEFINED);
+    if let Some(count) = longer_than(&states, MAX_STATES) {
+        return Err(of_directed(&DirectedError::TooManyStates { count }));
+    }
+    if let Some(list) = states.dyn_ref::<Array>() {
+        for (state, maps) in list.iter().enumerate() {
+            if let Some(count) = longer_than(&maps, MAX_MAPS) {
+                return Err(of_directed(&DirectedError::TooManyMaps { state, count }));
+            }
+        }
+    }
+    let plain: PlainSystem = read("The graph-directed system", value.clone())?;
+    let map = |part: PlainMap| DirectedMap { from: part.from, map: Affine2::from_row(part.map) };
+    let states = plain.states.into_iter().map(|maps| maps.into_iter().map(map).collect());
+    DirectedIfs::new(states.collect()).map_err(|error| of_directed(&error))
+}
+
+/// Graph-directed shapes of the gallery.
+#[wasm_bindgen(js_name = directedPresets, unchecked_return_type = "DirectedPreset[]")]
+pub fn directed_presets() -> Result<JsValue, JsValue> {
+    let all = Array::new();
+    for preset in presets() {
+        all.push(&object(&[
+            ("id", preset.id.into()),
+            ("name", preset.name.into()),
+            ("about", preset.about.into()),
+            ("system", write(&PlainSystem::of(&preset.states))?),
+        ]));
+    }
+    Ok(all.into())
+}
+
+/// Where the states of a graph-directed system lie, their dimensions, and which of them the shape (state 0) is not made
+/// of or no way leads back to. Throws what is wrong with the system.
+#[wasm_bindgen(js_name = directedFacts, unchecked_return_type = "DirectedFacts")]
+pub fn directed_facts(
+    #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] system: JsValue,
+) -> Result<JsValue, JsValue> {
+    let system = read_system(&system)?;
+    let states = Array::new();
+    for (state, hull) in Hull::of_states(&system).iter().enumerate() {
+        let corners: Vec<[f64; 2]> = hull.vertices().iter().map(|&v| point(v)).collect();
+        let mut fields = vec![
+            ("min", write(&point(hull.min()))?),
+            ("max", write(&point(hull.max()))?),
+            ("hull", write(&corners)?),
+        ];
+        if let Some(dimension) = directed_dimension(&system, state) {
+            fields.push(("dimension", dimension.into()));
+        }
+        states.push(&object(&fields));
+    }
+    Ok(object(&[
+        ("states", states.into()),
+        ("unreached", write(&system.unreached())?),
+        ("neverReturn", write(&system.never_return())?),
+        ("factor", system.contraction().factor.into()),
+    ]))
+}
+
+/// The most points that one call gives.
+const MAX_POINTS: f64 = 16_777_216.0;
+
+#[derive(Deserialize)]
+struct Points {
+    points: f64,
+    #[serde(default)]
+    seed: u32,
+    #[serde(default)]
+    state: usize,
+}
+
+fn no_state(state: usize) -> JsValue {
+    failure("state", &format!("There is no state {}. Ask for one that is there.", state.saturating_add(1)))
+}
+
+/// Points of a state, by the chaos game: the same seed gives the same points everywhere.
+#[wasm_bindgen(js_name = directedAttractor, unchecked_return_type = "PointCloud")]
+pub fn directed_attractor(
+    #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] system: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "{ points: number; seed?: number; state?: number }")]
+    options: JsValue,
+) -> Result<JsValue, JsValue> {
+    let system = read_system(&system)?;
+    let Points { points, seed, state } = read("The options", options)?;
+    if !(0.0..=MAX_POINTS).contains(&points) {
+        return Err(bad_input("points", "a number from 0 to 16777216 is needed"));
+    }
+    let mut game = DirectedGame::new(&system, state, seed).ok_or_else(|| no_state(state))?;
+    let count = points as usize;
+    let (mut positions, mut pieces) = (vec![0.0; 2 * count], vec![0; count]);
+    game.fill(&mut positions, &mut pieces);
+    Ok(object(&[
+        ("positions", Float32Array::from(&positions[..]).into()),
+        ("pieces", Uint8Array::from(&pieces[..]).into()),
+    ]))
+}
+
+#[derive(Deserialize)]
+struct PlainView {
+    x: f64,
+    y: f64,
+    scale: f64,
+}
+
+#[derive(Deserialize)]
+struct Plain {
+    width: f64,
+    height: f64,
+    #[serde(default)]
+    state: usize,
+    view: Option<PlainView>,
+    #[serde(default)]
+    level: u8,
+    #[serde(default)]
+    palette: Vec<String>,
+    smooth: Option<bool>,
+}
+
+/// Draws a state of a graph-directed system, complete, as `rasterize` does: coloured by its maps, or, at a `level` of 1
+/// to 8, by the states that are copied there after so many maps.
+#[wasm_bindgen(js_name = rasterizeDirected, unchecked_return_type = "Uint8ClampedArray")]
+pub fn rasterize_directed(
+    #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] system: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "DirectedRasterOptions")] options: JsValue,
+) -> Result<Uint8ClampedArray, JsValue> {
+    let system = read_system(&system)?;
+    let plain: Plain = read("The options", options)?;
+    if plain.state >= system.len() {
+        return Err(no_state(plain.state));
+    }
+    let palette = read_palette(&plain.palette)?;
+    let options = DirectedOptions {
+        // A cast of NaN or a negative number gives 0: an empty picture.
+        width: plain.width as u32,
+        height: plain.height as u32,
+        state: plain.state,
+        view: plain.view.map(|PlainView { x, y, scale }| View { x, y, scale }),
+        colours: if plain.level == 0 { DirectedColours::Map } else { DirectedColours::State(plain.level) },
+        palette: &palette,
+        smooth: plain.smooth.unwrap_or(true),
+    };
+    let pixels = draw(&system, &options).map_err(|error| failure(error.code(), &error.to_string()))?;
+    Ok(Uint8ClampedArray::from(&pixels[..]))
+}
+
+#[derive(Deserialize)]
+struct PlainOptions {
+    epsilon: Option<f64>,
+    budget: Option<f64>,
+}
+
+/// Decides for each state of a graph-directed system whether it is in one piece.
+#[wasm_bindgen(js_name = directedConnectedness, unchecked_return_type = "StateConnectedness[]")]
+pub fn directed_connectedness(
+    #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] system: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "{ epsilon?: number; budget?: number }")] options: JsValue,
+) -> Result<JsValue, JsValue> {
+    let system = read_system(&system)?;
+    let PlainOptions { epsilon, budget } = read("The options", options)?;
+    let own = Options::default();
+    // A cast of NaN or a negative number gives 0.
+    let budget = budget.map_or(own.budget, |budget| budget as usize);
+    let options = Options { epsilon: epsilon.unwrap_or(own.epsilon), budget };
+    let states = Array::new();
+    for found in decide(&system, &options) {
+        let links = Array::new();
+        for link in &found.links {
+            links.push(&object(&[
+                ("pair", write(&link.pair)?),
+                ("words", write(&link.words)?),
+                ("at", write(&point(link.at))?),
+            ]));
+        }
+        let gap = object(&[("lower", found.gap.lower.into()), ("upper", found.gap.upper.into())]);
+        let mut fields = vec![
+            ("verdict", found.verdict.name().into()),
+            ("gap", gap),
+            ("overlaps", write(&found.overlaps)?),
+            ("links", links.into()),
+            ("assuming", write(&found.assuming)?),
+            ("openBy", write(&found.open_by)?),
+            ("diameter", found.diameter.into()),
+            ("nodes", (found.nodes as f64).into()),
+        ];
+        if let Some((from, to)) = found.closest {
+            fields.push(("closest", object(&[("from", write(&point(from))?), ("to", write(&point(to))?)])));
+        }
+        states.push(&object(&fields));
+    }
+    Ok(states.into())
+}
+
+#[derive(Deserialize)]
+struct PlainMorph {
+    #[serde(default)]
+    mode: Mode,
+    #[serde(default)]
+    u: f64,
+    #[serde(default)]
+    v: f64,
+    epsilon: Option<f64>,
+    moments: Option<f64>,
+}
+
+fn read_morph(
+    from: &JsValue,
+    to: &JsValue,
+    options: JsValue,
+) -> Result<(DirectedMorph, PlainMorph), JsValue> {
+    let (from, to) = (read_system(from)?, read_system(to)?);
+    let plain: PlainMorph = read("The options", options)?;
+    let morph = DirectedMorph::new(&from, &to, plain.mode);
+    Ok((morph.map_err(|error| failure(error.code(), &error.to_string()))?, plain))
+}
+
+/// Which state of one graph-directed system becomes which of another, and what was done to match the graphs.
+#[wasm_bindgen(js_name = matchDirected, unchecked_return_type = "DirectedMatch")]
+pub fn match_directed(
+    #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] from: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] to: JsValue,
+) -> Result<JsValue, JsValue> {
+    let (morph, _) = read_morph(&from, &to, JsValue::UNDEFINED)?;
+    Ok(object(&[("states", write(&morph.states())?), ("steps", write(&morph.steps())?)]))
+}
+
+/// The graph-directed system at (u, v) between two, whose graphs are matched (Burch & Hart 1997, eq 6 and section 7.1).
+/// It need not have an attractor.
+#[wasm_bindgen(js_name = interpolateDirected, unchecked_return_type = "DirectedIfs")]
+pub fn interpolate_directed(
+    #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] from: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] to: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "{ u: number; v: number; mode?: 'polar' | 'linear' }")]
+    options: JsValue,
+) -> Result<JsValue, JsValue> {
+    let (morph, PlainMorph { u, v, .. }) = read_morph(&from, &to, options)?;
+    write(&PlainSystem::of(&morph.at(u, v)))
+}
+
+/// Looks for a proof that the states stay in one piece on the way from one graph-directed system to another, u = v.
+#[wasm_bindgen(js_name = certifyDirected, unchecked_return_type = "DirectedCertificate")]
+pub fn certify_directed(
+    #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] from: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "DirectedIfs")] to: JsValue,
+    #[wasm_bindgen(
+        unchecked_param_type = "{ mode?: 'polar' | 'linear'; epsilon?: number; moments?: number }"
+    )]
+    options: JsValue,
+) -> Result<JsValue, JsValue> {
+    let (morph, plain) = read_morph(&from, &to, options)?;
+    let own = DirectedCertifyOptions::default();
+    let moments = plain.moments.map_or(own.moments, |moments| moments as usize);
+    let options = DirectedCertifyOptions { epsilon: plain.epsilon.unwrap_or(own.epsilon), moments, ..own };
+    let proof = certify(&morph, &options);
+    let states = Array::new();
+    for state in &proof.states {
+        states.push(&match *state {
+            StateOnTheWay::Connected => object(&[("kind", "connected".into())]),
+            StateOnTheWay::Within(gap) => object(&[("kind", "within".into()), ("gap", gap.into())]),
+            StateOnTheWay::Open(at) => object(&[("kind", "open".into()), ("at", at.into())]),
+        });
+    }
+    Ok(object(&[
+        ("states", states.into()),
+        ("assuming", write(&proof.assuming)?),
+        ("moments", (proof.moments as f64).into()),
+    ]))
+}

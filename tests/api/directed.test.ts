@@ -1,0 +1,95 @@
+import { readFile } from "node:fs/promises";
+import { beforeAll, describe, expect, it } from "vitest";
+import init, * as directed from "../../www/pkg/frond-directed.js";
+
+/** What README.md promises of `frond/directed`. */
+const PROMISED = `directedPresets directedFacts directedAttractor rasterizeDirected directedConnectedness matchDirected
+  interpolateDirected certifyDirected`;
+
+type System = Parameters<typeof directed.directedFacts>[0];
+
+const half = (from: number, x: number, y: number) => ({
+  from,
+  map: [0.5, 0, 0, 0.5, x, y] as [number, number, number, number, number, number],
+});
+const preset = (id: string): System => {
+  const found = directed.directedPresets().find((one) => one.id === id);
+  if (found === undefined) {
+    throw new Error(`no preset ${id}`);
+  }
+  return found.system;
+};
+const refused = (run: () => unknown): string => {
+  try {
+    run();
+    return "";
+  } catch (problem) {
+    const { code, message } = problem as { code: string; message: string };
+    return `${code}: ${message}`;
+  }
+};
+
+describe("graph-directed systems", () => {
+  beforeAll(async () => {
+    const file = new URL("../../www/pkg/frond-directed_bg.wasm", import.meta.url);
+    await init({ module_or_path: await readFile(file) });
+  });
+
+  it("have the functions that are promised", () => {
+    const missing = PROMISED.split(/\s+/).filter(
+      (name) => typeof (directed as Record<string, unknown>)[name] !== "function",
+    );
+    expect(missing).toEqual([]);
+  });
+
+  it("are described, sampled and drawn", () => {
+    const flake = preset("snowflake");
+    const facts = directed.directedFacts(flake);
+    expect(facts).toMatchObject({ unreached: [], neverReturn: [0] });
+    expect(facts.states[0]?.dimension).toBeCloseTo(Math.log(4) / Math.log(3), 12);
+    expect(facts.states[0]?.max[1]).toBeCloseTo(Math.sqrt(0.75), 2);
+    const { positions, pieces } = directed.directedAttractor(flake, { points: 500, seed: 3 });
+    expect([positions.length, new Set(pieces).size]).toEqual([1000, 3]);
+    const pixels = directed.rasterizeDirected(flake, { width: 40, height: 30, smooth: false });
+    expect(pixels.length).toBe(4 * 40 * 30);
+    expect(pixels.some((value, i) => i % 4 === 3 && value === 255)).toBe(true);
+    expect(refused(() => directed.rasterizeDirected(flake, { width: 9, height: 9, state: 2 }))).toMatch(
+      /^state: .* 3\./,
+    );
+  });
+
+  it("are decided state by state", () => {
+    const [left, right] = directed.directedConnectedness(preset("two-dragons"), {});
+    expect([left?.verdict, right?.verdict]).toEqual(["connected", "connected"]);
+    expect(left?.links[0]?.words).toEqual(["1(2)", "2(1)"]);
+  });
+
+  it("are morphed, with graphs matched, and proved on the way", () => {
+    const [a, b] = [preset("crystal"), preset("quilt")];
+    const match = directed.matchDirected(a, b);
+    expect(match.states[0]).toEqual([0, 0]);
+    expect(match.steps.length).toBeGreaterThan(0);
+    expect(directed.interpolateDirected(a, a, { u: 1, v: 1 })).toEqual(a);
+    const middle = directed.interpolateDirected(a, b, { u: 0.5, v: 0.5 });
+    expect(middle.states.length).toBe(match.states.length);
+    const proof = directed.certifyDirected(a, a, { mode: "linear" });
+    expect(proof).toEqual({
+      states: [{ kind: "connected" }, { kind: "connected" }],
+      assuming: [],
+      moments: 0,
+    });
+  });
+
+  it("say what is wrong with them", () => {
+    const facts = (states: unknown) => refused(() => directed.directedFacts({ states } as System));
+    expect(facts([])).toMatch(/^no-states/);
+    expect(facts([[half(0, 0, 0)], []])).toMatch(/^no-maps: State 2/);
+    expect(facts([[half(4, 0, 0)]])).toMatch(/^state: .* copies state 5/);
+    expect(facts([[{ from: 0, map: [1, 0, 0, 1, 0, 0] }]])).toMatch(/^no-attractor/);
+    expect(facts(new Array(65).fill([half(0, 0, 0)]))).toMatch(/^too-many-states/);
+    expect(facts([new Array(1e6).fill(0)])).toMatch(/^too-many-maps: State 1/);
+    expect(facts([[half(-1, 0, 0)]])).toMatch(/^bad-input/);
+    expect(facts("none")).toMatch(/^bad-input/);
+    expect(refused(() => directed.directedFacts(undefined as unknown as System))).toMatch(/^bad-input/);
+  });
+});
