@@ -91,6 +91,7 @@ export function figurePictures(source: Source): Record<string, { cells: Cell[]; 
       ),
       columns: 5,
     },
+    "section-7": row(plane(shape("koch").maps), plane(shape("dragon").maps)),
     "table-1": row(triangle(0.46), triangle(0.48), triangle(0.5)),
     d1: one("carpet"),
     d2: one("gasket"),

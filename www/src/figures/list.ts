@@ -78,6 +78,15 @@ export const ROWS: readonly Row[] = [
         load: () => import("./burch-hart/table-1/page"),
         thumb: () => import("./burch-hart/table-1/thumb"),
       },
+      {
+        id: "section-7",
+        number: "Section 7.1",
+        short: "7.1",
+        title: "Shapes made of one another",
+        about: "A graph says which shape copies which, and two such graphs are morphed.",
+        load: () => import("./burch-hart/section-7/page"),
+        thumb: () => import("./burch-hart/section-7/thumb"),
+      },
     ],
   },
   {

@@ -1,0 +1,237 @@
+import { useMemo, useState } from "preact/hooks";
+import { fixed } from "#format/numbers";
+import { verdictPhrase } from "#format/verdict";
+import { union } from "#geometry/boxes";
+import { Select } from "#ui/controls/Select";
+import type { DirectedIfs, StateConnectedness } from "#wasm/api";
+import { directed, loadDirected } from "#wasm/directed";
+import { Choice, SliderControl } from "../../kit/frame/control";
+import { Frame, type Heading } from "../../kit/frame/frame";
+import layout from "../../kit/frame/layout.module.css";
+import { Chip, VerdictChip } from "../../kit/frame/verdict";
+import { tex } from "../../kit/notation/tex";
+import { Time, useTime } from "../../kit/time/time";
+import { useDirected } from "./ask";
+import { Editor } from "./editor";
+import { Answer, EPSILON, Way } from "./found";
+import css from "./page.module.css";
+import { StatePicture } from "./state-picture";
+import { look, madeOf } from "./systems";
+
+/** What must be there before it is shown. */
+export const needs = [loadDirected];
+
+type Mode = "polar" | "linear";
+const PROOF_EPSILON = 1 / 100;
+
+/** Shapes of several states, made of copies of each other, and the way between two of them. */
+export function Page(heading: Heading) {
+  const presets = useMemo(() => directed.directedPresets(), []);
+  const [name, setName] = useState("snowflake");
+  const [first, setFirst] = useState<DirectedIfs>(() => systemOf("snowflake"));
+  const [lastName, setLastName] = useState("crystal");
+  const [mode, setMode] = useState<Mode>("linear");
+  const [level, setLevel] = useState(0);
+  const time = useTime(0);
+  const last = useMemo(() => systemOf(lastName), [lastName]);
+  const way = useMemo(() => wayOf(first, last, mode), [first, last, mode]);
+  const system = useMemo(() => way.at(time.t), [way, time.t]);
+  const seen = useMemo(() => look(system), [system]);
+  const problem = way.problem ?? (typeof seen === "string" && time.t === 0 ? seen : null);
+  const lost = typeof seen === "string";
+  // What has no attractor leaves what there was.
+  const [held, setHeld] = useState({ system, seen });
+  if (!lost && held.system !== system) setHeld({ system, seen });
+  const shown = lost ? held : { system, seen };
+  const facts = typeof shown.seen === "string" ? null : shown.seen;
+  const boxes = facts?.boxes ?? [];
+  const asked = useMemo(() => (lost ? null : { system, epsilon: EPSILON }), [system, lost]);
+  const verdicts = useDirected("verdicts", asked, 1);
+  const stale = verdicts?.about !== asked;
+  const answers: readonly StateConnectedness[] = verdicts?.result ?? [];
+  const proofTask = useMemo(
+    () => (way.problem === null ? { from: first, to: last, mode, epsilon: PROOF_EPSILON } : null),
+    [way, first, last, mode],
+  );
+  const proof = useDirected("certify", proofTask, 1);
+  const proved = proof?.about === proofTask ? (proof?.result ?? null) : null;
+  const choose = (id: string) => {
+    setName(id);
+    setFirst(systemOf(id));
+    time.go(0);
+  };
+  const box = union([...way.boxes, ...(boxes[0] ? [boxes[0]] : [])]);
+  const dimension = facts?.facts.states[0]?.dimension;
+  return (
+    <Frame
+      {...heading}
+      lead={
+        <p>
+          A shape may be made of copies of other shapes, and these of copies of it: a graph says what copies
+          what. The paper asks how such systems could be morphed. Here each map of a state becomes a map of
+          another state, and so does what they copy; a state that is to become several is split, which changes
+          no shape.
+        </p>
+      }
+      found={
+        <>
+          <Answer of={answers[0]} />
+          <Way proof={proved} match={way.match} />
+        </>
+      }
+      parameters={[
+        { name: "States at this moment", value: String(system.states.length) },
+        {
+          name: "Maps at this moment",
+          value: String(system.states.reduce((sum, maps) => sum + maps.length, 0)),
+        },
+        ...(dimension === undefined
+          ? []
+          : [{ name: "Dimension of the shape, if copies do not overlap", value: fixed(dimension, 4) }]),
+        { name: "A state", value: [tex`K_i = \bigcup_{e} f_e(K_{j(e)})`] },
+        { name: "Resolution of the verdicts", symbol: "ε", value: "1/600 of each state" },
+      ]}
+      captions={[
+        "The recurrent iterated function systems (RIFS) constrains an iterated function system with a directed graph controlling map composition. Interpolation of RIFS attractors poses the problem of interpolating directed graphs, possibly even with a different number of vertices.",
+      ]}
+      reconstructed="Section 7.1 asks the question and prints no example. The shapes are from the literature (Koch 1904, Heighway, Penrose and Robinson, Rauzy 1982, McWorter 1987) and Frond’s own; graph-directed systems and their dimension are those of Mauldin & Williams (1988)."
+    >
+      <div class={layout["controls"]}>
+        <label>
+          First{" "}
+          <Select value={name} onChange={(event) => choose(event.currentTarget.value)}>
+            {presets.map(({ id, name: words }) => (
+              <option key={id} value={id}>
+                {words}
+              </option>
+            ))}
+          </Select>
+        </label>
+        <label>
+          Last{" "}
+          <Select value={lastName} onChange={(event) => setLastName(event.currentTarget.value)}>
+            {presets.map(({ id, name: words }) => (
+              <option key={id} value={id}>
+                {words}
+              </option>
+            ))}
+          </Select>
+        </label>
+        <Choice
+          label="Maps"
+          options={[
+            {
+              value: "polar",
+              label: "turn",
+              description: "By equation 6: the angle turns, the stretch goes along",
+            },
+            {
+              value: "linear",
+              label: "go straight",
+              description: "Number by number: ends that meet stay together",
+            },
+          ]}
+          value={mode}
+          onChange={setMode}
+        />
+        <SliderControl
+          label="Colours by state, after"
+          name="Colours tell the state that is copied after so many maps; 0: the map"
+          range={[0, 6]}
+          whole
+          value={level}
+          text={level === 0 ? "off" : level === 1 ? "1 map" : `${level} maps`}
+          onChange={setLevel}
+        />
+      </div>
+      <Time time={time} words={answers[0] && !stale ? verdictPhrase(answers[0]) : ""} />
+      {lost && time.t > 0 && <Chip tone="unknown" text="No attractor here" aside={String(seen)} />}
+      <div class={layout["two-columns"]}>
+        <div>
+          {facts && (
+            <StatePicture
+              system={shown.system}
+              state={0}
+              box={box}
+              level={level}
+              label={`The shape at t = ${fixed(time.t)}: ${answers[0] ? verdictPhrase(answers[0]) : "looking"}`}
+            />
+          )}
+          {answers[0] && <VerdictChip answer={plain(answers[0])} stale={stale || lost} />}
+        </div>
+        <Editor
+          system={first}
+          problem={problem}
+          onChange={(next) => {
+            setFirst(next);
+            time.go(0);
+          }}
+        />
+      </div>
+      <h2>The states</h2>
+      <div class={css["states"]}>
+        {shown.system.states.slice(0, MOST_SHOWN).map((maps, state) => {
+          const own = boxes[state];
+          const answer = answers[state];
+          return (
+            <section key={state} class={css["state"]} aria-label={`State ${state + 1}`}>
+              <h3>State {state + 1}</h3>
+              {own && (
+                <StatePicture system={shown.system} state={state} box={own} level={level} label={null} />
+              )}
+              <p class={css["made"]}>{madeOf(maps)}</p>
+              {answer && <VerdictChip answer={plain(answer)} stale={stale} />}
+            </section>
+          );
+        })}
+      </div>
+      {shown.system.states.length > MOST_SHOWN && (
+        <p class={layout["hint"]}>… and {shown.system.states.length - MOST_SHOWN} more.</p>
+      )}
+      {facts && <Remarks unreached={facts.facts.unreached} />}
+    </Frame>
+  );
+}
+
+const systemOf = (id: string): DirectedIfs =>
+  directed.directedPresets().find((preset) => preset.id === id)?.system ?? { states: [] };
+
+/** As many states have a picture of their own. */
+const MOST_SHOWN = 8;
+
+/** A state in the words for shapes: it has no components of its own. */
+const plain = (state: StateConnectedness) => ({ ...state, components: [], count: 1 });
+
+function Remarks({ unreached }: { unreached: readonly number[] }) {
+  if (unreached.length === 0) return null;
+  const names = unreached.map((state) => state + 1).join(", ");
+  return (
+    <p class={layout["hint"]}>
+      The shape is not made of state {names}: {unreached.length === 1 ? "it is" : "they are"} not seen in it.
+      Let a map copy {unreached.length === 1 ? "it" : "them"}, or leave{" "}
+      {unreached.length === 1 ? "it" : "them"} out.
+    </p>
+  );
+}
+
+/** The way between two systems, or the first alone and why there is none. */
+function wayOf(from: DirectedIfs, to: DirectedIfs, mode: Mode) {
+  const boxes = [from, to].flatMap((system) => {
+    const seen = look(system);
+    return typeof seen === "string" ? [] : seen.boxes.slice(0, 1);
+  });
+  try {
+    const match = directed.matchDirected(from, to);
+    // At the ends nothing is split: the shapes are as they were chosen.
+    const at = (t: number) =>
+      t === 0 ? from : t === 1 ? to : directed.interpolateDirected(from, to, { u: t, v: t, mode });
+    return { at, match, boxes, problem: null };
+  } catch (problem) {
+    return {
+      at: () => from,
+      match: null,
+      boxes,
+      problem: problem instanceof Error ? problem.message : String(problem),
+    };
+  }
+}
