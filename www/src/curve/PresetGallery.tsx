@@ -3,7 +3,7 @@ import { curved } from "#document/curve/curve";
 import { originOf, presets } from "#document/presets";
 import { Dialog } from "#ui/overlay/Dialog";
 import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
-import type { Shape } from "#wasm/api";
+import type { Preset, Shape } from "#wasm/api";
 import { OwnShapes } from "./OwnShapes";
 import { Shelf } from "./parts";
 
@@ -13,12 +13,14 @@ interface PresetGalleryProps {
   /** What is chosen for, with the shape that it has now. */
   end: "a" | "b" | "bent";
   now: Shape;
+  /** What else is to be said of a shape, beside its number of maps. */
+  noteOf?: (preset: Preset) => string | null;
   onChoose: (shape: Shape) => void;
   onClose: () => void;
 }
 
 /** The shapes that a person keeps, every preset, and the closed curves, to choose one from. */
-export function PresetGallery({ title, about, end, now, onChoose, onClose }: PresetGalleryProps) {
+export function PresetGallery({ title, about, end, now, noteOf, onChoose, onClose }: PresetGalleryProps) {
   const take = (shape: Shape) => {
     onChoose(shape);
     onClose();
@@ -29,7 +31,7 @@ export function PresetGallery({ title, about, end, now, onChoose, onClose }: Pre
       <ShapeGrid
         presets={presets()}
         pictures={thumbnails.value}
-        noteOf={mapsNote}
+        noteOf={(preset) => [mapsNote(preset), noteOf?.(preset)].filter(Boolean).join(" · ")}
         chosen={curved.value ? undefined : originOf(now)?.id}
         onChoose={({ id, name, maps }) => take({ preset: id, name, maps })}
       />

@@ -2,21 +2,29 @@ import { PresetGallery } from "#curve/PresetGallery";
 import { editSystems } from "#document/curve/systems";
 import { selection } from "#document/morph";
 import { announce } from "#document/notice";
-import { choose, nameOf } from "../changes";
+import { originOf } from "#document/presets";
+import { choose, nameOf, other } from "../changes";
 import { gallery } from "../dialogs";
 import { pick } from "../locus/path/way";
 import { shapes } from "../parts";
+import { bondWords, partnersOf } from "./partners";
 
 /** Every preset, to be the shape of one end, and the closed curves. */
 export function Gallery() {
   const end = gallery.value;
   if (end === null) return null;
+  const beside = shapes[other(end)].value;
+  const partners = partnersOf(originOf(beside)?.id ?? "");
   return (
     <PresetGallery
       title={`Shape ${nameOf(end)}`}
       about="Each is made of smaller copies of itself. Its maps can be edited afterwards."
       end={end}
       now={shapes[end].value}
+      noteOf={({ id }) => {
+        const bond = partners.get(id);
+        return bond ? bondWords(bond, beside.name) : null;
+      }}
       onChoose={(shape) => {
         void editSystems((before) => choose(before, end, shape));
         if (selection.peek()?.target === end) selection.value = { target: end, map: 0 };
