@@ -1,7 +1,7 @@
 /**
  * Which shapes of the gallery have a way to each other that holds: too long to be found while somebody chooses, so it
- * is a table of what eight seconds a pair have found. `cargo run --release -p frond-locus --example pairs -- all` prints it; a test of that crate asks whether
- * it is true.
+ * is a table of what eight seconds a pair have found. `cargo run --release -p frond-locus --example pairs -- all`
+ * prints it; a test of that crate asks whether it is true.
  */
 import table from "./partners.txt?raw";
 
