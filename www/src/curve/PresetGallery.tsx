@@ -13,14 +13,14 @@ interface PresetGalleryProps {
   /** What is chosen for, with the shape that it has now. */
   end: "a" | "b" | "bent";
   now: Shape;
-  /** What else is to be said of a shape, beside its number of maps. */
-  noteOf?: (preset: Preset) => string | null;
+  /** What is good about a shape. */
+  markOf?: (preset: Preset) => string | null;
   onChoose: (shape: Shape) => void;
   onClose: () => void;
 }
 
 /** The shapes that a person keeps, every preset, and the closed curves, to choose one from. */
-export function PresetGallery({ title, about, end, now, noteOf, onChoose, onClose }: PresetGalleryProps) {
+export function PresetGallery({ title, about, end, now, markOf, onChoose, onClose }: PresetGalleryProps) {
   const take = (shape: Shape) => {
     onChoose(shape);
     onClose();
@@ -31,7 +31,8 @@ export function PresetGallery({ title, about, end, now, noteOf, onChoose, onClos
       <ShapeGrid
         presets={presets()}
         pictures={thumbnails.value}
-        noteOf={(preset) => [mapsNote(preset), noteOf?.(preset)].filter(Boolean).join(" · ")}
+        noteOf={mapsNote}
+        markOf={markOf}
         chosen={curved.value ? undefined : originOf(now)?.id}
         onChoose={({ id, name, maps }) => take({ preset: id, name, maps })}
       />

@@ -14,6 +14,8 @@ interface ShapeGridProps<T extends ShapeItem> {
   presets: readonly T[];
   /** What stands beside the name. */
   noteOf: (preset: T) => string;
+  /** What is good about it, on a line of its own. */
+  markOf?: ((preset: T) => string | null) | undefined;
   /** By preset id. */
   pictures: ReadonlyMap<string, ImageBitmap>;
   /** The id of the one that is there now. */
@@ -28,7 +30,7 @@ export function mapsNote({ maps }: { maps: readonly unknown[] }): string {
 
 /** Every preset, with its picture and one sentence; arrows walk the grid. */
 export function ShapeGrid<T extends ShapeItem>(props: ShapeGridProps<T>) {
-  const { presets: all, pictures, chosen, noteOf, onChoose } = props;
+  const { presets: all, pictures, chosen, noteOf, markOf, onChoose } = props;
   const [active, setActive] = useState(() =>
     Math.max(
       0,
@@ -70,6 +72,7 @@ export function ShapeGrid<T extends ShapeItem>(props: ShapeGridProps<T>) {
               <small>{noteOf(preset)}</small>
             </span>
             <span class={css["gallery-about"]}>{preset.about}</span>
+            {markOf?.(preset) && <span class={css["gallery-mark"]}>{markOf(preset)}</span>}
           </button>
         </li>
       ))}

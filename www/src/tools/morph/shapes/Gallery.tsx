@@ -21,7 +21,7 @@ export function Gallery() {
       about="Each is made of smaller copies of itself. Its maps can be edited afterwards."
       end={end}
       now={shapes[end].value}
-      noteOf={({ id }) => {
+      markOf={({ id }) => {
         const bond = partners.get(id);
         return bond ? bondWords(bond, beside.name) : null;
       }}
