@@ -42,7 +42,7 @@ export function Way({ proof, match }: { proof: DirectedCertificate | null; match
       {match?.steps.map((step) => (
         <p key={step}>{step}</p>
       ))}
-      <p role="status">{wayWords(proof)}</p>
+      {match && <p role="status">{wayWords(proof)}</p>}
     </>
   );
 }

@@ -75,7 +75,7 @@ export function Page(heading: Heading) {
       }
       found={
         <>
-          <Answer of={answers[0]} />
+          <Answer of={lost ? undefined : answers[0]} />
           <Way proof={proved} match={way.match} />
         </>
       }
@@ -145,7 +145,7 @@ export function Page(heading: Heading) {
         />
       </div>
       <Time time={time} words={answers[0] && !stale ? verdictPhrase(answers[0]) : ""} />
-      {lost && time.t > 0 && <Chip tone="unknown" text="No attractor here" aside={String(seen)} />}
+      {lost && time.t > 0 && <p class={layout["hint"]}>{String(seen)}</p>}
       <div class={layout["two-columns"]}>
         <div>
           {facts && (
@@ -157,7 +157,11 @@ export function Page(heading: Heading) {
               label={`The shape at t = ${fixed(time.t)}: ${answers[0] ? verdictPhrase(answers[0]) : "looking"}`}
             />
           )}
-          {answers[0] && <VerdictChip answer={plain(answers[0])} stale={stale || lost} />}
+          {lost ? (
+            <Chip tone="unknown" text="No attractor" aside="the picture is of the maps before" />
+          ) : (
+            answers[0] && <VerdictChip answer={plain(answers[0])} stale={stale} />
+          )}
         </div>
         <Editor
           system={first}
@@ -180,7 +184,7 @@ export function Page(heading: Heading) {
                 <StatePicture system={shown.system} state={state} box={own} level={level} label={null} />
               )}
               <p class={css["made"]}>{madeOf(maps)}</p>
-              {answer && <VerdictChip answer={plain(answer)} stale={stale} />}
+              {answer && !lost && <VerdictChip answer={plain(answer)} stale={stale} />}
             </section>
           );
         })}
