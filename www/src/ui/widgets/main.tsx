@@ -10,6 +10,7 @@ import { render } from "preact";
 import { useState } from "preact/hooks";
 import { Segmented } from "../controls/Segmented";
 import { Controls } from "./Controls";
+import { Hand } from "./Hand";
 import { Panels } from "./Panels";
 import { Shapes } from "./Shapes";
 import css from "./widgets.module.css";
@@ -29,8 +30,9 @@ function Page() {
       <h1 tabIndex={-1} autofocus>
         Widgets
       </h1>
+      <a href="../index.html">The studio</a>
       <Segmented label="Theme" options={THEMES} value={theme} onChange={setTheme} />
-      {Object.entries({ Controls, Panels, Shapes }).map(([name, Part]) => (
+      {Object.entries({ Controls, Panels, Shapes, Hand }).map(([name, Part]) => (
         <section key={name}>
           <h2>{name}</h2>
           <div class={css["widgets"]}>
