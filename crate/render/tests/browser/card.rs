@@ -1,32 +1,38 @@
 //! What a graphics card is asked, and waited for.
 
 use frond_render::gpu::{Canvas, Event, Gpu, ReadBack, Wanted};
-use js_sys::{Function, Promise, Reflect, global};
+use js_sys::{Function, Promise, Reflect, Uint8Array, global};
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
 use wasm_bindgen_test::console_log;
 use web_sys::OffscreenCanvas;
 
-/// Those that this program is built with: both can be, but the modules of the page have one each, and so their crates
-/// are compiled already.
-pub const BACKENDS: &[Wanted] = &[
-    #[cfg(feature = "webgl2")]
-    Wanted::WebGl2,
-    #[cfg(feature = "webgpu")]
-    Wanted::WebGpu,
-];
+/// The one that this program is built for.
+pub const BACKENDS: &[Wanted] = if cfg!(feature = "webgpu") { &[Wanted::WebGpu] } else { &[Wanted::WebGl2] };
 
 /// A card by this backend and no other: webdriver.json has Chromium bring a software GPU for both.
 pub async fn card([width, height]: [u32; 2], wanted: Wanted, listener: impl Fn(&Event) + 'static) -> Gpu {
-    let canvas = Canvas::Offscreen(OffscreenCanvas::new(width, height).unwrap());
-    let gpu = match Gpu::open(&canvas, wanted, Rc::new(listener)).await {
+    card_on(&OffscreenCanvas::new(width, height).unwrap(), wanted, listener).await
+}
+
+/// The same, on a canvas.
+pub async fn card_on(canvas: &OffscreenCanvas, wanted: Wanted, listener: impl Fn(&Event) + 'static) -> Gpu {
+    let gpu = match Gpu::open(&Canvas::Offscreen(canvas.clone()), wanted, Rc::new(listener)).await {
         Ok(gpu) => gpu,
         Err(error) => panic!("{wanted:?}: {error}"),
     };
     assert_eq!(gpu.backend, if wanted == Wanted::WebGpu { "webgpu" } else { "webgl2" });
     console_log!("{}: {}", gpu.backend, gpu.description);
     gpu
+}
+
+/// What a canvas shows now, with straight alpha: ask in the task that drew it, for its pixels go at the end of that.
+pub fn shown_on(canvas: &OffscreenCanvas) -> Vec<u8> {
+    let code = "const { width, height } = canvas; const plain = new OffscreenCanvas(width, height).getContext('2d'); \
+        plain.drawImage(canvas, 0, 0); return new Uint8Array(plain.getImageData(0, 0, width, height).data.buffer);";
+    let pixels = Function::new_with_args("canvas", code).call1(&JsValue::UNDEFINED, canvas).unwrap();
+    pixels.dyn_into::<Uint8Array>().unwrap().to_vec()
 }
 
 /// Lets the browser do something else.

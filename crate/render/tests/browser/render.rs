@@ -12,8 +12,9 @@ use frond_render::{
     resolve_density, to_bytes,
 };
 use wasm_bindgen_test::wasm_bindgen_test;
+use web_sys::OffscreenCanvas;
 
-use crate::card::{BACKENDS, card, picture_of};
+use crate::card::{BACKENDS, card_on, picture_of, shown_on};
 
 const WINDOW: Window = Window { width: 150, height: 100 };
 /// More points than any of the pictures has.
@@ -23,11 +24,14 @@ type Events = Rc<RefCell<Vec<Event>>>;
 
 /// A stage of the backend, and what happens to it.
 async fn stage(wanted: Wanted, software: bool) -> (Stage, Events) {
+    stage_on(&OffscreenCanvas::new(WINDOW.width, WINDOW.height).unwrap(), wanted, software).await
+}
+
+/// The same, on a canvas.
+async fn stage_on(canvas: &OffscreenCanvas, wanted: Wanted, software: bool) -> (Stage, Events) {
     let events = Events::default();
     let heard = Rc::clone(&events);
-    let mut gpu =
-        card([WINDOW.width, WINDOW.height], wanted, move |event| heard.borrow_mut().push(event.clone()))
-            .await;
+    let mut gpu = card_on(canvas, wanted, move |event| heard.borrow_mut().push(event.clone())).await;
     // The processor stands in for a graphics card here, and would be spared drawing points.
     gpu.software = software;
     (Stage::new(gpu), events)
@@ -165,6 +169,19 @@ async fn points_and_their_colours_are_those_of_the_twins() {
                 }
             }
         }
+        assert_no_fault(&events);
+    }
+}
+
+#[wasm_bindgen_test]
+async fn the_canvas_shows_what_is_read() {
+    for &wanted in BACKENDS {
+        let canvas = OffscreenCanvas::new(WINDOW.width, WINDOW.height).unwrap();
+        let (mut stage, events) = stage_on(&canvas, wanted, false).await;
+        // It is another picture upside down.
+        show(&mut stage, &subject("fern"), Colouring::Map, 2.0, PLENTY);
+        let shown = shown_on(&canvas);
+        assert_same(&format!("{wanted:?}"), &shown, &picture_of(stage.read()).await, 1);
         assert_no_fault(&events);
     }
 }
