@@ -254,3 +254,102 @@ describe("fractal functions", () => {
     expect(frond.sampleGraph(good, { window: [5, 6] })).toHaveLength(4);
   });
 });
+
+describe("fractal curves of the plane", () => {
+  const knots: [t: number, x: number, y: number][] = [
+    [0, 0, 0],
+    [0.4, 0.5, 1],
+    [1, 1, 0.25],
+  ];
+  const column = (flat: Float64Array, k: number) => [...flat.filter((_, i) => i % 3 === k)];
+
+  it("are two functions of one t where they are separable (eq 8)", () => {
+    const curve = frond.interpolationCurve(knots, {
+      factors: [
+        [0.5, 0, 0, -0.3],
+        [0.2, 0, 0, 0.6],
+      ],
+      reflected: [false, true],
+    });
+    const graph = (k: 1 | 2, c: number[]) =>
+      frond.interpolation(
+        knots.map((knot): [number, number] => [knot[0], knot[k]]),
+        { c, reflected: [false, true] },
+      );
+    const [x, y] = [graph(1, [0.5, 0.2]), graph(2, [-0.3, 0.6])];
+    for (const [i, { map }] of curve.pieces.entries()) {
+      const [a, bx, by, cx, cxy, cyx, cy, d, ex, ey] = map;
+      expect([cxy, cyx]).toEqual([0, 0]);
+      expect([a, bx, cx, d, ex]).toEqual(x.pieces[i]?.map);
+      expect([a, by, cy, d, ey]).toEqual(y.pieces[i]?.map);
+    }
+    const flat = frond.sampleInterpolationCurve(curve, { tolerance: 0.01 });
+    for (const [i, t] of column(flat, 0).entries()) {
+      expect(flat[3 * i + 1]).toBeCloseTo(frond.graphAt(x, t), 6);
+      expect(flat[3 * i + 2]).toBeCloseTo(frond.graphAt(y, t), 6);
+    }
+  });
+
+  it("draw the gasket from three maps that mix x and y (eq 9)", () => {
+    const s = Math.sqrt(3) / 4;
+    const curve = frond.interpolationCurve(
+      [
+        [0, 0, 0],
+        [1 / 3, 0.25, s],
+        [2 / 3, 0.75, s],
+        [1, 1, 0],
+      ],
+      {
+        factors: [
+          [0.25, s, s, -0.25],
+          [0.5, 0, 0, 0.5],
+          [0.25, -s, -s, -0.25],
+        ],
+      },
+    );
+    expect(curve.contractivity).toBeCloseTo(2 / 3, 12);
+    for (const { map } of curve.pieces)
+      expect(map.slice(1, 3)).toEqual([expect.closeTo(0), expect.closeTo(0)]);
+    const flat = frond.sampleInterpolationCurve(curve, { tolerance: 0.004 });
+    const [t, x, y] = [0, 1, 2].map((k) => column(flat, k)) as [number[], number[], number[]];
+    expect(t.every((at, i) => i === 0 || at > (t[i - 1] ?? 0))).toBe(true);
+    // No point lies in the middle hole, nor outside.
+    for (const [i, across] of x.entries()) {
+      const up = (y[i] ?? 0) / (2 * s);
+      const weights = [1 - across - up / 2, across - up / 2, up];
+      expect(Math.min(...weights)).toBeGreaterThan(-1e-9);
+      expect(Math.max(...weights)).toBeGreaterThan(0.5 - 1e-9);
+    }
+    const few = frond.sampleInterpolationCurve(curve, { tolerance: 0, most: 100 });
+    expect(few.length).toBeLessThanOrEqual(300);
+    expect(few.length).toBeGreaterThan(30);
+  });
+
+  it("are refused, in words, where a factor does not shrink or lists do not fit", () => {
+    const make = (factors: number[][]) => () =>
+      frond.interpolationCurve(knots, { factors: factors as [number, number, number, number][] });
+    // Each number is small, and yet a direction grows.
+    expectCode(
+      make([
+        [0.7, 0.7, 0.7, 0.7],
+        [0, 0, 0, 0],
+      ]),
+      "not-contractive",
+    );
+    expectCode(make([[0, 0, 0, 0]]), "wrong-count");
+    expectCode(
+      make([
+        [Number.NaN, 0, 0, 0],
+        [0, 0, 0, 0],
+      ]),
+      "not-finite",
+    );
+    expectCode(() => frond.interpolationCurve([[0, 0, 0]], { factors: [] }), "too-few-points");
+    const whole = make([
+      [0.1, 0, 0, 0.1],
+      [0.1, 0, 0, 0.1],
+    ])();
+    expectCode(() => frond.sampleInterpolationCurve(whole, { most: 1 }), "bad-input");
+    expectCode(() => frond.sampleInterpolationCurve({ pieces: [] }, {}), "too-few-points");
+  });
+});

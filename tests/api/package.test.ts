@@ -18,7 +18,8 @@ const PROMISED = `presets validate attractor rasterize bounds connectedness cert
   barnsleyTest pair interpolate locus LocusTiles planPath planPathIn checkPath certifyPath candidates rateCandidate routes ways
   familyMaps criticalScale FamilyTiles PathSearch conjugate polar encodeScene decodeScene defaultScene settleLocus settleFamily
   CurveMorph curvePresets curveFacts packCurve unpackCurve quantised curveMaps curveCopies curveSteps curveSvg curveCsv
-  interpolation sampleGraph graphAt graphFacts toRecurrent`;
+  interpolation sampleGraph graphAt graphFacts toRecurrent
+  interpolationCurve sampleInterpolationCurve`;
 
 describe("the package", () => {
   beforeAll(() =>

@@ -100,6 +100,12 @@ export function figurePictures(source: Source): Record<string, { cells: Cell[]; 
     d5: pulled("fern", [0.25, -0.05], 0.5),
     d6: pulled("dragon-3", [0.2, 0.2], 0.8),
     c1: row(rough([0, 0.6, 0], 0.2), rough([0, 0.6, 0], 0.4), rough([0, 0.6, 0], 0.6)),
+    c24: row(
+      plane([
+        [0.5, 0.45, 0.45, -0.5, 0, 0],
+        [0.5, -0.45, -0.45, -0.5, 0.5, 0.45],
+      ]),
+    ),
     c2: row(rough([0, 0.7, 0.2], 0.55)),
     ct2: row(rough([0, 0.5, 0.1], 0.7)),
     c3: row(

@@ -4,6 +4,7 @@ mod closed_curve;
 mod file;
 mod graph;
 mod morph;
+mod plane_graph;
 mod read;
 
-pub use {closed_curve::*, file::*, graph::*, morph::*};
+pub use {closed_curve::*, file::*, graph::*, morph::*, plane_graph::*};

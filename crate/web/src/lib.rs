@@ -120,7 +120,8 @@ const DIRECTED_TYPES: &str = r#"import type {
 /// So do closed curves and graphs.
 #[cfg(all(feature = "curve", not(feature = "compute")))]
 #[wasm_bindgen(typescript_custom_section)]
-const CURVE_TYPES: &str = r#"import type { Bend, Curve, CurvePreset, Graph, MapRow } from "./frond.js";"#;
+const CURVE_TYPES: &str =
+    r#"import type { Bend, Curve, CurvePreset, Graph, MapRow, PlaneGraph } from "./frond.js";"#;
 
 /// Makes a failure inside the module say where it was, should one ever happen.
 #[wasm_bindgen(start)]

@@ -169,6 +169,15 @@ export const ROWS: readonly Row[] = [
         thumb: () => import("./cochran/figure-1/thumb"),
       },
       {
+        id: "c24",
+        number: "Rough curves, Section 2.4",
+        short: "2.4",
+        title: "Curves that fold back",
+        about: "Three points of the plane, and copies in which x and y answer to each other, or do not.",
+        load: () => import("./cochran/section-2-4/page"),
+        thumb: () => import("./cochran/section-2-4/thumb"),
+      },
+      {
         id: "c2",
         also: ["ct1"],
         number: "Rough curves, Figure 2 and Table 1",

@@ -140,6 +140,21 @@ impl FractalCurve {
         Self::new((0..pieces).map(piece).collect::<Result<_, _>>()?)
     }
 
+    /// A partitioned fractal curve from maps `[a, bx, by, cx, cxy, cyx, cy, d, ex, ey]` (eq 9) and their domains, in any
+    /// order.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn from_maps(maps: &[([f64; 10], [f64; 2])]) -> Result<Self, FunctionError> {
+        let mut pieces: Vec<_> =
+            maps.iter().map(|&(map, domain)| Piece::from_plane_map(map, domain)).collect();
+        if let Some(index) = pieces.iter().position(|piece| !piece.is_finite()) {
+            return Err(FunctionError::NotFinite { index });
+        }
+        pieces.sort_by(|a, b| a.range[0].total_cmp(&b.range[0]));
+        Self::new(pieces)
+    }
+
     /// The pieces, from left to right.
     #[must_use]
     pub fn pieces(&self) -> &[Piece] {

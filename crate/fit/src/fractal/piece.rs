@@ -60,6 +60,15 @@ impl Piece {
         }
     }
 
+    /// The piece of a map of the plane `[a, bx, by, cx, cxy, cyx, cy, d, ex, ey]` (eq 9) over a domain.
+    #[must_use]
+    pub fn from_plane_map(map: [f64; 10], domain: [f64; 2]) -> Self {
+        let [a, bx, by, cx, cxy, cyx, cy, d, ex, ey] = map;
+        let factor = DMat2::from_cols(DVec2::new(cx, cyx), DVec2::new(cxy, cy));
+        let along = Self::from_map([a, bx, cx, d, ex], domain);
+        Self { shear: DVec2::new(bx, by), factor, offset: DVec2::new(ex, ey), ..along }
+    }
+
     /// The factor of t: negative where reflected, of size below 1.
     #[must_use]
     pub fn a(&self) -> f64 {
@@ -77,6 +86,14 @@ impl Piece {
     #[must_use]
     pub fn map(&self) -> [f64; 5] {
         [self.a(), self.shear.x, self.factor.x_axis.x, self.d(), self.offset.x]
+    }
+
+    /// `[a, bx, by, cx, cxy, cyx, cy, d, ex, ey]` (eq 9).
+    #[must_use]
+    pub fn plane_map(&self) -> [f64; 10] {
+        let Self { shear, factor, offset, .. } = self;
+        let [x, y] = [factor.x_axis, factor.y_axis];
+        [self.a(), shear.x, shear.y, x.x, y.x, x.y, y.y, self.d(), offset.x, offset.y]
     }
 
     /// Where in the domain the value at `t` of the range comes from. Ends go to ends exactly.
@@ -139,6 +156,20 @@ mod tests {
                 assert!((a - b).abs() < 1e-15);
             }
             assert_eq!(piece.reflected, map[0] < 0.0);
+        }
+    }
+
+    #[test]
+    fn maps_of_the_plane_are_what_they_were() {
+        for a in [0.4, -0.4] {
+            let map = [a, 0.2, -0.3, 0.5, 0.25, -0.125, -0.5, 0.5, 2.0, -1.0];
+            let piece = Piece::from_plane_map(map, [0.0, 1.0]);
+            for (got, wanted) in piece.plane_map().into_iter().zip(map) {
+                assert!((got - wanted).abs() < 1e-15, "{got} {wanted}");
+            }
+            // Eq 9 by hand: x becomes bx t + cx x + cxy y + ex.
+            let there = piece.shear * 0.5 + piece.factor * DVec2::new(1.0, 2.0) + piece.offset;
+            assert!(there.distance(DVec2::new(0.1 + 0.5 + 0.5 + 2.0, -0.15 - 0.125 - 1.0 - 1.0)) < 1e-15);
         }
     }
 }

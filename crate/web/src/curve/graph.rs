@@ -10,11 +10,11 @@ use crate::boundary::error::{bad_input, failure};
 use crate::boundary::value::{object, read, write};
 
 /// The most pieces of a graph: more than a link holds by far, and read in an instant.
-const MAX_PIECES: usize = 4096;
+pub(super) const MAX_PIECES: usize = 4096;
 
 /// The most points that one call gives, and how many it gives where nothing is said.
-const MAX_SAMPLES: f64 = 1_048_576.0;
-const USUAL_SAMPLES: f64 = 65_536.0;
+pub(super) const MAX_SAMPLES: f64 = 1_048_576.0;
+pub(super) const USUAL_SAMPLES: f64 = 65_536.0;
 
 /// Ends of pieces that are nearer than this part of their bound count as one.
 const SAME_END: f64 = 1e-9;
@@ -40,12 +40,12 @@ struct PlainGraph {
     pieces: Vec<PlainPiece>,
 }
 
-fn of_function(error: &FunctionError) -> JsValue {
+pub(super) fn of_function(error: &FunctionError) -> JsValue {
     failure(error.code(), &error.to_string())
 }
 
 /// Refuses a list that is longer than allowed before its entries are read.
-fn check_length(value: &JsValue, key: &str) -> Result<(), JsValue> {
+pub(super) fn check_length(value: &JsValue, key: &str) -> Result<(), JsValue> {
     let list = Reflect::get(value, &key.into()).unwrap_or(JsValue::UNDEFINED);
     match list.dyn_ref::<Array>() {
         Some(list) if list.length() as usize > MAX_PIECES + 1 => Err(too_many(list.length())),
@@ -53,7 +53,7 @@ fn check_length(value: &JsValue, key: &str) -> Result<(), JsValue> {
     }
 }
 
-fn too_many(count: u32) -> JsValue {
+pub(super) fn too_many(count: u32) -> JsValue {
     let what =
         format!("There are {count} of them, and the most is {MAX_PIECES}. Take every second, or fewer.");
     failure("too-many-points", &what)
