@@ -32,7 +32,8 @@
 //!    the attractor (`normal` solves them), `final_refine` ends it, `judge` keeps what is no worse than the polyline.
 //! 5. `curve_morph`: two curves matched by dynamic time warping (`dtw`), given as many knots each (`matching`,
 //!    `knot_ring`).
-//! 6. `segment`: a leaf in a picture. A channel, Otsu's threshold, morphology, connected components, the contour.
+//! 6. `segment`: a leaf in a picture. A channel, Otsu's threshold, morphology, connected components, the contour; where
+//!    the ground has shade on it, colours and a random walk.
 //!    `read`: outlines and series out of files.
 //!
 //! # What it stands on
@@ -40,6 +41,8 @@
 //! - Cochran, Hart and Flynn (above): fractal functions, the collage fit, the votes.
 //! - Barnsley, "Fractal functions and interpolation" (1986): FIF.
 //! - Otsu, "A threshold selection method from gray-level histograms" (1979): `segment`.
+//! - Ottosson, "A perceptual color space for image processing" (2020); Rother, Kolmogorov and Blake, "GrabCut" (2004);
+//!   Grady, "Random walks for image segmentation" (2006); Criminisi, Sharp and Blake, "GeoS" (2008): leaf and shadow.
 //! - Sakoe and Chiba, "Dynamic programming algorithm optimization for spoken word recognition" (1978): `dtw`.
 //!
 //! Conventions: y points up, outlines run counter-clockwise, indices count from 0 in code and from 1 in messages.

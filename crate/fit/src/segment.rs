@@ -1,30 +1,46 @@
 //! From a picture to an outline: a mask that is found by itself and can be mended, and the line round a piece of it.
+//!
+//! Two ways lead to a mask. A picture of two tones is cut by a line in one channel (`threshold`, `otsu`). What lies on
+//! a desk with its shadow, or on several kinds of ground, is cut by colours (`colour_cut`): `oklab` is where a shadow
+//! is a ray, `colour_model` what colours leaf and ground have, `hint` what was said of places, `random_walk` what
+//! follows, `fine_edge` the edge at full size.
 
 mod binary_image;
 mod channel;
+mod colour_cut;
+mod colour_model;
 mod components;
 mod contour;
+mod fine_edge;
+mod hint;
+mod mask;
 mod morphology;
 mod notice;
+mod oklab;
 mod otsu;
+mod palette;
+mod random_walk;
 mod stroke;
 mod threshold;
+mod trace;
+mod working_picture;
 
 pub use channel::Channel;
 pub use components::Component;
+pub use mask::{Mask, MaskOptions};
 pub use notice::{Notice, TraceError};
 pub use stroke::Stroke;
+pub use trace::Traced;
 
-use glam::DVec2;
+use std::sync::OnceLock;
 
 use binary_image::Bits;
+use colour_cut::ColourCut;
 use components::{Parts, fill_holes, parts};
-use contour::{Field, area};
+use fine_edge::fine_edge;
 use morphology::{close_slits, drop_thin, remove_stalks};
 use otsu::{histogram, quantile};
 use threshold::{Choice, choose};
-
-use crate::outline::{MAX_OUTLINE, thinned};
 
 /// The most pixels that are worked on: some 100 MiB are needed meanwhile.
 pub const MAX_PIXELS: usize = 1 << 22;
@@ -35,59 +51,11 @@ const MAX_PIECES: usize = 64;
 /// Classes nearer than this to each other are taken for one colour, in grey values.
 const LEAST_CONTRAST: f64 = 14.0;
 
-/// How a mask is to be drawn.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct MaskOptions {
-    /// -1 to 1: less or more of the picture is taken for the leaf than was found by itself, which is 0.
-    pub threshold: f64,
-    /// Whether the leaf is what the ground was taken for.
-    pub invert: bool,
-    /// Whether stalks are taken off.
-    pub remove_stalks: bool,
-    /// Strokes of the brush, the first one first. They hold whatever the threshold is.
-    pub strokes: Vec<Stroke>,
-}
+/// How much likelier leaf is than it seems at the end of the threshold's slider, by its logarithm.
+const MOST_MORE: f64 = 6.0;
 
-/// What of a picture is leaf, and in which pieces.
-#[derive(Clone, Debug)]
-pub struct Mask {
-    width: usize,
-    height: usize,
-    labels: Vec<u32>,
-    components: Vec<Component>,
-    notices: Vec<Notice>,
-    level: f64,
-    inverted: bool,
-}
-
-/// The line round a piece.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Traced {
-    /// Counter-clockwise, closed, the first not repeated; in pixels, y up, from the lower left corner of the picture.
-    /// At most [`MAX_OUTLINE`].
-    pub points: Vec<DVec2>,
-    /// What may be amiss.
-    pub notices: Vec<Notice>,
-}
-
-impl Traced {
-    /// The area inside, in pixels.
-    #[must_use]
-    pub fn area(&self) -> f64 {
-        let Some(&first) = self.points.first() else { return 0.0 };
-        self.sides().map(|(a, b)| (a - first).perp_dot(b - first)).sum::<f64>() / 2.0
-    }
-
-    /// The length all round, in pixels.
-    #[must_use]
-    pub fn length(&self) -> f64 {
-        self.sides().map(|(a, b)| a.distance(b)).sum()
-    }
-
-    fn sides(&self) -> impl Iterator<Item = (DVec2, DVec2)> {
-        self.points.iter().copied().zip(self.points.iter().copied().cycle().skip(1))
-    }
-}
+/// A picture whose spread is to this part between two tones is cut by a line between them.
+const TWO_TONES: f64 = 0.975;
 
 /// Traces one picture.
 ///
@@ -97,7 +65,9 @@ impl Traced {
 pub struct Tracer {
     width: usize,
     height: usize,
+    rgba: Vec<u8>,
     choice: Option<Choice>,
+    cut: OnceLock<ColourCut>,
     dark: bool,
     /// The values that all but a 200th lie between.
     range: (f64, f64),
@@ -125,7 +95,15 @@ impl Tracer {
             let counts = histogram(&choice.likeness);
             (f64::from(quantile(&counts, 0.005)), f64::from(quantile(&counts, 0.995)))
         });
-        Ok(Self { width, height, choice, dark: light < 3 * 40 * (width * height) as u64, range })
+        Ok(Self {
+            width,
+            height,
+            rgba: rgba.to_vec(),
+            choice,
+            cut: OnceLock::new(),
+            dark: light < 3 * 40 * (width * height) as u64,
+            range,
+        })
     }
 
     /// The channel that tells the leaf from its ground, if any does.
@@ -143,14 +121,23 @@ impl Tracer {
     #[must_use]
     pub fn mask(&self, options: &MaskOptions) -> Mask {
         let offset = if options.threshold.is_nan() { 0.0 } else { options.threshold.clamp(-1.0, 1.0) };
-        let (mut bits, level) = match &self.choice {
+        let hinted = !options.hints.is_empty();
+        let by_colours = (!options.invert && (hinted || self.needs_colours()))
+            .then(|| self.cut_by_colours(offset, options))
+            .filter(|(bits, _)| hinted || bits.on.contains(&true));
+        let (mut bits, level, cover) = match (by_colours, &self.choice) {
+            (Some((bits, cover)), _) => (bits, 127.5, Some(cover)),
             // Where nothing stands out, it is only looked for when that is asked for.
-            Some(choice) if offset != 0.0 || options.invert || self.stands_out().is_some() => {
-                self.find(choice, offset, options)
+            (None, Some(choice)) if offset != 0.0 || options.invert || self.stands_out().is_some() => {
+                let (bits, level) = self.find(choice, offset, options);
+                (bits, level, None)
             }
-            _ => (Bits::new(self.width, self.height), 127.5),
+            _ => (Bits::new(self.width, self.height), 127.5, None),
         };
-        let away = stroke::paint(&mut bits, &options.strokes);
+        let mut away = stroke::paint(&mut bits, &options.strokes);
+        for hint in &options.hints {
+            hint.pixels(self.width, self.height, |i| away[i] |= !hint.keep);
+        }
         let most = parts(&bits, true, true).largest(1, 1).all.first().map_or(0, |part| part.area / 20);
         fill_holes(&mut bits, most, |i| away[i]);
         let Parts { labels, all } = parts(&bits, true, true).largest(2, MAX_PIECES);
@@ -163,7 +150,50 @@ impl Tracer {
             notices,
             level,
             inverted: options.invert,
+            cover,
         }
+    }
+
+    /// What is found by colours and hints, without specks, and how much of each pixel is leaf.
+    fn cut_by_colours(&self, offset: f64, options: &MaskOptions) -> (Bits, Vec<u8>) {
+        let cut = self.colours();
+        let inside = cut.inside(&options.hints, MOST_MORE * offset);
+        let cover = fine_edge(&cut.picture, &inside, self.width, self.height, &self.rgba);
+        let mut bits = Bits::above(&cover, self.width, self.height, 127.5);
+        let size =
+            (parts(&bits, true, true).all.iter().map(|part| part.area).max().unwrap_or(0) as f64).sqrt();
+        if options.remove_stalks {
+            remove_stalks(&mut bits, size);
+        }
+        let mut bits = without_specks(&bits, size);
+        // What was said to be leaf is no speck.
+        for hint in options.hints.iter().filter(|hint| hint.keep) {
+            hint.pixels(self.width, self.height, |i| bits.on[i] |= cover[i] > 127);
+        }
+        (bits, cover)
+    }
+
+    /// The same picture by its colours.
+    fn colours(&self) -> &ColourCut {
+        self.cut.get_or_init(|| {
+            let mut cut = ColourCut::new(self.width, self.height, &self.rgba);
+            // As on grass: what is not of another colour may still be lighter or plainer.
+            if let Some(choice) = self.line().filter(|_| !cut.finds_any()) {
+                cut.start_from(&self.find(choice, 0.0, &MaskOptions::default()).0);
+            }
+            cut
+        })
+    }
+
+    /// The line in a channel of colour, where it parts a shape from its ground.
+    fn line(&self) -> Option<&Choice> {
+        self.stands_out().filter(|choice| choice.channel != Channel::Alpha && !choice.is_noise())
+    }
+
+    /// Whether a line in one channel leaves too much between two tones: there is shade on the ground, or several kinds
+    /// of it.
+    fn needs_colours(&self) -> bool {
+        self.line().is_some_and(|choice| choice.level.separation < TWO_TONES) && self.colours().has_colour()
     }
 
     /// What is found without a brush.
@@ -202,11 +232,7 @@ impl Tracer {
         if options.remove_stalks {
             remove_stalks(&mut bits, size);
         }
-        // Specks: what is small by itself and beside the largest.
-        let pieces = parts(&bits, true, true);
-        let largest = pieces.all.iter().map(|part| part.area).max().unwrap_or(0);
-        let mut bits = pieces.largest((largest / 50).max(12), MAX_PIECES).bits(bits.width, bits.height);
-        drop_thin(&mut bits, ((0.008 * size) as usize).max(1));
+        let bits = without_specks(&bits, size);
         (bits.placed(self.width, self.height, left, top), level)
     }
 
@@ -243,119 +269,13 @@ impl Tracer {
         }
         notices
     }
-
-    /// The line round a piece of a mask of this picture, at a fraction of a pixel: where the likeness to the leaf
-    /// crosses the mask's level, and between pixels where the mask was mended.
-    ///
-    /// # Errors
-    /// Where there is no such piece, or it is too small.
-    pub fn outline(&self, mask: &Mask, component: usize) -> Result<Traced, TraceError> {
-        let count = mask.components.len();
-        let Some(part) = mask.components.get(component) else { return Err(TraceError::NoPiece { count }) };
-        if (mask.width, mask.height) != (self.width, self.height) {
-            return Err(TraceError::NoPiece { count: 0 });
-        }
-        let [left, top, right, bottom] = part.bounds;
-        // Two pixels round it: smoothing pushes the line out by less.
-        let (left, top) = (left.saturating_sub(2), top.saturating_sub(2));
-        let (right, bottom) = ((right + 2).min(self.width), (bottom + 2).min(self.height));
-        let mut filled = Bits::new(right - left, bottom - top);
-        for (y, row) in filled.on.chunks_exact_mut(right - left).enumerate() {
-            let start = (top + y) * self.width + left;
-            for (on, &label) in row.iter_mut().zip(&mask.labels[start..]) {
-                *on = label == component as u32;
-            }
-        }
-        let values = (0..filled.on.len()).map(|i| {
-            let (x, y) = (left + i % filled.width, top + i / filled.width);
-            self.inside(mask, filled.on[i], y * self.width + x)
-        });
-        let field = Field {
-            width: filled.width,
-            height: filled.height,
-            values: smooth(&values.collect::<Vec<_>>(), filled.width),
-        };
-        let (x0, y0) = (left as f64, (self.height - top) as f64);
-        let mut points: Vec<DVec2> = field.contour().iter().map(|p| DVec2::new(x0 + p.x, y0 - p.y)).collect();
-        // Marching goes clockwise.
-        points.reverse();
-        points.dedup_by(|a, b| a.distance_squared(*b) < 1e-12);
-        if points.len() < 4 || area(&points) < 1.0 {
-            return Err(TraceError::TooSmall);
-        }
-        let mut notices = Vec::new();
-        if part.touches_border {
-            notices.push(Notice::TouchesBorder);
-        }
-        if points.len() > MAX_OUTLINE {
-            notices.push(Notice::Thinned(points.len()));
-            points = thinned(&points, MAX_OUTLINE);
-        }
-        Ok(Traced { points, notices })
-    }
-
-    /// How far inside a pixel is, -1 to 1.
-    fn inside(&self, mask: &Mask, on: bool, i: usize) -> f32 {
-        let Some(choice) = self.stands_out() else { return if on { 0.5 } else { -0.5 } };
-        let soft = {
-            let value = f64::from(choice.likeness[i]) - mask.level;
-            // From the middle to either class: there an edge that is cut by a pixel is straight.
-            let half =
-                if value > 0.0 { choice.level.bright - mask.level } else { mask.level - choice.level.dark };
-            let inside = (value / half.max(4.0)).clamp(-1.0, 1.0);
-            if mask.inverted { -inside } else { inside }
-        };
-        match (on, soft > 0.0) {
-            (true, true) | (false, false) => soft as f32,
-            (true, false) => 0.5,
-            (false, true) => -0.5,
-        }
-    }
 }
 
-/// Each value averaged with its neighbours: 1, 2, 1 across and down.
-fn smooth(values: &[f32], width: usize) -> Vec<f32> {
-    let height = values.len() / width.max(1);
-    let row = |x: usize, y: usize| {
-        let at = |x: usize| values[y * width + x];
-        at(x.saturating_sub(1)) + 2.0 * at(x) + at((x + 1).min(width - 1))
-    };
-    let across: Vec<f32> = (0..values.len()).map(|i| row(i % width, i / width)).collect();
-    let column = |x: usize, y: usize| {
-        let at = |y: usize| across[y * width + x];
-        (at(y.saturating_sub(1)) + 2.0 * at(y) + at((y + 1).min(height - 1))) / 16.0
-    };
-    (0..values.len()).map(|i| column(i % width, i / width)).collect()
-}
-
-impl Mask {
-    /// Pixels across and down.
-    #[must_use]
-    pub fn size(&self) -> (usize, usize) {
-        (self.width, self.height)
-    }
-
-    /// 255 inside and 0 outside, row after row from the top.
-    #[must_use]
-    pub fn bytes(&self) -> Vec<u8> {
-        self.labels.iter().map(|&label| if label == components::NONE { 0 } else { 255 }).collect()
-    }
-
-    /// Its pieces, the largest first.
-    #[must_use]
-    pub fn components(&self) -> &[Component] {
-        &self.components
-    }
-
-    /// What may be amiss.
-    #[must_use]
-    pub fn notices(&self) -> &[Notice] {
-        &self.notices
-    }
-
-    /// How much like the leaf a pixel must be, in 0 to 255.
-    #[must_use]
-    pub fn level(&self) -> f64 {
-        self.level
-    }
+/// Without what is small by itself and beside the largest, and without rules and hairs.
+fn without_specks(bits: &Bits, size: f64) -> Bits {
+    let pieces = parts(bits, true, true);
+    let largest = pieces.all.iter().map(|part| part.area).max().unwrap_or(0);
+    let mut bits = pieces.largest((largest / 50).max(12), MAX_PIECES).bits(bits.width, bits.height);
+    drop_thin(&mut bits, ((0.008 * size) as usize).max(1));
+    bits
 }

@@ -313,6 +313,7 @@ proptest! {
         threshold in prop_oneof![-1.5..1.5, Just(f64::NAN)],
         invert: bool,
         remove_stalks: bool,
+        hinted: bool,
         stroke in proptest::collection::vec((-10.0..30.0, -10.0..30.0), 0..4),
         radius in prop_oneof![0.0..9.0, Just(f64::NAN), Just(1e300)],
     ) {
@@ -321,7 +322,8 @@ proptest! {
         let tracer = Tracer::new(width, height, &rgba).expect("a picture");
         let points = stroke.iter().map(|&(x, y)| [x, y]).collect();
         let strokes = vec![Stroke { points, radius, keep: seed % 2 == 0 }];
-        let mask = tracer.mask(&MaskOptions { threshold, invert, remove_stalks, strokes });
+        let hints = if hinted { strokes.clone() } else { Vec::new() };
+        let mask = tracer.mask(&MaskOptions { threshold, invert, remove_stalks, hints, strokes });
         let on = mask.bytes().iter().filter(|&&byte| byte > 0).count();
         prop_assert_eq!(on, mask.components().iter().map(|part| part.area).sum::<usize>());
         for i in 0..mask.components().len() + 1 {

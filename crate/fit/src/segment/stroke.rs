@@ -14,6 +14,23 @@ pub struct Stroke {
 }
 
 impl Stroke {
+    /// The same on a picture that was made smaller so many times.
+    pub fn shrunk(&self, factor: usize) -> Self {
+        let factor = factor as f64;
+        let points = self.points.iter().map(|p| p.map(|z| z / factor)).collect();
+        Self { points, radius: self.radius / factor, keep: self.keep }
+    }
+
+    /// How far its ends and turns lie apart: the diagonal of the box around it.
+    pub fn long(&self) -> f64 {
+        let finite = || self.points.iter().filter(|p| p[0].abs() < 1e9 && p[1].abs() < 1e9);
+        let side = |axis: usize| {
+            let each = || finite().map(|p| p[axis]);
+            each().fold(f64::NEG_INFINITY, f64::max) - each().fold(f64::INFINITY, f64::min)
+        };
+        side(0).max(0.0).hypot(side(1).max(0.0))
+    }
+
     /// Calls for each pixel whose centre the brush passes over, perhaps more than once.
     pub fn pixels(&self, width: usize, height: usize, mut paint: impl FnMut(usize)) {
         let finite = |p: &&[f64; 2]| p[0].abs() < 1e9 && p[1].abs() < 1e9;

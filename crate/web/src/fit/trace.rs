@@ -70,6 +70,8 @@ struct PlainOptions {
     petiole: Petiole,
     strokes: Vec<PlainStroke>,
     #[serde(default)]
+    hints: Vec<PlainStroke>,
+    #[serde(default)]
     invert: bool,
 }
 
@@ -84,6 +86,7 @@ impl From<PlainOptions> for MaskOptions {
             threshold: plain.threshold,
             invert: plain.invert,
             remove_stalks: matches!(plain.petiole, Petiole::Remove),
+            hints: plain.hints.into_iter().map(stroke).collect(),
             strokes: plain.strokes.into_iter().map(stroke).collect(),
         }
     }
@@ -115,7 +118,8 @@ impl PictureTracer {
         Ok(Self { tracer, mask: None })
     }
 
-    /// Draws the mask for `{ threshold, petiole, strokes, invert? }`.
+    /// Draws the mask for `{ threshold, petiole, strokes, hints?, invert? }`: strokes change what they cover, hints
+    /// what looks like it around as well.
     pub fn mask(&mut self, options: JsValue) -> Result<JsValue, JsValue> {
         let options: PlainOptions = read("The options of a mask", options)?;
         // One at a time: they are large.

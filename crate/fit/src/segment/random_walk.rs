@@ -1,0 +1,206 @@
+//! Where a random walk over the pixels of a picture ends that does not like to cross edges: in leaf or in ground.
+
+use super::oklab::apart;
+use super::working_picture::WorkingPicture;
+
+/// What is known of a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Known {
+    /// How likely it is to be leaf by its colour, 0 to 1.
+    Likely(f32),
+    /// 0 or 1: it was said.
+    Certain(f32),
+}
+
+/// How likely a walk is to end where it is, by the colour there, beside a step over no edge.
+const STAY: f32 = 0.05;
+
+/// A step over the sharpest edge is this likely beside one over none.
+const LEAST_STEP: f32 = 1e-3;
+
+/// The most rounds of conjugate gradients, and how much is left of the error at the end.
+const MOST_ROUNDS: usize = 150;
+const REST: f64 = 1e-3;
+
+/// Neighbours to whom a pixel keeps the weights: columns and rows to the right and down.
+const AHEAD: [(usize, isize); 4] = [(1, 0), (1, 1), (0, 1), (1, -1)];
+
+/// The weights of steps between neighbours by sides and corners: 1 where colours are the same, next to nothing over
+/// an edge.
+#[derive(Clone, Debug)]
+pub struct RandomWalk {
+    width: usize,
+    height: usize,
+    /// For each of [`AHEAD`], by pixels.
+    weights: [Vec<f32>; 4],
+}
+
+impl RandomWalk {
+    pub fn new(picture: &WorkingPicture) -> Self {
+        let (width, height) = (picture.width, picture.height);
+        let mut steps: [Vec<f32>; 4] = std::array::from_fn(|_| vec![f32::NAN; width * height]);
+        let (mut sum, mut count) = (0.0_f64, 0_usize);
+        for (steps, &(right, down)) in steps.iter_mut().zip(&AHEAD) {
+            for (i, step) in steps.iter_mut().enumerate() {
+                if let Some(j) = neighbour(i, right, down, width, height) {
+                    *step = apart(picture.colours[i], picture.colours[j]);
+                    sum += f64::from(*step);
+                    count += 1;
+                }
+            }
+        }
+        // Boykov & Jolly's and Grady's weights, with the mean of the picture for the noise in it.
+        let mean = (sum / count.max(1) as f64).max(1e-6) as f32;
+        for (steps, &(right, down)) in steps.iter_mut().zip(&AHEAD) {
+            let long = ((right as f32).powi(2) + (down as f32).powi(2)).sqrt();
+            for step in steps {
+                *step = if step.is_nan() { 0.0 } else { ((-*step / (2.0 * mean)).exp() + LEAST_STEP) / long };
+            }
+        }
+        Self { width, height, weights: steps }
+    }
+
+    /// How likely a walk from each pixel is to end in the leaf: the harmonic function of Grady ("Random walks for image
+    /// segmentation", 2006) with what colours say as priors ("Multilabel random walker image segmentation using prior
+    /// models", 2005). It solves (L + s) x = s p by conjugate gradients.
+    pub fn solve(&self, known: &[Known]) -> Vec<f32> {
+        let count = self.width * self.height;
+        let prior = |known: &Known| match *known {
+            Known::Likely(p) | Known::Certain(p) => p,
+        };
+        let mut x: Vec<f32> = known.iter().map(prior).collect();
+        let free: Vec<bool> = known.iter().map(|known| matches!(known, Known::Likely(_))).collect();
+        let mut diagonal = vec![STAY; count];
+        for (weights, &(right, down)) in self.weights.iter().zip(&AHEAD) {
+            for (i, &weight) in weights.iter().enumerate() {
+                if let Some(j) = neighbour(i, right, down, self.width, self.height) {
+                    diagonal[i] += weight;
+                    diagonal[j] += weight;
+                }
+            }
+        }
+        let mut product = vec![0.0; count];
+        self.multiply(&diagonal, &x, &mut product);
+        let mut rest: Vec<f32> =
+            (0..count).map(|i| if free[i] { STAY * prior(&known[i]) - product[i] } else { 0.0 }).collect();
+        let mut way: Vec<f32> = rest.iter().zip(&diagonal).map(|(r, d)| r / d).collect();
+        let dot = |a: &[f32], b: &[f32]| a.iter().zip(b).map(|(a, b)| f64::from(a * b)).sum::<f64>();
+        let mut energy = dot(&rest, &way);
+        let enough = REST * REST * energy;
+        for _ in 0..MOST_ROUNDS {
+            if energy <= enough || energy < 1e-12 {
+                break;
+            }
+            self.multiply(&diagonal, &way, &mut product);
+            for (product, &free) in product.iter_mut().zip(&free) {
+                if !free {
+                    *product = 0.0;
+                }
+            }
+            let far = energy / dot(&way, &product).max(1e-30);
+            for i in 0..count {
+                x[i] += far as f32 * way[i];
+                rest[i] -= far as f32 * product[i];
+            }
+            let next: f64 = (0..count).map(|i| f64::from(rest[i] * rest[i] / diagonal[i])).sum();
+            let turn = (next / energy) as f32;
+            energy = next;
+            for i in 0..count {
+                way[i] = rest[i] / diagonal[i] + turn * way[i];
+            }
+        }
+        x
+    }
+
+    fn multiply(&self, diagonal: &[f32], x: &[f32], out: &mut [f32]) {
+        for ((out, d), x) in out.iter_mut().zip(diagonal).zip(x) {
+            *out = d * x;
+        }
+        let width = self.width;
+        for (weights, &(right, down)) in self.weights.iter().zip(&AHEAD) {
+            // Where there is no neighbour the weight is zero, and any index will do.
+            let ahead = (right as isize + down * width as isize) as usize;
+            if down < 0 {
+                let back = width - right;
+                for i in back..x.len() {
+                    let (j, weight) = (i - back, weights[i]);
+                    out[i] -= weight * x[j];
+                    out[j] -= weight * x[i];
+                }
+            } else {
+                for i in 0..x.len().saturating_sub(ahead) {
+                    let weight = weights[i];
+                    out[i] -= weight * x[i + ahead];
+                    out[i + ahead] -= weight * x[i];
+                }
+            }
+        }
+    }
+}
+
+fn neighbour(i: usize, right: usize, down: isize, width: usize, height: usize) -> Option<usize> {
+    let (x, y) = (i % width + right, (i / width).checked_add_signed(down)?);
+    (x < width && y < height).then_some(y * width + x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn picture(width: usize, light: impl Fn(usize, usize) -> f32) -> WorkingPicture {
+        let colours: Vec<_> = (0..width * 20).map(|i| [light(i % width, i / width), 0.0, 0.0]).collect();
+        WorkingPicture { width, height: 20, factor: 1, light: colours.clone(), colours }
+    }
+
+    #[test]
+    fn one_word_fills_its_side_of_an_edge() {
+        let halves = picture(40, |x, _| if x < 23 { 0.3 } else { 0.8 });
+        let mut known = vec![Known::Likely(0.5); 800];
+        known[10 * 40 + 3] = Known::Certain(1.0);
+        known[4 * 40 + 36] = Known::Certain(0.0);
+        let x = RandomWalk::new(&halves).solve(&known);
+        assert!((0..800).all(|i| (x[i] > 0.5) == (i % 40 < 23)));
+        assert_eq!((x[403], x[196]), (1.0, 0.0));
+    }
+
+    #[test]
+    fn it_is_what_it_should_solve() {
+        let waves = picture(25, |x, y| 0.5 + 0.2 * ((x * y) as f32 * 0.3).sin());
+        let known: Vec<_> = (0..500)
+            .map(|i| {
+                if i % 97 == 5 { Known::Certain((i % 2) as f32) } else { Known::Likely((i % 7) as f32 / 6.0) }
+            })
+            .collect();
+        let walk = RandomWalk::new(&waves);
+        let x = walk.solve(&known);
+        // The value of each free pixel is the mean of its neighbours and of what is known of it.
+        for i in 0..500 {
+            let Known::Likely(p) = known[i] else { continue };
+            let (mut sum, mut all) = (STAY * p, STAY);
+            for (weights, &(right, down)) in walk.weights.iter().zip(&AHEAD) {
+                for (j, k) in (0..500).filter_map(|j| Some((j, neighbour(j, right, down, 25, 20)?))) {
+                    if j == i || k == i {
+                        sum += weights[j] * x[if j == i { k } else { j }];
+                        all += weights[j];
+                    }
+                }
+            }
+            assert!((x[i] - sum / all).abs() < 0.01, "pixel {i}: {} {}", x[i], sum / all);
+        }
+        assert!(x.iter().all(|x| (-0.01..=1.01).contains(x)));
+    }
+
+    #[test]
+    fn a_line_of_pixels_is_a_picture_too() {
+        let of = |height: usize| WorkingPicture {
+            width: 1,
+            height,
+            factor: 1,
+            colours: vec![[0.5, 0.0, 0.0]; height],
+            light: Vec::new(),
+        };
+        assert_eq!(RandomWalk::new(&of(1)).solve(&[Known::Likely(0.7)]), [0.7]);
+        let x = RandomWalk::new(&of(9)).solve(&[Known::Likely(0.25); 9]);
+        assert!(x.iter().all(|x| (x - 0.25).abs() < 1e-5));
+    }
+}
