@@ -17,7 +17,7 @@ test("the outline is on top, its slider below it, and nothing is wider than the 
   expect(slider.y).toBeGreaterThanOrEqual(stage.y + stage.height - 10);
   expect(slider.width).toBeGreaterThan(180);
   expect(slider.height).toBeGreaterThanOrEqual(34);
-  for (const name of ["Choose a photograph or outline", "Use in the morph", "Bend it"]) {
+  for (const name of ["Choose a photograph or outline", "Use as A", "Use as B", "Bend it"]) {
     const box = await page.getByRole("button", { name }).boundingBox();
     expect(box?.height).toBeGreaterThanOrEqual(44);
   }
@@ -39,7 +39,9 @@ test("a finger pans, two enlarge, and one with a brush mends the mask", async ({
   const at = await tool.place(180, 190, 360, 400);
   const seen = () => tool.colourAt((at.x - box.x) / box.width, (at.y - box.y) / box.height);
   await expect.poll(async () => apart(await seen(), GREEN)).toBeLessThan(12);
-  await page.getByRole("radio", { name: "Remove" }).check({ force: true });
+  await expect(page.getByRole("button", { name: "Fit this outline" })).toBeInViewport();
+  await page.getByRole("radio", { name: "Not leaf" }).check({ force: true });
+  await page.getByRole("switch", { name: "Only what is painted" }).check({ force: true });
   await finger.drag({ x: at.x - 20, y: at.y }, { x: at.x + 20, y: at.y });
   await expect(page.getByRole("button", { name: "Undo stroke" })).toBeEnabled();
   await page.getByRole("radio", { name: "Move", exact: true }).check({ force: true });

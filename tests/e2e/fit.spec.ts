@@ -79,6 +79,7 @@ test("a photograph becomes a mask, an outline, a fit, a shape of the morph, and 
   await expect(tool.status).toHaveText(/^Cut out: one part$/);
   // Inside the leaf the picture is as it is, outside it is veiled.
   await expect.poll(async () => apart(await tool.colourAt(0.5, 0.45), GREEN)).toBeLessThan(12);
+  await expect(page.getByRole("button", { name: "Fit this outline" })).toBeInViewport();
   await page.getByRole("button", { name: "Fit this outline" }).click();
   await tool.fitted();
   await expect(page.getByTestId("chart")).toContainText("Polyline, best corners");
@@ -101,7 +102,7 @@ test("a photograph becomes a mask, an outline, a fit, a shape of the morph, and 
   });
 
   await test.step("the morph", async () => {
-    await page.getByRole("button", { name: "Use in the morph" }).click();
+    await page.getByRole("button", { name: "Use as A" }).click();
     await expect(page.getByRole("slider", { name: "Time", exact: true })).toBeVisible();
     const { curves } = await tool.scene();
     expect(curves?.a.name).toBe("leaf");
@@ -125,7 +126,8 @@ test("a brush mends the mask, by mouse and by keys, and strokes are taken back",
   await expect.poll(async () => apart(await seen(), GREEN)).toBeLessThan(12);
 
   await test.step("the mouse takes away", async () => {
-    await page.getByRole("radio", { name: "Remove" }).check({ force: true });
+    await page.getByRole("radio", { name: "Not leaf" }).check({ force: true });
+    await page.getByRole("switch", { name: "Only what is painted" }).check({ force: true });
     await page.mouse.move(at.x - 40, at.y);
     await page.mouse.down();
     await page.mouse.move(at.x + 40, at.y, { steps: 8 });
@@ -141,7 +143,7 @@ test("a brush mends the mask, by mouse and by keys, and strokes are taken back",
     await expect.poll(async () => apart(await seen(), GREEN)).toBeGreaterThan(60);
   });
   await test.step("keys put it in again", async () => {
-    await page.getByRole("radio", { name: "Keep" }).check({ force: true });
+    await page.getByRole("radio", { name: "Leaf", exact: true }).check({ force: true });
     await tool.stage.focus();
     // From where the mouse left it, far off: up and to the left first, then to the place.
     for (let i = 0; i < 60; i++) await page.keyboard.press("ArrowUp");
@@ -176,6 +178,18 @@ test("two leaves: one is taken, and the other can be picked", async ({ page }) =
   await page.getByRole("group", { name: "Which part" }).getByRole("radio").nth(1).check({ force: true });
   await expect(about).not.toHaveText(first ?? "");
   await expect(tool.status).toHaveText("Cut out: 2 parts");
+
+  await test.step("one stroke says of all of it that it is not meant, and the header takes it back", async () => {
+    await page.getByRole("radio", { name: "Not leaf" }).check({ force: true });
+    const [from, to] = [await tool.place(285, 120, 420, 240), await tool.place(345, 120, 420, 240)];
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(to.x, to.y, { steps: 6 });
+    await page.mouse.up();
+    await expect(tool.status).toHaveText("Cut out: one part");
+    await page.getByRole("button", { name: "Undo", exact: true }).click();
+    await expect(tool.status).toHaveText("Cut out: 2 parts");
+  });
 });
 
 test("a fit can be stopped, and the best so far is kept", async ({ page }) => {
@@ -387,7 +401,7 @@ test("axe finds nothing", async ({ page }) => {
   await test.step("cutting out", async () => {
     await tool.input.setInputFiles(file(twoLeaves, "two.png"));
     await expect(tool.status).toHaveText("Cut out: 2 parts");
-    await page.getByRole("radio", { name: "Keep" }).check({ force: true });
+    await page.getByRole("radio", { name: "Leaf", exact: true }).check({ force: true });
     await expectClean(page);
   });
   await test.step("keys", async () => {

@@ -1,6 +1,6 @@
 /** What the document says of fitting, and how that is changed. */
 import { computed, type ReadonlySignal } from "@preact/signals";
-import type { CurvePreset, CurveShape, Fit, Scene, Tool } from "#wasm/api";
+import type { CurvePreset, CurveShape, Fit, Scene } from "#wasm/api";
 import { edit, replace, scene } from "./scene";
 import { openTool } from "./tool";
 
@@ -26,16 +26,21 @@ function withFit(now: Scene, change: (fit: Fit) => Fit): Scene {
   return after === before ? now : { ...now, fit: after };
 }
 
+/** Where a fit goes: an end of the morph, or under the grid. */
+export type Use = "a" | "b" | "bent";
+
 /**
- * Takes a curve into the morph or under the grid: one undo step, then the tool. It becomes A, and B stays the curve it
- * is; where there are no curves yet, B is one of the gallery's.
+ * Takes a curve into the morph or under the grid: one undo step, then the tool, at the moment that shows the curve. The
+ * other end stays the curve it is; where there are no curves yet, it is one of the gallery's.
  */
-export function useCurve(shape: CurveShape, partner: CurvePreset, tool: Tool): void {
+export function useCurve(shape: CurveShape, partner: CurvePreset, to: Use): void {
   const { id: preset, name, curve } = partner;
+  const end = to === "b" ? "b" : "a";
   edit((now) => {
     const { locus: _locus, view: _view, ...rest } = now;
-    const b = now.curves?.b ?? { preset, name, curve };
-    return { ...rest, curves: { a: shape, b }, t: 0 };
+    const other = { preset, name, curve };
+    const { a, b } = now.curves ?? { a: other, b: other };
+    return { ...rest, curves: { a, b, [end]: shape }, t: end === "a" ? 0 : 1 };
   });
-  openTool(tool);
+  openTool(to === "bent" ? "deform" : "morph");
 }

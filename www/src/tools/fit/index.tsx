@@ -14,10 +14,11 @@ import { SourcePanel } from "./panel/SourcePanel";
 import { UsePanel } from "./panel/UsePanel";
 import { hand } from "./stage/brush";
 import { FitStage as OutlineStage } from "./stage/FitStage";
-import { step } from "./stage/layers";
+import { cutting, step } from "./stage/layers";
 import { watchFeatures } from "./stage/sight";
 import { FitStrip as OutlineStrip } from "./strip/FitStrip";
 import { Layers } from "./strip/Layers";
+import { watchUse } from "./use";
 import { watchFit } from "./work/fitting";
 import { watchMask } from "./work/mask";
 import { watchOutline } from "./work/outline";
@@ -39,15 +40,25 @@ function Outline() {
   useEffect(() => {
     // The workers come up while the page is laid out.
     for (const lane of [0, 1] as const) fitTask("wake", {}, { lane }).catch(() => {});
-    const stops = [watchMask(), watchOutline(), watchFit(), watchStep(), watchFeatures()];
+    const stops = [watchMask(), watchOutline(), watchFit(), watchUse(), watchStep(), watchFeatures()];
     return () => {
       for (const stop of stops) stop();
     };
   }, []);
   return (
     <>
-      <SourcePanel />
-      <CutPanel />
+      {/* What is to be done now comes first. */}
+      {cutting.value ? (
+        <>
+          <CutPanel />
+          <SourcePanel />
+        </>
+      ) : (
+        <>
+          <SourcePanel />
+          <CutPanel />
+        </>
+      )}
       <OutlinePanel />
       <ModelPanel />
       <FiguresPanel />

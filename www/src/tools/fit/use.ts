@@ -1,10 +1,11 @@
 /** A fit becomes a shape like any other. */
-
-import { useCurve as takeCurve } from "#document/fit";
+import { effect, signal, untracked } from "@preact/signals";
+import { useCurve as takeCurve, type Use } from "#document/fit";
 import { notify, wordsOf } from "#document/notice";
 import type { Curve } from "#wasm/api";
 import { rough } from "#wasm/curve";
-import { shapeOf, shownFit } from "./work/fitting";
+import { problem, running, shapeOf, shownFigures, shownFit } from "./work/fitting";
+import { prepared } from "./work/outline";
 import { source } from "./work/source";
 
 /** The same curve about the origin, its longer side 2: as the shapes of the gallery lie. */
@@ -17,8 +18,36 @@ export function centred({ knots, edges }: Curve): Curve {
   return { knots: knots.map(([a, b]) => [(a - x) * scale, (b - y) * scale]), edges };
 }
 
-/** Takes the fit into another tool: it becomes A. */
-export function use(tool: "morph" | "deform"): void {
+/** Where the fit goes as soon as it is done. */
+export const waiting = signal<Use | null>(null);
+
+/** Takes the fit into another tool. One that still improves goes there when it is done. */
+export function use(to: Use): void {
+  if (running.peek()) waiting.value = waiting.peek() === to ? null : to;
+  else take(to);
+}
+
+/** Takes along what was to wait for its end. Returns the end of it. */
+export function watchUse(): () => void {
+  let outline = prepared.peek();
+  const stop = effect(() => {
+    const to = waiting.value;
+    const of = prepared.value;
+    // Of another outline nobody has said so.
+    if (of !== outline || problem.value !== null) waiting.value = null;
+    else if (to !== null && !running.value && shownFigures.value) {
+      waiting.value = null;
+      untracked(() => take(to));
+    }
+    outline = of;
+  });
+  return () => {
+    stop();
+    waiting.value = null;
+  };
+}
+
+function take(to: Use): void {
   const best = shownFit.peek();
   if (!best) return;
   try {
@@ -30,7 +59,7 @@ export function use(tool: "morph" | "deform"): void {
     const wanted = now.kind === "grown" && now.grown !== "oak" ? "oak" : "maple";
     const partner = presets.find((preset) => preset.id === wanted) ?? presets[0];
     if (!partner) throw new Error("there is no other shape");
-    takeCurve(taken, partner, tool);
+    takeCurve(taken, partner, to);
   } catch (problem) {
     notify({ kind: "error", text: `This fit cannot be taken there: ${wordsOf(problem)}` });
   }

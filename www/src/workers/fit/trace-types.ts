@@ -101,8 +101,10 @@ export interface Stroke {
   points: readonly number[];
   /** Half the brush's width in pixels. */
   radius: number;
-  /** Whether it puts in or takes away. Later strokes go over earlier ones. */
+  /** Whether it is leaf or not. Later strokes go over earlier ones. */
   what: "keep" | "remove";
+  /** Whether it is said of these pixels and no others; else of what looks like them around, too. */
+  exact?: boolean;
 }
 
 export interface MaskArgs {
@@ -113,7 +115,7 @@ export interface MaskArgs {
   petiole: "keep" | "remove";
   /** Whether the leaf is what was taken for the ground. */
   invert?: boolean;
-  /** All strokes so far: they hold whatever the threshold is. */
+  /** All strokes so far. What is exact holds whatever the threshold is. */
   strokes: readonly Stroke[];
 }
 

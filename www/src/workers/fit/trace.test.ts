@@ -10,6 +10,7 @@ let made = 0;
 
 class Tracer {
   readonly number = ++made;
+  mask = (options: unknown) => ({ mask: new Uint8Array(1), options });
   outline = () => ({ points: new Float64Array(8), area: 1, length: 4, warnings: [] });
   free = () => freed.push(this.number);
 }
@@ -145,4 +146,15 @@ test("four pictures are held, and the one not used for longest goes", async () =
   traceTasks.closeFile(context, { id: fourth });
   expect(freed.length).toBe(2);
   expect(traceTasks.closeFile(context, { id: fourth })).toBeNull();
+});
+
+test("what is said exactly holds there, and the rest is a hint", async () => {
+  decoder(10, 10);
+  const context = worker();
+  const opened = await traceTasks.openFile(context, { file: png(10, 10), name: "a" });
+  const id = opened.kind === "picture" ? opened.id : -1;
+  const plain = { points: [1, 2], radius: 3, what: "keep" } as const;
+  const exact = { ...plain, exact: true };
+  const masked = traceTasks.mask(context, { id, threshold: 0, petiole: "keep", strokes: [plain, exact] });
+  expect(masked).toMatchObject({ options: { threshold: 0, strokes: [exact], hints: [plain] } });
 });

@@ -82,7 +82,8 @@ async function picture(file: Blob, name: string, header: Header): Promise<Decode
   if (!isWhole(header.kind, new Uint8Array(await file.arrayBuffer()))) throw damaged(name);
   let decoded: Decoded | null;
   try {
-    decoded = await decode(file, MOST_PIXELS);
+    // What an AVIF says of itself is not binding.
+    decoded = await decode(file, MOST_PIXELS, header.kind === "avif" ? undefined : header.size);
   } catch {
     throw damaged(name);
   }
@@ -142,8 +143,10 @@ export const traceTasks = {
   },
 
   /** Draws the mask of a picture. */
-  mask({ keep, transfer }: Plain, { id, ...options }: MaskArgs): Masked {
-    const masked = tracer(keep, id).mask(options);
+  mask({ keep, transfer }: Plain, { id, strokes: all, ...options }: MaskArgs): Masked {
+    const strokes = all.filter(({ exact }) => exact);
+    const hints = all.filter(({ exact }) => !exact);
+    const masked = tracer(keep, id).mask({ ...options, strokes, hints });
     transfer(masked.mask.buffer);
     return masked;
   },

@@ -6,7 +6,7 @@ import { Switch } from "#ui/controls/Switch";
 import { ChoiceRow } from "#ui/panel/ChoiceRow";
 import type { Component } from "#workers/fit/trace-types";
 import fitCss from "../fit.module.css";
-import { brushSize, type Hand, hand } from "../stage/brush";
+import { brushSize, exact, type Hand, hand } from "../stage/brush";
 import { step } from "../stage/layers";
 import {
   canRedoStroke,
@@ -48,7 +48,20 @@ function Mask() {
   const { threshold, stalk } = settings.value;
   return (
     <>
+      <Button
+        kind="primary"
+        icon="arrow"
+        disabled={!traced.value}
+        onClick={() => {
+          step.value = "fit";
+          hand.value = "move";
+        }}
+      >
+        Fit this outline
+      </Button>
       <Messages />
+      <Brush />
+      <Parts />
       <SliderField
         digits={2}
         label="Threshold"
@@ -69,20 +82,6 @@ function Mask() {
       >
         Take off the stalk
       </Switch>
-      <Brush />
-      <Parts />
-      {traced.value && (
-        <Button
-          kind="primary"
-          icon="arrow"
-          onClick={() => {
-            step.value = "fit";
-            hand.value = "move";
-          }}
-        >
-          Fit this outline
-        </Button>
-      )}
     </>
   );
 }
@@ -106,7 +105,9 @@ function Messages() {
           ))}
         </ul>
       )}
-      {lost && list.length === 0 && <p class="notes">Nothing was found. Paint over the leaf with Keep.</p>}
+      {lost && list.length === 0 && (
+        <p class="notes">Nothing was found. Draw a stroke over the leaf with Leaf.</p>
+      )}
       {lost && back && (
         <Button kind="quiet" icon="back" onClick={takeFormer}>
           Back to {back.name}
@@ -118,8 +119,8 @@ function Messages() {
 
 const HANDS: readonly { value: Hand; label: string; description: string }[] = [
   { value: "move", label: "Move", description: "A drag moves the picture" },
-  { value: "keep", label: "Keep", description: "Paint what belongs to the leaf" },
-  { value: "remove", label: "Remove", description: "Paint what does not" },
+  { value: "keep", label: "Leaf", description: "A stroke says: this is leaf" },
+  { value: "remove", label: "Not leaf", description: "A stroke says: this is not" },
 ];
 
 function Brush() {
@@ -149,9 +150,21 @@ function Brush() {
               brushSize.value = next;
             }}
           />
+          <Switch
+            checked={exact.value}
+            description="A stroke changes what it covers; else what looks like it around goes along"
+            onChange={(on) => {
+              exact.value = on;
+            }}
+          >
+            Only what is painted
+          </Switch>
           <p class="hint">
-            Or by keys: the arrows move it once the picture has the focus, the space bar paints, Escape puts
-            it away.
+            {exact.value
+              ? "What is painted changes, and nothing else."
+              : "One stroke is often enough: what looks like it around goes along. The longer it is, the farther."}{" "}
+            By keys: the arrows move it once the picture has the focus, the space bar paints, Escape puts it
+            away.
           </p>
         </>
       )}

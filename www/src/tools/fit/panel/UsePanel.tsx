@@ -1,10 +1,13 @@
-import { fitDocument } from "#document/fit";
+import { fitDocument, type Use } from "#document/fit";
 import { Button } from "#ui/controls/Button";
 import fitCss from "../fit.module.css";
 import { saveCsv, saveJson, savePng, saveSvg } from "../save";
 import { cutting } from "../stage/layers";
-import { use } from "../use";
+import { use, waiting } from "../use";
 import { running, shownFigures, shownFit } from "../work/fitting";
+
+/** Only what waits can be taken back. */
+const heldFor = (to: Use) => (waiting.value === to ? { pressed: true } : {});
 
 /** Where the fit goes from here. */
 export function UsePanel() {
@@ -17,10 +20,18 @@ export function UsePanel() {
         <h2>Use it</h2>
       </div>
       <div class={fitCss["source-buttons"]}>
-        <Button kind="primary" icon="arrow" disabled={!ready} onClick={() => use("morph")}>
-          Use in the morph
+        <Button kind="primary" icon="arrow" disabled={!ready} {...heldFor("a")} onClick={() => use("a")}>
+          Use as A
         </Button>
-        <Button disabled={!ready} onClick={() => use("deform")}>
+        <Button
+          disabled={!ready}
+          {...heldFor("b")}
+          description="The last shape of the morph, instead of the first"
+          onClick={() => use("b")}
+        >
+          Use as B
+        </Button>
+        <Button disabled={!ready} {...heldFor("bent")} onClick={() => use("bent")}>
           Bend it
         </Button>
       </div>
@@ -42,7 +53,13 @@ export function UsePanel() {
           ))}
         </span>
       </div>
-      {running.value && closed && <p class="hint">It still improves: what is taken is the best so far.</p>}
+      {running.value && closed && (
+        <p class="hint" role="status">
+          {waiting.value === null
+            ? "It still improves: it is taken there when it is done."
+            : "It goes there as soon as it is done. Press again to stay; Cancel takes the best so far."}
+        </p>
+      )}
     </section>
   );
 }

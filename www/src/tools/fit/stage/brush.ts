@@ -1,4 +1,7 @@
-/** The brush that mends a mask, by mouse, finger or keys. Its places are pixels of the picture, y down. */
+/**
+ * The brush that says what is leaf and what is not, by mouse, finger or keys. Its places are pixels of the picture, y
+ * down.
+ */
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { announce } from "#document/notice";
 import type { Stroke } from "#workers/fit/trace-types";
@@ -11,6 +14,8 @@ export type Hand = "move" | "keep" | "remove";
 export const hand = signal<Hand>("move");
 /** Its width in percent of the picture's longer side. */
 export const brushSize = signal(3);
+/** Whether a stroke changes what is painted and nothing else: else it is a hint. */
+export const exact = signal(false);
 /** Where it is: under the pointer, or where keys have moved it. */
 export const cursor = signal<{ x: number; y: number } | null>(null);
 /** What is being painted. */
@@ -30,7 +35,7 @@ const round = (z: number) => Math.round(4 * z) / 4;
 export function beginStroke({ x, y }: Place): void {
   const what = hand.peek();
   if (what === "move") return;
-  stroke.value = { points: [round(x), round(y)], radius: radius.peek(), what };
+  stroke.value = { points: [round(x), round(y)], radius: radius.peek(), what, exact: exact.peek() };
 }
 
 /** Goes on to a place; steps that are too small to be seen are left out. */
@@ -81,7 +86,7 @@ export function brushKey(event: KeyboardEvent): boolean {
     cursor.value = at;
     if (!event.repeat && !stroke.peek()) {
       beginStroke(at);
-      announce(hand.peek() === "keep" ? "Painting: kept." : "Painting: removed.");
+      announce(hand.peek() === "keep" ? "Painting: leaf." : "Painting: not leaf.");
     }
     return true;
   }

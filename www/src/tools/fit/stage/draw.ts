@@ -257,9 +257,11 @@ function paintBrush(
   const at = pixels(on, sight);
   const scale = sight.frame.scale * on.view.scale;
   for (const { points, radius, what } of sight.strokes) {
-    context.globalAlpha = 0.5;
+    context.globalAlpha = 0.6;
     context.strokeStyle = what === "keep" ? colours.fit : colours.bad;
     context.lineWidth = 2 * radius * scale;
+    // What is not leaf is broken: the colour is not all that tells.
+    context.setLineDash(what === "keep" ? [] : [1, 4 * radius * scale]);
     context.beginPath();
     for (let i = 0; i + 1 < points.length; i += 2) {
       const [x, y] = at(points[i] ?? 0, points[i + 1] ?? 0);
@@ -267,6 +269,7 @@ function paintBrush(
       context.lineTo(x, y);
     }
     context.stroke();
+    context.setLineDash([]);
     context.globalAlpha = 1;
   }
   const { cursor } = sight;

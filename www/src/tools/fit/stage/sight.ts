@@ -6,9 +6,10 @@ import type { Curve } from "#wasm/api";
 import type { CurveMorphHandle } from "#wasm/curve";
 import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";
+import type { Stroke } from "#workers/fit/trace-types";
 import { copyPaths, grown } from "../copies/copies";
 import { collage, collageOptions, shownFit } from "../work/fitting";
-import { masked } from "../work/mask";
+import { masked, settings } from "../work/mask";
 import { frame, prepared, raw, ready } from "../work/outline";
 import { opened } from "../work/source";
 import { cursor, hand, painting, radius, stroke } from "./brush";
@@ -64,6 +65,9 @@ function polyline(curve: Curve, plain: Float64Array, view: View): Float64Array {
 
 const NONE = new Float64Array();
 
+/** What is painted exactly is seen by what it does. */
+const isHint = ({ exact }: Stroke) => !exact;
+
 export const sight: ReadonlySignal<Sight> = computed(() => {
   const picture = opened.value;
   const cut = cutting.value;
@@ -91,7 +95,9 @@ export const sight: ReadonlySignal<Sight> = computed(() => {
     copies: shown && fit ? copyPaths.value : null,
     collage: shown && paper ? paper.fit : null,
     marks: shown && knotsShown.value ? marks : null,
-    strokes: cut && stroke.value ? [stroke.value] : [],
+    strokes: paints
+      ? [...settings.value.strokes.filter(isHint), ...(stroke.value ? [stroke.value] : [])]
+      : [],
     cursor: paints && at && what !== "move" ? { ...at, radius: radius.value, what } : null,
   };
 });

@@ -9,7 +9,7 @@ import { rough } from "#wasm/curve";
 import { fitTask } from "#workers/fit/client";
 import type { Collage, CollageOptions, Figures, FitStage, Method, Prepared, Rival } from "#workers/fit/curve";
 import { isStopped, Latest } from "#workers/lanes/latest";
-import { numbersOf, polylineOf, prepared, ready, SEEDS } from "./outline";
+import { polylineOf, prepared, ready, SEEDS, upToDate } from "./outline";
 import { source, takeSource } from "./source";
 
 export const LEAST_NUMBERS = 12;
@@ -78,6 +78,7 @@ const wanted = computed(() => {
 export function watchFit(): () => void {
   let timer: ReturnType<typeof setTimeout> | null = null;
   let seen: Prepared | null = null;
+  watched = true;
   const stopFit = effect(() => {
     const outline = prepared.value;
     wanted.value;
@@ -99,14 +100,14 @@ export function watchFit(): () => void {
     // Those of the gallery have outlines.
     if (preset === "maple" || preset === "oak" || preset === "island") {
       takeSource({ kind: "grown", name, grown: preset, seed: SEEDS[preset] });
-    } else takeSource({ kind: "kept", name, curve });
+    } else takeSource({ kind: "kept", name, curve, numbers: fitDocument.peek().numbers });
   });
   return () => {
+    watched = false;
     stopFit();
     stopLink();
     if (timer) clearTimeout(timer);
-    if (running.peek()) latest.stop();
-    running.value = null;
+    // What is under way goes on: whoever comes back finds it done.
   };
 }
 
@@ -118,7 +119,17 @@ export function fitAgain(): void {
   begin(outline, true);
 }
 
+/** Whether the tool is open: the document may be another one when it is not. */
+let watched = false;
+
+/** What is under way. */
+let asked: { of: Prepared; wanted: string } | null = null;
+
 function begin(outline: Prepared, again = false): void {
+  // A document that was opened has its own curve, which is not to be overwritten.
+  if (!upToDate()) return;
+  if (!again && running.peek() && asked?.of === outline && asked.wanted === wanted.peek()) return;
+  asked = { of: outline, wanted: wanted.peek() };
   const signal = latest.begin();
   const { model, numbers } = fitDocument.peek();
   problem.value = null;
@@ -163,7 +174,7 @@ async function measure(done: Best, signal: AbortSignal): Promise<void> {
 /** The curve of a link, as long as nothing else is asked for. */
 function keptFit(outline: Prepared, numbers: number): Fitted | null {
   const now = source.peek();
-  if (now.kind !== "kept" || Math.abs(numbersOf(now.curve) - numbers) > 2) return null;
+  if (now.kind !== "kept" || now.numbers !== numbers) return null;
   const { curve } = now;
   const points = polylineOf(curve);
   if (!points) return null;
@@ -220,6 +231,7 @@ function put<T>(into: WeakMap<Prepared, Map<number, T>>, of: Prepared, numbers: 
 
 /** The last fit is part of the document: a link opens it again. */
 function keep({ curve }: Fitted): void {
+  if (!watched) return;
   const now = fitDocument.peek();
   // A link to a graph may have been followed meanwhile: it is not to be given a curve.
   if (now.mode !== "outline" || now.curve?.curve === curve) return;

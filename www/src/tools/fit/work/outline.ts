@@ -135,6 +135,9 @@ export function watchOutline(): () => void {
   };
 }
 
+/** Whether what is fitted is what the source has now: another may be on its way. */
+export const upToDate = (): boolean => last !== null && last.raw === raw.peek();
+
 async function prepare(points: Float64Array, smoothing: number): Promise<void> {
   try {
     const got = await fitTask("prepare", { points, smoothing }, { lane: OUTLINE_LANE });

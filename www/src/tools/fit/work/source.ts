@@ -17,8 +17,8 @@ export type Source =
   | { kind: "grown"; name: string; grown: Grown; seed: number }
   | { kind: "picture"; name: string; picture: OpenedPicture }
   | { kind: "outlines"; name: string; outlines: ReadOutline[]; chosen: number }
-  /** Only the curve of the document is there. */
-  | { kind: "kept"; name: string; curve: Curve };
+  /** Only the curve of the document is there, with the numbers that were asked for. */
+  | { kind: "kept"; name: string; curve: Curve; numbers: number };
 
 export const FIRST: Source = { kind: "grown", name: "Maple-like leaf", grown: "maple", seed: 1 };
 
