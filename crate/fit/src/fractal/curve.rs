@@ -140,8 +140,8 @@ impl FractalCurve {
         Self::new((0..pieces).map(piece).collect::<Result<_, _>>()?)
     }
 
-    /// A partitioned fractal curve from maps `[a, bx, by, cx, cxy, cyx, cy, d, ex, ey]` (eq 9) and their domains, in any
-    /// order.
+    /// A partitioned fractal curve from maps `[a, bx, by, cx, cxy, cyx, cy, d, ex, ey]` (eq 9) and their domains, in
+    /// any order.
     ///
     /// # Errors
     /// As [`new`](Self::new).

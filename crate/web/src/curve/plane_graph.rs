@@ -75,7 +75,8 @@ struct Sampling {
 }
 
 /// A curve as a polyline t0, x0, y0, t1, x1, y1, .. in the order of t. Between two points it stays within the tolerance
-/// of both, or as near to that as `most` points allow. Default: a thousandth of what the curve may reach, 65,536 points.
+/// of both, or as near to that as `most` points allow. Default: a thousandth of what the curve may reach, and 65,536
+/// points.
 #[wasm_bindgen(js_name = sampleInterpolationCurve)]
 pub fn sample_interpolation_curve(
     #[wasm_bindgen(unchecked_param_type = "PlaneGraph")] curve: JsValue,
