@@ -67,7 +67,7 @@ impl Scene {
     }
 
     /// Takes the picture: `flaws` has it before its bytes are written.
-    pub fn photograph(&self, name: &'static str, flaws: impl Fn(&mut Vec<DVec3>)) -> Photograph {
+    pub fn photograph(&self, name: &'static str, flaws: impl Fn(&mut [DVec3])) -> Photograph {
         let (linear, truth) = self.seen();
         let mut encoded: Vec<DVec3> = linear.iter().map(|&colour| flaws::encoded(colour)).collect();
         flaws(&mut encoded);

@@ -49,7 +49,7 @@ fn oak(paint: DVec3, shadow: (DVec2, f64, f64)) -> Thing {
     thing(&oak_leaf(5), MIDDLE, 250.0, -0.9, paint, shadow)
 }
 
-fn sharp(colours: &mut Vec<DVec3>) {
+fn sharp(colours: &mut [DVec3]) {
     flaws::noise(colours, 0.008);
 }
 
