@@ -1,6 +1,15 @@
 /** The package as it is published: packed, installed elsewhere, and asked for each of its entries. */
 import { execFileSync, spawnSync } from "node:child_process";
-import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  cpSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -176,9 +185,19 @@ describe("the packed package", () => {
   });
 
   /** The command, in its own folder; no answer of it is a trace of the program. */
-  const frond = (...words: string[]) => {
+  const frond = (...words: string[]) => frondBeside(null, ...words);
+  /** With these programs beside it, shell scripts by their names, and no others. */
+  const frondBeside = (programs: Record<string, string> | null, ...words: string[]) => {
     const command = join(app, "node_modules/.bin/frond");
-    const { status, stdout, stderr } = spawnSync(command, words, { cwd: app, encoding: "utf8" });
+    let env = process.env;
+    if (programs) {
+      const folder = mkdtempSync(join(app, "programs-"));
+      symlinkSync(process.execPath, join(folder, "node"));
+      for (const [name, text] of Object.entries(programs))
+        writeFileSync(join(folder, name), `#!/bin/sh\n${text}\n`, { mode: 0o755 });
+      env = { ...env, PATH: folder };
+    }
+    const { status, stdout, stderr } = spawnSync(command, words, { cwd: app, encoding: "utf8", env });
     expect(`${stdout}${stderr}`).not.toMatch(/^ +at /m);
     return { status, stdout, stderr };
   };
@@ -313,8 +332,26 @@ describe("the packed package", () => {
     }
   });
 
+  it("hands ffmpeg the frames of a video, where there is one", () => {
+    const film = ["render", link, "--out", "x.mp4", "--frames", "3", ...size];
+    // It writes what it was told, and how many bytes it was handed.
+    const ffmpeg = `[ "$1" = -version ] && exit
+      for last; do :; done
+      bytes=$(/usr/bin/wc -c)
+      echo "$bytes $*" > "\${last#file:}"`;
+    expect(frondBeside({ ffmpeg }, ...film)).toMatchObject({ status: 0, stdout: "" });
+    const said = bytes("x.mp4").toString();
+    expect(Number.parseInt(said, 10)).toBe(3 * 60 * 40 * 4);
+    expect(said).toContain("-f rawvideo -pix_fmt rgba -s 60x40 -r 25 -i -");
+    const full = '[ "$1" = -version ] && exit; echo "x.mp4: No space left on device" >&2; exit 1';
+    const failed = frondBeside({ ffmpeg: full }, ...film);
+    expect(failed.status).toBe(2);
+    expect(failed.stderr).toContain("ffmpeg could not make x.mp4: x.mp4: No space left on device");
+  });
+
   it("tells how a video is made, in words that a shell reads as they are meant", () => {
-    const { status, stderr } = frond("render", "a=fern&b='$(id)'", "--out", "my film.mp4", "--seconds", "2");
+    const film = ["render", "a=fern&b='$(id)'", "--out", "my film.mp4", "--seconds", "2"];
+    const { status, stderr } = frondBeside({}, ...film);
     expect(status).toBe(2);
     const [, draws = "", encodes = ""] = stderr.split("\n");
     const words = (line: string) =>

@@ -6,7 +6,8 @@ import type { System } from "./system";
 
 const HELP = `frond: the studio without a browser
 
-  frond render <link> --out x.png|svg|gif|apng|zip  a picture, or a film
+  frond render <link> --out x.png|svg|gif|apng|zip|mp4|webm
+                                                    a picture, or a film; videos by ffmpeg, where it is
     --width 1200 --height 900 --background #ffffff  without a background it is clear
     --t 0.5                                         of one moment; without it that of the link
     --seconds 8 --fps 25                            of a film; a ZIP holds its frames as PNG

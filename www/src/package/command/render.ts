@@ -36,19 +36,22 @@ interface Film {
   system: System;
 }
 
-const WRITERS: Readonly<Record<string, (film: Film) => Promise<void>>> = { png, gif, apng, zip };
+type Write = (film: Film) => Promise<void>;
+const WRITERS: Readonly<Record<string, Write>> = { png, gif, apng, zip, mp4: video, webm: video, mov: video };
 
 export async function render(link: string, options: Options, system: System): Promise<number> {
   const out = outOf(options);
   const kind = endOf(out);
-  if (kind === "mp4" || kind === "webm" || kind === "mov") throw new Refusal(byFfmpeg(link, out, options));
   const write = Object.hasOwn(WRITERS, kind) ? WRITERS[kind] : undefined;
-  if (!write && kind !== "svg") throw new Refusal(`"${out}" is to end with .png, .svg, .gif, .apng or .zip.`);
+  if (!write && kind !== "svg")
+    throw new Refusal(`"${out}" is to end with .png, .svg, .gif, .apng, .zip, .mp4 or .webm.`);
+  if (write === video && !(await system.encodes())) throw new Refusal(byFfmpeg(link, out, options));
   const size = {
     width: whole(options, "width", 1, MOST_SIDE, 1200),
     height: whole(options, "height", 1, MOST_SIDE, 900),
   };
-  const look = { ...size, ground: groundOf(options) };
+  // A video cannot be clear.
+  const look = { ...size, ground: groundOf(options) ?? (write === video ? WHITE : null) };
   const film = kind !== "svg" && (kind !== "png" || options["frames"] !== undefined);
   const foreign = film
     ? ["t"]
@@ -58,14 +61,14 @@ export async function render(link: string, options: Options, system: System): Pr
     throw new Refusal(
       film
         ? "A film has no --t: it shows the whole way."
-        : `${write ? "One picture" : "A drawing in SVG"} has no --${misplaced}. A film ends with .gif, .apng or .zip.`,
+        : `${write ? "One picture" : "A drawing in SVG"} has no --${misplaced}. A film ends with .gif, .apng, .zip, .mp4 or .webm.`,
     );
   const shown = await shownOf(await opened(link, system), system);
   const t = number(options, "t", 0, 1, shown.t);
   if (!write) return drawing(shown, t, out, system);
   const fps = number(options, "fps", 1, kind === "gif" ? MOST_GIF_FPS : 120, 25);
   const count = film ? framesOf(options, fps, shown) : 1;
-  if (film && kind !== "png" && count * look.width * look.height > MOST_HELD)
+  if (film && kind !== "png" && write !== video && count * look.width * look.height > MOST_HELD)
     throw new Refusal(
       "This film is too large for one file: write frames with --frames and .png, or a smaller one.",
     );
@@ -125,7 +128,7 @@ function byFfmpeg(link: string, out: string, options: Options): string {
   const frames = options["frames"] ?? Math.max(1, Math.round(Number(options["seconds"] ?? 8) * Number(fps)));
   const ground = String(options["background"] ?? WHITE);
   return [
-    "Node encodes no video. ffmpeg does, from frames:",
+    "Node encodes no video. Install ffmpeg, which Frond then uses, or have it make one of frames elsewhere:",
     `  frond render ${quoted(link)} --out ${quoted(`${name}.png`)} --frames ${frames} --background ${quoted(ground)}`,
     `  ffmpeg -framerate ${fps} -i ${quoted(`${name}-%04d.png`)} -pix_fmt yuv420p ${quoted(out)}`,
     "Or write .gif or .apng. The studio, too, saves MP4 and WebM.",
@@ -165,6 +168,13 @@ async function apng({ out, look, fps, each, still, system }: Film) {
     made.push({ data: chunks.filter(({ type }) => type === "IDAT").map(({ data }) => data), count: 1 });
   });
   if (head) await system.write(out, apngBytes(head, made, { width: look.width, height: look.height, fps }));
+}
+
+async function video({ out, look, fps, each, system }: Film) {
+  const { width, height, ground } = look;
+  const encoder = await system.encoder(out, { width, height, fps, ground: ground ?? WHITE });
+  await each((_, pixels) => encoder.add(pixels));
+  await encoder.finish();
 }
 
 async function zip({ out, each, still, system }: Film) {

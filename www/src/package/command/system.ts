@@ -23,6 +23,13 @@ interface Pool {
   locus(...args: [...Parameters<Proof["locus"]>, { onProgress(share: number): void }]): Promise<Locus>;
 }
 
+/** A program that makes a video of frames, which it is handed one by one. */
+export interface Encoder {
+  add(pixels: Pixels): Promise<void>;
+  /** Throws what the program says where it could not make the video. */
+  finish(): Promise<void>;
+}
+
 export interface System {
   draw(): Promise<Draw>;
   proof(): Promise<Proof>;
@@ -33,6 +40,13 @@ export interface System {
   write(file: string, bytes: Uint8Array | string): Promise<void>;
   /** Throws where the file could not be written: before the work, not after it. */
   writable(file: string): Promise<void>;
+  /** Whether there is a program that makes videos. */
+  encodes(): Promise<boolean>;
+  /** The file is written by the program; `ground` fills up sides to even numbers, which videos have to have. */
+  encoder(
+    file: string,
+    video: { width: number; height: number; fps: number; ground: string },
+  ): Promise<Encoder>;
   print(line: string): void;
   /** What is said while it works, and is no answer. */
   tell(line: string): void;

@@ -1,5 +1,7 @@
 #!/usr/bin/env node
 // The command `frond`: `node` gives it files, words and workers.
+import { execFile, spawn } from "node:child_process";
+import { once } from "node:events";
 import { createReadStream } from "node:fs";
 import { access, constants, stat, writeFile } from "node:fs/promises";
 import { dirname } from "node:path";
@@ -45,6 +47,48 @@ const system = {
     const old = await stat(file).catch(() => null);
     if (old?.isDirectory()) throw new Error(`${file} is a folder: name a file in it.`);
     await access(old ? file : folder, constants.W_OK);
+  },
+  encodes: () =>
+    new Promise((resolve) => execFile("ffmpeg", ["-version"], (problem) => resolve(problem === null))),
+  async encoder(file, { width, height, fps, ground }) {
+    const frames = [
+      "-f",
+      "rawvideo",
+      "-pix_fmt",
+      "rgba",
+      "-s",
+      `${width}x${height}`,
+      "-r",
+      `${fps}`,
+      "-i",
+      "-",
+    ];
+    const even = `pad=ceil(iw/2)*2:ceil(ih/2)*2:color=${ground}`;
+    const video = ["-vf", even, "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-y", `file:${file}`];
+    const words = ["-hide_banner", "-loglevel", "error", ...frames, ...video];
+    const ffmpeg = spawn("ffmpeg", words, { stdio: ["pipe", "ignore", "pipe"] });
+    let said = "";
+    ffmpeg.stderr.on("data", (text) => {
+      said = `${said}${text}`.slice(-2000);
+    });
+    // It ends before its last frame where it cannot write: its exit tells why.
+    ffmpeg.stdin.on("error", () => {});
+    const ended = once(ffmpeg, "close").then(([code]) => {
+      const why = said.trim().split("\n").at(-1);
+      if (code !== 0) throw new Error(`ffmpeg could not make ${file}: ${why || `it ended with ${code}`}`);
+    });
+    ended.catch(() => {});
+    return {
+      add: (pixels) =>
+        Promise.race([
+          new Promise((resolve) => ffmpeg.stdin.write(pixels, (problem) => problem || resolve())),
+          ended,
+        ]),
+      finish() {
+        ffmpeg.stdin.end();
+        return ended;
+      },
+    };
   },
   print: (line) => process.stdout.write(`${line}\n`),
   tell: (line) => process.stderr.write(`${line}\n`),
