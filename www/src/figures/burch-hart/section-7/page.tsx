@@ -1,4 +1,4 @@
-import { useMemo, useState } from "preact/hooks";
+import { useMemo, useRef } from "preact/hooks";
 import { fixed } from "#format/numbers";
 import { verdictPhrase } from "#format/verdict";
 import { union } from "#geometry/boxes";
@@ -10,13 +10,27 @@ import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
 import { Chip, VerdictChip } from "../../kit/frame/verdict";
 import { tex } from "../../kit/notation/tex";
+import { oneOf, text, whole } from "../../kit/state/fields";
+import { kept, useKept } from "../../kit/state/kept";
 import { Time, useTime } from "../../kit/time/time";
+import { SYSTEM } from "./address";
 import { useDirected } from "./ask";
 import { Editor } from "./editor";
 import { Answer, EPSILON, Way } from "./found";
 import css from "./page.module.css";
 import { StatePicture } from "./state-picture";
 import { look, madeOf } from "./systems";
+
+const PRESET = text(/[a-z0-9-]{1,30}/);
+
+/** What stands in its address. */
+export const STATE = {
+  from: kept("snowflake", PRESET),
+  to: kept("crystal", PRESET),
+  own: kept(null, SYSTEM),
+  maps: kept<Mode>("linear", oneOf(["polar", "linear"])),
+  level: kept(0, whole(0, 6)),
+};
 
 /** What must be there before it is shown. */
 export const needs = [loadDirected];
@@ -27,22 +41,23 @@ const PROOF_EPSILON = 1 / 100;
 /** Shapes of several states, made of copies of each other, and the way between two of them. */
 export function Page(heading: Heading) {
   const presets = useMemo(() => directed.directedPresets(), []);
-  const [name, setName] = useState("snowflake");
-  const [first, setFirst] = useState<DirectedIfs>(() => systemOf("snowflake"));
-  const [lastName, setLastName] = useState("crystal");
-  const [mode, setMode] = useState<Mode>("linear");
-  const [level, setLevel] = useState(0);
+  const [from, setFrom] = useKept("from", ...STATE.from);
+  const [to, setTo] = useKept("to", ...STATE.to);
+  const [own, setOwn] = useKept("own", ...STATE.own);
+  const [mode, setMode] = useKept("maps", ...STATE.maps);
+  const [level, setLevel] = useKept("level", ...STATE.level);
   const time = useTime(0);
-  const last = useMemo(() => systemOf(lastName), [lastName]);
+  const first = useMemo(() => own ?? systemOf(from, STATE.from[0]), [own, from]);
+  const last = useMemo(() => systemOf(to, STATE.to[0]), [to]);
   const way = useMemo(() => wayOf(first, last, mode), [first, last, mode]);
   const system = useMemo(() => way.at(time.t), [way, time.t]);
   const seen = useMemo(() => look(system), [system]);
   const problem = way.problem ?? (typeof seen === "string" && time.t === 0 ? seen : null);
   const lost = typeof seen === "string";
   // What has no attractor leaves what there was.
-  const [held, setHeld] = useState({ system, seen });
-  if (!lost && held.system !== system) setHeld({ system, seen });
-  const shown = lost ? held : { system, seen };
+  const held = useRef({ system, seen });
+  if (!lost) held.current = { system, seen };
+  const shown = held.current;
   const facts = typeof shown.seen === "string" ? null : shown.seen;
   const boxes = facts?.boxes ?? [];
   const asked = useMemo(() => (lost ? null : { system, epsilon: EPSILON }), [system, lost]);
@@ -56,8 +71,8 @@ export function Page(heading: Heading) {
   const proof = useDirected("certify", proofTask, 1);
   const proved = proof?.about === proofTask ? (proof?.result ?? null) : null;
   const choose = (id: string) => {
-    setName(id);
-    setFirst(systemOf(id));
+    setFrom(id);
+    setOwn(null);
     time.go(0);
   };
   const box = union([...way.boxes, ...(boxes[0] ? [boxes[0]] : [])]);
@@ -99,7 +114,7 @@ export function Page(heading: Heading) {
       <div class={layout["controls"]}>
         <label>
           First{" "}
-          <Select value={name} onChange={(event) => choose(event.currentTarget.value)}>
+          <Select value={from} onChange={(event) => choose(event.currentTarget.value)}>
             {presets.map(({ id, name: words }) => (
               <option key={id} value={id}>
                 {words}
@@ -109,7 +124,7 @@ export function Page(heading: Heading) {
         </label>
         <label>
           Last{" "}
-          <Select value={lastName} onChange={(event) => setLastName(event.currentTarget.value)}>
+          <Select value={to} onChange={(event) => setTo(event.currentTarget.value)}>
             {presets.map(({ id, name: words }) => (
               <option key={id} value={id}>
                 {words}
@@ -167,7 +182,7 @@ export function Page(heading: Heading) {
           system={first}
           problem={problem}
           onChange={(next) => {
-            setFirst(next);
+            setOwn(next);
             time.go(0);
           }}
         />
@@ -197,8 +212,13 @@ export function Page(heading: Heading) {
   );
 }
 
-const systemOf = (id: string): DirectedIfs =>
-  directed.directedPresets().find((preset) => preset.id === id)?.system ?? { states: [] };
+/** The system of a name; an address may have one that there is not. */
+function systemOf(id: string, otherwise: string): DirectedIfs {
+  const presets = directed.directedPresets();
+  const found =
+    presets.find((preset) => preset.id === id) ?? presets.find((preset) => preset.id === otherwise);
+  return found?.system ?? { states: [] };
+}
 
 /** As many states have a picture of their own. */
 const MOST_SHOWN = 8;
