@@ -82,7 +82,7 @@ test("detail takes locality along and gives it back, and bad numbers are refused
   const roughness = page.getByRole("spinbutton", { name: /^Roughness/ });
   await roughness.fill("lots");
   await roughness.press("Enter");
-  await expect(page.getByText("Type a number such as")).toBeVisible();
+  await expect(page.getByText("A number cannot have “lots” in it.")).toBeVisible();
   expect((await studio.scene()).deform).toMatchObject({ kb: 5, delta: 0.75 });
   await page.getByRole("switch", { name: "Differs from corner to corner" }).check();
   await page.getByRole("spinbutton", { name: "Upper right" }).fill("1.25");
