@@ -227,6 +227,8 @@ test.describe("without a connection", () => {
 
 test("a lesson is printed to its end, and the page around it is not", async ({ page }) => {
   await openFigure(page, "e1");
+  // All of it: the page before it has a heading, too.
+  await page.locator("[data-step=question]").first().waitFor();
   // On paper this small it takes several sheets; what is clipped to the window takes one.
   const pdf = (await page.pdf({ format: "A5" })).toString("latin1");
   expect(pdf.match(/\/Type \/Page\b/g)?.length).toBeGreaterThan(1);
