@@ -1,4 +1,4 @@
-/** A graph-directed system in the address of its page: states by colons, maps by semicolons, each with what it copies. */
+/** A graph-directed system in its page's address: states by colons, maps by semicolons, each with what it copies. */
 import type { DirectedIfs } from "#wasm/api";
 import { type Field, list, number } from "../../kit/state/fields";
 import { MOST } from "./systems";
