@@ -1,7 +1,6 @@
 //! Files, a format each.
 
 pub(crate) mod flame;
-mod flame_palette;
 pub(crate) mod fractint;
 pub(crate) mod fractint_error;
 pub(crate) mod ifstile;

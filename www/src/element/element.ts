@@ -3,17 +3,13 @@
  * screen, and what goes wrong is an `error` event and a word in its place.
  */
 
-import { percent } from "#format/path-words";
-import sheet from "#style/element.css?inline";
 import { palette } from "#style/palette";
 import { Frame } from "./frame";
 import { Picture, type PictureChoices } from "./picture";
 import { failureOf } from "./protocol";
+import { Shadow } from "./shadow";
 import type { PictureOptions, Shown, Teller, Told } from "./shown";
 import { momentOf, WishError, wishOf } from "./wish";
-
-const PLAY = "M8 5.2v13.6a.8.8 0 0 0 1.2.7l10.6-6.8a.8.8 0 0 0 0-1.4L9.2 4.5A.8.8 0 0 0 8 5.2z";
-const PAUSE = "M7 5h3.5v14H7zM13.5 5H17v14h-3.5z";
 
 /** So far from the screen it begins to load. */
 const NEAR = "300px";
@@ -57,7 +53,7 @@ const LIGHT: readonly string[] = ["t", "controls", "loop", "seconds", "theme", "
 export class FrondView extends HTMLElement {
   static readonly observedAttributes: readonly string[] = OBSERVED;
 
-  readonly #ui: Ui;
+  readonly #shadow: Shadow;
   #shown: Shown | null = null;
   #opening = 0;
   #near = false;
@@ -70,7 +66,7 @@ export class FrondView extends HTMLElement {
   constructor() {
     super();
     const root = this.attachShadow({ mode: "open", delegatesFocus: true });
-    this.#ui = new Ui(root, {
+    this.#shadow = new Shadow(root, {
       seek: (t) => this.seek(t),
       toggle: () => (this.playing ? this.pause() : this.play()),
     });
@@ -89,7 +85,7 @@ export class FrondView extends HTMLElement {
     );
     near.observe(this);
     const sizes = new ResizeObserver(() => this.#fit());
-    sizes.observe(this.#ui.stage);
+    sizes.observe(this.#shadow.stage);
     const dark = this.ownerDocument.defaultView?.matchMedia("(prefers-color-scheme: dark)");
     const restyle = () => this.#restyle();
     dark?.addEventListener("change", restyle);
@@ -98,7 +94,7 @@ export class FrondView extends HTMLElement {
       sizes.disconnect();
       dark?.removeEventListener("change", restyle);
     };
-    this.#ui.dress();
+    this.#shadow.dress();
     this.#lay();
   }
 
@@ -227,7 +223,7 @@ export class FrondView extends HTMLElement {
 
   #fail(problem: unknown): void {
     const { code, message } = problem instanceof WishError ? problem : failureOf(problem);
-    this.#ui.say(message);
+    this.#shadow.say(message);
     this.#send("error", { code, message });
   }
 
@@ -237,7 +233,7 @@ export class FrondView extends HTMLElement {
 
   async #open(): Promise<void> {
     const turn = ++this.#opening;
-    this.#ui.say("");
+    this.#shadow.say("");
     const tell: Teller = {
       ready: () => turn === this.#opening && this.#arrived(),
       change: () => turn === this.#opening && this.#changed(),
@@ -245,7 +241,7 @@ export class FrondView extends HTMLElement {
       error: (code, message) => {
         if (turn !== this.#opening) return;
         // A straight way is still a picture.
-        if (code !== "straight") this.#ui.say(message);
+        if (code !== "straight") this.#shadow.say(message);
         this.#send("error", { code, message });
       },
     };
@@ -253,13 +249,17 @@ export class FrondView extends HTMLElement {
       const wish = wishOf((name) => this.getAttribute(name));
       const t = this.#sought ?? this.#moment();
       if (wish.where !== "here") {
-        this.#shown = new Frame(this.#ui.framed(this.#label()), wish, this.#framed(), t, tell);
+        this.#shown = new Frame(this.#shadow.framed(this.#label()), wish, this.#framed(), t, tell);
         this.#sought = null;
         return;
       }
       const base = this.#studio();
       const choices = { ...this.#play(), ...this.#colours(), proof: base && `${base}frond-proof.js` };
-      const picture = await Picture.open(this.#ui.drawn(), { fragment: wish.fragment, t, ...choices }, tell);
+      const picture = await Picture.open(
+        this.#shadow.drawn(),
+        { fragment: wish.fragment, t, ...choices },
+        tell,
+      );
       if (turn !== this.#opening || !this.isConnected) {
         picture.close();
         return;
@@ -307,11 +307,11 @@ export class FrondView extends HTMLElement {
     clearTimeout(this.#resting);
     this.#shown?.close();
     this.#shown = null;
-    this.#ui.clear();
+    this.#shadow.clear();
   }
 
   #arrived(): void {
-    this.#ui.arrived();
+    this.#shadow.arrived();
     this.#send("ready", { t: this.t });
     const calm =
       this.ownerDocument.defaultView?.matchMedia("(prefers-reduced-motion: reduce)").matches ?? false;
@@ -320,23 +320,23 @@ export class FrondView extends HTMLElement {
   }
 
   #changed(): void {
-    this.#ui.moment(this.t, this.playing);
+    this.#shadow.moment(this.t, this.playing);
     this.#send("change", { t: this.t, playing: this.playing });
     clearTimeout(this.#resting);
     if (!this.playing) this.#resting = setTimeout(() => this.#rested(), REST_MS);
   }
 
   #rested(): void {
-    this.#ui.describe(this.#label());
+    this.#shadow.describe(this.#label());
     if (this.hasAttribute("verdict") && this.#shown instanceof Picture)
       this.#shown.verdict().catch((problem) => {
-        this.#ui.verdict("Not decided: its module could not be fetched.");
+        this.#shadow.verdict("Not decided: its module could not be fetched.");
         this.#send("error", failureOf(problem));
       });
   }
 
   #decided(told: Told): void {
-    this.#ui.verdict(this.hasAttribute("verdict") && this.#shown instanceof Picture ? told.words : "");
+    this.#shadow.verdict(this.hasAttribute("verdict") && this.#shown instanceof Picture ? told.words : "");
     this.#send("verdict", told);
   }
 
@@ -345,8 +345,8 @@ export class FrondView extends HTMLElement {
   }
 
   #lay(): void {
-    this.#ui.themed();
-    this.#ui.lay(this.hasAttribute("controls"), this.getAttribute("poster"), this.#label());
+    this.#shadow.themed();
+    this.#shadow.lay(this.hasAttribute("controls"), this.getAttribute("poster"), this.#label());
   }
 
   /** Those of the page come before those of the link, and these before those of the theme. */
@@ -354,7 +354,7 @@ export class FrondView extends HTMLElement {
     const own = getComputedStyle(this)
       .getPropertyValue("--frond-palette")
       .match(/#[0-9a-f]{6}\b/gi);
-    const theme = this.#ui.themed();
+    const theme = this.#shadow.themed();
     const colours = (own ?? palette(theme)).map((colour) => Number.parseInt(colour.slice(1), 16));
     return { palette: colours, firm: own !== null };
   }
@@ -369,156 +369,9 @@ export class FrondView extends HTMLElement {
 
   #fit(): void {
     if (!(this.#shown instanceof Picture)) return;
-    const { width, height } = this.#ui.stage.getBoundingClientRect();
+    const { width, height } = this.#shadow.stage.getBoundingClientRect();
     const ratio = Math.min(2, this.ownerDocument.defaultView?.devicePixelRatio ?? 1);
     this.#shown.resize(width * ratio, height * ratio);
-  }
-}
-
-interface Acts {
-  seek(t: number): void;
-  toggle(): void;
-}
-
-/** What stands in the shadow of the element. */
-class Ui {
-  readonly stage: HTMLElement;
-  readonly #root: ShadowRoot;
-  readonly #all: HTMLElement;
-  readonly #probe: HTMLElement;
-  readonly #canvas: HTMLCanvasElement;
-  readonly #poster: HTMLImageElement;
-  readonly #message: HTMLElement;
-  readonly #verdict: HTMLElement;
-  readonly #controls: HTMLElement;
-  readonly #play: HTMLButtonElement;
-  readonly #sign: SVGPathElement;
-  readonly #slider: HTMLInputElement;
-  #frame: HTMLIFrameElement | null = null;
-  #asked = false;
-
-  constructor(root: ShadowRoot, acts: Acts) {
-    root.innerHTML = `
-      <div class="all" part="all">
-        <span class="probe" hidden></span>
-        <div class="stage" part="stage">
-          <img part="poster" alt="" hidden>
-          <canvas part="picture" role="img" hidden></canvas>
-          <p class="verdict" part="verdict" role="status" hidden></p>
-          <p class="message" part="message" role="alert" hidden></p>
-        </div>
-        <div class="controls" part="controls" hidden>
-          <button type="button" part="play"><svg viewBox="0 0 24 24" aria-hidden="true"><path/></svg></button>
-          <input type="range" part="slider" min="0" max="1" step="0.001" aria-label="Time">
-        </div>
-      </div>`;
-    const find = <E extends Element>(name: string): E => {
-      const found = root.querySelector<E>(name);
-      if (!found) throw new Error(name);
-      return found;
-    };
-    this.#root = root;
-    this.#all = find(".all");
-    this.#probe = find(".probe");
-    this.stage = find(".stage");
-    this.#poster = find("img");
-    this.#canvas = find("canvas");
-    this.#verdict = find(".verdict");
-    this.#message = find(".message");
-    this.#controls = find(".controls");
-    this.#play = find("button");
-    this.#sign = find("path");
-    this.#slider = find("input");
-    this.#play.addEventListener("click", () => acts.toggle());
-    this.#slider.addEventListener("input", () => acts.seek(Number(this.#slider.value)));
-    this.#slider.addEventListener("keydown", (event) => {
-      if (event.key !== " ") return;
-      event.preventDefault();
-      acts.toggle();
-    });
-    this.moment(0, false);
-  }
-
-  /** Each document has its own sheets; a page may forbid styles that stand in elements. */
-  dress(): void {
-    const view = this.stage.ownerDocument.defaultView as (Window & typeof globalThis) | null;
-    if (!view || this.#root.adoptedStyleSheets.length > 0) return;
-    const own = new view.CSSStyleSheet();
-    own.replaceSync(sheet);
-    this.#root.adoptedStyleSheets = [own];
-  }
-
-  lay(controls: boolean, poster: string | null, label: string): void {
-    this.#asked = controls;
-    this.#controls.hidden = !controls || this.#frame !== null;
-    if (poster === null) this.#poster.removeAttribute("src");
-    else if (this.#poster.getAttribute("src") !== poster) this.#poster.src = poster;
-    this.#poster.hidden = poster === null || !this.#canvas.hidden || this.#frame !== null;
-    this.describe(label);
-  }
-
-  /** Takes on the theme that is wanted where it stands. */
-  themed(): "light" | "dark" {
-    const channels = (getComputedStyle(this.#probe).color.match(/[\d.]+/g) ?? []).map(Number);
-    const dark = channels.slice(0, 3).reduce((sum, channel) => sum + channel, 0) > 1.5 * 255;
-    this.#all.classList.toggle("dark", dark);
-    return dark ? "dark" : "light";
-  }
-
-  describe(label: string): void {
-    this.#canvas.setAttribute("aria-label", label);
-    this.#poster.alt = label;
-    if (this.#frame) this.#frame.title = label;
-  }
-
-  moment(t: number, playing: boolean): void {
-    this.#slider.value = String(t);
-    this.#slider.setAttribute("aria-valuetext", percent(t));
-    this.#play.setAttribute("aria-label", playing ? "Pause" : "Play");
-    this.#sign.setAttribute("d", playing ? PAUSE : PLAY);
-    if (playing) this.verdict("");
-  }
-
-  verdict(words: string): void {
-    this.#verdict.textContent = words;
-    this.#verdict.hidden = words === "";
-  }
-
-  say(message: string): void {
-    this.#message.textContent = message;
-    this.#message.hidden = message === "";
-  }
-
-  /** The canvas, to be drawn on. */
-  drawn(): HTMLCanvasElement {
-    return this.#canvas;
-  }
-
-  /** A frame in place of the canvas. */
-  framed(label: string): HTMLIFrameElement {
-    this.#frame = this.#canvas.ownerDocument.createElement("iframe");
-    this.#frame.setAttribute("part", "frame");
-    this.#frame.title = label;
-    this.stage.append(this.#frame);
-    this.#controls.hidden = true;
-    return this.#frame;
-  }
-
-  /** There is something to be seen. */
-  arrived(): void {
-    this.#canvas.hidden = this.#frame !== null;
-    this.#poster.hidden = true;
-  }
-
-  clear(): void {
-    this.#frame?.remove();
-    this.#frame = null;
-    this.#canvas.hidden = true;
-    this.#poster.hidden = !this.#poster.hasAttribute("src");
-    this.#controls.hidden = !this.#asked;
-    this.verdict("");
-    this.say("");
-    this.moment(0, false);
   }
 }
 
