@@ -34,7 +34,9 @@
 //!    other maps of the same shapes may be morphed instead ([`routes`]).
 //! 6. `directed/`: several shapes that are made of copies of each other ([`DirectedIfs`]), their points and pieces, and
 //!    the way between two such systems ([`DirectedMorph`]).
-//! 7. `animation/`: key frames ([`Motion3`]) and places ([`Place3`]). `projection/` and `intersection`: shadows of
+//! 7. `digits/`: shapes on a grid ([`DigitSystem`]), and what two of them share as such a system, found in whole
+//!    numbers ([`grid_intersection`]).
+//! 8. `animation/`: key frames ([`Motion3`]) and places ([`Place3`]). `projection/` and `intersection`: shadows of
 //!    shapes of space ([`exact_projection`]), and where two shapes meet ([`intersection()`]).
 //!    [`closed_form`]: which fractions and roots doubles come near.
 //!
@@ -49,6 +51,7 @@
 mod animation;
 mod bounds;
 pub mod closed_form;
+mod digits;
 mod dimension;
 mod directed;
 mod error;
@@ -71,6 +74,9 @@ pub use animation::placement::Place3;
 pub use bounds::bounds3::Bounds3;
 pub use bounds::hull2::Hull;
 pub use bounds::support_table3::SupportTable3;
+pub use digits::error::DigitError;
+pub use digits::intersection::{AddressCount, GridIntersection, GridState, grid_intersection};
+pub use digits::system::DigitSystem;
 pub use dimension::{Dim2, Dim3, Dimension};
 pub use directed::chaos_game::DirectedGame;
 pub use directed::contraction::{DirectedContraction, StateDisc};
