@@ -5,6 +5,9 @@ import { union } from "#geometry/boxes";
 import { Select } from "#ui/controls/Select";
 import type { DirectedIfs, StateConnectedness } from "#wasm/api";
 import { directed, loadDirected } from "#wasm/directed";
+import { useDirected } from "../../kit/directed/ask";
+import { look, madeOf } from "../../kit/directed/look";
+import { StatePicture } from "../../kit/directed/state-picture";
 import { Choice, SliderControl } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
@@ -14,12 +17,9 @@ import { oneOf, text, whole } from "../../kit/state/fields";
 import { kept, useKept } from "../../kit/state/kept";
 import { Time, useTime } from "../../kit/time/time";
 import { SYSTEM } from "./address";
-import { useDirected } from "./ask";
 import { Editor } from "./editor";
 import { Answer, EPSILON, Way } from "./found";
 import css from "./page.module.css";
-import { StatePicture } from "./state-picture";
-import { look, madeOf } from "./systems";
 
 const PRESET = text(/[a-z0-9-]{1,30}/);
 

@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
 import type { DirectedIfs } from "#wasm/api";
+import { madeOf } from "../../kit/directed/look";
 import { SYSTEM } from "./address";
-import { doubled, extended, madeOf, replaced, shortened, without } from "./systems";
+import { doubled, extended, replaced, shortened, without } from "./systems";
 
 const part = (from: number, x = 0) =>
   ({ from, map: [0.5, 0, 0, 0.5, x, 0] as const }) as DirectedIfs["states"][0][0];

@@ -1,7 +1,5 @@
 /** Graph-directed systems as they are edited: every change is a function from one to the next. */
-import type { Box } from "#geometry/boxes";
 import type { DirectedIfs, DirectedMap } from "#wasm/api";
-import { directed } from "#wasm/directed";
 
 /** As many states as there may be, and maps of each. */
 export const MOST = 64;
@@ -46,27 +44,4 @@ export function shortened({ states }: DirectedIfs): DirectedIfs {
       .slice(0, last)
       .map((maps) => maps.map((map) => (map.from === last ? { ...map, from: 0 } : map))),
   };
-}
-
-/** What a state is made of, in words: "3 copies of state 2". */
-export function madeOf(maps: readonly DirectedMap[]): string {
-  const counts = new Map<number, number>();
-  for (const { from } of maps) counts.set(from, (counts.get(from) ?? 0) + 1);
-  return [...counts]
-    .sort(([p], [q]) => p - q)
-    .map(([from, count]) => `${count === 1 ? "1 copy" : `${count} copies`} of state ${from + 1}`)
-    .join(", ");
-}
-
-/** The boxes of all states, or what is wrong with the system. */
-export function look(
-  system: DirectedIfs,
-): { boxes: Box[]; facts: ReturnType<typeof directed.directedFacts> } | string {
-  try {
-    const facts = directed.directedFacts(system);
-    const boxes = facts.states.map(({ min, max }) => ({ x0: min[0], y0: min[1], x1: max[0], y1: max[1] }));
-    return { boxes, facts };
-  } catch (problem) {
-    return problem instanceof Error ? problem.message : String(problem);
-  }
 }

@@ -1,7 +1,7 @@
 import { useMemo } from "preact/hooks";
 import { directed, loadDirected } from "#wasm/directed";
-import { StatePicture } from "./state-picture";
-import { look } from "./systems";
+import { look } from "../../kit/directed/look";
+import { StatePicture } from "../../kit/directed/state-picture";
 
 export const needs = [loadDirected];
 

@@ -2,14 +2,12 @@ import { describe, expect, it } from "vitest";
 import { apply3 } from "#geometry/maps/affine3";
 import type { MapRow3, Point3 } from "#wasm/api";
 import {
-  columnsOf,
   findingOf,
   graphWords,
   inner,
   isFlat,
   pairWords,
   placed,
-  ringPlace,
   sharesLinear,
   shiftWords,
   waysOf,
@@ -60,31 +58,6 @@ describe("the graph of shifts", () => {
     expect(findingOf({ shifts: [], attractor: null })).toBe("apart");
     expect(findingOf({ shifts: [[0, 0, 0]], attractor: [third(0)] })).toBe("one");
     expect(findingOf({ shifts: [[0, 0, 0]], attractor: null })).toBe("several");
-  });
-
-  it("has its places on a ring, none of them twice", () => {
-    const places = Array.from({ length: 5 }, (_, i) =>
-      ringPlace(i, 5, 10)
-        .map((x) => x.toFixed(6))
-        .join(),
-    );
-    expect(new Set(places).size).toBe(5);
-    expect(ringPlace(0, 5, 10)[0]).toBeCloseTo(-10);
-  });
-});
-
-describe("a graph of few shifts", () => {
-  it("goes to the right, step by step", () => {
-    const ways = [
-      { from: 0, to: 2 },
-      { from: 0, to: 1 },
-      { from: 1, to: 1 },
-      { from: 1, to: 3 },
-      { from: 3, to: 0 },
-    ];
-    expect(columnsOf(4, ways)).toEqual([[0], [1, 2], [3]]);
-    expect(columnsOf(1, [{ from: 0, to: 0 }])).toEqual([[0]]);
-    expect(columnsOf(0, [])).toEqual([]);
   });
 });
 

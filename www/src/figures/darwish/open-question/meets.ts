@@ -23,9 +23,6 @@ export function waysOf({ arrows }: Pick<Intersection3, "arrows">): Ways[] {
   return [...found.values()];
 }
 
-/** Shifts that are drawn; more of them would be a thicket. */
-export const MOST_DRAWN = 16;
-
 /** What stands at an arrow: the pair where it is one, else how many there are. */
 export function pairWords(pairs: Ways["pairs"]): string {
   const [only] = pairs;
@@ -96,23 +93,4 @@ export function sharesLinear(maps: readonly MapRow3[]): boolean {
 /** Whether a shape lies flat at one height. */
 export function isFlat(maps: readonly MapRow3[]): boolean {
   return maps.every((map) => map[11] === 0 && map[6] === 0 && map[7] === 0);
-}
-
-/** Where a shift is drawn when there are many: none at all at the left, the others on a ring. */
-export function ringPlace(index: number, count: number, radius: number): [x: number, y: number] {
-  const angle = Math.PI + (2 * Math.PI * index) / Math.max(1, count);
-  return [radius * Math.cos(angle), radius * Math.sin(angle)];
-}
-
-/** The same when there are few: from none at all to the right, a column for each step of the way. */
-export function columnsOf(count: number, ways: readonly Pick<Ways, "from" | "to">[]): number[][] {
-  const columns: number[][] = [];
-  const known = new Set<number>();
-  for (let now = count > 0 ? [0] : []; now.length > 0; ) {
-    for (const index of now) known.add(index);
-    columns.push(now);
-    const next = new Set(ways.filter(({ from }) => now.includes(from)).map(({ to }) => to));
-    now = [...next].filter((index) => index < count && !known.has(index)).sort((a, b) => a - b);
-  }
-  return columns;
 }

@@ -3,7 +3,8 @@ import { Formula } from "../../kit/frame/formula";
 import layout from "../../kit/frame/layout.module.css";
 import { Table } from "../../kit/frame/table";
 import { tex } from "../../kit/notation/tex";
-import { MOST_DRAWN, shiftWords, waysOf } from "./meets";
+import { MOST_DRAWN } from "../graph/layout";
+import { shiftWords, waysOf } from "./meets";
 import css from "./product.module.css";
 import { MeetGraph } from "./product-graph";
 

@@ -1,4 +1,4 @@
-/** What the page asks the workers about graph-directed shapes. */
+/** What pages ask the workers about graph-directed shapes. */
 import { useEffect, useRef, useState } from "preact/hooks";
 import { toError } from "#wasm/error";
 import { directedTask } from "#workers/directed/client";

@@ -3,9 +3,9 @@ import { type Box, fitFor } from "#document/framing";
 import { dark } from "#document/preferences";
 import { palette } from "#style/palette";
 import type { DirectedIfs } from "#wasm/api";
-import { pictured, usePixels } from "../../kit/picture/canvas";
-import picture from "../../kit/picture/picture.module.css";
-import { useValue } from "../../kit/workers";
+import { pictured, usePixels } from "../picture/canvas";
+import picture from "../picture/picture.module.css";
+import { useValue } from "../workers";
 import { useDirected } from "./ask";
 
 interface StatePictureProps {
