@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec2;
 
-use crate::closed::Straight;
+use crate::fitting::Straight;
 use crate::outline::{Guard, Outline, features};
 
 /// A polyline through feature points: 2 numbers each.

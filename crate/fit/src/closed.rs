@@ -1,30 +1,16 @@
 //! Self-affine closed curves: knots, and edges that are straight or copies of arcs.
 
-mod candidates;
 mod copies;
-mod expansion;
+pub(crate) mod expansion;
 mod fault;
-mod final_refine;
-mod fitter;
 mod growth;
-mod judge;
-mod moves;
-mod normal;
 mod pack;
-mod partition;
-mod refine;
 mod states;
-mod straight;
 mod text;
 
 pub use copies::CopyFacts;
 pub use fault::CurveFault;
-pub use fitter::{ClosedFit, FitError, Fitter, Progress, Stage};
-pub use judge::{DRAWING_LEVELS, DRAWING_TOLERANCE};
 pub use pack::{MAX_KNOTS, PackError};
-pub use partition::partition;
-pub(crate) use refine::{Refiner, Ties};
-pub(crate) use straight::Straight;
 pub use text::MAX_TEXT;
 
 use glam::{DMat2, DVec2};

@@ -27,9 +27,10 @@
 //! 1. `outline`: what is fitted, its feature points, and how near a fit is to it.
 //! 2. `fractal`: a piece, the curves and functions that are made of pieces, and points of them.
 //! 3. `collage` and `hough`: the paper's two ways to find the pieces. `baseline`: what they are compared with.
-//! 4. `closed`: the form that does better. `fitter` is the loop, `straight` the polyline that it begins with,
-//!    `candidates` proposes copies, `moves` trades numbers between knots and copies, `refine` is least squares through
-//!    the attractor (`normal` solves them), `final_refine` ends it, `judge` keeps what is no worse than the polyline.
+//! 4. `closed`: the form that does better. `fitting`: how it is found. `fitter` is the loop, `straight` the polyline that
+//!    it begins with; `search` trades numbers between knots and copies: `candidates` proposes copies, `choice` says which
+//!    `moves` are made, `refine` is least squares through the attractor (`normal` solves them); `final_refine` ends it,
+//!    `judge` keeps what is no worse than the polyline.
 //! 5. `curve_morph`: two curves matched by dynamic time warping (`dtw`), given as many knots each (`matching`,
 //!    `knot_ring`).
 //! 6. `segment`: a leaf in a picture. A channel, Otsu's threshold, morphology, connected components, the contour; where
@@ -53,6 +54,7 @@ mod closed;
 mod collage;
 mod curve_morph;
 mod error;
+mod fitting;
 mod fractal;
 mod grown;
 mod hough;
@@ -64,12 +66,14 @@ mod series;
 
 pub use baseline::{bezier, fourier, least_squares_polyline, split_polyline};
 pub use closed::{
-    ArcCopy, CONTRACTION, ClosedCurve, ClosedFit, CopyFacts, CurveFault, DRAWING_LEVELS, DRAWING_TOLERANCE,
-    FitError, Fitter, MAX_KNOTS, MAX_SPAN, MAX_TEXT, PackError, Progress, Stage, partition,
+    ArcCopy, CONTRACTION, ClosedCurve, CopyFacts, CurveFault, MAX_KNOTS, MAX_SPAN, MAX_TEXT, PackError,
 };
 pub use collage::{Bounding, CollageError, CollageFit, CollageOptions, Domains, RingMap, fit_collage};
 pub use curve_morph::{CurveMorph, MAX_FILE_POINTS, MorphError, MorphedCurve};
 pub use error::{FunctionError, MAX_POINTS};
+pub use fitting::{
+    ClosedFit, DRAWING_LEVELS, DRAWING_TOLERANCE, FitError, Fitter, Progress, Stage, partition,
+};
 pub use fractal::curve::{FractalCurve, Side};
 pub use fractal::function::{Dimension, FractalFunction};
 pub use fractal::piece::{Piece, spectral_norm};

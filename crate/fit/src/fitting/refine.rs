@@ -2,9 +2,9 @@
 
 use glam::DVec2;
 
-use super::expansion::Vertex;
 use super::normal::Rows;
-use super::{CONTRACTION, ClosedCurve, FITTING_SHARE};
+use crate::closed::expansion::Vertex;
+use crate::closed::{CONTRACTION, ClosedCurve, FITTING_SHARE};
 use crate::outline::{Guard, Nearest};
 
 /// What it costs the curve to be off the outline, where the outline's points do not see it.

@@ -1,7 +1,8 @@
 //! The end of a fit: several ways to finish, judged by what is measured.
 
 use super::judge::Judge;
-use super::{ClosedCurve, Refiner, Ties};
+use super::refine::{Refiner, Ties};
+use crate::closed::ClosedCurve;
 use crate::outline::Outline;
 
 /// What the curve pays for straying from the outline, one way to finish after the other. Little is best for the

@@ -2,8 +2,9 @@
 
 use glam::DVec2;
 
-use super::ClosedCurve;
-use super::candidates::{Library, Proposal, Stretch};
+use super::candidates::{Library, Proposal};
+use super::marks::Marked;
+use crate::closed::{ArcCopy, ClosedCurve, MAX_SPAN};
 
 /// The share of an edge's squares that a knot at its farthest point is thought to take off.
 const SPLIT_SHARE: f64 = 0.5;
@@ -18,7 +19,7 @@ pub(crate) enum Move {
     /// The edge gets a knot at this point of the outline; a copy becomes two straight edges.
     Split(usize, usize),
     /// The edge becomes a copy, or copies another arc.
-    Copy(usize, super::ArcCopy),
+    Copy(usize, ArcCopy),
 }
 
 /// What a move is called: its kind, and points of the outline.
@@ -32,60 +33,7 @@ pub(crate) struct Offer {
     pub numbers: i32,
 }
 
-/// The curve with the index of the outline's point at each knot.
-#[derive(Clone, Debug)]
-pub(crate) struct Marked {
-    pub curve: ClosedCurve,
-    pub marks: Vec<usize>,
-}
-
 impl Marked {
-    /// Moves each mark to the nearest point of the outline between its neighbours.
-    pub fn follow(&mut self, ring: &[DVec2]) {
-        let (count, knots) = (ring.len(), self.marks.len());
-        for k in 0..knots {
-            let (before, at, after) =
-                (self.marks[(k + knots - 1) % knots], self.marks[k], self.marks[(k + 1) % knots]);
-            let back = ((at + count - before) % count).saturating_sub(1) / 2;
-            let ahead = ((after + count - at) % count).saturating_sub(1) / 2;
-            let mut best = (f64::INFINITY, at);
-            for step in 0..=back + ahead {
-                let place = (at + count - back + step) % count;
-                let distance = ring[place].distance_squared(self.curve.knots[k]);
-                if distance < best.0 {
-                    best = (distance, place);
-                }
-            }
-            self.marks[k] = best.1;
-        }
-    }
-
-    fn stretch(&self, ring: &[DVec2], from: usize, to: usize) -> Option<Stretch> {
-        let count = self.marks.len();
-        let (from, to) = (from % count, to % count);
-        let ends = [self.curve.knots[from], self.curve.knots[to]];
-        Stretch::new(ring, self.marks[from], self.marks[to], ends)
-    }
-
-    /// Whether a point of the outline lies between the marks of an edge.
-    fn is_inside(&self, edge: usize, point: usize, count: usize) -> bool {
-        let from = self.marks[edge];
-        let many = (self.marks[(edge + 1) % self.marks.len()] + count - from) % count;
-        (1..many).contains(&((point + count - from) % count))
-    }
-
-    /// The outline's point over a place of an edge's chord.
-    fn mark_over(&self, ring: &[DVec2], edge: usize, share: f64) -> usize {
-        let to = (edge + 1) % self.marks.len();
-        let from = self.marks[edge];
-        let many = (self.marks[to] + ring.len() - from) % ring.len();
-        let chord = self.curve.knots[to] - self.curve.knots[edge];
-        let aim = self.curve.knots[edge] + chord * share;
-        let off = |s: &usize| (ring[(from + s) % ring.len()] - aim).dot(chord).abs();
-        let best = (1..many.max(2)).min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(1);
-        (from + best) % ring.len()
-    }
-
     /// All moves worth a thought: those that free numbers, and those that use them.
     ///
     /// `truth` has for each edge its sum of squares now, and the index of the outline's point farthest from it. What is
@@ -202,7 +150,7 @@ impl Marked {
                     let end = place[end % count] + if end >= count { total } else { 0 };
                     let from = place[copy.from];
                     let span = end - from;
-                    (2..=super::MAX_SPAN).contains(&span).then_some(super::ArcCopy { from, span, ..copy })
+                    (2..=MAX_SPAN).contains(&span).then_some(ArcCopy { from, span, ..copy })
                 });
                 next.curve.edges.push(copy);
             }

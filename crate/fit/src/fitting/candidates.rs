@@ -6,7 +6,7 @@
 
 use glam::DVec2;
 
-use super::{ArcCopy, CONTRACTION, ClosedCurve, MAX_SPAN, over};
+use crate::closed::{ArcCopy, CONTRACTION, ClosedCurve, MAX_SPAN, over};
 
 /// Places on a chord.
 const CHORD_PLACES: usize = 28;

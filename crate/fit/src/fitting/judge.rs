@@ -1,6 +1,6 @@
 //! What a fit is measured by in the end, and what it must not be.
 
-use super::ClosedCurve;
+use crate::closed::ClosedCurve;
 use crate::outline::{Fidelity, Guard, Outline, fidelity};
 
 /// The polyline of a fit leaves the curve by no more than this, in parts of the diagonal of the outline, and opens

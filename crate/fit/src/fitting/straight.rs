@@ -2,7 +2,9 @@
 
 use glam::DVec2;
 
-use super::{ClosedCurve, Refiner, Ties, partition};
+use super::partition::partition;
+use super::refine::{Refiner, Ties};
+use crate::closed::ClosedCurve;
 use crate::outline::{Guard, Outline, decimated, features};
 
 /// The most steps of least squares from each beginning.

@@ -1,0 +1,199 @@
+//! Fitting an outline step by step, with the best so far always at hand.
+
+use super::final_refine::Finisher;
+use super::fit_error::FitError;
+use super::judge::{Judge, Judged};
+use super::progress::{ClosedFit, Progress, Stage};
+use super::search::{FITTING_LEVELS, Search};
+use super::straight::Straight;
+use crate::closed::ClosedCurve;
+use crate::outline::{Guard, MAX_PREPARED, Outline};
+
+/// The least and the most numbers a fit may have.
+const NUMBER_RANGE: (usize, usize) = (12, 2000);
+
+/// The most points of the outline that are followed while searching.
+const MAX_FOLLOWED: usize = 2400;
+
+/// Edges of copies shorter than this are not opened while fitting, in parts of the diagonal.
+const FITTING_TOLERANCE: f64 = 1.5e-3;
+
+/// Rounds between two looks of the judge, which measures what is drawn.
+const ROUNDS_UNSEEN: usize = 16;
+
+/// Fits a self-affine closed curve to an outline, one short step after the other.
+///
+/// It begins with the best polyline of as many numbers, and what it has in the end is no farther from the outline than
+/// that (root mean square, of the curve as it is drawn). Where the outline does not meet itself, the drawn curve does
+/// not either. Every step takes some milliseconds to some hundred; between steps the work may be dropped at any time.
+#[derive(Clone, Debug)]
+pub struct Fitter {
+    outline: Outline,
+    diagonal: f64,
+    straight: Straight,
+    search: Option<Search>,
+    judge: Option<Judge>,
+    finisher: Option<Finisher>,
+    best: ClosedFit,
+    stage: Stage,
+    share: f64,
+}
+
+impl Fitter {
+    /// Begins a fit of at most `numbers` numbers: 2 a knot, 2 a copied edge.
+    ///
+    /// # Errors
+    /// Where the numbers are not between 12 and 2000, or the outline has too few points for them.
+    pub fn new(outline: &Outline, numbers: usize) -> Result<Self, FitError> {
+        if numbers < NUMBER_RANGE.0 || numbers > NUMBER_RANGE.1 {
+            return Err(FitError::BadNumbers { numbers });
+        }
+        let pairs = numbers / 2;
+        let points = outline.points().len();
+        if points < pairs.max(8) {
+            return Err(FitError::OutlineTooCoarse { points, numbers });
+        }
+        let outline = if points > MAX_PREPARED { outline.resampled(MAX_PREPARED) } else { outline.clone() };
+        let diagonal = outline.diagonal();
+        let straight = Straight::new(&outline, pairs, Guard::new(&outline));
+        let (curve, error) = straight.best();
+        let best = ClosedFit { curve: curve.clone(), error };
+        let thin = thinned(&outline, MAX_FOLLOWED.max(6 * pairs));
+        let search = Search::new(thin, pairs, FITTING_TOLERANCE * diagonal);
+        Ok(Self {
+            outline,
+            diagonal,
+            straight,
+            search: Some(search),
+            judge: None,
+            finisher: None,
+            best,
+            stage: Stage::Straight,
+            share: 0.0,
+        })
+    }
+
+    /// The best fit so far; from the start on there is one.
+    #[must_use]
+    pub fn best(&self) -> &ClosedFit {
+        &self.best
+    }
+
+    /// Whether there is nothing more to do.
+    #[must_use]
+    pub fn is_done(&self) -> bool {
+        self.stage == Stage::Done
+    }
+
+    /// Goes one step on.
+    pub fn step(&mut self) -> Progress {
+        let stage = self.stage;
+        match stage {
+            Stage::Straight => self.straight(),
+            Stage::Copies => self.copies(),
+            Stage::Trade => self.trade(),
+            Stage::Polish => self.polish(),
+            Stage::Done => {}
+        }
+        let share = match self.stage {
+            Stage::Straight => 0.1 * self.straight.share(),
+            Stage::Copies => 0.1,
+            Stage::Trade => 0.1 + 0.7 * self.search.as_ref().map_or(1.0, Search::spent),
+            Stage::Polish => 0.8 + 0.2 * self.finisher.as_ref().map_or(0.0, Finisher::share),
+            Stage::Done => 1.0,
+        };
+        self.share = self.share.max(share);
+        let rms = 100.0 * (self.best.error / self.outline.points().len() as f64).sqrt() / self.diagonal;
+        Progress { stage, share: self.share, rms }
+    }
+
+    /// Steps to the end.
+    #[must_use]
+    pub fn finish(mut self) -> ClosedCurve {
+        while !self.is_done() {
+            self.step();
+        }
+        self.best.curve
+    }
+
+    /// Has the best of the search measured.
+    fn look(&mut self) {
+        if let (Some(search), Some(judge)) = (&mut self.search, &mut self.judge) {
+            if let Some(curve) = search.take_unseen() {
+                judge.show(&curve);
+                self.best = of_judge(judge, &self.outline);
+            }
+        }
+    }
+
+    fn straight(&mut self) {
+        if self.straight.step() {
+            let (curve, error) = self.straight.best();
+            self.best = ClosedFit { curve: curve.clone(), error };
+            return;
+        }
+        let guard = self.straight.guard().cloned();
+        let judge = Judge::new(&self.outline, guard.clone(), self.straight.kept());
+        self.best = of_judge(&judge, &self.outline);
+        if let Some(search) = &mut self.search {
+            let rms = judge.best().near.rms / 100.0 * self.diagonal;
+            search.set_line(&self.best.curve, rms, guard);
+        }
+        self.judge = Some(judge);
+        self.stage = Stage::Copies;
+    }
+
+    fn copies(&mut self) {
+        let begun = self.search.as_mut().is_some_and(Search::begin_with_copies);
+        self.stage = if begun { Stage::Trade } else { Stage::Polish };
+    }
+
+    fn trade(&mut self) {
+        let Some(search) = &mut self.search else { return };
+        let more = search.step();
+        if !more {
+            self.stage = Stage::Polish;
+        }
+        if !more || search.rounds().is_multiple_of(ROUNDS_UNSEEN) {
+            self.look();
+        }
+    }
+
+    /// Several ends are tried, on all points, and the best is kept by what is measured.
+    fn polish(&mut self) {
+        if let (Some(search), Some(judge)) = (self.search.take(), self.judge.take()) {
+            let reach = search.reach();
+            let curves = search.into_found();
+            let tolerance = FITTING_TOLERANCE * self.diagonal / 3.0;
+            self.finisher =
+                Some(Finisher::new(&self.outline, judge, &curves, tolerance, FITTING_LEVELS + 1, reach));
+            return;
+        }
+        let Some(finisher) = &mut self.finisher else {
+            self.stage = Stage::Done;
+            return;
+        };
+        let more = finisher.step();
+        self.best = of_judge(finisher.judge(), &self.outline);
+        if !more {
+            self.stage = Stage::Done;
+        }
+    }
+}
+
+fn of_judge(judge: &Judge, outline: &Outline) -> ClosedFit {
+    let Judged { curve, near, .. } = judge.best();
+    let error = (near.rms / 100.0 * outline.diagonal()).powi(2) * outline.points().len() as f64;
+    ClosedFit { curve: curve.clone(), error }
+}
+
+/// Every so manieth point of an outline, so that there are `most` at most.
+fn thinned(outline: &Outline, most: usize) -> Outline {
+    let stride = outline.points().len().div_ceil(most);
+    let ring: Vec<_> = outline.points().iter().copied().step_by(stride).collect();
+    // One that crosses itself may be turned round, which its points are not to be.
+    Outline::new(&ring)
+        .ok()
+        .filter(|thin| thin.points().first() == ring.first())
+        .unwrap_or_else(|| outline.clone())
+}
