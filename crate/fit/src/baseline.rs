@@ -2,7 +2,7 @@
 
 mod bezier;
 
-pub use bezier::bezier;
+pub use bezier::{bezier, bezier_segments};
 
 use std::f64::consts::TAU;
 

@@ -2,13 +2,16 @@
 
 mod candidates;
 mod choice;
+mod distances;
 mod final_refine;
 mod fit_error;
 mod fitter;
+mod heights;
 mod judge;
 mod marks;
 mod moves;
 mod normal;
+mod outlook;
 mod partition;
 mod progress;
 mod refine;

@@ -64,7 +64,7 @@ mod read;
 mod segment;
 mod series;
 
-pub use baseline::{bezier, fourier, least_squares_polyline, split_polyline};
+pub use baseline::{bezier, bezier_segments, fourier, least_squares_polyline, split_polyline};
 pub use closed::{
     ArcCopy, CONTRACTION, ClosedCurve, CopyFacts, CurveFault, MAX_KNOTS, MAX_SPAN, MAX_TEXT, PackError,
 };

@@ -92,10 +92,10 @@ fn nearer(handles: [DVec2; 4], t: f64, p: DVec2) -> f64 {
 }
 
 /// Cubic Bézier segments end to end, of 6 numbers each (3 of them at least), whose handles are found by least squares;
-/// the segment that is farthest off is cut at its farthest point, again and again. As a closed polyline of about
-/// `count` points.
+/// the segment that is farthest off is cut at its farthest point, again and again. Each by its two ends and, between
+/// them, its two handles.
 #[must_use]
-pub fn bezier(outline: &Outline, numbers: usize, count: usize) -> Vec<DVec2> {
+pub fn bezier_segments(outline: &Outline, numbers: usize) -> Vec<[DVec2; 4]> {
     let points = outline.points();
     let total = points.len();
     let many = (numbers / NUMBERS_A_SEGMENT).clamp(3, total);
@@ -114,9 +114,16 @@ pub fn bezier(outline: &Outline, numbers: usize, count: usize) -> Vec<DVec2> {
         segments[index] = Segment::new(points, from, cut);
         segments.insert(index + 1, Segment::new(points, (from + cut) % total, many - cut));
     }
+    segments.iter().map(|segment| segment.handles).collect()
+}
+
+/// [`bezier_segments`] as a closed polyline of about `count` points.
+#[must_use]
+pub fn bezier(outline: &Outline, numbers: usize, count: usize) -> Vec<DVec2> {
+    let segments = bezier_segments(outline, numbers);
     let each = (count / segments.len().max(1)).max(1);
-    let sides = |segment: &Segment| {
-        let handles = segment.handles;
+    let sides = |handles: &[DVec2; 4]| {
+        let handles = *handles;
         (0..each).map(move |i| at(handles, i as f64 / each as f64))
     };
     segments.iter().flat_map(sides).collect()

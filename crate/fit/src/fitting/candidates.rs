@@ -6,77 +6,23 @@
 
 use glam::DVec2;
 
-use crate::closed::{ArcCopy, CONTRACTION, ClosedCurve, MAX_SPAN, over};
-
-/// Places on a chord.
-const CHORD_PLACES: usize = 28;
+use super::heights::{CHORD_PLACES, Heights, Shape, free_of_lines, heights};
+use crate::closed::{ArcCopy, CONTRACTION, ClosedCurve, MAX_SPAN};
 
 /// The largest factor that is proposed.
 const MAX_FACTOR: f64 = 1.5;
 
-type Heights = [f64; CHORD_PLACES];
-
-/// Heights over the chord in parts of its length, averaged where there are several; none where the arc leaves its chord
-/// too far behind or ahead.
-fn heights(points: impl Iterator<Item = DVec2>, from: DVec2, to: DVec2) -> Option<Heights> {
-    let chord = to - from;
-    let mut sums = [0.0; CHORD_PLACES];
-    let mut counts = [0_u32; CHORD_PLACES];
-    let mut last: Option<DVec2> = None;
-    let place = |g: usize| (g as f64 + 0.5) / CHORD_PLACES as f64;
-    for p in points {
-        let w = over(p - from, chord);
-        if !(w.x.abs() < 3.0 && w.y.abs() < 4.0) {
-            return None;
-        }
-        if let Some(before) = last {
-            let (a, b) = if before.x <= w.x { (before, w) } else { (w, before) };
-            let first = (a.x * CHORD_PLACES as f64 - 0.5).ceil().max(0.0) as usize;
-            for g in first..CHORD_PLACES {
-                let u = place(g);
-                if u > b.x {
-                    break;
-                }
-                let share = if b.x > a.x { (u - a.x) / (b.x - a.x) } else { 0.5 };
-                sums[g] += a.y + share * (b.y - a.y);
-                counts[g] += 1;
-            }
-        }
-        last = Some(w);
-    }
-    let mut grid = [0.0; CHORD_PLACES];
-    let mut before = 0.0;
-    for g in 0..CHORD_PLACES {
-        if counts[g] > 0 {
-            before = sums[g] / f64::from(counts[g]);
-        }
-        grid[g] = before;
-    }
-    Some(grid)
-}
-
-/// Takes a line's share off, and says what is left: the sum of squares.
-fn free_of_lines(grid: &mut Heights) -> f64 {
-    let mean = grid.iter().sum::<f64>() / CHORD_PLACES as f64;
-    let place = |g: usize| (g as f64 + 0.5) / CHORD_PLACES as f64 - 0.5;
-    let slope = (0..CHORD_PLACES).map(|g| place(g) * grid[g]).sum::<f64>()
-        / (0..CHORD_PLACES).map(|g| place(g) * place(g)).sum::<f64>();
-    let mut rest = 0.0;
-    for (g, height) in grid.iter_mut().enumerate() {
-        *height -= mean + slope * place(g);
-        rest += *height * *height;
-    }
-    rest
-}
+/// The longest edge that copies an arc, in parts of the arc's chord.
+const MAX_RATIO: f64 = 0.85 * CONTRACTION;
 
 /// An arc that may be copied.
+#[derive(Clone, Debug)]
 struct Arc {
     from: usize,
     span: usize,
-    reversed: bool,
     length: f64,
     /// Of unit norm, free of lines.
-    shape: Heights,
+    shape: Shape,
     /// What the norm was: heights are divided by it.
     norm: f64,
 }
@@ -90,9 +36,10 @@ pub(crate) struct Proposal {
 }
 
 /// A stretch of the outline as one edge.
+#[derive(Clone, Debug)]
 pub(crate) struct Stretch {
     /// Free of lines, in plane units.
-    rest: Heights,
+    rest: Shape,
     /// The sum of squares from its best line.
     pub straight: f64,
     /// Points of the outline for each place of the grid.
@@ -101,9 +48,12 @@ pub(crate) struct Stretch {
 }
 
 /// The arcs of a curve, ready to be compared.
+#[derive(Clone, Debug)]
 pub(crate) struct Library {
     arcs: Vec<Arc>,
-    corners: Vec<(f64, Heights)>,
+    /// Where those of each knot begin in `arcs`, and their number at the end.
+    starts: Vec<usize>,
+    corners: Vec<(f64, Shape)>,
 }
 
 impl Library {
@@ -112,7 +62,9 @@ impl Library {
         let count = curve.knots.len();
         let edges: Vec<_> = (0..count).map(|i| expansion.edge(i)).collect();
         let mut arcs = Vec::new();
+        let mut starts = Vec::with_capacity(count + 1);
         for from in 0..count {
+            starts.push(arcs.len());
             for span in 2..=MAX_SPAN.min(count - 1) {
                 let ends = [curve.knots[from], curve.knot(from + span)];
                 let length = ends[0].distance(ends[1]);
@@ -124,45 +76,45 @@ impl Library {
                     continue;
                 }
                 shape.iter_mut().for_each(|h| *h /= norm);
-                let mut back = shape;
-                back.reverse();
-                back.iter_mut().for_each(|h| *h = -*h);
-                arcs.push(Arc { from, span, reversed: false, length, shape, norm });
-                arcs.push(Arc { from, span, reversed: true, length, shape: back, norm });
+                arcs.push(Arc { from, span, length, shape: Shape::new(&shape), norm });
             }
         }
+        starts.push(arcs.len());
         let corner = |at: usize| {
             let place = (at + 1) as f64 / CHORD_PLACES as f64;
             let mut shape: Heights =
                 std::array::from_fn(|g| ((g as f64 + 0.5) / CHORD_PLACES as f64 - place).max(0.0));
             let norm = free_of_lines(&mut shape).sqrt();
             shape.iter_mut().for_each(|h| *h /= norm);
-            (place, shape)
+            (place, Shape::new(&shape))
         };
-        Self { arcs, corners: (2..CHORD_PLACES - 3).map(corner).collect() }
+        Self { arcs, starts, corners: (2..CHORD_PLACES - 3).map(corner).collect() }
     }
 
     /// What it costs to look through it for so many edges, in units of the refiner's work.
     pub fn work(&self, edges: usize) -> u64 {
-        (self.arcs.len() * (20 + edges) / 8 + 100 * edges) as u64
+        (self.arcs.len() * (20 + edges) / 4 + 100 * edges) as u64
     }
 
     /// The best copy for a stretch, among arcs for which `allowed` says so by their first and last knot and span.
-    pub fn best(&self, stretch: &Stretch, allowed: impl Fn(usize, usize) -> bool) -> Option<Proposal> {
+    pub fn best(&self, stretch: &Stretch, mut allowed: impl FnMut(usize, usize) -> bool) -> Option<Proposal> {
         let mut best: Option<Proposal> = None;
-        for arc in &self.arcs {
-            let ratio = stretch.chord / arc.length;
-            if ratio > 0.85 * CONTRACTION {
-                continue;
-            }
-            let dot = dot(&stretch.rest, &arc.shape);
-            let most = MAX_FACTOR.min(0.92 * CONTRACTION / ratio);
-            let unit = arc.norm * stretch.chord;
-            let c = (dot / unit).clamp(-most, most);
-            let gain = stretch.weight * c * unit * (2.0 * dot - c * unit);
-            if best.is_none_or(|best| gain > best.gain) && allowed(arc.from, arc.span) {
-                let copy = ArcCopy { from: arc.from, span: arc.span, reversed: arc.reversed, c };
-                best = Some(Proposal { gain, copy });
+        let mut enough = f64::NEG_INFINITY;
+        for arc in self.arcs.iter().filter(|arc| stretch.chord <= MAX_RATIO * arc.length) {
+            for (reversed, dot) in [false, true].into_iter().zip(stretch.rest.dots(&arc.shape)) {
+                // No factor takes off more than this.
+                if stretch.weight * dot * dot <= enough {
+                    continue;
+                }
+                let most = MAX_FACTOR.min(0.92 * CONTRACTION * arc.length / stretch.chord);
+                let unit = arc.norm * stretch.chord;
+                let c = (dot / unit).clamp(-most, most);
+                let gain = stretch.weight * c * unit * (2.0 * dot - c * unit);
+                if best.is_none_or(|best| gain > best.gain) && allowed(arc.from, arc.span) {
+                    let copy = ArcCopy { from: arc.from, span: arc.span, reversed, c };
+                    best = Some(Proposal { gain, copy });
+                    enough = gain;
+                }
             }
         }
         best
@@ -170,9 +122,9 @@ impl Library {
 
     /// What a given copy takes off.
     pub fn gain(&self, stretch: &Stretch, copy: &ArcCopy) -> f64 {
-        let same = |arc: &&Arc| (arc.from, arc.span, arc.reversed) == (copy.from, copy.span, copy.reversed);
-        let Some(arc) = self.arcs.iter().find(same) else { return 0.0 };
-        let dot = dot(&stretch.rest, &arc.shape);
+        let arcs = &self.arcs[self.starts[copy.from]..self.starts[copy.from + 1]];
+        let Some(arc) = arcs.iter().find(|arc| arc.span == copy.span) else { return 0.0 };
+        let dot = stretch.rest.dots(&arc.shape)[usize::from(copy.reversed)];
         let size = copy.c * arc.norm * stretch.chord;
         stretch.weight * size * (2.0 * dot - size)
     }
@@ -181,17 +133,13 @@ impl Library {
     pub fn corner(&self, stretch: &Stretch) -> (f64, f64) {
         let mut best = (0.0, 0.5);
         for (place, shape) in &self.corners {
-            let gain = stretch.weight * dot(&stretch.rest, shape).powi(2);
+            let gain = stretch.weight * stretch.rest.dots(shape)[0].powi(2);
             if gain > best.0 {
                 best = (gain, *place);
             }
         }
         best
     }
-}
-
-fn dot(a: &Heights, b: &Heights) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 impl Stretch {
@@ -206,6 +154,6 @@ impl Stretch {
         rest.iter_mut().for_each(|h| *h *= chord);
         let weight = many.max(1) as f64 / CHORD_PLACES as f64;
         let straight = weight * free_of_lines(&mut rest);
-        Some(Self { rest, straight, weight, chord })
+        Some(Self { rest: Shape::new(&rest), straight, weight, chord })
     }
 }

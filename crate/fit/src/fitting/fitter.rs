@@ -118,11 +118,11 @@ impl Fitter {
 
     /// Has the best of the search measured.
     fn look(&mut self) {
-        if let (Some(search), Some(judge)) = (&mut self.search, &mut self.judge) {
-            if let Some(curve) = search.take_unseen() {
-                judge.show(&curve);
-                self.best = of_judge(judge, &self.outline);
-            }
+        if let (Some(search), Some(judge)) = (&mut self.search, &mut self.judge)
+            && let Some(curve) = search.take_unseen()
+        {
+            judge.show(&curve);
+            self.best = of_judge(judge, &self.outline);
         }
     }
 

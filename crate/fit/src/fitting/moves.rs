@@ -2,12 +2,9 @@
 
 use glam::DVec2;
 
-use super::candidates::{Library, Proposal};
+use super::candidates::Library;
 use super::marks::Marked;
 use crate::closed::{ArcCopy, ClosedCurve, MAX_SPAN};
-
-/// The share of an edge's squares that a knot at its farthest point is thought to take off.
-const SPLIT_SHARE: f64 = 0.5;
 
 /// A change of the structure.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,63 +31,6 @@ pub(crate) struct Offer {
 }
 
 impl Marked {
-    /// All moves worth a thought: those that free numbers, and those that use them.
-    ///
-    /// `truth` has for each edge its sum of squares now, and the index of the outline's point farthest from it. What is
-    /// `refused`, by [`name`](Self::name), is left out.
-    pub fn offers(
-        &self,
-        ring: &[DVec2],
-        library: &Library,
-        truth: &[(f64, usize)],
-        refused: impl Fn(&Name) -> bool,
-    ) -> (Vec<Offer>, Vec<Offer>) {
-        let count = self.marks.len();
-        let (mut freeing, mut using) = (Vec::new(), Vec::new());
-        let stretches: Vec<_> = (0..count).map(|i| self.stretch(ring, i, i + 1)).collect();
-        let mut kept = vec![0.0; count];
-        for (i, stretch) in stretches.iter().enumerate() {
-            let Some(stretch) = stretch else { continue };
-            if let Some(copy) = &self.curve.edges[i] {
-                kept[i] = library.gain(stretch, copy);
-                freeing.push(Offer { action: Move::Straighten(i), cost: kept[i], numbers: -2 });
-            }
-            let numbers = if self.curve.edges[i].is_some() { 0 } else { 2 };
-            if let Some(Proposal { gain, copy }) =
-                library.best(stretch, |from, span| !refused(&self.name_of_copy(i, from, span)))
-            {
-                using.push(Offer { action: Move::Copy(i, copy), cost: kept[i] - gain, numbers });
-            }
-            let (gain, share) = library.corner(stretch);
-            let mark = self.mark_over(ring, i, share);
-            using.push(Offer { action: Move::Split(i, mark), cost: kept[i] - gain, numbers });
-        }
-        // Where the outline turns back over a chord, or is not seen so for another reason, what is true counts: a knot
-        // at the farthest point is thought to take off the most part of it.
-        for (i, &(error, farthest)) in truth.iter().enumerate() {
-            if self.marks[i] != farthest && self.is_inside(i, farthest, ring.len()) {
-                let numbers = if self.curve.edges[i].is_some() { 0 } else { 2 };
-                using.push(Offer { action: Move::Split(i, farthest), cost: -SPLIT_SHARE * error, numbers });
-            }
-        }
-        for k in 0..count {
-            let before = (k + count - 1) % count;
-            let (Some(left), Some(right)) = (&stretches[before], &stretches[k]) else { continue };
-            let Some(both) = self.stretch(ring, before, k + 1) else { continue };
-            let now = left.straight - kept[before] + right.straight - kept[k];
-            let copies =
-                i32::from(self.curve.edges[before].is_some()) + i32::from(self.curve.edges[k].is_some());
-            freeing.push(Offer {
-                action: Move::Drop(k),
-                cost: both.straight - now,
-                numbers: -2 - 2 * copies,
-            });
-        }
-        freeing.retain(|offer| !refused(&self.name(&offer.action)));
-        using.retain(|offer| !refused(&self.name(&offer.action)));
-        (freeing, using)
-    }
-
     /// What a move is called, by points of the outline: knots change their numbers, these mostly do not.
     pub fn name(&self, action: &Move) -> Name {
         match *action {
@@ -101,7 +41,8 @@ impl Marked {
         }
     }
 
-    fn name_of_copy(&self, edge: usize, from: usize, span: usize) -> Name {
+    /// The name of a copy of an arc by an edge.
+    pub fn name_of_copy(&self, edge: usize, from: usize, span: usize) -> Name {
         (3, self.marks[edge], self.marks[from], span)
     }
 

@@ -1,11 +1,14 @@
 //! Least squares through the attractor: knots and factors move until the outline lies as near as it can.
 
+use std::borrow::Cow;
+
 use glam::DVec2;
 
+use super::distances::Distances;
 use super::normal::Rows;
 use crate::closed::expansion::Vertex;
 use crate::closed::{CONTRACTION, ClosedCurve, FITTING_SHARE};
-use crate::outline::{Guard, Nearest};
+use crate::outline::{Guard, Near, Nearest};
 
 /// What it costs the curve to be off the outline, where the outline's points do not see it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +39,8 @@ pub struct Refiner {
     levels: usize,
     damping: f64,
     guard: Option<Guard>,
+    /// The curve that was measured last: it is mostly the one that is moved next.
+    last: Option<(ClosedCurve, Distances)>,
     work: u64,
 }
 
@@ -56,6 +61,7 @@ impl Refiner {
             levels,
             damping: 1e-2,
             guard: None,
+            last: None,
             work: 0,
         }
     }
@@ -74,6 +80,12 @@ impl Refiner {
     /// Sets what it costs to be off the outline. At first both directions count alike.
     pub fn set_ties(&mut self, ties: Ties) {
         self.ties = ties;
+        self.last = None;
+    }
+
+    /// Whether the curve is tied to the outline, as the outline is to the curve.
+    fn is_tied(&self) -> bool {
+        self.ties.back > 0.0 || self.ties.beyond > 0.0
     }
 
     /// The sum of squares of a curve; infinite where it is not sound with something to spare, or crosses itself where
@@ -83,57 +95,59 @@ impl Refiner {
         if !curve.is_safe() {
             return f64::INFINITY;
         }
-        let polyline = curve.polyline(self.tolerance, self.levels);
+        let expansion = curve.expand(self.tolerance, self.levels);
+        let polyline = expansion.points();
         self.work += polyline.len() as u64;
         if self.guard.as_ref().is_some_and(|guard| !guard.passes(&polyline)) {
             return f64::INFINITY;
         }
         self.work += (self.points.len() + 2 * polyline.len()) as u64;
-        self.outline_error(&polyline) + self.backward_error(&polyline)
+        let distances =
+            Distances::new(expansion.starts, polyline, &self.points, self.is_tied().then_some(&self.outline));
+        let error = self.outline_error(&distances) + self.backward_error(&distances);
+        self.last = Some((curve.clone(), distances));
+        error
+    }
+
+    /// The distances of a curve: those that are known, or measured anew.
+    fn distances(&self, curve: &ClosedCurve) -> Cow<'_, Distances> {
+        match &self.last {
+            Some((known, distances)) if known == curve => Cow::Borrowed(distances),
+            _ => {
+                let expansion = curve.expand(self.tolerance, self.levels);
+                let polyline = expansion.points();
+                let back = self.is_tied().then_some(&self.outline);
+                Cow::Owned(Distances::new(expansion.starts, polyline, &self.points, back))
+            }
+        }
     }
 
     /// For each edge the sum of squares of the points nearest to it, and the index of the farthest of them.
     #[must_use]
     pub fn shares(&self, curve: &ClosedCurve) -> Vec<(f64, usize)> {
-        let expansion = curve.expand(self.tolerance, self.levels);
-        let nearest = Nearest::new(&expansion.points(), true);
-        let mut shares = vec![(0.0, 0, -1.0); curve.knots.len()];
-        for (i, &p) in self.points.iter().enumerate() {
-            let near = nearest.to(p);
-            let edge = expansion.starts.partition_point(|&start| start <= near.side) - 1;
-            let Some(share) = shares.get_mut(edge) else { continue };
-            share.0 += near.squared;
-            if near.squared > share.2 {
-                (share.1, share.2) = (i, near.squared);
-            }
-        }
-        shares.into_iter().map(|(sum, farthest, _)| (sum, farthest)).collect()
+        self.distances(curve).shares()
     }
 
-    fn outline_error(&self, polyline: &[DVec2]) -> f64 {
-        let nearest = Nearest::new(polyline, true);
-        let square = |p: &DVec2| {
-            let squared = nearest.to(*p).squared;
+    fn outline_error(&self, distances: &Distances) -> f64 {
+        let square = |near: &Near| {
+            let squared = near.squared;
             let over = if self.ties.far > 0.0 { (squared.sqrt() - self.ties.reach).max(0.0) } else { 0.0 };
             squared + self.ties.far * over * over
         };
-        self.points.iter().map(square).sum()
+        distances.points.iter().map(square).sum()
     }
 
-    fn backward_error(&self, polyline: &[DVec2]) -> f64 {
-        if self.ties.back == 0.0 && self.ties.beyond == 0.0 {
-            return 0.0;
-        }
-        let square = |p: DVec2| {
-            let squared = self.outline.to(p).squared;
-            let over = (squared.sqrt() - self.ties.reach).max(0.0);
-            self.ties.back * squared + self.ties.beyond * over * over
+    fn backward_error(&self, distances: &Distances) -> f64 {
+        let square = |near: &Near| {
+            let over = (near.squared.sqrt() - self.ties.reach).max(0.0);
+            self.ties.back * near.squared + self.ties.beyond * over * over
         };
-        let side = |i: usize| {
+        let polyline = &distances.polyline;
+        let side = |(i, near): (usize, &[Near; 2])| {
             let (a, b) = (polyline[i], polyline[(i + 1) % polyline.len()]);
-            0.5 * (square(a) + square(a.midpoint(b))) * a.distance(b)
+            0.5 * (square(&near[0]) + square(&near[1])) * a.distance(b)
         };
-        self.density * (0..polyline.len()).map(side).sum::<f64>()
+        self.density * distances.back.iter().enumerate().map(side).sum::<f64>()
     }
 
     /// Adds what was done elsewhere.
@@ -151,6 +165,7 @@ impl Refiner {
     pub fn step(&mut self, curve: &mut ClosedCurve, error: f64) -> (f64, bool) {
         let system = self.system(curve);
         self.work += (self.points.len() + system.entries()) as u64;
+        let system = system.normal();
         for _ in 0..6 {
             let Some(change) = system.solve(self.damping) else {
                 self.damping *= 8.0;
@@ -172,8 +187,9 @@ impl Refiner {
     fn system(&self, curve: &ClosedCurve) -> Rows {
         let expansion = curve.expand_with(self.tolerance, self.levels, true);
         let vertices = &expansion.vertices;
-        let polyline = expansion.points();
-        let nearest = Nearest::new(&polyline, true);
+        let distances = self.distances(curve);
+        let polyline = &distances.polyline;
+        let edges = distances.edges();
         let count = curve.knots.len();
         let mut places = vec![usize::MAX; count];
         let mut size = 2 * count;
@@ -183,10 +199,9 @@ impl Refiner {
                 size += 1;
             }
         }
-        let mut rows = Rows::new(size);
+        let mut rows = Rows::new(size, count);
         let mut row: Vec<(usize, f64)> = Vec::new();
-        for &p in &self.points {
-            let near = nearest.to(p);
+        for (p, near) in self.points.iter().zip(&distances.points) {
             let ends = [near.side, (near.side + 1) % vertices.len()];
             let weights = [1.0 - near.share, near.share];
             let at = polyline[ends[0]].lerp(polyline[ends[1]], near.share);
@@ -207,16 +222,14 @@ impl Refiner {
                 for (vertex, weight) in ends.iter().zip(weights) {
                     fill(&mut row, &vertices[*vertex], direction * (weight * scale), &places);
                 }
-                rows.add(&row, direction.dot(p - at) * pull * scale);
+                rows.add(edges[near.side], &row, direction.dot(*p - at) * pull * scale);
             }
         }
-        let tied = self.ties.back > 0.0 || self.ties.beyond > 0.0;
-        for i in 0..if tied { vertices.len() } else { 0 } {
+        for (i, nears) in distances.back.iter().enumerate() {
             let next = (i + 1) % vertices.len();
             let weight = 0.5 * self.density * polyline[i].distance(polyline[next]);
-            for share in [0.0, 0.5] {
+            for (share, near) in [0.0, 0.5].into_iter().zip(nears) {
                 let at = polyline[i].lerp(polyline[next], share);
-                let near = self.outline.to(at);
                 let (a, b) = self.outline.ends(near.side);
                 let offset = a.lerp(b, near.share) - at;
                 // Across the outline, towards it.
@@ -231,7 +244,7 @@ impl Refiner {
                 row.clear();
                 fill(&mut row, &vertices[i], direction * (1.0 - share), &places);
                 fill(&mut row, &vertices[next], direction * share, &places);
-                rows.add(&row, (self.ties.back * far + self.ties.beyond * over) / both * scale);
+                rows.add(edges[i], &row, (self.ties.back * far + self.ties.beyond * over) / both * scale);
             }
         }
         rows

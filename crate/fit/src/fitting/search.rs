@@ -8,6 +8,7 @@ use super::candidates::Library;
 use super::choice::{Choice, Temper};
 use super::marks::{Marked, marks_of};
 use super::moves::{Move, Name};
+use super::outlook::Outlook;
 use super::partition::partition;
 use super::refine::{Refiner, Ties};
 use crate::closed::ClosedCurve;
@@ -81,6 +82,8 @@ pub(crate) struct Search {
     least: (f64, u64),
     /// Whether it is still to be shown to the judge.
     unseen: Option<ClosedCurve>,
+    /// What could be done to the curve, where that is known.
+    outlook: Option<Outlook>,
 }
 
 impl Search {
@@ -107,6 +110,7 @@ impl Search {
             found: Vec::new(),
             least: (f64::INFINITY, 0),
             unseen: None,
+            outlook: None,
         }
     }
 
@@ -153,7 +157,7 @@ impl Search {
     }
 
     /// How much of the search is over: of its work, or of the patience with one that gains nothing.
-    fn spent(&self) -> f64 {
+    pub fn spent(&self) -> f64 {
         let whole = (WORK.0 + WORK.1 * self.pairs as u64) as f64;
         let work = self.refiner.work();
         let idle = (work - self.least.1.min(work)) as f64 / (STALL.1 * whole);
@@ -193,15 +197,15 @@ impl Search {
             self.begin(decimated(&self.thin, knots));
         }
         self.refine(3);
-        let library = Library::new(&self.now.curve, self.tolerance, FITTING_LEVELS);
-        let (_, mut using) = self.now.offers(self.thin.points(), &library, &[], |_| false);
+        let mut outlook = self.outlook(Vec::new());
+        let (_, mut using) = outlook.offers(&self.now, self.thin.points(), 0, &BTreeMap::new());
         using.retain(|offer| matches!(offer.action, Move::Copy(..)) && offer.cost < 0.0);
         using.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         let free = self.pairs.saturating_sub(self.now.curve.knots.len());
         let moves: Vec<_> = using.iter().take(free).map(|offer| offer.action).collect();
         // All that can be had, or the best half of it, or of that: copies at once may cross each other.
         for many in [moves.len(), moves.len() / 2, moves.len() / 4] {
-            let next = self.now.after(&moves[..many], self.thin.points(), &library);
+            let next = self.now.after(&moves[..many], self.thin.points(), outlook.library());
             let error = self.refiner.error(&next.curve);
             if error.is_finite() {
                 (self.now, self.error) = (next, error);
@@ -239,9 +243,12 @@ impl Search {
 
     /// One round: the cheapest numbers are freed and spent where they gain most; kept if it is for the better.
     fn trade(&mut self) -> bool {
-        let library = Library::new(&self.now.curve, self.tolerance, FITTING_LEVELS);
-        let moves = self.choose(&library);
-        self.refiner.count(library.work(self.now.curve.knots.len()));
+        let mut outlook = match self.outlook.take() {
+            Some(outlook) => outlook,
+            None => self.outlook(self.refiner.shares(&self.now.curve)),
+        };
+        let moves = self.choose(&mut outlook);
+        self.refiner.count(outlook.library().work(self.now.curve.knots.len()));
         self.rounds += 1;
         let spent = self.spent();
         if spent >= LOOSENED && !self.loose {
@@ -253,9 +260,10 @@ impl Search {
         }
         if moves.is_empty() {
             self.anneal();
+            self.outlook = Some(outlook);
             return true;
         }
-        let next = self.now.after(&moves, self.thin.points(), &library);
+        let next = self.now.after(&moves, self.thin.points(), outlook.library());
         let (kept, kept_error) = (self.now.clone(), self.error);
         let mut better = false;
         if next.curve.knots.len() + next.curve.copies() <= self.pairs {
@@ -284,6 +292,7 @@ impl Search {
                 }
             }
             self.batch = (self.batch / 2).max(1);
+            self.outlook = Some(outlook);
             self.stale += 1;
             if self.stale >= IDLE_ROUNDS {
                 self.set_out();
@@ -322,13 +331,14 @@ impl Search {
             }
             _ => self.home = Some((self.now.clone(), self.error)),
         }
-        let library = Library::new(&self.now.curve, self.tolerance, FITTING_LEVELS);
+        let mut outlook = self.outlook(self.refiner.shares(&self.now.curve));
+        self.outlook = None;
         self.batch = RESTART_MOVES;
         let (jitter, greed) = (self.jitter, self.greed);
         (self.jitter, self.greed) = (2.0, 4.0);
-        let moves = self.choose(&library);
+        let moves = self.choose(&mut outlook);
         (self.jitter, self.greed) = (jitter, greed);
-        let next = self.now.after(&moves, self.thin.points(), &library);
+        let next = self.now.after(&moves, self.thin.points(), outlook.library());
         if next.curve.knots.len() + next.curve.copies() <= self.pairs {
             let kept = (self.now.clone(), self.error);
             self.now = next;
@@ -351,15 +361,16 @@ impl Search {
         }
     }
 
+    /// What could be done to the curve.
+    fn outlook(&self, truth: Vec<(f64, usize)>) -> Outlook {
+        let library = Library::new(&self.now.curve, self.tolerance, FITTING_LEVELS);
+        Outlook::new(&self.now, self.thin.points(), library, truth)
+    }
+
     /// The moves of the next round.
-    fn choose(&self, library: &Library) -> Vec<Move> {
-        let truth = self.refiner.shares(&self.now.curve);
-        let refused = |name: &Name| self.refused.get(name).is_some_and(|&until| until > self.rounds);
-        let (freeing, using) = self.now.offers(self.thin.points(), library, &truth, refused);
-        Choice::new(&self.now, self.pairs, self.batch, self.error).of(
-            freeing,
-            using,
-            Temper { jitter: self.jitter, greed: self.greed, seed: self.rounds as u32 },
-        )
+    fn choose(&self, outlook: &mut Outlook) -> Vec<Move> {
+        let (freeing, using) = outlook.offers(&self.now, self.thin.points(), self.rounds, &self.refused);
+        let temper = Temper { jitter: self.jitter, greed: self.greed, seed: self.rounds as u32 };
+        Choice::new(&self.now, self.pairs, self.batch, self.error).of(freeing, using, temper)
     }
 }

@@ -4,6 +4,9 @@ use glam::DVec2;
 
 use super::bounds;
 
+/// How far rounding may take what lies on the wall of a cell, in parts of the cell, and more.
+const MARGIN: f64 = 1e-9;
+
 /// Where the nearest point of a polyline lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Near {
@@ -96,7 +99,7 @@ impl Nearest {
             if bottom == top || slope == 0.0 {
                 x = [a.x, b.x];
             }
-            let margin = 1e-9 * self.cell;
+            let margin = MARGIN * self.cell;
             let left = self.place(DVec2::new(x[0].min(x[1]) - margin, a.y)).0;
             let right = self.place(DVec2::new(x[0].max(x[1]) + margin, a.y)).0;
             for column in left..=right {
@@ -128,6 +131,10 @@ impl Nearest {
             let bottom = row.saturating_sub(ring);
             let top = (row + ring).min(self.rows - 1);
             for r in bottom..=top {
+                let above = outside(p.y, self.low.y, self.cell, r);
+                if above * above > best.squared {
+                    continue;
+                }
                 let inner = r.abs_diff(row) < ring;
                 let mut c = left;
                 while c <= right {
@@ -136,12 +143,23 @@ impl Nearest {
                         c = (column + ring).min(self.columns);
                         continue;
                     }
-                    self.visit(r * self.columns + c, p, &mut best);
+                    let beside = outside(p.x, self.low.x, self.cell, c);
+                    if beside * beside + above * above <= best.squared {
+                        self.visit(r * self.columns + c, p, &mut best);
+                    }
                     c += 1;
                 }
             }
-            let reach = ring as f64 * self.cell;
-            if best.squared <= reach * reach {
+            // What was not seen yet lies beyond the walls of these cells. Outside the grid there is nothing.
+            let wall = |low: f64, place: usize| low + place as f64 * self.cell;
+            let walls = [
+                if left > 0 { p.x - wall(self.low.x, left) } else { f64::INFINITY },
+                if right + 1 < self.columns { wall(self.low.x, right + 1) - p.x } else { f64::INFINITY },
+                if bottom > 0 { p.y - wall(self.low.y, bottom) } else { f64::INFINITY },
+                if top + 1 < self.rows { wall(self.low.y, top + 1) - p.y } else { f64::INFINITY },
+            ];
+            let margin = MARGIN * self.cell;
+            if walls.iter().all(|&wall| wall > margin && best.squared <= (wall - margin) * (wall - margin)) {
                 break;
             }
         }
@@ -157,6 +175,13 @@ impl Nearest {
             }
         }
     }
+}
+
+/// How far a coordinate is from the cells of a column or row, at least; 0 inside.
+fn outside(x: f64, low: f64, cell: f64, place: usize) -> f64 {
+    let from = low + place as f64 * cell;
+    let off = if x < from { from - x } else { x - (from + cell) } - MARGIN * cell;
+    if off > 0.0 { off } else { 0.0 }
 }
 
 /// The nearest point of a side: how far along it, and the square of the distance.
@@ -179,11 +204,15 @@ mod tests {
     #[test]
     fn the_grid_finds_what_a_search_of_all_sides_finds() {
         let points: Vec<_> = (0..200).map(|i| DVec2::new(random(2 * i), 0.1 * random(2 * i + 1))).collect();
-        let nearest = Nearest::new(&points, true);
-        for i in 0..500 {
-            let p = DVec2::new(3.0 * random(1000 + 2 * i) - 1.0, 3.0 * random(1001 + 2 * i) - 1.0);
-            let all = (0..points.len()).map(|s| to_side(p, points[s], points[(s + 1) % points.len()]).1);
-            assert_eq!(nearest.to(p).squared, all.fold(f64::INFINITY, f64::min), "{p}");
+        // Sides that go all over it, and short ones in a ring, which leave most cells empty.
+        let ring: Vec<_> = (0..400).map(|i| DVec2::from_angle(f64::from(i) / 63.5) * 0.5 + 0.5).collect();
+        for points in [points, ring] {
+            let nearest = Nearest::new(&points, true);
+            for i in 0..500 {
+                let p = DVec2::new(3.0 * random(1000 + 2 * i) - 1.0, 3.0 * random(1001 + 2 * i) - 1.0);
+                let all = (0..points.len()).map(|s| to_side(p, points[s], points[(s + 1) % points.len()]).1);
+                assert_eq!(nearest.to(p).squared, all.fold(f64::INFINITY, f64::min), "{p}");
+            }
         }
     }
 
