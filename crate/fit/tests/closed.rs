@@ -141,6 +141,20 @@ fn is_nearer_with(leaf: &[DVec2], numbers: usize) {
 }
 
 #[test]
+fn a_fit_keeps_no_more_digits_than_it_needs() {
+    let outline = outline(&maple_leaf(1));
+    let curve = Fitter::new(&outline, 60).unwrap().finish();
+    let rms = |curve: &ClosedCurve| fidelity(&outline, &drawn(&outline, curve)).rms;
+    assert_eq!(curve.quantised().as_ref(), Ok(&curve), "documents keep it as it is");
+    // The same curve a little moved takes the digits that documents have for any.
+    let mut moved = curve.clone();
+    moved.knots.iter_mut().zip(0_i32..).for_each(|(p, i)| *p += 1e-4 * f64::from(i % 7 - 3));
+    let (few, many) = (curve.to_text().unwrap().len(), moved.to_text().unwrap().len());
+    assert!(10 * few < 9 * many, "{few} {many}");
+    assert!(rms(&curve) <= fidelity(&outline, &least_squares_polyline(&outline, 60)).rms);
+}
+
+#[test]
 fn the_same_outline_gives_the_same_fit() {
     let outline = outline(&oak_leaf(2));
     let fit = || {

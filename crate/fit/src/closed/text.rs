@@ -11,12 +11,14 @@ const DOCUMENT_STEP: f64 = 1e-5;
 /// The longest word that is read, in characters.
 pub const MAX_TEXT: usize = 48 * 1024;
 
-/// How many times a grid is halved that a document keeps as it is.
+/// How many times a grid is halved, or doubled, that a document keeps as it is.
 const MOST_HALVINGS: i32 = 12;
+const MOST_DOUBLINGS: i32 = 10;
 
 impl ClosedCurve {
     /// The curve as documents keep it: knots to a hundred-thousandth of the box's diagonal, factors to 1/2048. One on a
-    /// finer grid of the same kind, up to 4096 times as fine, stays as it is.
+    /// finer grid of the same kind, up to 4096 times as fine, stays as it is, and so does one on a coarser grid, up to
+    /// 1024 times as coarse, which takes fewer bytes.
     ///
     /// Doing it again changes nothing.
     ///
@@ -24,6 +26,15 @@ impl ClosedCurve {
     /// As [`to_text`](Self::to_text).
     pub fn quantised(&self) -> Result<Self, PackError> {
         Ok(self.packed()?.0)
+    }
+
+    /// The curve on a grid that is coarser than that of documents: doubled so many times, 10 at most.
+    ///
+    /// # Errors
+    /// As [`to_bytes`](Self::to_bytes); where the grid is so coarse that no curve is left, it is not sound.
+    pub(crate) fn coarsened(&self, doublings: i32) -> Result<Self, PackError> {
+        let grid = self.grain() * 2.0_f64.powi(doublings.clamp(0, MOST_DOUBLINGS));
+        Self::from_bytes(&self.to_bytes(grid)?)
     }
 
     /// The quantised curve in letters, digits, `-` and `_`: some three characters a knot, four more a copied edge.
@@ -55,7 +66,7 @@ impl ClosedCurve {
         // finer.
         for _ in 0..8 {
             let grain = curve.grain();
-            let mut finer = (0..=MOST_HALVINGS).map(|k| grain * 0.5_f64.powi(k));
+            let mut finer = (-MOST_DOUBLINGS..=MOST_HALVINGS).map(|k| grain * 0.5_f64.powi(k));
             let bytes = curve.to_bytes(finer.find(|&fine| curve.lies_on_grid(fine)).unwrap_or(grain))?;
             let again = Self::from_bytes(&bytes)?;
             if again == curve {
@@ -180,6 +191,20 @@ mod tests {
             let kept = ClosedCurve::from_bytes(&bytes).unwrap();
             prop_assume!(kept.grain() == curve.grain());
             prop_assert_eq!(ClosedCurve::from_text(&URL_SAFE_NO_PAD.encode(&bytes)).unwrap(), kept);
+        }
+    }
+
+    #[test]
+    fn a_coarser_grid_is_kept_and_takes_fewer_letters() {
+        let curve = ring(60, 1.37, &[0.1, -0.4, 0.5, 0.23, -0.31]);
+        let mut long = curve.to_text().unwrap().len();
+        for doublings in 1..=6 {
+            let coarse = curve.coarsened(doublings).unwrap();
+            let text = coarse.to_text().unwrap();
+            assert_eq!(ClosedCurve::from_text(&text).unwrap(), coarse, "{doublings}");
+            // Two bits fewer a knot, more or less: 60 of them are 20 letters.
+            assert!(text.len() + 10 < long, "{doublings}: {} {long}", text.len());
+            long = text.len();
         }
     }
 

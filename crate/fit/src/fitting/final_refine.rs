@@ -77,7 +77,11 @@ impl Finisher {
             return true;
         }
         self.judge.show(&curve);
-        self.begin(Some(curve))
+        let more = self.begin(Some(curve));
+        if !more {
+            self.judge.coarsen();
+        }
+        more
     }
 
     /// Begins the next way.
