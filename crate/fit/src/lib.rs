@@ -27,10 +27,10 @@
 //! 1. `outline`: what is fitted, its feature points, and how near a fit is to it.
 //! 2. `fractal`: a piece, the curves and functions that are made of pieces, and points of them.
 //! 3. `collage` and `hough`: the paper's two ways to find the pieces. `baseline`: what they are compared with.
-//! 4. `closed`: the form that does better. `fitting`: how it is found. `fitter` is the loop, `straight` the polyline that
-//!    it begins with; `search` trades numbers between knots and copies: `candidates` proposes copies, `choice` says which
-//!    `moves` are made, `refine` is least squares through the attractor (`normal` solves them); `final_refine` ends it,
-//!    `judge` keeps what is no worse than the polyline.
+//! 4. `closed`: the form that does better. `fitting`: how it is found. `fitter` is the loop, `straight` the polyline
+//!    that it begins with; `search` trades numbers between knots and copies: `candidates` proposes copies, `choice`
+//!    says which `moves` are made, `refine` is least squares through the attractor (`normal` solves them);
+//!    `final_refine` ends it, `judge` keeps what is no worse than the polyline.
 //! 5. `curve_morph`: two curves matched by dynamic time warping (`dtw`), given as many knots each (`matching`,
 //!    `knot_ring`).
 //! 6. `segment`: a leaf in a picture. A channel, Otsu's threshold, morphology, connected components, the contour; where
