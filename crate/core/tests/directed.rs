@@ -33,7 +33,11 @@ fn snowflake() -> Vec<Vec<DirectedMap>> {
 }
 
 fn code(states: Vec<Vec<DirectedMap>>) -> String {
-    DirectedIfs::new(states).map_or_else(|error| error.code().to_owned(), |_| "fine".to_owned())
+    let obvious = DirectedIfs::refuse_obvious(&states).err().map(|error| error.code());
+    let found = DirectedIfs::new(states);
+    // What is told without a search is what the search says.
+    assert!(obvious.is_none() || obvious == found.as_ref().err().map(DirectedError::code));
+    found.map_or_else(|error| error.code().to_owned(), |_| "fine".to_owned())
 }
 
 #[test]
@@ -142,6 +146,13 @@ fn graphs_that_are_none_get_a_word_that_says_where() {
     // A large map that no way leads back through is no harm, and neither is the identity.
     assert_eq!(code(vec![vec![by(1, 40.0), part(1, Affine2::IDENTITY)], vec![half(1, 0.0, 0.0)]]), "fine");
     assert_eq!(code(vec![vec![by(1, 1.0)], vec![by(0, 1.0)]]), "no-attractor");
+    for bad in [
+        vec![vec![by(1, 1.0)], vec![by(0, 1.0)]],
+        vec![vec![half(1, 0.0, 0.0)], vec![]],
+        vec![vec![by(0, 1.0)]],
+    ] {
+        assert!(DirectedIfs::refuse_obvious(&bad).is_err());
+    }
 }
 
 #[test]
@@ -348,7 +359,10 @@ proptest! {
                 Just(0.0), Just(1.0), Just(f64::NAN), Just(1e99), Just(-1e-300), -2.0..2.0_f64,
             ])).prop_map(|(from, row)| part(from, Affine2::from_row(row))), 0..4), 0..4),
     ) {
-        if let Ok(system) = DirectedIfs::new(states) {
+        let obvious = DirectedIfs::refuse_obvious(&states);
+        let found = DirectedIfs::new(states);
+        prop_assert!(obvious.is_ok() || found.is_err(), "{obvious:?}");
+        if let Ok(system) = found {
             prop_assert!(system.contraction().factor < 1.0);
             let sums = system.probabilities().iter().map(|p| p.iter().sum::<f64>());
             prop_assert!(sums.into_iter().all(|sum| (sum - 1.0).abs() < 1e-9));

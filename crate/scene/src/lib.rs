@@ -6,9 +6,9 @@
 //! # The order in which to read it
 //!
 //! 1. `scene`: the document, and `preset`, the gallery of shapes it begins with.
-//!    `directed` has shapes of several states.
-//! 2. `deformation`, `curve`, `fit` and `space/`: what the tools keep in it. `space/` has a gallery ([`presets3`])
-//!    and key frames ([`Film`]) of its own.
+//!    `directed` has a gallery of shapes of several states, too.
+//! 2. `deformation`, `curve`, `directed`, `fit` and `space/`: what the tools keep in it. `space/` has a gallery
+//!    ([`presets3`]) and key frames ([`Film`]) of its own.
 //! 3. `link`: how each part is written and read, and that old links stay what they were.
 //!
 //! A link is a promise: what this crate writes today opens for ever. `tests/links.txt` holds links of every version.
@@ -24,7 +24,7 @@ mod space;
 
 pub use curve::{Curve, CurveEdge, CurveShape, Curves};
 pub use deformation::{Deformation, Key, MAX_KEYS, MAX_SIDE, Subject, Tint};
-pub use directed::{DirectedPreset, directed_presets};
+pub use directed::{Directed, DirectedCopy, DirectedPreset, DirectedShape, directed_presets};
 pub use fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece, MAX_PIECES, NUMBERS};
 pub use link::{LinkError, MAX_LINK, VERSION, decode, decode_morph, encode};
 pub use preset::{Preset, Row, preset, presets};

@@ -19,6 +19,7 @@ use crate::preset::{Row, preset};
 use crate::scene::{PathKind, Scene, Shape, Tool, Window};
 
 mod deform;
+mod directed;
 mod error;
 mod fit;
 mod locus;
@@ -28,6 +29,7 @@ pub(crate) mod words;
 pub use error::{LinkError, MAX_LINK};
 
 use deform::{read_deform, write_deform};
+use directed::{read_directed, write_directed};
 use fit::{read_curves, read_fit, write_curves, write_fit};
 use locus::{read_locus, read_way_points, write_locus};
 use space::{read_space, write_space};
@@ -115,6 +117,9 @@ fn write(scene: &Scene) -> Result<String, LinkError> {
     if let Some(curves) = &scene.curves {
         write_curves(&mut link, curves)?;
     }
+    if let Some(directed) = &scene.directed {
+        write_directed(&mut link, directed);
+    }
     if let Some(fit) = &scene.fit {
         write_fit(&mut link, fit)?;
     }
@@ -179,6 +184,7 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
     scene.locus = read_locus(&get)?;
     scene.deform = read_deform(&get)?;
     scene.curves = read_curves(&get)?;
+    scene.directed = read_directed(&get, scene.curves.is_some())?;
     scene.fit = read_fit(&get)?;
     scene.space = read_space(&get)?;
     Ok((scene, later))

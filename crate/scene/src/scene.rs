@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::curve::Curves;
 use crate::deformation::Deformation;
+use crate::directed::Directed;
 use crate::fit::Fit;
 use crate::preset::{Row, preset};
 use crate::space::SpacePart;
@@ -226,6 +227,9 @@ pub struct Scene {
     /// The closed curves that are worked on in place of the shapes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub curves: Option<Curves>,
+    /// The graph-directed shapes that are worked on in place of the shapes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub directed: Option<Directed>,
     /// How an outline or a graph was fitted last.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fit: Option<Fit>,
@@ -279,6 +283,7 @@ impl Default for Scene {
             tool: Tool::Morph,
             deform: None,
             curves: None,
+            directed: None,
             fit: None,
             space: None,
         }

@@ -98,6 +98,17 @@ fn curve() -> Word {
         .boxed()
 }
 
+/// A graph-directed shape: of the gallery, or of some states that copy what may not be there.
+fn directed() -> Word {
+    // There are many numbers, each of which has to be one.
+    let entry = prop_oneof![60 => (0.0..0.5_f64).prop_map(|x| format!("{x:.3}")), 1 => number()].boxed();
+    let map = (prop_oneof![30 => 1..3_u32, 1 => 0..70_u32], joined(entry, 6..7, ","))
+        .prop_map(|(from, row)| format!("{from},{row}"))
+        .boxed();
+    let states = joined(joined(map, 1..4, ";"), 2..5, ":").prop_map(|states| format!("states:{states}"));
+    prop_oneof![1 => select(vec!["quilt", "sun", "rauzy", "nothing"]).prop_map(ToOwned::to_owned), 4 => states].boxed()
+}
+
 /// A word of space: parts of what is there, with numbers of all kinds.
 fn space() -> Word {
     let shape = prop_oneof![
@@ -197,7 +208,9 @@ fn word() -> Word {
         of("v", &["1", "2", "0"]),
     ];
     let curves = (curve(), curve()).prop_map(|(a, b)| format!("curve-a={a}&curve-b={b}"));
-    prop_oneof![3 => shapes, 3 => bends, 3 => fits, 1 => curves, 3 => select(given())].boxed()
+    let graphs = (directed(), directed(), "\\PC{0,12}")
+        .prop_map(|(a, b, name)| format!("directed-a={a}&directed-b={b}&directed-a-name={name}"));
+    prop_oneof![3 => shapes, 3 => bends, 3 => fits, 1 => curves, 1 => graphs, 3 => select(given())].boxed()
 }
 
 /// A few words, sometimes with damage: some characters are others, or gone.
@@ -246,15 +259,17 @@ proptest! {
 fn many_of_these_links_open() {
     use proptest::strategy::ValueTree as _;
     let mut runner = proptest::test_runner::TestRunner::deterministic();
-    let (mut opened, mut curves, mut spaces, mut bent) = (0, 0, 0, 0);
+    let (mut opened, mut curves, mut graphs, mut spaces, mut bent) = (0, 0, 0, 0, 0);
     for _ in 0..2000 {
         let Ok(tree) = link().new_tree(&mut runner) else { continue };
         let (scene, problem) = decode(&tree.current());
         let packed = scene.space.as_ref().is_some_and(|space| unpack(&space.packed).is_ok());
         opened += usize::from(problem.is_none());
         curves += usize::from(scene.curves.is_some());
+        graphs += usize::from(scene.directed.is_some());
         spaces += usize::from(packed);
         bent += usize::from(scene.deform.is_some());
     }
     assert!(opened > 500 && curves > 20 && spaces > 20 && bent > 30, "{opened} {curves} {spaces} {bent}");
+    assert!(graphs > 20, "{graphs}");
 }

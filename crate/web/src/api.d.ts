@@ -361,6 +361,8 @@ export interface Scene {
   deform?: Deformation;
   /** Present: the morph and the deformation work on these closed curves, in place of `a` and `b`. */
   curves?: { a: CurveShape; b: CurveShape };
+  /** Present, and no curves: the morph works on these graph-directed shapes, in place of `a` and `b`. */
+  directed?: { a: DirectedShape; b: DirectedShape };
   /** How an outline or a graph was fitted last. */
   fit?: Fit;
   /** What there is in space. Absent: what the tool begins with. */
@@ -628,6 +630,15 @@ export interface DirectedPreset {
   name: string;
   about: string;
   system: DirectedIfs;
+}
+
+/**
+ * One end of a morph between graph-directed shapes: a system, with its name. `preset` is its gallery id when its states
+ * are untouched. A system of maps is one of a single state.
+ */
+export interface DirectedShape extends DirectedIfs {
+  preset?: string;
+  name: string;
 }
 
 /** Where the states of a graph-directed system lie, and how they are made of each other. */

@@ -75,13 +75,7 @@ impl DirectedContraction {
 
     /// Finds coordinates and blocks in which the maps of a checked system contract.
     pub(crate) fn find(states: &[Vec<DirectedMap>]) -> Result<Self, DirectedError> {
-        let blocks: Vec<Block> = states
-            .iter()
-            .enumerate()
-            .flat_map(|(into, maps)| {
-                maps.iter().map(move |part| Block { into, from: part.from, map: part.map })
-            })
-            .collect();
+        let blocks = blocks_of(states);
         let plain: Round = vec![[DMat2::IDENTITY; 2]; states.len()];
         let factor = worst_norm(&blocks, &plain);
         if factor < PLAIN_NORM {
@@ -101,6 +95,12 @@ impl DirectedContraction {
         }
         refuse_steepest(states, &blocks, &round)?;
         Self::search(states, &round)
+    }
+
+    /// What can be told without a search: refuses a way round that is seen not to contract.
+    pub(crate) fn refuse_obvious(states: &[Vec<DirectedMap>]) -> Result<(), DirectedError> {
+        let plain: Round = vec![[DMat2::IDENTITY; 2]; states.len()];
+        refuse_steepest(states, &blocks_of(states), &plain)
     }
 
     /// Gripenberg's search: a way is prolonged until its norm is below 1.
@@ -194,6 +194,15 @@ impl StateDisc {
         let coordinates = [self.to_round, self.from_round].iter().all(|m| m.is_finite() && *m != DMat2::ZERO);
         coordinates && self.centre.is_finite() && self.radius.is_finite()
     }
+}
+
+/// The maps, state after state.
+fn blocks_of(states: &[Vec<DirectedMap>]) -> Vec<Block> {
+    let states = states.iter().enumerate();
+    let of = |(into, maps): (usize, &Vec<DirectedMap>)| -> Vec<Block> {
+        maps.iter().map(|part| Block { into, from: part.from, map: part.map }).collect()
+    };
+    states.flat_map(of).collect()
 }
 
 fn norm_between(block: &Block, round: &Round) -> f64 {

@@ -63,6 +63,19 @@ impl DirectedIfs {
         Ok(Self { states, probabilities, contraction })
     }
 
+    /// Refuses states that are seen to be no system, without the search of [`DirectedIfs::new`], which may refuse more.
+    ///
+    /// # Errors
+    /// [`DirectedError`] where they are none, or the way round that scales most does not contract.
+    pub fn refuse_obvious(states: &[Vec<DirectedMap>]) -> Result<(), DirectedError> {
+        check(states)?;
+        if let [maps] = states {
+            Ifs::new(maps.iter().map(|part| part.map).collect())?;
+            return Ok(());
+        }
+        DirectedContraction::refuse_obvious(states)
+    }
+
     /// A recurrent system: piece i is the copy, by its map, of the pieces in its span. State 0 is all pieces
     /// together, state i + 1 is piece i.
     ///

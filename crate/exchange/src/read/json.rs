@@ -158,11 +158,15 @@ mod tests {
 
     #[test]
     fn a_document_is_a_link() {
-        let scene = Scene::default();
-        let Content::Link(link) = read_json(&serde_json::to_string(&scene).unwrap()).unwrap() else {
-            panic!()
-        };
-        assert_eq!(frond_scene::decode(&link), (scene, None));
+        let (graph, _) = frond_scene::decode("directed-a=sun&directed-b=states:1,0.5,0,0,0.5,0,0");
+        assert!(graph.directed.is_some());
+        for scene in [Scene::default(), graph] {
+            // What is said beside it is passed over.
+            let mut value = serde_json::to_value(&scene).unwrap();
+            value["about"] = "A document of Frond".into();
+            let Content::Link(link) = read_json(&value.to_string()).unwrap() else { panic!() };
+            assert_eq!(frond_scene::decode(&link), (scene, None));
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Why a link could not be read or written.
 
-use frond_core::IfsError;
+use frond_core::{DirectedError, IfsError};
 use frond_fit::PackError;
 use thiserror::Error;
 
@@ -33,6 +33,14 @@ pub enum LinkError {
         end: char,
         /// Why.
         source: IfsError,
+    },
+    /// A graph-directed shape of the link has no attractor.
+    #[error("Shape {end} of this link cannot be drawn. {source}")]
+    Directed {
+        /// `A` or `B`.
+        end: char,
+        /// Why.
+        source: DirectedError,
     },
     /// A closed curve of a document cannot be written.
     #[error("{which} cannot be kept in a link. {source}")]
@@ -72,7 +80,7 @@ impl LinkError {
         match self {
             Self::TooLong { .. } | Self::TooLarge { .. } => "link-too-long",
             Self::Value { .. } => "link-damaged",
-            Self::Shape { .. } => "link-shape",
+            Self::Shape { .. } | Self::Directed { .. } => "link-shape",
             Self::Curve { source, .. } => source.code(),
             Self::Unfit { .. } => "link-unfit",
             Self::Later => "link-later",

@@ -6,6 +6,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::curve::{Curve, CurveShape, Curves};
 use crate::deformation::*;
+use crate::directed::{Directed, DirectedCopy, DirectedShape};
 use crate::fit::{Fit, FitMode, FitModel, Graph, GraphKind, GraphPiece};
 use crate::scene::{FamilyName, LocusView, MAX_WAY_POINTS, Path, WayPoint};
 use crate::space::{Held, SpacePart, SpaceView};
@@ -58,6 +59,33 @@ fn any_curve() -> impl Strategy<Value = CurveShape> {
             Some(CurveShape { preset: None, name, curve: Curve::from(&curve.quantised().ok()?) })
         },
     )
+}
+
+/// A shape of up to four states, with copies of states that are there.
+fn any_directed() -> impl Strategy<Value = DirectedShape> {
+    let number = prop_oneof![6 => -0.4..0.4_f64, 1 => Just(0.0), 1 => Just(-0.0), 1 => Just(1e-300), 1 => Just(0.1 + 0.2)];
+    let copy =
+        (0..64_usize, proptest::array::uniform6(number)).prop_map(|(from, map)| DirectedCopy { from, map });
+    let states = proptest::collection::vec(proptest::collection::vec(copy, 1..5), 1..5);
+    let own = (states, "\\PC{0,30}").prop_map(|(mut states, name)| {
+        let count = states.len();
+        states.iter_mut().flatten().for_each(|copy| copy.from %= count);
+        let name = tidy(&name);
+        let name = if name.is_empty() { "Own shape".to_owned() } else { name };
+        DirectedShape { preset: None, name, states }
+    });
+    let gallery = proptest::sample::select(crate::directed_presets())
+        .prop_map(|preset| DirectedShape::of_preset(preset.id).unwrap());
+    prop_oneof![2 => own.prop_filter("no attractor", |shape| shape.refuse_obvious().is_ok()), 1 => gallery]
+}
+
+/// What stands in place of the shapes: nothing, closed curves or graph-directed shapes.
+fn any_stand_in() -> impl Strategy<Value = (Option<Curves>, Option<Directed>)> {
+    prop_oneof![
+        Just((None, None)),
+        (any_curve(), any_curve()).prop_map(|(a, b)| (Some(Curves { a, b }), None)),
+        (any_directed(), any_directed()).prop_map(|(a, b)| (None, Some(Directed { a, b }))),
+    ]
 }
 
 fn any_graph() -> impl Strategy<Value = Graph> {
@@ -179,10 +207,10 @@ prop_compose! {
         turn in -2..=2_i32,
         view in proptest::option::of((-5.0..5.0_f64, -5.0..5.0_f64, 0.1..1e9_f64)),
         locus in proptest::option::of(any_locus()),
-        (palette, deform, curves, fit, space) in (
+        (palette, deform, (curves, directed), fit, space) in (
             proptest::collection::vec((0..1_u32 << 24).prop_map(|colour| format!("#{colour:06x}")), 0..9),
             proptest::option::of(any_deform()),
-            proptest::option::of((any_curve(), any_curve())),
+            any_stand_in(),
             proptest::option::of(any_fit()),
             proptest::option::of(any_space()),
         ),
@@ -198,7 +226,7 @@ prop_compose! {
             view: view.map(|(x, y, zoom)| Window { x, y, zoom }),
             locus,
             tool, deform, fit, space,
-            curves: curves.map(|(a, b)| Curves { a, b }),
+            curves, directed,
         }
     }
 }
@@ -551,6 +579,75 @@ fn curves_of_the_gallery_are_written_by_their_names() {
         assert!(scene.curves.is_none() && problem.code() == "link-damaged");
         assert!(problem.to_string().contains(words), "{problem}");
     }
+}
+
+#[test]
+fn graph_directed_shapes_read_like_words() {
+    let (scene, problem) = decode(
+        "v=1&directed-a=snowflake&directed-b=states:2,0.5,0,0,0.5,0,0;1,0.5,0,0,0.5,0.5,0:1,0.3,0,0,0.3,0,0.1",
+    );
+    assert_eq!(problem, None);
+    let directed = scene.directed.clone().unwrap();
+    assert_eq!(directed.a, DirectedShape::of_preset("snowflake").unwrap());
+    assert_eq!((directed.b.name.as_str(), directed.b.states[0][0].from), ("Own shape", 1));
+    assert!(encode(&scene).contains("&directed-a=snowflake&directed-b=states:2,0.5,0,0,0.5,0,0;1,"));
+    // One that was changed is no longer that of the gallery.
+    let mut changed = scene;
+    if let Some(directed) = &mut changed.directed {
+        directed.a.states[0][0].map[4] += 0.5;
+    }
+    assert!(encode(&changed).contains("&directed-a=states:2,"));
+}
+
+#[test]
+fn graph_directed_shapes_that_cannot_be_are_told_of() {
+    let half = "0.5,0,0,0.5,0,0";
+    let many = |one: &str, by: &str| vec![one; 65].join(by);
+    let one = format!("1,{half}");
+    for (a, code, words) in [
+        ("willow".to_owned(), "link-damaged", "“directed-a” cannot be “willow”"),
+        ("states:".to_owned(), "link-shape", "State 1 has no maps"),
+        (format!("states:{one}:"), "link-shape", "State 2 has no maps"),
+        (format!("states:2,{half}"), "link-shape", "copies state 2, and there is one"),
+        (format!("states:0,{half}"), "link-damaged", "“directed-a” cannot be “0,0.5"),
+        (format!("states:1.5,{half}"), "link-damaged", "“directed-a” cannot be “1.5,0.5"),
+        (format!("states:1e300,{half}"), "link-damaged", "cannot be “1e300,0.5"),
+        (format!("states:NaN,{half}"), "link-damaged", "cannot be “NaN,0.5"),
+        (
+            "states:2,1,0,0,1,0,0:1,1,0,0,1,0,0".to_owned(),
+            "link-shape",
+            "scales by 1.0000, and has to shrink",
+        ),
+        (format!("states:{}", many(&one, ";")), "link-damaged", "a list of more than 64"),
+        (format!("states:{}", many(&one, ":")), "link-shape", "There are 65 states, and the most is 64"),
+    ] {
+        let (scene, problem) = decode(&format!("v=1&directed-a={a}&directed-b=quilt"));
+        let problem = problem.unwrap();
+        assert_eq!((scene, problem.code()), (Scene::default(), code), "{a}");
+        assert!(problem.to_string().contains(words), "{a}: {problem}");
+    }
+    for (link, words) in [
+        ("v=1&directed-a=quilt", "“directed-b” cannot be left out beside “directed-a”"),
+        ("v=1&directed-b=quilt", "“directed-a” cannot be left out beside “directed-b”"),
+        (
+            "v=1&curve-a=maple&curve-b=oak&directed-a=quilt&directed-b=quilt",
+            "“directed-a” cannot be kept beside “curve-a”",
+        ),
+    ] {
+        let (scene, problem) = decode(link);
+        assert_eq!(scene, Scene::default());
+        assert!(problem.as_ref().unwrap().to_string().contains(words), "{problem:?}");
+    }
+}
+
+#[test]
+fn the_largest_graph_is_told_to_be_too_long_for_a_link() {
+    let copy = DirectedCopy { from: 63, map: [-0.123_456_789_012_345_67e-7; 6] };
+    let large = DirectedShape { preset: None, name: String::new(), states: vec![vec![copy; 64]; 64] };
+    assert!(large.system().is_ok());
+    let small = DirectedShape::of_preset("quilt").unwrap();
+    let scene = Scene { directed: Some(Directed { a: large, b: small }), ..Scene::default() };
+    assert_eq!(super::encode(&scene).unwrap_err().code(), "link-too-long");
 }
 
 #[test]
