@@ -8,6 +8,7 @@ use crate::frame::Frame;
 use crate::gap::bracket::CutSearch;
 use crate::gap::difference_set::{self, DifferenceSet, Translates};
 use crate::gap::greedy::GreedySearch;
+use crate::gap::trails::Trails;
 use crate::gap::word_pairs::WordPairs;
 use crate::gap::word_tree::WordTree;
 use crate::magnification::Magnification;
@@ -24,6 +25,8 @@ pub struct Scratch {
     differences: DifferenceSet,
     maps: Vec<Affine2>,
     pub(crate) search: CutSearch,
+    /// The ways to near points of the system that was decided last, where others are to follow them.
+    trails: Trails,
 }
 
 /// Decides whether the attractor of raw maps is connected, and how wide its widest gap is.
@@ -33,7 +36,7 @@ pub struct Scratch {
 /// for before. For bounds of the gap use [`decide_bounds`], for the components and points
 /// [`connectedness`](crate::connectedness).
 pub fn decide(maps: &[Affine2], epsilon: f64, budget: usize, scratch: &mut Scratch) -> Sample {
-    scratch.decide(maps, epsilon, budget, Ask { polygon: false, bounds: false }).sample
+    scratch.decide(maps, epsilon, budget, Ask::default()).sample
 }
 
 /// [`decide`], with what is proved about the widest gap and about where the attractor lies.
@@ -49,7 +52,7 @@ pub fn decide(maps: &[Affine2], epsilon: f64, budget: usize, scratch: &mut Scrat
 /// assert!(known.lower * known.diameter <= 2.0 * third && 2.0 * third <= known.upper * known.diameter);
 /// ```
 pub fn decide_bounds(maps: &[Affine2], epsilon: f64, budget: usize, scratch: &mut Scratch) -> Bounded {
-    scratch.decide(maps, epsilon, budget, Ask { polygon: false, bounds: true })
+    scratch.decide(maps, epsilon, budget, Ask { bounds: true, ..Ask::default() })
 }
 
 /// [`decide`] for the maps `s z + exp(2 pi i k / sides)`, k = 0, 1, .. of the complex plane: `s` is `[re, im]`,
@@ -79,7 +82,7 @@ pub fn decide_polygon(
     maps.clear();
     let linear = DMat2::from_cols(DVec2::new(s[0], s[1]), DVec2::new(-s[1], s[0]));
     maps.extend((0..sides).map(|k| Affine2::new(linear, corner(sides, k))));
-    let sample = scratch.decide(&maps, epsilon, budget, Ask { polygon: true, bounds: false }).sample;
+    let sample = scratch.decide(&maps, epsilon, budget, Ask { polygon: true, ..Ask::default() }).sample;
     scratch.maps = maps;
     sample
 }
@@ -93,21 +96,49 @@ fn corner(sides: usize, k: usize) -> DVec2 {
 }
 
 /// What is asked for.
-#[derive(Clone, Copy)]
-struct Ask {
+#[derive(Clone, Copy, Default)]
+struct Ask<'a> {
     /// The maps are those of a regular polygon.
     polygon: bool,
     /// Also the diameter and bounds where the verdict does not need them.
     bounds: bool,
+    /// Ways to near points of a system much like this one, to begin with; then this one's are kept, too.
+    start: Option<&'a Trails>,
+    /// Nothing but these ways.
+    trails_alone: bool,
 }
 
 impl Scratch {
-    fn decide(&mut self, maps: &[Affine2], epsilon: f64, budget: usize, ask: Ask) -> Bounded {
+    /// [`decide`] for one of many systems that are much like each other. The answer depends on the arguments alone:
+    /// another `start` may find near points where none were found, and no answer contradicts another.
+    pub(crate) fn decide_from(
+        &mut self,
+        maps: &[Affine2],
+        epsilon: f64,
+        budget: usize,
+        start: &Trails,
+    ) -> Sample {
+        self.decide(maps, epsilon, budget, Ask { start: Some(start), ..Ask::default() }).sample
+    }
+
+    /// The ways to near points that [`Scratch::decide_from`] finds.
+    pub(crate) fn find_trails(&mut self, maps: &[Affine2], epsilon: f64, start: &Trails) -> &Trails {
+        self.decide(maps, epsilon, 0, Ask { start: Some(start), trails_alone: true, ..Ask::default() });
+        &self.trails
+    }
+
+    /// Those of the system decided last, by [`Scratch::decide_from`].
+    pub(crate) fn trails(&self) -> &Trails {
+        &self.trails
+    }
+
+    fn decide(&mut self, maps: &[Affine2], epsilon: f64, budget: usize, ask: Ask<'_>) -> Bounded {
         if let Some(magnification) = Magnification::of(maps) {
             return magnification.bounded(self.decide(&magnification.magnify(maps), epsilon, budget, ask));
         }
-        let Ask { polygon, bounds } = ask;
-        let Self { frame, support, greedy, words, differences, search, .. } = self;
+        let Ask { polygon, bounds, start, trails_alone } = ask;
+        let Self { frame, support, greedy, words, differences, search, trails, .. } = self;
+        trails.clear();
         let equal = polygon || difference_set::are_equal(maps);
         let proved = equal && difference_set::fill(&maps[0]);
         if proved && !bounds && maps[0].norm() < 1.0 - 1e-9 && maps.iter().all(|map| map.is_finite()) {
@@ -149,12 +180,26 @@ impl Scratch {
             }
         }
         let (bracket, diameter) = if equal {
-            differences.set(frame, support, polygon);
+            differences.set(frame, polygon);
             let near = epsilon * epsilon * differences.extent(frame);
-            search.join_near(|i, j| differences.meet(frame, i, j, near));
-            if search.is_whole() && !bounds {
+            for (i, j, trail) in start.iter().flat_map(|start| start.iter()) {
+                search.join_near_pair(i, j, || {
+                    let found = differences.follow(frame, i, j, near, trail)?;
+                    trails.push(i, j, differences.trail());
+                    Some(found)
+                });
+            }
+            search.join_near(|i, j| {
+                let found = differences.meet(frame, i, j, near)?;
+                if start.is_some() {
+                    trails.push(i, j, differences.trail());
+                }
+                Some(found)
+            });
+            if search.is_whole() && !bounds || trails_alone {
                 return whole(State::Touching, f64::INFINITY, f64::NAN);
             }
+            differences.bound(frame, support);
             // The differences reach as far to both sides.
             let diameter = frame.diameter(0.5 * support.diameter(frame.from_round));
             let resolution = frame.resolution(epsilon, diameter);
@@ -165,11 +210,26 @@ impl Scratch {
             let met = |i: usize, j: usize| (frame.maps[i] == frame.maps[j]).then_some(0.0);
             if greedy.set(frame) {
                 let near = epsilon * epsilon * greedy.extent(frame);
-                search.join_near(|i, j| met(i, j).or_else(|| greedy.meet(frame, i, j, near)));
+                for (i, j, trail) in start.iter().flat_map(|start| start.iter()) {
+                    search.join_near_pair(i, j, || {
+                        let found = greedy.follow(frame, i, j, near, trail)?;
+                        trails.push(i, j, greedy.trail());
+                        Some(found)
+                    });
+                }
+                search.join_near(|i, j| {
+                    met(i, j).or_else(|| {
+                        let found = greedy.meet(frame, i, j, near)?;
+                        if start.is_some() {
+                            trails.push(i, j, greedy.trail());
+                        }
+                        Some(found)
+                    })
+                });
             } else {
                 search.join_near(met);
             }
-            if search.is_whole() && !bounds {
+            if search.is_whole() && !bounds || trails_alone {
                 return whole(State::Touching, f64::INFINITY, f64::NAN);
             }
             if frame.factor < FACTOR_FOR_ROUGH_TABLE {

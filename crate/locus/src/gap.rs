@@ -2,7 +2,8 @@
 //!
 //! `piece_distance` bounds the distance of two pieces; `pair_descent` splits pairs of pieces that are not told apart;
 //! `bracket` and `kruskal` say which pairs to look into. `word_pairs` and `difference_set` are two ways to name
-//! pieces: by their words, and, where all maps share one linear part, by how far they are moved.
+//! pieces: by their words, and, where all maps share one linear part, by how far they are moved. `trails` are ways to
+//! near points, for the next system to follow.
 
 pub(crate) mod bracket;
 pub(crate) mod difference_set;
@@ -11,5 +12,6 @@ pub(crate) mod kruskal;
 pub(crate) mod pair_descent;
 pub(crate) mod piece_distance;
 pub(crate) mod spanning_tree;
+pub(crate) mod trails;
 pub(crate) mod word_pairs;
 pub(crate) mod word_tree;

@@ -9,4 +9,5 @@ pub(crate) mod inner_differences;
 pub(crate) mod joint_bound;
 pub(crate) mod prove;
 pub(crate) mod silhouette;
+pub(crate) mod starts;
 pub(crate) mod trap;

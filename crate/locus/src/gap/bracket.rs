@@ -76,6 +76,15 @@ impl CutSearch {
         }
     }
 
+    /// Joins two pieces, `i < j`, that are not joined yet if `meet` gives the square of a small distance.
+    pub fn join_near_pair(&mut self, i: usize, j: usize, meet: impl FnOnce() -> Option<f64>) {
+        if !self.descent.met.joined(i, j)
+            && let Some(reach) = meet()
+        {
+            self.descent.join_at(i, j, reach);
+        }
+    }
+
     /// Whether all pieces hang together, as far as the resolution tells.
     pub fn is_whole(&self) -> bool {
         self.descent.is_whole()
@@ -193,7 +202,10 @@ impl CutSearch {
                 break;
             }
             bridge = bridge.min(descent.split(explore, pair, lower).sqrt());
-            descent.by_distance.extend(descent.apart.drain(kept..).map(Reverse));
+            // One by one: they are few, and the heap is large.
+            for pair in descent.apart.drain(kept..) {
+                descent.by_distance.push(Reverse(pair));
+            }
         }
         descent.apart.extend(descent.by_distance.drain().map(|Reverse(pair)| pair));
         lower

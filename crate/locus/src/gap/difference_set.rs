@@ -8,6 +8,7 @@ use glam::{DMat2, DVec2};
 use crate::frame::Frame;
 use crate::gap::pair_descent::{Explore, Pair, Sight};
 use crate::gap::piece_distance::Metric;
+use crate::gap::trails::Step;
 use crate::support::extremes::{larger, lesser};
 use crate::support::f64x4::DVec2x4;
 use crate::support::table::SupportTable;
@@ -36,6 +37,8 @@ pub(crate) struct DifferenceSet {
     shifts: Vec<DVec2>,
     sorted: Vec<DVec2>,
     passed: Vec<(DVec2, usize, usize)>,
+    /// The steps to where the search is.
+    trail: Vec<Step>,
 }
 
 /// More than this many powers are not summed up exactly.
@@ -47,6 +50,10 @@ const LARGEST_REST: f64 = 0.004;
 const SQUARE_TO_ENTER: f64 = 0.5;
 const MOST_RETURNS: usize = 12;
 const MOST_STEPS: usize = 120;
+/// How many of its last steps are gone back where the way to near points of another system is followed, and how many
+/// steps are tried from there.
+const STEPS_BACK: usize = 3;
+const STEPS_FROM_TRAIL: usize = 40;
 
 /// Of more maps there are too many differences to look at them all.
 const MOST_MAPS: usize = 16;
@@ -73,11 +80,10 @@ pub(crate) fn area(map: &Affine2) -> f64 {
 }
 
 impl DifferenceSet {
-    /// Gets ready for the maps of a frame, which share one linear part and contract one by one, and bounds their
-    /// differences.
+    /// Gets ready for the maps of a frame, which share one linear part and contract one by one.
     ///
     /// Of a regular polygon with an even number of corners every other difference is known to repeat another.
-    pub fn set(&mut self, frame: &Frame, support: &mut SupportTable, polygon: bool) {
+    pub fn set(&mut self, frame: &Frame, polygon: bool) {
         let m = frame.maps[0].linear;
         self.round = frame.factor * frame.factor - m.determinant().abs() < 1e-3;
         self.powers.clear();
@@ -87,6 +93,12 @@ impl DifferenceSet {
         self.shifts.clear();
         self.shifts.extend(frame.maps.iter().map(|map| map.translation));
         self.set_steps(polygon);
+        self.nodes.clear();
+    }
+
+    /// Bounds the differences, and the points that reach far among them.
+    pub fn bound(&mut self, frame: &Frame, support: &mut SupportTable) {
+        let m = frame.maps[0].linear;
         // The attractor lies in the unit disc, its differences in that of radius 2.
         let mut terms = 1;
         while terms < MOST_TERMS && 2.0 * self.size(terms, m, frame.factor) > LARGEST_REST {
@@ -94,7 +106,6 @@ impl DifferenceSet {
         }
         let rest = 2.0 * self.size(terms, m, frame.factor) * (1.0 + 1e-12);
         support.set_differences(&self.powers[..terms], &self.shifts, rest);
-        self.nodes.clear();
     }
 
     /// An upper bound of the norm of power `k`, which is computed if it was not.
@@ -148,32 +159,78 @@ impl DifferenceSet {
     /// The square of the distance in the plane of two points of pieces `i` and `j`, if it was found to be `reach` or
     /// less: always on to where the difference is least.
     pub fn meet(&mut self, frame: &Frame, i: usize, j: usize, reach: f64) -> Option<f64> {
+        self.trail.clear();
+        self.search(frame, self.shifts[i] - self.shifts[j], reach, MOST_STEPS)
+    }
+
+    /// The way to the points that were found last.
+    pub fn trail(&self) -> &[Step] {
+        &self.trail
+    }
+
+    /// [`DifferenceSet::meet`], from near where the way to such points of a neighbouring system leads.
+    pub fn follow(&mut self, frame: &Frame, i: usize, j: usize, reach: f64, trail: &[Step]) -> Option<f64> {
         let m = frame.maps[0].linear;
-        let (mut offset, mut k) = (self.shifts[i] - self.shifts[j], 1);
+        let mut offset = self.shifts[i] - self.shifts[j];
+        // The last ones, as a ring.
+        let mut offsets = [offset; STEPS_BACK + 1];
+        self.trail.clear();
+        for &step in trail {
+            // Of other maps there may be fewer.
+            if usize::from(step.part) >= self.count {
+                break;
+            }
+            let k = self.trail.len() + 1;
+            let limit = self.limit(k, m, frame.factor);
+            offset = self.step(offset, k, step.part.into());
+            if offset.length_squared() >= limit {
+                break;
+            }
+            self.trail.push(step);
+            offsets[self.trail.len() % (STEPS_BACK + 1)] = offset;
+        }
+        // The last steps may lead astray.
+        let start = self.trail.len().saturating_sub(STEPS_BACK);
+        self.trail.truncate(start);
+        self.search(frame, offsets[start % (STEPS_BACK + 1)], reach, STEPS_FROM_TRAIL)
+    }
+
+    /// How long, squared, a difference may be after step `k` for the search to go on from there.
+    #[inline(always)]
+    fn limit(&mut self, k: usize, m: DMat2, factor: f64) -> f64 {
+        // The differences lie within twice the norm of the power.
+        let limit = 2.0 * self.size(k + 1, m, factor);
+        SQUARE_TO_ENTER * limit * limit
+    }
+
+    /// Goes on from where the trail leads.
+    fn search(&mut self, frame: &Frame, mut offset: DVec2, reach: f64, steps: usize) -> Option<f64> {
+        let m = frame.maps[0].linear;
         self.passed.clear();
         let mut back = 0;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..steps {
             let squared = frame.square(offset);
             // 0 is the difference of any point from itself.
             if squared <= reach {
                 return Some(squared);
             }
-            // The differences lie within twice the norm of the power.
-            let limit = 2.0 * self.size(k + 1, m, frame.factor);
+            let mut k = self.trail.len() + 1;
+            let limit = self.limit(k, m, frame.factor);
             let (best, second) = self.nearest_steps(k, offset);
-            let limit = SQUARE_TO_ENTER * limit * limit;
             if second.0 < limit {
                 self.passed.push((offset, k, second.1));
             }
-            if best.0 < limit {
-                offset = self.step(offset, k, best.1);
-                k += 1;
+            let next = if best.0 < limit {
+                best.1
             } else {
                 back += 1;
                 let (passed, at, step) = self.passed.pop().filter(|_| back <= MOST_RETURNS)?;
-                offset = self.step(passed, at, step);
-                k = at + 1;
-            }
+                self.trail.truncate(at - 1);
+                (offset, k) = (passed, at);
+                step
+            };
+            offset = self.step(offset, k, next);
+            self.trail.push(Step { part: next as u16, large: 0 });
         }
         None
     }

@@ -5,6 +5,7 @@ use glam::{DMat2, DVec2};
 use wide::{f32x4, u32x4};
 
 use crate::frame::Frame;
+use crate::gap::trails::Step;
 use crate::support::extremes::larger;
 
 /// Looks for two points of the attractor, one in each of two pieces, that lie within a given distance of
@@ -22,8 +23,10 @@ pub(crate) struct GreedySearch {
     sizes: Vec<f64>,
     /// A point of the attractor, in the frame.
     point: DVec2,
-    /// What was passed over.
-    passed: Vec<(TwoPieces, usize)>,
+    /// What was passed over, and how many steps led there.
+    passed: Vec<(TwoPieces, Step, usize)>,
+    /// The steps to where the search is.
+    trail: Vec<Step>,
 }
 
 /// The translations and norms of four words. Single precision is enough to choose by.
@@ -49,6 +52,12 @@ struct TwoPieces {
 /// How far the middles of two pieces may be apart, against the radii of the discs they lie in, squared, to be looked
 /// into: mostly a piece does not fill its disc.
 const SQUARE_TO_ENTER: f32 = 0.4;
+/// The same for a step that led to near points of another system.
+const SQUARE_TO_FOLLOW: f64 = 0.5;
+/// So many of its last steps are gone back.
+const STEPS_BACK: usize = 3;
+/// Steps from the end of such a way.
+const STEPS_FROM_TRAIL: usize = 40;
 /// How often to go back.
 const MOST_RETURNS: usize = 16;
 /// Of so many maps at most words of two letters are looked at.
@@ -104,32 +113,72 @@ impl GreedySearch {
     /// The square of the distance in the plane of two points of the pieces of maps `i` and `j`, if it was found
     /// to be `reach` or less.
     pub fn meet(&mut self, frame: &Frame, i: usize, j: usize, reach: f64) -> Option<f64> {
+        self.trail.clear();
+        let pair = self.begin(frame, i, j);
+        self.search(frame, pair, reach, MOST_STEPS)
+    }
+
+    /// The way to the points that were found last.
+    pub fn trail(&self) -> &[Step] {
+        &self.trail
+    }
+
+    /// [`GreedySearch::meet`], from near where the way to such points of a neighbouring system leads.
+    pub fn follow(&mut self, frame: &Frame, i: usize, j: usize, reach: f64, trail: &[Step]) -> Option<f64> {
+        self.trail.clear();
+        let mut pair = self.begin(frame, i, j);
+        // The last ones, as a ring.
+        let mut pairs = [pair; STEPS_BACK + 1];
+        for &step in trail {
+            self.enter(&mut pair, step)?;
+            let size = pair.size[0] + pair.size[1];
+            if pair.apart.length_squared() > SQUARE_TO_FOLLOW * size * size {
+                break;
+            }
+            self.trail.push(step);
+            pairs[self.trail.len() % (STEPS_BACK + 1)] = pair;
+        }
+        // The last steps may lead astray.
+        let start = self.trail.len().saturating_sub(STEPS_BACK);
+        self.trail.truncate(start);
+        self.search(frame, pairs[start % (STEPS_BACK + 1)], reach, STEPS_FROM_TRAIL)
+    }
+
+    fn begin(&self, frame: &Frame, i: usize, j: usize) -> TwoPieces {
         let (a, b) = (frame.maps[i], frame.maps[j]);
-        let mut pair = TwoPieces {
+        TwoPieces {
             linear: [a.linear, b.linear],
             size: [self.sizes[i], self.sizes[j]],
             apart: a.translation - b.translation,
-        };
+        }
+    }
+
+    fn search(&mut self, frame: &Frame, mut pair: TwoPieces, reach: f64, steps: usize) -> Option<f64> {
         self.passed.clear();
         let mut back = 0;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..steps {
             let [p, q] = pair.linear;
             let squared = frame.square(pair.apart + (p - q) * self.point);
             if squared <= reach {
                 return Some(squared);
             }
-            let (best, second) = self.nearest_parts(&pair);
+            let large = u8::from(pair.size[0] < pair.size[1]);
+            let (best, second) = self.nearest_parts(&pair, usize::from(large));
+            let step = |score: f32| Step { part: (score.to_bits() & NUMBER_BITS) as u16, large };
             if second < SQUARE_TO_ENTER {
-                self.passed.push((pair, number(second)));
+                self.passed.push((pair, step(second), self.trail.len()));
             }
-            if best < SQUARE_TO_ENTER {
-                self.enter(&mut pair, number(best))?;
+            let next = if best < SQUARE_TO_ENTER {
+                step(best)
             } else {
                 back += 1;
-                let (passed, part) = self.passed.pop().filter(|_| back <= MOST_RETURNS)?;
+                let (passed, next, length) = self.passed.pop().filter(|_| back <= MOST_RETURNS)?;
+                self.trail.truncate(length);
                 pair = passed;
-                self.enter(&mut pair, part)?;
-            }
+                next
+            };
+            self.enter(&mut pair, next)?;
+            self.trail.push(next);
         }
         None
     }
@@ -137,8 +186,7 @@ impl GreedySearch {
     /// Scores of the two parts of the larger piece whose middles are nearest to that of the other piece, for their
     /// size; with their numbers.
     #[inline(always)]
-    fn nearest_parts(&self, pair: &TwoPieces) -> (f32, f32) {
-        let large = usize::from(pair.size[0] < pair.size[1]);
+    fn nearest_parts(&self, pair: &TwoPieces, large: usize) -> (f32, f32) {
         let m = pair.linear[large];
         let apart = pair.apart * SIGN[large];
         let splat = |x: f64| f32x4::splat(x as f32);
@@ -166,10 +214,11 @@ impl GreedySearch {
         (least, ordered(more, ordered(b, p)[0])[0])
     }
 
+    /// Goes on to a part, if there is one of this number.
     #[inline(always)]
-    fn enter(&self, pair: &mut TwoPieces, part: usize) -> Option<()> {
-        let large = usize::from(pair.size[0] < pair.size[1]);
-        let (Affine2 { linear, translation }, size) = *self.words.get(part)?;
+    fn enter(&self, pair: &mut TwoPieces, Step { part, large }: Step) -> Option<()> {
+        let large = usize::from(large & 1);
+        let (Affine2 { linear, translation }, size) = *self.words.get(usize::from(part))?;
         let m = pair.linear[large];
         pair.apart += m * translation * SIGN[large];
         pair.linear[large] = m * linear;
@@ -189,11 +238,6 @@ fn least(a: f32x4, b: f32x4) -> f32x4 {
 #[inline(always)]
 fn greatest(a: f32x4, b: f32x4) -> f32x4 {
     if cfg!(target_arch = "wasm32") { b.fast_max(a) } else { a.fast_max(b) }
-}
-
-#[inline(always)]
-fn number(score: f32) -> usize {
-    (score.to_bits() & NUMBER_BITS) as usize
 }
 
 #[inline(always)]
@@ -225,6 +269,55 @@ mod tests {
                 let found = search.meet(&frame, i, j, near);
                 assert!(found.is_some_and(|square| square <= near), "maps {i} and {j} of {count}");
             }
+        }
+    }
+
+    /// The points of two pieces that a way leads to, from the one to the other.
+    fn between(search: &GreedySearch, frame: &Frame, [i, j]: [usize; 2], trail: &[Step]) -> DVec2 {
+        let mut maps = [frame.maps[i], frame.maps[j]];
+        for &Step { part, large } in trail {
+            let piece = &mut maps[usize::from(large)];
+            *piece = *piece * search.words[usize::from(part)].0;
+        }
+        maps[0].apply(search.point) - maps[1].apply(search.point)
+    }
+
+    #[test]
+    fn a_way_leads_to_the_points_it_is_said_to_lead_to() {
+        for count in [3, 4, 5, 9] {
+            let mut search = GreedySearch::default();
+            let mut trail = Vec::new();
+            let mut followed = 0;
+            for k in 0..60 {
+                // From one system to the next they turn a little, and once for good: then no way leads on.
+                let turn = Affine2::similitude(1.0, 0.001 * f64::from(k), DVec2::ZERO);
+                let mut maps = heap(count);
+                maps[0] = maps[0] * turn;
+                if k == 30 {
+                    maps[0] = maps[0] * Affine2::similitude(0.1, 3.0, DVec2::X);
+                }
+                let mut frame = Frame::default();
+                frame.set(&maps).unwrap();
+                assert!(search.set(&frame));
+                let near = 1e-8 * search.extent(&frame);
+                // Numbers of size 1, of which the points' distance is a difference.
+                let exact = |search: &GreedySearch, square: f64| {
+                    let found = frame.square(between(search, &frame, [0, 1], search.trail()));
+                    let off = (found - square).abs();
+                    assert!(square <= near && off <= 1e-14 * near.sqrt(), "{found} {square}");
+                };
+                if let Some(square) = search.follow(&frame, 0, 1, near, &trail) {
+                    followed += usize::from(!trail.is_empty());
+                    exact(&search, square);
+                    trail = search.trail().to_vec();
+                } else if let Some(square) = search.meet(&frame, 0, 1, near) {
+                    exact(&search, square);
+                    trail = search.trail().to_vec();
+                } else {
+                    trail.clear();
+                }
+            }
+            assert!(followed > 40, "{followed} of {count} maps");
         }
     }
 }

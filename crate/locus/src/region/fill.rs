@@ -6,20 +6,21 @@
 //! - *connected*: the same pieces cross throughout ([`Descent::cross`]), or two maps fill more than all of the plane;
 //! - *without attractor*: one map stretches throughout.
 //!
-//! Else it is split. What the samples at the corners of boxes say, [`decide`] says; so the cost follows the length of
-//! the boundaries and how fast the shapes change from one sample to the next: at a great magnification nearly all is
-//! decided in large boxes.
+//! Else it is split. What the samples at the corners of boxes say, [`decide`](fn@crate::decide) says; so the cost follows
+//! the length of the boundaries and how fast the shapes change from one sample to the next: at a great magnification
+//! nearly all is decided in large boxes.
 
 use std::ops::Range;
 
 use frond_core::Affine2;
 use glam::DVec2;
 
-use crate::decide::{Scratch, decide};
+use crate::decide::Scratch;
 use crate::family::Family;
 use crate::grid::{LocusGrid, Tile};
 use crate::region::derivative_bounds::{Extent, never_contracts};
 use crate::region::descent::Descent;
+use crate::region::starts::Starts;
 use crate::region::trap::Effort;
 use crate::verdict::{Sample, State};
 
@@ -27,10 +28,15 @@ impl LocusGrid {
     /// Decides a rectangle of samples, adaptively: the tile holds one row for each of the rows `y`, from the bottom,
     /// with one sample for each of the columns `x`.
     ///
-    /// States are those of [`decide`], or proofs for a whole box of samples: such a sample is `Disconnected` only
-    /// where its gap is wider than epsilon, and may be `Connected` where `decide` alone says `Touching`. Gaps inside
-    /// a disconnected box are interpolated between its corners: in its middle that is right to 1 in 20 or to 1 in 200
-    /// of the diameter, elsewhere mostly to 1 in 10, and never less than what is proved.
+    /// States are those of [`decide`](fn@crate::decide), or proofs for a whole box of samples: such a sample is
+    /// `Disconnected` only where its gap is wider than epsilon, and may be `Connected` where `decide` alone says
+    /// `Touching`. Gaps inside a disconnected box are interpolated between its corners: near its middle that is right
+    /// to 1 in 20 or to 1 in 200 of the diameter, elsewhere mostly to 1 in 10, and never less than what is proved.
+    ///
+    /// Points that come near are looked for first where those of a sample of a coarser grid were. So near points may
+    /// be found that `decide` alone does not find, and a sample be `Touching` where it is `Undecided` there, or
+    /// `Disconnected` by a gap no wider than epsilon: both are true then. A sample that is decided on its own has the
+    /// same answer in whichever rectangle of the grid it is.
     #[must_use]
     pub fn patch<F: Family + ?Sized>(
         &self,
@@ -58,6 +64,7 @@ impl LocusGrid {
             scratch,
             maps,
             descent,
+            starts: Starts::default(),
             debt: 0.0,
         };
         if count > 0 {
@@ -76,6 +83,19 @@ struct Area {
     y1: usize,
 }
 
+/// Where a side of an area is split: of the places about in its middle the one that lies on the coarsest grid, so that
+/// the corners of areas are mostly samples from which others [begin](Starts).
+fn halfway(from: usize, to: usize) -> usize {
+    let quarter = (to - from).div_ceil(4);
+    let (first, last) = (from + quarter, to - quarter);
+    if first >= last {
+        return from.midpoint(to);
+    }
+    // All places have the digits that the one before the first and the last have in common, and this is 0 below them.
+    let digits = ((first - 1) ^ last).ilog2();
+    last >> digits << digits
+}
+
 struct BoxFill<'a, F: ?Sized> {
     grid: &'a LocusGrid,
     family: &'a F,
@@ -87,6 +107,7 @@ struct BoxFill<'a, F: ?Sized> {
     scratch: &'a mut Scratch,
     maps: Vec<Affine2>,
     descent: Descent<6>,
+    starts: Starts,
     /// Looks that were spent on crossings in vain, less what the samples decided since then are worth.
     debt: f64,
 }
@@ -117,9 +138,14 @@ impl<F: Family + ?Sized> BoxFill<'_, F> {
         if let Some(state) = State::from_code(self.tile.state[i]) {
             return Sample { state, gap: self.tile.gap[i] };
         }
-        self.family.fill(self.grid.u(x), self.grid.v(y), &mut self.maps);
-        let budget = LocusGrid::budget(self.maps.len());
-        let sample = decide(&self.maps, self.epsilon, budget, self.scratch);
+        let Self { grid, family, epsilon, scratch, maps, starts, .. } = self;
+        let start = starts.of((x, y), &mut |(x, y), start| {
+            family.fill(grid.u(x), grid.v(y), maps);
+            scratch.find_trails(maps, *epsilon, start).clone()
+        });
+        family.fill(grid.u(x), grid.v(y), maps);
+        let sample = scratch.decide_from(maps, *epsilon, LocusGrid::budget(maps.len()), start);
+        starts.keep((x, y), scratch.trails());
         self.debt = (self.debt - LOOKS_PER_SAMPLE).max(0.0);
         self.tile.state[i] = sample.state as u8;
         self.tile.gap[i] = sample.gap;
@@ -135,11 +161,11 @@ impl<F: Family + ?Sized> BoxFill<'_, F> {
             return;
         }
         if across >= up {
-            let middle = x0.midpoint(x1);
+            let middle = halfway(x0, x1);
             self.fill(Area { x1: middle, ..area });
             self.fill(Area { x0: middle, ..area });
         } else {
-            let middle = y0.midpoint(y1);
+            let middle = halfway(y0, y1);
             self.fill(Area { y1: middle, ..area });
             self.fill(Area { y0: middle, ..area });
         }
@@ -167,7 +193,7 @@ impl<F: Family + ?Sized> BoxFill<'_, F> {
             }
             return proved;
         }
-        let middle = self.sample(x0.midpoint(x1), y0.midpoint(y1));
+        let middle = self.sample(halfway(x0, x1), halfway(y0, y1));
         if apart != (middle.state == State::Disconnected) || whole != middle.state.holds() {
             return false;
         }
@@ -199,7 +225,7 @@ impl<F: Family + ?Sized> BoxFill<'_, F> {
             (a + (b - a) * s) * (1.0 - t) + (c + (d - c) * s) * t
         };
         let seen = f64::from(middle.gap);
-        let off = (shade(x0.midpoint(x1), y0.midpoint(y1)) - seen).abs();
+        let off = (shade(halfway(x0, x1), halfway(y0, y1)) - seen).abs();
         // The attractor is at least about as large as the disc it lies in.
         if off > (0.05 * seen).max(0.005) || self.descent.lanes.widest_margin() > 2.0 * narrowest {
             return false;
