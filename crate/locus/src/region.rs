@@ -4,9 +4,11 @@
 pub(crate) mod certify_path;
 pub(crate) mod derivative_bounds;
 pub(crate) mod descent;
+pub(crate) mod extent;
 pub(crate) mod fill;
 pub(crate) mod inner_differences;
 pub(crate) mod joint_bound;
+pub(crate) mod no_attractor;
 pub(crate) mod prove;
 pub(crate) mod silhouette;
 pub(crate) mod starts;

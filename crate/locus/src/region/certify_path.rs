@@ -8,8 +8,8 @@ use glam::{DVec2, DVec3};
 use crate::decide::{Scratch, decide_bounds};
 use crate::family::{Leg, Motions};
 use crate::grid::LocusGrid;
-use crate::region::derivative_bounds::Extent;
 use crate::region::descent::Descent;
+use crate::region::extent::Extent;
 use crate::region::joint_bound::joint_bound;
 use crate::region::trap::Effort;
 

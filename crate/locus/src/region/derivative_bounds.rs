@@ -39,37 +39,9 @@ use glam::{DMat2, DVec2};
 
 use crate::family::{Drift, Family};
 use crate::frame::Frame;
+use crate::region::extent::Extent;
 use crate::support::extremes::{larger, lesser};
 use crate::support::lanes::{Maps, Points, SupportLanes};
-
-/// A box of parameters; a segment where `half.y` is 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Extent {
-    pub middle: DVec2,
-    pub half: DVec2,
-}
-
-impl Extent {
-    /// Between two corners.
-    pub fn between(a: DVec2, b: DVec2) -> Self {
-        // Half a digit more, so that rounding leaves no corner outside.
-        let half = (b - a).abs() * (0.5 + f64::EPSILON);
-        Self { middle: a.midpoint(b), half }
-    }
-
-    /// Whether it is of a size that numbers do not overflow for.
-    fn is_usual(&self) -> bool {
-        self.middle.is_finite() && self.half.max_element() < 1e3 && self.half.min_element() >= 0.0
-    }
-
-    /// The place of a lane: of six lanes the first three below and the others above, of three all in the middle; each
-    /// three from left to right. One lane is a system on its own.
-    fn place<const L: usize>(&self, lane: usize) -> DVec2 {
-        let across = if L == 1 { 0.0 } else { (lane % 3) as f64 - 1.0 };
-        let up = if L == 6 { (lane / 3) as f64 * 2.0 - 1.0 } else { 0.0 };
-        self.middle + self.half * DVec2::new(across, up)
-    }
-}
 
 /// The systems of the lanes, in coordinates that serve all of a box: the attractors of every parameter of it lie
 /// in the unit disc, and all maps contract.
@@ -346,46 +318,13 @@ pub(crate) fn bows<const L: usize>(points: &Points<L>) -> [DVec2; 2] {
     [row(0), row(1)]
 }
 
-/// Whether some map of a family has no attractor anywhere in a box: its spectral radius stays above 1, as the root of
-/// its determinant or half its trace does.
-pub(crate) fn never_contracts<F: Family + ?Sized>(family: &F, extent: Extent) -> bool {
-    let mut lanes: [Vec<Affine2>; 6] = std::array::from_fn(|_| Vec::with_capacity(family.len()));
-    for (l, maps) in lanes.iter_mut().enumerate() {
-        let place = extent.place::<6>(l);
-        family.fill(place.x, place.y, maps);
-    }
-    let mut drifts = [Vec::new(), Vec::new()];
-    for (axis, drifts) in drifts.iter_mut().enumerate() {
-        family.drift(axis, extent.middle, extent.half[axis], drifts);
-    }
-    extent.is_usual()
-        && (0..family.len()).any(|i| {
-            let most = lanes.iter().map(|maps| maps[i].norm()).fold(0.0, larger);
-            let (mut bent_trace, mut bent_area) = (0.0, 0.0);
-            for (axis, drifts) in drifts.iter().enumerate() {
-                let Drift { speed, bend, .. } = drifts[i];
-                let square = 0.5 * extent.half[axis] * extent.half[axis];
-                let first = speed.norm() + extent.half[axis] * bend;
-                bent_trace += 2.0 * bend * square;
-                bent_area += 2.0 * (first * first + (most + bend * square) * bend) * square;
-            }
-            let beyond = |of: &dyn Fn(&Affine2) -> f64, bent: f64, limit: f64| {
-                let each = lanes.iter().map(|maps| of(&maps[i]));
-                let (low, high) =
-                    each.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
-                low.max(-high) - bent > limit * (1.0 + 1e-9)
-            };
-            beyond(&|map| map.determinant(), bent_area, 1.0)
-                || beyond(&|map| map.linear.x_axis.x + map.linear.y_axis.y, bent_trace, 2.0)
-        })
-}
-
 #[cfg(test)]
 mod tests {
     use frond_core::{Mode, Morph, MorphOptions, hash};
 
     use super::*;
     use crate::family::{Polygons, Slice};
+    use crate::region::no_attractor::never_contracts;
 
     fn unit(seed: u32, k: u32) -> f64 {
         f64::from(hash::unit(hash::counter(seed, k)))
@@ -507,26 +446,6 @@ mod tests {
             }
         }
         assert!(boxes > 200 && used > 20, "{boxes} boxes, {used} margins used");
-    }
-
-    #[test]
-    fn what_never_contracts_does_so_nowhere() {
-        let (mut maps, mut proved) = (Vec::new(), 0);
-        for seed in 0..300 {
-            let morph = any_morph(seed);
-            let slice = Slice::new(&morph, 0.0);
-            let middle = DVec2::new(unit(seed, 500), unit(seed, 501)) * 6.0 - 3.0;
-            let extent = Extent { middle, half: DVec2::splat(0.2) };
-            if never_contracts(&slice, extent) {
-                proved += 1;
-                for k in 0..100 {
-                    let at = middle + DVec2::new(unit(seed, 2 * k), unit(seed, 2 * k + 1)) * 0.4 - 0.2;
-                    slice.fill(at.x, at.y, &mut maps);
-                    assert!(maps.iter().any(|map| map.spectral_radius() >= 1.0));
-                }
-            }
-        }
-        assert!(proved > 10, "{proved}");
     }
 
     #[test]

@@ -13,7 +13,7 @@ use crate::decide::{Scratch, decide};
 use crate::family::Family;
 use crate::gap::difference_set::are_equal;
 use crate::grid::LocusGrid;
-use crate::region::derivative_bounds::Extent;
+use crate::region::extent::Extent;
 use crate::region::descent::{Couple, Descent};
 use crate::region::inner_differences::InnerDifferences;
 use crate::region::trap::reaching;
