@@ -38,10 +38,11 @@ impl LocusGrid {
     /// be found that `decide` alone does not find, and a sample be `Touching` where it is `Undecided` there, or
     /// `Disconnected` by a gap no wider than epsilon: both are true then. A sample that is decided on its own has the
     /// same answer in whichever rectangle of the grid it is.
+    // For any family in one piece of code, which is compiled here: a crate that calls it may be compiled for size.
     #[must_use]
-    pub fn patch<F: Family + ?Sized>(
+    pub fn patch(
         &self,
-        family: &F,
+        family: &dyn Family,
         epsilon: f64,
         x: Range<usize>,
         y: Range<usize>,
@@ -97,9 +98,9 @@ fn halfway(from: usize, to: usize) -> usize {
     last >> digits << digits
 }
 
-struct BoxFill<'a, F: ?Sized> {
+struct BoxFill<'a> {
     grid: &'a LocusGrid,
-    family: &'a F,
+    family: &'a dyn Family,
     epsilon: f64,
     width: usize,
     left: usize,
@@ -128,7 +129,7 @@ const MOST_DEBT: f64 = 4000.0;
 /// Where points move farther than this over a box, in parts of the attractor's size, no crossing is likely to last.
 const LARGEST_STRAY: f64 = 0.03;
 
-impl<F: Family + ?Sized> BoxFill<'_, F> {
+impl BoxFill<'_> {
     fn index(&self, x: usize, y: usize) -> usize {
         (y - self.bottom) * self.width + (x - self.left)
     }

@@ -13,8 +13,8 @@ use crate::decide::{Scratch, decide};
 use crate::family::Family;
 use crate::gap::difference_set::are_equal;
 use crate::grid::LocusGrid;
-use crate::region::extent::Extent;
 use crate::region::descent::{Couple, Descent};
+use crate::region::extent::Extent;
 use crate::region::inner_differences::InnerDifferences;
 use crate::region::trap::reaching;
 use crate::verdict::State;
@@ -57,9 +57,10 @@ impl LocusGrid {
     ///
     /// # Panics
     /// If `state` does not have one number for each sample of the rectangle, as far as it lies in the grid.
-    pub fn prove<F: Family + ?Sized>(
+    // In one piece of code, as `patch`.
+    pub fn prove(
         &self,
-        family: &F,
+        family: &dyn Family,
         epsilon: f64,
         x: Range<usize>,
         y: Range<usize>,
@@ -120,13 +121,7 @@ struct Prover {
 
 impl Prover {
     /// Gets ready for a sample whose pieces are known to come within `epsilon` of each other.
-    fn begin<F: Family + ?Sized>(
-        &mut self,
-        family: &F,
-        extent: Extent,
-        epsilon: f64,
-        scratch: &mut Scratch,
-    ) -> bool {
+    fn begin(&mut self, family: &dyn Family, extent: Extent, epsilon: f64, scratch: &mut Scratch) -> bool {
         if !self.descent.begin(family, extent, &mut scratch.frame) {
             return false;
         }

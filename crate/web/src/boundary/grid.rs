@@ -64,9 +64,9 @@ pub(crate) fn read_locus(locus: &JsValue, bounds: JsValue) -> Result<Locus, JsVa
 }
 
 /// The states of a rectangle, as [`LocusGrid::prove`] leaves them.
-pub(crate) fn prove<F: Family + ?Sized>(
+pub(crate) fn prove(
     grid: &LocusGrid,
-    family: &F,
+    family: &dyn Family,
     epsilon: f64,
     [x, y]: [Range<usize>; 2],
     mut state: Vec<u8>,
