@@ -8,6 +8,7 @@ use crate::frame::Frame;
 use crate::gap::bracket::CutSearch;
 use crate::gap::difference_set::{self, DifferenceSet, Translates};
 use crate::gap::greedy::GreedySearch;
+use crate::gap::power_series;
 use crate::gap::trails::Trails;
 use crate::gap::word_pairs::WordPairs;
 use crate::gap::word_tree::WordTree;
@@ -145,6 +146,16 @@ impl Scratch {
             let sample = Sample { state: State::Connected, gap: 0.0 };
             return Bounded { sample, ..Bounded::unknown(State::Connected) };
         }
+        let proved = proved || area::at_once(maps);
+        // Two maps of one linear part need no more than sums: the quickest way there is.
+        let series =
+            (equal && !proved && power_series::are_two(maps)).then(|| power_series::nearest(maps, epsilon));
+        if matches!(series, Some(Some(_))) && !bounds {
+            return Bounded {
+                sample: Sample { state: State::Touching, gap: 0.0 },
+                ..Bounded::unknown(State::Touching)
+            };
+        }
         match frame.set(maps) {
             Ok(()) => {}
             Err(IfsError::Unproved) => return Bounded::unknown(State::Undecided),
@@ -163,7 +174,6 @@ impl Scratch {
             ellipse,
         };
         let equal = equal && frame.length == 1;
-        let proved = proved || area::at_once(maps);
         if frame.point {
             return whole(if proved { State::Connected } else { State::Touching }, 0.0, 0.0);
         }
@@ -190,6 +200,9 @@ impl Scratch {
                 });
             }
             search.join_near(|i, j| {
+                if let Some(found) = series {
+                    return found;
+                }
                 let found = differences.meet(frame, i, j, near)?;
                 if start.is_some() {
                     trails.push(i, j, differences.trail());

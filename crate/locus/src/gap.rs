@@ -11,6 +11,7 @@ pub(crate) mod greedy;
 pub(crate) mod kruskal;
 pub(crate) mod pair_descent;
 pub(crate) mod piece_distance;
+pub(crate) mod power_series;
 pub(crate) mod spanning_tree;
 pub(crate) mod trails;
 pub(crate) mod word_pairs;
