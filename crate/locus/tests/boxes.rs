@@ -115,9 +115,10 @@ fn polygons_just_below_their_scale_never_cross() {
 /// Compares a patch with its samples one by one; returns how many states there are of each, and how many samples
 /// the patch knows better.
 ///
-/// No answer may contradict another: with `g` the widest gap over the diameter, `Connected` says that g is 0, `Touching`
-/// that it is no more than epsilon, `Disconnected` that it is more than 0, and of a whole box that it is more than
-/// epsilon. So what `decide_bounds` proves of g is held against what the patch says. `Undecided` says nothing.
+/// No answer may contradict another: with `g` the widest gap over the diameter, `Connected` says that g is 0,
+/// `Touching` that it is no more than epsilon, `Disconnected` that it is more than 0, and of a whole box that it is
+/// more than epsilon. So what `decide_bounds` proves of g is held against what the patch says. `Undecided` says
+/// nothing.
 fn compare<F: Family>(family: &F, grid: &LocusGrid, epsilon: f64, name: &str) -> ([usize; 5], usize) {
     let mut scratch = Scratch::default();
     let (width, height) = (grid.width(), grid.height());

@@ -6,9 +6,9 @@
 //! - *connected*: the same pieces cross throughout ([`Descent::cross`]), or two maps fill more than all of the plane;
 //! - *without attractor*: one map stretches throughout.
 //!
-//! Else it is split. What the samples at the corners of boxes say, [`decide`](fn@crate::decide) says; so the cost follows
-//! the length of the boundaries and how fast the shapes change from one sample to the next: at a great magnification
-//! nearly all is decided in large boxes.
+//! Else it is split. What the samples at the corners of boxes say, [`decide`](fn@crate::decide) says; so the cost
+//! follows the length of the boundaries and how fast the shapes change from one sample to the next: at a great
+//! magnification nearly all is decided in large boxes.
 
 use std::ops::Range;
 

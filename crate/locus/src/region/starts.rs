@@ -1,9 +1,9 @@
 //! Where the search for near points begins for a sample of a grid: where that for a sample on a coarser grid ended.
 //!
-//! Samples lie on the grids of every 1st, 2nd, 4th .. row and column. One that is on no coarser grid than every `2^k`-th
-//! begins where the next one below and to the left ended that is on the grid of every `2^(k + 1)`-th; those of the
-//! coarsest begin from scratch. So what is found depends on the grid and the sample alone: not on the rectangle that is
-//! asked for, nor on what was decided before.
+//! Samples lie on the grids of every 1st, 2nd, 4th .. row and column. One that is on no coarser grid than every
+//! `2^k`-th begins where the next one below and to the left ended that is on the grid of every `2^(k + 1)`-th; those
+//! of the coarsest begin from scratch. So what is found depends on the grid and the sample alone: not on the rectangle
+//! that is asked for, nor on what was decided before.
 
 use std::collections::HashMap;
 
