@@ -3,6 +3,8 @@
 use glam::DVec2;
 use thiserror::Error;
 
+use crate::bernstein::{MOST_CONTROLS, bernstein, laid_over};
+
 /// A Bézier mesh over a box: displacements at a grid of control points, blended by Bernstein polynomials, degree
 /// 3 along both sides for the usual 4 x 4 (Fujimoto et al., section 5.3). Outside the box the polynomial goes on.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +29,15 @@ pub enum MeshError {
         /// Control points up.
         rows: usize,
     },
+    /// Too few or too many control points of space.
+    #[error(
+        "A lattice of {} x {} x {} control points cannot be made. Give 2 to 6 along each side.",
+        .sizes[0], .sizes[1], .sizes[2]
+    )]
+    Size3 {
+        /// Control points along x, y and z.
+        sizes: [usize; 3],
+    },
     /// Not one displacement for each control point.
     #[error("The mesh needs {wanted} displacements, one for each control point, and got {found}.")]
     Count {
@@ -38,6 +49,9 @@ pub enum MeshError {
     /// A number is NaN, infinite or beyond 1e100, or the box has no area.
     #[error("The mesh must have finite numbers and a box with an area.")]
     Numbers,
+    /// The same in space, or the box has no volume.
+    #[error("The lattice must have numbers below 1e100 and a box with a volume. Give it such.")]
+    Numbers3,
 }
 
 impl MeshError {
@@ -45,16 +59,16 @@ impl MeshError {
     #[must_use]
     pub const fn code(&self) -> &'static str {
         match self {
-            Self::Size { .. } => "mesh-size",
+            Self::Size { .. } | Self::Size3 { .. } => "mesh-size",
             Self::Count { .. } => "mesh-count",
-            Self::Numbers => "mesh-numbers",
+            Self::Numbers | Self::Numbers3 => "mesh-numbers",
         }
     }
 }
 
 impl Mesh {
     /// The most control points along a side: Bernstein polynomials of a higher degree hardly feel one point.
-    pub const LARGEST: usize = 16;
+    pub const LARGEST: usize = MOST_CONTROLS;
 
     /// A mesh over the box from `min` to `max`; `displacements` row by row from the bottom, in units of the plane.
     ///
@@ -216,44 +230,12 @@ impl Mesh {
     }
 }
 
-/// The control points over another interval of the line that has these over [0, 1]: the blossom (Ramshaw 1987) at `to`
-/// so many times, at `from` for the rest.
-fn laid_over(line: &[DVec2], from: f64, to: f64) -> Vec<DVec2> {
-    let one = |count: usize| {
-        let mut points = line.to_vec();
-        for step in 1..line.len() {
-            let t = if step <= count { to } else { from };
-            for i in 0..line.len() - step {
-                points[i] = points[i] * (1.0 - t) + points[i + 1] * t;
-            }
-        }
-        points[0]
-    };
-    (0..line.len()).map(one).collect()
-}
-
 /// [`bernstein`] of degree 3.
 #[inline]
 fn cubic(t: f64) -> [f64; 4] {
     let s = 1.0 - t;
     let (ss, tt) = (s * s, t * t);
     [ss * s, 3.0 * ss * t, 3.0 * s * tt, tt * t]
-}
-
-/// The Bernstein polynomials of degree `count - 1` at `t`, by de Casteljau's triangle: no cancellation inside
-/// [0, 1], and no factorials.
-fn bernstein(t: f64, count: usize) -> [f64; Mesh::LARGEST] {
-    let mut values = [0.0; Mesh::LARGEST];
-    values[0] = 1.0;
-    for degree in 1..count {
-        let mut carry = 0.0;
-        for value in &mut values[..=degree] {
-            let here = *value;
-            *value = here * (1.0 - t) + carry;
-            carry = here * t;
-        }
-    }
-    values
 }
 
 #[cfg(test)]

@@ -88,9 +88,14 @@ pub struct Settings {
 
 impl Settings {
     pub(crate) fn check(&self) -> Result<(), BendError> {
-        check_depths(self.kb, self.ke)?;
-        if self.roughness.is_valid() { Ok(()) } else { Err(BendError::Roughness) }
+        check_bend(self.kb, self.ke, self.roughness)
     }
+}
+
+/// Whether there is such a bend, of the plane or of space.
+pub(crate) fn check_bend(kb: f64, ke: f64, roughness: Roughness) -> Result<(), BendError> {
+    check_depths(kb, ke)?;
+    if roughness.is_valid() { Ok(()) } else { Err(BendError::Roughness) }
 }
 
 /// A colour function carried along: colours of the control points, blended like displacements and shuffled on their

@@ -32,6 +32,14 @@ impl Affine3 {
         Self::new(DMat3::from_diagonal(factors), DVec3::ZERO)
     }
 
+    /// An upper bound of how much the map stretches, sooner found than its norm: exact for similitudes.
+    #[must_use]
+    pub fn stretch(self) -> f64 {
+        let gram = self.linear.transpose() * self.linear;
+        let row = |r: DVec3| r.abs().element_sum();
+        row(gram.x_axis).max(row(gram.y_axis)).max(row(gram.z_axis)).sqrt()
+    }
+
     /// A similitude: scale, turn, then move.
     #[must_use]
     pub fn similitude(scale: f64, turn: DQuat, translation: DVec3) -> Self {

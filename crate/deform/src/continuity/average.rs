@@ -104,7 +104,7 @@ impl Average {
     pub fn fill<S: Source>(&self, source: &S, mesh: &Mesh, terms: &Terms, factors: &[DMat2]) -> Vec<DVec2> {
         let means = source.means(&self.means);
         let mut values = vec![DVec2::ZERO; self.shares.len()];
-        let mut words = Words::new(terms, if S::TURNS { factors } else { &[] });
+        let mut words: Words<'_> = Words::new(terms, if S::TURNS { factors } else { &[] });
         let mut rest = self.middles.len();
         for k in 1..=terms.depth() {
             rest /= self.maps;

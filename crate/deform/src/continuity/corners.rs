@@ -3,6 +3,7 @@
 use frond_core::Affine2;
 use glam::{DMat2, DVec2};
 
+use crate::continuity::cells::MOST_CORNERS;
 use crate::continuity::polygon::{hull, overlap, turn};
 
 /// A convex polygon that holds a shape and whose images under the maps meet corner to corner: pieces share nothing but
@@ -26,7 +27,7 @@ const PARTS_A_SIDE: usize = 256;
 
 impl Corners {
     /// The most corners that are looked for.
-    pub const MOST_CORNERS: usize = 8;
+    pub const MOST_CORNERS: usize = MOST_CORNERS;
 
     /// The corners of the attractor of `maps`, if it has any that are fixed by a map each. There is but one polygon to
     /// look at, the hull of the fixed points, so that shapes without corners cost next to nothing.

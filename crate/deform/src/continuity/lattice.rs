@@ -6,6 +6,7 @@ use std::hash::{BuildHasherDefault, Hasher};
 use frond_core::Affine2;
 use glam::DVec2;
 
+use crate::continuity::cells::Level;
 use crate::continuity::corners::Corners;
 use crate::shuffle::terms::deepest_level;
 
@@ -25,19 +26,6 @@ pub struct Lattice {
     parts: Vec<Source>,
     /// Whether parts share sides: if those of the whole do not, no others do.
     meet: bool,
-}
-
-/// The cells of the words of one length.
-#[derive(Clone, Debug, Default)]
-pub struct Level {
-    /// How many vertices there are.
-    pub vertices: usize,
-    /// For each cell, words in the order of a dictionary, the numbers of its vertices, one after the other.
-    pub cells: Vec<u32>,
-    /// For each cell of the level before, the numbers of the vertices that are new.
-    pub(crate) fresh: Vec<u32>,
-    /// How many cells share each vertex.
-    pub(crate) shared: Vec<u16>,
 }
 
 /// A corner of a part of a cell that is none of the cell.
@@ -234,7 +222,7 @@ fn taken_apart(maps: &[Affine2], corners: &Corners) -> (Vec<Slot>, Vec<Source>) 
 
 /// Mixes pairs of numbers: they are no secret, and looked up by the million.
 #[derive(Default)]
-struct Mix(u64);
+pub(crate) struct Mix(u64);
 
 impl Hasher for Mix {
     fn finish(&self) -> u64 {

@@ -1,14 +1,16 @@
 //! The shuffled terms without a tear, on shapes whose pieces meet in corners.
 
-use frond_core::Affine2;
+use frond_core::{Affine2, Dim2};
 use glam::{DMat2, DVec2};
 
+use crate::continuity::cells::Cells;
+use crate::continuity::corners::Corners;
 use crate::continuity::footing::Footing;
 use crate::continuity::lattice::Lattice;
 use crate::mesh::Mesh;
 use crate::shuffle::cursor::Cursor;
-use crate::shuffle::level_terms::{Source, Words};
-use crate::shuffle::terms::{Family, Terms};
+use crate::shuffle::level_terms::Source;
+use crate::shuffle::terms::Terms;
 
 /// A superposed displacement (Fujimoto et al., eq 12) that is continuous over the shape.
 ///
@@ -57,55 +59,18 @@ impl Smooth {
         terms: &Terms,
         factors: &[DMat2],
     ) -> Vec<DVec2> {
-        let turns = turns && !factors.is_empty();
-        let vertices = self.lattice.vertices();
-        let mut values = vec![DVec2::ZERO; vertices.len()];
-        let count = self.lattice.corners().points().len();
         let slots = self.lattice.slots();
-        let mut words = Words::new(terms, if turns { factors } else { &[] });
-        for (k, pair) in self.lattice.levels().windows(2).enumerate() {
-            let [coarse, fine] = pair else { continue };
-            if !slots.is_empty() {
-                // What the terms so far come to at the new vertices.
-                for (cell, fresh) in
-                    coarse.cells.chunks_exact(count).zip(fine.fresh.chunks_exact(slots.len()))
-                {
-                    for (&vertex, slot) in fresh.iter().zip(slots) {
-                        let value = |(&from, share): (&u32, &f64)| values[from as usize] * *share;
-                        values[vertex as usize] = cell.iter().zip(&slot.shares).map(value).sum();
-                    }
-                }
-            }
-            let k = k + 1;
-            // Where the roughness varies, the weights of each family at each vertex.
-            let weighed = |family: &Family| -> Vec<f64> {
-                if terms.fixed().is_some() || k < family.first || k >= family.end {
-                    return Vec::new();
-                }
-                vertices[..fine.vertices]
-                    .iter()
-                    .map(|&vertex| terms.weight(family, k, mesh, vertex))
-                    .collect()
-            };
-            let varying: Vec<Vec<f64>> = terms.families.iter().map(weighed).collect();
-            let first = terms.families.first().map_or(0, |family| family.kb);
-            let shares: [f64; 32] = std::array::from_fn(|shared| 1.0 / shared.max(1) as f64);
-            words.advance(k, self.lattice.maps().len(), |family, to, from, turn| {
-                let varying = &varying[family.kb - first];
-                let weight = terms.fixed().map_or(0.0, |weights| weights.list[family.slot(k)]);
-                let (to, from) = (to * count, from * count);
-                let pairs = fine.cells[to..to + count].iter().zip(&fine.cells[from..from + count]);
-                for (&to, &from) in pairs {
-                    let (to, sample) = (to as usize, samples[from as usize]);
-                    let sample = if turns { *turn * sample } else { sample };
-                    let weight = varying.get(to).copied().unwrap_or(weight);
-                    let shared = usize::from(fine.shared[to]);
-                    let share = shares.get(shared).copied().unwrap_or_else(|| 1.0 / shared as f64);
-                    values[to] += sample * (weight * share);
-                }
-            });
-        }
-        values
+        let shares: Vec<[f64; Corners::MOST_CORNERS]> = slots.iter().map(|slot| slot.shares).collect();
+        let cells = Cells {
+            levels: self.lattice.levels(),
+            corners: self.lattice.corners().points().len(),
+            shares: &shares,
+            maps: self.lattice.maps().len(),
+        };
+        let vertices = self.lattice.vertices();
+        cells.fill::<Dim2>(samples, if turns { factors } else { &[] }, terms, |family, k, vertex| {
+            terms.weight(family, k, mesh, vertices[vertex])
+        })
     }
 
     /// The vertices around the point of a piece that its map takes `z` to, and what they count.

@@ -79,7 +79,7 @@ impl Splat {
     /// The shuffled terms at each node of the finest grid.
     pub fn fill<S: Source>(&self, source: &S, mesh: &Mesh, terms: &Terms, factors: &[DMat2]) -> Vec<DVec2> {
         let mut sums: Vec<Vec<DVec2>> = vec![Vec::new(); self.halvings + 1];
-        let mut words = Words::new(terms, if S::TURNS { factors } else { &[] });
+        let mut words: Words<'_> = Words::new(terms, if S::TURNS { factors } else { &[] });
         for (k, (middles, layer)) in self.middles.iter().zip(&self.layers).enumerate().skip(1) {
             let Some(layer) = layer else {
                 words.advance(k, self.maps.len(), |_, _, _, _| ());

@@ -1,42 +1,62 @@
 //! Displacements rearranged by a shuffle, point by point: the formulas as they stand.
 
-use frond_core::Affine2;
-use glam::{DMat2, DVec2};
+use frond_core::{Affine, Dim2, Dimension};
+use glam::DVec2;
 
 use crate::mesh::Mesh;
 use crate::shuffle::code::shuffle;
-use crate::shuffle::spin::Spin;
+use crate::shuffle::spin::{Spin, Turning};
 use crate::shuffle::weight::weights;
 
 /// A point of an attractor: the piece that a code names, and where in it, as the point `tail` of the whole that
 /// the piece's map takes there.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place<'a> {
+pub struct Place<'a, V = DVec2> {
     /// Letters from 0, the largest piece first; at least as many as the deepest shuffle reaches.
     pub code: &'a [u8],
     /// A point of the whole attractor, or near it.
-    pub tail: DVec2,
+    pub tail: V,
 }
+
+/// The displacement function F_v (Fujimoto et al., eq 14), of the plane or of space.
+pub trait Displacement {
+    /// Where it lives.
+    type Dim: Turning;
+
+    /// The displacement at a point.
+    fn at(&self, point: <Self::Dim as Dimension>::Vector) -> <Self::Dim as Dimension>::Vector;
+}
+
+impl Displacement for Mesh {
+    type Dim = Dim2;
+
+    fn at(&self, point: DVec2) -> DVec2 {
+        Self::at(self, point)
+    }
+}
+
+type VectorOf<M> = <<M as Displacement>::Dim as Dimension>::Vector;
+type MatrixOf<M> = <<M as Displacement>::Dim as Dimension>::Matrix;
 
 /// Displacements of the points of an attractor, shuffled by their codes. There is no repair of continuity here:
 /// the shape tears where kb is 1 or more.
 #[derive(Clone, Debug)]
-pub struct Field<'a> {
-    maps: &'a [Affine2],
-    factors: Vec<DMat2>,
-    mesh: &'a Mesh,
+pub struct Field<'a, M: Displacement = Mesh> {
+    maps: &'a [Affine<M::Dim>],
+    factors: Vec<MatrixOf<M>>,
+    mesh: &'a M,
 }
 
-impl<'a> Field<'a> {
+impl<'a, M: Displacement> Field<'a, M> {
     /// The displacements of `mesh` on the attractor of `maps`.
     #[must_use]
-    pub fn new(maps: &'a [Affine2], mesh: &'a Mesh, spin: Spin) -> Self {
+    pub fn new(maps: &'a [Affine<M::Dim>], mesh: &'a M, spin: Spin) -> Self {
         Self { maps, factors: maps.iter().map(|map| spin.factor(map)).collect(), mesh }
     }
 
     /// The point's coordinate F_x (Fujimoto et al., eq 9). Letters that no map has are passed over.
     #[must_use]
-    pub fn position(&self, place: Place<'_>) -> DVec2 {
+    pub fn position(&self, place: Place<'_, VectorOf<M>>) -> VectorOf<M> {
         let maps = place.code.iter().rev().filter_map(|&letter| self.maps.get(usize::from(letter)));
         maps.fold(place.tail, |point, map| map.apply(point))
     }
@@ -44,7 +64,7 @@ impl<'a> Field<'a> {
     /// The displacement of one term (Fujimoto et al., eqs 11 and 17): that of the point whose code has the block
     /// kb + 1 .. k reversed, turned by the factors of the letters kb + 1 to k in this order.
     #[must_use]
-    pub fn term(&self, kb: usize, k: usize, place: Place<'_>) -> DVec2 {
+    pub fn term(&self, kb: usize, k: usize, place: Place<'_, VectorOf<M>>) -> VectorOf<M> {
         let mut moved = place.code.to_vec();
         shuffle(&mut moved, kb, k);
         let from = self.mesh.at(self.position(Place { code: &moved, ..place }));
@@ -55,23 +75,30 @@ impl<'a> Field<'a> {
 
     /// The superposition of the terms kb to ke (Fujimoto et al., eqs 12 and 18).
     #[must_use]
-    pub fn superposed(&self, kb: usize, ke: usize, delta: f64, place: Place<'_>) -> DVec2 {
+    pub fn superposed(&self, kb: usize, ke: usize, delta: f64, place: Place<'_, VectorOf<M>>) -> VectorOf<M> {
         let list = weights(delta, kb, ke);
         // A term without weight costs nothing: with delta 0 only the first is looked at.
         let terms = list.iter().enumerate().filter(|(_, weight)| **weight > 0.0);
-        terms.map(|(i, weight)| self.term(kb, kb + i, place) * *weight).sum()
+        let terms = terms.map(|(i, weight)| self.term(kb, kb + i, place) * *weight);
+        terms.fold(M::Dim::ZERO, |sum, term| sum + term)
     }
 
     /// [`Field::term`] between whole numbers (Fujimoto et al., eq 19): a bilinear blend of four.
     #[must_use]
-    pub fn term_between(&self, kb: f64, ke: f64, place: Place<'_>) -> DVec2 {
-        between(kb, ke, |kb, ke| self.term(kb, ke, place))
+    pub fn term_between(&self, kb: f64, ke: f64, place: Place<'_, VectorOf<M>>) -> VectorOf<M> {
+        between::<M::Dim>(kb, ke, |kb, ke| self.term(kb, ke, place))
     }
 
     /// [`Field::superposed`] between whole numbers: a bilinear blend of four sums.
     #[must_use]
-    pub fn superposed_between(&self, kb: f64, ke: f64, delta: f64, place: Place<'_>) -> DVec2 {
-        between(kb, ke, |kb, ke| self.superposed(kb, ke, delta, place))
+    pub fn superposed_between(
+        &self,
+        kb: f64,
+        ke: f64,
+        delta: f64,
+        place: Place<'_, VectorOf<M>>,
+    ) -> VectorOf<M> {
+        between::<M::Dim>(kb, ke, |kb, ke| self.superposed(kb, ke, delta, place))
     }
 }
 
@@ -79,7 +106,7 @@ impl<'a> Field<'a> {
 const DEEPEST_LETTER: f64 = 64.0;
 
 /// Equation 19. Where `ke` falls below `kb` it is raised to it, which is the identity.
-fn between(kb: f64, ke: f64, value: impl Fn(usize, usize) -> DVec2) -> DVec2 {
+fn between<D: Dimension>(kb: f64, ke: f64, value: impl Fn(usize, usize) -> D::Vector) -> D::Vector {
     let split = |x: f64| {
         let x = if x.is_nan() { 0.0 } else { x.clamp(0.0, DEEPEST_LETTER) };
         (x.floor() as usize, x.fract())
@@ -95,11 +122,13 @@ fn between(kb: f64, ke: f64, value: impl Fn(usize, usize) -> DVec2) -> DVec2 {
         .into_iter()
         .filter(|(_, x, _, y)| x * y > 0.0)
         .map(|(b, x, e, y)| value(b, e.max(b)) * (x * y))
-        .sum()
+        .fold(D::ZERO, |sum, value| sum + value)
 }
 
 #[cfg(test)]
 mod tests {
+    use frond_core::Affine2;
+
     use super::*;
 
     fn gasket() -> [Affine2; 3] {

@@ -1,6 +1,7 @@
 //! The shuffled terms of each piece of a level.
 
-use glam::{DMat2, DVec2};
+use frond_core::{Dim2, Dimension};
+use glam::DVec2;
 
 use crate::shuffle::means::Means;
 use crate::shuffle::terms::{Family, Terms};
@@ -10,22 +11,22 @@ use crate::shuffle::terms::{Family, Terms};
 ///
 /// All families and levels together cost little more than the words of the finest level (each word is its parent's
 /// and one letter more).
-pub(crate) struct Words<'a> {
+pub(crate) struct Words<'a, D: Dimension = Dim2> {
     terms: &'a Terms,
-    factors: &'a [DMat2],
-    tails: Vec<Tails>,
+    factors: &'a [D::Matrix],
+    tails: Vec<Tails<D>>,
 }
 
-struct Tails {
+struct Tails<D: Dimension> {
     reversed: Vec<u32>,
     /// Empty where nothing turns.
-    turns: Vec<DMat2>,
+    turns: Vec<D::Matrix>,
 }
 
-impl<'a> Words<'a> {
+impl<'a, D: Dimension> Words<'a, D> {
     /// `factors` of all maps, none if nothing turns; `maps` is their number.
-    pub fn new(terms: &'a Terms, factors: &'a [DMat2]) -> Self {
-        let turns = if factors.is_empty() { Vec::new() } else { vec![DMat2::IDENTITY] };
+    pub fn new(terms: &'a Terms, factors: &'a [D::Matrix]) -> Self {
+        let turns = if factors.is_empty() { Vec::new() } else { vec![D::IDENTITY] };
         let tails =
             terms.families.iter().map(|_| Tails { reversed: vec![0], turns: turns.clone() }).collect();
         Self { terms, factors, tails }
@@ -33,7 +34,13 @@ impl<'a> Words<'a> {
 
     /// Goes on to level k, from 1 on in order, and visits for each family that has a term there each word of k
     /// letters: the family, the number of the word, that of the word that it is sent to, and what turns it.
-    pub fn advance(&mut self, k: usize, maps: usize, mut visit: impl FnMut(&Family, usize, usize, &DMat2)) {
+    pub fn advance(
+        &mut self,
+        k: usize,
+        maps: usize,
+        mut visit: impl FnMut(&Family, usize, usize, &D::Matrix),
+    ) {
+        let same = D::IDENTITY;
         for (family, tails) in self.terms.families.iter().zip(&mut self.tails) {
             if k <= family.kb || k >= family.end {
                 continue;
@@ -46,7 +53,7 @@ impl<'a> Words<'a> {
                 .flat_map(|&reversed| (0..maps as u32).map(move |letter| letter * lead + reversed))
                 .collect();
             if !tails.turns.is_empty() {
-                let longer = |turn: &DMat2| {
+                let longer = |turn: &D::Matrix| {
                     let turn = *turn;
                     self.factors.iter().map(move |factor| turn * *factor)
                 };
@@ -58,7 +65,7 @@ impl<'a> Words<'a> {
             let (heads, count) = (maps.pow(family.kb as u32), tails.reversed.len());
             for head in 0..heads {
                 for (tail, &reversed) in tails.reversed.iter().enumerate() {
-                    let turn = tails.turns.get(tail).unwrap_or(&DMat2::IDENTITY);
+                    let turn = tails.turns.get(tail).unwrap_or(&same);
                     visit(family, head * count + tail, head * count + reversed as usize, turn);
                 }
             }

@@ -1,40 +1,39 @@
 //! The shuffled terms at a place of a piece, one by one, with nothing on the heap.
 
-use frond_core::Affine2;
-use glam::{DMat2, DVec2};
+use frond_core::{Affine, Dim2};
 
 use crate::shuffle::cursor::Cursor;
-use crate::shuffle::spin::Spin;
+use crate::shuffle::spin::{Spin, Turning};
 use crate::shuffle::terms::{DEEPEST, Terms, Weights};
 
 /// The maps of a shape and how they turn displacements.
 #[derive(Clone, Debug)]
-pub(crate) struct Raw {
-    pub maps: Vec<Affine2>,
-    pub factors: Vec<DMat2>,
+pub(crate) struct Raw<D: Turning = Dim2> {
+    pub maps: Vec<Affine<D>>,
+    pub factors: Vec<D::Matrix>,
     /// The point that each map leaves where it is.
-    pub fixed: Vec<DVec2>,
+    pub fixed: Vec<D::Vector>,
     pub turned: bool,
 }
 
-impl Raw {
-    pub fn new(maps: &[Affine2], spin: Spin) -> Self {
+impl<D: Turning> Raw<D> {
+    pub fn new(maps: &[Affine<D>], spin: Spin) -> Self {
         Self {
             maps: maps.to_vec(),
             factors: maps.iter().map(|map| spin.factor(map)).collect(),
             fixed: maps.iter().map(|map| map.fixed_point().unwrap_or(map.translation)).collect(),
-            turned: maps.iter().any(|map| spin.factor(map) != DMat2::IDENTITY),
+            turned: maps.iter().any(|map| spin.factor(map) != D::IDENTITY),
         }
     }
 
     /// The factors, or none where nothing turns.
-    pub fn turning(&self) -> &[DMat2] {
+    pub fn turning(&self) -> &[D::Matrix] {
         if self.turned { &self.factors } else { &[] }
     }
 
     /// The letter whose fixed point is nearest.
-    pub fn nearest(&self, point: DVec2) -> usize {
-        let distance = |i: &usize| self.fixed[*i].distance_squared(point);
+    pub fn nearest(&self, point: D::Vector) -> usize {
+        let distance = |i: &usize| D::length(self.fixed[*i] - point);
         (0..self.fixed.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
     }
 
@@ -50,10 +49,10 @@ impl Raw {
         &self,
         terms: &Terms,
         weights: &Weights,
-        cursor: &Cursor,
+        cursor: &Cursor<D>,
         kept: usize,
-        zs: [DVec2; N],
-        add: impl FnMut(usize, DVec2, DMat2, f64),
+        zs: [D::Vector; N],
+        add: impl FnMut(usize, D::Vector, D::Matrix, f64),
     ) {
         // Room is cleared for each piece: less of it where little is needed.
         match terms.depth() {
@@ -69,9 +68,9 @@ impl Raw {
         terms: &Terms,
         weights: &Weights,
         word: &[u8],
-        cursor: &Cursor,
-        zs: [DVec2; N],
-        mut add: impl FnMut(usize, DVec2, DMat2, f64),
+        cursor: &Cursor<D>,
+        zs: [D::Vector; N],
+        mut add: impl FnMut(usize, D::Vector, D::Matrix, f64),
     ) {
         let last = terms.depth();
         let mut points = zs.map(|z| cursor.deep.apply(z));
@@ -81,7 +80,7 @@ impl Raw {
             points = points.map(|point| self.maps[usize::from(letter)].apply(point));
         }
         // The points of the code behind each letter.
-        let mut behind = [[DVec2::ZERO; N]; ROOM];
+        let mut behind = [[D::ZERO; N]; ROOM];
         behind[word.len()] = points;
         for (k, &letter) in word.iter().enumerate().rev() {
             points = points.map(|point| self.maps[usize::from(letter)].apply(point));
@@ -96,13 +95,13 @@ impl Raw {
             let those = if word.len() >= last { 0..N } else { i..i + 1 };
             let letter = |i: usize| word.get(i).map_or(on, |&letter| usize::from(letter));
             for family in &terms.families {
-                let head = (0..family.kb).fold(Affine2::IDENTITY, |map, i| map * self.maps[letter(i)]);
-                let (mut block, mut factor) = (Affine2::IDENTITY, DMat2::IDENTITY);
+                let head = (0..family.kb).fold(Affine::IDENTITY, |map, i| map * self.maps[letter(i)]);
+                let (mut block, mut factor) = (Affine::IDENTITY, D::IDENTITY);
                 for (k, rests) in behind.iter().enumerate().take(family.end).skip(family.kb + 1) {
                     let letter = letter(k - 1);
                     block = self.maps[letter] * block;
                     if self.turned {
-                        factor *= self.factors[letter];
+                        factor = factor * self.factors[letter];
                     }
                     let weight = if k < family.first { 0.0 } else { weights.list[family.slot(k)] };
                     if weight > 0.0 {
