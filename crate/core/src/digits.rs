@@ -3,6 +3,7 @@
 pub(crate) mod error;
 pub(crate) mod intersection;
 pub(crate) mod merging;
+pub(crate) mod product;
 pub(crate) mod reach;
 pub(crate) mod shifts;
 pub(crate) mod subsets;

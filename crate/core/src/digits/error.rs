@@ -64,8 +64,8 @@ pub enum DigitError {
     },
     /// The graph is larger than what a system may have.
     #[error(
-        "What the two share is made of more than {MAX_STATES} kinds of pieces, and that many can be drawn. Give a shift \
-         with a smaller denominator."
+        "What the two share is made of more than {MAX_STATES} kinds of pieces, or more than {MAX_MAPS} pieces of one kind, \
+         and so many can be drawn. Give a shift with a smaller denominator."
     )]
     TooManyStates,
     /// What was built is no graph-directed system that can be drawn.

@@ -1,13 +1,8 @@
-//! What two shapes of one grid share.
+//! What two shapes of one grid share: a graph, and what is known from it.
 
 use glam::DVec2;
 
-use crate::digits::error::{DigitError, LARGEST_DENOMINATOR, LARGEST_NUMERATOR};
-use crate::digits::merging::merged;
-use crate::digits::reach::gcd;
-use crate::digits::shifts::ShiftGraph;
-use crate::digits::subsets::SubsetGraph;
-use crate::digits::system::DigitSystem;
+use crate::digits::error::DigitError;
 use crate::directed::dimension::directed_dimension;
 use crate::directed::map::DirectedMap;
 use crate::directed::system::DirectedIfs;
@@ -17,18 +12,20 @@ use crate::linear::affine::Affine2;
 /// The intersection of two shapes of one grid, the second moved by a fraction, as a graph-directed system.
 ///
 /// Let A have the digits D and B the digits D', both with the matrix M, and write `X_t` for what A shares with B
-/// moved by t. A point of A begins with a digit d, one of B with a digit d', and what is left of them is `M t + d' -
-/// d` apart:
+/// moved by t. A point of A begins with a digit d, one of B with a digit d', and what is left of them is
+/// `M t + d' - d` apart:
 ///
 /// ```text
 /// X_t = union over d, d' of  M^-1 (X_t' + d),   t' = M t + d' - d
 /// ```
 ///
-/// (Bondarenko & Kravchenko 2010, arXiv:1003.6046, measure such intersections by it; neighbour graphs of tiles are
-/// made in the same way). Where t is a fraction, all t' have its denominator; only those count that go on for ever
-/// without leaving the bound of A - B, and these are finitely many. They are found in whole numbers. Several t' that
-/// are met after the same digits of A are made one state, and states from which the same digits begin as well, so
-/// that a state has one arrow for each digit at most: `K_i = union of M^-1 (K_j + d)`.
+/// (Bondarenko & Kravchenko 2010, arXiv:1003.6046, measure such intersections by it; neighbour graphs of tiles are made
+/// in the same way). Where t is a fraction, all t' have its denominator; only those count that go on for ever without
+/// leaving the bound of A - B, and these are finitely many. They are found in whole numbers.
+///
+/// These shifts are the states, `K_i = union of M^-1 (K_j + d)`; or, where that makes a simpler graph, the sets of
+/// shifts that are met after the same digits of A, so that a state has one arrow for each digit at most (the subset
+/// construction, Rabin & Scott 1959). States from which the same arrows begin are one (Moore 1956).
 #[derive(Clone, Debug, PartialEq)]
 pub struct GridIntersection {
     /// The states; the first is the intersection. None where the shapes do not meet.
@@ -37,23 +34,24 @@ pub struct GridIntersection {
     pub denominator: i64,
     /// How many shifts lead on for ever.
     pub shifts: usize,
-    /// Whether the dimension of [`GridIntersection::dimension`] is the true one and not only a bound: whether the
-    /// digits of the first shape leave different remainders ([`DigitSystem::keeps_apart`]).
+    /// Whether [`GridIntersection::dimension`] is the Hausdorff dimension and not only a bound: digits leave
+    /// different remainders ([`keeps_apart`](crate::DigitSystem::keeps_apart)), those of the first shape, and where a
+    /// state is one shift, of both.
     pub is_exact: bool,
-    maps: Vec<Affine2>,
+    pub(crate) maps: Vec<Affine2>,
 }
 
 /// A kind of piece that an intersection is made of.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GridState {
-    /// It is the part of the first shape that lies in the second moved by any of these: numerators over the
-    /// [denominator](GridIntersection::denominator).
+    /// It is the part of the first shape that lies in the second moved by any of these, one or more: numerators over
+    /// the [denominator](GridIntersection::denominator).
     pub shifts: Vec<[i64; 2]>,
     /// Its pieces: the digit of the first shape and the state that is copied there, both from 0.
     pub copies: Vec<(usize, usize)>,
 }
 
-/// How many addresses, and so points at most, an intersection has.
+/// How many ways there are through the graph of an intersection, and so points at most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AddressCount {
     /// So many, or `u64::MAX` where there are more.
@@ -67,56 +65,8 @@ pub enum AddressCount {
 /// Addresses of points that are listed at most, and the distance, relative to their size, below which two are one.
 const MOST_POINTS: u64 = 4096;
 const SAME_POINT: f64 = 1e-10;
-
-/// Intersects a shape of a grid with another, moved by `numerators / denominator`.
-///
-/// # Errors
-/// [`DigitError`] where the matrices differ, the shift is no such fraction, or the graph becomes too large.
-///
-/// ```
-/// use frond_core::{AddressCount, DigitSystem, grid_intersection};
-///
-/// // Cantor's set and itself, moved by a quarter: two copies of a ninth of its size.
-/// let cantor = DigitSystem::new([3, 0, 0, 3], vec![[0, 0], [2, 0]])?;
-/// let shared = grid_intersection(&cantor, &cantor, [1, 0], 4)?;
-/// assert_eq!(shared.states.len(), 2);
-/// assert_eq!(shared.attractor().map(|maps| maps.len()), Some(2));
-/// assert!((shared.dimension().unwrap_or(0.0) - 2.0_f64.ln() / 9.0_f64.ln()).abs() < 1e-12);
-/// assert_eq!(shared.addresses(), AddressCount::Uncountable);
-/// # Ok::<(), frond_core::DigitError>(())
-/// ```
-pub fn grid_intersection(
-    first: &DigitSystem,
-    second: &DigitSystem,
-    numerators: [i64; 2],
-    denominator: i64,
-) -> Result<GridIntersection, DigitError> {
-    if first.matrix() != second.matrix() {
-        return Err(DigitError::Matrices);
-    }
-    let fits = |x: &i64| (-LARGEST_NUMERATOR..=LARGEST_NUMERATOR).contains(x);
-    if !(1..=LARGEST_DENOMINATOR).contains(&denominator) || !numerators.iter().all(fits) {
-        return Err(DigitError::Shift);
-    }
-    let shared = numerators.iter().fold(i128::from(denominator), |sum, &x| gcd(sum, i128::from(x).abs()));
-    // It divides the denominator, and so is one.
-    let shared = i64::try_from(shared).unwrap_or(1);
-    let (numerators, denominator) = (numerators.map(|x| x / shared), denominator / shared);
-    let graph = ShiftGraph::of(first, second, numerators, denominator)?;
-    let subsets = SubsetGraph::of(&graph, first.digits().len())?;
-    let (firsts, ways) = merged(&subsets)?;
-    let states = firsts.iter().zip(ways).map(|(&state, ways)| GridState {
-        shifts: subsets.sets[state].iter().map(|&shift| graph.shifts[shift]).collect(),
-        copies: ways.iter().map(|way| (way.digit, way.to)).collect(),
-    });
-    Ok(GridIntersection {
-        states: states.collect(),
-        denominator,
-        shifts: graph.shifts.len(),
-        is_exact: first.keeps_apart(),
-        maps: (0..first.digits().len()).map(|digit| first.map(digit)).collect(),
-    })
-}
+/// Steps of the search for maps.
+const MOST_STEPS: usize = 10_000;
 
 impl GridIntersection {
     /// Whether the shapes do not meet.
@@ -141,14 +91,16 @@ impl GridIntersection {
     /// The dimension by the graph, `log r / log b` where M scales by b and the paths of the graph grow like powers of r
     /// (Mauldin & Williams 1988). `None` where it is empty, or M is no similarity.
     ///
-    /// Where [`is_exact`](Self::is_exact) it is the Hausdorff dimension: all pieces are those of a tile that holds
-    /// them, at different addresses, which have no inner points in common. Else it is not below it.
+    /// Where [`is_exact`](Self::is_exact) it is the Hausdorff dimension. Pieces of the first shape are among those of a
+    /// tile (Bandt 1991), which have no inner points in common: with one arrow for a digit, the graph obeys the open
+    /// set condition. With one state for a shift there are at most so many times as many paths, as a piece of the first
+    /// shape reaches only so many of the second. Where it is not exact it is not below the Hausdorff dimension.
     #[must_use]
     pub fn dimension(&self) -> Option<f64> {
         directed_dimension(&self.system().ok()??, 0)
     }
 
-    /// How many addresses of the first shape belong to it. A point may have several.
+    /// How many addresses belong to it: endless ways through the graph. A point may have several.
     #[must_use]
     pub fn addresses(&self) -> AddressCount {
         let count = self.states.len();
@@ -264,17 +216,20 @@ impl GridIntersection {
     fn first_returns(&self, root: usize) -> Option<Vec<Affine2>> {
         let mut found = Vec::new();
         let mut open = vec![(root, Affine2::IDENTITY, 0)];
+        let mut steps = 0;
         while let Some((state, way, length)) = open.pop() {
+            steps += 1;
             // What has gone on so long without the root has a round of its own.
-            if length > self.states.len() {
+            if length > self.states.len() || steps > MOST_STEPS {
                 return None;
             }
             for &(digit, to) in self.states[state].copies.iter().rev() {
                 let way = way * self.maps[digit];
-                if to == root {
-                    found.push(way);
-                } else {
+                if to != root {
                     open.push((to, way, length + 1));
+                } else if !found.contains(&way) {
+                    // The same digits may lead back by other shifts.
+                    found.push(way);
                 }
             }
             if found.len() > MAX_MAPS {

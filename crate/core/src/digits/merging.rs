@@ -2,29 +2,41 @@
 
 use std::collections::HashMap;
 
-use crate::digits::error::DigitError;
 use crate::digits::shifts::Way;
-use crate::digits::subsets::SubsetGraph;
 use crate::directed::error::MAX_STATES;
+use crate::error::MAX_MAPS;
 
-/// The least graph with the same addresses: states from which the same addresses begin are one (Moore 1956). Of each
-/// state the one of the larger graph that is met first, and its ways; state 0 stays the first.
-pub(crate) fn merged(graph: &SubsetGraph) -> Result<(Vec<usize>, Vec<Vec<Way>>), DigitError> {
-    let count = graph.sets.len();
+/// The states that are left of a graph.
+pub(crate) struct Merged {
+    /// For each the state of the larger graph that is met first; state 0 stays the first.
+    pub firsts: Vec<usize>,
+    /// The ways from each, without repetitions.
+    pub ways: Vec<Vec<Way>>,
+}
+
+/// The graph with those states made one from which the same ways begin, all along (Moore 1956). `None` where more are
+/// left, or more ways from one, than a graph-directed system may have.
+pub(crate) fn merged(graph: &[Vec<Way>]) -> Option<Merged> {
+    let count = graph.len();
     let mut class = vec![0; count];
     let mut classes = count.min(1);
+    let signature = |class: &[usize], state: usize| {
+        let mut ways: Vec<Way> = graph[state].iter().map(|way| Way { to: class[way.to], ..*way }).collect();
+        ways.sort_unstable();
+        ways.dedup();
+        ways
+    };
     loop {
-        let mut names: HashMap<(usize, Vec<Way>), usize> = HashMap::new();
+        let mut names = HashMap::new();
         let mut next = Vec::with_capacity(count);
-        for (state, ways) in graph.ways.iter().enumerate() {
-            let ways = ways.iter().map(|way| Way { to: class[way.to], ..*way }).collect();
+        for (state, &old) in class.iter().enumerate() {
             let fresh = names.len();
-            next.push(*names.entry((class[state], ways)).or_insert(fresh));
+            next.push(*names.entry((old, signature(&class, state))).or_insert(fresh));
         }
         // Classes only split, so that there is an end after as many rounds as there may be states.
         let split = names.len();
         if split > MAX_STATES {
-            return Err(DigitError::TooManyStates);
+            return None;
         }
         class = next;
         if split == classes {
@@ -34,9 +46,6 @@ pub(crate) fn merged(graph: &SubsetGraph) -> Result<(Vec<usize>, Vec<Vec<Way>>),
     }
     let first = |label: usize| class.iter().position(|&other| other == label).unwrap_or(0);
     let firsts: Vec<usize> = (0..classes).map(first).collect();
-    let ways = firsts
-        .iter()
-        .map(|&state| graph.ways[state].iter().map(|way| Way { to: class[way.to], ..*way }).collect());
-    let ways = ways.collect();
-    Ok((firsts, ways))
+    let ways: Vec<Vec<Way>> = firsts.iter().map(|&state| signature(&class, state)).collect();
+    ways.iter().all(|ways| ways.len() <= MAX_MAPS).then_some(Merged { firsts, ways })
 }

@@ -8,7 +8,7 @@ use crate::digits::reach::Reach;
 use crate::digits::system::DigitSystem;
 
 /// A way from a shift to the next.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Way {
     /// The digit of the first shape.
     pub digit: usize,

@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 
-use crate::digits::error::DigitError;
 use crate::digits::shifts::{ShiftGraph, Way};
 
 /// A graph whose states are sets of shifts: from each there is one way for a digit at most, to all shifts that the
@@ -16,15 +15,16 @@ pub(crate) struct SubsetGraph {
     pub ways: Vec<Vec<Way>>,
 }
 
-const MOST_SETS: usize = 20_000;
+const MOST_SETS: usize = 4000;
 /// Ways of shifts that are looked at in all.
 const MOST_LOOKS: usize = 4_000_000;
 
 impl SubsetGraph {
-    pub fn of(graph: &ShiftGraph, digits: usize) -> Result<Self, DigitError> {
+    /// `None` where it becomes too large.
+    pub fn of(graph: &ShiftGraph, digits: usize) -> Option<Self> {
         let mut this = Self::default();
         if graph.shifts.is_empty() {
-            return Ok(this);
+            return Some(this);
         }
         this.sets.push(vec![0]);
         let mut known = HashMap::from([(vec![0], 0)]);
@@ -38,7 +38,7 @@ impl SubsetGraph {
                 }
             }
             if looks > MOST_LOOKS || this.sets.len() > MOST_SETS {
-                return Err(DigitError::TooManyStates);
+                return None;
             }
             let mut ways = Vec::new();
             for (digit, mut set) in next.into_iter().enumerate().filter(|(_, set)| !set.is_empty()) {
@@ -52,6 +52,6 @@ impl SubsetGraph {
             }
             this.ways.push(ways);
         }
-        Ok(this)
+        Some(this)
     }
 }
