@@ -4,7 +4,7 @@ import init, * as directed from "../../www/pkg/frond-directed.js";
 
 /** What README.md promises of `frond/directed`. */
 const PROMISED = `directedPresets directedFacts directedAttractor rasterizeDirected directedConnectedness matchDirected
-  interpolateDirected certifyDirected`;
+  interpolateDirected certifyDirected digitShape gridIntersection`;
 
 type System = Parameters<typeof directed.directedFacts>[0];
 
@@ -78,6 +78,46 @@ describe("graph-directed systems", () => {
       assuming: [],
       moments: 0,
     });
+  });
+
+  it("are what two shapes of one grid share", () => {
+    type Digits = Parameters<typeof directed.gridIntersection>[0];
+    const cantor: Digits = {
+      matrix: [3, 0, 0, 3],
+      digits: [
+        [0, 0],
+        [2, 0],
+      ],
+    };
+    const at = (p: number, denominator: number, second: Digits = cantor) =>
+      directed.gridIntersection(cantor, second, { numerators: [p, 0], denominator });
+    const quarter = at(2, 8);
+    expect(quarter).toMatchObject({ denominator: 4, shifts: 2, isExact: true, addresses: "uncountable" });
+    expect(quarter.states).toEqual([
+      {
+        shifts: [[1, 0]],
+        copies: [
+          { digit: 0, to: 1 },
+          { digit: 1, to: 1 },
+        ],
+      },
+      { shifts: [[3, 0]], copies: [{ digit: 1, to: 0 }] },
+    ]);
+    expect(quarter.dimension).toBeCloseTo(Math.log(2) / Math.log(9), 12);
+    expect(quarter.attractor?.map((map) => map[0])).toEqual([1 / 9, 1 / 9].map((x) => expect.closeTo(x, 12)));
+    expect(directed.directedFacts(quarter.system as System).states[0]?.max[0]).toBeCloseTo(1, 2);
+    expect(at(1, 1)).toMatchObject({ addresses: 1, points: [[expect.closeTo(1, 12), 0]] });
+    const far = at(3, 2);
+    expect(far).toMatchObject({ system: null, states: [], addresses: 0, points: [], attractor: null });
+    expect(far.dimension).toBeUndefined();
+    const moved = directed.digitShape(cantor, { shift: [2, -1] });
+    expect(moved.states[0]?.[0]?.map.slice(4)).toEqual([4 / 3, -2 / 3].map((x) => expect.closeTo(x, 12)));
+    expect(refused(() => at(1, 0))).toMatch(/^grid-shift/);
+    expect(refused(() => at(0.5, 1))).toMatch(/^bad-input: The shift/);
+    expect(refused(() => at(0, 1, { ...cantor, matrix: [2, 0, 0, 2] }))).toMatch(/^grid-matrices/);
+    const many = { ...cantor, digits: new Array(1e6).fill([0, 0]) };
+    expect(refused(() => at(0, 1, many))).toMatch(/^digits-too-many: There are 1000000/);
+    expect(refused(() => directed.digitShape(null as unknown as Digits, {}))).toMatch(/^bad-input/);
   });
 
   it("say what is wrong with them", () => {

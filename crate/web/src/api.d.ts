@@ -705,6 +705,45 @@ export interface DirectedCertificate {
   moments: number;
 }
 
+/**
+ * A shape on a grid: all that can be written with these digits after the point, in the base of a matrix. A is the union
+ * of `matrix^-1 (A + d)` over the digits d.
+ */
+export interface DigitSystem {
+  /** Whole numbers from -32 to 32, the rows (a b) and (c d); both eigenvalues are larger than 1. */
+  matrix: [a: number, b: number, c: number, d: number];
+  /** 1 to 64 points with whole coordinates from -1000 to 1000. */
+  digits: [x: number, y: number][];
+}
+
+/** What two shapes of one grid share, as a graph-directed system. */
+export interface GridIntersection {
+  /** State 0 is what they share; null where they do not meet. */
+  system: DirectedIfs | null;
+  /**
+   * Of each state: it is the part of the first shape that lies in the second moved by any of these shifts, numerators
+   * over `denominator`; and its pieces, a digit of the first shape and the state that is copied there, from 0.
+   */
+  states: { shifts: [number, number][]; copies: { digit: number; to: number }[] }[];
+  /** In lowest terms. */
+  denominator: number;
+  /** How many shifts lead on for ever. */
+  shifts: number;
+  /**
+   * By the graph (Mauldin & Williams 1988): the Hausdorff dimension where `isExact`, else it is not below it. Absent
+   * where they do not meet, or the matrix is no similarity.
+   */
+  dimension?: number;
+  /** Whether the digits of the first shape leave different remainders, so that its pieces do not overlap. */
+  isExact: boolean;
+  /** How many addresses, and so points at most, belong to it. */
+  addresses: number | "countable" | "uncountable";
+  /** Where they are finitely many (of 4096 addresses at most): which, as far as rounding tells them apart. */
+  points: [x: number, y: number][] | null;
+  /** Maps whose attractor it is, where the graph shows some; there may be some where it does not. */
+  attractor: MapRow[] | null;
+}
+
 export interface PointCloud {
   /** x0, y0, x1, y1, .. */
   positions: Float32Array;

@@ -1,5 +1,7 @@
 //! Graph-directed shapes: several that are made of copies of each other.
 
+mod grid;
+
 use frond_core::{
     Affine2, DirectedError, DirectedGame, DirectedIfs, DirectedMap, DirectedMorph, Hull, MAX_MAPS,
     MAX_STATES, Mode, directed_dimension,
@@ -25,18 +27,18 @@ struct PlainMap {
 }
 
 #[derive(Deserialize, Serialize)]
-struct PlainSystem {
+pub(crate) struct PlainSystem {
     states: Vec<Vec<PlainMap>>,
 }
 
 impl PlainSystem {
-    fn of(states: &[Vec<DirectedMap>]) -> Self {
+    pub(crate) fn of(states: &[Vec<DirectedMap>]) -> Self {
         let plain = |part: &DirectedMap| PlainMap { from: part.from, map: part.map.to_row() };
         Self { states: states.iter().map(|maps| maps.iter().map(plain).collect()).collect() }
     }
 }
 
-fn of_directed(error: &DirectedError) -> JsValue {
+pub(crate) fn of_directed(error: &DirectedError) -> JsValue {
     failure(error.code(), &error.to_string())
 }
 

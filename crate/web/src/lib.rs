@@ -114,7 +114,8 @@ const EXCHANGE_TYPES: &str =
 #[cfg(all(feature = "directed", not(feature = "compute")))]
 #[wasm_bindgen(typescript_custom_section)]
 const DIRECTED_TYPES: &str = r#"import type {
-  DirectedCertificate, DirectedFacts, DirectedIfs, DirectedMatch, DirectedPreset, DirectedRasterOptions, PointCloud, StateConnectedness
+  DigitSystem, DirectedCertificate, DirectedFacts, DirectedIfs, DirectedMatch, DirectedPreset, DirectedRasterOptions,
+  GridIntersection, PointCloud, StateConnectedness
 } from "./frond.js";"#;
 
 /// So do closed curves and graphs.
