@@ -131,6 +131,7 @@ export function figurePictures(source: Source): Record<string, { cells: Cell[]; 
       { solid: [{ maps: meet?.first ?? [] }], turn: 0.5 },
       { solid: [{ maps: meet?.second ?? [] }], turn: 0.5 },
     ),
+    s10: row(plane(shape("twindragon").maps), plane(shape("twindragon").maps)),
     e1: row(corners(0.46), corners(0.49)),
     e2: row(triangle(0.5)),
     e3: one("pentagon"),

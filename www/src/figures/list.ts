@@ -359,6 +359,15 @@ export const ROWS: readonly Row[] = [
         load: () => import("./darwish/open-question/page"),
         thumb: () => import("./darwish/open-question/thumb"),
       },
+      {
+        id: "s10",
+        number: "Space, the open question on a grid",
+        short: "? II",
+        title: "What two shapes of one grid share",
+        about: "Slide one over the other by a fraction: what they share is made of a few kinds of pieces.",
+        load: () => import("./darwish/shared-grid/page"),
+        thumb: () => import("./darwish/shared-grid/thumb"),
+      },
     ],
   },
 ];

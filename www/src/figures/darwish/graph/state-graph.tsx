@@ -3,6 +3,8 @@ import css from "./state-graph.module.css";
 
 const WIDTH = 360;
 const KNOB = 15;
+/** How far a way is bent that passes a knob. */
+const PASSING = 64;
 /** More knots than this leave no room for what stands at the arrows. */
 const MOST_LABELLED = 6;
 
@@ -44,7 +46,7 @@ export function StateGraph({ count: states, ways: all, words }: StateGraphProps)
           key={`${one.from} ${one.to}`}
           way={one}
           places={places}
-          bent={one.from !== one.to && back.has(`${one.to} ${one.from}`)}
+          bend={bendOf(one, places, few, back)}
           middle={few ? null : [WIDTH / 2, height / 2]}
           labelled={few}
         />
@@ -75,12 +77,13 @@ const ROW = 88;
 
 function inColumns(columns: readonly number[][]): Layout {
   const rows = Math.max(...columns.map((column) => column.length));
-  const height = rows * ROW + 10;
+  // Room below for ways that pass knobs.
+  const height = rows * ROW + (columns.length > 2 ? 34 : 10);
   const places: Place[] = [];
   columns.forEach((column, i) => {
     const x = columns.length === 1 ? WIDTH / 2 : 40 + (i * (WIDTH - 90)) / (columns.length - 1);
     column.forEach((index, k) => {
-      places[index] = [x, height / 2 + (k - (column.length - 1) / 2) * ROW + 22];
+      places[index] = [x, (rows * ROW + 10) / 2 + (k - (column.length - 1) / 2) * ROW + 22];
     });
   });
   return { places, height };
@@ -98,17 +101,17 @@ function onRing(count: number): Layout {
 interface WayProps {
   way: StateWay;
   places: readonly Place[];
-  /** Whether another goes the other way, beside which it must be seen. */
-  bent: boolean;
+  /** How far it is bent to its right. */
+  bend: number;
   /** What ways back to where they came from keep away from; null: they are above. */
   middle: Place | null;
   labelled: boolean;
 }
 
-function Way({ way: { from, to, label: words }, places, bent, middle, labelled }: WayProps) {
+function Way({ way: { from, to, label: words }, places, bend, middle, labelled }: WayProps) {
   const [p, q] = [places[from], places[to]];
   if (!p || !q) return null;
-  const { d, label } = from === to ? looped(p, middle) : led(p, q, bent ? 26 : 0);
+  const { d, label } = from === to ? looped(p, middle) : led(p, q, bend);
   return (
     <g class={css["state-way"]}>
       <path d={d} marker-end="url(#state-tip)" />
@@ -134,9 +137,24 @@ function led([x0, y0]: Place, [x1, y1]: Place, bend: number): { d: string; label
   const [start, end] = [off([x0, y0]), off([x1, y1])];
   const at = ([x, y]: Place) => `${x.toFixed(1)} ${y.toFixed(1)}`;
   // Nearer to where it begins: in the middle ways cross.
-  const [near, side] = [0.45, bend === 0 ? 10 : 0.5 * bend + 10];
+  const [near, side] = [0.45, 0.5 * bend + (bend > 0 ? 10 : -10)];
   const label: Place = [x0 + near * (x1 - x0) - side * uy, y0 + near * (y1 - y0) + side * ux];
   return { d: `M${at(start)}Q${at(middle)} ${at(end)}`, label };
+}
+
+/** A way beside another that goes the other way is bent, and so is one that passes a knob: below it. */
+function bendOf(
+  { from, to }: StateWay,
+  places: readonly Place[],
+  few: boolean,
+  known: ReadonlySet<string>,
+): number {
+  const [p, q] = [places[from], places[to]];
+  if (!p || !q || from === to) return 0;
+  const passes = ([x, y]: Place) =>
+    y === p[1] && y === q[1] && x > Math.min(p[0], q[0]) && x < Math.max(p[0], q[0]);
+  if (few && places.some(passes)) return q[0] > p[0] ? PASSING : -PASSING;
+  return known.has(`${to} ${from}`) ? 26 : 0;
 }
 
 /** Out of a knob and back, away from the middle of the drawing. */
