@@ -56,7 +56,7 @@ export const publish = {
   verdict: signal<VerdictResult | null>(null),
   plan: signal<PathPlan | null>(null),
   strip: signal<Frame[]>([]),
-  curveFilm: signal<readonly Frame[]>([]),
+  standInFilm: signal<readonly Frame[]>([]),
   along: signal<Along | null>(null),
   thumbnails: signal<Map<string, ImageBitmap>>(new Map()),
 };
@@ -70,8 +70,8 @@ export const verdict: ReadonlySignal<VerdictResult | null> = publish.verdict;
 /** The automatic path for the present pair. */
 export const plan: ReadonlySignal<PathPlan | null> = publish.plan;
 export const strip: ReadonlySignal<Frame[]> = publish.strip;
-/** Stills of a closed curve's morph, at even times. */
-export const curveFilm: ReadonlySignal<readonly Frame[]> = publish.curveFilm;
+/** Stills of the morph of what stands in place of the systems, at even times. */
+export const standInFilm: ReadonlySignal<readonly Frame[]> = publish.standInFilm;
 /** By preset id, and "a" and "b" for the two ends. */
 export const thumbnails: ReadonlySignal<Map<string, ImageBitmap>> = publish.thumbnails;
 

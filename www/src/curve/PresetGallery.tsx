@@ -1,6 +1,7 @@
+import type { ComponentChildren } from "preact";
 import { thumbnails } from "#compute/results";
-import { curved } from "#document/curve/curve";
 import { originOf, presets } from "#document/presets";
+import { standIn } from "#document/stand-in";
 import { Dialog } from "#ui/overlay/Dialog";
 import { mapsNote, ShapeGrid } from "#ui/shapes/ShapeGrid";
 import type { Preset, Shape } from "#wasm/api";
@@ -17,10 +18,21 @@ interface PresetGalleryProps {
   markOf?: (preset: Preset) => string | null;
   onChoose: (shape: Shape) => void;
   onClose: () => void;
+  /** What else there is to choose. */
+  more?: ComponentChildren;
 }
 
 /** The shapes that a person keeps, every preset, and the closed curves, to choose one from. */
-export function PresetGallery({ title, about, end, now, markOf, onChoose, onClose }: PresetGalleryProps) {
+export function PresetGallery({
+  title,
+  about,
+  end,
+  now,
+  markOf,
+  onChoose,
+  onClose,
+  more,
+}: PresetGalleryProps) {
   const take = (shape: Shape) => {
     onChoose(shape);
     onClose();
@@ -33,10 +45,11 @@ export function PresetGallery({ title, about, end, now, markOf, onChoose, onClos
         pictures={thumbnails.value}
         noteOf={mapsNote}
         markOf={markOf}
-        chosen={curved.value ? undefined : originOf(now)?.id}
+        chosen={standIn.value ? undefined : originOf(now)?.id}
         onChoose={({ id, name, maps }) => take({ preset: id, name, maps })}
       />
       <Shelf end={end} onChosen={onClose} />
+      {more}
     </Dialog>
   );
 }

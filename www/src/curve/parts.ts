@@ -6,6 +6,3 @@ import { loadCurves } from "#wasm/curve";
 export const fetchCurves = () => Promise.all([import("./index"), loadCurves()]).then(([parts]) => parts);
 
 export const Shelf = lazily(() => fetchCurves().then((parts) => parts.Shelf));
-export const CurvePanel = lazily(() => fetchCurves().then((parts) => parts.CurvePanel));
-export const CurveChip = lazily(() => fetchCurves().then((parts) => parts.CurveChip));
-export const CurveEvidence = lazily(() => fetchCurves().then((parts) => parts.CurveEvidence));

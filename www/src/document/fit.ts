@@ -37,7 +37,7 @@ export function useCurve(shape: CurveShape, partner: CurvePreset, to: Use): void
   const { id: preset, name, curve } = partner;
   const end = to === "b" ? "b" : "a";
   edit((now) => {
-    const { locus: _locus, view: _view, ...rest } = now;
+    const { locus: _locus, view: _view, directed: _directed, ...rest } = now;
     const other = { preset, name, curve };
     const { a, b } = now.curves ?? { a: other, b: other };
     return { ...rest, curves: { a, b, [end]: shape }, t: end === "a" ? 0 : 1 };

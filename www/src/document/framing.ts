@@ -4,10 +4,11 @@ import { type Box, calmTrack, stillTrack, type Track, UNIT, union } from "#geome
 import { uvAt } from "#geometry/path";
 import type { Deformation, MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
-import { curveBoxAt, curveMorph, curveTime } from "./curve/curve";
+import { curveBoxAt, curveMorph } from "./curve/curve";
 import { aspect, mapsOfRectangle } from "./deform/photograph";
 import { locusView, mapsAt, morphOptions, pairing, pathPoints, selection, shown, standing } from "./morph";
 import { scene } from "./scene";
+import { directedBoxAt, standIn } from "./stand-in";
 import { type Taken, takenOf } from "./whole";
 
 export { type Box, diagonal } from "#geometry/boxes";
@@ -26,10 +27,16 @@ export function boxOf(maps: MapRow[]): Box | null {
   }
 }
 
+/** The box at a moment of what stands in place of the systems; null where nothing does. */
+const standInBoxAt = computed(() => {
+  const curve = curveMorph.value;
+  return curve ? (t: number) => curveBoxAt(curve, t) : directedBoxAt.value;
+});
+
 /** The boxes of the morph along the path: the camera follows them, so that each shape is as large as it can be. */
 export const pathTrack: ReadonlySignal<Track> = computed(() => {
-  const curve = curveMorph.value;
-  if (curve) return calmTrack(Array.from({ length: LOOKS }, (_, i) => curveBoxAt(curve, i / (LOOKS - 1))));
+  const at = standInBoxAt.value;
+  if (at) return calmTrack(Array.from({ length: LOOKS }, (_, i) => at(i / (LOOKS - 1))));
   const points = pathPoints.value;
   const options = morphOptions.value;
   return calmTrack(
@@ -39,21 +46,20 @@ export const pathTrack: ReadonlySignal<Track> = computed(() => {
 
 /** Both ends together: what a zoom is measured by, whatever the moment and the path. */
 export const pairBox: ReadonlySignal<Box> = computed(() => {
-  const curve = curveMorph.value;
-  if (curve) return union([curveBoxAt(curve, 0), curveBoxAt(curve, 1)]);
-  const boxes = [pairing.value.from, pairing.value.to].map(boxOf);
+  const at = standInBoxAt.value;
+  const boxes = at ? [at(0), at(1)] : [pairing.value.from, pairing.value.to].map(boxOf);
   return union(boxes.filter((box) => box !== null));
 });
 
-/** The box of what tools work on: the curve as it stands, or the system. */
+/** The box of what tools work on: what stands in place of the systems, or the system. */
 const standingBox: ReadonlySignal<Box | null> = computed(() => {
-  const curve = curveMorph.value;
-  return curve ? curveBoxAt(curve, curveTime.value) : boxOf(standing.value);
+  const at = standInBoxAt.value;
+  return at ? at(scene.value.t) : boxOf(standing.value);
 });
 
 /** Whether the picture is off the path, or not of this morph at all. */
 const elsewhere = computed(
-  () => !curveMorph.value && (locusView.value.at !== undefined || locusView.value.family === "polygon"),
+  () => !standIn.value && (locusView.value.at !== undefined || locusView.value.family === "polygon"),
 );
 
 /** How much larger than the shape a mesh around it is, on each side. */

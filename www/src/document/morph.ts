@@ -4,6 +4,7 @@ import { pointsOf, type Uv, uvAt } from "#geometry/path";
 import type { Ifs, LocusView, MapRow, MorphOptions, Pairing } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { inGesture, scene } from "./scene";
+import { standIn } from "./stand-in";
 
 export { timesOf, uvAt } from "#geometry/path";
 
@@ -24,8 +25,8 @@ const mode = computed(() => scene.value.mode);
 const path = computed(() => scene.value.path);
 const correspondence = computed(() => scene.value.correspondence);
 const turns = computed(() => scene.value.turns);
-// While the moments of a closed curve go by, the systems stand still, and nothing has to be known of them.
-const t = computed(() => (scene.value.curves ? 0 : scene.value.t));
+// While the moments of what stands in their place go by, the systems stand still, and nothing has to be known of them.
+const t = computed(() => (standIn.value ? 0 : scene.value.t));
 
 let lastPairing: Pairing | null = null;
 

@@ -27,6 +27,7 @@ describe("what a <frond-view> asks for", () => {
     for (const src of [
       "#tool=space&space=1",
       "#a=fern&curve-a=maple&curve-b=oak",
+      "#a=fern&directed-a=sun&directed-b=quilt",
       "#locus=m",
       "#a=fern&at=0,1",
     ])

@@ -14,7 +14,7 @@ export class WishError extends Error {
 
 const TOOLS = ["morph", "deform", "fit", "space"];
 /** Of a link: what only the studio shows. */
-const STUDIO = /(?:^|&)(?:curve-a=|at=|locus=(?!morph)|tool=(?!morph))/;
+const STUDIO = /(?:^|&)(?:curve-a=|directed-a=|at=|locus=(?!morph)|tool=(?!morph))/;
 const MOST_MAPS = 64;
 
 /** Reads attributes by name; null stands for one that is not there. */

@@ -1,6 +1,7 @@
 import { computed } from "@preact/signals";
-import { curved, curveTime } from "#document/curve/curve";
 import { here, locusView, selection } from "#document/morph";
+import { scene } from "#document/scene";
+import { standIn } from "#document/stand-in";
 import { tool } from "#document/tool";
 import { countWords } from "#format/verdict";
 import { fitStage } from "#stage/gestures";
@@ -29,8 +30,8 @@ export function Readout() {
     <div class="readout number">
       {!selection.value && tool.value === "morph" && (
         <span class="readout-uv">
-          {curved.value
-            ? `s ${curveTime.value.toFixed(2)}`
+          {standIn.value
+            ? `s ${scene.value.t.toFixed(2)}`
             : locusView.value.family === "morph"
               ? `u ${signed(x)} v ${signed(y)}`
               : `s ${signed(x)} ${y < 0 ? "−" : "+"} ${signed(Math.abs(y))} i`}

@@ -1,11 +1,11 @@
 /** What can be done with the document as a whole: its link, and files of it. */
 import { computed } from "@preact/signals";
-import { curved } from "#document/curve/curve";
 import { pictureShown } from "#document/deform/picture";
 import { addressBar, Link } from "#document/link";
 import { selection } from "#document/morph";
 import { notify, wordsOf } from "#document/notice";
 import { spacePlaying } from "#document/playback";
+import { standIn } from "#document/stand-in";
 import { adoptPath } from "#tools/morph/locus/path/automatic";
 import type { Tool } from "#wasm/api";
 import { frond } from "#wasm/core";
@@ -33,8 +33,8 @@ export async function saveCurve(kind: (typeof CURVE_FILES)[number]): Promise<voi
   );
 }
 
-/** Whether a closed curve is what would be saved. */
-export const curveOnStage = computed(() => curved.value && !pictureShown.value);
+/** What would be saved in place of a system. */
+export const insteadOnStage = computed(() => (pictureShown.value ? null : standIn.value));
 
 /** The picture as it stands on the stage, larger, complete, on a transparent ground. */
 export async function savePicture(): Promise<void> {

@@ -10,7 +10,7 @@ import { askForFile } from "#ui/files/door";
 import { startExport } from "#ui/files/exporting";
 import { Menu, type MenuItem } from "#ui/overlay/Menu";
 import type { Tool as ToolName } from "#wasm/api";
-import { CURVE_FILES, curveOnStage, printStage, saveCurve, savePicture, studioHref } from "./actions";
+import { CURVE_FILES, insteadOnStage, printStage, saveCurve, savePicture, studioHref } from "./actions";
 import { Glyph, type GlyphName } from "./glyphs";
 import css from "./shell.module.css";
 import { openedTool, TOOLS } from "./tools";
@@ -95,13 +95,14 @@ const RECENT: MenuItem = { label: "Recent …", onSelect: openRecent };
 
 /** The files that what is open can be saved as. */
 function saveItems(): MenuItem[] {
-  const items = curveOnStage.value ? curveItems() : [{ label: "Save as PNG", onSelect: savePicture }];
+  const items =
+    insteadOnStage.value === "curves" ? curveItems() : [{ label: "Save as PNG", onSelect: savePicture }];
   items.push({ label: "Print …", onSelect: printStage });
   const { entry, tool } = openedTool();
   if (entry.stage === undefined || tool?.still) {
     items.push({ label: "Picture of any size …", onSelect: openPicture });
   }
-  if (tool?.maps && !curveOnStage.value) items.push({ label: "Maps as text …", onSelect: startExport });
+  if (tool?.maps && !insteadOnStage.value) items.push({ label: "Maps as text …", onSelect: startExport });
   if (tool?.MeshDialog) items.push({ label: "Mesh for 3-D printing …", onSelect: openMesh });
   if (!tool?.films) return items;
   const done = filmProgress.value;

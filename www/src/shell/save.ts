@@ -1,13 +1,16 @@
 /** The picture on the stage as a file. */
 
 import { curveDrawer } from "#curve/film";
+import { directedDrawer } from "#directed/film";
 import { pieceColours } from "#document/colours";
 import { curveMorph, curveTime } from "#document/curve/curve";
 import { bend, deformation } from "#document/deform/bend";
 import { pictureShown } from "#document/deform/picture";
+import { directedWay } from "#document/directed/directed";
 import { selection, shown } from "#document/morph";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
+import { endsOf } from "#document/stand-in";
 import { stepsSubject } from "#film/steps";
 import type { Still } from "#film/subject";
 import { effectiveView, stageSize } from "#stage/view";
@@ -24,9 +27,10 @@ import type { Drawer, FrameLook } from "#workers/film/subject";
 export async function stageStill(): Promise<Still> {
   const stage = stageSize.peek();
   const seen = effectiveView.peek();
-  const { colouring } = scene.peek();
+  const { colouring, t } = scene.peek();
   const photograph = pictureShown.peek();
   const curve = photograph ? null : curveMorph.peek();
+  const way = photograph ? null : directedWay.peek();
   const bent = selection.peek() ? null : bend.peek();
   const maps = shown.peek();
   const { parts } = deformation.peek();
@@ -40,6 +44,7 @@ export async function stageStill(): Promise<Still> {
     const view = { ...seen, scale: seen.scale * larger };
     if (photograph) return sheetDrawer(look, alone, { picture: photograph, parts, view }, () => bent);
     if (curve) return curveDrawer(look, colouring, () => ({ s, bend: bent, view }));
+    if (way) return directedDrawer(look, way, colouring, () => ({ t, view }));
     const colours = pieceColours(isDark(look.ground) ? "dark" : "light");
     const options = { view, colouring, palette: colours, ...(bent ? { bend: bent } : {}) };
     return planeDrawer(look, alone, () => ({ maps, options }));
@@ -60,8 +65,8 @@ export async function stageStill(): Promise<Still> {
     },
     at: 0,
     stage,
-    inStrips: !curve && (photograph !== null || colouring !== "density"),
-    steps: curve || photograph || bent ? null : stepsSubject(maps, pictureName(), ground),
+    inStrips: !curve && !way && (photograph !== null || colouring !== "density"),
+    steps: curve || way || photograph || bent ? null : stepsSubject(maps, pictureName(), ground),
   };
 }
 
@@ -86,7 +91,7 @@ export async function savePicture(fragment: string | null): Promise<void> {
 }
 
 function pictureName(): string {
-  const { a, b, t } = scene.peek();
+  const { a, b } = endsOf(scene.peek());
   const plain = (name: string) => plainName(name, "shape", 24);
-  return `${plain(a.name)}-${plain(b.name)}-${t.toFixed(2)}`;
+  return `${plain(a.name)}-${plain(b.name)}-${scene.peek().t.toFixed(2)}`;
 }

@@ -2,11 +2,11 @@
 import { computed, signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
-import { curved } from "#document/curve/curve";
 import { bend } from "#document/deform/bend";
 import { pictureMaps, pictureShown, watchPicture } from "#document/deform/picture";
 import { linear, mapsAt, morphOptions, selection, shown, uv } from "#document/morph";
 import { scene } from "#document/scene";
+import { standIn } from "#document/stand-in";
 import { tool } from "#document/tool";
 import { lazily } from "#ui/lazy";
 import { stageKey } from "./gestures";
@@ -29,10 +29,10 @@ export const mainPainter = signal<MainPainter | null>(null);
 export const linearPicture = signal<PainterState | null>(null);
 export const linearPainter = signal<Painter | null>(null);
 
-/** Whether a closed curve is to be seen: a picture that is bent takes its place, too. */
-const curve = computed(() => curved.value && !pictureShown.value);
+/** What is to be seen in place of systems: a picture that is bent takes its place, too. */
+const instead = computed(() => (pictureShown.value ? null : standIn.value));
 const comparing = computed(
-  () => scene.value.compare && selection.value === null && tool.value === "morph" && !curve.value,
+  () => scene.value.compare && selection.value === null && tool.value === "morph" && !instead.value,
 );
 /** Whoever edits maps sees them as they are. */
 const mainBend = computed(() => (selection.value === null ? bend.value : null));
@@ -59,7 +59,7 @@ const setLinearPainter = (painter: Painter | null) => {
 
 /** What is laid over the picture of systems: the evidence that is asked for, and the handles of the maps. */
 export function MapOverlay() {
-  if (curve.value) return null;
+  if (instead.value) return null;
   return (
     <>
       {!comparing.value && <Evidence />}
@@ -90,13 +90,13 @@ export function Stage({
     };
   }, []);
   const both = comparing.value;
-  const bare = curve.value;
+  const bare = instead.value;
   return (
     <section class="stage" aria-label="Picture">
       <div
         class={both ? `${css["pictures"]} two` : css["pictures"]}
         role="application"
-        aria-label={`The ${bare ? "curve" : "attractor"}. Arrow keys move it, plus and minus zoom, 0 fits it to the stage.`}
+        aria-label={`The ${bare === "curves" ? "curve" : "attractor"}. Arrow keys move it, plus and minus zoom, 0 fits it to the stage.`}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: it takes keys
         tabIndex={0}
         onKeyDown={(event) => {
@@ -105,7 +105,7 @@ export function Stage({
       >
         <div class="pane">
           {bare ? (
-            <CurvePicture onState={setPicture} onPainter={setPainter} />
+            <StandInPicture onState={setPicture} onPainter={setPainter} />
           ) : (
             <Picture
               maps={mainMaps}
@@ -143,8 +143,8 @@ export function Stage({
 const Evidence = lazily(() => import("./evidence").then((module) => module.Evidence));
 /** Loaded with the panel of the maps. */
 const Handles = lazily(() => import("./handles/Handles").then((module) => module.Handles));
-/** Loaded when there is a curve to draw. */
-const CurvePicture = lazily(() => import("./curve/picture").then((module) => module.CurvePicture));
+/** Loaded when there is a curve to draw, or a graph-directed shape. */
+const StandInPicture = lazily(() => import("./StandInPicture").then((module) => module.StandInPicture));
 
 const empty = computed(() => picture.value.empty);
 

@@ -23,14 +23,14 @@ export function withCurve(
   const other = scene.curves ? scene.curves[end === "a" ? "b" : "a"] : partner;
   const curves = end === "a" ? { a: shape, b: other } : { a: other, b: shape };
   if (scene.curves) return meshed({ ...scene, curves }, around);
-  const { view: _, ...rest } = scene;
+  const { view: _, directed: __, ...rest } = scene;
   return meshed({ ...rest, curves }, around);
 }
 
-/** The document with its systems again; the same where it has no curves. */
+/** The document with its systems again; the same where nothing stands in their place. */
 export function withoutCurves(scene: Scene, around: Around = STAYS): Scene {
-  if (!scene.curves) return scene;
-  const { curves: _, view: __, ...rest } = scene;
+  if (!scene.curves && !scene.directed) return scene;
+  const { curves: _, directed: __, view: ___, ...rest } = scene;
   return meshed(rest, around);
 }
 

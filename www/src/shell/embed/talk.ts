@@ -1,11 +1,11 @@
 /** Talks with the page around the frame, and with nobody else. */
 import { effect } from "@preact/signals";
 import { verdict } from "#compute/results";
-import { curved } from "#document/curve/curve";
 import { phasePlaying } from "#document/deform/bend";
 import { parseRoute } from "#document/link";
 import { playing, spacePlaying } from "#document/playback";
 import { scene } from "#document/scene";
+import { standIn } from "#document/stand-in";
 import { verdictLine } from "#format/verdict";
 import { frond } from "#wasm/core";
 import { link } from "../actions";
@@ -64,7 +64,7 @@ export function talk(origin: string | null): () => void {
     effect(() => tell(state())),
     effect(() => {
       const known = verdict.value;
-      if (!known || known.stale || curved.value) return;
+      if (!known || known.stale || standIn.value) return;
       const { connectedness } = known;
       tell({ type: "verdict", verdict: connectedness.verdict, words: verdictLine(connectedness) });
     }),

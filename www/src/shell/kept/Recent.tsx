@@ -182,7 +182,8 @@ function sceneOf({ fragment }: Row): Scene | null {
 }
 
 /** Whether its two shapes of the plane are what it is about. */
-const pictured = (scene: Scene): boolean => scene.tool !== "space" && scene.tool !== "fit" && !scene.curves;
+const pictured = (scene: Scene): boolean =>
+  scene.tool !== "space" && scene.tool !== "fit" && !scene.curves && !scene.directed;
 
 const DAY = new Intl.DateTimeFormat("en", { dateStyle: "medium", timeStyle: "short" });
 

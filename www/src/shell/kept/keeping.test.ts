@@ -245,4 +245,7 @@ it("leaves what was kept where no link can hold what it has become", async () =>
 it("names a document by what is in it", () => {
   expect(nameOf(blank)).toBe("Gasket to Mirrored gasket");
   expect(nameOf({ ...blank, b: blank.a })).toBe("Gasket");
+  const state = { from: 0, map: [0.5, 0, 0, 0.5, 0, 0] as [number, number, number, number, number, number] };
+  const end = (name: string) => ({ name, states: [[state]] });
+  expect(nameOf({ ...blank, directed: { a: end("Sun"), b: end("Quilt") } })).toBe("Sun to Quilt");
 });

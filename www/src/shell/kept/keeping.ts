@@ -2,6 +2,7 @@
 import { effect, signal, untracked } from "@preact/signals";
 import { openings } from "#document/link";
 import { inGesture, lastStep, scene } from "#document/scene";
+import { endsOf } from "#document/stand-in";
 import type { Scene } from "#wasm/api";
 import { type Row, reasonOf, type Store } from "./store";
 
@@ -205,6 +206,6 @@ function made(of: Scene): string {
 /** What a document is called until somebody names it. */
 export function nameOf(of: Scene): string {
   if (of.tool === "space") return "Shape of space";
-  const { a, b } = of.curves ?? of;
+  const { a, b } = endsOf(of);
   return a.name === b.name ? a.name : `${a.name} to ${b.name}`;
 }

@@ -3,11 +3,11 @@
  * and the link. Plain nodes and no component: it has to be there before `beforeprint` returns.
  */
 import { pieceColours } from "#document/colours";
-import { curved } from "#document/curve/curve";
 import { bend } from "#document/deform/bend";
 import { pictureShown } from "#document/deform/picture";
 import { selection, shown } from "#document/morph";
 import { scene } from "#document/scene";
+import { endsOf, standIn } from "#document/stand-in";
 import { percent } from "#format/path-words";
 import { effectiveView, stageSize } from "#stage/view";
 import { WHITE } from "#style/colours";
@@ -68,7 +68,7 @@ export async function print(): Promise<void> {
 function atOnce(): HTMLElement {
   const { entry } = openedTool();
   const { width, height } = stageSize.peek();
-  if (entry.stage === undefined && !pictureShown.peek() && !curved.peek() && width > 0 && height > 0) {
+  if (entry.stage === undefined && !pictureShown.peek() && !standIn.peek() && width > 0 && height > 0) {
     const canvas = document.createElement("canvas");
     canvas.width = FINE * Math.round(width);
     canvas.height = FINE * Math.round(height);
@@ -102,11 +102,13 @@ function atOnce(): HTMLElement {
 
 function lay(picture: HTMLElement): void {
   sheet?.remove();
-  const { tool } = openedTool();
+  const { entry, tool } = openedTool();
+  // What stands in place of the systems has maps of another kind.
+  const maps = standIn.peek() && entry.stage === undefined ? [] : (tool?.maps?.() ?? []);
   const made = document.createElement("section");
   made.className = css["print-sheet"] ?? "";
   picture.classList.add(css["print-picture"] ?? "");
-  made.append(textOf("h1", title()), picture, ...(tool?.maps?.() ?? []).map(mapsOf));
+  made.append(textOf("h1", title()), picture, ...maps.map(mapsOf));
   const address = addressOf(fragment());
   if (address !== null) {
     const anchor = document.createElement("a");
@@ -119,7 +121,8 @@ function lay(picture: HTMLElement): void {
 }
 
 function title(): string {
-  const { a, b, t, tool } = scene.peek();
+  const { t, tool } = scene.peek();
+  const { a, b } = endsOf(scene.peek());
   if (tool === "space") return "Frond: a scene in space";
   if (tool === "fit") return "Frond: a fractal curve";
   return a.name === b.name ? a.name : `${a.name} to ${b.name}, at ${percent(t)}`;

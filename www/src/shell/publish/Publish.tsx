@@ -1,6 +1,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
+import { endsOf } from "#document/stand-in";
 import type { FilmSubject, Still } from "#film/subject";
 import { folderAddress } from "#format/html";
 import { Button } from "#ui/controls/Button";
@@ -151,7 +152,8 @@ function Field({ label, value, placeholder, hint, wrong = false, onInput }: Fiel
 }
 
 function titleNow(): string {
-  const { a, b, tool } = scene.peek();
+  const { tool } = scene.peek();
+  const { a, b } = endsOf(scene.peek());
   if (tool === "space") return "A fractal in space";
   if (tool === "fit") return "A fractal curve";
   return a.name === b.name ? a.name : `${a.name} to ${b.name}`;

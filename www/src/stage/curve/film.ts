@@ -14,7 +14,7 @@ import { stageStyle } from "../picture-style";
 import { curveThumb } from "./thumb";
 
 const SETTLE_MS = 90;
-const film = publish.curveFilm;
+const film = publish.standInFilm;
 
 /** Keeps the film up to date. Returns the end of it. */
 export function watchFilm(): () => void {

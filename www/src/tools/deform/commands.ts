@@ -1,13 +1,14 @@
 /** What keys do while the deformation tool is open. */
-import { curved } from "#document/curve/curve";
 import { deformation, phasePlaying } from "#document/deform/bend";
 import { edit } from "#document/scene";
+import { standIn } from "#document/stand-in";
 import { colourCommand, fitCommand, galleryCommand, handCommand, switchCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import { exportCommand } from "#ui/files/exporting";
 import type { Timeline } from "#ui/strip/timeline";
 import { pausePhase, playPhase, scrubPhase } from "./clock";
 import { gallery } from "./dialogs";
+import { unbent } from "./facts";
 import { hand } from "./mesh/handles/hand";
 import { gridShown } from "./mesh/shown";
 import { addKey } from "./strip/TimeOptions";
@@ -55,13 +56,13 @@ export const commands: readonly Command[] = [
   handCommand(hand, ["move", "pull", "choose"], {
     label: "What a drag does, the next, the one before: move, pull, select",
     group: SHAPE,
-    enabled: () => gridShown.peek(),
+    enabled: () => gridShown.peek() && !unbent.peek(),
   }),
   switchCommand(gridShown, { id: "hide", label: "Hide the grid, show it", group: SHAPE, keys: ["H"] }),
   fitCommand(),
   colourCommand(["map", "address", "density", "grid"], SHAPE, (colouring) =>
     edit((before) => withColouring(before, colouring, deformation.peek())),
   ),
-  exportCommand(() => !curved.peek()),
+  exportCommand(() => !standIn.peek()),
   ...everywhere(),
 ];

@@ -5,6 +5,7 @@ import { aroundStanding, bendProblem, boxAround, deformation } from "#document/d
 import { pictureMaps } from "#document/deform/picture";
 import { standing } from "#document/morph";
 import { wordsOf } from "#document/notice";
+import { standIn } from "#document/stand-in";
 import type { Bend, BendFacts, MapRow } from "#wasm/api";
 import { frond } from "#wasm/core";
 import { DEEPEST, roughFrom } from "./changes";
@@ -17,6 +18,11 @@ export const maps: ReadonlySignal<MapRow[]> = computed(() =>
 /** Whether a closed curve is bent. */
 export const ringed: ReadonlySignal<boolean> = computed(
   () => curved.value && deformation.value.subject === "shape",
+);
+
+/** Whether the shape is graph-directed, which nothing bends. */
+export const unbent: ReadonlySignal<boolean> = computed(
+  () => standIn.value === "directed" && deformation.value.subject === "shape",
 );
 
 /** Where the mesh belongs. */

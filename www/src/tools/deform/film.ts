@@ -18,9 +18,11 @@ import { plainName } from "#ui/files/download";
 import { planeDrawer } from "#workers/film/plane-drawer";
 import { sheetDrawer } from "#workers/film/sheet-drawer";
 import type { Drawer, FrameLook } from "#workers/film/subject";
+import { unbent } from "./facts";
 import { sway } from "./motion/MotionPanel";
 
 export async function films(): Promise<Films> {
+  if (unbent.peek()) throw new Error("A shape of several states is not bent: its morph can be filmed.");
   const bent = deformation.peek();
   if (bent.keys.length < 2) {
     return {

@@ -4,18 +4,27 @@
  */
 import { PanelFoot } from "#ui/panel/PanelFoot";
 import { ColourPanel } from "./colour/ColourPanel";
-import { ringed } from "./facts";
+import { ringed, unbent } from "./facts";
 import { GridPanel } from "./mesh/GridPanel";
 import { MotionPanel } from "./motion/MotionPanel";
 import { BendPanel } from "./settings/BendPanel";
 import { ContinuityFold, SpinFold } from "./settings/Folds";
 import { Gallery, ShapePanel } from "./shape/ShapePanel";
 import { Start, StartOver } from "./start/Start";
+import { Unbent } from "./start/Unbent";
 import "#ui/panel/panel.css";
 import css from "./deform.module.css";
 
 /** Everything beside the picture: what is bent, how its parts answer, how it moves, and its colours. */
 export function DeformPanel() {
+  if (unbent.value) {
+    return (
+      <>
+        <Unbent />
+        <Gallery />
+      </>
+    );
+  }
   return (
     <div class={`panel ${css["deform-panel"]}`}>
       <ShapePanel />

@@ -1,8 +1,8 @@
 /** What keys do while the morph is open. */
-import { curved } from "#document/curve/curve";
 import { here, locusView, selection } from "#document/morph";
 import { pause, play, playing } from "#document/playback";
 import { edit, scene } from "#document/scene";
+import { standIn } from "#document/stand-in";
 import { colourCommand, fitCommand, galleryCommand } from "#stage/commands";
 import { type Command, everywhere, widgetKeys } from "#ui/commands";
 import { exportCommand } from "#ui/files/exporting";
@@ -21,7 +21,7 @@ export function nextFrame(moments: readonly number[], t: number, by: 1 | -1): nu
 }
 
 /** Whether the map is another family's, which moves by its own parameter. */
-const elsewhere = () => locusView.peek().family === "polygon" && !curved.peek();
+const elsewhere = () => locusView.peek().family === "polygon" && !standIn.peek();
 const orbit = () => import("./locus/families/orbit");
 
 export const timeline: Timeline = {
@@ -66,8 +66,8 @@ export const commands: readonly Command[] = [
     label: "Edit the maps",
     group: SHAPES,
     keys: ["E"],
-    // A closed curve is edited where it is fitted.
-    enabled: () => !curved.peek(),
+    // A closed curve is edited where it is fitted, a graph in its panel.
+    enabled: () => !standIn.peek(),
     run: () => {
       if (selection.peek() === null) editMaps("a");
       else selection.value = null;
@@ -78,7 +78,7 @@ export const commands: readonly Command[] = [
     label: "Take the whole shape in hand",
     group: SHAPES,
     keys: ["Shift+E"],
-    enabled: () => !curved.peek(),
+    enabled: () => !standIn.peek(),
     run() {
       const now = selection.peek();
       if (now?.whole) selection.value = null;
@@ -90,7 +90,7 @@ export const commands: readonly Command[] = [
     label: "The map in the place of the stage, and back",
     group: SHAPES,
     keys: ["L"],
-    enabled: () => !curved.peek(),
+    enabled: () => !standIn.peek(),
     run: toggleLarge,
   },
   {
@@ -98,14 +98,14 @@ export const commands: readonly Command[] = [
     label: "The map over the whole screen, and back",
     group: SHAPES,
     keys: ["Shift+L"],
-    enabled: () => !curved.peek(),
+    enabled: () => !standIn.peek(),
     run: () => void toggleFull(),
   },
   { ...fitCommand(), group: SHAPES },
   colourCommand(["map", "address", "density"], SHAPES, (colouring) =>
     edit((before) => (before.colouring === colouring ? before : { ...before, colouring })),
   ),
-  // A closed curve has no systems to write.
-  exportCommand(() => !curved.peek()),
+  // What stands in their place is no system to write.
+  exportCommand(() => !standIn.peek()),
   ...everywhere(),
 ];

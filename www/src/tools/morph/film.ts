@@ -1,15 +1,18 @@
 /** What there is to film of a morph: its way from the first shape to the last, and a shape in the making. */
 
-import { along, locus } from "#compute/results";
+import { along, locus, standInFilm } from "#compute/results";
 import { curveDrawer } from "#curve/film";
+import { directedDrawer } from "#directed/film";
 import { pieceColours } from "#document/colours";
 import { curved, curveMorph } from "#document/curve/curve";
 import { bend } from "#document/deform/bend";
+import { directedShapes, directedWay } from "#document/directed/directed";
 import { pathTrack } from "#document/framing";
 import { mapsAt, morphOptions, pathPoints, shown, uvAt } from "#document/morph";
 import { loop, speed } from "#document/playback";
 import { dark } from "#document/preferences";
 import { scene } from "#document/scene";
+import { standIn } from "#document/stand-in";
 import { stepsSubject } from "#film/steps";
 import type { FilmSubject, Films } from "#film/subject";
 import { percent } from "#format/path-words";
@@ -32,6 +35,9 @@ export async function films(): Promise<Films> {
   const seconds = SECONDS / speed.peek();
   const ground = dark.peek() ? NIGHT : PAPER;
   const curve = curved.peek() ? curveMorph.peek() : null;
+  const way = directedWay.peek();
+  const frames = standInFilm.peek();
+  const instead = standIn.peek();
   const points = pathPoints.peek();
   const options = morphOptions.peek();
   const told = along.peek()?.told;
@@ -41,6 +47,9 @@ export async function films(): Promise<Films> {
     const view = (t: number) => frameView(boxAt(track, t), look);
     if (curve) {
       return curveDrawer(look, colouring, (at) => ({ s: moment(at), bend: bent, view: view(moment(at)) }));
+    }
+    if (way) {
+      return directedDrawer(look, way, colouring, (at) => ({ t: moment(at), view: view(moment(at)) }));
     }
     const colours = pieceColours(isDark(look.ground) ? "dark" : "light");
     return planeDrawer(look, how?.alone ?? false, (at) => {
@@ -52,7 +61,8 @@ export async function films(): Promise<Films> {
     });
   };
 
-  const name = `${plainName(a.name, "shape", 24)}-${plainName(b.name, "shape", 24)}`;
+  const ends = way ? directedShapes.peek() : null;
+  const name = [ends?.a ?? a, ends?.b ?? b].map((end) => plainName(end.name, "shape", 24)).join("-");
   const morph: FilmSubject = {
     id: "morph",
     label: "The morph",
@@ -65,14 +75,16 @@ export async function films(): Promise<Films> {
     choosesSmooth: false,
     caption: (at) => {
       const t = moment(at);
-      const known = curve ? null : told?.[Math.round(t * (told.length - 1))];
+      const known = way
+        ? frames[Math.round(t * (frames.length - 1))]?.verdict
+        : told?.[Math.round(t * (told.length - 1))];
       const words = curve ? "one closed curve" : known ? verdictPhrase(known) : null;
       return words === null ? percent(t) : `${percent(t)}, ${words}`;
     },
-    ...(curve ? {} : insetOf(points, moment)),
+    ...(instead ? {} : insetOf(points, moment)),
     drawer,
   };
-  const steps = curve ? null : stepsSubject(shown.peek(), plainName(nearer(), "shape", 24), ground);
+  const steps = instead ? null : stepsSubject(shown.peek(), plainName(nearer(), "shape", 24), ground);
   return { subjects: steps ? [morph, steps] : [morph] };
 }
 

@@ -1,12 +1,10 @@
 /** The morph tool: its side panel and its time strip. */
-import { CurvePanel } from "#curve/parts";
-import { curved } from "#document/curve/curve";
 import { selection } from "#document/morph";
+import { standIn } from "#document/stand-in";
 import { narrow } from "#ui/media";
 import { PanelFoot } from "#ui/panel/PanelFoot";
-import type { End } from "./changes";
 import { gallery } from "./dialogs";
-import { Gallery, MapEditor } from "./later";
+import { Gallery, MapEditor, StandIn } from "./later";
 import { LocusBeside, LocusPanel } from "./locus/LocusPanel";
 import { PathPanel } from "./locus/path/PathPanel";
 import { family } from "./locus/view/view";
@@ -17,16 +15,12 @@ import { PlaybackOptions } from "./strip/MorphStrip";
 import "#ui/panel/panel.css";
 import "./morph.module.css";
 
-const choose = (end: End) => {
-  gallery.value = end;
-};
-
 /** Everything beside the picture: the shapes and the way between both. */
 export function MorphPanel() {
   return (
     <div class="panel">
-      {curved.value ? <CurvePanel choose={choose} /> : <Systems />}
-      {curved.value && narrow.value && <PlaybackOptions />}
+      {standIn.value ? <StandIn part="panel" /> : <Systems />}
+      {standIn.value && narrow.value && <PlaybackOptions />}
       <PanelFoot />
       {gallery.value !== null && <Gallery />}
     </div>

@@ -10,6 +10,7 @@ const familyLines = () => import("./locus/families/FamilyLines").then((module) =
 const familyStrip = () => import("./locus/families/FamilyStrip").then((module) => module.FamilyStrip);
 const otherWays = () => import("./locus/path/OtherWays").then((module) => module.OtherWays);
 const tickOrigins = () => import("./locus/view/TickOrigins").then((module) => module.TickOrigins);
+const standIn = () => import("./StandIn").then((module) => module.StandIn);
 const toBoundary = () => import("./locus/view/ToBoundary").then((module) => module.ToBoundary);
 const familyNotes = () => import("./locus/families/FamilyNotes").then((module) => module.FamilyNotes);
 
@@ -21,6 +22,7 @@ export const FamilyLines = lazily(familyLines);
 export const FamilyStrip = lazily(familyStrip);
 export const OtherWays = lazily(otherWays);
 export const TickOrigins = lazily(tickOrigins);
+export const StandIn = lazily(standIn);
 export const ToBoundary = lazily(toBoundary);
 export const FamilyNotes = lazily(familyNotes);
 
@@ -35,6 +37,7 @@ export const fetchAhead = () =>
     familyNotes(),
     familyStrip(),
     otherWays(),
+    standIn(),
     tickOrigins(),
     toBoundary(),
   ]);

@@ -1,11 +1,10 @@
-import { CurveChip, CurveEvidence } from "#curve/parts";
-import { curved } from "#document/curve/curve";
+import { standIn } from "#document/stand-in";
 import { evidenceOpen } from "#stage/evidence-shown";
 import { MapOverlay } from "#stage/stage";
 import type { ToolEntry } from "#stage/tool";
 import { commands, timeline } from "./commands";
 import { MorphPanel } from "./index";
-import { EvidencePanel, fetchAhead } from "./later";
+import { EvidencePanel, fetchAhead, StandIn } from "./later";
 import { namedMaps } from "./parts";
 import { MorphStrip } from "./strip/MorphStrip";
 import { VerdictChip } from "./VerdictChip";
@@ -17,8 +16,8 @@ export const morph: ToolEntry = {
   side: "Shapes and path",
   tool: {
     Overlay: MapOverlay,
-    Verdict: () => (curved.value ? <CurveChip /> : <VerdictChip />),
-    Evidence: () => (curved.value ? <CurveEvidence /> : evidenceOpen.value && <EvidencePanel />),
+    Verdict: () => (standIn.value ? <StandIn part="chip" /> : <VerdictChip />),
+    Evidence: () => (standIn.value ? <StandIn part="evidence" /> : evidenceOpen.value && <EvidencePanel />),
     Panel: MorphPanel,
     Strip: MorphStrip,
     timeline,

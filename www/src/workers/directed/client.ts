@@ -3,8 +3,11 @@ import { client } from "../lanes/client";
 import { performer } from "./performer";
 import type { Tasks } from "./tasks";
 
-/** Asks the workers of graph-directed shapes for something: pictures in lane 0, what takes longer in lane 1. */
-export const directedTask = client<Tasks, 0 | 1>({
+/** Pictures are asked for in lane 0, what is said of the present moment in lane 1, what may take longest in lane 2. */
+export type DirectedLane = 0 | 1 | 2;
+
+/** Asks the workers of graph-directed shapes for something. */
+export const directedTask = client<Tasks, DirectedLane>({
   module: compileDirected,
   worker: () =>
     new Worker(new URL("./directed.worker.ts", import.meta.url), { type: "module", name: "frond-directed" }),

@@ -1,7 +1,10 @@
+import type { Box } from "#geometry/boxes";
 import type {
   DigitSystem,
   DirectedCertificate,
+  DirectedFacts,
   DirectedIfs,
+  DirectedMatch,
   DirectedRasterOptions,
   GridIntersection,
   StateConnectedness,
@@ -9,6 +12,7 @@ import type {
 import { directed } from "#wasm/directed";
 import { toError } from "#wasm/error";
 import type { Context } from "../lanes/task";
+import { type Moment, systemAt, type Way } from "./moment";
 
 interface Picture {
   system: DirectedIfs;
@@ -30,18 +34,26 @@ export interface Met {
   shared: ImageBitmap | null;
 }
 
-interface Way {
-  from: DirectedIfs;
-  to: DirectedIfs;
-  mode: "polar" | "linear";
-  epsilon: number;
+interface MomentPicture {
+  moment: Moment;
+  options: DirectedRasterOptions;
 }
 
-async function drawn(context: Context, { system, options }: Picture): Promise<ImageBitmap> {
-  const pixels = directed.rasterizeDirected(system, options) as Uint8ClampedArray<ArrayBuffer>;
-  const bitmap = await createImageBitmap(new ImageData(pixels, options.width, options.height));
+function pixelsOf({ system, options }: Picture): Uint8ClampedArray<ArrayBuffer> {
+  return directed.rasterizeDirected(system, options) as Uint8ClampedArray<ArrayBuffer>;
+}
+
+async function drawn(context: Context, picture: Picture): Promise<ImageBitmap> {
+  const { width, height } = picture.options;
+  const bitmap = await createImageBitmap(new ImageData(pixelsOf(picture), width, height));
   context.transfer(bitmap);
   return bitmap;
+}
+
+/** The box of the first state. */
+function boxOf(system: DirectedIfs): Box | null {
+  const [first] = directed.directedFacts(system).states;
+  return first ? { x0: first.min[0], y0: first.min[1], x1: first.max[0], y1: first.max[1] } : null;
 }
 
 /** What is asked of graph-directed shapes. They compute with `directed`, which is started before the first. */
@@ -71,8 +83,37 @@ export const tasks = {
     _context: Context,
     { system, epsilon }: { system: DirectedIfs; epsilon: number },
   ): StateConnectedness[] => directed.directedConnectedness(system, { epsilon }),
-  certify: (_context: Context, { from, to, ...options }: Way): DirectedCertificate =>
+  certify: (_context: Context, { from, to, ...options }: Way & { epsilon: number }): DirectedCertificate =>
     directed.certifyDirected(from, to, options),
+  /** The complete picture of a moment; throws where there is no attractor. */
+  moment: (context: Context, { moment, options }: MomentPicture): Promise<ImageBitmap> =>
+    drawn(context, { system: systemAt(moment), options }),
+  /** The same as pixels. */
+  pixels(context: Context, { moment, options }: MomentPicture): Uint8ClampedArray<ArrayBuffer> {
+    const pixels = pixelsOf({ system: systemAt(moment), options });
+    context.transfer(pixels.buffer);
+    return pixels;
+  },
+  /** What is known of every state at a moment, what the states are made of, and where each lies. */
+  known(
+    _context: Context,
+    { moment, epsilon }: { moment: Moment; epsilon: number },
+  ): { system: DirectedIfs; facts: DirectedFacts; states: StateConnectedness[] } {
+    const system = systemAt(moment);
+    const facts = directed.directedFacts(system);
+    return { system, facts, states: directed.directedConnectedness(system, { epsilon }) };
+  },
+  /** The boxes of the shape at even moments, both ends included; null where it has no attractor. */
+  boxes: (_context: Context, { way, looks }: { way: Way; looks: number }): (Box | null)[] =>
+    Array.from({ length: looks }, (_, i) => {
+      try {
+        return boxOf(systemAt({ ...way, t: i / (looks - 1) }));
+      } catch {
+        return null;
+      }
+    }),
+  match: (_context: Context, { from, to }: Pick<Way, "from" | "to">): DirectedMatch =>
+    directed.matchDirected(from, to),
 };
 
 export type Tasks = typeof tasks;

@@ -1,7 +1,7 @@
 /** A graph-directed system in its page's address: states by colons, maps by semicolons, each with what it copies. */
+import { MOST } from "#directed/systems";
 import type { DirectedIfs } from "#wasm/api";
 import { type Field, list, number } from "../../kit/state/fields";
-import { MOST } from "./systems";
 
 /** What is longer is not written: the link opens what it was made from. */
 const LONGEST = 3000;

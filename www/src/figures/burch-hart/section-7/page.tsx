@@ -1,24 +1,26 @@
 import { useMemo, useRef } from "preact/hooks";
+import { Editor } from "#directed/Editor";
+import { Answer, Remarks, Way } from "#directed/Found";
+import { madeOf } from "#directed/systems";
 import { fixed } from "#format/numbers";
-import { verdictPhrase } from "#format/verdict";
+import { RESOLUTION, verdictPhrase } from "#format/verdict";
 import { union } from "#geometry/boxes";
 import { Select } from "#ui/controls/Select";
-import type { DirectedIfs, StateConnectedness } from "#wasm/api";
+import type { DirectedIfs, DirectedShape, StateConnectedness } from "#wasm/api";
 import { directed, loadDirected } from "#wasm/directed";
 import { useDirected } from "../../kit/directed/ask";
-import { look, madeOf } from "../../kit/directed/look";
+import { look } from "../../kit/directed/look";
 import { StatePicture } from "../../kit/directed/state-picture";
 import { Choice, SliderControl } from "../../kit/frame/control";
 import { Frame, type Heading } from "../../kit/frame/frame";
 import layout from "../../kit/frame/layout.module.css";
+import { directedHref } from "../../kit/frame/studio-link";
 import { Chip, VerdictChip } from "../../kit/frame/verdict";
 import { tex } from "../../kit/notation/tex";
 import { oneOf, text, whole } from "../../kit/state/fields";
 import { kept, useKept } from "../../kit/state/kept";
 import { Time, useTime } from "../../kit/time/time";
 import { SYSTEM } from "./address";
-import { Editor } from "./editor";
-import { Answer, EPSILON, Way } from "./found";
 import css from "./page.module.css";
 
 const PRESET = text(/[a-z0-9-]{1,30}/);
@@ -40,7 +42,6 @@ const PROOF_EPSILON = 1 / 100;
 
 /** Shapes of several states, made of copies of each other, and the way between two of them. */
 export function Page(heading: Heading) {
-  const presets = useMemo(() => directed.directedPresets(), []);
   const [from, setFrom] = useKept("from", ...STATE.from);
   const [to, setTo] = useKept("to", ...STATE.to);
   const [own, setOwn] = useKept("own", ...STATE.own);
@@ -60,7 +61,7 @@ export function Page(heading: Heading) {
   const shown = held.current;
   const facts = typeof shown.seen === "string" ? null : shown.seen;
   const boxes = facts?.boxes ?? [];
-  const asked = useMemo(() => (lost ? null : { system, epsilon: EPSILON }), [system, lost]);
+  const asked = useMemo(() => (lost ? null : { system, epsilon: RESOLUTION }), [system, lost]);
   const verdicts = useDirected("verdicts", asked, 1);
   const stale = verdicts?.about !== asked;
   const answers: readonly StateConnectedness[] = verdicts?.result ?? [];
@@ -70,6 +71,7 @@ export function Page(heading: Heading) {
   );
   const proof = useDirected("certify", proofTask, 1);
   const proved = proof?.about === proofTask ? (proof?.result ?? null) : null;
+  const opened = opening(shapeOf(from, own), shapeOf(to, null), mode, time.t);
   const choose = (id: string) => {
     setFrom(id);
     setOwn(null);
@@ -80,6 +82,7 @@ export function Page(heading: Heading) {
   return (
     <Frame
       {...heading}
+      {...(opened ? { studio: opened } : {})}
       lead={
         <p>
           A shape may be made of copies of other shapes, and these of copies of it: a graph says what copies
@@ -112,26 +115,8 @@ export function Page(heading: Heading) {
       reconstructed="Section 7.1 asks the question and prints no example. The shapes are from the literature (Koch 1904, Heighway, Penrose and Robinson, Rauzy 1982, McWorter 1987) and Frond’s own; graph-directed systems and their dimension are those of Mauldin & Williams (1988)."
     >
       <div class={layout["controls"]}>
-        <label>
-          First{" "}
-          <Select value={from} onChange={(event) => choose(event.currentTarget.value)}>
-            {presets.map(({ id, name: words }) => (
-              <option key={id} value={id}>
-                {words}
-              </option>
-            ))}
-          </Select>
-        </label>
-        <label>
-          Last{" "}
-          <Select value={to} onChange={(event) => setTo(event.currentTarget.value)}>
-            {presets.map(({ id, name: words }) => (
-              <option key={id} value={id}>
-                {words}
-              </option>
-            ))}
-          </Select>
-        </label>
+        <PresetChoice label="First" value={from} onChange={choose} />
+        <PresetChoice label="Last" value={to} onChange={setTo} />
         <Choice
           label="Maps"
           options={[
@@ -179,6 +164,7 @@ export function Page(heading: Heading) {
           )}
         </div>
         <Editor
+          title="The maps of the first shape"
           system={first}
           problem={problem}
           onChange={(next) => {
@@ -212,6 +198,13 @@ export function Page(heading: Heading) {
   );
 }
 
+/** A shape as a document has it: that of the gallery, or one's own. */
+function shapeOf(id: string, own: DirectedIfs | null): DirectedShape {
+  if (own) return { name: "Own shape", states: own.states };
+  const found = directed.directedPresets().find((preset) => preset.id === id);
+  return found ? { preset: id, name: found.name, ...found.system } : { name: id, states: [] };
+}
+
 /** The system of a name; an address may have one that there is not. */
 function systemOf(id: string, otherwise: string): DirectedIfs {
   const presets = directed.directedPresets();
@@ -226,16 +219,29 @@ const MOST_SHOWN = 8;
 /** A state in the words for shapes: it has no components of its own. */
 const plain = (state: StateConnectedness) => ({ ...state, components: [], count: 1 });
 
-function Remarks({ unreached }: { unreached: readonly number[] }) {
-  if (unreached.length === 0) return null;
-  const names = unreached.map((state) => state + 1).join(", ");
+/** A shape of the gallery, at one end. */
+function PresetChoice(props: { label: string; value: string; onChange: (id: string) => void }) {
   return (
-    <p class={layout["hint"]}>
-      The shape is not made of state {names}: {unreached.length === 1 ? "it is" : "they are"} not seen in it.
-      Let a map copy {unreached.length === 1 ? "it" : "them"}, or leave{" "}
-      {unreached.length === 1 ? "it" : "them"} out.
-    </p>
+    <label>
+      {props.label}{" "}
+      <Select value={props.value} onChange={(event) => props.onChange(event.currentTarget.value)}>
+        {directed.directedPresets().map(({ id, name }) => (
+          <option key={id} value={id}>
+            {name}
+          </option>
+        ))}
+      </Select>
+    </label>
   );
+}
+
+/** The shapes of the page as a document, for the studio; none where they are no shapes, or too large for a link. */
+function opening(a: DirectedShape, b: DirectedShape, mode: Mode, t: number) {
+  try {
+    return { href: directedHref({ a, b, mode, t }), label: "Open in Morph" };
+  } catch {
+    return undefined;
+  }
 }
 
 /** The way between two systems, or the first alone and why there is none. */

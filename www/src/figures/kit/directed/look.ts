@@ -1,17 +1,7 @@
-/** What graph-directed systems look like: where their states lie, and what they are made of. */
+/** Where the states of graph-directed systems lie. */
 import type { Box } from "#geometry/boxes";
-import type { DirectedIfs, DirectedMap } from "#wasm/api";
+import type { DirectedIfs } from "#wasm/api";
 import { directed } from "#wasm/directed";
-
-/** What a state is made of, in words: "3 copies of state 2". */
-export function madeOf(maps: readonly DirectedMap[]): string {
-  const counts = new Map<number, number>();
-  for (const { from } of maps) counts.set(from, (counts.get(from) ?? 0) + 1);
-  return [...counts]
-    .sort(([p], [q]) => p - q)
-    .map(([from, count]) => `${count === 1 ? "1 copy" : `${count} copies`} of state ${from + 1}`)
-    .join(", ");
-}
 
 /** The boxes of all states, or what is wrong with the system. */
 export function look(

@@ -1,5 +1,5 @@
 import type { Uv } from "#geometry/path";
-import type { Deformation, Fit, MapRow, Mode, Scene, Shape } from "#wasm/api";
+import type { Deformation, DirectedShape, Fit, MapRow, Mode, Scene, Shape } from "#wasm/api";
 import { frond } from "#wasm/core";
 
 interface Opening {
@@ -62,6 +62,12 @@ export function preset(id: string): Shape & { maps: MapRow[] } {
   const found = frond.presets().find((one) => one.id === id);
   if (!found) throw new Error(`The gallery has no shape "${id}".`);
   return { preset: id, name: found.name, maps: found.maps };
+}
+
+/** A link that opens the morph of two graph-directed shapes. Throws where no link can hold them. */
+export function directedHref(opening: { a: DirectedShape; b: DirectedShape; mode: Mode; t: number }): string {
+  const { a, b, mode, t } = opening;
+  return `#${frond.encodeScene({ ...frond.defaultScene(), mode, t, directed: { a, b } })}`;
 }
 
 /** A link that opens the tool that fits, with a graph or a curve that is fitted already. */

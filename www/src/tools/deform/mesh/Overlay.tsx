@@ -4,6 +4,7 @@ import { phasePlaying } from "#document/deform/bend";
 import { type Screen, screen } from "#geometry/coordinates";
 import { stageSize } from "#stage/view";
 import { useOwnId } from "#ui/id";
+import { unbent } from "../facts";
 import { mesh } from "./document";
 import { chosen, lead } from "./handles/chosen";
 import { HandBar } from "./handles/HandBar";
@@ -31,7 +32,7 @@ export function DeformOverlay() {
       ref={root}
       class={`${css["mesh"]} ${phasePlaying.value ? css["playing"] : ""} ${dense.value ? css["dense"] : ""}`}
     >
-      {gridShown.value && (
+      {gridShown.value && !unbent.value && (
         <>
           <Lines />
           <Handles />

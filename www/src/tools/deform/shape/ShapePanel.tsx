@@ -1,5 +1,5 @@
 import { computed } from "@preact/signals";
-import { curveFilm, strip, thumbnails } from "#compute/results";
+import { standInFilm, strip, thumbnails } from "#compute/results";
 import { PresetGallery } from "#curve/PresetGallery";
 import { sameCurves } from "#document/curve/changes";
 import { curved, curveMorph, curves } from "#document/curve/curve";
@@ -143,7 +143,7 @@ function Shape() {
 }
 
 function frameAt(at: number): ImageBitmap | null {
-  const frames = curved.value ? curveFilm.value : strip.value;
+  const frames = curved.value ? standInFilm.value : strip.value;
   const away = frames.map((frame) => Math.abs(frame.t - at));
   return frames[away.indexOf(Math.min(...away))]?.bitmap ?? null;
 }

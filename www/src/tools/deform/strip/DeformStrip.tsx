@@ -5,6 +5,7 @@ import { deformation, phasePlaying } from "#document/deform/bend";
 import { Slider } from "#ui/controls/Slider";
 import { narrow } from "#ui/media";
 import { pausePhase, playPhase, scrubPhase } from "../clock";
+import { unbent } from "../facts";
 import { Keys } from "./Keys";
 import css from "./strip.module.css";
 import { TimeOptions } from "./TimeOptions";
@@ -13,6 +14,7 @@ import { momentWords } from "./words";
 /** Time: play, scrub, and the key frames of the mesh. */
 export function DeformStrip() {
   useEffect(() => pausePhase, []);
+  if (unbent.value) return null;
   const { phase } = deformation.value;
   return (
     <section class="strip" aria-label="Time">

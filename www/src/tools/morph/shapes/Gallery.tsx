@@ -1,8 +1,11 @@
 import { PresetGallery } from "#curve/PresetGallery";
+import { DirectedShelf } from "#directed/Shelf";
 import { editSystems } from "#document/curve/systems";
+import { chooseSystem } from "#document/directed/edits";
 import { selection } from "#document/morph";
 import { announce } from "#document/notice";
 import { originOf } from "#document/presets";
+import { standIn } from "#document/stand-in";
 import { choose, nameOf, other } from "../changes";
 import { gallery } from "../dialogs";
 import { pick } from "../locus/path/way";
@@ -13,6 +16,9 @@ import { bondWords, partnersOf } from "./partners";
 export function Gallery() {
   const end = gallery.value;
   if (end === null) return null;
+  const close = () => {
+    gallery.value = null;
+  };
   const beside = shapes[other(end)].value;
   const partners = partnersOf(originOf(beside)?.id ?? "");
   return (
@@ -26,14 +32,14 @@ export function Gallery() {
         return bond ? bondWords(bond, beside.name) : null;
       }}
       onChoose={(shape) => {
-        void editSystems((before) => choose(before, end, shape));
+        if (standIn.peek() === "directed") chooseSystem(end, shape);
+        else void editSystems((before) => choose(before, end, shape));
         if (selection.peek()?.target === end) selection.value = { target: end, map: 0 };
         pick(null);
         announce(`Shape ${nameOf(end)} is now ${shape.name}.`);
       }}
-      onClose={() => {
-        gallery.value = null;
-      }}
+      onClose={close}
+      more={<DirectedShelf end={end} onChosen={close} />}
     />
   );
 }

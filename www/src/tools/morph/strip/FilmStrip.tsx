@@ -1,8 +1,8 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { curveFilm, type Frame, strip } from "#compute/results";
-import { curved } from "#document/curve/curve";
+import { type Frame, standInFilm, strip } from "#compute/results";
 import { scene } from "#document/scene";
+import { standIn } from "#document/stand-in";
 import { percent } from "#format/path-words";
 import { stateOf, verdictPhrase } from "#format/verdict";
 import { isBroken } from "#geometry/states";
@@ -17,7 +17,7 @@ const phone = media("(max-width: 37.4375em)");
 
 /** As many frames as there is room for: seven on a phone. */
 export const frames: ReadonlySignal<readonly Frame[]> = computed(() => {
-  const all = curved.value ? curveFilm.value : strip.value;
+  const all = standIn.value ? standInFilm.value : strip.value;
   return phone.value ? evenly(all, 7) : all;
 });
 

@@ -4,10 +4,10 @@ import "#ui/strip/strip.css";
 import "./strip.css";
 import { computed } from "@preact/signals";
 import { along, pathBreaks } from "#compute/results";
-import { curved } from "#document/curve/curve";
 import { locusView } from "#document/morph";
 import { loop, pause, play, playing, speed } from "#document/playback";
 import { endGesture, scene } from "#document/scene";
+import { standIn, standInWords } from "#document/stand-in";
 import { percent } from "#format/path-words";
 import { shareWords } from "#format/verdict";
 import { IconButton } from "#ui/controls/Button";
@@ -22,7 +22,7 @@ import css from "./strip.module.css";
 
 /** Time: play, scrub, and the film of the whole morph; of a family, the way of its parameter. */
 export function MorphStrip() {
-  if (locusView.value.family === "polygon" && !curved.value) return <FamilyStrip />;
+  if (locusView.value.family === "polygon" && !standIn.value) return <FamilyStrip />;
   return (
     <section class="strip" aria-label="Time" style={{ "--frames": String(Math.max(1, frames.value.length)) }}>
       <Play />
@@ -42,12 +42,12 @@ function Play() {
 
 /** Whether the picture shows something else than the path at the present moment. */
 const offPath = computed(
-  () => !curved.value && (locusView.value.at !== undefined || locusView.value.family === "polygon"),
+  () => !standIn.value && (locusView.value.at !== undefined || locusView.value.family === "polygon"),
 );
 
-/** What is wrong with the path; a curve that is closed by construction has nothing. */
+/** What is wrong with the path; what stands in place of the systems has none. */
 const faults = computed(() =>
-  curved.value
+  standIn.value
     ? { breaks: [], worst: null }
     : { breaks: pathBreaks.value, worst: along.value?.worst ?? null },
 );
@@ -55,7 +55,7 @@ const faults = computed(() =>
 /** The moment in words, and what is known of it. */
 function timeWords(t: number): string {
   if (offPath.value) return `${percent(t)}; the picture is off the path`;
-  return `${percent(t)}, ${curved.value ? "one closed curve" : stateNow()}`;
+  return `${percent(t)}, ${standIn.value ? standInWords.value : stateNow()}`;
 }
 
 function Scrub() {

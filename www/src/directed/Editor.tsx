@@ -5,29 +5,33 @@ import { palette } from "#style/palette";
 import { Button } from "#ui/controls/Button";
 import { NumberField } from "#ui/controls/NumberField";
 import { Select } from "#ui/controls/Select";
+import { useOwnId } from "#ui/id";
 import { Problem } from "#ui/panel/Problem";
 import { MapList } from "#ui/shapes/MapList";
 import type { DirectedIfs, MapRow } from "#wasm/api";
-import { Choice } from "../../kit/frame/control";
-import layout from "../../kit/frame/layout.module.css";
-import { useValue } from "../../kit/workers";
-import css from "./page.module.css";
+import css from "./editor.module.css";
 import { doubled, extended, MOST, replaced, shortened, without } from "./systems";
 
 interface EditorProps {
+  /** What is edited, as a heading; none where what holds it says so. */
+  title: string | null;
   system: DirectedIfs;
   /** What is wrong with it, in words. */
   problem: string | null;
-  onChange: (system: DirectedIfs) => void;
+  /** `field` names a number that was changed, so that a run of steps is one undo. */
+  onChange: (system: DirectedIfs, field?: string) => void;
+  /** The run is over. */
+  onDone?: () => void;
 }
 
 const NAMES = ["a", "b", "c", "d", "e", "f"] as const;
 
-/** The states, arrows and maps of the first shape. */
-export function Editor({ system, problem, onChange }: EditorProps) {
+/** The states, arrows and maps of a graph-directed system. */
+export function Editor({ title, system, problem, onChange, onDone }: EditorProps) {
+  const heading = useOwnId("editor");
   const [wanted, setState] = useState(0);
   const [open, setOpen] = useState<number | null>(null);
-  const colours = palette(useValue(dark) ? "dark" : "light");
+  const colours = palette(dark.value ? "dark" : "light");
   const { states } = system;
   const state = Math.min(wanted, states.length - 1);
   const maps = states[state] ?? [];
@@ -36,19 +40,19 @@ export function Editor({ system, problem, onChange }: EditorProps) {
     setOpen(null);
   };
   return (
-    <section class={css["editor"]} aria-labelledby="editor">
-      <h2 id="editor">The maps of the first shape</h2>
+    <section
+      class={css["editor"]}
+      {...(title === null ? { "aria-label": "States" } : { "aria-labelledby": heading })}
+    >
+      {title !== null && (
+        <header class="section-head">
+          <h2 id={heading}>{title}</h2>
+        </header>
+      )}
       <Problem words={problem} />
-      <Choice
-        label="State"
-        options={states.map((_, i) => ({ value: String(i), label: String(i + 1) }))}
-        value={String(state)}
-        onChange={(value) => choose(Number(value))}
-      />
+      <StateChoice label="State" count={states.length} value={state} onChange={choose} />
       <MapList
-        maps={maps.map(
-          ({ from, map }) => `a copy of state ${from + 1} at (${fixed(map[4])}, ${fixed(map[5])})`,
-        )}
+        maps={maps.map(({ from, map }) => `of state ${from + 1}, at (${fixed(map[4])}, ${fixed(map[5])})`)}
         open={open}
         onOpen={setOpen}
         swatch={(index) => (
@@ -61,22 +65,16 @@ export function Editor({ system, problem, onChange }: EditorProps) {
         fields={(index) => {
           const part = maps[index];
           if (!part) return null;
-          const change = (map: typeof part) => onChange(replaced(system, state, index, map));
+          const change = (map: typeof part, field?: string) =>
+            onChange(replaced(system, state, index, map), field);
           return (
             <div class={css["fields"]}>
-              <label class={css["from"]}>
-                Copies state
-                <Select
-                  value={String(part.from)}
-                  onChange={(event) => change({ ...part, from: Number(event.currentTarget.value) })}
-                >
-                  {states.map((_, i) => (
-                    <option key={i} value={String(i)}>
-                      {i + 1}
-                    </option>
-                  ))}
-                </Select>
-              </label>
+              <StateChoice
+                label="Copies state"
+                count={states.length}
+                value={part.from}
+                onChange={(from) => change({ ...part, from })}
+              />
               {NAMES.map((name, k) => (
                 <NumberField
                   key={name}
@@ -84,8 +82,12 @@ export function Editor({ system, problem, onChange }: EditorProps) {
                   symbol={name}
                   terse
                   value={part.map[k] ?? 0}
+                  {...(onDone ? { onDone } : {})}
                   onChange={(value) =>
-                    change({ ...part, map: part.map.map((old, i) => (i === k ? value : old)) as MapRow })
+                    change(
+                      { ...part, map: part.map.map((old, i) => (i === k ? value : old)) as MapRow },
+                      `state-${state}-${index}-${name}`,
+                    )
                   }
                 />
               ))}
@@ -115,7 +117,7 @@ export function Editor({ system, problem, onChange }: EditorProps) {
           );
         }}
       />
-      <div class={layout["buttons"]}>
+      <div class={css["buttons"]}>
         <Button
           disabled={states.length >= MOST}
           onClick={() => {
@@ -136,5 +138,28 @@ export function Editor({ system, problem, onChange }: EditorProps) {
         </Button>
       </div>
     </section>
+  );
+}
+
+interface StateChoiceProps {
+  label: string;
+  count: number;
+  value: number;
+  onChange: (state: number) => void;
+}
+
+/** One of the states, by its number. */
+function StateChoice({ label, count, value, onChange }: StateChoiceProps) {
+  return (
+    <label class={css["from"]}>
+      {label}
+      <Select value={String(value)} onChange={(event) => onChange(Number(event.currentTarget.value))}>
+        {Array.from({ length: count }, (_, i) => (
+          <option key={i} value={String(i)}>
+            {i + 1}
+          </option>
+        ))}
+      </Select>
+    </label>
   );
 }

@@ -1,4 +1,4 @@
-import { RESOLUTION, resolutionWords } from "#format/verdict";
+import { resolutionWords } from "#format/verdict";
 import type { DirectedCertificate, DirectedMatch, StateConnectedness } from "#wasm/api";
 
 /** What is known of the shape that is drawn. */
@@ -61,4 +61,15 @@ function wayWords(proof: DirectedCertificate | null): string {
   }
 }
 
-export const EPSILON = RESOLUTION;
+/** States that the shape is not made of. */
+export function Remarks({ unreached }: { unreached: readonly number[] }) {
+  if (unreached.length === 0) return null;
+  const names = unreached.map((state) => state + 1).join(", ");
+  const [are, them] = unreached.length === 1 ? ["it is", "it"] : ["they are", "them"];
+  return (
+    <p class="hint">
+      The shape is not made of state {names}: {are} not seen in it. Let a map copy {them}, or leave {them}{" "}
+      out.
+    </p>
+  );
+}

@@ -1,8 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { DirectedIfs } from "#wasm/api";
-import { madeOf } from "../../kit/directed/look";
-import { SYSTEM } from "./address";
-import { doubled, extended, replaced, shortened, without } from "./systems";
+import { doubled, extended, madeOf, replaced, shortened, without } from "./systems";
 
 const part = (from: number, x = 0) =>
   ({ from, map: [0.5, 0, 0, 0.5, x, 0] as const }) as DirectedIfs["states"][0][0];
@@ -30,16 +28,4 @@ describe("changes of a graph-directed system", () => {
     expect(madeOf(two.states[0] ?? [])).toBe("1 copy of state 1, 1 copy of state 2");
     expect(madeOf([part(2), part(0), part(2)])).toBe("1 copy of state 1, 2 copies of state 3");
   });
-});
-
-it("are read back from an address as they were written, and nothing else is", () => {
-  const system: DirectedIfs = {
-    states: [[{ from: 1, map: [0.5, 0, 0, -0.5, 0.25, 0] }], [{ from: 0, map: [0.3, -0.1, 0.1, 0.3, 0, 1] }]],
-  };
-  expect(SYSTEM.read(SYSTEM.write(system))).toEqual(system);
-  expect(SYSTEM.write(null)).toBe("");
-  for (const wrong of ["", "0,1", "1,0,0,0,0,0,0", "0.5,0,0,0,0,0,0", "-1,0,0,0,0,0,0", ":", "0,0,0,0,0,0,x"])
-    expect(SYSTEM.read(wrong), wrong).toBeNull();
-  const large = { states: [Array.from({ length: 64 }, () => ({ from: 0, map: Array(6).fill(0.123456) }))] };
-  expect(SYSTEM.write(large as unknown as DirectedIfs)).toBe("");
 });

@@ -45,3 +45,13 @@ export function shortened({ states }: DirectedIfs): DirectedIfs {
       .map((maps) => maps.map((map) => (map.from === last ? { ...map, from: 0 } : map))),
   };
 }
+
+/** What a state is made of, in words: "3 copies of state 2". */
+export function madeOf(maps: readonly DirectedMap[]): string {
+  const counts = new Map<number, number>();
+  for (const { from } of maps) counts.set(from, (counts.get(from) ?? 0) + 1);
+  return [...counts]
+    .sort(([p], [q]) => p - q)
+    .map(([from, count]) => `${count === 1 ? "1 copy" : `${count} copies`} of state ${from + 1}`)
+    .join(", ");
+}

@@ -1,0 +1,47 @@
+import { expectClean } from "./axe";
+import { expect, test } from "./fixture";
+
+const LINK = "v=1&a=gasket&b=gasket&path=straight&mode=linear&directed-a=snowflake&directed-b=crystal";
+
+test("a shape of several states is chosen beside a system, morphed, undone and kept by its link", async ({
+  studio,
+  page,
+}) => {
+  await studio.open("v=1&a=gasket&b=koch&path=straight");
+  const before = await studio.look();
+  await page.getByRole("button", { name: /^Shape A: / }).click();
+  await page
+    .getByRole("region", { name: "Shapes of several states" })
+    .getByRole("button", { name: /^Snowflake/ })
+    .click();
+  await expect(page.getByRole("dialog")).toHaveCount(0);
+  const card = page.getByRole("button", { name: /^Shape A: / });
+  await expect(card).toHaveAccessibleName(/^Shape A: Snowflake, 2 states, 7 maps/);
+  await expect(page.getByRole("button", { name: /^Shape B: / })).toHaveAccessibleName(/4 maps/);
+  const flake = await studio.look();
+  expect(flake.hash).not.toBe(before.hash);
+  await expect(studio.verdict).toContainText("In one piece, proved");
+  await page.getByRole("banner").getByRole("button", { name: "Undo" }).click();
+  expect((await studio.look()).hash).toBe(before.hash);
+});
+
+test("a link of two of them opens with what is proved of the way and of each state", async ({
+  studio,
+  page,
+}) => {
+  await studio.open(LINK);
+  await expect(page.getByRole("heading", { name: "Shapes of several states" })).toBeVisible();
+  await page.getByRole("spinbutton", { name: "Time in percent" }).fill("50");
+  await page.keyboard.press("Enter");
+  await studio.verdict.click();
+  await expect(page.getByRole("heading", { name: "What is known of each state" })).toBeVisible();
+  await expect(page.getByRole("listitem").filter({ hasText: /^State 2/ })).toContainText("copies of state 2");
+  expect((await studio.scene()).directed?.b.preset).toBe("crystal");
+  await page.getByRole("button", { name: "Edit the states of A" }).click();
+  await expectClean(page);
+  // Nothing bends it, which is said, and it stays.
+  await page.getByRole("link", { name: "Deform" }).click();
+  await expect(page.getByRole("heading", { name: "This shape is not bent" })).toBeVisible();
+  await page.getByRole("button", { name: "Back to Morph" }).click();
+  expect((await studio.scene()).directed?.a.preset).toBe("snowflake");
+});

@@ -1,0 +1,204 @@
+import { computed } from "@preact/signals";
+import { useState } from "preact/hooks";
+import { directedAtBoth, type End, sameDirected, setStates, swapDirected } from "#document/directed/changes";
+import { directedShapes } from "#document/directed/directed";
+import { leaveDirected } from "#document/directed/edits";
+import { announce } from "#document/notice";
+import { edit, endGesture, scene } from "#document/scene";
+import { directedProblem, wayFacts } from "#stage/directed/known";
+import { Button, IconButton } from "#ui/controls/Button";
+import { Menu } from "#ui/overlay/Menu";
+import { ChoiceRow } from "#ui/panel/ChoiceRow";
+import { Problem } from "#ui/panel/Problem";
+import { EndCard, SwapEnds } from "#ui/shapes/EndCard";
+import endsCss from "#ui/shapes/ends.module.css";
+import type { Colouring, Mode } from "#wasm/api";
+import css from "./directed.module.css";
+import { Editor } from "./Editor";
+import { Way } from "./Found";
+import { save } from "./save";
+import { DirectedThumb } from "./Thumb";
+import { sizeWords, stateWords } from "./words";
+
+interface DirectedPanelProps {
+  /** Opens the gallery for an end. */
+  choose: (end: End) => void;
+}
+
+/** The morph of two graph-directed shapes: its ends, their states and maps, and what is known of the way. */
+export function DirectedPanel({ choose }: DirectedPanelProps) {
+  const [editing, setEditing] = useState<End | null>(null);
+  const toggle = (end: End) => setEditing((now) => (now === end ? null : end));
+  const open = editing && directedShapes.value?.[editing];
+  return (
+    <>
+      <section class={endsCss["ends"]} aria-label="The two shapes">
+        <Card end="a" editing={editing === "a"} onEdit={toggle} choose={choose} />
+        <SwapEnds
+          onSwap={() => {
+            edit(swapDirected);
+            const now = scene.peek().directed;
+            if (now) announce(`Swapped: from ${now.a.name} to ${now.b.name}.`);
+          }}
+        />
+        <Card end="b" editing={editing === "b"} onEdit={toggle} choose={choose} />
+      </section>
+      {editing && open && (
+        <Editor
+          key={editing}
+          title={`The states of ${editing.toUpperCase()}`}
+          system={open}
+          problem={directedProblem.value}
+          onChange={({ states }, field) =>
+            edit(
+              (before) => setStates(before, editing, states),
+              field === undefined ? {} : { gesture: `${editing}-${field}` },
+            )
+          }
+          onDone={endGesture}
+        />
+      )}
+      <OnTheWay />
+      <Look />
+      <section class="stack" aria-label="Save this shape">
+        <div class={css["files"]}>
+          <Button
+            description="The document, with both shapes, their states and maps: it opens again"
+            onClick={save}
+          >
+            Save as JSON
+          </Button>
+          <Button
+            kind="quiet"
+            icon="back"
+            onClick={() => {
+              leaveDirected();
+              const { a, b } = scene.peek();
+              announce(`Back to systems of maps: ${a.name} and ${b.name}.`);
+            }}
+          >
+            Back to systems of maps
+          </Button>
+        </div>
+      </section>
+    </>
+  );
+}
+
+interface CardProps extends DirectedPanelProps {
+  end: End;
+  editing: boolean;
+  onEdit: (end: End) => void;
+}
+
+function Card({ end, editing, onEdit, choose }: CardProps) {
+  const shape = directedShapes.value?.[end];
+  if (!shape) return null;
+  const [upper, other] = end === "a" ? ["A", "B"] : ["B", "A"];
+  return (
+    <EndCard
+      end={end}
+      name={shape.name}
+      note={sizeWords(shape)}
+      count={stateWords(shape)}
+      picture={<DirectedThumb states={shape.states} />}
+      editing={editing}
+      onChoose={() => choose(end)}
+    >
+      <IconButton
+        kind="quiet"
+        icon="edit"
+        label={`Edit the states of ${upper}`}
+        pressed={editing}
+        onClick={() => onEdit(end)}
+      />
+      <Menu
+        label={`More for shape ${upper}`}
+        items={[
+          { label: "Choose another …", icon: "grid", onSelect: () => choose(end) },
+          {
+            label: `Use as ${other} too`,
+            icon: "copy",
+            onSelect: () => {
+              edit((before) => directedAtBoth(before, end));
+              announce(`${shape.name} is now at both ends.`);
+            },
+          },
+        ]}
+      />
+    </EndCard>
+  );
+}
+
+const same = computed(() => {
+  const now = directedShapes.value;
+  return now !== null && sameDirected(now);
+});
+
+/** How the graphs are matched, and what is shown of every moment between them. */
+function OnTheWay() {
+  const facts = wayFacts.value;
+  return (
+    <section class="stack" aria-labelledby="directed-way">
+      <header class="section-head">
+        <h2 id="directed-way">Shapes of several states</h2>
+      </header>
+      <p class="hint">
+        {same.value
+          ? "Both ends are the same shape: choose another for one of them to have a morph."
+          : "Each state is made of copies of states. On the way each map of a state becomes a map of another, and so does what they copy. The way is straight: there is no map of parameters here."}
+      </p>
+      {!same.value && <Problem words={facts?.problem ?? null} />}
+      {!same.value && facts?.match && (
+        <div class={css["way"]}>
+          <Way proof={facts.proof} match={facts.match} />
+          {facts.linear && (
+            <div class="row">
+              <p>Number by number it stays in one piece all the way, proved.</p>
+              <Button onClick={() => edit((before) => ({ ...before, mode: "linear" }))}>Go linear</Button>
+            </div>
+          )}
+        </div>
+      )}
+    </section>
+  );
+}
+
+const MODES: readonly { value: Mode; label: string; description: string }[] = [
+  {
+    value: "polar",
+    label: "Turning",
+    description: "Polar: each map turns and stretches on its own, so pieces keep their size",
+  },
+  { value: "linear", label: "Linear", description: "Number by number: ends that meet stay together" },
+];
+const COLOURINGS: readonly { value: Colouring; label: string; description: string }[] = [
+  { value: "map", label: "Map", description: "One colour for each map of the shape" },
+  {
+    value: "address",
+    label: "State",
+    description: "One colour for each state that is copied after three maps",
+  },
+  { value: "density", label: "Plain", description: "One colour" },
+];
+const mode = computed(() => scene.value.mode);
+const colouring = computed(() => (scene.value.colouring === "grid" ? "density" : scene.value.colouring));
+
+function Look() {
+  return (
+    <section class="stack" aria-label="Motion and colour">
+      <ChoiceRow
+        label="Motion"
+        value={mode.value}
+        options={MODES}
+        onChange={(next) => edit((before) => ({ ...before, mode: next }))}
+      />
+      <ChoiceRow
+        label="Colour by"
+        value={colouring.value}
+        options={COLOURINGS}
+        onChange={(next) => edit((before) => ({ ...before, colouring: next }))}
+      />
+    </section>
+  );
+}

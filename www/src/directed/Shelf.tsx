@@ -1,0 +1,71 @@
+import { useEffect, useState } from "preact/hooks";
+import { chooseDirected } from "#document/directed/edits";
+import { announce, wordsOf } from "#document/notice";
+import { scene } from "#document/scene";
+import { directedPicture, type PictureSize } from "#stage/directed/thumb";
+import { stageStyle } from "#stage/picture-style";
+import { useOwnId } from "#ui/id";
+import { ShapeGrid } from "#ui/shapes/ShapeGrid";
+import type { DirectedPreset } from "#wasm/api";
+import { directed, loadDirected } from "#wasm/directed";
+import css from "./directed.module.css";
+import { stateWords } from "./words";
+
+const SIZE: PictureSize = { width: 160, height: 120 };
+
+interface ShelfProps {
+  end: "a" | "b";
+  onChosen: () => void;
+}
+
+/** The graph-directed shapes of a gallery, each as soon as its picture is there. */
+export function DirectedShelf({ end, onChosen }: ShelfProps) {
+  const title = useOwnId("shelf");
+  const [presets, setPresets] = useState<readonly DirectedPreset[]>([]);
+  const [problem, setProblem] = useState<string | null>(null);
+  const [pictures, setPictures] = useState<ReadonlyMap<string, ImageBitmap | null>>(new Map());
+  const { colouring, palette } = stageStyle.value;
+  useEffect(() => {
+    loadDirected().then(
+      () => setPresets(directed.directedPresets()),
+      (reason) => setProblem(wordsOf(reason)),
+    );
+  }, []);
+  useEffect(() => {
+    const ended = new AbortController();
+    const put = (id: string, bitmap: ImageBitmap | null) => {
+      if (!ended.signal.aborted) setPictures((before) => new Map(before).set(id, bitmap));
+    };
+    for (const { id, system } of presets) {
+      directedPicture(system, SIZE, { colouring, palette }, ended.signal).then(
+        (bitmap) => put(id, bitmap),
+        // Without a picture it can still be chosen.
+        () => put(id, null),
+      );
+    }
+    return () => ended.abort();
+  }, [presets, colouring, palette]);
+  const choose = ({ id, name, system }: DirectedPreset) => {
+    chooseDirected(end, { preset: id, name, ...system });
+    announce(`Shape ${end.toUpperCase()} is now ${name}.`);
+    onChosen();
+  };
+  const drawn = new Map([...pictures].flatMap(([id, bitmap]) => (bitmap ? [[id, bitmap] as const] : [])));
+  return (
+    <section class={css["directed-shelf"]} aria-labelledby={title}>
+      <h3 id={title}>Shapes of several states</h3>
+      <p class="hint">
+        {problem === null
+          ? "Graph-directed: each state is made of copies of states. The other shape stays what it is, and the morph goes between both."
+          : `They could not be loaded: ${problem}`}
+      </p>
+      <ShapeGrid
+        presets={presets.filter(({ id }) => pictures.has(id))}
+        pictures={drawn}
+        noteOf={({ system }) => stateWords(system)}
+        chosen={scene.value.directed?.[end].preset}
+        onChoose={choose}
+      />
+    </section>
+  );
+}

@@ -1,0 +1,79 @@
+/** The film of a morph of graph-directed shapes: small pictures at even times, and what is known of each. */
+import { effect, untracked } from "@preact/signals";
+import { type Frame, publish } from "#compute/results";
+import { FRAME_HEIGHT, FRAME_WIDTH, FRAMES } from "#compute/strip";
+import { directedWay } from "#document/directed/directed";
+import { fitFor, pathTrack } from "#document/framing";
+import { RESOLUTION } from "#format/verdict";
+import type { Track } from "#geometry/boxes";
+import { boxAt } from "#geometry/boxes";
+import type { RenderStyle } from "#wasm/core";
+import { toError } from "#wasm/error";
+import { directedTask } from "#workers/directed/client";
+import type { Way } from "#workers/directed/moment";
+import { stageStyle } from "../picture-style";
+import { directedLook } from "./options";
+
+const SETTLE_MS = 150;
+/** CSS pixels. */
+const MARGIN = 4;
+const film = publish.standInFilm;
+
+/** Keeps the film up to date. Returns the end of it. */
+export function watchFilm(): () => void {
+  const stop = effect(() => {
+    const way = directedWay.value;
+    const track = pathTrack.value;
+    const style = stageStyle.value;
+    if (!way) return;
+    const kept = untracked(() => film.value);
+    film.value = Array.from({ length: FRAMES }, (_, i) => ({
+      t: i / (FRAMES - 1),
+      verdict: null,
+      bitmap: kept[i]?.bitmap ?? null,
+    }));
+    const end = new AbortController();
+    const timer = setTimeout(() => void make(way, track, style, end.signal), SETTLE_MS);
+    return () => {
+      clearTimeout(timer);
+      end.abort();
+    };
+  });
+  return () => {
+    stop();
+    film.value = [];
+  };
+}
+
+/** One after the other: first what is seen, then what is known. */
+async function make(way: Way, track: Track, style: RenderStyle, signal: AbortSignal): Promise<void> {
+  const put = (t: number, change: Partial<Frame>) => {
+    if (signal.aborted) return;
+    film.value = film.peek().map((frame) => (frame.t === t ? { ...frame, ...change } : frame));
+  };
+  const moments = film.peek().map(({ t }) => t);
+  const ratio = Math.min(2, globalThis.devicePixelRatio || 1);
+  const size = { width: Math.round(FRAME_WIDTH * ratio), height: Math.round(FRAME_HEIGHT * ratio) };
+  const edge = MARGIN * ratio;
+  const insets = { top: edge, right: edge, bottom: edge, left: edge };
+  for (const t of moments) {
+    const view = fitFor(boxAt(track, t), size, insets);
+    const options = { ...size, view, ...directedLook(style.colouring, style.palette) };
+    const bitmap = await directedTask("moment", { moment: { ...way, t }, options }, { signal }).catch(
+      () => null,
+    );
+    if (signal.aborted) return;
+    put(t, { bitmap });
+  }
+  for (const t of moments) {
+    const asked = { moment: { ...way, t }, epsilon: RESOLUTION };
+    try {
+      const [verdict = null] = (await directedTask("known", asked, { lane: 1, signal })).states;
+      put(t, { verdict });
+    } catch (problem) {
+      if (signal.aborted) return;
+      if (toError(problem).code !== "no-attractor") continue;
+      put(t, { verdict: { verdict: "no-attractor", gap: { lower: 0, upper: 0 }, diameter: 0 } });
+    }
+  }
+}

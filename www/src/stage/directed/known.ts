@@ -1,0 +1,140 @@
+/** What is known of the graph-directed shape at the present moment, a little behind it, and of the way. */
+import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import { directedMoment, directedWay } from "#document/directed/directed";
+import { wordsOf } from "#document/notice";
+import { CURVES, standInWords } from "#document/stand-in";
+import { RESOLUTION, type Told, verdictPhrase } from "#format/verdict";
+import type { DirectedCertificate, DirectedMatch } from "#wasm/api";
+import { toError } from "#wasm/error";
+import { directedTask } from "#workers/directed/client";
+import type { Moment, Way } from "#workers/directed/moment";
+import type { Tasks } from "#workers/directed/tasks";
+import { InTurn, isStopped } from "#workers/lanes/latest";
+import type { Result } from "#workers/lanes/task";
+import { toldOf } from "./told";
+
+type Answer = Result<Tasks, "known">;
+
+interface Known {
+  moment: Moment;
+  /** Null where the maps have no attractor, or cannot be had. */
+  answer: Answer | null;
+  none: boolean;
+}
+
+const known = signal<Known | null>(null);
+/** Why a picture cannot be had, in words. */
+export const directedProblem = signal<string | null>(null);
+
+/** What is known of each state; null until it is. */
+export const answerNow: ReadonlySignal<Answer | null> = computed(() => known.value?.answer ?? null);
+/** Whether it is still about another moment. */
+export const isStale: ReadonlySignal<boolean> = computed(
+  () => known.value === null || known.value.moment !== directedMoment.value,
+);
+
+const NONE: Told = { verdict: "no-attractor", gap: { lower: 0, upper: 0 }, diameter: 0 };
+
+interface WayFacts {
+  way: Way;
+  match: DirectedMatch | null;
+  /** Why the graphs cannot be matched. */
+  problem: string | null;
+  proof: DirectedCertificate | null;
+  /** Whether the linear way, where this is another one, is proved to stay in one piece. */
+  linear: boolean;
+}
+
+const found = signal<WayFacts | null>(null);
+
+/** How the graphs are matched and what is shown of the whole way; null until something is known. */
+export const wayFacts: ReadonlySignal<WayFacts | null> = computed(() =>
+  found.value && found.value.way === directedWay.value ? found.value : null,
+);
+
+/** What is said of each state. */
+export const toldStates: ReadonlySignal<readonly Told[]> = computed(() => {
+  const now = known.value;
+  const facts = wayFacts.value;
+  const states = now?.answer?.states ?? [];
+  return now && facts ? toldOf(states, now.moment, facts.way, facts.proof) : states;
+});
+
+/** What is said of the shape, its first state. */
+export const toldNow: ReadonlySignal<Told | null> = computed(() =>
+  known.value?.none ? NONE : (toldStates.value[0] ?? null),
+);
+
+/** The widest gap that the proof of a whole way asks about. */
+const PROOF_EPSILON = 1 / 100;
+const REST_MS = 400;
+
+/** Keeps all this up to date. Returns the end of it. */
+export function watchKnown(): () => void {
+  const end = new AbortController();
+  const { signal: ended } = end;
+  const turn = new InTurn();
+  const stops = [
+    effect(() => {
+      const moment = directedMoment.value;
+      if (!moment) return;
+      turn.ask(async () => {
+        try {
+          const task = directedTask("known", { moment, epsilon: RESOLUTION }, { lane: 1, signal: ended });
+          known.value = { moment, answer: await task, none: false };
+        } catch (problem) {
+          if (isStopped(problem)) return;
+          const { code } = toError(problem);
+          known.value = {
+            moment,
+            answer: null,
+            none: code === "no-attractor" || code === "attractor-unproved",
+          };
+        }
+      });
+    }),
+    effect(() => {
+      const way = directedWay.value;
+      if (!way) return;
+      const own = new AbortController();
+      const timer = setTimeout(() => void look(way, own.signal), REST_MS);
+      return () => {
+        clearTimeout(timer);
+        own.abort();
+      };
+    }),
+    effect(() => {
+      standInWords.value = verdictPhrase(toldNow.value);
+    }),
+  ];
+  return () => {
+    turn.clear();
+    end.abort();
+    for (const stop of stops) stop();
+    known.value = null;
+    found.value = null;
+    standInWords.value = CURVES;
+  };
+}
+
+async function look(way: Way, signal: AbortSignal): Promise<void> {
+  const at = { lane: 2, signal } as const;
+  try {
+    const match = await directedTask("match", { from: way.from, to: way.to }, at);
+    if (signal.aborted) return;
+    const facts = { way, match, problem: null, linear: false };
+    found.value = { ...facts, proof: null };
+    const proof = await directedTask("certify", { ...way, epsilon: PROOF_EPSILON }, at);
+    if (signal.aborted) return;
+    found.value = { ...facts, proof };
+    // Ends that meet stay together on straight lines: where a turn parts them, that may be better.
+    if (way.mode === "linear" || proof.states[0]?.kind === "connected") return;
+    const straight = await directedTask("certify", { ...way, mode: "linear", epsilon: PROOF_EPSILON }, at);
+    const linear = straight.states[0]?.kind === "connected" && straight.assuming.length === 0;
+    if (!signal.aborted) found.value = { ...facts, proof, linear };
+  } catch (problem) {
+    if (!isStopped(problem) && !signal.aborted) {
+      found.value = { way, match: null, problem: wordsOf(problem), proof: null, linear: false };
+    }
+  }
+}

@@ -1,0 +1,38 @@
+import { leaveDirected } from "#document/directed/edits";
+import { announce } from "#document/notice";
+import { openTool } from "#document/tool";
+import { Button } from "#ui/controls/Button";
+import { PanelFoot } from "#ui/panel/PanelFoot";
+
+/** Why a graph-directed shape is not bent, and what can be done. */
+export function Unbent() {
+  return (
+    <div class="panel">
+      <section class="stack" aria-labelledby="unbent">
+        <header class="section-head">
+          <h2 id="unbent">This shape is not bent</h2>
+        </header>
+        <p>
+          It has several states. The bend turns a part of each address round (Fujimoto, equations 5 and 6),
+          and in a graph what is read the other way need not lead anywhere. The shape stays as it is, and so
+          does what is set here for other shapes.
+        </p>
+        <div class="row">
+          <Button icon="back" onClick={() => openTool("morph")}>
+            Back to Morph
+          </Button>
+          <Button
+            kind="quiet"
+            onClick={() => {
+              leaveDirected();
+              announce("The systems of maps are back.");
+            }}
+          >
+            Bend the system of maps instead
+          </Button>
+        </div>
+      </section>
+      <PanelFoot />
+    </div>
+  );
+}
