@@ -1,5 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
 import { chooseDirected } from "#document/directed/edits";
+import { selection } from "#document/morph";
 import { announce, wordsOf } from "#document/notice";
 import { scene } from "#document/scene";
 import { directedPicture, type PictureSize } from "#stage/directed/thumb";
@@ -46,6 +47,8 @@ export function DirectedShelf({ end, onChosen }: ShelfProps) {
     return () => ended.abort();
   }, [presets, colouring, palette]);
   const choose = ({ id, name, system }: DirectedPreset) => {
+    // Nothing of a system is edited any more.
+    selection.value = null;
     chooseDirected(end, { preset: id, name, ...system });
     announce(`Shape ${end.toUpperCase()} is now ${name}.`);
     onChosen();

@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { thumbnails } from "#compute/results";
 import { thumbnailsOf } from "#compute/thumbnails";
+import { DirectedThumb } from "#directed/Thumb";
 import { announce } from "#document/notice";
 import { exportOpen } from "#film/open";
 import { Button, IconButton } from "#ui/controls/Button";
@@ -132,7 +133,12 @@ function Entry({ row, scene, onOpen, onRename, onPin, onRemove }: EntryProps) {
         aria-label={`Open ${name}`}
         onClick={onOpen}
       >
-        {scene && pictured(scene) ? (
+        {scene?.directed && inPlane(scene) ? (
+          <>
+            <DirectedThumb states={scene.directed.a.states} />
+            <DirectedThumb states={scene.directed.b.states} />
+          </>
+        ) : scene && pictured(scene) ? (
           <>
             <Thumbnail bitmap={thumbnails.value.get(`kept-a-${row.id}`)} />
             <Thumbnail bitmap={thumbnails.value.get(`kept-b-${row.id}`)} />
@@ -181,9 +187,11 @@ function sceneOf({ fragment }: Row): Scene | null {
   }
 }
 
-/** Whether its two shapes of the plane are what it is about. */
-const pictured = (scene: Scene): boolean =>
-  scene.tool !== "space" && scene.tool !== "fit" && !scene.curves && !scene.directed;
+/** Whether it is about two shapes of the plane. */
+const inPlane = ({ tool }: Scene): boolean => tool !== "space" && tool !== "fit";
+
+/** Whether these are systems. */
+const pictured = (scene: Scene): boolean => inPlane(scene) && !scene.curves && !scene.directed;
 
 const DAY = new Intl.DateTimeFormat("en", { dateStyle: "medium", timeStyle: "short" });
 
