@@ -1,4 +1,6 @@
 import { expect, test } from "vitest";
+import { jsonOf } from "#directed/files";
+import { scene } from "#document/scene";
 import { mayHoldLink, tellFile } from "./tell";
 
 const told = (text: string) => tellFile(new TextEncoder().encode(text));
@@ -46,4 +48,8 @@ test.each([
 test("a picture that Frond saved says so", () => {
   expect(mayHoldLink(bytes("\x89PNG\r\n\x1a\n....iTXtFrond link\0\0\0\0\0#v=1"))).toBe(true);
   expect(mayHoldLink(bytes("\x89PNG\r\n\x1a\n....tEXtComment\0Frond link"))).toBe(false);
+});
+
+test("a document that was saved as JSON opens as one", () => {
+  expect(told(jsonOf(scene.peek(), null))).toBe("maps");
 });
