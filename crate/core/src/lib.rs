@@ -100,7 +100,7 @@ pub use morph::along::along;
 pub use morph::correspondence2::{Candidate, candidates};
 pub use morph::interpolation::{Morph, Morph3};
 pub use morph::options::{Kind, Mode, MorphError, MorphOptions};
-pub use morph::pairing::{Pairing, pair};
+pub use morph::pairing::{Pairing, pair, probabilities_between};
 pub use morph::route::{Route, RouteKind, routes};
 pub use morph::turn3::Turn3;
 pub use morph::ways::ways;

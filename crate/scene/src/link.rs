@@ -8,8 +8,9 @@
 //!
 //! What has its default is left out. A shape that is not of the gallery is written
 //! `a=maps:0.5,0,0,0.5,0,0;..`, its numbers with as many digits as bring back the same bits, and its name
-//! as `a-name`. Keys that are not known are passed over, so that a link of a later version still shows what
-//! this one understands. Old links open for ever: `tests/links.txt` is the collection that proves it.
+//! as `a-name`; how often the chaos game takes each map, where that is said, as `a-weights=1,2,0.5`. Keys
+//! that are not known are passed over, so that a link of a later version still shows what this one
+//! understands. Old links open for ever: `tests/links.txt` is the collection that proves it.
 
 use std::fmt::Write as _;
 
@@ -192,13 +193,17 @@ fn read(link: &str) -> Result<(Scene, bool), LinkError> {
 
 fn read_morph<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Scene, LinkError> {
     let mut scene = Scene::default();
-    for (key, name_key, end, shape) in
-        [("a", "a-name", 'A', &mut scene.a), ("b", "b-name", 'B', &mut scene.b)]
+    for (key, name_key, weights_key, end, shape) in
+        [("a", "a-name", "a-weights", 'A', &mut scene.a), ("b", "b-name", "b-weights", 'B', &mut scene.b)]
     {
         if let Some(text) = get(key) {
             *shape = read_shape(key, text, get(name_key))?;
-            shape.ifs().map_err(|source| LinkError::Shape { end, source })?;
         }
+        if let Some(text) = get(weights_key) {
+            shape.weights =
+                read_list::<1>(weights_key, &text.replace(',', ";"), MAX_MAPS, |_| true)?.into_flattened();
+        }
+        shape.ifs().map_err(|source| LinkError::Shape { end, source })?;
     }
     scene.mode = choice("mode", get("mode"), &[("polar", Mode::Polar), ("linear", Mode::Linear)])?;
     if let Some(text) = get("path") {
@@ -240,6 +245,13 @@ fn read_morph<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> Result<Scene, LinkE
 }
 
 fn write_shape(link: &mut String, key: &str, shape: &Shape) {
+    write_maps(link, key, shape);
+    if !shape.weights.is_empty() {
+        let _ = write!(link, "&{key}-weights={}", numbers(&shape.weights));
+    }
+}
+
+fn write_maps(link: &mut String, key: &str, shape: &Shape) {
     let gallery = shape.preset.as_deref().and_then(preset).filter(|preset| preset.maps == shape.maps);
     if let Some(preset) = gallery {
         let _ = write!(link, "&{key}={}", preset.id);
@@ -259,7 +271,12 @@ fn read_shape(key: &'static str, text: &str, name: Option<&str>) -> Result<Shape
     };
     let maps: Vec<Row> = read_list(key, rows, MAX_MAPS, |_| true)?;
     let name = name.map(unescape).map(|name| tidy(&name)).filter(|name| !name.is_empty());
-    Ok(Shape { preset: None, name: name.unwrap_or_else(|| "Own shape".to_owned()), maps })
+    Ok(Shape {
+        preset: None,
+        name: name.unwrap_or_else(|| "Own shape".to_owned()),
+        maps,
+        weights: Vec::new(),
+    })
 }
 
 #[cfg(test)]

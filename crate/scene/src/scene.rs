@@ -23,6 +23,10 @@ pub struct Shape {
     pub name: String,
     /// Its maps.
     pub maps: Vec<Row>,
+    /// How often the chaos game takes each map, none below 0: shares, whatever their sum. Where there are none, each
+    /// in proportion to its area.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub weights: Vec<f64>,
 }
 
 impl Shape {
@@ -30,19 +34,25 @@ impl Shape {
     #[must_use]
     pub fn of_preset(id: &str) -> Option<Self> {
         let found = preset(id)?;
-        Some(Self { preset: Some(found.id.to_owned()), name: found.name.to_owned(), maps: found.maps })
+        Some(Self {
+            preset: Some(found.id.to_owned()),
+            name: found.name.to_owned(),
+            maps: found.maps,
+            weights: Vec::new(),
+        })
     }
 
     /// Its system.
     ///
     /// # Errors
-    /// [`IfsError`] if the maps have no attractor.
+    /// [`IfsError`] if the maps have no attractor, or the weights are not one for each of them.
     pub fn ifs(&self) -> Result<Ifs, IfsError> {
         // Before any memory is asked for: the list may be of any length.
         if self.maps.len() > frond_core::MAX_MAPS {
             return Err(IfsError::TooManyMaps { count: self.maps.len() });
         }
-        Ifs::new(self.maps.iter().map(|&row| Affine2::from_row(row)).collect())
+        let ifs = Ifs::new(self.maps.iter().map(|&row| Affine2::from_row(row)).collect())?;
+        if self.weights.is_empty() { Ok(ifs) } else { ifs.with_probabilities(&self.weights) }
     }
 }
 

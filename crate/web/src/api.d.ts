@@ -324,6 +324,8 @@ export interface Shape {
   preset?: string;
   name: string;
   maps: MapRow[];
+  /** How often the chaos game takes each map, as shares, whatever their sum. Absent: in proportion to its area. */
+  weights?: number[];
 }
 
 export type PathKind = "auto" | "straight" | "drawn";
@@ -570,6 +572,8 @@ export interface Pairing {
   to: MapRow[];
   /** One sentence for each step taken, empty when the numbers were equal. */
   steps: string[];
+  /** Of the maps of `from` and of `to`, where one of the systems was given with probabilities. */
+  probabilities?: [from: number[], to: number[]];
 }
 
 export interface IndexBufferOptions {

@@ -1,7 +1,7 @@
 //! A morph on other people's pages: what `<frond-view>` draws with. No more than that, so that it is small; rows and
 //! pixels cross as typed arrays.
 
-use frond_core::{Affine2, Hull, Ifs, Mode, Morph, MorphOptions, pair};
+use frond_core::{Affine2, Hull, Ifs, Mode, Morph, MorphOptions, Pairing, pair};
 use frond_render::{RasterOptions, View, rasterize_unbent};
 use frond_scene::{PathKind, Scene, decode_morph};
 use wasm_bindgen::prelude::*;
@@ -13,6 +13,7 @@ use crate::boundary::error::{failure, of_ifs, of_morph};
 pub struct LinkedMorph {
     scene: Scene,
     morph: Morph,
+    pairing: Pairing,
 }
 
 #[wasm_bindgen]
@@ -34,7 +35,7 @@ impl LinkedMorph {
             turns: Some(scene.turns.clone()).filter(|list| list.len() == count).unwrap_or_default(),
         };
         let morph = Morph::new(&pairing.from, &pairing.to, &options).map_err(|error| of_morph(&error))?;
-        Ok(Self { scene, morph })
+        Ok(Self { scene, morph, pairing })
     }
 
     /// The name of the first shape.
@@ -139,6 +140,11 @@ impl LinkedMorph {
     }
 
     fn ifs(&self, u: f64, v: f64, w: f64) -> Result<Ifs, JsValue> {
-        Ifs::new(self.morph.at3(u, v, w)).map_err(|error| of_ifs(&error))
+        let ifs = Ifs::new(self.morph.at3(u, v, w)).map_err(|error| of_ifs(&error))?;
+        if self.scene.a.weights.is_empty() && self.scene.b.weights.is_empty() {
+            return Ok(ifs);
+        }
+        let probabilities = self.pairing.probabilities(&self.scene.correspondence, u);
+        ifs.with_probabilities(&probabilities).map_err(|error| of_ifs(&error))
     }
 }

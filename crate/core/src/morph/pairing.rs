@@ -13,6 +13,10 @@ pub struct Pairing {
     pub from: Vec<Affine2>,
     /// The maps of the last system.
     pub to: Vec<Affine2>,
+    /// How probable each map of the first system is: its measure (Hutchinson 1981, section 4) stays what it was.
+    pub from_probabilities: Vec<f64>,
+    /// The same of the last system.
+    pub to_probabilities: Vec<f64>,
     /// A sentence for each step taken; none when the numbers were equal.
     pub steps: Vec<String>,
 }
@@ -25,31 +29,56 @@ pub struct Pairing {
 /// their order is the user's.
 #[must_use]
 pub fn pair(from: &Ifs, to: &Ifs) -> Pairing {
-    let (a, b) = (from.maps().to_vec(), to.maps().to_vec());
-    let mut steps = Vec::new();
+    let (mut a, mut b, mut steps) = (weighted(from), weighted(to), Vec::new());
     if a.len() < b.len() {
-        let a = matched(&extend(&a, b.len(), "first", &mut steps), &b, from, to);
-        Pairing { from: a, to: b, steps }
+        a = matched(&extend(&a, b.len(), "first", &mut steps), &b, from, to);
     } else if b.len() < a.len() {
-        let b = matched(&extend(&b, a.len(), "last", &mut steps), &a, to, from);
-        Pairing { from: a, to: b, steps }
-    } else {
-        Pairing { from: a, to: b, steps }
+        b = matched(&extend(&b, a.len(), "last", &mut steps), &a, to, from);
+    }
+    let ((from, from_probabilities), (to, to_probabilities)) = (a.into_iter().unzip(), b.into_iter().unzip());
+    Pairing { from, to, from_probabilities, to_probabilities, steps }
+}
+
+impl Pairing {
+    /// How probable the maps are on the way: those of the first system where `u` is 0, those of the last where it is 1,
+    /// and in between in proportion. `correspondence` says which map becomes which, as in
+    /// [`MorphOptions`](crate::MorphOptions); a list of another length counts as none.
+    #[must_use]
+    pub fn probabilities(&self, correspondence: &[usize], u: f64) -> Vec<f64> {
+        probabilities_between(&self.from_probabilities, &self.to_probabilities, correspondence, u)
     }
 }
 
-fn extend(original: &[Affine2], target: usize, which: &str, steps: &mut Vec<String>) -> Vec<Affine2> {
+/// [`Pairing::probabilities`] of lists that are at hand.
+#[must_use]
+pub fn probabilities_between(from: &[f64], to: &[f64], correspondence: &[usize], u: f64) -> Vec<f64> {
+    // Beyond the ends a share would fall below 0.
+    let u = u.clamp(0.0, 1.0);
+    let partner = |i: usize| if correspondence.len() == from.len() { correspondence[i] } else { i };
+    let at = |(i, p): (usize, &f64)| p * (1.0 - u) + to.get(partner(i)).copied().unwrap_or(0.0) * u;
+    from.iter().enumerate().map(at).collect()
+}
+
+/// A map and its probability.
+type Weighted = (Affine2, f64);
+
+fn weighted(ifs: &Ifs) -> Vec<Weighted> {
+    ifs.maps().iter().copied().zip(ifs.probabilities().iter().copied()).collect()
+}
+
+fn extend(original: &[Weighted], target: usize, which: &str, steps: &mut Vec<String>) -> Vec<Weighted> {
     let gain = original.len() - 1;
     let mut maps = original.to_vec();
-    let largest = |maps: &[Affine2]| {
-        let size = |map: &Affine2| map.determinant().abs().max(1e-9 * map.norm());
+    let largest = |maps: &[Weighted]| {
+        let size = |(map, _): &Weighted| map.determinant().abs().max(1e-9 * map.norm());
         // The first of the largest, so that the order is stable.
         (0..maps.len()).rev().max_by(|&i, &j| size(&maps[i]).total_cmp(&size(&maps[j]))).unwrap_or(0)
     };
     let mut splits = 0;
     while gain > 0 && maps.len() + gain <= target {
         let i = largest(&maps);
-        maps = refined(&maps, original, i);
+        let (map, share) = maps[i];
+        maps.splice(i..=i, original.iter().map(|&(part, p)| (map * part, share * p)));
         splits += 1;
     }
     if splits > 0 {
@@ -64,8 +93,15 @@ fn extend(original: &[Affine2], target: usize, which: &str, steps: &mut Vec<Stri
     if missing > 0 {
         // Each map at most once more than any other, the largest first.
         let mut order: Vec<usize> = (0..maps.len()).collect();
-        sort_indices(&mut order, &|i, j| maps[j].determinant().abs().total_cmp(&maps[i].determinant().abs()));
-        let doubles: Vec<_> = order.iter().cycle().take(missing).map(|&i| maps[i]).collect();
+        let area = |i: usize| maps[i].0.determinant().abs();
+        sort_indices(&mut order, &|i, j| area(j).total_cmp(&area(i)));
+        let doubled: Vec<usize> = order.into_iter().cycle().take(missing).collect();
+        let copies: Vec<usize> =
+            (0..maps.len()).map(|i| doubled.iter().filter(|&&j| j == i).count()).collect();
+        for (one, copies) in maps.iter_mut().zip(copies) {
+            one.1 /= (1 + copies) as f64;
+        }
+        let doubles: Vec<Weighted> = doubled.iter().map(|&i| maps[i]).collect();
         maps.extend(doubles);
         let (noun, verb) = if missing == 1 { ("map", "was") } else { ("maps", "were") };
         steps.push(format!(
@@ -83,16 +119,16 @@ pub(crate) fn refined(maps: &[Affine2], original: &[Affine2], k: usize) -> Vec<A
 }
 
 /// The maps of `own`, reordered so that the sum of the distances to the maps of `other` is least.
-fn matched(own: &[Affine2], other: &[Affine2], own_ifs: &Ifs, other_ifs: &Ifs) -> Vec<Affine2> {
+fn matched(own: &[Weighted], other: &[Weighted], own_ifs: &Ifs, other_ifs: &Ifs) -> Vec<Weighted> {
     let (h, k) = (Hull::of(own_ifs), Hull::of(other_ifs));
     let place = |map: &Affine2, hull: &Hull| {
         (map.apply(hull.centre()) - hull.centre()) / hull.diameter().max(f64::MIN_POSITIVE)
     };
     let cost: Vec<Vec<f64>> = other
         .iter()
-        .map(|b| {
+        .map(|(b, _)| {
             own.iter()
-                .map(|a| {
+                .map(|(a, _)| {
                     let moved = place(a, &h).distance_squared(place(b, &k));
                     let d = a.linear - b.linear;
                     let bent = d.x_axis.length_squared() + d.y_axis.length_squared();
@@ -176,6 +212,45 @@ mod tests {
         let mut areas: Vec<_> = paired.from.iter().map(|map| map.determinant()).collect();
         areas.sort_by(f64::total_cmp);
         assert_eq!(areas, [0.25, 0.25, 0.5]);
+    }
+
+    #[test]
+    fn refining_and_doubling_keep_the_measure() {
+        // The mean of the measure: m = sum p_i w_i(m).
+        fn mean(maps: &[Affine2], p: &[f64]) -> DVec2 {
+            let each = |m: DVec2| -> DVec2 { maps.iter().zip(p).map(|(map, p)| map.apply(m) * *p).sum() };
+            (0..200).fold(DVec2::ZERO, |m, _| each(m))
+        }
+        let halves = |corners: &[[f64; 2]]| {
+            Ifs::new(corners.iter().map(|&[e, f]| Affine2::from_row([0.5, 0.0, 0.0, 0.5, e, f])).collect())
+                .unwrap()
+        };
+        let two = halves(&[[0.0, 0.0], [0.5, 0.1]]).with_probabilities(&[1.0, 4.0]).unwrap();
+        for count in 2..9 {
+            let other = halves(&vec![[0.1, 0.2]; count]);
+            for paired in [pair(&two, &other), pair(&other, &two)] {
+                let two_first = paired.from.len() == count && paired.to == other.maps();
+                let (maps, p) = if two_first {
+                    (&paired.from, &paired.from_probabilities)
+                } else {
+                    (&paired.to, &paired.to_probabilities)
+                };
+                assert!((p.iter().sum::<f64>() - 1.0).abs() < 1e-12, "{p:?}");
+                let apart = mean(maps, p) - mean(two.maps(), two.probabilities());
+                assert!(apart.length() < 1e-12, "{count} maps: {apart}");
+            }
+        }
+    }
+
+    #[test]
+    fn probabilities_go_from_one_end_to_the_other() {
+        let (p, q) = ([0.75, 0.25], [0.5, 0.5]);
+        assert_eq!(probabilities_between(&p, &q, &[], 0.0), p);
+        assert_eq!(probabilities_between(&p, &[0.9, 0.1], &[1, 0], 1.0), [0.1, 0.9]);
+        assert_eq!(probabilities_between(&p, &q, &[], 0.5), [0.625, 0.375]);
+        for u in [-3.0, 7.0, f64::NEG_INFINITY] {
+            assert!(probabilities_between(&p, &q, &[], u).iter().all(|p| (0.0..=1.0).contains(p)));
+        }
     }
 
     #[test]

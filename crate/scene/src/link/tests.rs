@@ -28,11 +28,17 @@ fn any_shape() -> impl Strategy<Value = Shape> {
     let own = (proptest::collection::vec(row, 1..8), "\\PC{0,30}").prop_map(|(maps, name)| {
         let name = tidy(&name);
         let name = if name.is_empty() { "Own shape".to_owned() } else { name };
-        Shape { preset: None, name, maps }
+        Shape { preset: None, name, maps, weights: Vec::new() }
     });
     let gallery =
         proptest::sample::select(crate::presets()).prop_map(|preset| Shape::of_preset(preset.id).unwrap());
-    prop_oneof![own.prop_filter("no attractor", |shape| shape.ifs().is_ok()), gallery]
+    let shape = prop_oneof![own.prop_filter("no attractor", |shape| shape.ifs().is_ok()), gallery];
+    (shape, prop_oneof![Just(0), 1..9_u32]).prop_map(|(mut shape, step)| {
+        if step > 0 {
+            shape.weights = (1..=shape.maps.len()).map(|i| f64::from(step * i as u32 % 5) + 0.1).collect();
+        }
+        shape
+    })
 }
 
 /// A ring of knots, every third edge a copy: as a link brings it back.
@@ -395,8 +401,12 @@ fn a_later_version_shows_what_is_understood() {
 
 #[test]
 fn the_largest_document_fits_a_link() {
-    let shape =
-        Shape { preset: None, name: "ä".repeat(60), maps: vec![[-0.123_456_789_012_345_67e-7; 6]; 64] };
+    let shape = Shape {
+        preset: None,
+        name: "ä".repeat(60),
+        maps: vec![[-0.123_456_789_012_345_67e-7; 6]; 64],
+        weights: Vec::new(),
+    };
     let mut scene = Scene { a: shape.clone(), b: shape, ..Scene::default() };
     let x = -0.123_456_789_012_345_67;
     scene.path.points = vec![WayPoint { u: x, v: x, w: x }; MAX_WAY_POINTS];
@@ -663,4 +673,17 @@ fn the_morph_of_a_link_is_read_alone_and_passes_over_the_rest() {
         assert!(decode_morph(damaged).is_err(), "{damaged}");
     }
     assert!(matches!(decode_morph(&"a".repeat(MAX_LINK + 1)), Err(LinkError::TooLong { .. })));
+}
+
+#[test]
+fn weights_are_one_a_map_and_can_be_drawn_by() {
+    let (scene, problem) = decode("v=1&a=gasket&a-weights=0,2,0.5&b=koch");
+    assert_eq!((&scene.a.weights[..], problem), (&[0.0, 2.0, 0.5][..], None));
+    assert!(encode(&scene).contains("a=gasket&a-weights=0,2,0.5&b=koch"));
+    assert_eq!(scene.a.ifs().unwrap().probabilities(), [0.0, 0.8, 0.2]);
+    for bad in ["1,2", "1,2,3,4", "0,0,0", "-1,1,1", "1,x,1", "1;1;1x", "", "1e308,1e308,1e308"] {
+        let (opened, problem) = decode(&format!("v=1&a=gasket&a-weights={bad}&b=koch"));
+        let empty = bad.is_empty();
+        assert_eq!((opened == Scene::default(), problem.is_some()), (!empty, !empty), "{bad}");
+    }
 }

@@ -84,6 +84,11 @@ pub(crate) fn read_ifs(value: &JsValue) -> Result<Ifs, JsValue> {
     }
 }
 
+/// The probabilities that an IFS object gives, if it does.
+pub(crate) fn given_probabilities(value: &JsValue) -> Result<Option<Vec<f64>>, JsValue> {
+    Ok(read_plain(value)?.probabilities)
+}
+
 fn read_plain(value: &JsValue) -> Result<PlainIfs, JsValue> {
     let maps = Reflect::get(value, &"maps".into()).unwrap_or(JsValue::UNDEFINED);
     if let Some(list) = maps.dyn_ref::<Array>() {

@@ -1,6 +1,6 @@
 //! One shape, and the way to another.
 
-use frond_core::{Affine2, ChaosGame, Hull, Polar2, similarity_dimension};
+use frond_core::{Affine2, ChaosGame, Hull, Polar2, probabilities_between, similarity_dimension};
 use glam::DMat2;
 use js_sys::{Float32Array, Uint8Array};
 use serde::Deserialize;
@@ -8,7 +8,8 @@ use wasm_bindgen::prelude::*;
 
 use crate::boundary::error::{bad_input, failure};
 use crate::boundary::value::{
-    Row, object, point, read, read_ifs, read_maps, read_morph, read_parameters, rows, write, write_maps,
+    Row, given_probabilities, object, point, read, read_ifs, read_maps, read_morph, read_morph_options,
+    read_parameters, rows, write, write_maps,
 };
 
 /// The most points that one call gives.
@@ -21,22 +22,27 @@ pub fn validate(#[wasm_bindgen(unchecked_param_type = "Ifs")] ifs: JsValue) -> R
 }
 
 /// Both systems with the same number of maps, by refining or doubling maps of the smaller one, which does
-/// not change its shape.
+/// not change its shape, nor, where probabilities are given, its measure.
 #[wasm_bindgen(unchecked_return_type = "Pairing")]
 pub fn pair(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] a: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ifs")] b: JsValue,
 ) -> Result<JsValue, JsValue> {
     let pairing = frond_core::pair(&read_ifs(&a)?, &read_ifs(&b)?);
-    Ok(object(&[
+    let mut fields = vec![
         ("from", write(&rows(&pairing.from))?),
         ("to", write(&rows(&pairing.to))?),
         ("steps", write(&pairing.steps)?),
-    ]))
+    ];
+    if given_probabilities(&a)?.or(given_probabilities(&b)?).is_some() {
+        fields.push(("probabilities", write(&[pairing.from_probabilities, pairing.to_probabilities])?));
+    }
+    Ok(object(&fields))
 }
 
 /// The maps at (u, v) between two systems of equally many maps (Burch & Hart 1997, eq 6), or at (u, v, w) with
-/// the stretch ahead of the turn by w. The result need not have an attractor.
+/// the stretch ahead of the turn by w. The result need not have an attractor. Where both systems give probabilities it
+/// has those in between, in proportion to u.
 #[wasm_bindgen(unchecked_return_type = "Ifs")]
 pub fn interpolate(
     #[wasm_bindgen(unchecked_param_type = "Ifs")] from: JsValue,
@@ -45,8 +51,14 @@ pub fn interpolate(
     options: JsValue,
 ) -> Result<JsValue, JsValue> {
     let morph = read_morph(&from, &to, &options)?;
+    let given = (given_probabilities(&from)?, given_probabilities(&to)?);
+    let order = read_morph_options(&options)?.correspondence;
     let [u, v, w] = read_parameters(options)?;
-    write_maps(&morph.at3(u, v, w))
+    let mut fields = vec![("maps", write(&rows(&morph.at3(u, v, w)))?)];
+    if let (Some(p), Some(q)) = given {
+        fields.push(("probabilities", write(&probabilities_between(&p, &q, &order, u))?));
+    }
+    Ok(object(&fields))
 }
 
 /// The same shape elsewhere: every map conjugated by `transform`, a row of six numbers.
