@@ -110,16 +110,16 @@ impl Reason {
                                  factors by which two maps scale areas have a sum of 1 or more."
                 .to_owned(),
             ReasonKind::SharedPoints => match self.links.len() {
-                1 => format!("The pieces share a point: {example} are addresses of the same one."),
+                1 => format!("The pieces share a point: {example} are two addresses of it."),
                 count => format!(
-                    "Pieces share {count} points, and these reach every piece: {example} are addresses of the first."
+                    "Pieces share {count} points, and these join all the pieces. {example} are two addresses of one of these points."
                 ),
             },
             ReasonKind::Crossings => {
                 let text = match count(LinkKind::Crossing) {
                     1 => format!("The pieces {example} lie across each other, so that they must meet."),
                     count => format!(
-                        "{count} pairs of pieces lie across each other, so that they must meet: {example} are the first."
+                        "{count} pairs of pieces lie across each other, so that they must meet. One such pair is {example}."
                     ),
                 };
                 match self.links.len() - count(LinkKind::Crossing) {

@@ -94,9 +94,9 @@ impl Reason3 {
             Reason3Kind::SharedPoints => {
                 let [a, b] = self.points.first().map(|point| point.words.clone()).unwrap_or_default();
                 match self.points.len() {
-                    1 => format!("The pieces share a point: {a} and {b} are addresses of the same one."),
+                    1 => format!("The pieces share a point: {a} and {b} are two addresses of it."),
                     count => format!(
-                        "Pieces share {count} points, and these reach every piece: {a} and {b} are addresses of the first."
+                        "Pieces share {count} points, and these join all the pieces. {a} and {b} are two addresses of one of these points."
                     ),
                 }
             }
