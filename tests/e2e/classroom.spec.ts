@@ -35,6 +35,20 @@ test("a lesson is shown step by step by keys, with a dot for the mouse, and left
   await expect(page.getByRole("button", { name: "Show as slides" })).toBeVisible();
 });
 
+test("a link leads to a slide, and says so where it was copied", async ({ page, context }) => {
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  await page.goto("./#learn/e6/slide=3");
+  const bar = page.getByRole("toolbar", { name: "Slides" });
+  await expect(bar).toContainText("3 of 5 What do you think?");
+  await page.keyboard.press("PageUp");
+  await expect(bar).toContainText("2 of 5");
+  await bar.getByRole("button", { name: "Link" }).click();
+  await expect(bar).toContainText("Link copied");
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(/#learn\/e6\/slide=2$/);
+  await page.keyboard.press("Escape");
+  await expect(bar).toHaveCount(0);
+});
+
 test("a handout asks and does not tell, and has its answers on a page of their own", async ({ page }) => {
   await openFigure(page, "e6");
   await page.getByText("A single point", { exact: true }).click();

@@ -1,15 +1,9 @@
 import "./handout.css";
 import css from "./handout.module.css";
 
-/** Lines to write on; on paper only. */
+/** Lines to write on, so many at least, and as many as the page has room for; on paper only. */
 export function Room({ lines }: { lines: number }) {
-  return (
-    <div class={css["room"]} aria-hidden="true">
-      {Array.from({ length: lines }, (_, i) => (
-        <div key={`${i}`} />
-      ))}
-    </div>
-  );
+  return <div class={css["room"]} style={{ "--lines": lines }} aria-hidden="true" />;
 }
 
 /** Whose handout it is; on paper only. */

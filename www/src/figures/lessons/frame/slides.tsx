@@ -1,15 +1,23 @@
 import "./slides.css";
 import { signal } from "@preact/signals";
-import { useEffect, useState } from "preact/hooks";
+import { useContext, useEffect, useState } from "preact/hooks";
 import { Button, IconButton } from "#ui/controls/Button";
 import { listenForEscape } from "#ui/escape";
 import { focusOf } from "#ui/focus";
+import { whole } from "../../kit/state/fields";
+import { Page, useNoted } from "../../kit/state/kept";
 import { stepsIn, toTop } from "../../kit/state/steps";
 import { useValue } from "../../kit/workers";
 import css from "./slides.module.css";
 
-/** Whether the lesson is shown step by step, as large as the screen. */
-const presenting = signal(false);
+/** The slide that is shown, from 0; null while the lesson is a page. */
+const slide = signal<number | null>(null);
+
+/** How an address says which slide it opens, from 1. */
+const SLIDE = whole(1, 99);
+
+/** Where the system does not give the whole screen, the window is filled. */
+const fillScreen = () => document.documentElement.requestFullscreen?.().catch(() => undefined);
 
 /** Shows the lesson as slides. */
 export function SlidesButton() {
@@ -20,9 +28,8 @@ export function SlidesButton() {
       label="Show as slides"
       description="step by step, as large as the screen"
       onClick={() => {
-        presenting.value = true;
-        // Where the system does not give the whole screen, the window is filled.
-        document.documentElement.requestFullscreen?.().catch(() => undefined);
+        slide.value = 0;
+        void fillScreen();
       }}
     />
   );
@@ -30,19 +37,34 @@ export function SlidesButton() {
 
 /** The bar below the slides; it is the last part of a lesson. */
 export function Slides() {
-  return useValue(presenting) ? <Shown /> : null;
+  const page = useContext(Page);
+  const at = useValue(slide);
+  useEffect(() => {
+    const opened = page.opened("slide", SLIDE);
+    if (opened !== null) slide.value = opened - 1;
+    return () => {
+      slide.value = null;
+    };
+  }, [page]);
+  useNoted("slide", at === null ? null : SLIDE.write(at + 1));
+  return at === null ? null : <Shown at={at} />;
 }
 
 const leave = () => {
-  presenting.value = false;
+  slide.value = null;
   if (document.fullscreenElement) document.exitFullscreen().catch(() => undefined);
 };
 
-function Shown() {
-  const [at, setAt] = useState(0);
+function Shown({ at: asked }: { at: number }) {
   const [names, setNames] = useState<readonly string[]>([]);
   const [dot, setDot] = useState(false);
+  const [full, setFull] = useState(document.fullscreenElement !== null);
   const last = names.length - 1;
+  // A link may say more slides than there are.
+  const at = last < 0 ? asked : Math.min(asked, last);
+  const go = (by: number) => {
+    slide.value = Math.min(last, Math.max(0, at + by));
+  };
 
   // The lesson is what it was; only one of its steps is seen.
   useEffect(() => {
@@ -74,7 +96,10 @@ function Shown() {
   useEffect(() => listenForEscape(leave), []);
   useEffect(() => {
     // The system takes Escape there, and says so.
-    const onChange = () => document.fullscreenElement === null && leave();
+    const onChange = () => {
+      setFull(document.fullscreenElement !== null);
+      if (document.fullscreenElement === null) leave();
+    };
     document.addEventListener("fullscreenchange", onChange);
     return () => document.removeEventListener("fullscreenchange", onChange);
   }, []);
@@ -86,27 +111,22 @@ function Shown() {
       event.preventDefault();
       event.stopPropagation();
       if (act === "dot") setDot((now) => !now);
-      else setAt((now) => Math.min(last, Math.max(0, now + act)));
+      else slide.value = Math.min(last, Math.max(0, at + act));
     };
     // Before sliders, which have the Page keys, too.
     document.addEventListener("keydown", onKey, true);
     return () => document.removeEventListener("keydown", onKey, true);
-  }, [last]);
+  }, [at, last]);
 
   return (
     <div data-slides-bar="">
       <div class={css["slides-bar"]} role="toolbar" aria-label="Slides">
-        <Button icon="back" disabled={at === 0} onClick={() => setAt(at - 1)}>
+        <Button icon="back" disabled={at === 0} onClick={() => go(-1)}>
           Back
         </Button>
         {/* That of the page is on its first slide. */}
         {at > 0 && <h1 class="unseen">{names[0]}</h1>}
-        <span class={css["where"]} aria-live="polite">
-          <span class="number">
-            {at + 1} of {names.length}
-          </span>{" "}
-          <span class={css["name"]}>{names[at]}</span>
-        </span>
+        <Where at={at} names={names} full={full} />
         <Button
           class={css["pointer"]}
           pressed={dot}
@@ -118,12 +138,58 @@ function Shown() {
         <Button description="Back to the page (Esc)" onClick={leave}>
           Leave
         </Button>
-        <Button kind="primary" disabled={at >= last} onClick={() => setAt(at + 1)}>
+        <Button kind="primary" disabled={at >= last} onClick={() => go(1)}>
           Next
         </Button>
       </div>
       {dot && <Dot />}
     </div>
+  );
+}
+
+/** Which slide it is, and a link to it. What is said of the link stands there for a moment. */
+function Where({ at, names, full }: { at: number; names: readonly string[]; full: boolean }) {
+  const page = useContext(Page);
+  const [said, setSaid] = useState<string | null>(null);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: what was said was said of another slide
+  useEffect(() => setSaid(null), [at]);
+  const copy = async () => {
+    const address = `${location.origin}${location.pathname}${page.fragment()}`;
+    try {
+      await navigator.clipboard.writeText(address);
+      setSaid("Link copied. It opens this slide as it is now.");
+    } catch {
+      setSaid(address);
+    }
+  };
+  return (
+    <>
+      <span class={css["where"]} aria-live="polite">
+        <span class="number">
+          {at + 1} of {names.length}
+        </span>{" "}
+        <span class={said === null ? css["name"] : css["said"]}>{said ?? names[at]}</span>
+      </span>
+      {page.place !== "" && (
+        <Button
+          icon="link"
+          description="Copy a link that opens this slide as it is now"
+          onClick={() => void copy()}
+        >
+          <span class={css["word"]}>Link</span>
+        </Button>
+      )}
+      {!full && document.fullscreenEnabled && (
+        <Button
+          class={css["fill"]}
+          icon="enlarge"
+          description="As large as the screen"
+          onClick={() => void fillScreen()}
+        >
+          <span class={css["word"]}>Fill</span>
+        </Button>
+      )}
+    </>
   );
 }
 
